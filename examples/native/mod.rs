@@ -1,0 +1,210 @@
+//! What the native programs share: clock, files, messages.
+#![allow(dead_code)] // Each program uses its part of it.
+
+use bubblestone::domain::Outline;
+use bubblestone::export::{cells_json, mesh_json};
+use bubblestone::render::overlay_planes;
+use bubblestone::studio::{Studio, View};
+use bubblestone::texture::Planes;
+use serde_json::Value;
+use std::path::Path;
+use std::process::ExitCode;
+
+/// Milliseconds since the call.
+#[allow(clippy::disallowed_methods)] // The library has no clock: this is the one handed to it.
+pub fn clock() -> impl FnMut() -> f64 {
+    let start = std::time::Instant::now();
+    move || start.elapsed().as_secs_f64() * 1e3
+}
+
+/// Says the sentence and ends with code 2 where there is one.
+pub fn end(result: Result<(), String>) -> ExitCode {
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(sentence) => {
+            eprintln!("{sentence}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+/// An outline from a file.
+pub struct OutlineFile {
+    /// The rings as they are in the file.
+    pub outline: Outline,
+    /// Side of the picture it is drawn for.
+    pub size: Option<f64>,
+}
+
+impl OutlineFile {
+    /// Scales the rings to a picture of another side.
+    pub fn scale(&mut self, factor: f64) {
+        let Outline { outer, holes } = &mut self.outline;
+        for point in holes.iter_mut().chain([outer]).flatten() {
+            *point *= factor;
+        }
+    }
+}
+
+/// Reads `{"size": [512, 512], "outer": [[x, y], ...], "holes": [[[x, y], ...], ...]}`; `size` and
+/// `holes` may be missing, other words are passed over.
+pub fn read_outline(path: &str) -> Result<OutlineFile, String> {
+    let text = std::fs::read_to_string(path).map_err(|e| format!("Cannot read {path}: {e}."))?;
+    let value: Value =
+        serde_json::from_str(&text).map_err(|e| format!("{path} is not JSON: {e}."))?;
+    outline_of(&value).map_err(|what| format!("{path}: {what}"))
+}
+
+fn outline_of(value: &Value) -> Result<OutlineFile, String> {
+    let outer = value.get("outer").ok_or(
+        "there is no \"outer\" ring; an outline is {\"outer\": [[x, y], ...], \"holes\": [...]}.",
+    )?;
+    let outer = ring_of(outer, "outer")?;
+    let holes = match value.get("holes") {
+        None | Some(Value::Null) => Vec::new(),
+        Some(Value::Array(holes)) => holes
+            .iter()
+            .enumerate()
+            .map(|(k, hole)| ring_of(hole, &format!("holes[{k}]")))
+            .collect::<Result<_, _>>()?,
+        Some(_) => return Err("\"holes\" is not a list of rings.".into()),
+    };
+    let size = match value.get("size") {
+        None | Some(Value::Null) => None,
+        Some(size) => Some(side_of(size)?),
+    };
+    Ok(OutlineFile {
+        outline: Outline { outer, holes },
+        size,
+    })
+}
+
+fn side_of(size: &Value) -> Result<f64, String> {
+    let sides: Vec<Option<f64>> = match size {
+        Value::Array(sides) => sides.iter().map(Value::as_f64).collect(),
+        side => vec![side.as_f64()],
+    };
+    let side = match sides[..] {
+        [Some(side)] => side,
+        [Some(width), Some(height)] => width.max(height),
+        _ => 0.0,
+    };
+    if side > 0.0 {
+        Ok(side)
+    } else {
+        Err("\"size\" is not [width, height] in pixels.".into())
+    }
+}
+
+fn ring_of(ring: &Value, name: &str) -> Result<Vec<glam::DVec2>, String> {
+    let points = ring
+        .as_array()
+        .ok_or(format!("\"{name}\" is not a list of points [x, y]."))?;
+    let read = |(k, point): (usize, &Value)| {
+        let pair = point.as_array().map(|p| p.iter().map(Value::as_f64));
+        match pair.map(Iterator::collect::<Vec<_>>).as_deref() {
+            Some(&[Some(x), Some(y)]) => Ok(glam::DVec2::new(x, y)),
+            _ => Err(format!(
+                "point {k} of \"{name}\" is not two numbers [x, y] but {point}."
+            )),
+        }
+    };
+    points.iter().enumerate().map(read).collect()
+}
+
+/// Writes the pictures, the cells, the mesh and the report of a finished studio.
+pub fn write_all(studio: &mut Studio, notices: Vec<String>, dir: &Path) -> Result<(), String> {
+    std::fs::create_dir_all(dir).map_err(|e| format!("Cannot make {}: {e}.", dir.display()))?;
+    let mut report = studio.report();
+    report.notices = notices;
+    write(dir, "report.json", report.json().as_bytes())?;
+    write(dir, "cells.json", cells_json(studio.cells()).as_bytes())?;
+    if let Some(mesh) = studio.mesh() {
+        write(dir, "mesh.json", mesh_json(mesh).as_bytes())?;
+    }
+    let side = studio.side();
+    if let Some(picture) = studio.picture() {
+        write_rgb(dir, "picture.png", side, opaque(picture))?;
+    }
+    if let Some(planes) = studio.planes() {
+        let colours = planes.colour.iter().copied();
+        write_rgb(dir, "albedo.png", side, colours)?;
+        let ids = planes.id.iter().map(|&id| overlay_planes::id_colour(id));
+        write_rgb(dir, "id.png", side, ids)?;
+        write(dir, "height.png", &height_png(planes)?)?;
+    }
+    Ok(())
+}
+
+/// Writes every view of the page.
+pub fn write_views(studio: &mut Studio, dir: &Path) -> Result<(), String> {
+    let side = studio.side();
+    for (view, word) in View::ALL {
+        let frame = studio.view(view);
+        write_rgb(dir, &format!("view-{word}.png"), side, opaque(frame))?;
+    }
+    Ok(())
+}
+
+fn write(dir: &Path, name: &str, bytes: &[u8]) -> Result<(), String> {
+    let path = dir.join(name);
+    std::fs::write(&path, bytes).map_err(|e| format!("Cannot write {}: {e}.", path.display()))
+}
+
+/// The colours of an opaque RGBA picture.
+pub fn opaque(rgba: &[u8]) -> impl Iterator<Item = [u8; 3]> + '_ {
+    rgba.chunks_exact(4).map(|p| [p[0], p[1], p[2]])
+}
+
+/// Writes 8 bit red, green, blue.
+pub fn write_rgb(
+    dir: &Path,
+    name: &str,
+    width: usize,
+    colours: impl Iterator<Item = [u8; 3]>,
+) -> Result<(), String> {
+    let bytes: Vec<u8> = colours.flatten().collect();
+    let height = bytes.len() / (3 * width.max(1));
+    let png = encode(
+        (width, height),
+        &bytes,
+        png::ColorType::Rgb,
+        png::BitDepth::Eight,
+    )?;
+    write(dir, name, &png)
+}
+
+/// Heights in 16 bit grey over `height_range` of the report.
+fn height_png(planes: &Planes) -> Result<Vec<u8>, String> {
+    let (lo, hi) = overlay_planes::height_range(planes);
+    let scale = if hi > lo { 65535.0 / (hi - lo) } else { 0.0 };
+    let bytes: Vec<u8> = planes
+        .bump
+        .iter()
+        .flat_map(|h| (((h - lo) * scale + 0.5) as u16).to_be_bytes())
+        .collect();
+    let size = (planes.side, planes.side);
+    encode(
+        size,
+        &bytes,
+        png::ColorType::Grayscale,
+        png::BitDepth::Sixteen,
+    )
+}
+
+fn encode(
+    (width, height): (usize, usize),
+    bytes: &[u8],
+    colour: png::ColorType,
+    depth: png::BitDepth,
+) -> Result<Vec<u8>, String> {
+    let mut out = Vec::new();
+    let mut encoder = png::Encoder::new(&mut out, width as u32, height as u32);
+    encoder.set_color(colour);
+    encoder.set_depth(depth);
+    let written = encoder
+        .write_header()
+        .and_then(|mut writer| writer.write_image_data(bytes));
+    written.map_err(|e| format!("A picture could not be written: {e}."))?;
+    Ok(out)
+}

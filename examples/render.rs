@@ -1,0 +1,100 @@
+//! Renders one link to files.
+//!
+//!     cargo run --release --example render -- '<link or fragment>' [--outline FILE.json] --out DIR [--views]
+//!
+//! writes picture.png, height.png (16 bit grey), albedo.png, id.png, cells.json, mesh.json and
+//! report.json into DIR, with --views also each view of the page as view-NAME.png. Ends with code 2
+//! and one sentence where something is wrong with what it was given.
+//!
+//! An outline file that tells its `size` is drawn in a picture of that size, or scaled to that of the
+//! link where the link names one, as on the page.
+
+#[cfg(not(target_arch = "wasm32"))]
+mod native;
+
+#[cfg(target_arch = "wasm32")]
+fn main() {}
+
+#[cfg(not(target_arch = "wasm32"))]
+fn main() -> std::process::ExitCode {
+    native::end(run())
+}
+
+#[cfg(not(target_arch = "wasm32"))]
+fn run() -> Result<(), String> {
+    use bubblestone::recipe::{Key, Recipe};
+    use bubblestone::studio::Studio;
+
+    let wish = Wish::read(std::env::args().skip(1))?;
+    let (mut recipe, mut notices) = Recipe::from_link(&wish.link);
+    let mut studio = match &wish.outline {
+        None => Studio::new(recipe),
+        Some(path) => {
+            let mut file = native::read_outline(path)?;
+            if let Some(size) = file.size {
+                if !wish.link_has_size() {
+                    notices.extend(recipe.set(Key::Size.parameter().key, &size.to_string())?);
+                }
+                file.scale(recipe.side() / size);
+            }
+            let made = Studio::with_outline(recipe, &file.outline);
+            let (studio, mended) = made.map_err(|e| format!("{path}: {e}"))?;
+            notices.extend(mended);
+            studio
+        }
+    };
+    let mut clock = native::clock();
+    studio.finish(&mut clock)?;
+    native::write_all(&mut studio, notices, wish.out.as_ref())?;
+    if wish.views {
+        native::write_views(&mut studio, wish.out.as_ref())?;
+    }
+    Ok(())
+}
+
+/// What the command line asks for.
+#[cfg(not(target_arch = "wasm32"))]
+#[derive(Default)]
+struct Wish {
+    link: String,
+    outline: Option<String>,
+    out: String,
+    views: bool,
+}
+
+#[cfg(not(target_arch = "wasm32"))]
+impl Wish {
+    fn read(mut words: impl Iterator<Item = String>) -> Result<Self, String> {
+        const USAGE: &str =
+            "Usage: render '<link or fragment>' [--outline FILE.json] --out DIR [--views].";
+        let mut wish = Wish::default();
+        let mut link = None;
+        while let Some(word) = words.next() {
+            let mut value = |name: &str| {
+                let value = words.next();
+                value.ok_or_else(|| format!("{name} needs a value. {USAGE}"))
+            };
+            match word.as_str() {
+                "--outline" => wish.outline = Some(value("--outline")?),
+                "--out" => wish.out = value("--out")?,
+                "--views" => wish.views = true,
+                _ if word.starts_with("--") => {
+                    return Err(format!("There is no option {word}. {USAGE}"));
+                }
+                _ if link.is_some() => return Err(format!("Give one link only. {USAGE}")),
+                _ => link = Some(word),
+            }
+        }
+        wish.link = link.unwrap_or_default();
+        if wish.out.is_empty() {
+            return Err(format!("Say where the files go. {USAGE}"));
+        }
+        Ok(wish)
+    }
+
+    /// Does the link itself name the picture's size?
+    fn link_has_size(&self) -> bool {
+        let fragment = self.link.rsplit('#').next().unwrap_or_default();
+        fragment.split('&').any(|word| word.starts_with("size="))
+    }
+}

@@ -1,0 +1,115 @@
+// Running other programs and talking about it. Only Node's own modules: this runs before `npm ci`.
+import { spawnSync } from 'node:child_process';
+import { accessSync, constants, statSync } from 'node:fs';
+import { delimiter, dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+export const root = dirname(dirname(dirname(fileURLToPath(import.meta.url))));
+
+/** A failure whose message is meant for the person at the keyboard: printed without a stack. */
+export class Stop extends Error {}
+
+/** Where the chatter of set-up and builds goes: 1 is the standard output, 2 the standard error. */
+let chatter = 1;
+
+/** Keeps the standard output for a command's answer. */
+export function keepOutputForAnswer() {
+  chatter = 2;
+}
+
+/** Says in a line what happens now. @param {string} line */
+export function say(line) {
+  const talk = chatter === 1 ? console.log : console.error;
+  talk(`\n> ${line}`);
+}
+
+/**
+ * Runs a program with its output shown; stops when it fails.
+ * @param {string} program
+ * @param {string[]} args
+ * @param {{ env?: NodeJS.ProcessEnv, cwd?: string, otherwise?: string }} [options]
+ */
+export function run(program, args, { env = process.env, cwd = root, otherwise } = {}) {
+  const failure = tryRun(program, args, { env, cwd });
+  if (failure) throw new Stop(otherwise ?? `\`${program} ${args.join(' ')}\` failed: ${failure}.`);
+}
+
+/**
+ * Runs a program with its output shown; answers what went wrong, or an empty string.
+ * @param {string} program
+ * @param {string[]} args
+ * @param {{ env?: NodeJS.ProcessEnv, cwd?: string }} [options]
+ */
+export function tryRun(program, args, { env = process.env, cwd = root } = {}) {
+  const { error, status, signal } = spawnSync(program, args, {
+    env,
+    cwd,
+    stdio: ['ignore', chatter, 2],
+    shell: needsShell(program),
+  });
+  if (error) return 'code' in error && error.code === 'ENOENT' ? `${program} is not installed` : error.message;
+  if (signal) return `ended by ${signal}`;
+  return status === 0 ? '' : `exit code ${status}`;
+}
+
+/**
+ * What a program prints, trimmed; undefined when it is missing or fails.
+ * @param {string} program
+ * @param {string[]} args
+ * @param {NodeJS.ProcessEnv} [env]
+ * @returns {string | undefined}
+ */
+export function ask(program, args, env = process.env) {
+  const { error, status, stdout } = spawnSync(program, args, {
+    env,
+    cwd: root,
+    encoding: 'utf8',
+    stdio: ['ignore', 'pipe', 'ignore'],
+    shell: needsShell(program),
+  });
+  return error || status !== 0 ? undefined : stdout.trim();
+}
+
+/**
+ * Where a program is on a PATH, or undefined.
+ * @param {string} program
+ * @param {string} [path]
+ */
+export function which(program, path = process.env.PATH ?? '') {
+  const suffix = process.platform === 'win32' ? '.exe' : '';
+  return path
+    .split(delimiter)
+    .filter(Boolean)
+    .map((folder) => join(folder, program + suffix))
+    .find(isProgram);
+}
+
+/** @param {string} file */
+export function isProgram(file) {
+  try {
+    accessSync(file, constants.X_OK);
+    return statSync(file).isFile();
+  } catch {
+    return false;
+  }
+}
+
+/**
+ * Runs a script's main function: a Stop is printed as its sentence, and the exit code is 1.
+ * @param {() => unknown} main
+ */
+export async function start(main) {
+  try {
+    await main();
+  } catch (error) {
+    if (!(error instanceof Stop)) throw error;
+    console.error(`\n${error.message}`);
+    process.exitCode = 1;
+  }
+}
+
+// npm and npx are batch files on Windows, which only a shell can start.
+/** @param {string} program */
+function needsShell(program) {
+  return process.platform === 'win32' && program === 'npm';
+}

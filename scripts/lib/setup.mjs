@@ -1,0 +1,209 @@
+// What has to be on the machine, each looked for first and brought only where it is missing.
+// Only Node's own modules: this runs before `npm ci`.
+import { createHash } from 'node:crypto';
+import { existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import * as apt from './apt.mjs';
+import { findBrowser } from './browser.mjs';
+import { ask, isProgram, root, run, say, Stop, tryRun, which } from './run.mjs';
+import {
+  cargoBin,
+  isRecent,
+  lockedVersion,
+  nativeEnv,
+  neededRust,
+  systemBin,
+  targetDir,
+  wasmEnv,
+  wasmLibraries,
+  wasmTarget,
+} from './rust.mjs';
+
+const wasmPackVersion = '0.15.1';
+const oldestNode = [20, 19];
+
+/** Node and Rust: what the person brings. */
+export function checkGivens() {
+  const [major, minor] = process.versions.node.split('.').map(Number);
+  if (major < oldestNode[0] || (major === oldestNode[0] && minor < oldestNode[1])) {
+    throw new Stop(`Node ${process.versions.node} is too old: install Node ${oldestNode.join('.')} or newer.`);
+  }
+  if (!which('cargo') || !ask('rustc', ['--version'])) {
+    throw new Stop('Rust is missing: install it with rustup (https://rustup.rs) so that cargo and rustc are on PATH.');
+  }
+  if (!isRecent()) {
+    throw new Stop(`${ask('rustc', ['--version'])} is too old: install Rust ${neededRust()} or newer.`);
+  }
+}
+
+/** The npm packages, exactly as locked. */
+export function npmPackages() {
+  const lock = readFileSync(join(root, 'package-lock.json'));
+  const wanted = `${createHash('sha256').update(lock).digest('hex')} ${process.platform} ${process.arch}\n`;
+  const stamp = join(root, 'node_modules', '.set-up');
+  if (existsSync(stamp) && readFileSync(stamp, 'utf8') === wanted) return;
+  say('Installing the npm packages (npm ci)');
+  run('npm', ['ci', '--no-audit', '--no-fund'], {
+    otherwise: 'The npm packages could not be installed: npm needs to reach its registry (or a mirror of it).',
+  });
+  writeFileSync(stamp, wanted);
+}
+
+/**
+ * A Rust that can build for WebAssembly.
+ * @returns {NodeJS.ProcessEnv} the environment to build in
+ */
+export function wasmRust() {
+  const found = wasmEnv();
+  if (found) return found;
+  if (which('rustup')) {
+    say(`Adding the Rust target ${wasmTarget} (rustup)`);
+    const failure = tryRun('rustup', ['target', 'add', wasmTarget]);
+    if (failure) say(`rustup could not add it (${failure}); trying the distribution's packages.`);
+  }
+  return wasmEnv() ?? distributionRust();
+}
+
+/** Debian's second Rust with a standard library for WebAssembly built from its sources. */
+function distributionRust() {
+  const missing = `The Rust target ${wasmTarget} is missing: run \`rustup target add ${wasmTarget}\`, or install your distribution's package of it and lld.`;
+  const lld = apt.canInstall() && apt.hasPackage('rustc-web') ? apt.newestNumbered('lld') : undefined;
+  if (!lld) throw new Stop(missing);
+  apt.install(['rustc-web', 'cargo-web', 'rust-web-src', lld]);
+  buildWasmStd();
+  const env = wasmEnv();
+  if (!env) throw new Stop(missing);
+  return env;
+}
+
+/** Debian has the sources of std for WebAssembly, not the built libraries: build and add them once. */
+function buildWasmStd() {
+  say(`Building Rust's standard library for ${wasmTarget} (a minute, once)`);
+  const scratch = mkdtempSync(join(tmpdir(), 'wasm-std-'));
+  try {
+    const manifest = '[package]\nname = "empty"\nedition = "2021"\n[profile.release]\ndebug = 0\n[workspace]\n';
+    writeFileSync(join(scratch, 'Cargo.toml'), manifest);
+    mkdirSync(join(scratch, 'src'));
+    writeFileSync(join(scratch, 'src', 'lib.rs'), '');
+    const build = ['build', '--release', '--target', wasmTarget, '-Z', 'build-std=std,panic_abort,test'];
+    const env = { ...process.env, PATH: `${systemBin}:${process.env.PATH}`, RUSTC_BOOTSTRAP: '1' };
+    // `test` is in the list or test harnesses find no crate of that name.
+    run(join(systemBin, 'cargo'), build, {
+      cwd: scratch,
+      env: { ...env, CARGO_TARGET_DIR: join(scratch, 'target'), RUSTFLAGS: '', CARGO_ENCODED_RUSTFLAGS: undefined },
+    });
+    addLibraries(join(scratch, 'target', wasmTarget, 'release', 'deps'));
+  } finally {
+    rmSync(scratch, { recursive: true, force: true });
+  }
+}
+
+/** @param {string} built the folder of the built libraries */
+function addLibraries(built) {
+  const libraries = readdirSync(built).filter((file) => file.endsWith('.rlib') && !file.startsWith('libempty-'));
+  // std last: its presence is what says that the target is complete.
+  const rest = libraries.filter((file) => !file.startsWith('libstd-'));
+  const std = libraries.filter((file) => file.startsWith('libstd-'));
+  const folder = wasmLibraries(join(systemBin, 'rustc'));
+  if (!folder || std.length === 0) throw new Stop(`Rust's standard library for ${wasmTarget} was not built.`);
+  apt.runAsRoot(['mkdir', '-p', folder]);
+  for (const group of [rest, std]) {
+    apt.runAsRoot(['cp', ...group.map((file) => join(built, file)), folder]);
+  }
+}
+
+/** wasm-pack, and wasm-bindgen of exactly the version in Cargo.lock. */
+export function wasmTools() {
+  const { PATH } = nativeEnv();
+  const bindgenVersion = lockedVersion('wasm-bindgen');
+  const tools = [
+    { crate: 'wasm-bindgen-cli', program: 'wasm-bindgen', version: bindgenVersion, exact: true },
+    { crate: 'wasm-pack', program: 'wasm-pack', version: wasmPackVersion, exact: false },
+  ];
+  for (const { crate, program, version, exact } of tools) {
+    const file = which(program, PATH);
+    const there = file && ask(file, ['--version'])?.split(' ')[1];
+    if (exact ? there === version : there) continue;
+    say(`Installing ${crate} ${version} with cargo (some minutes, once)`);
+    installTool(crate, version);
+  }
+}
+
+/** @param {string} crate @param {string} version */
+function installTool(crate, version) {
+  // Built for a short wait, not for speed: these tools run for a second at a time. One folder for both shares
+  // their common dependencies. Not --locked: that of wasm-bindgen-cli may name yanked versions.
+  const env = {
+    ...process.env,
+    CARGO_TARGET_DIR: join(targetDir, 'tools'),
+    CARGO_PROFILE_RELEASE_OPT_LEVEL: '1',
+    CARGO_PROFILE_RELEASE_LTO: 'off',
+    CARGO_PROFILE_RELEASE_CODEGEN_UNITS: '16',
+    CARGO_PROFILE_RELEASE_DEBUG: '0',
+  };
+  run('cargo', ['install', crate, '--version', version, '--force'], {
+    env,
+    otherwise: `${crate} ${version} could not be installed: install it with \`cargo install ${crate} --version ${version}\`.`,
+  });
+  const program = crate.replace(/-cli$/, '');
+  if (!isProgram(join(cargoBin, process.platform === 'win32' ? `${program}.exe` : program))) {
+    throw new Stop(`cargo did not put ${program} into ${cargoBin}: unset CARGO_INSTALL_ROOT and run this again.`);
+  }
+}
+
+/** rustfmt and clippy of the Rust on PATH. */
+export function rustLinters() {
+  const parts = [
+    { program: 'cargo-fmt', component: 'rustfmt', debian: 'rustfmt-web' },
+    { program: 'cargo-clippy', component: 'clippy', debian: 'rust-web-clippy' },
+  ];
+  for (const { program, component, debian } of parts) {
+    const call = program.slice('cargo-'.length);
+    if (ask('cargo', [call, '--version'])) continue;
+    if (which('rustup')) {
+      say(`Adding ${component} (rustup)`);
+      tryRun('rustup', ['component', 'add', component]);
+    } else if (which('cargo')?.startsWith(`${systemBin}/`) && apt.canInstall() && apt.hasPackage(debian)) {
+      apt.install([debian]);
+    }
+    if (!ask('cargo', [call, '--version'])) {
+      throw new Stop(`${component} is missing: run \`rustup component add ${component}\`, or install your distribution's package of it.`);
+    }
+  }
+}
+
+/**
+ * Clippy of the Rust that builds for WebAssembly.
+ * @param {NodeJS.ProcessEnv} env
+ * @returns {boolean} whether it is there
+ */
+export function wasmClippy(env) {
+  const isThere = () => Boolean(ask('cargo', ['clippy', '--version'], env)) && clippyMatches(env);
+  if (isThere()) return true;
+  if (apt.canInstall() && apt.hasPackage('rust-web-clippy')) apt.install(['rust-web-clippy']);
+  return isThere();
+}
+
+// A clippy of another release than rustc cannot read its libraries.
+/** @param {NodeJS.ProcessEnv} env */
+function clippyMatches(env) {
+  const clippy = /^clippy 0\.(\d+\.\d+)/.exec(ask('cargo', ['clippy', '--version'], env) ?? '')?.[1];
+  const rustc = /^rustc (\d+\.\d+)/.exec(ask('rustc', ['--version'], env) ?? '')?.[1];
+  return clippy !== undefined && clippy === rustc;
+}
+
+/** A browser for the tests. @returns {string} its program */
+export function browser() {
+  const found = findBrowser();
+  if (found) return found;
+  if (process.env.CHROME_PATH) {
+    throw new Stop(`CHROME_PATH names ${process.env.CHROME_PATH}, which is not a program: name Chromium's, or unset it.`);
+  }
+  if (apt.canInstall()) apt.install(['chromium', 'fonts-liberation']);
+  const installed = findBrowser();
+  if (!installed) {
+    throw new Stop('No browser for the tests: install Chromium (or Google Chrome), or name its program in CHROME_PATH.');
+  }
+  return installed;
+}

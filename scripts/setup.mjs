@@ -1,0 +1,13 @@
+// `npm run setup`: all that the other commands need, and nothing else.
+import { start } from './lib/run.mjs';
+import * as setup from './lib/setup.mjs';
+
+await start(() => {
+  setup.checkGivens();
+  setup.npmPackages();
+  setup.rustLinters();
+  setup.wasmClippy(setup.wasmRust());
+  setup.wasmTools();
+  setup.browser();
+  console.log('\nAll is set up.');
+});

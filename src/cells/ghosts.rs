@@ -1,0 +1,103 @@
+//! Points outside the outline that make the dual mesh end at the boundary.
+//!
+//! A cell beside a wall has its mirror image behind the wall: the middle between the two, where
+//! their dual cells meet, is the wall itself. Beside two walls that meet in a corner there is also
+//! the image through both.
+
+use crate::domain::{Domain, Facing, Foot};
+use crate::packing::Particle;
+use glam::DVec2;
+
+/// Cells this near to a wall (in sizes) are mirrored: those of the first row, not of the second.
+const MIRRORED: f64 = 0.9;
+/// Images nearer to each other than this (in sizes) are one.
+const SAME: f64 = 0.45;
+/// Two walls make a corner where their directions differ by more than this (cosine of 45 degrees).
+const CORNER: f64 = 0.707;
+/// The frame of points around everything, in sides of the box around the outline.
+const FRAME: f64 = 1.5;
+
+/// The images of all cells near a wall, and a frame of far points around everything.
+pub(super) fn ghosts(domain: &Domain, particles: &[Particle]) -> Vec<DVec2> {
+    let largest = particles.iter().fold(0.0_f64, |m, p| m.max(p.size));
+    let facing = Facing::new(domain, MIRRORED * largest);
+    let mut images: Vec<(DVec2, f64)> = Vec::new();
+    let mut feet = Vec::new();
+    for p in particles.iter().filter(|p| facing.is_near(p.centre)) {
+        if p.fixed {
+            let near = domain.nearest(p.centre);
+            let outward = outward_of_boundary_cell(domain, p, near.tangent);
+            images.push((p.centre + outward * p.size, p.size));
+            continue;
+        }
+        facing.feet(p.centre, MIRRORED * p.size, &mut feet);
+        mirror(p, &feet, &mut images);
+    }
+    let mut kept = thin_out(domain, images, largest);
+    kept.extend(frame(domain));
+    kept
+}
+
+/// Through each wall, and through each pair of walls that make a corner.
+fn mirror(p: &Particle, feet: &[Foot], images: &mut Vec<(DVec2, f64)>) {
+    for (k, foot) in feet.iter().enumerate() {
+        let step = -2.0 * foot.distance * foot.inward;
+        images.push((p.centre + step, p.size));
+        for other in &feet[..k] {
+            let along = foot.inward.dot(other.inward);
+            if along.abs() < CORNER {
+                let second = -2.0 * other.distance * other.inward;
+                images.push((p.centre + step + second, p.size));
+            }
+        }
+    }
+}
+
+/// The way out of the outline at a cell that stands on the boundary.
+fn outward_of_boundary_cell(domain: &Domain, p: &Particle, tangent: DVec2) -> DVec2 {
+    // At a corner the two sides' normals are both tried: the farther outside wins.
+    let normal = tangent.perp();
+    let candidates = [-normal, p.axis, -p.axis, p.axis.perp(), -p.axis.perp()];
+    let depth = |d: &DVec2| domain.nearest(p.centre + 0.5 * p.size * *d).distance;
+    candidates
+        .into_iter()
+        .filter(|d| *d != DVec2::ZERO)
+        .min_by(|a, b| depth(a).total_cmp(&depth(b)))
+        .unwrap_or(-normal)
+}
+
+/// Drops images that fell back inside the outline or onto another one.
+fn thin_out(domain: &Domain, images: Vec<(DVec2, f64)>, largest: f64) -> Vec<DVec2> {
+    let (lo, hi) = domain.bounds();
+    let mut grid = crate::packing::Grid::new(lo, hi, largest);
+    let mut kept: Vec<DVec2> = Vec::new();
+    for (p, size) in images {
+        if domain.contains(p) {
+            continue;
+        }
+        let mut free = true;
+        grid.near(p, SAME * size, |k| {
+            free &= kept[k].distance(p) >= SAME * size;
+        });
+        if free {
+            grid.push(p);
+            kept.push(p);
+        }
+    }
+    kept
+}
+
+fn frame(domain: &Domain) -> Vec<DVec2> {
+    let (lo, hi) = domain.bounds();
+    let (middle, half) = (lo.midpoint(hi), FRAME * (hi - lo).max_element());
+    // Not on one circle, so that the frame's own triangles are unique.
+    let mut points = Vec::new();
+    for k in 0..4 {
+        let t = f64::from(k) / 4.0 * 2.0 - 1.0;
+        points.push(middle + half * DVec2::new(t, -1.0));
+        points.push(middle + half * DVec2::new(1.0, t));
+        points.push(middle + half * DVec2::new(-t, 1.0));
+        points.push(middle + half * DVec2::new(-1.0, -t));
+    }
+    points
+}

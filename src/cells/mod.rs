@@ -1,0 +1,29 @@
+//! One polygon per cell: the packed squares as they are, or the pseudo-Voronoi dual of the mesh
+//! fitted into the outline.
+
+mod arrangement;
+mod fitted;
+mod ghosts;
+mod packed;
+mod rings;
+mod straighten;
+
+pub use fitted::{Fitting, fitted};
+pub use packed::packed;
+
+use glam::DVec2;
+
+/// The ground plan of one stone.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Cell {
+    /// Names the cell for ever: everything random about its stone is drawn by this number.
+    pub id: u32,
+    /// The packed particle's centre; inside the ring for any sensible cell.
+    pub centre: DVec2,
+    /// The size the cell was asked to have (the side of its square), in picture units.
+    pub size: f64,
+    /// Unit vector of the direction field at the centre, or zero where the field has none.
+    pub axis: DVec2,
+    /// A simple ring, not closed, of positive shoelace area (clockwise on screen), at least 3 points.
+    pub ring: Vec<DVec2>,
+}

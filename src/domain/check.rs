@@ -1,0 +1,346 @@
+//! Is an outline fit to be paved? What can be mended is mended and told; for the rest there is one
+//! sentence that names the ring and the place.
+
+use super::crossing::{Contact, first_contact};
+use super::{Outline, signed_area};
+use glam::DVec2;
+use robust::{Coord, orient2d};
+use std::fmt;
+
+/// Most points that the rings of an outline may have together.
+pub const MAX_POINTS: usize = 4096;
+
+/// The smallest ring has the area of a square of this part of the picture's side (4 px of 512).
+const SMALLEST: f64 = 1.0 / 128.0;
+/// Points nearer than this part of the picture's side are one.
+const SAME: f64 = 1e-7;
+/// At most so many things mended are told one by one.
+const TOLD: usize = 4;
+/// How far outside the picture a point may lie, in sides.
+const OUTSIDE: f64 = 0.5;
+
+/// One of the rings of an outline.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ring {
+    /// The outer ring.
+    Outer,
+    /// A hole, counted from 1.
+    Hole(usize),
+}
+
+impl Ring {
+    /// By its place among the rings, the outer one first.
+    pub(super) fn at(index: usize) -> Self {
+        match index {
+            0 => Ring::Outer,
+            hole => Ring::Hole(hole),
+        }
+    }
+
+    /// At the beginning of a sentence.
+    fn first(self) -> String {
+        match self {
+            Ring::Outer => "The outer ring".into(),
+            Ring::Hole(number) => format!("Hole {number}"),
+        }
+    }
+}
+
+impl fmt::Display for Ring {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Ring::Outer => f.write_str("the outer ring"),
+            Ring::Hole(number) => write!(f, "hole {number}"),
+        }
+    }
+}
+
+/// Why an outline is refused; `Display` is the sentence.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum OutlineError {
+    /// Too many points in all.
+    TooManyPoints(usize),
+    /// The ring's point of that number (from 1) has a coordinate that is no finite number.
+    NotFinite(Ring, usize),
+    /// A point lies farther outside the picture than half of its side.
+    FarOutside(Ring, DVec2),
+    /// The ring has fewer than three different points, this many.
+    TooFewPoints(Ring, usize),
+    /// All points of the ring lie on one line.
+    OnOneLine(Ring, DVec2),
+    /// The ring turns back on itself at a point.
+    FoldsBack(Ring, DVec2),
+    /// The ring crosses or touches itself.
+    CrossesItself(Ring, DVec2),
+    /// Two rings cross, touch or overlap.
+    RingsCross(Ring, Ring, DVec2),
+    /// The ring's area, in square picture units, is below the smallest (the last number).
+    TooSmall(Ring, DVec2, f64, f64),
+    /// The hole lies outside the outer ring.
+    HoleOutside(Ring, DVec2),
+    /// The first hole lies inside the second.
+    HoleInHole(Ring, Ring, DVec2),
+}
+
+/// A place in a sentence: tenths of a picture unit are fine enough to find it.
+struct Place(DVec2);
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        // Adding 0 makes of -0 a 0.
+        let tenth = |x: f64| (x * 10.0).round() / 10.0 + 0.0;
+        // Far away in the wrong units an exponent is easier to read than 300 digits.
+        if self.0.abs().max_element() < 1e6 {
+            write!(f, "({}, {})", tenth(self.0.x), tenth(self.0.y))
+        } else {
+            write!(f, "({:.1e}, {:.1e})", self.0.x, self.0.y)
+        }
+    }
+}
+
+impl fmt::Display for OutlineError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        use OutlineError::*;
+        match *self {
+            TooManyPoints(n) => write!(
+                f,
+                "The outline has {n} points; at most {MAX_POINTS} are allowed."
+            ),
+            NotFinite(ring, number) => write!(
+                f,
+                "Point {number} of {ring} is not a pair of finite numbers."
+            ),
+            FarOutside(ring, p) => write!(
+                f,
+                "{} has a point far outside the picture, at {}; \
+                 at most half of the picture's side is allowed.",
+                ring.first(),
+                Place(p)
+            ),
+            TooFewPoints(ring, n) => write!(
+                f,
+                "{} needs at least 3 different points; it has {n}.",
+                ring.first()
+            ),
+            OnOneLine(ring, p) => write!(
+                f,
+                "All points of {ring} lie on one line through {}.",
+                Place(p)
+            ),
+            FoldsBack(ring, p) => {
+                let ring = ring.first();
+                write!(f, "{ring} turns back on itself at {}.", Place(p))
+            }
+            CrossesItself(ring, p) => {
+                let ring = ring.first();
+                write!(f, "{ring} crosses or touches itself at {}.", Place(p))
+            }
+            RingsCross(a, b, p) => {
+                let a = a.first();
+                write!(f, "{a} and {b} cross or touch at {}.", Place(p))
+            }
+            TooSmall(ring, p, area, least) => write!(
+                f,
+                "{} at {} is too small: its area is {:.3} square pixels, \
+                 at least {least:.3} is needed.",
+                ring.first(),
+                Place(p),
+                area
+            ),
+            HoleOutside(ring, p) => {
+                let ring = ring.first();
+                write!(f, "{ring} at {} is not inside the outer ring.", Place(p))
+            }
+            HoleInHole(inner, outer, p) => {
+                let inner = inner.first();
+                write!(f, "{inner} at {} lies inside {outer}.", Place(p))
+            }
+        }
+    }
+}
+
+impl std::error::Error for OutlineError {}
+
+impl Outline {
+    /// Checks the rings for a picture of a side: gives the outline with repeated points dropped and
+    /// the orientation of the module's doc, and a sentence for each thing mended.
+    ///
+    /// # Errors
+    /// The first fault that cannot be mended: too many, non-finite or far points, rings that are
+    /// degenerate, cross or touch themselves or each other, are smaller than a square of 1/128 of the
+    /// side, or holes outside the outer ring or inside each other.
+    pub fn check(&self, side: f64) -> Result<(Outline, Vec<String>), OutlineError> {
+        let count = self.outer.len() + self.holes.iter().map(Vec::len).sum::<usize>();
+        if count > MAX_POINTS {
+            return Err(OutlineError::TooManyPoints(count));
+        }
+        let mut notices = Vec::new();
+        let mut rings = Vec::with_capacity(1 + self.holes.len());
+        for (index, ring) in std::iter::once(&self.outer).chain(&self.holes).enumerate() {
+            rings.push(check_points(ring, Ring::at(index), side, &mut notices)?);
+        }
+        match first_contact(&rings) {
+            Some(Contact::Within(ring, p)) => {
+                return Err(OutlineError::CrossesItself(Ring::at(ring), p));
+            }
+            Some(Contact::Between(a, b, p)) => {
+                return Err(OutlineError::RingsCross(Ring::at(a), Ring::at(b), p));
+            }
+            None => {}
+        }
+        for (index, ring) in rings.iter_mut().enumerate() {
+            orient(ring, Ring::at(index), side, &mut notices)?;
+        }
+        check_nesting(&rings)?;
+        if notices.len() > TOLD {
+            let more = notices.len() - TOLD;
+            notices.truncate(TOLD);
+            notices.push(format!("{more} more things like these were mended."));
+        }
+        let outer = rings.remove(0);
+        let holes = rings;
+        Ok((Outline { outer, holes }, notices))
+    }
+}
+
+/// The ring without repeated points, if its points are fit for a ring at all.
+fn check_points(
+    ring: &[DVec2],
+    which: Ring,
+    side: f64,
+    notices: &mut Vec<String>,
+) -> Result<Vec<DVec2>, OutlineError> {
+    if let Some(bad) = ring.iter().position(|p| !p.is_finite()) {
+        return Err(OutlineError::NotFinite(which, bad + 1));
+    }
+    let far = |p: &&DVec2| (**p / side - 0.5).abs().max_element() > 0.5 + OUTSIDE;
+    if let Some(&p) = ring.iter().find(far) {
+        return Err(OutlineError::FarOutside(which, p));
+    }
+    let same = |a: DVec2, b: DVec2| (a - b).abs().max_element() <= SAME * side;
+    let mut points: Vec<DVec2> = Vec::with_capacity(ring.len());
+    let mut repeated = Vec::new();
+    for &p in ring {
+        match points.last() {
+            Some(&last) if same(p, last) => repeated.push(p),
+            _ => points.push(p),
+        }
+    }
+    while points.len() > 1 && same(points[0], points[points.len() - 1]) {
+        repeated.extend(points.pop());
+    }
+    if points.len() < 3 {
+        return Err(OutlineError::TooFewPoints(which, points.len()));
+    }
+    if let Some(&p) = repeated.first() {
+        notices.push(match repeated.len() {
+            1 => format!(
+                "{} repeats a point at {}; dropped.",
+                which.first(),
+                Place(p)
+            ),
+            n => format!(
+                "{} repeats {n} points, the first at {}; dropped.",
+                which.first(),
+                Place(p)
+            ),
+        });
+    }
+    check_corners(&points, which)?;
+    Ok(points)
+}
+
+/// Refuses rings on one line and corners that turn back.
+fn check_corners(points: &[DVec2], which: Ring) -> Result<(), OutlineError> {
+    let n = points.len();
+    let mut on_one_line = true;
+    let mut fold = None;
+    for k in 0..n {
+        let (a, b, c) = (points[(k + n - 1) % n], points[k], points[(k + 1) % n]);
+        if orientation(a, b, c) != 0.0 {
+            on_one_line = false;
+        } else if (b - a).dot(c - b) < 0.0 {
+            fold = fold.or(Some(b));
+        }
+    }
+    match fold {
+        _ if on_one_line => Err(OutlineError::OnOneLine(which, points[0])),
+        Some(p) => Err(OutlineError::FoldsBack(which, p)),
+        None => Ok(()),
+    }
+}
+
+/// Turns the ring to the orientation of its kind; refuses those too small.
+fn orient(
+    ring: &mut [DVec2],
+    which: Ring,
+    side: f64,
+    notices: &mut Vec<String>,
+) -> Result<(), OutlineError> {
+    let area = signed_area(ring);
+    let least = (SMALLEST * side) * (SMALLEST * side);
+    if area.abs() < least {
+        return Err(OutlineError::TooSmall(which, ring[0], area.abs(), least));
+    }
+    if (area > 0.0) != (which == Ring::Outer) {
+        ring.reverse();
+        notices.push(format!(
+            "{} ran the wrong way round; turned.",
+            which.first()
+        ));
+    }
+    Ok(())
+}
+
+/// Every hole inside the outer ring and no other; the rings are known not to meet.
+fn check_nesting(rings: &[Vec<DVec2>]) -> Result<(), OutlineError> {
+    let boxes: Vec<(DVec2, DVec2)> = rings.iter().map(|ring| bounds(ring)).collect();
+    for (index, hole) in rings.iter().enumerate().skip(1) {
+        let p = hole[0];
+        if !ring_contains(&rings[0], p) {
+            return Err(OutlineError::HoleOutside(Ring::at(index), p));
+        }
+        for (other, ring) in rings.iter().enumerate().skip(1) {
+            let (lo, hi) = boxes[other];
+            let near = other != index && p.cmpge(lo).all() && p.cmple(hi).all();
+            if near && ring_contains(ring, p) {
+                return Err(OutlineError::HoleInHole(
+                    Ring::at(index),
+                    Ring::at(other),
+                    p,
+                ));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// The smallest and the largest corner of the box around the points.
+pub(super) fn bounds(points: &[DVec2]) -> (DVec2, DVec2) {
+    points
+        .iter()
+        .fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(lo, hi), &p| {
+            (lo.min(p), hi.max(p))
+        })
+}
+
+/// Is the point inside the ring, whatever its orientation? Exact; counts crossings of a ray to +x.
+pub(crate) fn ring_contains(ring: &[DVec2], p: DVec2) -> bool {
+    let mut inside = false;
+    let mut a = ring[ring.len() - 1];
+    for &b in ring {
+        if (a.y > p.y) != (b.y > p.y) {
+            // Always from the upper end, so that a point on a side that two rings share is in one.
+            let (upper, lower) = if a.y < b.y { (a, b) } else { (b, a) };
+            inside ^= orientation(upper, lower, p) > 0.0;
+        }
+        a = b;
+    }
+    inside
+}
+
+/// The sign of [`super::cross`], exactly.
+pub(super) fn orientation(a: DVec2, b: DVec2, c: DVec2) -> f64 {
+    let coord = |p: DVec2| Coord { x: p.x, y: p.y };
+    orient2d(coord(a), coord(b), coord(c))
+}

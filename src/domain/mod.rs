@@ -1,0 +1,48 @@
+//! The outline to be paved: one outer ring and any holes, and the questions the later stages ask of
+//! it (inside? how far is the boundary, and in which direction?).
+//!
+//! All coordinates are picture units (pixels), x to the right, y down. The outer ring has a positive
+//! shoelace area sum(x0 y1 - x1 y0) / 2 on these numbers (it runs clockwise on screen), holes a
+//! negative one, so the paved side is always to the same hand of a segment: at its inward normal
+//! (-dy, dx).
+
+mod check;
+mod crossing;
+mod distance;
+mod facing;
+pub mod shape;
+
+pub(crate) use check::ring_contains;
+pub use check::{MAX_POINTS, OutlineError, Ring};
+pub(crate) use distance::closest_on_segment;
+pub use distance::{Domain, Nearest};
+pub use facing::{Facing, Foot};
+
+use glam::DVec2;
+
+/// Rings as they were given, unchecked.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Outline {
+    /// The outer ring, not closed (the last point differs from the first).
+    pub outer: Vec<DVec2>,
+    /// The holes, each a ring like the outer one.
+    pub holes: Vec<Vec<DVec2>>,
+}
+
+/// Twice the signed area of the triangle a, b, c: positive where c lies at the inward hand of a to b.
+pub fn cross(a: DVec2, b: DVec2, c: DVec2) -> f64 {
+    (b - a).perp_dot(c - a)
+}
+
+/// The shoelace area of a ring, positive where it runs clockwise on screen.
+pub fn signed_area(ring: &[DVec2]) -> f64 {
+    // Around the first point, so that rings far from the origin lose no digits.
+    let Some(&origin) = ring.first() else {
+        return 0.0;
+    };
+    let twice: f64 = ring
+        .windows(2)
+        .map(|w| (w[0] - origin).perp_dot(w[1] - origin))
+        .sum();
+    twice / 2.0
+}

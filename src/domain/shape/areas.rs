@@ -1,0 +1,96 @@
+//! Outlines that are not roads.
+
+use super::curve::{ellipse, unit};
+use crate::domain::Outline;
+use glam::DVec2;
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+fn polygon(points: &[(f64, f64)]) -> Vec<DVec2> {
+    points.iter().map(|&p| p.into()).collect()
+}
+
+fn box_around(centre: DVec2, half: DVec2) -> Vec<DVec2> {
+    [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)]
+        .map(|corner| centre + half * DVec2::from(corner))
+        .to_vec()
+}
+
+/// Two circles with one centre.
+pub fn ring(width: f64) -> Outline {
+    const RADIUS: f64 = 0.45;
+    let inner = RADIUS * (1.0 - 0.55 * width);
+    Outline {
+        outer: ellipse(DVec2::ZERO, DVec2::splat(RADIUS), 0.0),
+        holes: vec![ellipse(DVec2::ZERO, DVec2::splat(inner), 0.0)],
+    }
+}
+
+/// A square; a lying rectangle where the width is below 1, a standing one above.
+pub fn rectangle(width: f64) -> Outline {
+    let half = DVec2::new(1.0 / width.max(1.0), width.min(1.0)) / 2.0;
+    Outline {
+        outer: box_around(DVec2::ZERO, half),
+        holes: Vec::new(),
+    }
+}
+
+/// Two arms that meet below on the left.
+pub fn l_shape(width: f64) -> Outline {
+    let arm = 0.464 * width;
+    let rest = 1.0 - arm;
+    Outline {
+        outer: polygon(&[
+            (0.0, 0.0),
+            (arm, 0.0),
+            (arm, rest),
+            (1.0, rest),
+            (1.0, 1.0),
+            (0.0, 1.0),
+        ]),
+        holes: Vec::new(),
+    }
+}
+
+/// A star with a tip above.
+pub fn star(width: f64, points: u32) -> Outline {
+    let inner = 0.42 * width;
+    let corner = |k: u32| {
+        let radius = if k.is_multiple_of(2) { 1.0 } else { inner };
+        radius * unit(PI * f64::from(k) / f64::from(points) - FRAC_PI_2) / 2.0
+    };
+    Outline {
+        outer: (0..2 * points).map(corner).collect(),
+        holes: Vec::new(),
+    }
+}
+
+/// A square place with round, rectangular and elliptic holes in a circle; one hole is in the middle.
+pub fn plaza(width: f64, count: u32) -> Outline {
+    /// The first hole is above on the left.
+    const FIRST: f64 = -0.75 * PI;
+    let step = TAU / f64::from(count);
+    let away = match count {
+        1 => 0.0,
+        2..=6 => 0.27,
+        _ => 0.33,
+    };
+    // Half of the room between two holes, or between a hole and the square's side.
+    let room = match count {
+        1 => 0.4,
+        _ => (away * libm::sin(step / 2.0)).min(0.5 - away),
+    };
+    // Narrower ways have larger holes.
+    let size = 0.62 * room * (1.6 - 0.6 * width);
+    let hole = |k: u32| {
+        let centre = away * unit(FIRST + step * f64::from(k));
+        match k % 3 {
+            0 => ellipse(centre, DVec2::splat(size), 0.0),
+            1 => box_around(centre, size * DVec2::new(0.9, 0.62)),
+            _ => ellipse(centre, size * DVec2::new(1.08, 0.62), -0.3),
+        }
+    };
+    Outline {
+        outer: box_around(DVec2::ZERO, DVec2::splat(0.5)),
+        holes: (0..count).map(hole).collect(),
+    }
+}

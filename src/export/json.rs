@@ -1,0 +1,104 @@
+//! JSON by plain string building: the shapes are few and flat.
+
+use crate::cells::Cell;
+use crate::mesh::Mesh;
+use glam::DVec2;
+use std::fmt::Write;
+
+/// `{"cells":[[[x,y],...],...]}`, one ring per cell in the order given, picture units, y down.
+pub fn cells_json(cells: &[Cell]) -> String {
+    let rings = cells.iter().map(|c| list(c.ring.iter().map(|&p| point(p))));
+    format!("{{\"cells\":{}}}\n", list(rings))
+}
+
+/// `{"vertices":[[x,y],...],"faces":[[i,j,k,l?],...]}`, faces of three or four vertices.
+pub fn mesh_json(mesh: &Mesh) -> String {
+    let faces = mesh
+        .faces
+        .iter()
+        .map(|f| list(f.nodes().iter().map(u32::to_string)));
+    format!(
+        "{{\"vertices\":{},\"faces\":{}}}\n",
+        list(mesh.vertices.iter().map(|&p| point(p))),
+        list(faces)
+    )
+}
+
+fn point(p: DVec2) -> String {
+    format!("[{},{}]", number(p.x), number(p.y))
+}
+
+/// A JSON list of items that are JSON already.
+pub(super) fn list(items: impl Iterator<Item = String>) -> String {
+    let mut out = String::from("[");
+    for (k, item) in items.enumerate() {
+        if k > 0 {
+            out.push(',');
+        }
+        out.push_str(&item);
+    }
+    out.push(']');
+    out
+}
+
+/// A JSON number; what is not finite, which JSON cannot say, becomes null.
+pub(super) fn number(x: f64) -> String {
+    if x.is_finite() {
+        format!("{x}")
+    } else {
+        "null".to_string()
+    }
+}
+
+/// A JSON string with its quotes.
+pub fn text(s: &str) -> String {
+    let mut out = String::from("\"");
+    for c in s.chars() {
+        match c {
+            '"' | '\\' => {
+                out.push('\\');
+                out.push(c);
+            }
+            c if (c as u32) < 0x20 => {
+                // Writing to a String cannot fail.
+                let _ = write!(out, "\\u{:04x}", c as u32);
+            }
+            c => out.push(c),
+        }
+    }
+    out.push('"');
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_read_back_as_the_same_bits() {
+        for x in [0.1, -1e-300, 1.0 / 3.0, 511.999_999_999, 0.0] {
+            assert_eq!(number(x).parse::<f64>().map(f64::to_bits), Ok(x.to_bits()));
+        }
+        assert_eq!(number(f64::NAN), "null");
+    }
+
+    #[test]
+    fn strings_are_escaped() {
+        assert_eq!(text("a\"b\\c\n"), "\"a\\\"b\\\\c\\u000a\"");
+    }
+
+    #[test]
+    fn cells_are_lists_of_points() {
+        let ring = vec![DVec2::ZERO, DVec2::new(1.5, 0.0), DVec2::ONE];
+        let cell = Cell {
+            id: 3,
+            centre: DVec2::ZERO,
+            size: 1.0,
+            axis: DVec2::X,
+            ring,
+        };
+        let json = cells_json(&[cell]);
+        assert_eq!(json, "{\"cells\":[[[0,0],[1.5,0],[1,1]]]}\n");
+        assert_eq!(cells_json(&[]), "{\"cells\":[]}\n");
+    }
+}

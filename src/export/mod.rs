@@ -1,0 +1,8 @@
+//! Writers of what the stages found, as text. Numbers are the shortest decimals that read back as
+//! the same bits.
+
+mod json;
+mod report;
+
+pub use json::{cells_json, mesh_json, text};
+pub use report::{Report, StageTime};

@@ -1,0 +1,96 @@
+//! What a run did, for report.json.
+
+use super::json::{list, number, text};
+
+/// The time one stage took.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StageTime {
+    /// The stage's word.
+    pub stage: &'static str,
+    /// Milliseconds of work by the caller's clock.
+    pub ms: f64,
+}
+
+/// The figures of one run.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Report {
+    /// The recipe's link, without '#'; empty for the default.
+    pub link: String,
+    /// Pixels along the picture's side.
+    pub size: usize,
+    /// Cells in the pavement.
+    pub cells: usize,
+    /// Steps of the packing.
+    pub steps: u32,
+    /// Whether forces and moves became small before the packing's last step.
+    pub converged: bool,
+    /// The largest move of the last step, in cell sizes.
+    pub largest_move: f64,
+    /// Potential energy after the last step.
+    pub energy: f64,
+    /// Time by stage, in the stages' order.
+    pub milliseconds: Vec<StageTime>,
+    /// The heights shown as 0 and as 65535 in height.png, in picture units.
+    pub height_range: (f32, f32),
+    /// What was clamped, dropped or given up, in words.
+    pub notices: Vec<String>,
+    /// Digest of the planes, in hex.
+    pub hash: String,
+}
+
+impl Report {
+    /// The report as a JSON object.
+    pub fn json(&self) -> String {
+        let times = self.milliseconds.iter().map(|t| {
+            format!(
+                "{}:{}",
+                text(t.stage),
+                number((t.ms * 1000.0).round() / 1e3)
+            )
+        });
+        let times: Vec<String> = times.collect();
+        let (low, high) = self.height_range;
+        let fields = [
+            ("link", text(&self.link)),
+            ("size", self.size.to_string()),
+            ("cells", self.cells.to_string()),
+            ("steps", self.steps.to_string()),
+            ("converged", self.converged.to_string()),
+            ("largest_move", number(self.largest_move)),
+            ("energy", number(self.energy)),
+            ("milliseconds", format!("{{{}}}", times.join(","))),
+            (
+                "height_range",
+                list([low, high].into_iter().map(|h| h.to_string())),
+            ),
+            ("notices", list(self.notices.iter().map(|n| text(n)))),
+            ("hash", text(&self.hash)),
+        ];
+        let lines: Vec<String> = fields
+            .iter()
+            .map(|(key, value)| format!("  {}: {value}", text(key)))
+            .collect();
+        format!("{{\n{}\n}}\n", lines.join(",\n"))
+    }
+}
+
+// serde_json is there natively only.
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_report_is_json() {
+        let report = Report {
+            notices: vec!["cs was \"big\"".into()],
+            milliseconds: vec![StageTime {
+                stage: "packing",
+                ms: 1.23456,
+            }],
+            ..Report::default()
+        };
+        let value: serde_json::Value = serde_json::from_str(&report.json()).unwrap();
+        assert_eq!(value["milliseconds"]["packing"], 1.235);
+        assert_eq!(value["notices"][0], "cs was \"big\"");
+    }
+}

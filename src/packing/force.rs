@@ -1,0 +1,233 @@
+//! The bubble force and the square cell's potential.
+//!
+//! Miyata, Itoh, Shimada (2000), section 4.2: code `bubble_force` = eq. (2), `bubble_potential` =
+//! eq. (3), `square_force` = the gradient of eq. (4). The units make a force a length: the spring
+//! constant k0 of a pair is l0 squared, so that k0 / l0 = l0, the pair's stable distance.
+
+use glam::DVec2;
+
+/// Weight of the four corner potentials in eq. (4).
+pub const CORNER_WEIGHT: f64 = std::f64::consts::SQRT_2 - 1.0;
+
+/// Where the bubble force ends, in stable distances.
+pub const CUT: f64 = 1.5;
+
+/// How far a square cell reaches, in stable distances of its pair: from a corner (half a diagonal)
+/// to where the corner's own force ends (eq. 2's cut at 1.5 corner distances).
+pub const SQUARE_REACH: f64 = std::f64::consts::FRAC_1_SQRT_2 * (1.0 + CUT);
+
+/// Equation (2) in units of k0 / l0: positive repels (w < 1), negative attracts (1 < w < 1.5).
+pub fn bubble_force(w: f64) -> f64 {
+    if w >= CUT {
+        return 0.0;
+    }
+    (1.25 * w - 2.375) * w * w + 1.125
+}
+
+/// Equation (3) in units of k0: minus the integral of [`bubble_force`] over w, zero from 1.5 on.
+pub fn bubble_potential(w: f64) -> f64 {
+    if w >= CUT {
+        return 0.0;
+    }
+    -(((0.3125 * w - 19.0 / 24.0) * w * w + 1.125) * w - 153.0 / 256.0)
+}
+
+/// What one square cell does to another.
+#[derive(Clone, Copy, Debug)]
+pub struct Pair {
+    /// Unit vector of the pair's frame, or zero where the field has no direction: then only the
+    /// central potential acts (Miyata, Itoh, Shimada 2001, section 4).
+    pub axis: DVec2,
+    /// Sizes of the two cells.
+    pub sizes: (f64, f64),
+}
+
+impl Pair {
+    /// The frame of two cells: the mean of the first one's axis and of that quarter turn of the
+    /// second one's which is nearest to it, so that forces are reciprocal.
+    pub fn new(axes: (DVec2, DVec2), sizes: (f64, f64)) -> Self {
+        let (e, f) = axes;
+        let (along, across) = (e.dot(f), e.perp_dot(f));
+        let turned = if along.abs() >= across.abs() {
+            f * along.signum()
+        } else {
+            -f.perp() * across.signum()
+        };
+        let axis = if e == DVec2::ZERO || f == DVec2::ZERO {
+            DVec2::ZERO
+        } else {
+            (e + turned).normalize()
+        };
+        Self { axis, sizes }
+    }
+
+    /// The stable distance l0 of the two centres.
+    pub fn stable_distance(&self) -> f64 {
+        0.5 * (self.sizes.0 + self.sizes.1)
+    }
+
+    /// The force on the second cell, whose centre is at `r` from the first one's; the first one
+    /// feels the opposite. Where sizes differ it is the mean of what each does to the other.
+    pub fn force(&self, r: DVec2) -> DVec2 {
+        let l0 = self.stable_distance();
+        let mut force = spoke_force(r, l0, l0);
+        if self.axis != DVec2::ZERO {
+            let local = self.framed(r);
+            let corners = if self.sizes.0 == self.sizes.1 {
+                self.corner_force(local, self.sizes.0)
+            } else {
+                0.5 * (self.corner_force(local, self.sizes.0)
+                    + self.corner_force(local, self.sizes.1))
+            };
+            force += CORNER_WEIGHT * self.unframed(corners);
+        }
+        force
+    }
+
+    /// The pair's potential at `r`, of which [`Pair::force`] is minus the gradient.
+    pub fn potential(&self, r: DVec2) -> f64 {
+        let l0 = self.stable_distance();
+        let mut sum = l0 * l0 * bubble_potential(r.length() / l0);
+        if self.axis != DVec2::ZERO {
+            let local = self.framed(r);
+            let corners = 0.5
+                * (self.corner_potential(local, self.sizes.0)
+                    + self.corner_potential(local, self.sizes.1));
+            sum += CORNER_WEIGHT * corners;
+        }
+        sum
+    }
+
+    fn framed(&self, r: DVec2) -> DVec2 {
+        DVec2::new(self.axis.dot(r), self.axis.perp_dot(r))
+    }
+
+    fn unframed(&self, v: DVec2) -> DVec2 {
+        self.axis * v.x + self.axis.perp() * v.y
+    }
+
+    /// The distance from a corner to the centre of a neighbour that touches along an edge: the
+    /// radius of the corner's sub-potential, adjusted where the sizes differ. For equal sizes d it
+    /// is d / sqrt 2, a corner bubble of (sqrt 2 - 1) r0 touching a central one of r0.
+    fn corner_distance(&self) -> f64 {
+        let (a, b) = self.sizes;
+        0.5 * (a * a + b * b).sqrt()
+    }
+
+    fn corner_force(&self, local: DVec2, size: f64) -> DVec2 {
+        let l0 = self.stable_distance();
+        let reach = self.corner_distance();
+        let half = 0.5 * size;
+        // By symmetry in the first quadrant; the signs are put back at the end.
+        let q = local.abs();
+        let mut sum = DVec2::ZERO;
+        for corner in [
+            DVec2::new(half, half),
+            DVec2::new(half, -half),
+            DVec2::new(-half, half),
+            DVec2::new(-half, -half),
+        ] {
+            sum += spoke_force(q - corner, reach, l0);
+        }
+        DVec2::new(
+            if local.x < 0.0 { -sum.x } else { sum.x },
+            if local.y < 0.0 { -sum.y } else { sum.y },
+        )
+    }
+
+    fn corner_potential(&self, local: DVec2, size: f64) -> f64 {
+        let l0 = self.stable_distance();
+        let reach = self.corner_distance();
+        let half = 0.5 * size;
+        let mut sum = 0.0;
+        for (x, y) in [(half, half), (half, -half), (-half, half), (-half, -half)] {
+            sum += bubble_potential((local - DVec2::new(x, y)).length() / reach);
+        }
+        l0 * reach * sum
+    }
+}
+
+/// The bubble force along `r`, of stable distance `reach` and strength k0 / l0 = `scale`.
+fn spoke_force(r: DVec2, reach: f64, scale: f64) -> DVec2 {
+    let square = r.length_squared();
+    if square >= (CUT * reach) * (CUT * reach) || square == 0.0 {
+        return DVec2::ZERO;
+    }
+    let length = square.sqrt();
+    r * (scale * bubble_force(length / reach) / length)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_force_meets_the_conditions_of_equation_2() {
+        assert_eq!(bubble_force(0.0), 1.125);
+        assert!(bubble_force(1.0).abs() < 1e-15);
+        assert!(bubble_force(1.5 - 1e-12).abs() < 1e-9);
+        let slope = (bubble_force(1.0 + 1e-6) - bubble_force(1.0 - 1e-6)) / 2e-6;
+        assert!((slope + 1.0).abs() < 1e-6, "f'(1) = -k0 / l0, got {slope}");
+        assert_eq!(bubble_force(2.0), 0.0);
+    }
+
+    #[test]
+    fn the_potential_is_minus_the_integral_of_the_force() {
+        assert!(bubble_potential(1.5 - 1e-12).abs() < 1e-12);
+        for k in 1..30 {
+            let w = f64::from(k) / 20.0;
+            let h = 1e-5;
+            let slope = (bubble_potential(w + h) - bubble_potential(w - h)) / (2.0 * h);
+            assert!((slope + bubble_force(w)).abs() < 1e-6, "w {w}: {slope}");
+        }
+    }
+
+    #[test]
+    fn a_pair_s_force_is_minus_the_gradient_of_its_potential() {
+        for sizes in [(1.0, 1.0), (0.7, 1.4)] {
+            let axis = DVec2::new(0.6, 0.8);
+            let pair = Pair::new((axis, axis), sizes);
+            for k in 0..60 {
+                let r = DVec2::new(
+                    f64::from(k * 7 % 31) / 10.0 - 1.5,
+                    f64::from(k * 11 % 29) / 10.0 - 1.4,
+                );
+                let h = 1e-6;
+                let slope =
+                    |d: DVec2| (pair.potential(r + h * d) - pair.potential(r - h * d)) / (2.0 * h);
+                let expected = -DVec2::new(slope(DVec2::X), slope(DVec2::Y));
+                let force = pair.force(r);
+                assert!(
+                    (force - expected).length() < 1e-4,
+                    "{sizes:?} {r}: {force} {expected}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn there_are_four_stable_places_edge_to_edge() {
+        let pair = Pair::new((DVec2::X, DVec2::X), (1.0, 1.0));
+        // Follow the force from many places: all that stay near end edge to edge.
+        for k in 0..64 {
+            let t = f64::from(k) * 0.0982 + 0.01;
+            let mut r = 1.1 * DVec2::new(libm::cos(t), libm::sin(t));
+            for _ in 0..4000 {
+                r += 0.05 * pair.force(r);
+            }
+            let far = r.abs().max_element();
+            let off = r.abs().min_element();
+            assert!(off < 1e-3 && (far - 1.0).abs() < 0.06, "from {t}: {r}");
+        }
+    }
+
+    #[test]
+    fn a_pair_s_frame_is_the_same_from_both_sides() {
+        let e = DVec2::new(0.8, 0.6);
+        let f = DVec2::new(-0.5, 0.75_f64.sqrt());
+        let (a, b) = (Pair::new((e, f), (1.0, 1.0)), Pair::new((f, e), (1.0, 1.0)));
+        let r = DVec2::new(0.9, -0.3);
+        assert!((a.force(r) + b.force(-r)).length() < 1e-12);
+        assert_eq!(Pair::new((e, DVec2::ZERO), (1.0, 1.0)).axis, DVec2::ZERO);
+    }
+}

@@ -1,0 +1,87 @@
+//! Buckets of points, to find neighbours in constant time.
+
+use glam::DVec2;
+use std::ops::Range;
+
+/// A uniform grid of linked lists over a box; points outside go to the nearest bucket.
+#[derive(Clone, Debug)]
+pub struct Grid {
+    origin: DVec2,
+    step: f64,
+    columns: usize,
+    rows: usize,
+    head: Vec<u32>,
+    next: Vec<u32>,
+}
+
+const NONE: u32 = u32::MAX;
+
+/// Most buckets along a side, so that tiny cells in a large picture do not cost memory.
+const MOST: f64 = 1024.0;
+
+impl Grid {
+    /// An empty grid over the box `lo`..`hi` with buckets of at least `step`.
+    pub fn new(lo: DVec2, hi: DVec2, step: f64) -> Self {
+        let step = step.max((hi - lo).max_element() / MOST);
+        let columns = ((hi.x - lo.x) / step) as usize + 1;
+        let rows = ((hi.y - lo.y) / step) as usize + 1;
+        Self {
+            origin: lo,
+            step,
+            columns,
+            rows,
+            head: vec![NONE; columns * rows],
+            next: Vec::new(),
+        }
+    }
+
+    fn place(&self, p: DVec2) -> (usize, usize) {
+        let at = (p - self.origin) / self.step;
+        // `as` saturates, so that points outside go to the rim.
+        (
+            (at.x as usize).min(self.columns - 1),
+            (at.y as usize).min(self.rows - 1),
+        )
+    }
+
+    /// The number of the bucket a point lies in, row after row.
+    pub fn bucket(&self, p: DVec2) -> usize {
+        let (x, y) = self.place(p);
+        y * self.columns + x
+    }
+
+    /// How many buckets there are.
+    pub fn buckets(&self) -> usize {
+        self.head.len()
+    }
+
+    /// The buckets whose points may lie within `radius` of `p`, as runs in rising order.
+    pub fn runs_near(&self, p: DVec2, radius: f64) -> impl Iterator<Item = Range<usize>> {
+        let (x0, y0) = self.place(p - DVec2::splat(radius));
+        let (x1, y1) = self.place(p + DVec2::splat(radius));
+        let columns = self.columns;
+        (y0..=y1).map(move |y| y * columns + x0..y * columns + x1 + 1)
+    }
+
+    /// Adds the next point; points are numbered as they come, from 0.
+    pub fn push(&mut self, p: DVec2) {
+        let bucket = self.bucket(p);
+        self.next.push(self.head[bucket]);
+        self.head[bucket] = (self.next.len() - 1) as u32;
+    }
+
+    /// Calls `visit` with the number of every point that may lie within `radius` of `p`.
+    pub fn near(&self, p: DVec2, radius: f64, mut visit: impl FnMut(usize)) {
+        let (x0, y0) = self.place(p - DVec2::splat(radius));
+        let (x1, y1) = self.place(p + DVec2::splat(radius));
+        for y in y0..=y1 {
+            for x in x0..=x1 {
+                let mut k = self.head[y * self.columns + x];
+                while k != NONE {
+                    visit(k as usize);
+                    k = self.next[k as usize];
+                }
+            }
+        }
+    }
+}

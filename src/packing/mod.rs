@@ -1,0 +1,342 @@
+//! Packs square cells into the outline by the forces between them.
+//!
+//! Miyata, Itoh, Shimada (2000), section 4, in its order: cells along the boundary and inside it
+//! (`placement`), forces between neighbours (`force`) and from the walls (`wall`), the equation of
+//! motion (`integrate`), population control (`population`). A [`Packing`] advances one step at a
+//! time; nothing in it knows of time or frames.
+
+pub mod force;
+mod grid;
+mod integrate;
+mod placement;
+mod population;
+mod wall;
+
+pub(crate) use grid::Grid;
+
+use crate::domain::{Domain, Facing};
+use crate::field::Fields;
+use crate::order;
+use crate::random::{Purpose, Random};
+use glam::DVec2;
+use integrate::{Motion, Surroundings};
+
+/// How the cells meet the boundary.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Edge {
+    /// The cells' edges lie on it: a soft wall pushes them to half a cell from it.
+    Wall,
+    /// The cells' centres lie on it and are fixed, as in the papers.
+    On,
+}
+
+/// How the inside is filled at first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Start {
+    /// Cell by cell from the boundary inwards along the direction field.
+    Stream,
+    /// One cell in every leaf of a quadtree, as the papers say.
+    Quadtree,
+}
+
+/// How the equation of motion is integrated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Integrator {
+    /// Semi-implicit Euler: one evaluation of the forces a step.
+    SemiImplicit,
+    /// Fourth-order Runge-Kutta, as the papers say: four evaluations a step.
+    RungeKutta,
+}
+
+/// How cells are added and removed on the way.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Population {
+    /// A cell is added where an edge of another has an empty place for it.
+    Slots,
+    /// The papers' rule: a cell is added beside one whose nearest neighbour is far.
+    Smallest,
+    /// The number of cells stays as it was placed.
+    Off,
+}
+
+/// What a packing is made from, besides the outline and the fields.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PackingParams {
+    /// How the cells meet the boundary.
+    pub edge: Edge,
+    /// How the inside is filled at first.
+    pub start: Start,
+    /// How the equation of motion is integrated.
+    pub integrator: Integrator,
+    /// How cells are added and removed.
+    pub population: Population,
+    /// Vs: the standard deviation of the cells' sizes over their mean, 0..0.5.
+    pub variance: f64,
+    /// Draws the sizes and whatever placement leaves to chance.
+    pub seed: u64,
+}
+
+/// The constants of the relaxation, in cell sizes where they are lengths.
+struct Tuning {
+    /// A run has ended when no force is larger ...
+    force_end: f64,
+    /// ... nor any move of the last step ...
+    move_end: f64,
+    /// ... but not before this many steps.
+    least_steps: u32,
+    /// Population is looked at every so many steps ...
+    population_every: u32,
+    /// ... and not after this many.
+    population_until: u32,
+    /// From this step on the time step shrinks by `cooling` a step, so that a cell caught between
+    /// two directions comes to rest.
+    cooling_from: u32,
+    cooling: f64,
+    /// The run ends here in any case.
+    most_steps: u32,
+    /// The most cells that are packed: beyond, a sentence.
+    most_cells: f64,
+}
+
+const TUNING: Tuning = Tuning {
+    force_end: 0.05,
+    move_end: 0.02,
+    least_steps: 10,
+    population_every: 10,
+    population_until: 100,
+    cooling_from: 100,
+    cooling: 0.97,
+    most_steps: 200,
+    most_cells: 250_000.0,
+};
+
+/// A packed cell.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Particle {
+    /// Names the cell: the number of its making, never used again.
+    pub id: u32,
+    /// Where it is.
+    pub centre: DVec2,
+    /// The side of its square.
+    pub size: f64,
+    /// Unit vector along a side; zero where the direction field vanishes.
+    pub axis: DVec2,
+    /// Its centre is held on the boundary.
+    pub fixed: bool,
+}
+
+/// What the last step did.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct StepReport {
+    /// Steps made so far.
+    pub step: u32,
+    /// Cells there are.
+    pub cells: usize,
+    /// The largest move of a cell, in its size.
+    pub largest_move: f64,
+    /// The largest force on a cell, in its size.
+    pub largest_force: f64,
+    /// Cells added so far after the first placement.
+    pub added: u32,
+    /// Cells removed so far.
+    pub removed: u32,
+    /// Nothing more will happen.
+    pub done: bool,
+    /// The run ended because forces and moves were small.
+    pub converged: bool,
+}
+
+/// A cell in motion.
+#[derive(Clone, Copy, Debug)]
+struct Body {
+    particle: Particle,
+    velocity: DVec2,
+    /// This cell's size over what the size field asks for.
+    factor: f64,
+}
+
+impl Body {
+    /// Moves it; its direction and size follow the fields.
+    fn place(&mut self, centre: DVec2, fields: &Fields) {
+        self.particle.centre = centre;
+        self.particle.axis = fields.direction(centre);
+        self.particle.size = self.factor * fields.size(centre);
+    }
+}
+
+/// A packing on its way.
+#[derive(Clone, Debug)]
+pub struct Packing {
+    params: PackingParams,
+    facing: Facing,
+    bodies: Vec<Body>,
+    motion: Motion,
+    next_id: u32,
+    report: StepReport,
+    /// The step after which the population was last looked at.
+    looked: u32,
+}
+
+impl Packing {
+    /// Places the first cells.
+    ///
+    /// # Errors
+    /// A sentence where the outline would take more cells than can be packed.
+    pub fn new(domain: &Domain, fields: &Fields, params: PackingParams) -> Result<Self, String> {
+        let size = fields.params().size;
+        let expected = domain.area() / (size * size);
+        if expected > TUNING.most_cells {
+            return Err(format!(
+                "About {expected:.0} cells of size {size} fit into this outline; at most {} are \
+                 packed. Choose larger cells.",
+                TUNING.most_cells
+            ));
+        }
+        let facing = Facing::new(domain, wall::reach(largest_size(domain, fields, &params)));
+        let mut packing = Self {
+            params,
+            facing,
+            bodies: Vec::new(),
+            motion: Motion::default(),
+            next_id: 0,
+            report: StepReport::default(),
+            looked: 0,
+        };
+        for (centre, fixed) in placement::place(domain, fields, &packing.facing, &params) {
+            packing.add(fields, centre, fixed);
+        }
+        packing.assign_sizes(fields);
+        packing.report.cells = packing.bodies.len();
+        packing.report.done = packing.bodies.is_empty();
+        packing.report.converged = packing.report.done;
+        Ok(packing)
+    }
+
+    fn add(&mut self, fields: &Fields, centre: DVec2, fixed: bool) {
+        let particle = Particle {
+            id: self.next_id,
+            centre,
+            size: fields.size(centre),
+            axis: fields.direction(centre),
+            fixed,
+        };
+        self.next_id += 1;
+        self.bodies.push(Body {
+            particle,
+            velocity: DVec2::ZERO,
+            factor: 1.0,
+        });
+    }
+
+    /// Vs: cells are placed at equal sizes, then each gets its own. Drawing sizes while places are
+    /// filled would leave the large ones out.
+    fn assign_sizes(&mut self, fields: &Fields) {
+        let variance = self.params.variance;
+        if variance == 0.0 {
+            return;
+        }
+        for body in &mut self.bodies {
+            let mut random = Random::new(self.params.seed, Purpose::Size, body.particle.id.into());
+            // Uniform with the standard deviation Vs.
+            body.factor = 1.0 + variance * 3.0_f64.sqrt() * random.signed();
+            body.particle.size = body.factor * fields.size(body.particle.centre);
+        }
+    }
+
+    /// The cells in the order of their ids.
+    pub fn particles(&self) -> Vec<Particle> {
+        let mut particles: Vec<Particle> = self.bodies.iter().map(|b| b.particle).collect();
+        order::sort(&mut particles, |p| (p.id.into(), 0));
+        particles
+    }
+
+    /// What the last step did.
+    pub fn report(&self) -> StepReport {
+        self.report
+    }
+
+    /// Nothing more will happen.
+    pub fn done(&self) -> bool {
+        self.report.done
+    }
+
+    /// The potential energy of the cells among each other (eq. 4 summed over pairs), in units of
+    /// the mean cell's k0.
+    pub fn energy(&mut self) -> f64 {
+        self.motion.refresh(&mut self.bodies);
+        self.motion.energy(&self.bodies)
+    }
+
+    /// One step of the equation of motion and, now and then, population control.
+    pub fn step(&mut self, domain: &Domain, fields: &Fields) -> StepReport {
+        if self.report.done {
+            return self.report;
+        }
+        let step = self.report.step + 1;
+        let late = step.saturating_sub(TUNING.cooling_from);
+        let pace = (0..late).fold(1.0, |pace, _| pace * TUNING.cooling);
+        self.motion.refresh(&mut self.bodies);
+        let around = Surroundings {
+            domain,
+            fields,
+            facing: &self.facing,
+        };
+        let (largest_move, largest_force) =
+            self.motion
+                .step(&mut self.bodies, around, self.params.integrator, pace);
+        self.report.step = step;
+        self.report.largest_move = largest_move;
+        self.report.largest_force = largest_force;
+        let small = step >= TUNING.least_steps
+            && largest_move < TUNING.move_end
+            && (largest_force < TUNING.force_end || late > 0);
+        let changed = self.control_population(domain, fields, small);
+        self.report.cells = self.bodies.len();
+        self.report.converged = small && !changed;
+        self.report.done = self.report.converged || step >= TUNING.most_steps;
+        self.report
+    }
+
+    /// Adds and removes cells where it is time to; true where any were.
+    fn control_population(&mut self, domain: &Domain, fields: &Fields, small: bool) -> bool {
+        let step = self.report.step;
+        let due = step - self.looked >= TUNING.population_every;
+        if self.params.population == Population::Off
+            || step > TUNING.population_until
+            || !(due || small)
+        {
+            return false;
+        }
+        self.looked = step;
+        let change = population::change(domain, fields, &self.facing, &self.bodies, &self.params);
+        let mut index = 0;
+        self.bodies.retain(|_| {
+            index += 1;
+            !change.remove[index - 1]
+        });
+        let removed = change.remove.iter().filter(|&&gone| gone).count() as u32;
+        for &centre in &change.add {
+            self.add(fields, centre, false);
+        }
+        self.report.removed += removed;
+        self.report.added += change.add.len() as u32;
+        let changed = removed > 0 || !change.add.is_empty();
+        if changed {
+            self.motion.forget();
+        }
+        changed
+    }
+}
+
+/// The largest size that any cell can have in this outline.
+fn largest_size(domain: &Domain, fields: &Fields, params: &PackingParams) -> f64 {
+    let (lo, hi) = domain.bounds();
+    let mut largest = 0.0_f64;
+    for row in 0..=16 {
+        for column in 0..=16 {
+            let t = DVec2::new(f64::from(column), f64::from(row)) / 16.0;
+            largest = largest.max(fields.size(lo + (hi - lo) * t));
+        }
+    }
+    largest * (1.0 + params.variance * 3.0_f64.sqrt())
+}

@@ -1,0 +1,231 @@
+//! Reading decimal numbers, rounded to the nearest double like the standard library's `parse`, whose
+//! table of powers alone would be a twentieth of the WebAssembly module.
+
+use std::cmp::Ordering;
+
+/// Beyond these powers of ten of the first digit a number is infinite or 0 in any case.
+const POWERS: std::ops::RangeInclusive<i64> = -330..=310;
+/// More digits than any double's halfway point has.
+const DIGITS: usize = 800;
+
+/// The double nearest to a decimal number such as `-12.5e-3`, ties to even; none for any other text,
+/// words for infinity among them. What is too large for a double is infinite.
+pub(super) fn parse(text: &str) -> Option<f64> {
+    let (negative, plain) = match text.as_bytes() {
+        [b'-', rest @ ..] => (true, rest),
+        [b'+', rest @ ..] => (false, rest),
+        rest => (false, rest),
+    };
+    let size = magnitude(plain)?;
+    Some(if negative { -size } else { size })
+}
+
+fn magnitude(text: &[u8]) -> Option<f64> {
+    let (mut digits, mut power) = (Vec::new(), 0i64);
+    let (mut any, mut point) = (false, false);
+    let mut at = 0;
+    while let Some(&byte) = text.get(at) {
+        match byte {
+            b'0'..=b'9' => {
+                any = true;
+                power -= i64::from(point);
+                match digits.len() {
+                    0 if byte == b'0' => {}
+                    DIGITS.. => power += 1,
+                    _ => digits.push(byte - b'0'),
+                }
+            }
+            b'.' if !point => point = true,
+            b'e' | b'E' => break,
+            _ => return None,
+        }
+        at += 1;
+    }
+    if !any {
+        return None;
+    }
+    if at < text.len() {
+        power = power.saturating_add(exponent(&text[at + 1..])?);
+    }
+    let first = power.saturating_add(digits.len() as i64);
+    Some(match (digits.is_empty(), POWERS.contains(&first)) {
+        (true, _) => 0.0,
+        (false, true) => nearest(&digits, power),
+        (false, false) if first < 0 => 0.0,
+        _ => f64::INFINITY,
+    })
+}
+
+fn exponent(text: &[u8]) -> Option<i64> {
+    let (negative, digits) = match text {
+        [b'-', rest @ ..] => (true, rest),
+        [b'+', rest @ ..] => (false, rest),
+        rest => (false, rest),
+    };
+    if digits.is_empty() || !digits.iter().all(u8::is_ascii_digit) {
+        return None;
+    }
+    let add = |sum: i64, d: &u8| (10 * sum + i64::from(d - b'0')).min(1_000_000);
+    let size = digits.iter().fold(0, add);
+    Some(if negative { -size } else { size })
+}
+
+/// The double nearest to the digits times ten to the power: a long division in the binary system.
+fn nearest(digits: &[u8], power: i64) -> f64 {
+    let (mut over, mut under) = (Natural::default(), Natural(vec![1]));
+    digits.iter().for_each(|&d| over.scale(10, d.into()));
+    for _ in 0..power.abs() {
+        if power > 0 { &mut over } else { &mut under }.scale(10, 0);
+    }
+    // Bring the quotient into 1..2, times two to the exponent.
+    let mut exponent = 0i32;
+    while over.compare(&under) != Ordering::Less {
+        under.scale(2, 0);
+        exponent += 1;
+    }
+    while over.compare(&under) == Ordering::Less {
+        over.scale(2, 0);
+        exponent -= 1;
+    }
+    // The smallest doubles have fewer bits.
+    let lowest = (exponent - 52).max(-1074);
+    let mut bits = 0u64;
+    for _ in lowest..=exponent {
+        let one = over.compare(&under) != Ordering::Less;
+        if one {
+            over.subtract(&under);
+        }
+        bits = 2 * bits + u64::from(one);
+        over.scale(2, 0);
+    }
+    // Where not one bit fits, the quotient itself is half of the smallest double or less.
+    if lowest > exponent + 1 {
+        return 0.0;
+    }
+    let up = match over.compare(&under) {
+        Ordering::Less => false,
+        Ordering::Equal => bits & 1 == 1,
+        Ordering::Greater => true,
+    };
+    bits += u64::from(up);
+    // Two exact factors: the first product is exact, and so is the last one where it is not infinite.
+    let two_to = |n: i32| f64::from_bits(((n + 1023) as u64) << 52);
+    let half = lowest / 2;
+    bits as f64 * two_to(half) * two_to(lowest - half)
+}
+
+/// A natural number in limbs of 32 bits, the lowest first, without leading zeros.
+#[derive(Default)]
+struct Natural(Vec<u32>);
+
+impl Natural {
+    /// Multiplies and adds.
+    fn scale(&mut self, factor: u32, more: u32) {
+        let mut carry = u64::from(more);
+        for limb in &mut self.0 {
+            carry += u64::from(*limb) * u64::from(factor);
+            *limb = carry as u32;
+            carry >>= 32;
+        }
+        if carry > 0 {
+            self.0.push(carry as u32);
+        }
+    }
+
+    fn compare(&self, other: &Self) -> Ordering {
+        let length = self.0.len().cmp(&other.0.len());
+        length.then_with(|| self.0.iter().rev().cmp(other.0.iter().rev()))
+    }
+
+    /// Takes away one that is not greater.
+    fn subtract(&mut self, other: &Self) {
+        let mut borrow = false;
+        for (k, limb) in self.0.iter_mut().enumerate() {
+            let (less, first) = limb.overflowing_sub(other.0.get(k).copied().unwrap_or(0));
+            let (less, second) = less.overflowing_sub(borrow.into());
+            *limb = less;
+            borrow = first || second;
+        }
+        while self.0.last() == Some(&0) {
+            self.0.pop();
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn same(text: &str) {
+        let wanted = text.parse::<f64>().ok().map(f64::to_bits);
+        assert_eq!(parse(text).map(f64::to_bits), wanted, "{text}");
+    }
+
+    #[test]
+    fn numbers_of_all_sizes_are_read_as_the_standard_library_does() {
+        for text in [
+            "0",
+            "-0",
+            "1",
+            "+5",
+            ".5",
+            "5.",
+            "0.1",
+            "23",
+            "1e3",
+            "1E-3",
+            "-12.50e+1",
+            "0.30000000000000004",
+            "1e308",
+            "1.7976931348623157e308",
+            "1.7976931348623159e308",
+            "1e309",
+            "1e99999999999999999999",
+            "2.2250738585072014e-308",
+            "2.2250738585072011e-308",
+            "5e-324",
+            "2.4703282292062327e-324",
+            "2.4703282292062328e-324",
+            "1e-400",
+            "9007199254740993",
+            "9007199254740992.5",
+            "0.000000000000000001",
+            "123456789012345678901234567890",
+            "000000000000000000000000000001.50",
+        ] {
+            same(text);
+        }
+        same(&format!("0.{}1e350", "0".repeat(400)));
+        same(&format!("1{}e-900", "0".repeat(900)));
+        same(&format!("9007199254740992.5{}1", "0".repeat(780)));
+    }
+
+    #[test]
+    fn other_texts_are_no_numbers() {
+        for text in [
+            "", ".", "-", "+", "e5", "1e", "1e+", "1.2.3", "1 ", " 1", "0x10", "1e5.0", "--1",
+            "ten", "1_0", "٣",
+        ] {
+            assert_eq!(parse(text), None, "{text}");
+            same(text);
+        }
+        assert_eq!(parse("inf").or(parse("NaN")), None);
+    }
+
+    proptest! {
+        #[test]
+        fn every_double_is_read_back(bits in any::<u64>()) {
+            let x = f64::from_bits(bits);
+            prop_assume!(x.is_finite());
+            for text in [format!("{x}"), format!("{x:e}")] {
+                prop_assert_eq!(parse(&text).map(f64::to_bits), Some(bits), "{}", text);
+            }
+        }
+
+        #[test]
+        fn all_decimals_are_rounded_the_same_way(text in "-?[0-9]{1,25}(\\.[0-9]{0,25})?(e-?[0-9]{1,3})?") {
+            prop_assert_eq!(parse(&text).map(f64::to_bits), text.parse::<f64>().ok().map(f64::to_bits));
+        }
+    }
+}

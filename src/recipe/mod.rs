@@ -1,0 +1,160 @@
+//! All parameters of a pavement in one checked value, its link, and the presets.
+//!
+//! Everything that comes from outside passes here: a [`Recipe`] only ever holds values within their
+//! limits and a polygon that [`Outline::check`] accepts. What did not fit is told in sentences.
+
+mod decimal;
+mod link;
+mod poly;
+mod presets;
+mod schema;
+mod value;
+
+pub use link::VERSION;
+pub use presets::{PRESETS, Preset};
+pub use schema::{Choice, Key, Kind, Parameter, SCHEMA};
+
+use crate::domain::Outline;
+use crate::domain::shape::{ShapeParams, built_in};
+
+/// The stages of the pipeline that parameters enter, in their order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Stage {
+    /// The outline with its distances.
+    Domain,
+    /// Size and direction of the cells.
+    Fields,
+    /// The relaxation of the cells.
+    Packing,
+    /// The mesh that joins neighbouring cells.
+    Mesh,
+    /// One polygon per cell.
+    Cells,
+    /// One refined triangle mesh per cell.
+    Solids,
+    /// Bump, colour, optics, id.
+    Planes,
+    /// The picture.
+    Shading,
+}
+
+impl Stage {
+    /// All stages in their order.
+    pub const ALL: [Stage; 8] = [
+        Stage::Domain,
+        Stage::Fields,
+        Stage::Packing,
+        Stage::Mesh,
+        Stage::Cells,
+        Stage::Solids,
+        Stage::Planes,
+        Stage::Shading,
+    ];
+
+    /// The stage's name in scripts and reports.
+    pub const fn word(self) -> &'static str {
+        match self {
+            Stage::Domain => "domain",
+            Stage::Fields => "fields",
+            Stage::Packing => "packing",
+            Stage::Mesh => "mesh",
+            Stage::Cells => "cells",
+            Stage::Solids => "solids",
+            Stage::Planes => "planes",
+            Stage::Shading => "shading",
+        }
+    }
+}
+
+/// A value for every parameter.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Recipe {
+    /// By `Key as usize`: the number, or the place of the word among the choices.
+    values: Vec<f64>,
+    /// The free polygon in picture units; always one that passed the check. It is kept while another
+    /// outline is chosen, but it is part of the link only while it is in use.
+    polygon: Option<Outline>,
+}
+
+impl Default for Recipe {
+    fn default() -> Self {
+        Self {
+            values: SCHEMA.iter().map(|row| row.default).collect(),
+            polygon: None,
+        }
+    }
+}
+
+/// The word for the outline that is given by its points.
+const POLYGON: &str = "polygon";
+
+/// Finest and coarsest cells: this many along a side of the picture.
+const MOST_CELLS: f64 = 200.0;
+const FEWEST_CELLS: f64 = 2.0;
+/// Cells below this many pixels could not be told from noise.
+const LEAST_CELL: f64 = 2.0;
+
+impl Recipe {
+    /// The value of a number or whole number; of a choice, the place of its word.
+    pub fn number(&self, key: Key) -> f64 {
+        self.values[key as usize]
+    }
+
+    /// The word of a choice; empty for other kinds.
+    pub fn choice(&self, key: Key) -> &'static str {
+        let place = self.number(key) as usize;
+        key.parameter().choices.get(place).map_or("", |c| c.word)
+    }
+
+    /// The free polygon in picture units, where one was given (in use or not).
+    pub fn polygon(&self) -> Option<&Outline> {
+        self.polygon.as_ref()
+    }
+
+    /// The picture's side in pixels, which are the picture units.
+    pub fn side(&self) -> f64 {
+        self.number(Key::Size)
+    }
+
+    /// The outline that the recipe asks for, checked, in picture units.
+    pub fn outline(&self) -> Outline {
+        match (&self.polygon, self.choice(Key::Outline)) {
+            (Some(polygon), POLYGON) => polygon.clone(),
+            (_, name) => built_in(
+                name,
+                &ShapeParams {
+                    side: self.side(),
+                    width: self.number(Key::Ow),
+                    count: self.number(Key::On) as u32,
+                    turn: self.number(Key::Oa).to_radians(),
+                },
+            ),
+        }
+    }
+
+    /// The limits of a number in this recipe: those of the schema, except that cells go from a 200th
+    /// to half of the picture's side (and never below 2 px).
+    pub fn limits(&self, key: Key) -> (f64, f64) {
+        let row = key.parameter();
+        match key {
+            Key::Cs => (
+                (self.side() / MOST_CELLS).floor().max(LEAST_CELL),
+                self.side() / FEWEST_CELLS,
+            ),
+            _ => (row.min, row.max),
+        }
+    }
+
+    /// The earliest stage that must be done again to go from this recipe to another.
+    pub fn stale_from(&self, other: &Recipe) -> Option<Stage> {
+        let in_use = |r: &Recipe| (r.choice(Key::Outline) == POLYGON).then(|| r.polygon.clone());
+        if in_use(self) != in_use(other) {
+            return Some(Stage::Domain);
+        }
+        Key::ALL
+            .iter()
+            .filter(|&&key| self.number(key) != other.number(key))
+            .map(|key| key.parameter().stage)
+            .min()
+    }
+}

@@ -1,0 +1,143 @@
+//! Recipes with names: every row of Table 1 of the papers, and some of the house.
+//!
+//! The papers are Miyata, Itoh, Shimada (2000), A Method of Generating Pavement Textures Using the
+//! Square Packing Technique, and its Japanese journal version of 2001, whose figures are numbered one
+//! lower. The seconds are those of the 2001 table; the rows 15(a) and 15(b) have the distortions
+//! that the text of 2000 and the table of 2001 give them. The papers print no coordinates, so the
+//! outlines are ours, in the spirit of the figures.
+
+use super::Recipe;
+
+/// A named recipe.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Preset {
+    /// Short name for scripts, unique.
+    pub name: &'static str,
+    /// Title on the page.
+    pub title: &'static str,
+    /// The papers' figures, empty for those of the house.
+    pub figure: &'static str,
+    /// One sentence about it.
+    pub note: &'static str,
+    /// The fragment without `#`, as [`Recipe::link`] writes it.
+    pub link: &'static str,
+    /// Seconds of the packing in the 2001 paper (Ts, Pentium II, 300 MHz).
+    pub packing_seconds: Option<f64>,
+    /// Seconds of the texture in the 2001 paper (Tt).
+    pub texture_seconds: Option<f64>,
+}
+
+impl Preset {
+    /// The preset's recipe.
+    pub fn recipe(&self) -> Recipe {
+        Recipe::from_link(self.link).0
+    }
+}
+
+/// Those of the house.
+const fn house(
+    name: &'static str,
+    title: &'static str,
+    note: &'static str,
+    link: &'static str,
+) -> Preset {
+    Preset {
+        name,
+        title,
+        figure: "",
+        note,
+        link,
+        packing_seconds: None,
+        texture_seconds: None,
+    }
+}
+
+/// A row of the papers' table: name, figures of 2000 and 2001, note, link, Ts, Tt.
+macro_rules! paper {
+    ($name:literal, $first:literal, $second:literal, $note:literal, $link:literal, $ts:literal, $tt:literal) => {
+        Preset {
+            name: $name,
+            title: concat!("Fig. ", $first, " / ", $second),
+            figure: concat!("Fig. ", $first, " of 2000, Fig. ", $second, " of 2001"),
+            note: $note,
+            link: $link,
+            packing_seconds: Some($ts),
+            texture_seconds: Some($tt),
+        }
+    };
+}
+
+/// All presets, in the order of the page.
+#[rustfmt::skip]
+pub const PRESETS: &[Preset] = &[
+    house("ring", "Granite ring",
+        "Where every visit begins: cobbles run round and round.",
+        ""),
+    house("piazza", "Sandstone piazza",
+        "Flagstones part around flower beds in the evening sun.",
+        "v=1&outline=plaza&cs=27&vs=0.06&stone=flag&sv=0.98&hs=12&dr=0.14&fd=1.35&af=1.3&palette=sandstone&ground=mortar&az=205&el=30"),
+    house("serpentine", "Basalt serpentine",
+        "Small dark setts follow five bends.",
+        "v=1&outline=road_s&ow=1.45&on=5&cs=11&hs=9&dr=0.35&fd=1.4&af=1.1&palette=basalt"),
+    house("star", "Terracotta star",
+        "Tiles with eight tips, laid in mortar.",
+        "v=1&outline=star&ow=1.5&on=8&cs=19&stone=flag&sv=0.96&hs=9&dr=0.08&bh=0.14&fd=1.3&af=0.8&palette=terracotta&vary=1.3&ground=mortar&el=50"),
+    house("spiral", "Marble spiral",
+        "White, rose and green pebbles wind inwards on sand.",
+        "v=1&outline=road_spiral&ow=1.5&cs=15&vs=0.18&sv=0.96&hs=14&dr=0.22&fd=1.2&af=0.4&palette=marble&vary=1.2"),
+    house("lane", "Mossy lane",
+        "Old stones through a garden, late in the day.",
+        "v=1&outline=road_s&ow=1.25&cs=26&vs=0.15&dr=0.4&palette=mossy&ground=moss&az=240&el=36"),
+    house("ripples", "Porphyry ripples",
+        "Stones grow from the middle of the crossing outwards.",
+        "v=1&outline=crossing&ow=1.3&cs=17&gr=0.7&hs=15&dr=0.4&palette=porphyry&ground=soil"),
+    house("fountain", "Fountain court",
+        "Marble setts make room for a basin.",
+        "v=1&outline=plaza&ow=0.8&on=1&cs=16&vs=0.05&hs=12&dr=0.25&af=1&palette=marble&ground=soil"),
+    house("lantern", "Lantern at the fork",
+        "Basalt at night: one lamp, long shadows.",
+        "v=1&outline=y_fork&ow=1.25&cs=20&dr=0.4&palette=basalt&ground=dark&light=point&lx=0.5&ly=0.42&lz=0.16&amb=0.5&diff=1.3&spec=1.5"),
+
+    paper!("fig13-1b", "13 (1b)", "12 (1b)",
+        "The average pavement, from which the other two of the figure start.",
+        "v=1&outline=road_s&on=1", 2.1, 8.4),
+    paper!("fig13-2b", "13 (2b)", "12 (2b)",
+        "Smaller stones, a little varied in size.",
+        "v=1&outline=road_s&on=1&cs=18&vs=0.1", 2.1, 8.8),
+    paper!("fig13-3b", "13 (3b)", "12 (3b)",
+        "The sizes of the stones vary widely.",
+        "v=1&outline=road_s&on=1&vs=0.3", 2.1, 8.7),
+    paper!("fig14-b", "14 (b)", "13 (b)",
+        "Cobblestones; the flagstones of (c) have the same packing.",
+        "v=1&outline=road_s&ow=1.2&cs=20&hs=20", 11.9, 10.5),
+    paper!("fig14-c", "14 (c)", "13 (c)",
+        "Flagstones on the packing of (b).",
+        "v=1&outline=road_s&ow=1.2&cs=20&stone=flag&hs=12&dr=0.2&fd=1.4&af=1.4", 11.9, 11.3),
+    paper!("fig15-a", "15 (a)", "14 (a)",
+        "The average distortion of the stones.",
+        "v=1&outline=road_straight&ow=1.6&oa=-30&sv=1.1&hs=20", 3.6, 7.8),
+    paper!("fig15-b", "15 (b)", "14 (b)",
+        "No distortion: most stones have the same shape.",
+        "v=1&outline=road_straight&ow=1.6&oa=-30&sv=1.1&hs=20&dr=0", 3.6, 7.7),
+    paper!("fig15-c", "15 (c)", "14 (c)",
+        "High distortion.",
+        "v=1&outline=road_straight&ow=1.6&oa=-30&sv=1.1&hs=20&dr=0.6", 3.6, 7.9),
+    paper!("fig16-a", "16 (a)", "15 (a)",
+        "Holes: the stones stream around them.",
+        "v=1&outline=plaza&cs=21", 9.1, 9.3),
+    paper!("fig16-b", "16 (b)", "15 (b)",
+        "A fork, with large distorted cobbles.",
+        "v=1&outline=y_fork&ow=1.2&cs=25&hs=20&dr=0.5", 7.4, 13.6),
+    paper!("fig16-c", "16 (c)", "15 (c)",
+        "Cut-outs, with small flat flagstones.",
+        "v=1&outline=road_notch&ow=1.4&on=2&cs=15&stone=flag&hs=8&dr=0.2&fd=1.3&af=1", 2.1, 8.8),
+    paper!("fig16-d", "16 (d)", "15 (d)",
+        "A crossing, its flagstones wider than their cells.",
+        "v=1&outline=crossing&ow=1.2&stone=flag&sv=1.1&hs=14", 4.0, 11.8),
+    paper!("fig16-e", "16 (e)", "15 (e)",
+        "A ring of flagstones.",
+        "v=1&cs=20&stone=flag&hs=12&dr=0.2&fd=1.3&af=1.2", 4.8, 12.7),
+    paper!("fig16-f", "16 (f)", "15 (f)",
+        "Bends, with wide joints.",
+        "v=1&outline=road_s&ow=1.3&on=3&cs=20&sv=0.8", 3.6, 8.2),
+];

@@ -1,0 +1,341 @@
+//! The one table of parameters. The link, the controls of the page, clamping, presets and the
+//! question what is stale all read it: a new parameter is one row.
+
+use super::Stage;
+use super::Stage::{Cells, Domain, Fields, Packing, Planes, Shading, Solids};
+
+/// What kind of value a parameter takes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// Any finite number between the limits.
+    Number,
+    /// A whole number between the limits.
+    Int,
+    /// One of [`Parameter::choices`].
+    Choice,
+    /// Compact text with a form of its own: the free polygon.
+    Text,
+}
+
+impl Kind {
+    /// The kind's name for the page.
+    pub const fn word(self) -> &'static str {
+        match self {
+            Kind::Number => "number",
+            Kind::Int => "int",
+            Kind::Choice => "choice",
+            Kind::Text => "text",
+        }
+    }
+}
+
+/// One of the words a choice can take.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Choice {
+    /// As in the link.
+    pub word: &'static str,
+    /// As on the page.
+    pub label: &'static str,
+}
+
+/// One row of the schema.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Parameter {
+    /// The key in the link.
+    pub key: &'static str,
+    /// The papers' symbol, empty where they have none.
+    pub symbol: &'static str,
+    /// The name on the page.
+    pub name: &'static str,
+    /// The kind of value.
+    pub kind: Kind,
+    /// Smallest value (numbers). The limits of `cs` move with the picture: [`super::Recipe::limits`].
+    pub min: f64,
+    /// Largest value (numbers).
+    pub max: f64,
+    /// Step of the control; a link may hold values between the steps.
+    pub step: f64,
+    /// Default of a number; the default of a choice is its first word.
+    pub default: f64,
+    /// Unit, or empty.
+    pub unit: &'static str,
+    /// One sentence for the page.
+    pub help: &'static str,
+    /// The group of controls that it belongs to.
+    pub group: &'static str,
+    /// The first stage that reads it.
+    pub stage: Stage,
+    /// The words of a choice, the default first.
+    pub choices: &'static [Choice],
+    /// Only worth showing while the choice `.0` is one of the words `.1`.
+    pub shown_for: Option<(Key, &'static [&'static str])>,
+}
+
+impl Parameter {
+    const fn new(key: &'static str, symbol: &'static str, name: &'static str, kind: Kind) -> Self {
+        Self {
+            key,
+            symbol,
+            name,
+            kind,
+            min: 0.0,
+            max: 0.0,
+            step: 0.0,
+            default: 0.0,
+            unit: "",
+            help: "",
+            group: "",
+            stage: Domain,
+            choices: &[],
+            shown_for: None,
+        }
+    }
+
+    const fn range(mut self, min: f64, max: f64, step: f64, default: f64) -> Self {
+        (self.min, self.max, self.step, self.default) = (min, max, step, default);
+        self
+    }
+
+    const fn unit(mut self, unit: &'static str) -> Self {
+        self.unit = unit;
+        self
+    }
+
+    const fn at(mut self, stage: Stage, group: &'static str) -> Self {
+        (self.stage, self.group) = (stage, group);
+        self
+    }
+
+    const fn only_for(mut self, key: Key, words: &'static [&'static str]) -> Self {
+        self.shown_for = Some((key, words));
+        self
+    }
+
+    const fn help(mut self, help: &'static str) -> Self {
+        self.help = help;
+        self
+    }
+
+    /// The place of a word among the choices.
+    pub fn choice(&self, word: &str) -> Option<usize> {
+        self.choices.iter().position(|c| c.word == word)
+    }
+}
+
+const fn number(key: &'static str, symbol: &'static str, name: &'static str) -> Parameter {
+    Parameter::new(key, symbol, name, Kind::Number)
+}
+
+const fn int(key: &'static str, symbol: &'static str, name: &'static str) -> Parameter {
+    Parameter::new(key, symbol, name, Kind::Int)
+}
+
+const fn choice(key: &'static str, name: &'static str, choices: &'static [Choice]) -> Parameter {
+    let mut row = Parameter::new(key, "", name, Kind::Choice);
+    row.choices = choices;
+    row
+}
+
+const fn text(key: &'static str, name: &'static str) -> Parameter {
+    Parameter::new(key, "", name, Kind::Text)
+}
+
+macro_rules! choices {
+    ($($word:ident: $label:literal),* $(,)?) => {
+        &[$(Choice { word: stringify!($word), label: $label }),*]
+    };
+}
+
+/// Makes [`Key`] and [`SCHEMA`] from the same rows, so that `SCHEMA[key as usize]` is the key's row.
+macro_rules! parameters {
+    ($($key:ident: $help:literal, $row:expr;)*) => {
+        /// Names a row of [`SCHEMA`].
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+        pub enum Key { $(#[doc = $help] $key),* }
+
+        impl Key {
+            /// All keys in the order of the schema.
+            pub const ALL: &[Key] = &[$(Key::$key),*];
+        }
+
+        /// All parameters, in the order of the pipeline.
+        pub const SCHEMA: &[Parameter] = &[$($row.help($help)),*];
+    };
+}
+
+parameters! {
+    Outline: "The shape of the area to pave.",
+        choice("outline", "Outline", choices![
+            annulus: "Ring", road_s: "S-curve", road_straight: "Straight road",
+            road_spiral: "Spiral", y_fork: "Fork", crossing: "Crossing",
+            plaza: "Plaza with holes", road_notch: "Cut-out road", l_shape: "L", star: "Star",
+            square: "Square", polygon: "Free polygon",
+        ]).at(Domain, "Outline");
+    Poly: "The free polygon's points, as compact text; draw it or load it from a file instead.",
+        text("poly", "Points").at(Domain, "Outline").only_for(Key::Outline, &["polygon"]);
+    Size: "Side of the square picture; the outline grows with it, the stones do not.",
+        int("size", "", "Picture side").range(128.0, 2048.0, 64.0, 512.0).unit("px")
+            .at(Domain, "Outline");
+    Ow: "Width of the paved way, as a factor of the shape's own.",
+        number("ow", "", "Width").range(0.3, 1.7, 0.05, 1.0).at(Domain, "Outline")
+            .only_for(Key::Outline, BUILT_IN);
+    On: "Number of bends, turns, arms, holes, notches or points; 0 takes the shape's own.",
+        int("on", "", "Number").range(0.0, 12.0, 1.0, 0.0).at(Domain, "Outline")
+            .only_for(Key::Outline, COUNTED);
+    Oa: "Turns the shape clockwise; it always fills the picture.",
+        number("oa", "", "Turn").range(-180.0, 180.0, 1.0, 0.0).unit("°").at(Domain, "Outline")
+            .only_for(Key::Outline, BUILT_IN);
+
+    Cs: "Average side of a cell.",
+        number("cs", "Cs", "Cell size").range(2.0, 256.0, 1.0, 23.0).unit("px")
+            .at(Fields, "Fields");
+    Gx: "Makes cells grow from left to right (or shrink, below 0).",
+        number("gx", "", "Size gradient x").range(-0.8, 0.8, 0.05, 0.0).at(Fields, "Fields");
+    Gy: "Makes cells grow from top to bottom (or shrink, below 0).",
+        number("gy", "", "Size gradient y").range(-0.8, 0.8, 0.05, 0.0).at(Fields, "Fields");
+    Gr: "Makes cells grow from the picture's centre outwards (or shrink, below 0).",
+        number("gr", "", "Size gradient radial").range(-0.8, 0.8, 0.05, 0.0).at(Fields, "Fields");
+    Dir: "What the rows of stones follow: the boundary, one angle, or eq. (1) as it is printed.",
+        choice("dir", "Direction", choices![
+            boundary: "Along the boundary", constant: "One angle", printed: "Eq. (1) as printed",
+        ]).at(Fields, "Fields");
+    Angle: "Direction of the rows, clockwise from the x axis.",
+        number("angle", "θ", "Angle").range(-90.0, 90.0, 1.0, 0.0).unit("°").at(Fields, "Fields")
+            .only_for(Key::Dir, &["constant"]);
+    Dp: "Power of the distance in the direction's weights: the higher, the nearer a wall must be.",
+        int("dp", "", "Distance power").range(2.0, 4.0, 1.0, 4.0).at(Fields, "Fields")
+            .only_for(Key::Dir, &["boundary"]);
+
+    Kind: "Shape of the packed cells.",
+        choice("kind", "Cell kind", choices![square: "Square"]).at(Packing, "Packing");
+    Edge: "What lies on the boundary: the edges of the outermost cells, or their fixed centres.",
+        choice("edge", "Boundary", choices![wall: "Edges on it", on: "Centres on it"])
+            .at(Packing, "Packing");
+    Start: "Where cells are put at first.",
+        choice("start", "Start", choices![stream: "Along the direction", quadtree: "Quadtree"])
+            .at(Packing, "Packing");
+    Move: "How the equation of motion is integrated.",
+        choice("move", "Integrator", choices![semi: "Semi-implicit", rk4: "Runge-Kutta 4"])
+            .at(Packing, "Packing");
+    Pop: "How cells are added and removed on the way.",
+        choice("pop", "Population", choices![
+            slots: "Empty slots", smallest: "Smallest distance", off: "Off",
+        ]).at(Packing, "Packing");
+    Vs: "Random variance of the cells' size.",
+        number("vs", "Vs", "Size variance").range(0.0, 0.5, 0.01, 0.0).at(Packing, "Packing");
+    Seed: "Names the random numbers: another seed, another pavement.",
+        int("seed", "", "Seed").range(0.0, 4_294_967_295.0, 1.0, 1.0).at(Packing, "Packing");
+
+    Cells: "Cells fitted to each other without gaps, or the packed squares as they are.",
+        choice("cells", "Cells", choices![fitted: "Fitted", packed: "As packed"])
+            .at(Cells, "Cells");
+
+    Stone: "The control mesh of a stone: round, or flat with bevelled edges.",
+        choice("stone", "Stone", choices![cobble: "Cobblestone", flag: "Flagstone"])
+            .at(Solids, "Stones");
+    Sv: "Scale of a stone's base in its cell; below 1 the joints get wider.",
+        number("sv", "Sv", "Base scale").range(0.5, 1.3, 0.01, 1.0).at(Solids, "Stones");
+    Hs: "Height of the stones.",
+        number("hs", "Hs", "Height").range(1.0, 128.0, 1.0, 18.0).unit("px").at(Solids, "Stones");
+    Dr: "Random distortion of the top corners; 0 makes all stones alike.",
+        number("dr", "Dr", "Distortion").range(0.0, 1.0, 0.01, 0.3).at(Solids, "Stones");
+    Rand: "Distribution of the distortion: uniform (2000) or normal (2001).",
+        choice("rand", "Random numbers", choices![uniform: "Uniform", normal: "Normal"])
+            .at(Solids, "Stones");
+    Bh: "How far from a corner the horizontal bevel begins.",
+        number("bh", "Bh", "Bevel, horizontal").range(0.0, 1.0, 0.01, 0.2).at(Solids, "Stones")
+            .only_for(Key::Stone, &["flag"]);
+    Bv: "How far below the top the vertical bevel begins.",
+        number("bv", "Bv", "Bevel, vertical").range(0.0, 1.0, 0.01, 0.2).at(Solids, "Stones")
+            .only_for(Key::Stone, &["flag"]);
+
+    Fd: "Fractal dimension of the faces: near 1 smooth swells, near 2 rough grain.",
+        number("fd", "Fd", "Fractal dimension").range(1.05, 1.95, 0.01, 1.5)
+            .at(Planes, "Surface");
+    Af: "Amplitude of the fractal noise.",
+        number("af", "Af", "Roughness").range(0.0, 8.0, 0.1, 2.0).unit("px")
+            .at(Planes, "Surface");
+    Palette: "Colours and optical attributes of the stones.",
+        choice("palette", "Palette", choices![
+            granite: "Granite", basalt: "Basalt", sandstone: "Sandstone",
+            terracotta: "Terracotta", marble: "Marble mix", porphyry: "Porphyry", slate: "Slate",
+            mossy: "Mossy granite", limestone: "Limestone",
+        ]).at(Planes, "Surface");
+    Vary: "Variation of tone from stone to stone.",
+        number("vary", "", "Tone variation").range(0.0, 2.0, 0.05, 1.0).at(Planes, "Surface");
+    Ground: "What lies between the stones.",
+        choice("ground", "Ground", choices![
+            sand: "Sand", soil: "Soil", mortar: "Mortar", dark: "Dark earth",
+            moss: "Moss", gravel: "Gravel",
+        ]).at(Planes, "Surface");
+
+    Light: "Rays from one side, or from a lamp at a place.",
+        choice("light", "Light", choices![parallel: "Parallel", point: "Point"])
+            .at(Shading, "Light");
+    Az: "Where the light comes from, clockwise from the right of the picture.",
+        number("az", "", "Azimuth").range(0.0, 360.0, 1.0, 225.0).unit("°").at(Shading, "Light")
+            .only_for(Key::Light, &["parallel"]);
+    El: "Height of the light above the ground.",
+        number("el", "", "Elevation").range(5.0, 90.0, 1.0, 42.0).unit("°").at(Shading, "Light")
+            .only_for(Key::Light, &["parallel"]);
+    Lx: "Lamp's place from left to right, in picture sides.",
+        number("lx", "", "Lamp x").range(-1.0, 2.0, 0.01, 0.25).at(Shading, "Light")
+            .only_for(Key::Light, &["point"]);
+    Ly: "Lamp's place from top to bottom, in picture sides.",
+        number("ly", "", "Lamp y").range(-1.0, 2.0, 0.01, 0.2).at(Shading, "Light")
+            .only_for(Key::Light, &["point"]);
+    Lz: "Lamp's height above the ground, in picture sides.",
+        number("lz", "", "Lamp height").range(0.05, 2.0, 0.01, 0.4).at(Shading, "Light")
+            .only_for(Key::Light, &["point"]);
+    Amb: "Factor of the ambient reflection A.",
+        number("amb", "A", "Ambient").range(0.0, 2.0, 0.05, 1.0).at(Shading, "Light");
+    Diff: "Factor of the diffuse reflection D.",
+        number("diff", "D", "Diffuse").range(0.0, 2.0, 0.05, 1.0).at(Shading, "Light");
+    Spec: "Factor of the specular reflection S.",
+        number("spec", "S", "Specular").range(0.0, 2.0, 0.05, 1.0).at(Shading, "Light");
+    Shin: "Factor of the shininess n: the higher, the smaller the highlights.",
+        number("shin", "n", "Shininess").range(0.25, 4.0, 0.05, 1.0).at(Shading, "Light");
+    Shadow: "Strength of the shadows that stones cast.",
+        number("shadow", "", "Shadows").range(0.0, 1.0, 0.05, 1.0).at(Shading, "Light");
+    Occl: "Strength of ambient occlusion, the darkness of the joints.",
+        number("occl", "", "Occlusion").range(0.0, 1.0, 0.05, 1.0).at(Shading, "Light");
+}
+
+/// Every outline but the free polygon.
+const BUILT_IN: &[&str] = &[
+    "annulus",
+    "road_s",
+    "road_straight",
+    "road_spiral",
+    "y_fork",
+    "crossing",
+    "plaza",
+    "road_notch",
+    "l_shape",
+    "star",
+    "square",
+];
+
+/// The outlines that have a number of something.
+const COUNTED: &[&str] = &[
+    "road_s",
+    "road_spiral",
+    "y_fork",
+    "crossing",
+    "plaza",
+    "road_notch",
+    "star",
+];
+
+impl Key {
+    /// The key's row.
+    pub fn parameter(self) -> &'static Parameter {
+        &SCHEMA[self as usize]
+    }
+
+    /// The key of a link's word.
+    pub fn from_word(word: &str) -> Option<Key> {
+        let at = SCHEMA.iter().position(|row| row.key == word)?;
+        Some(Key::ALL[at])
+    }
+}

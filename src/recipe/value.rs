@@ -1,0 +1,244 @@
+//! Values as text: reading one parameter with a sentence where it does not fit, and writing it.
+
+use super::{Key, Kind, POLYGON, Parameter, Recipe, SCHEMA, decimal, poly};
+use crate::domain::Outline;
+
+/// What became of a text that was meant as a value; see [`Recipe::set`].
+type Taken = Result<Option<String>, String>;
+
+/// Characters of a foreign text that a sentence repeats.
+const QUOTED: usize = 24;
+
+impl Recipe {
+    /// Sets one parameter from text: `Ok(None)` where it was taken as it is, `Ok(Some(sentence))`
+    /// where it was clamped to the limits or mended. Choosing `outline=polygon` without a polygon
+    /// makes one of the outline that was chosen before.
+    ///
+    /// # Errors
+    /// The text does not fit and the old value stays. Every sentence says what was given, what is
+    /// allowed and what was kept.
+    pub fn set(&mut self, key: &str, text: &str) -> Result<Option<String>, String> {
+        let Some(key) = Key::from_word(key) else {
+            return Err(format!(
+                "{} is not a parameter; it was dropped.",
+                quote(key)
+            ));
+        };
+        let text = text.trim();
+        if text.is_empty() {
+            let (what, kept) = (name(key.parameter()), self.shown(key));
+            return Err(format!("{what} has no value; kept {kept}."));
+        }
+        match key.parameter().kind {
+            Kind::Number | Kind::Int => self.set_number(key, text),
+            Kind::Choice => self.set_choice(key, text),
+            Kind::Text => self.set_poly(text),
+        }
+    }
+
+    /// The value as the link writes it; empty for an unknown key or where there is no polygon.
+    pub fn get(&self, key: &str) -> String {
+        Key::from_word(key).map_or(String::new(), |key| self.text(key))
+    }
+
+    /// Takes the outline as the free polygon and chooses it. Its points are moved to the nearest
+    /// ones that a link can hold (1/32768 of the picture's side).
+    ///
+    /// # Errors
+    /// The sentence of [`Outline::check`]; the recipe stays as it was. `Ok` holds what was mended.
+    pub fn set_polygon(&mut self, outline: &Outline) -> Result<Vec<String>, String> {
+        let side = self.side();
+        let check = |outline: &Outline| outline.check(side).map_err(|error| error.to_string());
+        // Before the points are moved, too: a sentence should tell the places that were given.
+        let (given, mut notices) = check(outline)?;
+        let (checked, more) = check(&poly::snap(&given, side))?;
+        notices.extend(more);
+        self.polygon = Some(checked);
+        self.choose(Key::Outline, POLYGON);
+        Ok(notices)
+    }
+
+    /// The value of a key as the link writes it.
+    pub(super) fn text(&self, key: Key) -> String {
+        match key.parameter().kind {
+            Kind::Number | Kind::Int => number_text(self.number(key)),
+            Kind::Choice => self.choice(key).to_owned(),
+            Kind::Text => self
+                .polygon
+                .as_ref()
+                .map_or(String::new(), |p| poly::encode(p, self.side())),
+        }
+    }
+
+    /// The value of a key for a sentence.
+    fn shown(&self, key: Key) -> String {
+        match key.parameter().kind {
+            Kind::Text => format!("outline={}", self.choice(Key::Outline)),
+            _ => self.text(key),
+        }
+    }
+
+    fn put(&mut self, key: Key, value: f64) {
+        // Adding 0 makes of -0 a 0, so that the link tells all that the bits do.
+        self.values[key as usize] = value + 0.0;
+    }
+
+    fn choose(&mut self, key: Key, word: &str) {
+        let place = key.parameter().choice(word);
+        self.put(key, place.expect("a word of the schema") as f64);
+    }
+
+    fn set_number(&mut self, key: Key, text: &str) -> Taken {
+        let row = key.parameter();
+        let Some(given) = decimal::parse(text).filter(|v| v.is_finite()) else {
+            let (allowed, kept) = (self.allowed(key), self.shown(key));
+            let (what, given) = (name(row), quote(text));
+            return Err(format!(
+                "{what} must be {allowed}; {given} was given, kept {kept}."
+            ));
+        };
+        let (min, max) = self.limits(key);
+        let whole = if row.kind == Kind::Int {
+            given.round()
+        } else {
+            given
+        };
+        let value = whole.clamp(min, max);
+        let allowed = self.allowed(key);
+        let old_side = self.side();
+        self.put(key, value);
+        let mut notice = (value != given).then(|| {
+            let (what, given, kept) = (name(row), quote(text), number_text(value));
+            format!("{what} must be {allowed}; {given} was given, kept {kept}.")
+        });
+        if key == Key::Size {
+            self.resize(old_side);
+            if let Some(sentence) = self.settle() {
+                notice = Some(notice.map_or(sentence.clone(), |n| format!("{n} {sentence}")));
+            }
+        }
+        Ok(notice)
+    }
+
+    /// What a number may be, in words.
+    fn allowed(&self, key: Key) -> String {
+        let (min, max) = self.limits(key);
+        let whole = match key.parameter().kind {
+            Kind::Int => "whole ",
+            _ => "",
+        };
+        let unit = match key.parameter().unit {
+            "" => String::new(),
+            "°" => "°".to_owned(),
+            unit => format!(" {unit}"),
+        };
+        let mut words = format!(
+            "a {whole}number from {} to {}{unit}",
+            number_text(min),
+            number_text(max)
+        );
+        if key == Key::Cs {
+            words += &format!(" in a picture of {} px", number_text(self.side()));
+        }
+        words
+    }
+
+    /// The free polygon grows with the picture, as the built-in outlines do. Its points lie on a grid
+    /// of the picture's side / 32768, so nothing is rounded, there and back again.
+    fn resize(&mut self, old_side: f64) {
+        let side = self.side();
+        if let Some(polygon) = &mut self.polygon {
+            *polygon = poly::resize(polygon, old_side, side);
+        }
+    }
+
+    /// Brings what depends on the picture's side back into its limits.
+    pub(super) fn settle(&mut self) -> Option<String> {
+        let (given, (min, max)) = (self.number(Key::Cs), self.limits(Key::Cs));
+        let value = given.clamp(min, max);
+        (value != given).then(|| {
+            let (allowed, what) = (self.allowed(Key::Cs), name(Key::Cs.parameter()));
+            self.put(Key::Cs, value);
+            let (given, kept) = (number_text(given), number_text(value));
+            format!("{what} must be {allowed}; {given} was given, kept {kept}.")
+        })
+    }
+
+    fn set_choice(&mut self, key: Key, text: &str) -> Taken {
+        let row = key.parameter();
+        let word = text.to_ascii_lowercase();
+        let Some(place) = row.choice(&word) else {
+            let (what, given, kept) = (name(row), quote(text), self.choice(key));
+            return Err(format!(
+                "{what} must be {}; {given} was given, kept {kept}.",
+                one_of(row)
+            ));
+        };
+        if key == Key::Outline && word == POLYGON && self.polygon.is_none() {
+            // The shape on the screen becomes the polygon to start from.
+            return match self.set_polygon(&self.outline()) {
+                Ok(notices) => Ok(notices.into_iter().next()),
+                Err(sentence) => Err(sentence),
+            };
+        }
+        self.put(key, place as f64);
+        Ok(None)
+    }
+
+    fn set_poly(&mut self, text: &str) -> Taken {
+        let kept = self.shown(Key::Poly);
+        let what = name(Key::Poly.parameter());
+        let outline = poly::decode(text, self.side())
+            .map_err(|why| format!("{what} cannot be read: {why}; kept {kept}."))?;
+        match self.set_polygon(&outline) {
+            Ok(notices) if notices.is_empty() => Ok(None),
+            Ok(notices) => Ok(Some(notices.join(" "))),
+            Err(sentence) => Err(format!("{sentence} Kept {kept}.")),
+        }
+    }
+}
+
+/// The shortest decimal text that reads back as the same bits.
+pub(super) fn number_text(value: f64) -> String {
+    let (plain, power) = (format!("{value}"), format!("{value:e}"));
+    if power.len() + 2 < plain.len() {
+        power
+    } else {
+        plain
+    }
+}
+
+/// A parameter as sentences name it.
+pub(super) fn name(row: &Parameter) -> String {
+    format!("{} ({})", row.name, row.key)
+}
+
+/// Foreign text made fit for a sentence: short and without control characters.
+pub(super) fn quote(text: &str) -> String {
+    let mut short: String = text
+        .chars()
+        .take(QUOTED)
+        .map(|c| if c.is_control() { ' ' } else { c })
+        .collect();
+    if text.chars().nth(QUOTED).is_some() {
+        short.push('…');
+    }
+    format!("\"{short}\"")
+}
+
+fn one_of(row: &Parameter) -> String {
+    let words: Vec<&str> = row.choices.iter().map(|c| c.word).collect();
+    match words.as_slice() {
+        [only] => format!("{only} so far"),
+        [most @ .., last] => format!("{} or {last}", most.join(", ")),
+        [] => String::new(),
+    }
+}
+
+/// Parameters whose value differs from the default, in the order of the schema.
+pub(super) fn differing(recipe: &Recipe) -> impl Iterator<Item = Key> {
+    Key::ALL.iter().copied().filter(|&key| match key {
+        Key::Poly => recipe.choice(Key::Outline) == POLYGON,
+        _ => recipe.number(key) != SCHEMA[key as usize].default,
+    })
+}

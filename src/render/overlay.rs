@@ -1,0 +1,287 @@
+//! A board for drawings of the stages before the picture: filled rings and strokes with soft edges,
+//! by tiny-skia.
+//!
+//! Coordinates are picture units, one to a pixel, y down. What is drawn is shown, never worked on:
+//! no result depends on it.
+
+use glam::DVec2;
+use tiny_skia::{Color, FillRule, Paint, Path, PathBuilder, Pixmap, Shader, Transform};
+
+/// A colour as red, green, blue (sRGB) and opacity, each 0..=1.
+pub type Tint = [f32; 4];
+
+/// What a drawing lies on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Paper {
+    /// The picture around the outline.
+    pub surround: Tint,
+    /// The area to be paved.
+    pub bed: Tint,
+    /// The boundary.
+    pub line: Tint,
+}
+
+/// A square picture to draw on; all its pixels are opaque.
+#[derive(Clone, Debug)]
+pub struct Board {
+    pixmap: Pixmap,
+}
+
+impl Board {
+    /// A blank board of `side` x `side` pixels, at least 1.
+    ///
+    /// # Panics
+    /// Where a picture of that size does not fit into memory.
+    pub fn new(side: usize, ground: Tint) -> Self {
+        let side = side.max(1) as u32;
+        let mut pixmap = Pixmap::new(side, side).expect("a picture fits into memory");
+        pixmap.fill(colour(ground));
+        Self { pixmap }
+    }
+
+    /// A board with the outline's bed and boundary on it. Holes are rings that run against the
+    /// outer one.
+    pub fn with_outline(side: usize, rings: &[&[DVec2]], paper: &Paper) -> Self {
+        let mut board = Self::new(side, paper.surround);
+        board.outline(rings, paper);
+        board
+    }
+
+    /// Draws the outline's bed and boundary.
+    pub fn outline(&mut self, rings: &[&[DVec2]], paper: &Paper) {
+        self.fill(rings, paper.bed, 0.0);
+        self.edges(rings, paper.line, 1.25, 0.0);
+    }
+
+    /// Fills the area that the rings run around, in one colour, corners rounded by up to `round`
+    /// pixels; what two rings of the same sense share is filled once, what they share against each
+    /// other is left out.
+    pub fn fill(&mut self, rings: &[&[DVec2]], tint: Tint, round: f64) {
+        let mut builder = PathBuilder::new();
+        for ring in rings {
+            trace(&mut builder, &rounded(ring, round));
+        }
+        self.fill_path(builder.finish(), tint);
+    }
+
+    /// Draws the lines of rings, `width` pixels wide, in one colour; where lines meet or cross they
+    /// are not darker.
+    pub fn edges(&mut self, rings: &[&[DVec2]], tint: Tint, width: f64, round: f64) {
+        let mut lines = Vec::new();
+        for ring in rings {
+            let ring = rounded(ring, round);
+            let next = ring.iter().cycle().skip(1);
+            lines.extend(ring.iter().zip(next).map(|(&a, &b)| [a, b]));
+        }
+        self.strokes(&lines, tint, width);
+    }
+
+    /// Draws separate lines of one colour, `width` pixels wide.
+    pub fn strokes(&mut self, lines: &[[DVec2; 2]], tint: Tint, width: f64) {
+        // Bars to fill: tiny-skia's own strokes are a twentieth of the WebAssembly module.
+        let mut builder = PathBuilder::new();
+        for &line in lines {
+            trace(&mut builder, &bar(line, width));
+        }
+        self.fill_path(builder.finish(), tint);
+    }
+
+    fn fill_path(&mut self, path: Option<Path>, tint: Tint) {
+        if let Some(path) = path {
+            let (paint, rule) = (paint(tint), FillRule::Winding);
+            let as_it_is = Transform::identity();
+            self.pixmap.fill_path(&path, &paint, rule, as_it_is, None);
+        }
+    }
+
+    /// Draws a filled dot.
+    pub fn dot(&mut self, centre: DVec2, radius: f64, tint: Tint) {
+        let square = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
+        let ring = square.map(|corner| centre + radius * DVec2::from(corner));
+        self.fill(&[&ring], tint, 0.8 * radius);
+    }
+
+    /// The pixels, red, green, blue, opacity, all opaque, row after row from the top.
+    pub fn rgba(&self) -> &[u8] {
+        self.pixmap.data()
+    }
+
+    /// The pixels, to be changed; they must stay opaque.
+    pub fn rgba_mut(&mut self) -> &mut [u8] {
+        self.pixmap.data_mut()
+    }
+
+    /// Shows a finished opaque picture of the same size; what is missing of it stays as it was.
+    pub fn show(&mut self, rgba: &[u8]) {
+        let pixels = self.pixmap.data_mut();
+        let length = pixels.len().min(rgba.len());
+        pixels[..length].copy_from_slice(&rgba[..length]);
+    }
+
+    /// Has the board `side` pixels along a side?
+    pub fn fits(&self, side: usize) -> bool {
+        self.pixmap.width() as usize == side
+    }
+}
+
+/// Adds a closed ring to a path.
+fn trace(builder: &mut PathBuilder, ring: &[DVec2]) {
+    for (k, p) in ring.iter().enumerate() {
+        let (x, y) = (p.x as f32, p.y as f32);
+        if k == 0 {
+            builder.move_to(x, y);
+        } else {
+            builder.line_to(x, y);
+        }
+    }
+    if !ring.is_empty() {
+        builder.close();
+    }
+}
+
+/// The ring with its corners cut round, by up to `round` pixels.
+fn rounded(ring: &[DVec2], round: f64) -> Vec<DVec2> {
+    let n = ring.len();
+    let mut points = Vec::with_capacity(3 * n);
+    for (k, &corner) in ring.iter().enumerate() {
+        let (to, from) = (ring[(k + 1) % n] - corner, ring[(k + n - 1) % n] - corner);
+        let reach = round.min(0.4 * to.length().min(from.length()));
+        if reach < 0.2 {
+            points.push(corner);
+            continue;
+        }
+        let start = corner + from.normalize_or_zero() * reach;
+        let end = corner + to.normalize_or_zero() * reach;
+        // The middle of the parabola that touches both sides.
+        points.extend([start, 0.5 * corner + 0.25 * (start + end), end]);
+    }
+    points
+}
+
+/// The corners of a line of some width; it reaches half of it beyond its ends, so that joints close.
+fn bar([from, to]: [DVec2; 2], width: f64) -> [DVec2; 4] {
+    let along = (to - from).normalize_or_zero() * (width / 2.0);
+    let across = along.perp();
+    [
+        from - along - across,
+        to + along - across,
+        to + along + across,
+        from - along + across,
+    ]
+}
+
+fn colour(tint: Tint) -> Color {
+    let [r, g, b, a] = tint.map(|c| c.clamp(0.0, 1.0));
+    Color::from_rgba(r, g, b, a).unwrap_or(Color::BLACK)
+}
+
+fn paint(tint: Tint) -> Paint<'static> {
+    Paint {
+        shader: Shader::SolidColor(colour(tint)),
+        ..Paint::default()
+    }
+}
+
+/// The colour a share `t` (0..=1) of the way from `a` to `b`.
+pub fn blend(a: Tint, b: Tint, t: f32) -> Tint {
+    let t = t.clamp(0.0, 1.0);
+    std::array::from_fn(|k| a[k] + (b[k] - a[k]) * t)
+}
+
+/// A colour `factor` times as light, of the same opacity.
+pub fn lit(tint: Tint, factor: f32) -> Tint {
+    let [r, g, b, a] = tint;
+    [r * factor, g * factor, b * factor, a]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const PAPER: Paper = Paper {
+        surround: [0.2, 0.4, 0.6, 1.0],
+        bed: [0.6, 0.4, 0.2, 1.0],
+        line: [1.0, 1.0, 1.0, 1.0],
+    };
+    const WHITE: Tint = [1.0; 4];
+
+    fn square(lo: f64, hi: f64) -> Vec<DVec2> {
+        [(lo, lo), (hi, lo), (hi, hi), (lo, hi)]
+            .map(DVec2::from)
+            .to_vec()
+    }
+
+    fn pixel(board: &Board, x: usize, y: usize) -> [u8; 4] {
+        std::array::from_fn(|k| board.rgba()[4 * (y * 64 + x) + k])
+    }
+
+    fn bytes(tint: Tint) -> [u8; 4] {
+        tint.map(|c| (255.0 * c + 0.5) as u8)
+    }
+
+    #[test]
+    fn the_bed_has_its_hole() {
+        let mut hole = square(24.0, 40.0);
+        hole.reverse();
+        let board = Board::with_outline(64, &[&square(8.0, 56.0), &hole], &PAPER);
+        assert_eq!(pixel(&board, 2, 2), bytes(PAPER.surround));
+        assert_eq!(pixel(&board, 32, 32), bytes(PAPER.surround));
+        assert_eq!(pixel(&board, 16, 32), bytes(PAPER.bed));
+        assert!(board.rgba().chunks(4).all(|p| p[3] == 255));
+    }
+
+    #[test]
+    fn half_covered_pixels_are_half_filled() {
+        let mut board = Board::new(64, [0.0, 0.0, 0.0, 1.0]);
+        board.fill(&[&square(10.5, 20.0)], WHITE, 0.0);
+        assert_eq!(pixel(&board, 15, 15)[0], 255);
+        let half = pixel(&board, 10, 15)[0];
+        assert!((120..=136).contains(&half), "{half}");
+        assert_eq!(pixel(&board, 9, 15)[0], 0);
+    }
+
+    #[test]
+    fn rounded_corners_are_cut_and_sides_are_not() {
+        let mut board = Board::new(64, [0.0, 0.0, 0.0, 1.0]);
+        board.fill(&[&square(10.0, 50.0)], WHITE, 8.0);
+        assert_eq!(pixel(&board, 10, 10)[0], 0);
+        assert_eq!(pixel(&board, 10, 30)[0], 255);
+        assert_eq!(pixel(&board, 30, 49)[0], 255);
+    }
+
+    #[test]
+    fn what_reaches_beyond_the_board_is_cut() {
+        let mut board = Board::new(64, PAPER.surround);
+        board.fill(&[&square(-30.0, 10.0)], WHITE, 0.0);
+        board.fill(&[&square(50.0, 1e7)], WHITE, 0.0);
+        assert_eq!(pixel(&board, 3, 9)[0], 255);
+        assert_eq!(pixel(&board, 63, 63)[0], 255);
+        assert_eq!(pixel(&board, 12, 3), bytes(PAPER.surround));
+        assert_eq!(pixel(&board, 48, 63), bytes(PAPER.surround));
+    }
+
+    #[test]
+    fn empty_and_far_away_rings_draw_nothing() {
+        let mut board = Board::new(64, PAPER.surround);
+        let before = board.rgba().to_vec();
+        let far = square(1e7, 2e7);
+        for ring in [&[][..], &[DVec2::ZERO], &far, &[DVec2::NAN; 3]] {
+            board.fill(&[ring], WHITE, 1.0);
+            board.edges(&[ring], WHITE, 1.0, 1.0);
+        }
+        board.strokes(&[], WHITE, 1.0);
+        board.strokes(&[[DVec2::NAN; 2]], WHITE, 1.0);
+        assert_eq!(before, board.rgba());
+    }
+
+    #[test]
+    fn a_picture_is_shown_as_it_is() {
+        let mut board = Board::new(64, PAPER.surround);
+        let picture: Vec<u8> = (0..64 * 64 * 4).map(|k| (k % 251) as u8).collect();
+        board.show(&picture);
+        assert_eq!(board.rgba(), picture);
+        board.show(&[]);
+        assert_eq!(board.rgba(), picture);
+        assert!(board.fits(64) && !board.fits(65));
+    }
+}

@@ -1,0 +1,119 @@
+//! The data planes as pictures: heights in grey, normals as colours, ids as distinct colours.
+
+use crate::texture::{GROUND, Planes};
+
+/// The lowest and the highest value of the bump plane; (0, 0) where there is none.
+pub fn height_range(planes: &Planes) -> (f32, f32) {
+    let range = planes
+        .bump
+        .iter()
+        .filter(|h| h.is_finite())
+        .fold((f32::INFINITY, f32::NEG_INFINITY), |(lo, hi), &h| {
+            (lo.min(h), hi.max(h))
+        });
+    if range.0 <= range.1 {
+        range
+    } else {
+        (0.0, 0.0)
+    }
+}
+
+/// Heights from black (the lowest) to white (the highest), opaque RGBA.
+pub fn height(planes: &Planes) -> Vec<u8> {
+    let (lo, hi) = height_range(planes);
+    let scale = if hi > lo { 255.0 / (hi - lo) } else { 0.0 };
+    opaque(planes.bump.iter().map(|h| {
+        let grey = ((h - lo) * scale + 0.5) as u8;
+        [grey; 3]
+    }))
+}
+
+/// Unit normals as colours: red = x, green = up on screen (-y), blue = towards the eye, -1..1 over
+/// 0..255, as normal maps have it. Opaque RGBA.
+pub fn normals(planes: &Planes) -> Vec<u8> {
+    let side = planes.side;
+    opaque((0..planes.bump.len()).map(|at| {
+        let [nx, ny, nz] = normal(planes, at % side, at / side);
+        [nx, -ny, nz].map(|c| (127.5 + 127.5 * c + 0.5) as u8)
+    }))
+}
+
+/// The unit normal of the bump plane at a pixel, by central differences, z towards the eye.
+pub fn normal(planes: &Planes, x: usize, y: usize) -> [f32; 3] {
+    let side = planes.side;
+    let bump = |x: usize, y: usize| planes.bump[y * side + x];
+    let (left, right) = (x.saturating_sub(1), (x + 1).min(side - 1));
+    let (above, below) = (y.saturating_sub(1), (y + 1).min(side - 1));
+    let dx = (bump(right, y) - bump(left, y)) / (right - left).max(1) as f32;
+    let dy = (bump(x, below) - bump(x, above)) / (below - above).max(1) as f32;
+    let scale = 1.0 / (dx * dx + dy * dy + 1.0).sqrt();
+    [-dx * scale, -dy * scale, scale]
+}
+
+/// One colour per stone, unlike its neighbours', and a dark ground. Opaque RGBA.
+pub fn ids(planes: &Planes) -> Vec<u8> {
+    opaque(planes.id.iter().map(|&id| id_colour(id)))
+}
+
+/// The colour of a stone's id: hues a golden section apart, three lightnesses in turn.
+pub fn id_colour(id: u32) -> [u8; 3] {
+    if id == GROUND {
+        return [38, 34, 30];
+    }
+    let hue = (id.wrapping_mul(0x9E37_79B9) >> 8) as f32 / (1 << 24) as f32;
+    let light = [0.62, 0.74, 0.86][(id % 3) as usize];
+    let channel = |shift: f32| {
+        let h = (hue + shift).fract();
+        let wave = ((6.0 * h - 3.0).abs() - 1.0).clamp(0.0, 1.0);
+        let soft = light * (0.42 + 0.58 * wave);
+        (255.0 * soft + 0.5) as u8
+    };
+    [channel(0.0), channel(2.0 / 3.0), channel(1.0 / 3.0)]
+}
+
+fn opaque(colours: impl Iterator<Item = [u8; 3]>) -> Vec<u8> {
+    colours.flat_map(|[r, g, b]| [r, g, b, 255]).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn slope() -> Planes {
+        let side = 8;
+        let n = side * side;
+        Planes {
+            side,
+            bump: (0..n).map(|at| (at % side) as f32).collect(),
+            colour: vec![[0; 3]; n],
+            optics: vec![0; n],
+            id: (0..n as u32).collect(),
+            openness: vec![255; n],
+        }
+    }
+
+    #[test]
+    fn a_slope_rises_in_grey_and_leans_left() {
+        let planes = slope();
+        let grey = height(&planes);
+        assert_eq!((grey[0], grey[4 * 7]), (0, 255));
+        let n = normal(&planes, 3, 3);
+        assert!((n[0] + 0.5f32.sqrt()).abs() < 1e-6 && n[1] == 0.0);
+        assert_eq!(normals(&planes).len(), 4 * 64);
+    }
+
+    #[test]
+    fn neighbouring_ids_differ() {
+        for id in 0..1000 {
+            let (a, b) = (id_colour(id), id_colour(id + 1));
+            let far: i32 = (0..3).map(|k| (a[k] as i32 - b[k] as i32).abs()).sum();
+            assert!(far > 24, "{id}: {a:?} {b:?}");
+        }
+    }
+
+    #[test]
+    fn empty_planes_have_a_range() {
+        assert_eq!(height_range(&Planes::default()), (0.0, 0.0));
+        assert!(height(&Planes::default()).is_empty());
+    }
+}

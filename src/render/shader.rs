@@ -1,0 +1,260 @@
+//! Phong's shading of the data planes, in slices of rows.
+
+use super::shadow::Shadows;
+use super::tone::Tone;
+use super::{Light, ShadeParams};
+use crate::order::greater;
+use crate::texture::{Optics, Planes};
+
+/// Colour of the lamp, linear.
+const LAMP: [f32; 3] = [1.44, 1.38, 1.28];
+/// Colour of the sky, linear.
+const SKY: [f32; 3] = [0.33, 0.35, 0.38];
+/// Part of the sky's light that a steep face still has.
+const STEEP: f32 = 0.72;
+/// Part of the lamp's light lost in gaps, at full occlusion: what neighbours would throw back is dim.
+const GAP: f32 = 0.35;
+/// The point lamp's light: 1 at its foot, and this part of the loss by distance is kept back.
+const FALL_OFF: f32 = 0.55;
+/// Entries of the table of highlights.
+const SHINE: usize = 256;
+
+/// Shades planes into a picture.
+pub struct Shader {
+    params: ShadeParams,
+    side: usize,
+    shadows: Shadows,
+    shaded: bool,
+    tone: Tone,
+    finishes: Vec<Finish>,
+    row: usize,
+    line: Line,
+    rgba: Vec<u8>,
+}
+
+/// Optical attributes times the factors of the recipe.
+struct Finish {
+    ambient: f32,
+    diffuse: f32,
+    /// The highlight by the cosine between mirrored light and view, 0..1.
+    shine: Vec<f32>,
+}
+
+impl Finish {
+    fn new(optics: &Optics, params: &ShadeParams) -> Self {
+        let exponent = f64::from(optics.shininess) * params.shininess;
+        let strength = optics.specular * params.specular as f32;
+        let shine = (0..=SHINE)
+            .map(|i| strength * libm::pow(i as f64 / SHINE as f64, exponent.max(0.1)) as f32);
+        Self {
+            ambient: optics.ambient * params.ambient as f32,
+            diffuse: optics.diffuse * params.diffuse as f32,
+            shine: shine.collect(),
+        }
+    }
+}
+
+/// What reaches each pixel of a row, before its finish and colour come in.
+#[derive(Default)]
+struct Line {
+    /// Rise of the surface to the right and downwards, per pixel.
+    slope: [Vec<f32>; 2],
+    /// Light of the sky.
+    sky: Vec<f32>,
+    /// Light of the lamp: all of it, and the part that a matt surface throws back.
+    lamp: Vec<f32>,
+    matt: Vec<f32>,
+    /// The cosine between mirrored light and view, as an entry of the table of highlights.
+    mirrored: Vec<i32>,
+}
+
+impl Line {
+    fn new(side: usize) -> Self {
+        let row = || vec![0.0; side];
+        Self {
+            slope: [row(), row()],
+            sky: row(),
+            lamp: row(),
+            matt: row(),
+            mirrored: vec![0; side],
+        }
+    }
+}
+
+impl Shader {
+    /// A picture of `side` pixels to be shaded; black until it is.
+    pub fn new(params: &ShadeParams, side: usize) -> Self {
+        let mut rgba = vec![0; side * side * 4];
+        rgba.iter_mut().skip(3).step_by(4).for_each(|a| *a = 255);
+        Self {
+            params: *params,
+            side,
+            shadows: Shadows::new(params.light, side),
+            shaded: params.shadow <= 0.0,
+            tone: Tone::new(),
+            finishes: Vec::new(),
+            row: 0,
+            line: Line::new(side),
+            rgba,
+        }
+    }
+
+    /// Begins anew under other light, keeping what does not depend on it.
+    pub fn restart(&mut self, params: &ShadeParams) {
+        self.params = *params;
+        self.shadows.restart(params.light);
+        self.shaded = params.shadow <= 0.0;
+        self.finishes.clear();
+        self.row = 0;
+    }
+
+    /// Pixels along the picture's side.
+    pub fn side(&self) -> usize {
+        self.side
+    }
+
+    /// Goes on by about `rows` rows, first of the shadows, then of the picture; true when done. The
+    /// planes must be of the side given at first, and the table that of their optics.
+    pub fn advance(&mut self, planes: &Planes, optics: &[Optics], rows: usize) -> bool {
+        if self.finishes.is_empty() {
+            let finish = |o| Finish::new(o, &self.params);
+            self.finishes = optics.iter().map(finish).collect();
+        }
+        if !self.shaded {
+            self.shaded = self.shadows.advance(&planes.bump, rows);
+            return false;
+        }
+        let end = self.side.min(self.row.saturating_add(rows));
+        for y in self.row..end {
+            self.shade_row(planes, y);
+        }
+        self.row = end;
+        end == self.side
+    }
+
+    /// The picture: red, green, blue, 255 for each pixel, row after row.
+    pub fn rgba(&self) -> &[u8] {
+        &self.rgba
+    }
+
+    fn shade_row(&mut self, planes: &Planes, y: usize) {
+        let side = self.side;
+        let row = |y: usize| &planes.bump[y * side..][..side];
+        slopes(
+            [row(y.saturating_sub(1)), row(y), row((y + 1).min(side - 1))],
+            &mut self.line.slope,
+        );
+        match self.params.light {
+            Light::Parallel { azimuth, elevation } => {
+                let flat = libm::cos(elevation);
+                let to = [
+                    (libm::cos(azimuth) * flat) as f32,
+                    (libm::sin(azimuth) * flat) as f32,
+                    libm::sin(elevation) as f32,
+                ];
+                self.light_row(planes, y, |_, _| (to, 1.0));
+            }
+            Light::Point { x, y: v, z } => {
+                let s = self.side as f64;
+                let at = [(x * s) as f32, (v * s) as f32, (z * s).max(1.0) as f32];
+                self.light_row(planes, y, |x, height| {
+                    near([x as f32 + 0.5, y as f32 + 0.5, height], at)
+                });
+            }
+        }
+        self.colour_row(planes, y);
+    }
+
+    /// The light that reaches a row. `lamp` gives the unit vector to the lamp and its strength, for a
+    /// column and a height.
+    fn light_row(&mut self, planes: &Planes, y: usize, lamp: impl Fn(i32, f32) -> ([f32; 3], f32)) {
+        let n = self.side;
+        let here = y * n..(y + 1) * n;
+        let heights = &planes.bump[here.clone()][..n];
+        let open = &planes.openness[here.clone()][..n];
+        let lit = &self.shadows.lit()[here][..n];
+        let (shadow, occlusion) = (self.params.shadow as f32, self.params.occlusion as f32);
+        let line = &mut self.line;
+        let [across, down] = [&line.slope[0][..n], &line.slope[1][..n]];
+        let (sky, all, matt) = (&mut line.sky[..n], &mut line.lamp[..n], &mut line.matt[..n]);
+        let entries = &mut line.mirrored[..n];
+        for x in 0..n {
+            let (dx, dy) = (across[x], down[x]);
+            let upright = 1.0 / (1.0 + dx * dx + dy * dy).sqrt();
+            let ([lx, ly, lz], strength) = lamp(x as i32, heights[x]);
+            let facing = greater((lz - dx * lx - dy * ly) * upright, 0.0);
+            let open = 1.0 - occlusion * (1.0 - f32::from(open[x]) * (1.0 / 255.0));
+            let seen = 1.0 - shadow * (1.0 - f32::from(lit[x]) * (1.0 / 255.0));
+            let arrives = seen * strength * (1.0 - GAP * (1.0 - open));
+            // Where the lamp is behind the surface there is no light to be mirrored.
+            let mirrored = if facing > 0.0 {
+                (2.0 * facing * upright - lz).clamp(0.0, 1.0)
+            } else {
+                0.0
+            };
+            sky[x] = open * (STEEP + (1.0 - STEEP) * upright);
+            all[x] = arrives;
+            matt[x] = facing * arrives;
+            entries[x] = (mirrored * SHINE as f32) as i32;
+        }
+    }
+
+    /// The colours of a row, from the light that reaches it.
+    fn colour_row(&mut self, planes: &Planes, y: usize) {
+        let n = self.side;
+        let here = y * n..(y + 1) * n;
+        let out = self.rgba[4 * here.start..4 * here.end].chunks_exact_mut(4);
+        let colours = &planes.colour[here.clone()][..n];
+        let optics = &planes.optics[here][..n];
+        let line = &self.line;
+        let (sky, lamp, matt) = (&line.sky[..n], &line.lamp[..n], &line.matt[..n]);
+        let entries = &line.mirrored[..n];
+        for (x, pixel) in out.enumerate() {
+            let finish = &self.finishes[usize::from(optics[x])];
+            let ambient = finish.ambient * sky[x];
+            let diffuse = finish.diffuse * matt[x];
+            let shine = finish.shine[entries[x] as usize] * lamp[x];
+            for k in 0..3 {
+                let albedo = self.tone.linear(colours[x][k]);
+                let light = albedo * (ambient * SKY[k] + diffuse * LAMP[k]) + shine * LAMP[k];
+                pixel[k] = self.tone.screen(light);
+            }
+        }
+    }
+}
+
+/// The unit vector from a point to a lamp, and the lamp's strength there.
+#[inline(always)]
+fn near(p: [f32; 3], lamp: [f32; 3]) -> ([f32; 3], f32) {
+    let d = [lamp[0] - p[0], lamp[1] - p[1], lamp[2] - p[2]];
+    let square = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+    let inverse = 1.0 / greater(square.sqrt(), 1e-3);
+    let loss = square / (lamp[2] * lamp[2]);
+    let strength = 1.0 / greater(1.0 - FALL_OFF + FALL_OFF * loss, 0.05);
+    let strength = if strength > 2.0 { 2.0 } else { strength };
+    (d.map(|v| v * inverse), strength)
+}
+
+/// Rise of the surface to the right and downwards, per pixel, from the rows above, here and below.
+/// The rows beside count too (Sobel's weights 1, 2, 1, sharpened to 1, 4, 1), or rims show the pixels'
+/// steps.
+fn slopes(rows: [&[f32]; 3], slopes: &mut [Vec<f32>; 2]) {
+    let [up, row, down] = rows;
+    let n = row.len();
+    let [across, fall] = slopes.each_mut().map(|slope| &mut slope[..n]);
+    let at = |[left, x, right]: [usize; 3]| {
+        let across = |row: &[f32]| row[right] - row[left];
+        let along = |x: usize| down[x] - up[x];
+        (
+            (across(up) + 4.0 * across(row) + across(down)) * (1.0 / 12.0),
+            (along(left) + 4.0 * along(x) + along(right)) * (1.0 / 12.0),
+        )
+    };
+    let edges = [[0, 0, 1.min(n - 1)], [n.saturating_sub(2), n - 1, n - 1]];
+    for [left, x, right] in edges {
+        (across[x], fall[x]) = at([left, x, right]);
+    }
+    for x in 1..n - 1 {
+        (across[x], fall[x]) = at([x - 1, x, x + 1]);
+    }
+}

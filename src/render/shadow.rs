@@ -1,0 +1,130 @@
+//! Height-field shadows at constant cost a pixel.
+//!
+//! What casts a shadow is carried from line to line of pixels away from the light: rows, or columns
+//! where the light comes more from the side. The lamp has an extent: its upper and lower rim cast a
+//! shadow each, and the penumbra lies between the two.
+
+use super::Light;
+use super::cast_far::Sweep;
+use super::cast_near::Fan;
+use super::course::{Course, Strip};
+
+/// Shadows lower than this above the surface are not dark yet, in pixels.
+const SOFT: f32 = 0.22;
+
+/// A height where there is no shadow. Not the lowest number: sums and products stay finite.
+pub(super) const NOWHERE: f32 = -1e30;
+
+/// The lamp's visible part at each pixel, in the making.
+pub struct Shadows {
+    side: usize,
+    /// 255 where the whole lamp is seen.
+    lit: Vec<u8>,
+    caster: Caster,
+    /// Runs of lines still to be done, the next one last.
+    courses: Vec<Course>,
+    strip: Strip,
+}
+
+/// What carries the shadows of a kind of light.
+enum Caster {
+    Far(Sweep),
+    Near(Fan),
+}
+
+impl Shadows {
+    /// Shadows of `light` in a picture of `side` pixels.
+    pub fn new(light: Light, side: usize) -> Self {
+        let (caster, courses) = cast_by(light, side);
+        Self {
+            side,
+            lit: vec![255; side * side],
+            caster,
+            courses,
+            strip: Strip::default(),
+        }
+    }
+
+    /// Begins anew under another light.
+    pub fn restart(&mut self, light: Light) {
+        (self.caster, self.courses) = cast_by(light, self.side);
+        self.lit.fill(255);
+    }
+
+    /// Carries the shadows on by about `lines` lines; true when all are done.
+    pub fn advance(&mut self, bump: &[f32], lines: usize) -> bool {
+        let mut done = 0;
+        while let Some(course) = self.courses.last_mut() {
+            if done >= lines {
+                return false;
+            }
+            let fresh = course.is_fresh();
+            let span = course.take();
+            let course = course.clone();
+            if let (true, Caster::Near(fan)) = (fresh, &mut self.caster) {
+                fan.turn(&course, bump);
+            }
+            done += span.len();
+            self.draw(bump, &course, span);
+            if course.is_over() {
+                self.courses.pop();
+            }
+        }
+        true
+    }
+
+    /// The plane so far.
+    pub fn lit(&self) -> &[u8] {
+        &self.lit
+    }
+
+    /// The lines of `span`, in the order of the course.
+    fn draw(&mut self, bump: &[f32], course: &Course, span: std::ops::Range<usize>) {
+        let side = self.side;
+        if course.columns {
+            self.strip.load(bump, &self.lit, side, &span);
+        }
+        for step in 0..span.len() {
+            let place = if course.backwards {
+                span.len() - 1 - step
+            } else {
+                step
+            };
+            let (heights, lit) = if course.columns {
+                self.strip.line(place)
+            } else {
+                let row = (span.start + place) * side..(span.start + place + 1) * side;
+                (&bump[row.clone()], &mut self.lit[row])
+            };
+            match &mut self.caster {
+                Caster::Far(sweep) => sweep.line(heights, lit),
+                Caster::Near(fan) => fan.line(span.start + place, heights, lit),
+            }
+        }
+        if course.columns {
+            self.strip.store(&mut self.lit, side, &span);
+        }
+    }
+}
+
+fn cast_by(light: Light, side: usize) -> (Caster, Vec<Course>) {
+    match light {
+        Light::Parallel { azimuth, elevation } => {
+            let (sweep, course) = Sweep::new(azimuth, elevation, side);
+            (Caster::Far(sweep), vec![course])
+        }
+        Light::Point { x, y, z } => {
+            let (fan, courses) = Fan::new(x, y, z, side);
+            (Caster::Near(fan), courses.into())
+        }
+    }
+}
+
+/// The visible part of the lamp at a surface of this height, 255 for all: `dark` is the shadow of the
+/// lamp's upper rim, `lit` that of the lower rim, above which all is light.
+#[inline(always)]
+pub(super) fn seen(height: f32, dark: f32, lit: f32) -> u8 {
+    let seen = (height - dark + SOFT) / (lit - dark + 2.0 * SOFT);
+    let seen = seen.clamp(0.0, 1.0);
+    (255.0 * seen * seen * (3.0 - 2.0 * seen) + 0.5) as i32 as u8
+}

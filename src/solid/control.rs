@@ -1,0 +1,294 @@
+//! The control mesh of a stone: rings of points about its axis, one above the other, and a top.
+//!
+//! Miyata, Itoh, Shimada (2000), A Method of Generating Pavement Textures Using the Square Packing
+//! Technique, section 5.1: the cell is scaled by Sv, swept by Hs, and its top corners are displaced by
+//! eq. (6). Sections 5.2.2 and eq. (7): a flagstone has further vertices around each corner.
+//!
+//! Loop's scheme shrinks a bare box to a pebble far smaller than its cell. Every ring therefore has
+//! three points a corner, so that sides stay straight, and a stone has support rings between base and
+//! top, so that its outline stays. All stones of n corners have one connectivity, whatever their kind:
+//!
+//! ```text
+//!    ring of one corner: before - corner - after        rings: 4  top, inset
+//!    3 n points a ring, 5 rings, and the middle                3  shoulder
+//!                                                              2  just under it
+//!                                                              1  at the joint's floor
+//!                                                              0  base
+//! ```
+
+use super::footprint::Footprint;
+use super::{Spread, StoneKind, StoneParams};
+use crate::random::{Purpose, Random};
+use glam::{DVec2, Vec3};
+
+/// Rings of a control mesh.
+pub const RINGS: usize = 5;
+
+/// Half of a joint at Sv = 1, of the stone's size...
+const HALF_JOINT: f64 = 0.022;
+/// ... but at least so many pixels, or else joints come and go with the grid of pixels...
+const LEAST_HALF_JOINT: f64 = 0.85;
+/// ... unless that were more than this part of a small stone.
+const MOST_HALF_JOINT: f64 = 0.065;
+/// Heights of top corners differ by so much of the joint's depth at Dr = 0.3.
+const UNEVEN: f64 = 0.10;
+/// How deep the ground lies below the tops of cobbles, of the cell size...
+const COBBLE_JOINT: f64 = 0.36;
+/// ... and below the bevel of flagstones.
+const FLAG_JOINT: f64 = 0.10;
+/// A joint's floor is never lower than this part of the stones' height.
+const DEEPEST: f64 = 0.92;
+/// How far a cobble's dome falls from its middle to half its width, of the joint's depth.
+const DOME: f64 = 0.16;
+/// Distance of a cobble's side points from the corner, of its size: how round its corners are.
+const COBBLE_CORNER: f64 = 0.17;
+/// A side's two points at least leave its middle free.
+const LONGEST_CORNER: f64 = 0.42;
+/// Sine of the least turn of a corner that is displaced by itself.
+const TRUE_TURN: f64 = 0.55;
+/// Least and greatest factor of eq. (6).
+const DISPLACEMENT: (f64, f64) = (0.3, 1.9);
+/// Normal random numbers are cut here, so that no stone is torn.
+const MOST_NORMAL: f64 = 2.5;
+/// Radius of the ellipse, between those that touch the sides (1) and the corners (root 2).
+const BETWEEN: f64 = 1.12;
+/// Part of the scale's excess over 1 that is lost at the top.
+const CROWDED: f64 = 0.8;
+/// Rings are inset by at most this part of the shorter half extent.
+const MOST_INSET: f64 = 0.72;
+
+/// How deep the ground lies below the tops of stones of `size`, in picture units.
+pub fn joint_depth(params: &StoneParams, size: f64) -> f64 {
+    let wanted = match params.kind {
+        StoneKind::Cobble => COBBLE_JOINT * size,
+        StoneKind::Flagstone => FLAG_JOINT * size + bevel(params.bevel_vertical, size),
+    };
+    wanted.min(DEEPEST * params.height)
+}
+
+/// Eq. (7): distance from a corner.
+fn bevel(ratio: f64, size: f64) -> f64 {
+    size / 2.0 * ratio
+}
+
+fn half_joint(size: f64) -> f64 {
+    (HALF_JOINT * size).max(LEAST_HALF_JOINT.min(MOST_HALF_JOINT * size))
+}
+
+/// One ring of the control mesh.
+#[derive(Clone, Copy)]
+struct Band {
+    height: f64,
+    /// Drawn in from the outline, in picture units.
+    inset: f64,
+    /// The part of the top corners' displacement that reaches this ring.
+    sway: f64,
+    /// From the outline's shape (0) to an ellipse (1): a dome has no ridges from its corners.
+    round: f64,
+}
+
+/// The bands from base to top, and how far a dome falls from the middle to half the stone's width.
+fn profile(params: &StoneParams, size: f64) -> ([Band; RINGS], f64) {
+    let top = params.height;
+    let depth = joint_depth(params, size);
+    let band = |height: f64, inset: f64, sway: f64| Band {
+        height,
+        inset,
+        sway,
+        round: 0.0,
+    };
+    let rounder = |round: f64, band: Band| Band { round, ..band };
+    match params.kind {
+        StoneKind::Cobble => (
+            [
+                band(0.0, 0.0, 0.0),
+                band(top - depth, 0.0, 0.7),
+                band(top - 0.28 * depth, 0.02 * size, 0.9),
+                rounder(0.2, band(top - 0.03 * depth, 0.13 * size, 1.0)),
+                rounder(0.8, band(top, 0.27 * size, 1.0)),
+            ],
+            DOME * depth,
+        ),
+        StoneKind::Flagstone => {
+            let down = bevel(params.bevel_vertical, size).min(0.85 * top);
+            let across = bevel(params.bevel_horizontal, size);
+            (
+                [
+                    band(0.0, 0.0, 0.0),
+                    band(top - down, 0.0, 0.8),
+                    band(top - 0.3 * down, 0.15 * across, 1.0),
+                    band(top, across, 1.0),
+                    band(top, across + 0.12 * size, 1.0),
+                ],
+                0.0,
+            )
+        }
+    }
+}
+
+/// A point of the outline and its share of the next corner's displacement.
+struct Station {
+    at: DVec2,
+    factor: f64,
+    /// Its share of what the top is uneven, -1..1.
+    lift: f64,
+}
+
+/// The control points of a stone, in the order of [`triangles`].
+pub fn points(plan: &Footprint, params: &StoneParams, id: u32) -> Vec<Vec3> {
+    let (bands, dome) = profile(params, plan.size);
+    let stations = stations(plan, params, id);
+    let uneven = UNEVEN * (params.distortion / 0.3).min(1.5) * joint_depth(params, plan.size);
+    let mut points = Vec::with_capacity(RINGS * stations.len() + 1);
+    for (ring, band) in bands.iter().enumerate() {
+        for station in &stations {
+            let arm = arm(plan, params, station, band);
+            let scale = crowded(params.scale, band.sway).max(1.0);
+            let p = plan.centre + plan.axis * arm.x + plan.axis.perp() * arm.y;
+            let p = plan.kept_in(p, scale);
+            let mut z = band.height + uneven * station.lift * band.sway;
+            if ring > 1 {
+                z -= dome * (arm / plan.half).length_squared().min(2.0);
+            }
+            points.push(Vec3::new(p.x as f32, p.y as f32, z as f32));
+        }
+    }
+    let (centre, top) = (plan.centre, params.height);
+    points.push(Vec3::new(centre.x as f32, centre.y as f32, top as f32));
+    points
+}
+
+/// Above 1 the scale widens the foot more than the top: stones crowd, and still show their joints.
+fn crowded(scale: f64, sway: f64) -> f64 {
+    scale.min(1.0) + (scale - 1.0).max(0.0) * (1.0 - CROWDED * sway)
+}
+
+/// From the axis of the stone to a control point, along and across the footprint's principal axis.
+fn arm(plan: &Footprint, params: &StoneParams, station: &Station, band: &Band) -> DVec2 {
+    let factor = 1.0 + (station.factor - 1.0) * band.sway;
+    let arm = (station.at - plan.centre) * crowded(params.scale, band.sway) * factor;
+    // Drawn in by the same length along and across, so that joints of long cells are even.
+    let inset = band.inset + half_joint(plan.size);
+    let narrow = |half: f64| 1.0 - (inset / half).min(MOST_INSET);
+    let arm = DVec2::new(
+        arm.dot(plan.axis) * narrow(plan.half.x),
+        arm.dot(plan.axis.perp()) * narrow(plan.half.y),
+    );
+    arm * (1.0 - band.round) + rounded(arm, plan.half) * band.round
+}
+
+/// A point of a rectangle of half extents `half`, or of any outline like it, moved in direction of the
+/// arm as the rectangle's corners and sides move to the ellipse that fits in between.
+fn rounded(arm: DVec2, half: DVec2) -> DVec2 {
+    let unit = arm / half;
+    let square = unit.abs().max_element();
+    let circle = unit.length();
+    if circle == 0.0 {
+        return arm;
+    }
+    arm * (BETWEEN * square / circle)
+}
+
+fn stations(plan: &Footprint, params: &StoneParams, id: u32) -> Vec<Station> {
+    let corners = &plan.corners;
+    let n = corners.len();
+    let mut random = Random::new(params.seed, Purpose::Distortion, u64::from(id));
+    let mut factors = displacements(params, &mut random, n);
+    let mut lifts: Vec<f64> = (0..n).map(|_| random.signed()).collect();
+    even_out(corners, &mut [&mut factors, &mut lifts]);
+    let spread = match params.kind {
+        StoneKind::Cobble => COBBLE_CORNER * plan.size,
+        StoneKind::Flagstone => bevel(params.bevel_horizontal, plan.size).max(0.01 * plan.size),
+    };
+    let mut stations = Vec::with_capacity(3 * n);
+    for i in 0..n {
+        let beside = |j: usize| {
+            let side = corners[j] - corners[i];
+            let t = (spread / side.length()).min(LONGEST_CORNER);
+            Station {
+                at: corners[i] + side * t,
+                factor: factors[i] + (factors[j] - factors[i]) * t,
+                lift: lifts[i] + (lifts[j] - lifts[i]) * t,
+            }
+        };
+        stations.push(beside((i + n - 1) % n));
+        stations.push(Station {
+            at: corners[i],
+            factor: factors[i],
+            lift: lifts[i],
+        });
+        stations.push(beside((i + 1) % n));
+    }
+    stations
+}
+
+/// Eq. (6), read as a factor of each top corner's distance from the stone's axis.
+fn displacements(params: &StoneParams, random: &mut Random, n: usize) -> Vec<f64> {
+    let mut number = || match params.spread {
+        Spread::Uniform => random.signed(),
+        Spread::Normal => random.normal().clamp(-MOST_NORMAL, MOST_NORMAL),
+    };
+    let factor = |r: f64| (1.0 + params.distortion * r).clamp(DISPLACEMENT.0, DISPLACEMENT.1);
+    (0..n).map(|_| factor(number())).collect()
+}
+
+/// Only true corners move by themselves: those along a curved coast follow the true corners to either
+/// side, or such a stone would look gnawed.
+fn even_out(corners: &[DVec2], values: &mut [&mut Vec<f64>]) {
+    let n = corners.len();
+    let true_corners: Vec<usize> = (0..n).filter(|&i| is_true_corner(corners, i)).collect();
+    if true_corners.len() < 3 {
+        return;
+    }
+    for (k, &from) in true_corners.iter().enumerate() {
+        let to = true_corners[(k + 1) % true_corners.len()];
+        let steps = (to + n - from) % n;
+        for step in 1..steps {
+            let t = step as f64 / steps as f64;
+            for list in values.iter_mut() {
+                list[(from + step) % n] = list[from] * (1.0 - t) + list[to] * t;
+            }
+        }
+    }
+}
+
+fn is_true_corner(corners: &[DVec2], i: usize) -> bool {
+    let n = corners.len();
+    let (before, here, after) = (corners[(i + n - 1) % n], corners[i], corners[(i + 1) % n]);
+    let (into, out) = (here - before, after - here);
+    let turn = into.perp_dot(out) / (into.length() * out.length());
+    turn > TRUE_TURN || (turn > 0.0 && into.dot(out) < 0.0)
+}
+
+/// How many points [`points`] gives for `n` corners.
+pub fn point_count(n: usize) -> usize {
+    RINGS * 3 * n + 1
+}
+
+/// How many triangles [`triangles`] gives for `n` corners.
+pub fn triangle_count(n: usize) -> usize {
+    (2 * RINGS - 1) * 3 * n
+}
+
+/// The triangles over the points of a stone with `n` corners, seen from above clockwise on screen.
+/// The base is open: nobody sees it.
+pub fn triangles(n: usize) -> Vec<[u32; 3]> {
+    let m = 3 * n;
+    let at = |ring: usize, i: usize| (ring * m + i % m) as u32;
+    let mut triangles = Vec::with_capacity(triangle_count(n));
+    for ring in 0..RINGS - 1 {
+        for i in 0..m {
+            let [a, b] = [at(ring, i), at(ring, i + 1)];
+            let [c, d] = [at(ring + 1, i), at(ring + 1, i + 1)];
+            // Diagonals lean towards the corner from both sides, so that stones are not twisted.
+            if i % 3 == 0 {
+                triangles.extend([[a, b, c], [b, d, c]]);
+            } else {
+                triangles.extend([[a, b, d], [a, d, c]]);
+            }
+        }
+    }
+    let middle = (RINGS * m) as u32;
+    triangles.extend((0..m).map(|i| [at(RINGS - 1, i), at(RINGS - 1, i + 1), middle]));
+    triangles
+}

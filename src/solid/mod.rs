@@ -1,0 +1,70 @@
+//! From cells to stones: one refined triangle mesh per cell.
+//!
+//! Miyata, Itoh, Shimada (2000), sections 5.1 and 5.2. Lengths are picture units, y down, heights
+//! above the base level.
+
+mod control;
+mod footprint;
+mod quarry;
+mod subdivide;
+
+pub use control::joint_depth;
+pub use footprint::{Footprint, MOST_CORNERS};
+pub use quarry::{MOST_LEVELS, Quarry, Solid};
+pub use subdivide::{Stencil, TriangleMesh, beta, loop_subdivide};
+
+/// The control mesh a stone begins with.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum StoneKind {
+    /// Domed, with rounded edges.
+    #[default]
+    Cobble,
+    /// A flat top with bevelled edges.
+    Flagstone,
+}
+
+/// The distribution of the random number in the displacement of top corners.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Spread {
+    /// Uniform in -1..1 (Miyata, Itoh, Shimada 2000).
+    #[default]
+    Uniform,
+    /// Normal, mean 0 and deviation 1 (Miyata, Itoh, Shimada 2001).
+    Normal,
+}
+
+/// What the stones are made by; the papers' symbols in brackets.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StoneParams {
+    /// The control mesh.
+    pub kind: StoneKind,
+    /// Height in picture units, at least 1 (Hs).
+    pub height: f64,
+    /// Scale of the base, 0.5..1.3; a stone leaves its cell only above 1 (Sv).
+    pub scale: f64,
+    /// Displacement of the top corners, 0..1; 0 moves nothing (Dr).
+    pub distortion: f64,
+    /// The random number of the displacement.
+    pub spread: Spread,
+    /// Horizontal bevel of a flagstone, 0..1 of half its size (Bh).
+    pub bevel_horizontal: f64,
+    /// Vertical bevel of a flagstone, 0..1 of half its size (Bv).
+    pub bevel_vertical: f64,
+    /// Seed of the displacement.
+    pub seed: u64,
+}
+
+impl Default for StoneParams {
+    fn default() -> Self {
+        Self {
+            kind: StoneKind::Cobble,
+            height: 18.0,
+            scale: 1.0,
+            distortion: 0.3,
+            spread: Spread::Uniform,
+            bevel_horizontal: 0.2,
+            bevel_vertical: 0.2,
+            seed: 1,
+        }
+    }
+}

@@ -1,0 +1,207 @@
+//! The incremental pipeline: from a recipe to its picture in slices, only what is stale.
+//!
+//! A studio holds the latest recipe and what each stage has made of it. [`Studio::tick`] works on
+//! the first stale stage for about the time given; what is finished stays until its successor is
+//! finished, too. No result depends on how the work was cut into slices or on the clock.
+
+mod flow;
+mod products;
+mod translate;
+mod view;
+
+pub use view::View;
+
+use crate::cells::Cell;
+use crate::domain::{Domain, Outline};
+use crate::export::{Report, StageTime};
+use crate::field::Fields;
+use crate::mesh::Mesh;
+use crate::packing::Packing;
+use crate::recipe::{Recipe, Stage};
+use crate::texture::Planes;
+use products::Products;
+use view::Gallery;
+
+const STAGES: usize = Stage::ALL.len();
+
+/// The recipe, the work done for it, and where the work stands.
+pub struct Studio {
+    /// The latest recipe asked for.
+    recipe: Recipe,
+    /// The recipe the stages work by; behind `recipe` while a short pass is let finish.
+    working: Recipe,
+    /// The outline used instead of the recipe's, for outlines finer than a link can say.
+    exact: Option<Outline>,
+    at: Position,
+    made: Products,
+    /// Milliseconds by stage of the latest pass through it.
+    spent: [f64; STAGES],
+    /// Milliseconds of the last shading that was finished; infinite before there is one.
+    last_shading: f64,
+    /// Counts changes by stage, for the views.
+    changes: [u64; STAGES],
+    gallery: Gallery,
+}
+
+/// Where the work stands.
+#[derive(Clone, Debug, PartialEq)]
+enum Position {
+    At(Stage),
+    Done,
+    Failed(Stage, String),
+}
+
+impl Studio {
+    /// A studio with all its work before it.
+    pub fn new(recipe: Recipe) -> Self {
+        let outline = recipe.outline();
+        Self::start(recipe, None, outline)
+    }
+
+    /// A studio that paves exactly this outline, whatever outline the recipe names. Answers with
+    /// what was mended.
+    ///
+    /// # Errors
+    /// The sentence that says what is wrong with the outline.
+    pub fn with_outline(recipe: Recipe, outline: &Outline) -> Result<(Self, Vec<String>), String> {
+        let (outline, notices) = translate::checked(outline, &recipe)?;
+        Ok((Self::start(recipe, Some(outline.clone()), outline), notices))
+    }
+
+    fn start(recipe: Recipe, exact: Option<Outline>, outline: Outline) -> Self {
+        Self {
+            working: recipe.clone(),
+            recipe,
+            exact,
+            at: Position::At(Stage::Domain),
+            made: Products::new(outline),
+            spent: [0.0; STAGES],
+            last_shading: f64::INFINITY,
+            changes: [0; STAGES],
+            gallery: Gallery::default(),
+        }
+    }
+
+    /// The latest recipe asked for.
+    pub fn recipe(&self) -> &Recipe {
+        &self.recipe
+    }
+
+    /// Pixels along the picture's side.
+    pub fn side(&self) -> usize {
+        translate::side(&self.working)
+    }
+
+    /// The stage at work: its word, or "done", or "error" where no pavement can be made of the
+    /// recipe ([`Studio::problem`] says why).
+    pub fn stage(&self) -> &'static str {
+        match &self.at {
+            Position::At(stage) => stage.word(),
+            Position::Done => "done",
+            Position::Failed(..) => "error",
+        }
+    }
+
+    /// Is the picture finished?
+    pub fn done(&self) -> bool {
+        self.at == Position::Done
+    }
+
+    /// Why the work stopped, in a sentence; `None` while all is well.
+    pub fn problem(&self) -> Option<&str> {
+        match &self.at {
+            Position::Failed(_, sentence) => Some(sentence),
+            _ => None,
+        }
+    }
+
+    /// The outline in use, checked and mended: the outer ring first, then the holes.
+    pub fn rings(&self) -> Vec<&[glam::DVec2]> {
+        self.made.rings()
+    }
+
+    /// The domain, once it is there.
+    pub fn domain(&self) -> Option<&Domain> {
+        self.made.domain.as_ref()
+    }
+
+    /// The fields, once they are there.
+    pub fn fields(&self) -> Option<&Fields> {
+        self.made.fields.as_ref()
+    }
+
+    /// The packing at work, or the last one.
+    pub fn packing(&self) -> Option<&Packing> {
+        self.made.packing.as_ref()
+    }
+
+    /// The mesh of the last packing that ended.
+    pub fn mesh(&self) -> Option<&Mesh> {
+        self.made.mesh.as_ref()
+    }
+
+    /// The cells of the last packing that ended.
+    pub fn cells(&self) -> &[Cell] {
+        &self.made.cells
+    }
+
+    /// Stones painted so far in the pass at work, or in the last one.
+    pub fn stones(&self) -> usize {
+        self.made.stones
+    }
+
+    /// The planes last finished.
+    pub fn planes(&self) -> Option<&Planes> {
+        self.made.planes.as_ref()
+    }
+
+    /// The picture last finished: opaque RGBA, row after row from the top.
+    pub fn picture(&self) -> Option<&[u8]> {
+        (!self.made.picture.is_empty()).then_some(&self.made.picture[..])
+    }
+
+    /// Hex digest of the planes, empty until the work is done.
+    pub fn digest(&self) -> String {
+        match (&self.at, &self.made.planes) {
+            (Position::Done, Some(planes)) => planes.digest(),
+            _ => String::new(),
+        }
+    }
+
+    /// The packing's potential energy, in units of a cell's; 0 before there is a packing.
+    pub fn energy(&mut self) -> f64 {
+        self.made.packing.as_mut().map_or(0.0, Packing::energy)
+    }
+
+    /// Milliseconds spent by stage, in the stages' order.
+    pub fn milliseconds(&self) -> Vec<StageTime> {
+        let times = Stage::ALL.iter().zip(self.spent);
+        times
+            .map(|(stage, ms)| StageTime {
+                stage: stage.word(),
+                ms,
+            })
+            .collect()
+    }
+
+    /// The figures of the run so far.
+    pub fn report(&mut self) -> Report {
+        let energy = self.energy();
+        let last = self.made.packing.as_ref().map(Packing::report);
+        Report {
+            link: self.recipe.link(),
+            size: self.side(),
+            cells: self.made.cells.len(),
+            steps: last.map_or(0, |r| r.step),
+            converged: last.is_some_and(|r| r.converged),
+            largest_move: last.map_or(0.0, |r| r.largest_move),
+            energy,
+            milliseconds: self.milliseconds(),
+            height_range: self
+                .planes()
+                .map_or((0.0, 0.0), crate::render::overlay_planes::height_range),
+            notices: Vec::new(),
+            hash: self.digest(),
+        }
+    }
+}

@@ -1,0 +1,226 @@
+//! What each stage has made, and one slice of each stage's work.
+
+use super::translate;
+use crate::cells::{self, Cell, Fitting};
+use crate::domain::{Domain, Outline};
+use crate::field::{FieldBuilder, Fields};
+use crate::mesh::Mesh;
+use crate::packing::Packing;
+use crate::recipe::{Recipe, Stage};
+use crate::render::Shader;
+use crate::solid::Quarry;
+use crate::texture::{Painter, Planes};
+use glam::DVec2;
+
+/// Rows of the picture in one slice of the stages that go by rows.
+const ROWS: usize = 16;
+
+/// The finished products of the stages, and those in the making.
+pub(super) struct Products {
+    pub outline: Outline,
+    pub domain: Option<Domain>,
+    builder: Option<FieldBuilder>,
+    pub fields: Option<Fields>,
+    pub packing: Option<Packing>,
+    /// Is `packing` of the pass at work, not of an earlier one?
+    pub packing_begun: bool,
+    pub mesh: Option<Mesh>,
+    fitting: Option<Fitting>,
+    pub cells: Vec<Cell>,
+    quarry: Quarry,
+    pub painter: Option<Painter>,
+    /// Is the ground laid in the pass at work?
+    pub bedded: bool,
+    /// Stones painted in the pass at work, or in the last one.
+    pub stones: usize,
+    pub planes: Option<Planes>,
+    shader: Option<Shader>,
+    /// Is the shader still to begin in the pass at work?
+    lit_anew: bool,
+    pub picture: Vec<u8>,
+    /// Counts the passes over the stones.
+    pub pass: u64,
+    /// Is the pavement forming anew, so that older pictures are of another one?
+    pub forming: bool,
+}
+
+impl Products {
+    pub fn new(outline: Outline) -> Self {
+        Self {
+            outline,
+            domain: None,
+            builder: None,
+            fields: None,
+            packing: None,
+            packing_begun: false,
+            mesh: None,
+            fitting: None,
+            cells: Vec::new(),
+            quarry: Quarry::new(),
+            painter: None,
+            bedded: false,
+            stones: 0,
+            planes: None,
+            shader: None,
+            lit_anew: true,
+            picture: Vec::new(),
+            pass: 0,
+            forming: true,
+        }
+    }
+
+    pub fn rings(&self) -> Vec<&[DVec2]> {
+        let holes = self.outline.holes.iter().map(Vec::as_slice);
+        std::iter::once(self.outline.outer.as_slice())
+            .chain(holes)
+            .collect()
+    }
+
+    /// Drops the half-done work of a stage and of those after it. What is finished stays to be
+    /// shown.
+    pub fn forget_work(&mut self, from: Stage) {
+        self.builder = None;
+        self.fitting = None;
+        self.lit_anew = true;
+        if from < Stage::Planes {
+            self.painter = None;
+            self.bedded = false;
+        }
+        if from <= Stage::Packing {
+            self.packing_begun = false;
+            self.forming = true;
+        }
+    }
+
+    /// One slice of a stage's work; true when the stage is finished.
+    pub fn slice(&mut self, stage: Stage, recipe: &Recipe) -> Result<bool, String> {
+        match stage {
+            Stage::Domain => self.slice_domain(),
+            Stage::Fields => self.slice_fields(recipe),
+            Stage::Packing => self.slice_packing(recipe),
+            Stage::Mesh => self.slice_mesh(),
+            Stage::Cells => self.slice_cells(recipe),
+            Stage::Solids => self.slice_solids(recipe),
+            Stage::Planes => self.slice_planes(),
+            Stage::Shading => self.slice_shading(recipe),
+        }
+    }
+
+    fn slice_domain(&mut self) -> Result<bool, String> {
+        self.domain = Some(Domain::from_checked(&self.outline));
+        Ok(true)
+    }
+
+    fn slice_fields(&mut self, recipe: &Recipe) -> Result<bool, String> {
+        let domain = self.domain.as_ref().ok_or(MISSING)?;
+        let builder = self
+            .builder
+            .get_or_insert_with(|| FieldBuilder::new(domain, translate::fields(recipe)));
+        if !builder.advance(domain) {
+            return Ok(false);
+        }
+        self.fields = self.builder.take().map(FieldBuilder::finish);
+        Ok(true)
+    }
+
+    fn slice_packing(&mut self, recipe: &Recipe) -> Result<bool, String> {
+        let domain = self.domain.as_ref().ok_or(MISSING)?;
+        let fields = self.fields.as_ref().ok_or(MISSING)?;
+        if let (true, Some(packing)) = (self.packing_begun, &mut self.packing) {
+            return Ok(packing.step(domain, fields).done);
+        }
+        let packing = Packing::new(domain, fields, translate::packing(recipe))?;
+        if packing.report().cells == 0 {
+            return Err(NO_CELLS.into());
+        }
+        self.packing = Some(packing);
+        self.packing_begun = true;
+        Ok(false)
+    }
+
+    fn slice_mesh(&mut self) -> Result<bool, String> {
+        let domain = self.domain.as_ref().ok_or(MISSING)?;
+        let particles = self.packing.as_ref().ok_or(MISSING)?.particles();
+        self.mesh = Some(Mesh::build(domain, &particles));
+        Ok(true)
+    }
+
+    fn slice_cells(&mut self, recipe: &Recipe) -> Result<bool, String> {
+        let domain = self.domain.as_ref().ok_or(MISSING)?;
+        let packing = self.packing.as_ref().ok_or(MISSING)?;
+        let cells = if translate::as_packed(recipe) {
+            cells::packed(&packing.particles())
+        } else {
+            let mut fitting = self
+                .fitting
+                .take()
+                .unwrap_or_else(|| Fitting::new(packing.particles()));
+            if !fitting.advance(domain) {
+                self.fitting = Some(fitting);
+                return Ok(false);
+            }
+            fitting.finish()
+        };
+        if cells.is_empty() {
+            return Err(NO_CELLS.into());
+        }
+        self.cells = cells;
+        Ok(true)
+    }
+
+    fn slice_solids(&mut self, recipe: &Recipe) -> Result<bool, String> {
+        let Some(painter) = &mut self.painter else {
+            self.painter = Some(Painter::new(translate::texture(recipe)));
+            self.bedded = false;
+            self.stones = 0;
+            self.pass += 1;
+            return Ok(false);
+        };
+        if !self.bedded {
+            self.bedded = painter.prepare(ROWS);
+            return Ok(false);
+        }
+        if let Some(cell) = self.cells.get(self.stones) {
+            painter.paint(&mut self.quarry, cell, self.stones);
+            self.stones += 1;
+        }
+        Ok(self.stones >= self.cells.len())
+    }
+
+    fn slice_planes(&mut self) -> Result<bool, String> {
+        let painter = self.painter.as_mut().ok_or(MISSING)?;
+        if !painter.finish(ROWS) {
+            return Ok(false);
+        }
+        self.planes = self.painter.take().map(Painter::into_planes);
+        Ok(true)
+    }
+
+    fn slice_shading(&mut self, recipe: &Recipe) -> Result<bool, String> {
+        let planes = self.planes.as_ref().ok_or(MISSING)?;
+        let params = translate::shading(recipe);
+        // Under another light the same shader goes on: its tables stay.
+        let kept = self.shader.take().filter(|s| s.side() == planes.side);
+        let shader = self
+            .shader
+            .insert(kept.unwrap_or_else(|| Shader::new(&params, planes.side)));
+        if std::mem::take(&mut self.lit_anew) {
+            shader.restart(&params);
+        }
+        let optics = translate::optics(recipe);
+        if !shader.advance(planes, &optics, ROWS) {
+            return Ok(false);
+        }
+        self.picture.clear();
+        self.picture.extend_from_slice(shader.rgba());
+        self.forming = false;
+        Ok(true)
+    }
+}
+
+/// Said where a stage would run before the ones it needs, which the order of stages rules out.
+const MISSING: &str = "A stage is missing what it works on. Start again with the restart button.";
+
+/// Said where nothing is left of a packing.
+const NO_CELLS: &str =
+    "Not one cell fits into the outline. Choose a smaller cell size or a larger outline.";

@@ -1,0 +1,254 @@
+//! What can be looked at, as pictures of the recipe's size.
+
+use super::{Position, Studio, translate};
+use crate::cells::Cell;
+use crate::recipe::Stage;
+use crate::render::overlay::{Board, Paper};
+use crate::render::overlay_tones::{SHEET, Tones};
+use crate::render::{overlay_planes, overlay_stages};
+use crate::texture::Planes;
+use glam::DVec2;
+
+/// A way to look at the work.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum View {
+    /// The packing as it forms, then the stones as they come, then the picture.
+    Auto,
+    /// The shaded picture.
+    Picture,
+    /// The packed squares.
+    Packed,
+    /// The cells' polygons.
+    Cells,
+    /// The mesh of triangles and quadrilaterals.
+    Mesh,
+    /// The direction field.
+    Direction,
+    /// The bump plane in grey.
+    Height,
+    /// The bump plane's normals as colours.
+    Normals,
+    /// One colour per stone.
+    Ids,
+}
+
+impl View {
+    /// All views with their words.
+    pub const ALL: [(View, &'static str); 9] = [
+        (View::Auto, "auto"),
+        (View::Picture, "picture"),
+        (View::Packed, "packed"),
+        (View::Cells, "cells"),
+        (View::Mesh, "mesh"),
+        (View::Direction, "direction"),
+        (View::Height, "height"),
+        (View::Normals, "normals"),
+        (View::Ids, "ids"),
+    ];
+
+    /// The view of a word.
+    pub fn of_word(word: &str) -> Option<View> {
+        let found = Self::ALL.iter().find(|(_, w)| *w == word);
+        found.map(|&(view, _)| view)
+    }
+}
+
+/// The frame last drawn, and what the next one can be made from.
+#[derive(Default)]
+pub(super) struct Gallery {
+    frame: Option<Board>,
+    drawn: Option<(View, u64)>,
+    preview: Preview,
+}
+
+/// Stones in a simple light over the cells, while the picture is not there.
+#[derive(Default)]
+struct Preview {
+    board: Option<Board>,
+    /// Which pass over the stones it shows.
+    pass: u64,
+    stones: usize,
+}
+
+impl Studio {
+    /// The picture of a view: opaque RGBA, [`Studio::side`] pixels a side, row after row from the
+    /// top. While a stage has nothing to show yet, what was there before, or the bare outline.
+    pub fn view(&mut self, view: View) -> &[u8] {
+        let stamp = (view, self.changes.iter().sum());
+        let mut gallery = std::mem::take(&mut self.gallery);
+        let side = self.side();
+        gallery.frame = gallery.frame.filter(|board| board.fits(side));
+        if gallery.drawn != Some(stamp) || gallery.frame.is_none() {
+            self.draw(view, &mut gallery);
+            gallery.drawn = Some(stamp);
+        }
+        self.gallery = gallery;
+        self.gallery.frame.as_ref().map_or(&[], Board::rgba)
+    }
+
+    /// Draws a new frame, or leaves the last one where it should stay.
+    fn draw(&self, view: View, gallery: &mut Gallery) {
+        let made = &self.made;
+        let planes = self.planes_to_show();
+        let of_planes = |draw: fn(&Planes) -> Vec<u8>| {
+            let mut board = Board::new(self.side(), SHEET.surround);
+            match planes {
+                Some(planes) => board.show(&draw(planes)),
+                None => return self.bare(),
+            }
+            board
+        };
+        gallery.frame = Some(match view {
+            View::Auto | View::Picture => return self.unfold(view, gallery),
+            View::Packed => self.packed(),
+            View::Cells => {
+                let tones = self.tones();
+                self.on_paper(&tones.paper, |board| {
+                    overlay_stages::cells(board, &made.cells, &tones);
+                })
+            }
+            View::Mesh => self.on_paper(&SHEET, |board| {
+                if let Some(mesh) = &made.mesh {
+                    overlay_stages::mesh(board, mesh);
+                }
+            }),
+            View::Direction => self.on_paper(&SHEET, |board| {
+                if let (Some(domain), Some(fields)) = (&made.domain, &made.fields) {
+                    overlay_stages::direction(board, domain, fields, self.side() as f64);
+                }
+            }),
+            View::Height => of_planes(overlay_planes::height),
+            View::Normals => of_planes(overlay_planes::normals),
+            View::Ids => of_planes(overlay_planes::ids),
+        });
+    }
+
+    /// The planes to look at: the finished ones unless they are of another pavement.
+    fn planes_to_show(&self) -> Option<&Planes> {
+        let finished = self.made.planes.as_ref();
+        let finished = finished.filter(|p| p.side == self.side());
+        let coming = self.made.painter.as_ref().map(|p| p.planes());
+        if self.made.forming {
+            coming.or(finished)
+        } else {
+            finished.or(coming)
+        }
+    }
+
+    /// The way from the packing to the picture.
+    fn unfold(&self, view: View, gallery: &mut Gallery) {
+        let made = &self.made;
+        let side = self.side();
+        let picture = made.picture.len() == 4 * side * side;
+        let settled = !made.forming || matches!(self.at, Position::Failed(..));
+        if picture && (settled || view == View::Picture) {
+            let frame = gallery.frame.take();
+            let mut board = frame.unwrap_or_else(|| Board::new(side, SHEET.surround));
+            board.show(&made.picture);
+            gallery.frame = Some(board);
+            return;
+        }
+        match self.at {
+            Position::At(stage) if stage >= Stage::Solids => {
+                gallery.frame = Some(self.stones_coming(&mut gallery.preview));
+            }
+            _ if made.packing_begun => gallery.frame = Some(self.packed()),
+            // Nothing new to see for a moment: what was there stays.
+            _ if gallery.frame.is_some() => {}
+            _ => gallery.frame = Some(self.bare()),
+        }
+    }
+
+    fn tones(&self) -> Tones {
+        Tones::new(&translate::texture(&self.working))
+    }
+
+    fn on_paper(&self, paper: &Paper, draw: impl FnOnce(&mut Board)) -> Board {
+        let mut board = Board::with_outline(self.side(), &self.rings(), paper);
+        draw(&mut board);
+        board
+    }
+
+    fn bare(&self) -> Board {
+        self.on_paper(&self.tones().paper, |_| {})
+    }
+
+    fn packed(&self) -> Board {
+        let (Some(packing), Some(domain)) = (&self.made.packing, &self.made.domain) else {
+            return self.bare();
+        };
+        let tones = self.tones();
+        self.on_paper(&tones.paper, |board| {
+            overlay_stages::packed(board, domain, &packing.particles(), &tones);
+        })
+    }
+
+    /// The cells with the stones so far on them.
+    fn stones_coming(&self, preview: &mut Preview) -> Board {
+        let made = &self.made;
+        let tones = self.tones();
+        let planes = self.planes_to_show().filter(|_| made.bedded);
+        let Some(planes) = planes else {
+            return self.on_paper(&tones.paper, |board| {
+                overlay_stages::cells(board, &made.cells, &tones);
+            });
+        };
+        let old = preview.board.take().filter(|b| b.fits(planes.side));
+        let mut board = match old {
+            Some(board) if preview.pass == made.pass => board,
+            _ => {
+                preview.stones = 0;
+                let mut board = Board::new(planes.side, tones.paper.surround);
+                light_ground(planes, board.rgba_mut());
+                board.outline(&self.rings(), &tones.paper);
+                overlay_stages::cells(&mut board, &made.cells, &tones);
+                board
+            }
+        };
+        preview.pass = made.pass;
+        for k in preview.stones..made.stones {
+            light_stone(planes, &made.cells[k], k, board.rgba_mut());
+        }
+        preview.stones = made.stones;
+        preview.board = Some(board.clone());
+        board
+    }
+}
+
+/// Shows the ground in a plain light.
+fn light_ground(planes: &Planes, rgba: &mut [u8]) {
+    for at in 0..planes.id.len() {
+        light_pixel(planes, at % planes.side, at / planes.side, rgba);
+    }
+}
+
+/// Shows one stone in a plain light.
+fn light_stone(planes: &Planes, cell: &Cell, index: usize, rgba: &mut [u8]) {
+    let side = planes.side;
+    let reach = DVec2::splat(0.25 * cell.size + 1.0);
+    let first = cell.ring.first().copied().unwrap_or(cell.centre);
+    let (lo, hi) = cell
+        .ring
+        .iter()
+        .fold((first, first), |(lo, hi), &p| (lo.min(p), hi.max(p)));
+    let clip = |v: f64| v.clamp(0.0, side as f64) as usize;
+    let (lo, hi) = (lo - reach, hi + reach);
+    for y in clip(lo.y)..clip(hi.y) {
+        for x in clip(lo.x)..clip(hi.x) {
+            if planes.id[y * side + x] == index as u32 + 1 {
+                light_pixel(planes, x, y, rgba);
+            }
+        }
+    }
+}
+
+/// Light from the upper left, as strong on level ground as in a finished picture.
+fn light_pixel(planes: &Planes, x: usize, y: usize, rgba: &mut [u8]) {
+    let at = y * planes.side + x;
+    let n = overlay_planes::normal(planes, x, y);
+    let facing = (-0.42 * n[0] - 0.48 * n[1] + 0.77 * n[2]).max(0.0);
+    let light = 0.42 + 0.80 * facing;
+    for (c, &colour) in planes.colour[at].iter().enumerate() {
+        rgba[4 * at + c] = (f32::from(colour) * light).min(255.0) as u8;
+    }
+}

@@ -1,0 +1,150 @@
+//! The bed of the pavement: between the stones and all around them.
+//!
+//! One periodic tile holds its height and colour: swells and patches, grains, and some pebbles.
+
+use super::noise::Tile;
+use super::palette::Ground;
+use crate::random::{Purpose, Random};
+
+/// Pixels along the tile's side, a power of two.
+const SIDE: usize = 512;
+/// Item, logarithm of the side, levels and dimension of its two noises, broad and fine.
+const NOISES: [(u64, u32, u32, f64); 2] = [(11, 9, 7, 1.35), (12, 8, 1, 1.9)];
+/// Places for a pebble along the side.
+const PLACES: usize = 64;
+/// Radius of pebbles, in pixels: from and to, small ones more often.
+const PEBBLE: [f32; 2] = [0.7, 2.6];
+/// How much of a pebble looks out, of its radius.
+const STAND: f32 = 0.55;
+
+/// Height and colour of the ground at any pixel, the same whenever asked.
+#[derive(Clone, Debug)]
+pub struct Bed {
+    ground: &'static Ground,
+    level: f32,
+    depth: f32,
+    seed: u64,
+    /// Noise, broad and fine.
+    tiles: Vec<Tile>,
+    /// Above the base level, in picture units.
+    heights: Vec<f32>,
+    /// Red, green and blue, 0..255.
+    colours: Vec<[f32; 3]>,
+}
+
+impl Bed {
+    /// Ground at `level`, its unevenness a part of the joints' `depth`; to be made by
+    /// [`Bed::advance`].
+    pub fn new(ground: &'static Ground, level: f32, depth: f32, seed: u64) -> Self {
+        Self {
+            ground,
+            level,
+            depth,
+            seed,
+            tiles: Vec::new(),
+            heights: Vec::with_capacity(SIDE * SIDE),
+            colours: Vec::with_capacity(SIDE * SIDE),
+        }
+    }
+
+    /// Makes about `rows` rows of the tile; true when all are made.
+    pub fn advance(&mut self, rows: usize) -> bool {
+        let mut left = rows;
+        while self.tiles.len() < NOISES.len() && left > 0 {
+            let (item, log_side, levels, dimension) = NOISES[self.tiles.len()];
+            let tile = Tile::new(self.seed, item, log_side, levels, dimension);
+            self.tiles.push(tile);
+            left = left.saturating_sub(SIDE);
+        }
+        let made = self.heights.len() / SIDE;
+        let end = SIDE.min(made.saturating_add(left));
+        for y in made..end {
+            self.row(y as i32);
+        }
+        if made < end && end == SIDE {
+            self.strew();
+        }
+        end == SIDE
+    }
+
+    fn row(&mut self, y: i32) {
+        let Self { ground, tiles, .. } = self;
+        let (broad, grains) = (&tiles[0], &tiles[1]);
+        let swell = ground.swell * self.depth;
+        for x in 0..SIDE as i32 {
+            let (wave, grain) = (broad.at(x, y), grains.at(x, y));
+            self.heights
+                .push(self.level + swell * wave + ground.grain * grain);
+            let patch = 0.4 * wave + 0.6 * broad.at(y + 131, x + 57);
+            self.colours.push(soil(ground, patch, grain));
+        }
+    }
+
+    /// Height above the base level, in picture units.
+    pub fn height(&self, x: i32, y: i32) -> f32 {
+        self.heights[index(x, y)]
+    }
+
+    /// Red, green and blue, 0..255.
+    pub fn colour(&self, x: i32, y: i32) -> [f32; 3] {
+        self.colours[index(x, y)]
+    }
+
+    fn strew(&mut self) {
+        let ground = self.ground;
+        let mut random = Random::new(self.seed, Purpose::Ground, 0);
+        let pitch = (SIDE / PLACES) as f64;
+        for place in 0..PLACES * PLACES {
+            let x = ((place % PLACES) as f64 + random.unit()) * pitch;
+            let y = ((place / PLACES) as f64 + random.unit()) * pitch;
+            let (there, size, tone) = (random.unit(), random.unit(), random.signed());
+            let warm = random.signed() as f32;
+            if there < f64::from(ground.pebbles) {
+                let radius = PEBBLE[0] + (PEBBLE[1] - PEBBLE[0]) * (size * size * size) as f32;
+                let light = 1.0 + 0.28 * tone as f32;
+                let colour = [1.0 + 0.06 * warm, 1.0, 1.0 - 0.06 * warm]
+                    .map(|w| w * light)
+                    .into_iter()
+                    .zip(ground.pebble)
+                    .map(|(w, c)| w * f32::from(c));
+                let mut rgb = [0.0; 3];
+                rgb.iter_mut().zip(colour).for_each(|(to, c)| *to = c);
+                self.pebble([x as f32, y as f32], radius, rgb);
+            }
+        }
+    }
+
+    fn pebble(&mut self, [x, y]: [f32; 2], radius: f32, colour: [f32; 3]) {
+        let base = self.height(x as i32, y as i32);
+        let reach = radius.ceil() as i32 + 1;
+        for py in y as i32 - reach..=y as i32 + reach {
+            for px in x as i32 - reach..=x as i32 + reach {
+                let (dx, dy) = (px as f32 + 0.5 - x, py as f32 + 0.5 - y);
+                let away = (dx * dx + dy * dy).sqrt() / radius;
+                if away < 1.0 {
+                    let at = index(px, py);
+                    let height = base + STAND * radius * (1.0 - away * away).sqrt();
+                    self.heights[at] = self.heights[at].max(height);
+                    let cover = ((1.0 - away) * radius * 1.5).min(1.0);
+                    let old = self.colours[at];
+                    self.colours[at] =
+                        std::array::from_fn(|k| old[k] + (colour[k] - old[k]) * cover);
+                }
+            }
+        }
+    }
+}
+
+fn index(x: i32, y: i32) -> usize {
+    (y as usize & (SIDE - 1)) * SIDE + (x as usize & (SIDE - 1))
+}
+
+fn soil(ground: &Ground, patch: f32, grain: f32) -> [f32; 3] {
+    let mix = (0.5 - 0.5 * patch).clamp(0.0, 1.0);
+    let light = 1.0 + ground.speckle * grain;
+    let [a, b] = ground.colours;
+    std::array::from_fn(|k| {
+        let base = f32::from(a[k]) * (1.0 - mix) + f32::from(b[k]) * mix;
+        (base * light).clamp(0.0, 255.0)
+    })
+}

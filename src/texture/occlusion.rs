@@ -1,0 +1,109 @@
+//! Ambient occlusion: how much of the sky a point sees past its surroundings.
+//!
+//! For each of eight directions the horizon is the steepest rise to a few points at growing distance;
+//! the openness is the mean of 1 - sin(elevation of the horizon).
+
+use super::Planes;
+use crate::order::greater;
+
+/// Directions in pixels, of length 1 or sqrt 2.
+const DIRECTIONS: [(i32, i32); 8] = [
+    (1, 0),
+    (1, 1),
+    (0, 1),
+    (-1, 1),
+    (-1, 0),
+    (-1, -1),
+    (0, -1),
+    (1, -1),
+];
+/// Distances looked at, as parts of the reach.
+const STEPS: [f64; 6] = [0.0, 0.08, 0.18, 0.34, 0.6, 1.0];
+/// How far to look, in cell sizes.
+const REACH: f64 = 0.6;
+
+/// The openness plane in the making.
+#[derive(Clone, Debug)]
+pub struct Occlusion {
+    /// Distances along an axis and along a diagonal, in pixels.
+    straight: Vec<i32>,
+    diagonal: Vec<i32>,
+    row: usize,
+}
+
+impl Occlusion {
+    /// For cells of about `size` pixels.
+    pub fn new(size: f64) -> Self {
+        let reach = (REACH * size).max(4.0);
+        let distances = |unit: f64| {
+            let mut distances: Vec<i32> = STEPS
+                .iter()
+                .map(|s| ((s * reach / unit).round() as i32).max(1))
+                .collect();
+            distances.dedup();
+            distances
+        };
+        Self {
+            straight: distances(1.0),
+            diagonal: distances(std::f64::consts::SQRT_2),
+            row: 0,
+        }
+    }
+
+    /// The next `rows` rows; true when all are done.
+    pub fn advance(&mut self, planes: &mut Planes, rows: usize) -> bool {
+        let side = planes.side;
+        let end = side.min(self.row.saturating_add(rows));
+        let mut closed = vec![0.0f32; side];
+        let mut steepest = vec![0.0f32; side];
+        for y in self.row..end {
+            closed.fill(0.0);
+            for (k, &direction) in DIRECTIONS.iter().enumerate() {
+                steepest.fill(0.0);
+                self.horizon(&planes.bump, side, y, k % 2 == 1, direction, &mut steepest);
+                for (sum, &s) in closed.iter_mut().zip(&steepest) {
+                    *sum += s / (1.0 + s * s).sqrt();
+                }
+            }
+            let row = &mut planes.openness[y * side..(y + 1) * side];
+            for (open, &sum) in row.iter_mut().zip(&closed) {
+                *open = (255.0 * (1.0 - sum / DIRECTIONS.len() as f32) + 0.5) as u8;
+            }
+        }
+        self.row = end;
+        end == side
+    }
+
+    /// The steepest rises from a row in one direction: whole rows are compared at a time, shifted.
+    fn horizon(
+        &self,
+        bump: &[f32],
+        side: usize,
+        y: usize,
+        diagonal: bool,
+        (dx, dy): (i32, i32),
+        steepest: &mut [f32],
+    ) {
+        let (distances, unit) = if diagonal {
+            (&self.diagonal, std::f32::consts::SQRT_2)
+        } else {
+            (&self.straight, 1.0)
+        };
+        let here = &bump[y * side..(y + 1) * side];
+        for &d in distances {
+            let (shift, row) = (dx * d, y as i32 + dy * d);
+            let span = side as i32 - shift.abs();
+            if row < 0 || row >= side as i32 || span <= 0 {
+                break;
+            }
+            let (span, at) = (span as usize, shift.max(0) as usize);
+            let first = (-shift).max(0) as usize;
+            let there = &bump[row as usize * side + at..][..span];
+            let per = 1.0 / (d as f32 * unit);
+            let slopes = steepest[first..first + span].iter_mut();
+            for ((slope, &h), &t) in slopes.zip(&here[first..first + span]).zip(there) {
+                *slope = greater(*slope, (t - h) * per);
+            }
+        }
+    }
+}

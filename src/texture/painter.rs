@@ -1,0 +1,256 @@
+//! Puts stone after stone into the data planes.
+//!
+//! Miyata, Itoh, Shimada (2000), sections 5.3 and 5.4: heights by scan conversion, fractal noise added
+//! within the stone's mask, colour and optics recorded at the same time. Where stones meet the higher
+//! surface wins, as in a depth buffer. A pixel has nine samples: its height and colour are blended by
+//! how many of them each stone and the ground have, which keeps rims smooth.
+
+use super::ground::Bed;
+use super::occlusion::Occlusion;
+use super::palette::{Palette, ground, palette};
+use super::scan::{Raster, SAMPLES};
+use super::skin::{Patterns, Skin};
+use super::{Optics, Planes, optics_table};
+use crate::cells::Cell;
+use crate::solid::{Quarry, StoneParams, joint_depth};
+
+/// What the planes are made by; the papers' symbols in brackets.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TextureParams {
+    /// Pixels along a side of the picture.
+    pub side: usize,
+    /// Seed of colours, relief and ground.
+    pub seed: u64,
+    /// The size cells were asked to have on average, in picture units (Cs).
+    pub size: f64,
+    /// The stones.
+    pub stone: StoneParams,
+    /// Fractal dimension of profiles of the relief, 1..2 (Fd).
+    pub dimension: f64,
+    /// Amplitude of the relief at the scale of a stone, in picture units (Af).
+    pub amplitude: f64,
+    /// Name of the palette, one of [`super::PALETTES`].
+    pub palette: &'static str,
+    /// Name of the ground, one of [`super::GROUNDS`].
+    pub ground: &'static str,
+    /// Variation of tone between stones: 0 none, 1 as the palette has it.
+    pub vary: f64,
+}
+
+impl Default for TextureParams {
+    fn default() -> Self {
+        Self {
+            side: 512,
+            seed: 1,
+            size: 23.0,
+            stone: StoneParams::default(),
+            dimension: 1.5,
+            amplitude: 2.0,
+            palette: "granite",
+            ground: "sand",
+            vary: 1.0,
+        }
+    }
+}
+
+const PER_PIXEL: usize = SAMPLES * SAMPLES;
+/// Deviation of the relief at the scale of a stone, of its amplitude.
+const RELIEF: f64 = 0.3;
+/// Ground stays below the stones' tops by at least this part of the joint.
+const FILL: f64 = 0.9;
+
+/// Makes the data planes, one cell at a time.
+pub struct Painter {
+    params: TextureParams,
+    palette: &'static Palette,
+    planes: Planes,
+    bed: Bed,
+    patterns: Patterns,
+    occlusion: Occlusion,
+    raster: Raster,
+    /// Samples a stone has already taken at each pixel, and how many the stone named in `id` has.
+    taken: Vec<u16>,
+    share: Vec<u8>,
+    level: f32,
+    depth: f32,
+    relief: f32,
+    laid: usize,
+}
+
+impl Painter {
+    /// Planes without ground or stones yet.
+    pub fn new(params: TextureParams) -> Self {
+        let stone_palette = palette(params.palette);
+        let depth = joint_depth(&params.stone, params.size) * FILL;
+        let level = params.stone.height - depth;
+        let pixels = params.side * params.side;
+        Self {
+            palette: stone_palette,
+            planes: Planes::new(params.side),
+            bed: Bed::new(
+                ground(params.ground),
+                level as f32,
+                depth as f32,
+                params.seed,
+            ),
+            patterns: Patterns::new(params.seed, params.size, params.dimension),
+            occlusion: Occlusion::new(params.size),
+            raster: Raster::default(),
+            taken: vec![0; pixels],
+            share: vec![0; pixels],
+            level: level as f32,
+            depth: depth as f32,
+            relief: (params.amplitude * RELIEF) as f32 * stone_palette.relief,
+            laid: 0,
+            params,
+        }
+    }
+
+    /// Makes and lays the ground, about `rows` rows of it; true when all are laid.
+    /// [`Painter::paint`] lays what is missing.
+    pub fn prepare(&mut self, rows: usize) -> bool {
+        let side = self.params.side;
+        if self.laid == 0 && !self.bed.advance(rows) {
+            return false;
+        }
+        let end = side.min(self.laid.saturating_add(rows));
+        for y in self.laid..end {
+            for x in 0..side {
+                let (px, py) = (x as i32, y as i32);
+                self.planes.bump[y * side + x] = self.bed.height(px, py);
+                self.planes.colour[y * side + x] = bytes(self.bed.colour(px, py));
+            }
+        }
+        self.laid = end;
+        end == side
+    }
+
+    /// Puts the stone of a cell into the planes, under the id `index` + 1.
+    pub fn paint(&mut self, quarry: &mut Quarry, cell: &Cell, index: usize) {
+        self.prepare(usize::MAX);
+        let solid = quarry.stone(cell, &self.params.stone);
+        if solid.vertices.is_empty() {
+            return;
+        }
+        let uneven = (self.params.stone.distortion / 0.3).min(1.0) as f32;
+        let skin = Skin::new(
+            self.palette,
+            cell,
+            self.params.seed,
+            self.params.vary as f32,
+            uneven,
+        );
+        let mut raster = std::mem::take(&mut self.raster);
+        let floor = self.level - 0.5 * self.depth - 2.0 * self.relief;
+        raster.draw(&solid, floor, self.params.side);
+        for y in 0..raster.extent[1] {
+            for x in 0..raster.extent[0] {
+                if let Some(heights) = raster.pixel(x, y) {
+                    let at = [x as i32 + raster.origin[0], y as i32 + raster.origin[1]];
+                    self.pixel(&skin, at, heights, index as u32 + 1);
+                }
+            }
+        }
+        self.raster = raster;
+    }
+
+    /// Computes what follows from the finished bump plane (the openness), `rows` rows of it; true
+    /// when done.
+    pub fn finish(&mut self, rows: usize) -> bool {
+        self.prepare(usize::MAX);
+        self.occlusion.advance(&mut self.planes, rows)
+    }
+
+    /// The planes as they are by now.
+    pub fn planes(&self) -> &Planes {
+        &self.planes
+    }
+
+    /// The table that the optics plane indexes.
+    pub fn optics(&self) -> Vec<Optics> {
+        optics_table(self.params.palette, self.params.ground)
+    }
+
+    /// The planes, to keep.
+    pub fn into_planes(self) -> Planes {
+        self.planes
+    }
+
+    fn pixel(&mut self, skin: &Skin, [x, y]: [i32; 2], heights: [f32; PER_PIXEL], id: u32) {
+        let i = y as usize * self.params.side + x as usize;
+        let rough = skin.relief(&self.patterns, x, y);
+        let raise = self.relief * rough + skin.lift(x, y);
+        let soil = self.bed.height(x, y);
+        let (fresh, won) = self.claim(i, heights, raise, soil);
+        if fresh.count + won.count == 0 {
+            return;
+        }
+        let dust = self.bed.colour(x, y);
+        let own = (fresh.sum + won.sum) / f32::from(fresh.count + won.count);
+        let stand = (own - self.level) / self.depth;
+        let colour = skin.colour(self.palette, &self.patterns, [x, y], rough, (stand, dust));
+        let each = 1.0 / PER_PIXEL as f32;
+        let (new, taken_over) = (f32::from(fresh.count), f32::from(won.count));
+        let before = self.planes.bump[i];
+        self.planes.bump[i] =
+            before + (fresh.sum - soil * new) * each + (won.sum - before * taken_over) * each;
+        let old = self.planes.colour[i].map(f32::from);
+        self.planes.colour[i] = bytes(std::array::from_fn(|k| {
+            let gain = (colour[k] - dust[k]) * new + (colour[k] - old[k]) * taken_over;
+            old[k] + gain * each
+        }));
+        self.name(i, fresh.count + won.count, id, skin.optics);
+    }
+
+    /// The samples that this stone gets at a pixel: from the ground, and from lower stones.
+    fn claim(
+        &mut self,
+        i: usize,
+        heights: [f32; PER_PIXEL],
+        raise: f32,
+        soil: f32,
+    ) -> (Part, Part) {
+        let (mut fresh, mut won) = (Part::default(), Part::default());
+        for (k, &height) in heights.iter().enumerate() {
+            let height = height + raise;
+            if height <= soil {
+                continue;
+            }
+            if self.taken[i] & (1 << k) == 0 {
+                self.taken[i] |= 1 << k;
+                fresh.add(height);
+            } else if height > self.planes.bump[i] {
+                won.add(height);
+            }
+        }
+        (fresh, won)
+    }
+
+    /// A pixel belongs to whoever has most of its samples; to the stone that came first, of equals,
+    /// and never to the ground where a stone has half of it.
+    fn name(&mut self, i: usize, count: u8, id: u32, optics: u8) {
+        if count > self.share[i] && usize::from(count) * 2 >= PER_PIXEL {
+            self.share[i] = count;
+            self.planes.id[i] = id;
+            self.planes.optics[i] = optics;
+        }
+    }
+}
+
+/// Samples of a pixel: how many, and the sum of their heights.
+#[derive(Clone, Copy, Default)]
+struct Part {
+    count: u8,
+    sum: f32,
+}
+
+impl Part {
+    fn add(&mut self, height: f32) {
+        self.count += 1;
+        self.sum += height;
+    }
+}
+
+fn bytes(colour: [f32; 3]) -> [u8; 3] {
+    colour.map(|v| (v + 0.5) as u8)
+}

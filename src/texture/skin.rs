@@ -1,0 +1,193 @@
+//! The face of one stone: what its id draws from the palette, and its colour at every pixel.
+
+use super::noise::Tile;
+use super::palette::{FINISHES, Palette};
+use crate::cells::Cell;
+use crate::order::{greater, lesser};
+use crate::random::{Purpose, Random};
+
+/// Patterns shared by all stones of a seed; each stone reads them at a place of its own.
+#[derive(Clone, Debug)]
+pub struct Patterns {
+    /// The relief of the surface, of the dimension asked for.
+    pub relief: Tile,
+    broad: Tile,
+    grains: Tile,
+}
+
+impl Patterns {
+    /// Patterns for stones of about `size` pixels.
+    pub fn new(seed: u64, size: f64, dimension: f64) -> Self {
+        let mut levels = 2;
+        while levels < 8 && f64::from(1u32 << levels) * 1.42 < size {
+            levels += 1;
+        }
+        Self {
+            relief: Tile::new(seed, 1, 9, levels, dimension),
+            broad: Tile::new(seed, 2, 8, levels, 1.4),
+            grains: Tile::new(seed, 3, 8, 1, 1.7),
+        }
+    }
+}
+
+/// Colours under the ground's dust reach up so far, of the joint's depth.
+const DUST_HEIGHT: f32 = 0.75;
+/// Most of the dust's share in the colour, at the rim.
+const DUST: f32 = 0.55;
+/// How much darker a stone is at its rim.
+const RIM: f32 = 0.30;
+/// Lightness of hollows and heights of the relief.
+const CAVITY: f32 = 0.05;
+/// How long bands are for their width.
+const BAND_STRETCH: f32 = 0.16;
+
+/// The attributes of one stone.
+#[derive(Clone, Debug)]
+pub struct Skin {
+    base: [f32; 3],
+    centre: [f32; 2],
+    axis: [f32; 2],
+    offset: [f32; 2],
+    shift: [i32; 2],
+    turn: u64,
+    tilt: [f32; 2],
+    step: f32,
+    /// Index into the optics table.
+    pub optics: u8,
+}
+
+impl Skin {
+    /// Draws the attributes of a cell's stone. `vary` scales what differs in tone, `uneven` (0..1)
+    /// what differs in the way stones are laid.
+    pub fn new(palette: &Palette, cell: &Cell, seed: u64, vary: f32, uneven: f32) -> Self {
+        let mut random = attributes(seed, cell.id);
+        let base = draw_colour(palette, &mut random, vary);
+        let optics = 1 + random.below(FINISHES) as u8;
+        let mut signed = || random.signed() as f32;
+        let tilt = [signed() * uneven * 0.03, signed() * uneven * 0.03];
+        let step = signed() * uneven * 0.035 * cell.size as f32;
+        let offset = [signed() * 900.0, signed() * 900.0];
+        let bits = random.bits();
+        let axis = cell.axis.try_normalize().unwrap_or(glam::DVec2::X);
+        Self {
+            base,
+            centre: [cell.centre.x as f32, cell.centre.y as f32],
+            axis: [axis.x as f32, axis.y as f32],
+            offset,
+            shift: [(bits >> 8 & 0xFFFF) as i32, (bits >> 24 & 0xFFFF) as i32],
+            turn: bits & 7,
+            tilt,
+            step,
+            optics,
+        }
+    }
+
+    /// What this stone is laid higher than the others at a pixel.
+    pub fn lift(&self, x: i32, y: i32) -> f32 {
+        let (dx, dy) = (x as f32 - self.centre[0], y as f32 - self.centre[1]);
+        self.step + self.tilt[0] * dx + self.tilt[1] * dy
+    }
+
+    /// The fractal relief at a pixel: deviation about 1. Turned and mirrored, never interpolated, so
+    /// that its roughness stays.
+    pub fn relief(&self, patterns: &Patterns, x: i32, y: i32) -> f32 {
+        let (x, y) = if self.turn & 1 == 0 { (x, y) } else { (y, x) };
+        let x = if self.turn & 2 == 0 { x } else { -x };
+        let y = if self.turn & 4 == 0 { y } else { -y };
+        patterns.relief.at(x + self.shift[0], y + self.shift[1])
+    }
+
+    /// The stone's colour at a pixel, 0..255, where its relief is `relief`. `height` is the part of
+    /// the joint's depth that the surface stands above the ground, `dust` the ground's colour.
+    pub fn colour(
+        &self,
+        palette: &Palette,
+        patterns: &Patterns,
+        [x, y]: [i32; 2],
+        relief: f32,
+        (height, dust): (f32, [f32; 3]),
+    ) -> [f32; 3] {
+        let (dx, dy) = (x as f32 - self.centre[0], y as f32 - self.centre[1]);
+        let u = dx * self.axis[0] + dy * self.axis[1] + self.offset[0];
+        let v = dy * self.axis[0] - dx * self.axis[1] + self.offset[1];
+        let blotch = patterns.broad.between(u, v);
+        let grain = patterns.grains.between(1.3 * v, 1.3 * u);
+        let mut light = 1.0 + palette.mottle * blotch + palette.speckle * mineral(grain);
+        light += CAVITY * relief.clamp(-2.0, 2.0);
+        if palette.bands > 0.0 {
+            light += palette.bands * patterns.broad.between(u * BAND_STRETCH, 1.7 * v + 40.0);
+        }
+        let rim = (1.0 - height).clamp(0.0, 1.0);
+        light *= 1.0 - RIM * rim * rim.sqrt();
+        let second = self.second_share(palette, patterns, (u, v), rim);
+        let dust_share = (1.0 - height / DUST_HEIGHT).clamp(0.0, 1.0);
+        let dust_share = DUST * dust_share * dust_share * (1.0 + 0.5 * blotch).clamp(0.3, 1.5);
+        std::array::from_fn(|k| {
+            let own = self.base[k] * (1.0 - second) + f32::from(palette.second[k]) * second;
+            let own = own * light;
+            (own + (dust[k] * 0.85 - own) * dust_share).clamp(0.0, 255.0)
+        })
+    }
+
+    /// Share of the palette's second colour: veins are the zero lines of a noise, patches its hills.
+    fn second_share(
+        &self,
+        palette: &Palette,
+        patterns: &Patterns,
+        at: (f32, f32),
+        rim: f32,
+    ) -> f32 {
+        let (u, v) = at;
+        let mut share = 0.0;
+        if palette.veins > 0.0 {
+            let field = patterns.broad.between(0.8 * u + 17.0, 0.5 * v + 91.0);
+            let line = greater(1.0 - field.abs() * 5.0, 0.0);
+            share += palette.veins * line * line;
+        }
+        if palette.patches > 0.0 {
+            let field = patterns.broad.between(v + 61.0, u - 29.0);
+            let hill = (field * 0.8 - 0.55 + 1.2 * rim).clamp(0.0, 1.0);
+            share += palette.patches * hill;
+        }
+        lesser(share, 1.0)
+    }
+}
+
+/// The colour of the stone of the cell `id`, without its patterns: red, green, blue, 0..255 for sensible
+/// palettes. `vary` scales what differs between stones.
+pub fn stone_colour(palette: &Palette, id: u32, seed: u64, vary: f32) -> [f32; 3] {
+    draw_colour(palette, &mut attributes(seed, id), vary)
+}
+
+/// The stream that a stone's attributes are drawn from, its colour first.
+fn attributes(seed: u64, id: u32) -> Random {
+    Random::new(seed, Purpose::Attribute, u64::from(id))
+}
+
+fn draw_colour(palette: &Palette, random: &mut Random, vary: f32) -> [f32; 3] {
+    let pick = palette.bases[random.below(palette.bases.len())];
+    let tone = 1.0 + palette.tone * vary * spread(random);
+    let tint = palette.tint * vary * spread(random);
+    let warm = [1.0 + tint, 1.0, 1.0 - tint];
+    let mean = mean_colour(palette);
+    std::array::from_fn(|k| {
+        let own = mean[k] + (f32::from(pick[k]) - mean[k]) * vary.min(1.5);
+        own * tone * warm[k]
+    })
+}
+
+/// Roughly normal with deviation 1, within -2..2.
+fn spread(random: &mut Random) -> f32 {
+    ((random.signed() + random.signed() + random.signed()) as f32).clamp(-2.0, 2.0)
+}
+
+/// Single dark and bright grains rather than a haze.
+fn mineral(grain: f32) -> f32 {
+    let g = grain.clamp(-2.5, 2.5);
+    0.35 * g + 0.3 * g * g.abs()
+}
+
+fn mean_colour(palette: &Palette) -> [f32; 3] {
+    let n = palette.bases.len() as f32;
+    std::array::from_fn(|k| palette.bases.iter().map(|b| f32::from(b[k])).sum::<f32>() / n)
+}

@@ -1,0 +1,354 @@
+//! The face towards the browser and Node: the only file that knows JavaScript.
+//!
+//! Everything is said in numbers, strings and plain objects. Nothing here throws for bad input:
+//! sentences come back instead.
+
+use crate::domain::Outline;
+use crate::recipe::{Kind, PRESETS, Parameter, Preset, Recipe, SCHEMA};
+use crate::studio::{Studio, View};
+use glam::DVec2;
+use js_sys::{Array, Date, Float64Array, Object, Reflect, Uint32Array};
+use wasm_bindgen::prelude::*;
+use wasm_bindgen::{Clamped, JsCast};
+use web_sys::{CanvasRenderingContext2d, ImageData, Performance};
+
+/// Milliseconds of a clock that only goes forward, in a page, in a worker and in Node.
+struct Clock(Option<Performance>);
+
+impl Clock {
+    fn new() -> Self {
+        let performance = Reflect::get(&js_sys::global(), &"performance".into());
+        let performance = performance.ok().filter(JsValue::is_object);
+        Self(performance.map(JsCast::unchecked_into))
+    }
+
+    fn now(&self) -> f64 {
+        self.0.as_ref().map_or_else(Date::now, Performance::now)
+    }
+}
+
+/// A pavement in the making.
+#[wasm_bindgen]
+pub struct Bubblestone {
+    studio: Studio,
+    notices: Vec<String>,
+    clock: Clock,
+}
+
+#[wasm_bindgen]
+impl Bubblestone {
+    /// Opens a link (a whole address, a fragment, or nothing for the default recipe). What did not
+    /// fit is told by `notices`.
+    #[wasm_bindgen(constructor)]
+    pub fn new(link: &str) -> Bubblestone {
+        console_error_panic_hook::set_once();
+        let (recipe, notices) = Recipe::from_link(link);
+        Self {
+            studio: Studio::new(recipe),
+            notices,
+            clock: Clock::new(),
+        }
+    }
+
+    /// Opens another link; answers with what was clamped, dropped or refused.
+    pub fn open(&mut self, link: &str) -> Vec<String> {
+        let (recipe, notices) = Recipe::from_link(link);
+        self.studio.set_recipe(recipe);
+        self.notices = notices;
+        self.notices.clone()
+    }
+
+    /// What the last link opened said.
+    pub fn notices(&self) -> Vec<String> {
+        self.notices.clone()
+    }
+
+    /// The recipe's link, without '#'.
+    pub fn link(&self) -> String {
+        self.studio.recipe().link()
+    }
+
+    /// Sets a parameter from text: '' or a sentence that says what was clamped or refused.
+    pub fn set(&mut self, key: &str, text: &str) -> String {
+        let mut recipe = self.studio.recipe().clone();
+        let said = recipe.set(key, text);
+        if said.is_ok() {
+            self.studio.set_recipe(recipe);
+        }
+        match said {
+            Ok(notice) => notice.unwrap_or_default(),
+            Err(sentence) => sentence,
+        }
+    }
+
+    /// A parameter's value as text.
+    pub fn get(&self, key: &str) -> String {
+        self.studio.recipe().get(key)
+    }
+
+    /// Works for about `budget` milliseconds and makes at most `max_steps` packing steps (0 holds
+    /// the packing still, the other stages go on). True when what is shown may have changed.
+    pub fn tick(&mut self, budget: f64, max_steps: u32) -> bool {
+        let clock = &self.clock;
+        self.studio.tick(&mut || clock.now(), budget, max_steps)
+    }
+
+    /// Exactly one packing step; nothing when the packing is over.
+    pub fn step(&mut self) {
+        let clock = &self.clock;
+        self.studio.step(&mut || clock.now());
+    }
+
+    /// All stages again, from the same recipe.
+    pub fn restart(&mut self) {
+        self.studio.restart();
+    }
+
+    /// The stage at work, then 'done', or 'error' where no pavement can be made.
+    pub fn stage(&self) -> String {
+        self.studio.stage().to_string()
+    }
+
+    /// Why there is 'error'; '' while all is well.
+    pub fn problem(&self) -> String {
+        self.studio.problem().unwrap_or_default().to_string()
+    }
+
+    /// `{ cells, steps, largestMove, energy, added, removed, converged, stones, ms }`
+    pub fn status(&mut self) -> Object {
+        let energy = self.studio.energy();
+        let last = self.studio.packing().map(|p| p.report());
+        let last = last.unwrap_or_default();
+        object(&[
+            ("cells", last.cells.into()),
+            ("steps", last.step.into()),
+            ("largestMove", last.largest_move.into()),
+            ("energy", energy.into()),
+            ("added", last.added.into()),
+            ("removed", last.removed.into()),
+            ("converged", last.converged.into()),
+            ("stones", self.studio.stones().into()),
+            ("ms", self.milliseconds().into()),
+        ])
+    }
+
+    fn milliseconds(&self) -> Object {
+        let times = self.studio.milliseconds();
+        let entries: Vec<(&str, JsValue)> = times.iter().map(|t| (t.stage, t.ms.into())).collect();
+        object(&entries)
+    }
+
+    /// Draws a view ('auto', 'picture', 'packed', 'cells', 'mesh', 'direction', 'height',
+    /// 'normals', 'ids'; anything else is 'auto') at the context's upper left corner.
+    pub fn draw(&mut self, context: &CanvasRenderingContext2d, view: &str) {
+        let side = self.studio.side() as u32;
+        let frame = self.studio.view(View::of_word(view).unwrap_or(View::Auto));
+        let image = ImageData::new_with_u8_clamped_array_and_sh(Clamped(frame), side, side);
+        // A context that is lost draws nothing; the next frame tries again.
+        let _ = image.and_then(|image| context.put_image_data(&image, 0.0, 0.0));
+    }
+
+    /// Hex digest of the planes; '' until done.
+    pub fn digest(&self) -> String {
+        self.studio.digest()
+    }
+
+    /// Makes a free polygon of rings (x, y, x, y, ...; the first is the outer one) the outline:
+    /// '' or the sentence that says what is wrong with it; then the last good outline stays.
+    #[wasm_bindgen(js_name = setOutline)]
+    pub fn set_outline(&mut self, points: &[f64], ring_lengths: &[u32]) -> String {
+        let outline = match rings_of(points, ring_lengths) {
+            Ok(outline) => outline,
+            Err(sentence) => return sentence,
+        };
+        let mut recipe = self.studio.recipe().clone();
+        let said = recipe.set_polygon(&outline);
+        if said.is_ok() {
+            self.studio.set_recipe(recipe);
+        }
+        match said {
+            Ok(notices) => notices.join(" "),
+            Err(sentence) => sentence,
+        }
+    }
+
+    /// `{ points, rings }`: the outline in use, x, y, x, y, ... and the rings' lengths in points.
+    pub fn outline(&self) -> Object {
+        let rings = self.studio.rings();
+        let points: Vec<f64> = rings
+            .iter()
+            .copied()
+            .flatten()
+            .flat_map(|p| [p.x, p.y])
+            .collect();
+        let lengths: Vec<u32> = rings.iter().map(|r| r.len() as u32).collect();
+        object(&[
+            ("points", Float64Array::from(&points[..]).into()),
+            ("rings", Uint32Array::from(&lengths[..]).into()),
+        ])
+    }
+
+    /// Pixels along the picture's side.
+    pub fn side(&self) -> u32 {
+        self.studio.side() as u32
+    }
+}
+
+/// Cuts a list of coordinates into rings.
+fn rings_of(points: &[f64], lengths: &[u32]) -> Result<Outline, String> {
+    let total: u64 = lengths.iter().map(|&n| u64::from(n)).sum();
+    if lengths.is_empty() || 2 * total != points.len() as u64 {
+        return Err(format!(
+            "The outline has {} numbers, but its rings ask for {}; the last outline is kept.",
+            points.len(),
+            2 * total
+        ));
+    }
+    let mut rest: Vec<DVec2> = points.chunks_exact(2).map(DVec2::from_slice).collect();
+    let mut rings = Vec::new();
+    for &length in lengths {
+        let after = rest.split_off(length as usize);
+        rings.push(rest);
+        rest = after;
+    }
+    let outer = rings.remove(0);
+    Ok(Outline {
+        outer,
+        holes: rings,
+    })
+}
+
+fn object(entries: &[(&str, JsValue)]) -> Object {
+    let object = Object::new();
+    for (key, value) in entries {
+        // Setting a property of a fresh object cannot fail.
+        let _ = Reflect::set(&object, &(*key).into(), value);
+    }
+    object
+}
+
+/// All parameters, in the order of the pipeline.
+#[wasm_bindgen]
+pub fn schema() -> Array {
+    SCHEMA.iter().map(parameter_object).collect()
+}
+
+fn parameter_object(p: &Parameter) -> Object {
+    let default = match p.kind {
+        Kind::Number | Kind::Int => p.default.into(),
+        Kind::Choice => p.choices.first().map_or("", |c| c.word).into(),
+        Kind::Text => "".into(),
+    };
+    let choices: Array = p
+        .choices
+        .iter()
+        .map(|c| object(&[("word", c.word.into()), ("label", c.label.into())]))
+        .collect();
+    let row = object(&[
+        ("key", p.key.into()),
+        ("symbol", p.symbol.into()),
+        ("name", p.name.into()),
+        ("kind", p.kind.word().into()),
+        ("min", p.min.into()),
+        ("max", p.max.into()),
+        ("step", p.step.into()),
+        ("default", default),
+        ("unit", p.unit.into()),
+        ("help", p.help.into()),
+        ("group", p.group.into()),
+        ("stage", p.stage.word().into()),
+        ("choices", choices.into()),
+    ]);
+    if let Some((key, words)) = p.shown_for {
+        let words: Array = words.iter().map(|&w| JsValue::from(w)).collect();
+        let only = object(&[("key", key.parameter().key.into()), ("words", words.into())]);
+        let _ = Reflect::set(&row, &"shownFor".into(), &only);
+    }
+    row
+}
+
+/// The papers' figures as links.
+#[wasm_bindgen]
+pub fn presets() -> Array {
+    PRESETS.iter().map(preset_object).collect()
+}
+
+fn preset_object(p: &Preset) -> Object {
+    let seconds = |s: Option<f64>| s.map_or(JsValue::NULL, JsValue::from);
+    object(&[
+        ("name", p.name.into()),
+        ("title", p.title.into()),
+        ("figure", p.figure.into()),
+        ("note", p.note.into()),
+        ("link", p.link.into()),
+        ("packingSeconds", seconds(p.packing_seconds)),
+        ("textureSeconds", seconds(p.texture_seconds)),
+    ])
+}
+
+/// A seed for the dice: any whole number below 2^32.
+#[wasm_bindgen]
+pub fn random_seed() -> u32 {
+    // Where the browser has no source of chance, the clock will do for a throw of dice.
+    getrandom::u32().unwrap_or_else(|_| Date::now() as u64 as u32)
+}
+
+/// The digest of a link's planes, all worked out at once; the problem's sentence where there are
+/// none.
+#[wasm_bindgen]
+pub fn digest_of_link(link: &str) -> String {
+    let (recipe, _) = Recipe::from_link(link);
+    let mut studio = Studio::new(recipe);
+    match studio.finish(&mut || 0.0) {
+        Ok(()) => studio.digest(),
+        Err(sentence) => sentence,
+    }
+}
+
+/// What working out a link took and gave: the fields of the native program's report.json, and
+/// `problem` where it could not be done.
+#[wasm_bindgen]
+pub fn report_of_link(link: &str) -> Object {
+    let (recipe, notices) = Recipe::from_link(link);
+    let mut studio = Studio::new(recipe);
+    let clock = Clock::new();
+    let problem = studio.finish(&mut || clock.now()).err();
+    let mut report = studio.report();
+    report.notices = notices;
+    let parsed = js_sys::JSON::parse(&report.json()).map(JsCast::unchecked_into);
+    let object: Object = parsed.unwrap_or_default();
+    if let Some(sentence) = problem {
+        let _ = Reflect::set(&object, &"problem".into(), &sentence.into());
+    }
+    object
+}
+
+/// All measurements: a list of `{ name, ms }`.
+#[cfg(feature = "bench")]
+#[wasm_bindgen]
+pub fn bench() -> Array {
+    let clock = Clock::new();
+    let timings = crate::suite::run(&mut || clock.now());
+    let entry = |t: &crate::suite::Timing| {
+        let name = t.name.as_str().into();
+        object(&[("name", name), ("ms", t.ms.into())])
+    };
+    timings.iter().map(entry).collect()
+}
+
+/// What the subdivision is measured with, to be measured elsewhere, too:
+/// `{ points, triangles, stones, levels }`.
+#[cfg(feature = "bench")]
+#[wasm_bindgen]
+pub fn bench_mesh() -> Object {
+    use crate::suite::{LEVELS, STONES, control_mesh};
+    let (points, triangles) = control_mesh();
+    let points: Vec<f32> = points.iter().flat_map(|p| p.to_array()).collect();
+    let triangles: Vec<u32> = triangles.into_iter().flatten().collect();
+    object(&[
+        ("points", js_sys::Float32Array::from(&points[..]).into()),
+        ("triangles", Uint32Array::from(&triangles[..]).into()),
+        ("stones", STONES.into()),
+        ("levels", LEVELS.into()),
+    ])
+}

@@ -1,0 +1,81 @@
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { open } from './harness.mjs';
+import { digest, frames, get, SMALL, steps } from './page.mjs';
+
+/** @type {Awaited<ReturnType<typeof open>>} */
+let site;
+
+before(async () => {
+  site = await open();
+});
+
+after(() => site?.close());
+
+/** Presses Tab until an element that fits has the focus, and asks that the focus can be seen on the way. */
+async function tabTo(page, selector, most = 120) {
+  for (let presses = 0; presses < most; presses += 1) {
+    await page.keyboard.press('Tab');
+    const { fits, seen, what } = await page.evaluate((wanted) => {
+      const element = document.activeElement;
+      const ring = element.matches('.segments input') ? element.nextElementSibling : element;
+      const { outlineStyle, outlineWidth } = getComputedStyle(ring);
+      return {
+        fits: element.matches(wanted),
+        seen: element === document.body || (outlineStyle !== 'none' && parseFloat(outlineWidth) >= 2),
+        what: element.outerHTML.slice(0, 80),
+      };
+    }, selector);
+    assert.ok(seen, `the focus is not to be seen on ${what}`);
+    if (fits) return;
+  }
+  assert.fail(`the keyboard does not reach ${selector}`);
+}
+
+test('the keyboard alone pauses, steps, and moves a slider', async () => {
+  const { page, problems, close } = await site.newPage(SMALL);
+  await digest(page);
+  await tabTo(page, '#play', 12);
+  await page.keyboard.press('Space');
+  assert.equal(await page.$eval('#play', (button) => button.textContent.trim()), 'Play');
+  await tabTo(page, '#restart', 4);
+  await page.keyboard.press('Enter');
+  await page.waitForFunction(() => document.documentElement.dataset.stage === 'packing', { timeout: 20_000 });
+  const before = await steps(page);
+  await page.keyboard.down('Shift');
+  await page.keyboard.press('Tab');
+  await page.keyboard.up('Shift');
+  assert.equal(await page.evaluate(() => document.activeElement.id), 'step');
+  await page.keyboard.press('Enter');
+  assert.equal(await steps(page), before + 1);
+  await tabTo(page, '[data-key=cs] [type=range]');
+  const size = Number(await get(page, 'cs'));
+  await page.keyboard.press('ArrowRight');
+  assert.ok(Number(await get(page, 'cs')) > size);
+  await page.keyboard.press('ArrowLeft');
+  assert.equal(Number(await get(page, 'cs')), size);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('single keys work anywhere but where they are text', async () => {
+  const { page, close } = await site.newPage(SMALL);
+  await digest(page);
+  await page.keyboard.press('Space');
+  assert.equal(await page.$eval('#play', (button) => button.textContent.trim()), 'Play');
+  await page.keyboard.press('r');
+  await page.waitForFunction(() => document.documentElement.dataset.stage === 'packing', { timeout: 20_000 });
+  const before = await steps(page);
+  await page.keyboard.press('s');
+  await page.keyboard.press('.');
+  assert.equal(await steps(page), before + 2);
+  await page.keyboard.press('3');
+  assert.equal(await page.$eval('#view', (select) => select.value), 'cells');
+  await page.focus('#seed');
+  await page.keyboard.type('52');
+  assert.equal(await page.$eval('#view', (select) => select.value), 'cells');
+  await page.keyboard.press('Enter');
+  await frames(page, 1);
+  assert.match(await get(page, 'seed'), /52/);
+  await close();
+});

@@ -1,0 +1,126 @@
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { open } from './harness.mjs';
+import { canvas, digest, done, frames, SMALL } from './page.mjs';
+
+/** @type {Awaited<ReturnType<typeof open>>} */
+let site;
+
+before(async () => {
+  site = await open();
+});
+
+after(() => site?.close());
+
+test('a pavement forms before the eyes, without errors or external requests', async () => {
+  const { page, problems, external, close } = await site.newPage('', {
+    before: (fresh) =>
+      fresh.evaluateOnNewDocument(() => {
+        window.stages = [];
+        new MutationObserver(() => window.stages.push(document.documentElement.dataset.stage)).observe(document, {
+          attributes: true,
+          subtree: true,
+          attributeFilter: ['data-stage'],
+        });
+      }),
+  });
+  await done(page);
+  assert.match(await page.title(), /Bubblestone/);
+  const { colours, side } = await canvas(page);
+  assert.equal(side, 512);
+  assert.ok(colours > 100, `${colours} colours are a blank canvas`);
+  const stages = await page.evaluate(() => window.stages);
+  assert.ok(stages.includes('packing'), `stages seen: ${stages}`);
+  assert.equal(stages.at(-1), 'done');
+  assert.match(await digest(page), /^[0-9a-f]{16,}$/);
+  assert.deepEqual(problems, []);
+  assert.deepEqual(external, []);
+  await close();
+});
+
+for (const [name, viewport] of Object.entries({
+  'desk': { width: 1280, height: 800 },
+  'phone': { width: 390, height: 844, isMobile: true, hasTouch: true },
+})) {
+  test(`nothing jumps while the page comes up on a ${name}`, async () => {
+    const { page, close } = await site.newPage(SMALL, {
+      viewport,
+      before: (fresh) =>
+        fresh.evaluateOnNewDocument(() => {
+          window.shifts = [];
+          new PerformanceObserver((list) => {
+            for (const { value, sources } of list.getEntries()) {
+              window.shifts.push({ value, of: sources.map(({ node }) => node?.id || node?.className) });
+            }
+          }).observe({ type: 'layout-shift', buffered: true });
+        }),
+    });
+    await digest(page);
+    await frames(page, 5);
+    const shifts = await page.evaluate(() => window.shifts);
+    const sum = shifts.reduce((total, { value }) => total + value, 0);
+    assert.ok(sum < 0.01, JSON.stringify(shifts));
+    await close();
+  });
+}
+
+test('the state of the work is told in words and numbers', async () => {
+  const { page, close } = await site.newPage(SMALL);
+  await digest(page);
+  await frames(page, 2);
+  assert.match(await page.$eval('#count-cells', (value) => value.textContent), /^[1-9]\d*$/);
+  assert.match(await page.$eval('#count-steps', (value) => value.textContent), /^[1-9]\d*$/);
+  const times = await page.$$eval('.pipeline .time', (all) => all.map((time) => time.textContent));
+  assert.equal(times.length, 8);
+  for (const time of times) assert.match(time, /ms$/);
+  assert.match(await page.$eval('#live', (live) => live.textContent), /cells after \d+ steps/);
+  await close();
+});
+
+test('every view draws something of its own', async () => {
+  const { page, problems, close } = await site.newPage(SMALL);
+  await digest(page);
+  const views = await page.$$eval('#view option', (options) => options.map((option) => option.value));
+  /** @type {Map<number, string>} */
+  const seen = new Map();
+  for (const view of views) {
+    if (view === 'auto') continue;
+    await page.select('#view', view);
+    await frames(page, 2);
+    const { hash } = await canvas(page);
+    assert.ok(!seen.has(hash), `${view} looks like ${seen.get(hash)}`);
+    seen.set(hash, view);
+  }
+  assert.equal(seen.size, 8);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('presets open with their figures and become pictures in the rail', async () => {
+  const { page, problems, close } = await site.newPage(SMALL);
+  await digest(page);
+  const presets = await page.evaluate(() => window.bubblestone.presets);
+  assert.equal((await page.$$('.rail button')).length, presets.length);
+  const withSeconds = presets.find((preset) => preset.packingSeconds !== null);
+  assert.ok(withSeconds, 'no preset has the seconds of the paper');
+  await page.click(`[data-preset="${withSeconds.name}"]`);
+  await digest(page);
+  await frames(page, 2);
+  const caption = await page.$eval('#caption', (text) => text.textContent);
+  assert.ok(caption.includes(String(withSeconds.packingSeconds)), caption);
+  assert.match(caption, /here [\d.]+ s/);
+  assert.equal(await page.evaluate(() => window.bubblestone.link()), withSeconds.link);
+  await page.waitForSelector('.rail canvas[data-painted]', { timeout: 60_000 });
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('who asks for less motion gets the finished picture only', async () => {
+  const { page, close } = await site.newPage('', {
+    before: (fresh) => fresh.emulateMediaFeatures([{ name: 'prefers-reduced-motion', value: 'reduce' }]),
+  });
+  await done(page);
+  assert.equal(await page.$eval('#speed :checked', (radio) => radio.parentElement.textContent), 'Max');
+  assert.ok((await canvas(page)).colours > 100);
+  await close();
+});

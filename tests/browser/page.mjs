@@ -1,0 +1,86 @@
+// What the tests do with an open page, in the words of the page.
+import assert from 'node:assert/strict';
+
+/** @typedef {import('puppeteer-core').Page} Page */
+
+/** A recipe that takes a blink. */
+export const SMALL = '#size=192&cs=16';
+
+/** The digest of the planes, once they are done. @param {Page} page @returns {Promise<string>} */
+export async function digest(page) {
+  await page.waitForFunction(() => 'bubblestone' in window, { timeout: 60_000 });
+  return page.evaluate(() => /** @type {any} */ (window).bubblestone.digest());
+}
+
+/** Waits for the finished picture. @param {Page} page */
+export async function done(page) {
+  await page.waitForFunction(() => document.documentElement.dataset.stage === 'done', { timeout: 120_000 });
+}
+
+/** Lets some frames pass. @param {Page} page @param {number} count */
+export async function frames(page, count) {
+  await page.evaluate(async (left) => {
+    while (left-- > 0) await new Promise(requestAnimationFrame);
+  }, count);
+}
+
+/** A hash of what is on the canvas, and how many colours there are. @param {Page} page */
+export function canvas(page) {
+  return page.evaluate(() => {
+    const canvas = /** @type {HTMLCanvasElement} */ (document.querySelector('#canvas'));
+    const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));
+    const { data } = context.getImageData(0, 0, canvas.width, canvas.height);
+    const pixels = new Uint32Array(data.buffer);
+    let hash = 2166136261;
+    for (const pixel of pixels) hash = Math.imul(hash ^ pixel, 16777619) >>> 0;
+    return { hash, colours: new Set(pixels).size, side: canvas.width };
+  });
+}
+
+/** The value of a parameter. @param {Page} page @param {string} key @returns {Promise<string>} */
+export function get(page, key) {
+  return page.evaluate((name) => /** @type {any} */ (window).bubblestone.get(name), key);
+}
+
+/** Packing steps taken. @param {Page} page @returns {Promise<number>} */
+export function steps(page) {
+  return page.evaluate(() => /** @type {any} */ (window).bubblestone.status().steps);
+}
+
+/**
+ * Sets a parameter through its control.
+ * @param {Page} page @param {string} key @param {string} value
+ */
+export async function set(page, key, value) {
+  const found = await page.evaluate((name, text) => {
+    const box = name === 'seed' ? document.querySelector('#seed') : document.querySelector(`[data-key="${name}"]`);
+    const changed = (element) => element.dispatchEvent(new Event('change', { bubbles: true }));
+    if (!box) return false;
+    const radio = /** @type {HTMLElement | null} */ (box.querySelector(`[type=radio][value="${text}"]`));
+    const field = /** @type {HTMLInputElement} */ (box.matches('input') ? box : box.querySelector('select, [type=number]'));
+    if (radio) radio.click();
+    else {
+      field.value = text;
+      changed(field);
+    }
+    return true;
+  }, key, value);
+  assert.ok(found, `no control for ${key}`);
+}
+
+/** The texts of all messages on the page. @param {Page} page @returns {Promise<string[]>} */
+export function messages(page) {
+  return page.$$eval('.message', (notes) => notes.map((note) => note.textContent));
+}
+
+/** Waits for a message of a role that has these words. @param {Page} page @param {'alert' | 'status'} role @param {RegExp} words */
+export async function message(page, role, words) {
+  await page.waitForFunction(
+    (wanted, source, flags) =>
+      [...document.querySelectorAll(`[role=${wanted}] .message`)].some((note) => new RegExp(source, flags).test(note.textContent)),
+    { timeout: 20_000 },
+    role,
+    words.source,
+    words.flags,
+  );
+}

@@ -1,0 +1,114 @@
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { open } from './harness.mjs';
+import { canvas, digest, frames, get, set, SMALL, steps } from './page.mjs';
+
+/** @type {Awaited<ReturnType<typeof open>>} */
+let site;
+
+before(async () => {
+  site = await open();
+});
+
+after(() => site?.close());
+
+/** Holds the packing at its very beginning. */
+async function held() {
+  const opened = await site.newPage(SMALL);
+  await digest(opened.page);
+  await opened.page.click('#play');
+  await opened.page.click('#restart');
+  await opened.page.waitForFunction(() => document.documentElement.dataset.stage === 'packing', { timeout: 20_000 });
+  return opened;
+}
+
+test('a pause holds the packing, and a step is one step', async () => {
+  const { page, problems, close } = await held();
+  const first = await steps(page);
+  await frames(page, 10);
+  assert.equal(await steps(page), first);
+  for (let taken = 1; taken <= 3; taken += 1) {
+    const before = await canvas(page);
+    await page.click('#step');
+    await frames(page, 2);
+    assert.equal(await steps(page), first + taken);
+    assert.equal(await page.$eval('#count-steps', (count) => Number(count.textContent)), first + taken);
+    assert.notEqual((await canvas(page)).hash, before.hash, 'the step is not to be seen');
+  }
+  assert.equal(await page.$eval('#play', (button) => button.textContent.trim()), 'Play');
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('playing on after steps gives the same planes as never stopping', async () => {
+  const opened = await site.newPage(SMALL);
+  const straight = await digest(opened.page);
+  await opened.close();
+  const { page, close } = await held();
+  await page.click('#step');
+  await page.click('#step');
+  await page.click('#play');
+  assert.equal(await digest(page), straight);
+  await close();
+});
+
+test('any speed gives the same planes', async () => {
+  const { page, close } = await site.newPage(SMALL);
+  const slow = await digest(page);
+  for (const speed of await page.$$('#speed input')) {
+    await speed.evaluate((radio) => radio.click());
+    await page.click('#restart');
+    await frames(page, 2);
+    assert.equal(await digest(page), slow);
+  }
+  await close();
+});
+
+test('the dice throw another seed, and typing the old one brings the old pavement back', async () => {
+  const { page, close } = await site.newPage(SMALL);
+  const [planes, seed] = [await digest(page), await get(page, 'seed')];
+  await page.click('#dice');
+  assert.notEqual(await get(page, 'seed'), seed);
+  assert.equal(await page.$eval('#seed', (box) => box.value), await get(page, 'seed'));
+  assert.notEqual(await digest(page), planes);
+  await set(page, 'seed', seed);
+  assert.equal(await digest(page), planes);
+  await close();
+});
+
+test('the light can be moved while the packing is held', async () => {
+  const { page, close } = await site.newPage(SMALL);
+  await digest(page);
+  await page.click('#play');
+  const before = await canvas(page);
+  await set(page, 'el', '15');
+  await digest(page);
+  assert.notEqual((await canvas(page)).hash, before.hash);
+  await close();
+});
+
+test('the picture is saved as a PNG file of its own size', async () => {
+  const { page, problems, close } = await site.newPage(SMALL, {
+    before: (fresh) =>
+      fresh.evaluateOnNewDocument(() => {
+        const click = HTMLAnchorElement.prototype.click;
+        HTMLAnchorElement.prototype.click = function () {
+          if (this.download) window.saved = { name: this.download, url: this.href };
+          else click.call(this);
+        };
+      }),
+  });
+  await digest(page);
+  await page.click('#save');
+  await page.waitForFunction(() => window.saved, { timeout: 20_000 });
+  const { name, side } = await page.evaluate(async () => {
+    const picture = new Image();
+    picture.src = window.saved.url;
+    await picture.decode();
+    return { name: window.saved.name, side: picture.naturalWidth };
+  });
+  assert.match(name, /^bubblestone-.*\.png$/);
+  assert.equal(side, 192);
+  assert.deepEqual(problems, []);
+  await close();
+});

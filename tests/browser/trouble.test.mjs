@@ -1,0 +1,62 @@
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { open } from './harness.mjs';
+import { digest, done, get, message, SMALL } from './page.mjs';
+
+/** @type {Awaited<ReturnType<typeof open>>} */
+let site;
+
+before(async () => {
+  site = await open();
+});
+
+after(() => site?.close());
+
+test('a break inside becomes a message with the recipe, and the page can start afresh', async () => {
+  const { page, close } = await site.newPage(`${SMALL}&seed=77`);
+  await digest(page);
+  await page.evaluate(() => {
+    performance.now = () => {
+      throw new Error('The clock is broken.');
+    };
+  });
+  await page.click('#restart');
+  await message(page, 'alert', /mistake/);
+  assert.equal(await page.evaluate(() => document.documentElement.dataset.stage), 'error');
+  await assert.rejects(page.evaluate(() => window.bubblestone.digest()));
+  assert.match(await page.$eval('[role=alert] a', (anchor) => anchor.href), /seed=77/);
+  await Promise.all([page.waitForNavigation(), page.click('[role=alert] a')]);
+  await digest(page);
+  assert.equal(await get(page, 'seed'), '77');
+  await page.evaluate(() => {
+    performance.now = () => {
+      throw new Error('The clock is broken.');
+    };
+  });
+  await page.click('#restart');
+  await message(page, 'alert', /mistake/);
+  await Promise.all([page.waitForNavigation(), page.click('[role=alert] .actions button')]);
+  await done(page);
+  assert.equal(await page.evaluate(() => window.bubblestone.link()), '');
+  await close();
+});
+
+test('a browser without WebAssembly gets a sentence', async () => {
+  const { page, close } = await site.newPage(SMALL, {
+    before: (fresh) => fresh.evaluateOnNewDocument(() => Object.defineProperty(window, 'WebAssembly', { value: undefined })),
+  });
+  await message(page, 'alert', /no WebAssembly/);
+  assert.equal(await page.evaluate(() => document.documentElement.dataset.stage), 'error');
+  await close();
+});
+
+test('a module that does not arrive gets a sentence', async () => {
+  const { page, close } = await site.newPage(SMALL, {
+    before: async (fresh) => {
+      await fresh.setRequestInterception(true);
+      fresh.on('request', (request) => (request.url().endsWith('.wasm') ? request.abort() : request.continue()));
+    },
+  });
+  await message(page, 'alert', /could not be loaded/);
+  await close();
+});

@@ -1,0 +1,169 @@
+//! Recipes drawn at random from the whole range of everything, extremes before all: whatever they
+//! ask for, the work ends, with a sentence or with a pavement whose every number is finite.
+//!
+//! More of them, from another start: `BUBBLESTONE_RECIPES=2000 BUBBLESTONE_SEED=7 cargo test --release
+//! --test hostile`.
+
+mod common;
+
+use bubblestone::domain::Outline;
+use bubblestone::random::{Purpose, Random};
+use bubblestone::recipe::{Key, Kind, Recipe, SCHEMA};
+use bubblestone::studio::{Studio, View};
+use common::{star, valid};
+use glam::DVec2;
+#[cfg(target_arch = "wasm32")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
+
+/// A number of the environment, where there is one.
+fn wished(name: &str, otherwise: u64) -> u64 {
+    let text = std::env::var(name).unwrap_or_default();
+    text.parse().unwrap_or(otherwise)
+}
+
+/// One end of the range, or the other, or anything between.
+fn number(random: &mut Random, (min, max): (f64, f64)) -> f64 {
+    match random.below(3) {
+        0 => min,
+        1 => max,
+        _ => min + (max - min) * random.unit(),
+    }
+}
+
+/// A recipe with some of its parameters far from home.
+fn wild(random: &mut Random) -> Recipe {
+    let mut recipe = Recipe::default();
+    let side = [128, 128, 160, 200, 333][random.below(5)];
+    recipe.set("size", &side.to_string()).unwrap();
+    let share = random.unit();
+    for (&key, row) in Key::ALL.iter().zip(SCHEMA) {
+        if random.unit() > share || matches!(key, Key::Size | Key::Poly | Key::Seed) {
+            continue;
+        }
+        let text = match row.kind {
+            Kind::Choice => row.choices[random.below(row.choices.len())].word.to_owned(),
+            _ => number(random, recipe.limits(key)).to_string(),
+        };
+        recipe.set(row.key, &text).unwrap();
+    }
+    // Few of the finest: they take seconds.
+    if recipe.number(Key::Cs) < 4.0 && random.below(8) > 0 {
+        recipe.set("cs", "6").unwrap();
+    }
+    recipe
+        .set("seed", &(random.bits() >> 32).to_string())
+        .unwrap();
+    if random.below(3) == 0 {
+        // Refused ones leave the outline as it is.
+        let _ = recipe.set_polygon(&polygon(random, recipe.side()));
+    }
+    recipe
+}
+
+/// A polygon that may be no outline at all.
+fn polygon(random: &mut Random, side: f64) -> Outline {
+    let count = 3 + random.below(12);
+    let least = 0.9 * random.unit();
+    let radii: Vec<f64> = (0..count)
+        .map(|_| least + (0.98 - least) * random.unit())
+        .collect();
+    let scale = [1.0, 1.0, 0.3, 0.05][random.below(4)];
+    let outer = star(side, &radii);
+    let middle = DVec2::splat(side / 2.0);
+    let shrunk =
+        |ring: &[DVec2], by: f64| ring.iter().map(|&p| middle + (p - middle) * by).collect();
+    let holes = match random.below(3) {
+        0 => vec![shrunk(&outer, scale * [0.1, 0.5, 0.9][random.below(3)])],
+        _ => vec![],
+    };
+    Outline {
+        outer: shrunk(&outer, scale),
+        holes,
+    }
+}
+
+/// Everything of a finished pavement is finite and in its place.
+fn sound(studio: &mut Studio) {
+    assert!(studio.energy().is_finite());
+    let report = studio.packing().unwrap().report();
+    assert!(report.step <= 200, "{report:?}");
+    assert!(
+        report.largest_move.is_finite() && report.largest_force.is_finite(),
+        "{report:?}"
+    );
+    assert!(!studio.cells().is_empty());
+    for cell in studio.cells() {
+        let ring = &cell.ring;
+        assert!(
+            ring.len() >= 3 && ring.iter().all(|p| p.is_finite()) && cell.centre.is_finite(),
+            "{cell:?}"
+        );
+        let area: f64 = (0..ring.len())
+            .map(|k| ring[k].perp_dot(ring[(k + 1) % ring.len()]))
+            .sum();
+        assert!(area > 0.0, "{cell:?}");
+    }
+    let planes = studio.planes().unwrap();
+    assert!(
+        planes.bump.iter().all(|h| h.is_finite()),
+        "a height is not finite"
+    );
+    let count = studio.cells().len() as u32;
+    assert!(planes.id.iter().all(|&id| id <= count));
+    assert!(studio.picture().unwrap().chunks(4).all(|p| p[3] == 255));
+    for (view, word) in View::ALL {
+        assert_eq!(
+            studio.view(view).len(),
+            4 * studio.side() * studio.side(),
+            "{word}"
+        );
+    }
+}
+
+#[test]
+fn whatever_is_asked_for_the_work_ends_well() {
+    let many = if cfg!(target_arch = "wasm32") { 6 } else { 60 };
+    let (count, seed) = (
+        wished("BUBBLESTONE_RECIPES", many),
+        wished("BUBBLESTONE_SEED", 1),
+    );
+    let mut refused = 0;
+    for index in 0..count {
+        let recipe = wild(&mut Random::new(seed, Purpose::Attribute, index));
+        let link = recipe.link();
+        // Told only where the test fails: it is the way to see the case again.
+        println!("#{link}");
+        valid(&recipe);
+        assert_eq!(Recipe::from_link(&link).0.link(), link);
+        let mut studio = Studio::new(recipe);
+        match studio.finish(&mut || 0.0) {
+            Ok(()) => sound(&mut studio),
+            Err(sentence) => {
+                assert!(sentence.ends_with('.') && sentence.len() > 20, "{sentence}");
+                println!("  {sentence}");
+                refused += 1;
+            }
+        }
+    }
+    assert!(
+        refused * 4 < count,
+        "{refused} of {count} recipes were refused"
+    );
+}
+
+/// Found by the test above, each mended since.
+const ONCE_BAD: &[&str] = &[
+    // A cell with more corners than a stone can have, of which none could be spared.
+    "outline=road_spiral&size=200&ow=1.3980067405330145&on=12&oa=180&cs=51.136785528705296&gx=-0.8&gy=-0.8&gr=0.8&dir=printed&dp=3&edge=on&vs=0.5&seed=1857182197&stone=flag&sv=1.3",
+];
+
+#[test]
+fn what_once_was_bad_is_good() {
+    for link in ONCE_BAD {
+        let (recipe, notices) = Recipe::from_link(link);
+        assert!(notices.is_empty(), "{notices:?}");
+        let mut studio = Studio::new(recipe);
+        assert_eq!(studio.finish(&mut || 0.0), Ok(()), "{link}");
+        sound(&mut studio);
+    }
+}

@@ -1,0 +1,355 @@
+//! Links: every recipe comes back from its own, and nothing that a link says can break one.
+
+mod common;
+
+use bubblestone::domain::Outline;
+use bubblestone::recipe::{Key, Kind, Recipe, SCHEMA};
+use common::{star, valid};
+use glam::DVec2;
+use proptest::prelude::*;
+
+fn open(link: &str) -> (Recipe, String) {
+    let (recipe, notices) = Recipe::from_link(link);
+    valid(&recipe);
+    (recipe, notices.join(" "))
+}
+
+#[test]
+fn the_default_has_an_empty_link() {
+    assert_eq!(Recipe::default().link(), "");
+    for link in [
+        "",
+        "#",
+        "  ",
+        "v=1",
+        "#v=1",
+        "https://example.org/",
+        "https://example.org/#",
+        "&&",
+    ] {
+        assert_eq!(
+            Recipe::from_link(link),
+            (Recipe::default(), vec![]),
+            "{link}"
+        );
+    }
+}
+
+#[test]
+fn links_may_be_addresses_fragments_or_queries() {
+    for link in [
+        "https://example.org/stones/?x=1#v=1&cs=18",
+        "#v=1&cs=18",
+        "v=1&cs=18",
+        "cs=18",
+        "?cs=18",
+        "https://example.org/?cs=18",
+        " #CS=18 ",
+        "#%63s=%318",
+        "cs=1.8e1",
+        "cs=+18",
+    ] {
+        let (recipe, notices) = open(link);
+        assert_eq!(
+            (recipe.link().as_str(), notices.as_str()),
+            ("v=1&cs=18", ""),
+            "{link}"
+        );
+    }
+}
+
+#[test]
+fn other_words_are_brought_up_to_date() {
+    for (link, canonical) in [
+        ("outline=ring", ""),
+        ("outline=road", "v=1&outline=road_straight"),
+        ("outline=s_curve", "v=1&outline=road_s"),
+        ("outline=Spiral", "v=1&outline=road_spiral"),
+        ("outline=fork", "v=1&outline=y_fork"),
+        ("outline=notch", "v=1&outline=road_notch"),
+        ("outline=l", "v=1&outline=l_shape"),
+        ("br=0.3", "v=1&bh=0.3&bv=0.3"),
+    ] {
+        let (recipe, notices) = open(link);
+        assert_eq!(
+            (recipe.link().as_str(), notices.as_str()),
+            (canonical, ""),
+            "{link}"
+        );
+    }
+}
+
+/// Each bad link, what it becomes, and what its sentence must name.
+#[test]
+fn bad_links_are_mended_and_told() {
+    let cases: &[(&str, &str, &[&str])] = &[
+        (
+            "cs=9999",
+            "v=1&cs=256",
+            &["(cs)", "from 2 to 256", "\"9999\"", "kept 256"],
+        ),
+        (
+            "cs=0",
+            "v=1&cs=2",
+            &["(cs)", "from 2 to 256", "\"0\"", "kept 2."],
+        ),
+        ("cs=-0", "v=1&cs=2", &["(cs)", "\"-0\"", "kept 2."]),
+        (
+            "size=2048&cs=4",
+            "v=1&size=2048&cs=10",
+            &["(cs)", "2048 px", "\"4\"", "kept 10"],
+        ),
+        (
+            "cs=4&size=2048",
+            "v=1&size=2048&cs=10",
+            &["(cs)", "2048 px", "\"4\"", "kept 10"],
+        ),
+        (
+            "size=128&cs=100",
+            "v=1&size=128&cs=64",
+            &["(cs)", "from 2 to 64", "kept 64"],
+        ),
+        ("cs=NaN", "", &["(cs)", "number", "\"NaN\"", "kept 23"]),
+        ("cs=inf", "", &["(cs)", "\"inf\"", "kept 23"]),
+        ("cs=1e999", "", &["(cs)", "\"1e999\"", "kept 23"]),
+        ("cs=abc", "", &["(cs)", "\"abc\"", "kept 23"]),
+        ("cs=1,5", "", &["(cs)", "\"1,5\"", "kept 23"]),
+        ("cs", "", &["(cs)", "no value", "kept 23"]),
+        ("cs=", "", &["(cs)", "no value", "kept 23"]),
+        ("cs=%", "", &["(cs)", "\"%\"", "kept 23"]),
+        ("cs=18=19", "", &["(cs)", "\"18=19\"", "kept 23"]),
+        (
+            "seed=1.5",
+            "v=1&seed=2",
+            &["(seed)", "whole number", "\"1.5\"", "kept 2"],
+        ),
+        (
+            "seed=4294967296",
+            "v=1&seed=4294967295",
+            &["(seed)", "kept 4294967295"],
+        ),
+        (
+            "seed=-1",
+            "v=1&seed=0",
+            &["(seed)", "from 0 to 4294967295", "kept 0"],
+        ),
+        (
+            "size=100000",
+            "v=1&size=2048",
+            &["(size)", "from 128 to 2048 px", "kept 2048"],
+        ),
+        (
+            "stone=brick",
+            "",
+            &["(stone)", "cobble or flag", "\"brick\"", "kept cobble"],
+        ),
+        (
+            "kind=circle",
+            "",
+            &["(kind)", "square so far", "\"circle\"", "kept square"],
+        ),
+        (
+            "outline=donut",
+            "",
+            &["(outline)", "road_s", "\"donut\"", "kept annulus"],
+        ),
+        ("foo=1", "", &["\"foo\"", "not a parameter", "dropped"]),
+        ("about", "", &["\"about\"", "not a parameter"]),
+        ("=5", "", &["\"\"", "not a parameter"]),
+        ("%ff%00=1", "", &["not a parameter"]),
+        ("cs=18&cs=19", "v=1&cs=19", &["(cs)", "more than once"]),
+        (
+            "cs=18&cs=x",
+            "v=1&cs=18",
+            &["more than once", "\"x\"", "kept 18"],
+        ),
+        ("v=2&cs=18", "v=1&cs=18", &["newer version", "2"]),
+        ("v=0&cs=18", "v=1&cs=18", &["(v)", "\"0\"", "version 1"]),
+        ("v=x&cs=18", "v=1&cs=18", &["(v)", "\"x\"", "version 1"]),
+        (
+            "outline=polygon",
+            "",
+            &["(outline)", "(poly)", "missing", "kept annulus"],
+        ),
+        (
+            "outline=star&poly=AAAA",
+            "v=1&outline=star",
+            &["(poly)", "\"star\"", "dropped"],
+        ),
+        (
+            "poly=A",
+            "",
+            &["(poly)", "lost its y", "kept outline=annulus"],
+        ),
+        (
+            "poly=g",
+            "",
+            &["(poly)", "end is missing", "kept outline=annulus"],
+        ),
+        (
+            "poly=gggggggA",
+            "",
+            &["(poly)", "too large", "kept outline=annulus"],
+        ),
+        ("poly=!", "", &["(poly)", "'!'", "kept outline=annulus"]),
+        (
+            "outline=polygon&poly=AA",
+            "",
+            &["outer ring", "3 different points", "Kept outline=annulus"],
+        ),
+        (
+            "poly=gggBgggBCCCCCC",
+            "",
+            &["outer ring", "one line", "Kept outline=annulus"],
+        ),
+    ];
+    for (link, canonical, words) in cases {
+        let (recipe, notices) = open(link);
+        assert_eq!(recipe.link(), *canonical, "{link}: {notices}");
+        for word in *words {
+            assert!(
+                notices.contains(word),
+                "{link}: {notices:?} does not say {word:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn junk_of_any_length_is_told_shortly() {
+    let (_, notices) = Recipe::from_link(&format!("cs={}", "9x".repeat(100_000)));
+    assert!(notices.len() == 1 && notices[0].len() < 200, "{notices:?}");
+    let (recipe, notices) = Recipe::from_link(&"a=1&".repeat(100_000));
+    assert_eq!(recipe, Recipe::default());
+    assert!(notices.len() < 20, "{}", notices.len());
+    let (_, notices) = Recipe::from_link(&format!("poly={}", "CC".repeat(100_000)));
+    assert!(
+        notices.concat().contains("more than 4096 points"),
+        "{notices:?}"
+    );
+    let (_, notices) = Recipe::from_link("a%0Ab=1");
+    assert!(!notices.concat().contains('\n'));
+}
+
+#[test]
+fn golden_links_keep_their_meaning() {
+    let lines = include_str!("golden/links.txt").lines();
+    for line in lines.filter(|line| !line.starts_with('#') && !line.is_empty()) {
+        let [notices, canonical, link]: [&str; 3] = line
+            .split(' ')
+            .collect::<Vec<_>>()
+            .try_into()
+            .unwrap_or_else(|_| panic!("three words: {line}"));
+        let (recipe, told) = Recipe::from_link(link);
+        assert_eq!(
+            recipe.link(),
+            canonical.replace('-', ""),
+            "{link}: {told:?}"
+        );
+        assert_eq!(told.len().to_string(), notices, "{link}: {told:?}");
+    }
+}
+
+#[test]
+fn a_hundred_points_make_a_short_link_with_the_same_bits() {
+    let radii: Vec<f64> = (0..100)
+        .map(|k| 0.6 + 0.3 * f64::from(k * 37 % 100) / 100.0)
+        .collect();
+    let hole: Vec<DVec2> = star(512.0, &[0.2; 20]).into_iter().rev().collect();
+    for side in ["128", "512", "700", "2048"] {
+        let mut recipe = Recipe::default();
+        recipe.set("size", side).unwrap();
+        let outline = Outline {
+            outer: star(recipe.side(), &radii),
+            holes: vec![hole.iter().map(|p| *p * recipe.side() / 512.0).collect()],
+        };
+        assert_eq!(recipe.set_polygon(&outline), Ok(vec![]));
+        let link = recipe.link();
+        assert!(link.len() < 1000, "{} characters", link.len());
+        assert_eq!(Recipe::from_link(&link), (recipe.clone(), vec![]));
+        let taken = recipe.outline();
+        let moved = outline.outer.iter().zip(&taken.outer);
+        let most = moved.map(|(p, q)| p.distance(*q)).fold(0.0, f64::max);
+        assert!(most <= recipe.side() / 32768.0, "moved by {most}");
+    }
+}
+
+#[test]
+fn numbers_are_written_as_short_as_can_be() {
+    let mut recipe = Recipe::default();
+    for (given, text) in [
+        ("0.10000000000000000555", "0.1"),
+        ("0.30", "0.3"),
+        ("5e-324", "5e-324"),
+        ("-0", "0"),
+        ("1e-7", "1e-7"),
+    ] {
+        assert_eq!(recipe.set("vs", given), Ok(None));
+        assert_eq!(recipe.get("vs"), text);
+    }
+    assert_eq!(recipe.get("nothing"), "");
+    assert_eq!(recipe.get("poly"), "");
+    assert_eq!(recipe.get("stone"), "cobble");
+}
+
+/// A value for a row: in its range, at its ends, or a word.
+fn value(index: usize, t: f64) -> String {
+    let row = &SCHEMA[index];
+    match row.kind {
+        Kind::Number => format!("{}", row.min + t * (row.max - row.min)),
+        Kind::Int => format!("{}", (row.min + t * (row.max - row.min)).round()),
+        Kind::Choice => {
+            let place = (t * row.choices.len() as f64) as usize;
+            row.choices[place.min(row.choices.len() - 1)]
+                .word
+                .to_owned()
+        }
+        Kind::Text => String::new(),
+    }
+}
+
+proptest! {
+    #[test]
+    fn recipes_round_trip(
+        values in prop::collection::vec((0..SCHEMA.len(), prop_oneof![Just(0.0), Just(1.0), 0.0..1.0f64]), 0..30),
+        radii in prop::option::of(prop::collection::vec(0.1..0.95f64, 3..40)),
+    ) {
+        let mut recipe = Recipe::default();
+        for (index, t) in values {
+            let _ = recipe.set(SCHEMA[index].key, &value(index, t));
+        }
+        if let Some(radii) = radii {
+            let outer = star(recipe.side(), &radii);
+            recipe.set_polygon(&Outline { outer, holes: vec![] }).unwrap();
+        }
+        valid(&recipe);
+        let link = recipe.link();
+        let (back, notices) = Recipe::from_link(&link);
+        prop_assert_eq!(&notices, &Vec::<String>::new(), "{}", link);
+        prop_assert_eq!(back.link(), link);
+        prop_assert_eq!(back.outline(), recipe.outline());
+        prop_assert_eq!(back.stale_from(&recipe), None);
+    }
+
+    #[test]
+    fn no_text_breaks_a_recipe(link in ".{0,80}") {
+        valid(&Recipe::from_link(&link).0);
+    }
+
+    #[test]
+    fn no_value_breaks_a_recipe(index in 0..SCHEMA.len(), text in "[-+.0-9eEinfaNA-Z%_!]{0,24}") {
+        let (recipe, _) = Recipe::from_link(&format!("{}={text}", SCHEMA[index].key));
+        valid(&recipe);
+        prop_assert_eq!(Recipe::from_link(&recipe.link()), (recipe, vec![]));
+    }
+
+    #[test]
+    fn numbers_keep_their_bits(x in 0.0..0.5f64, y in -0.8..0.8f64) {
+        let mut recipe = Recipe::default();
+        recipe.set("vs", &format!("{x:e}")).unwrap();
+        recipe.set("gx", &format!("{y:e}")).unwrap();
+        let back = Recipe::from_link(&recipe.link()).0;
+        prop_assert_eq!(back.number(Key::Vs).to_bits(), x.to_bits());
+        prop_assert_eq!(back.number(Key::Gx).to_bits(), (y + 0.0).to_bits());
+    }
+}

@@ -1,0 +1,128 @@
+//! What is seen, compared with pictures in `golden/pictures`. The digests hold the planes to the bit;
+//! these hold what the eye would notice in a picture or a view.
+//!
+//! After a change that is meant to change pictures, `BUBBLESTONE_UPDATE=1 cargo test --test pictures`
+//! writes them anew: look at them before they are kept.
+
+// Files are there natively only.
+#![cfg(not(target_arch = "wasm32"))]
+
+use bubblestone::recipe::Recipe;
+use bubblestone::studio::{Studio, View};
+use std::fs::{self, File};
+use std::io::BufReader;
+use std::path::{Path, PathBuf};
+
+/// A channel of a pixel may differ by so much before the pixel counts as another one.
+const SAME: u8 = 10;
+/// So many of a thousand pixels may be other ones: a stone that moves by a pixel changes more.
+const OTHERS_PER_MILLE: usize = 4;
+
+fn studio(link: &str) -> Studio {
+    let (recipe, notices) = Recipe::from_link(link);
+    assert!(notices.is_empty(), "{notices:?}");
+    let mut studio = Studio::new(recipe);
+    assert_eq!(studio.finish(&mut || 0.0), Ok(()));
+    studio
+}
+
+fn golden(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden/pictures");
+    folder.join(format!("{name}.png"))
+}
+
+fn write(path: &Path, side: usize, rgb: &[u8]) {
+    fs::create_dir_all(path.parent().unwrap()).unwrap();
+    let mut encoder = png::Encoder::new(File::create(path).unwrap(), side as u32, side as u32);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_compression(png::Compression::High);
+    let mut writer = encoder.write_header().unwrap();
+    writer.write_image_data(rgb).unwrap();
+}
+
+fn read(path: &Path) -> Option<Vec<u8>> {
+    let mut reader = png::Decoder::new(BufReader::new(File::open(path).ok()?))
+        .read_info()
+        .ok()?;
+    let mut bytes = vec![0; reader.output_buffer_size()?];
+    let info = reader.next_frame(&mut bytes).ok()?;
+    bytes.truncate(info.buffer_size());
+    Some(bytes)
+}
+
+/// Compares an RGBA picture with the golden one of a name. Where they differ, both the picture and
+/// the difference (black where there is none) are written beside each other for a look.
+fn check(name: &str, rgba: &[u8]) {
+    let found: Vec<u8> = rgba.chunks(4).flat_map(|p| [p[0], p[1], p[2]]).collect();
+    let side = (rgba.len() / 4).isqrt();
+    if std::env::var_os("BUBBLESTONE_UPDATE").is_some() {
+        return write(&golden(name), side, &found);
+    }
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("pictures");
+    let actual = folder.join(format!("{name}.actual.png"));
+    let wanted = read(&golden(name)).filter(|wanted| wanted.len() == found.len());
+    let Some(wanted) = wanted else {
+        write(&actual, side, &found);
+        panic!(
+            "{name}: no golden picture of this size; see {}",
+            actual.display()
+        );
+    };
+    let apart: Vec<u8> = found
+        .iter()
+        .zip(&wanted)
+        .map(|(a, b)| a.abs_diff(*b))
+        .collect();
+    let others = apart
+        .chunks(3)
+        .filter(|p| p.iter().any(|&d| d > SAME))
+        .count();
+    if others * 1000 > OTHERS_PER_MILLE * side * side {
+        let diff = folder.join(format!("{name}.diff.png"));
+        write(&actual, side, &found);
+        write(
+            &diff,
+            side,
+            &apart
+                .iter()
+                .map(|d| d.saturating_mul(4))
+                .collect::<Vec<u8>>(),
+        );
+        panic!(
+            "{name}: {others} pixels differ; see {} and {}",
+            actual.display(),
+            diff.display()
+        );
+    }
+}
+
+#[test]
+fn pavements_look_as_they_did() {
+    for (name, link) in [
+        ("ring", "size=128&cs=14&hs=11"),
+        (
+            "star",
+            "size=128&outline=star&ow=1.5&on=6&cs=13&stone=flag&sv=0.96&hs=7&palette=terracotta&ground=mortar&el=50",
+        ),
+        (
+            "lantern",
+            "size=128&outline=y_fork&ow=1.4&cs=13&hs=12&palette=basalt&ground=dark&light=point&lx=0.5&ly=0.42&lz=0.2&diff=1.3",
+        ),
+        (
+            "moss",
+            "size=128&outline=road_s&ow=1.4&on=1&cs=12&vs=0.2&hs=9&cells=packed&palette=mossy&ground=moss",
+        ),
+    ] {
+        check(name, studio(link).picture().unwrap());
+    }
+}
+
+#[test]
+fn views_look_as_they_did() {
+    let mut studio = studio("size=128&outline=plaza&on=1&cs=14&gx=0.4&hs=10&palette=marble");
+    for (view, word) in View::ALL {
+        if view != View::Auto {
+            check(&format!("view-{word}"), studio.view(view));
+        }
+    }
+}

@@ -1,0 +1,289 @@
+//! The pipeline as a whole: slices, staleness, the latest recipe wins, views at any moment. The same
+//! tests run natively and in WebAssembly.
+
+use bubblestone::domain::Outline;
+use bubblestone::random::{Purpose, Random};
+use bubblestone::recipe::{PRESETS, Recipe};
+use bubblestone::studio::{Studio, View};
+use glam::DVec2;
+#[cfg(target_arch = "wasm32")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
+
+/// Small, and with everything switched on.
+const LINK: &str = "size=160&outline=annulus&cs=14&vs=0.1&gx=0.3";
+
+fn recipe(link: &str) -> Recipe {
+    let (recipe, notices) = Recipe::from_link(link);
+    assert!(notices.is_empty(), "{link}: {notices:?}");
+    recipe
+}
+
+fn with(recipe: &Recipe, key: &str, text: &str) -> Recipe {
+    let mut changed = recipe.clone();
+    assert_eq!(changed.set(key, text), Ok(None), "{key}={text}");
+    changed
+}
+
+fn finished(recipe: &Recipe) -> Studio {
+    let mut studio = Studio::new(recipe.clone());
+    assert_eq!(studio.finish(&mut || 0.0), Ok(()), "{}", recipe.link());
+    assert_eq!(studio.stage(), "done");
+    studio
+}
+
+/// A clock that goes on by one at each look.
+fn counting_clock() -> impl FnMut() -> f64 {
+    let mut time = 0.0;
+    move || {
+        time += 1.0;
+        time
+    }
+}
+
+fn run_on(studio: &mut Studio) {
+    assert_eq!(studio.finish(&mut counting_clock()), Ok(()));
+}
+
+#[test]
+fn slices_do_not_matter() {
+    let whole = finished(&recipe(LINK));
+    let mut clock = counting_clock();
+    for (budget, most_steps) in [(0.0, 1), (2.0, 1), (7.0, 3), (50.0, 1000)] {
+        let mut studio = Studio::new(recipe(LINK));
+        let mut ticks = 0;
+        while !studio.done() {
+            assert!(studio.tick(&mut clock, budget, most_steps));
+            ticks += 1;
+            // To look, and to ask for figures, changes nothing either.
+            if ticks % 5 == 0 {
+                studio.view(View::Auto);
+                assert!(studio.energy().is_finite());
+            }
+        }
+        assert!(ticks > 3);
+        assert!(!studio.tick(&mut clock, budget, most_steps));
+        assert_eq!(studio.digest(), whole.digest(), "budget {budget}");
+        assert_eq!(studio.picture(), whole.picture(), "budget {budget}");
+    }
+}
+
+#[test]
+fn steps_are_made_one_by_one() {
+    let mut studio = Studio::new(recipe(LINK));
+    let mut clock = counting_clock();
+    for wanted in 1..=3 {
+        studio.step(&mut clock);
+        assert_eq!(studio.packing().map(|p| p.report().step), Some(wanted));
+    }
+    // No steps allowed: the packing stands still, whatever the time.
+    assert!(!studio.tick(&mut clock, f64::INFINITY, 0));
+    assert_eq!(studio.stage(), "packing");
+    run_on(&mut studio);
+    let steps = studio.packing().map(|p| p.report().step);
+    studio.step(&mut clock);
+    assert_eq!(studio.packing().map(|p| p.report().step), steps);
+    assert_eq!(studio.digest(), finished(&recipe(LINK)).digest());
+}
+
+#[test]
+fn only_stale_stages_run_again() {
+    let base = recipe(LINK);
+    for (key, text, stage) in [
+        ("az", "10", "shading"),
+        ("af", "5", "solids"),
+        ("palette", "basalt", "solids"),
+        ("dr", "0.9", "solids"),
+        ("cells", "packed", "cells"),
+        ("seed", "77", "packing"),
+        ("cs", "20", "fields"),
+        ("ow", "0.8", "domain"),
+    ] {
+        let mut studio = finished(&base);
+        let steps = studio.packing().map(|p| p.particles());
+        let (cells, planes) = (studio.cells().to_vec(), studio.planes().cloned());
+        let changed = with(&base, key, text);
+        studio.set_recipe(changed.clone());
+        assert_eq!(studio.stage(), stage, "{key}");
+        assert_eq!(studio.digest(), "", "{key}");
+        run_on(&mut studio);
+        let kept = |same: bool, from: &str| assert_eq!(same, rank(stage) > rank(from), "{key}");
+        kept(studio.packing().map(|p| p.particles()) == steps, "packing");
+        kept(studio.cells() == cells, "cells");
+        kept(studio.planes() == planes.as_ref(), "planes");
+        assert_eq!(studio.digest(), finished(&changed).digest(), "{key}");
+    }
+}
+
+fn rank(stage: &str) -> usize {
+    let words = [
+        "domain", "fields", "packing", "mesh", "cells", "solids", "planes", "shading",
+    ];
+    words.iter().position(|w| *w == stage).unwrap()
+}
+
+#[test]
+fn the_same_recipe_makes_no_work() {
+    let mut studio = finished(&recipe(LINK));
+    studio.set_recipe(recipe(LINK));
+    assert!(studio.done());
+}
+
+/// Whatever is changed, and whenever, the end is that of the last recipe.
+#[test]
+fn the_latest_recipe_wins() {
+    let mut random = Random::new(3, Purpose::Placement, 0);
+    let mut clock = counting_clock();
+    let changes = [
+        ("az", ["30", "200"]),
+        ("af", ["0", "4"]),
+        ("vary", ["0.5", "1.5"]),
+        ("hs", ["9", "22"]),
+        ("cells", ["packed", "fitted"]),
+        ("cs", ["13", "17"]),
+        ("size", ["160", "128"]),
+        ("outline", ["star", "l_shape"]),
+    ];
+    for _ in 0..12 {
+        let mut wanted = recipe(LINK);
+        let mut studio = Studio::new(wanted.clone());
+        for _ in 0..6 {
+            for _ in 0..random.below(400) {
+                studio.tick(&mut clock, 0.0, 1);
+            }
+            let (key, texts) = changes[random.below(changes.len())];
+            wanted = with(&wanted, key, texts[random.below(2)]);
+            studio.set_recipe(wanted.clone());
+            let length = 4 * studio.side() * studio.side();
+            assert_eq!(studio.view(View::Auto).len(), length);
+        }
+        run_on(&mut studio);
+        assert_eq!(
+            studio.digest(),
+            finished(&wanted).digest(),
+            "{}",
+            wanted.link()
+        );
+        assert_eq!(studio.picture(), finished(&wanted).picture());
+        assert_eq!(studio.recipe(), &wanted);
+    }
+}
+
+#[test]
+fn every_view_is_whole_at_every_moment() {
+    let mut studio = Studio::new(recipe(LINK));
+    let mut clock = counting_clock();
+    let mut last = String::new();
+    loop {
+        if studio.stage() != last {
+            last = studio.stage().to_string();
+            for (view, word) in View::ALL {
+                assert_eq!(View::of_word(word), Some(view));
+                let frame = studio.view(view);
+                assert_eq!(frame.len(), 4 * 160 * 160, "{word} at {last}");
+                assert!(frame.chunks(4).all(|p| p[3] == 255), "{word} at {last}");
+            }
+        }
+        if !studio.tick(&mut clock, 0.0, 1) {
+            break;
+        }
+    }
+    assert_eq!(last, "done");
+    let picture = studio.picture().unwrap().to_vec();
+    assert_eq!(studio.view(View::Auto), picture);
+}
+
+#[test]
+fn the_old_picture_stays_until_the_new_one_is_there() {
+    let mut clock = counting_clock();
+    for (key, text) in [("az", "20"), ("af", "6"), ("cells", "packed")] {
+        let mut studio = finished(&recipe(LINK));
+        let old = studio.picture().unwrap().to_vec();
+        studio.set_recipe(with(&recipe(LINK), key, text));
+        while !studio.done() {
+            assert!(studio.view(View::Auto) == old, "{key}");
+            studio.tick(&mut clock, 0.0, 1);
+        }
+        assert!(studio.view(View::Auto) != old, "{key}");
+    }
+}
+
+#[test]
+fn an_exact_outline_is_used_as_it_is() {
+    let p = |x: f64, y: f64| DVec2::new(x, y);
+    let outline = Outline {
+        outer: vec![
+            p(10.1, 10.2),
+            p(140.3, 12.4),
+            p(120.5, 149.6),
+            p(15.7, 130.8),
+        ],
+        holes: vec![],
+    };
+    let made = Studio::with_outline(recipe("size=160&cs=14"), &outline);
+    let (mut studio, notices) = made.map_err(|e| panic!("{e}")).unwrap();
+    assert!(notices.is_empty());
+    run_on(&mut studio);
+    assert_eq!(studio.rings(), [&outline.outer[..]]);
+}
+
+#[test]
+fn bad_outlines_get_a_sentence() {
+    let p = |x: f64, y: f64| DVec2::new(x, y);
+    let bow_tie = vec![p(10., 10.), p(100., 100.), p(100., 10.), p(10., 100.)];
+    let nan = vec![p(10., 10.), p(f64::NAN, 10.), p(100., 100.)];
+    for outer in [bow_tie, nan, vec![], vec![p(1., 1.), p(2., 2.)]] {
+        let outline = Outline {
+            outer,
+            holes: vec![],
+        };
+        let sentence = Studio::with_outline(recipe(""), &outline).err().unwrap();
+        assert!(sentence.ends_with('.') && sentence.len() > 20, "{sentence}");
+        let mut studio = finished(&recipe(LINK));
+        let digest = studio.digest();
+        assert!(studio.set_exact_outline(&outline).is_err());
+        assert_eq!(studio.digest(), digest);
+    }
+}
+
+#[test]
+fn coarse_cells_in_small_outlines_do_no_harm() {
+    let p = |x: f64, y: f64| DVec2::new(x, y);
+    for reach in [12.0, 40.0, 150.0] {
+        let outline = Outline {
+            outer: vec![p(4., 4.), p(4. + reach, 5.), p(5., 4. + reach)],
+            holes: vec![],
+        };
+        for link in ["size=160&cs=80", "size=160&cs=80&edge=on", "size=160&cs=2"] {
+            let Ok((mut studio, _)) = Studio::with_outline(recipe(link), &outline) else {
+                continue;
+            };
+            match studio.finish(&mut || 0.0) {
+                Ok(()) => assert!(!studio.cells().is_empty()),
+                Err(sentence) => {
+                    assert!(sentence.ends_with('.'), "{sentence}");
+                    assert_eq!(
+                        (studio.stage(), studio.problem()),
+                        ("error", Some(&sentence[..]))
+                    );
+                    studio.view(View::Auto);
+                    studio.set_recipe(recipe("size=160&cs=4"));
+                    assert_ne!(studio.stage(), "error");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn every_preset_is_rendered() {
+    for preset in PRESETS {
+        let studio = finished(&recipe(preset.link));
+        let report = studio.packing().map(|p| p.report()).unwrap();
+        assert!(report.converged, "{}: {report:?}", preset.name);
+        let picture = studio.picture().unwrap();
+        let mut tones: Vec<u8> = picture.chunks(4).map(|p| p[1]).collect();
+        tones.sort_unstable();
+        let (dark, light) = (tones[tones.len() / 20], tones[tones.len() * 19 / 20]);
+        assert!(light - dark > 40, "{}: flat picture", preset.name);
+    }
+}

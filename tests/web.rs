@@ -1,0 +1,149 @@
+//! The face towards JavaScript, under Node.
+#![cfg(target_arch = "wasm32")]
+
+use bubblestone::web::{Bubblestone, digest_of_link, presets, random_seed, report_of_link, schema};
+use js_sys::{Array, Float64Array, Object, Reflect, Uint32Array};
+use wasm_bindgen::{JsCast, JsValue};
+use wasm_bindgen_test::wasm_bindgen_test;
+
+const LINK: &str = "size=160&outline=star&cs=14";
+
+fn property(object: &JsValue, key: &str) -> JsValue {
+    Reflect::get(object, &key.into()).unwrap()
+}
+
+fn number(object: &JsValue, key: &str) -> f64 {
+    property(object, key).as_f64().unwrap()
+}
+
+fn run(page: &mut Bubblestone) {
+    while !["done", "error"].contains(&page.stage().as_str()) {
+        page.tick(8.0, 4);
+    }
+}
+
+#[wasm_bindgen_test]
+fn a_link_becomes_planes() {
+    let mut page = Bubblestone::new(LINK);
+    assert!(page.notices().is_empty());
+    assert_eq!(
+        (page.stage().as_str(), page.digest().as_str()),
+        ("domain", "")
+    );
+    run(&mut page);
+    assert_eq!(
+        (page.stage().as_str(), page.problem().as_str()),
+        ("done", "")
+    );
+    assert_eq!(page.digest(), digest_of_link(LINK));
+    assert_eq!(page.side(), 160);
+    let again = digest_of_link(&format!("https://example.org/#{}", page.link()));
+    assert_eq!(page.digest(), again);
+}
+
+#[wasm_bindgen_test]
+fn the_status_has_its_figures() {
+    let mut page = Bubblestone::new(LINK);
+    run(&mut page);
+    let status = page.status();
+    for key in ["cells", "steps", "largestMove", "stones"] {
+        assert!(number(&status, key) > 0.0, "{key}");
+    }
+    for key in ["energy", "added", "removed"] {
+        assert!(number(&status, key).is_finite(), "{key}");
+    }
+    assert_eq!(property(&status, "converged"), JsValue::TRUE);
+    let ms = property(&status, "ms");
+    let stages = Object::keys(ms.unchecked_ref::<Object>());
+    assert_eq!(stages.length(), 8);
+    assert!(
+        stages
+            .iter()
+            .all(|s| number(&ms, &s.as_string().unwrap()) >= 0.0)
+    );
+}
+
+#[wasm_bindgen_test]
+fn parameters_are_set_by_text() {
+    let mut page = Bubblestone::new(LINK);
+    assert_eq!(page.set("cs", "20"), "");
+    assert_eq!(page.get("cs"), "20");
+    assert!(page.set("cs", "1e9").contains("cs"));
+    let kept = page.get("cs");
+    assert!(page.set("cs", "many").ends_with('.'));
+    assert_eq!(page.get("cs"), kept);
+    assert!(page.set("nonsense", "1").ends_with('.'));
+    assert!(page.open("cs=12&nonsense=1").len() == 1);
+    assert_eq!((page.get("cs").as_str(), page.notices().len()), ("12", 1));
+}
+
+#[wasm_bindgen_test]
+fn pausing_stepping_and_starting_again() {
+    let mut page = Bubblestone::new(LINK);
+    let steps = |page: &mut Bubblestone| number(&page.status(), "steps");
+    page.step();
+    page.step();
+    assert_eq!(steps(&mut page), 2.0);
+    assert!(!page.tick(50.0, 0));
+    assert_eq!(steps(&mut page), 2.0);
+    run(&mut page);
+    let digest = page.digest();
+    page.restart();
+    assert_eq!(page.stage(), "domain");
+    run(&mut page);
+    assert_eq!(page.digest(), digest);
+}
+
+#[wasm_bindgen_test]
+fn outlines_go_in_and_out() {
+    let mut page = Bubblestone::new(LINK);
+    let points = [20., 20., 140., 24., 136., 130., 18., 140.];
+    assert_eq!(page.set_outline(&points, &[4]), "");
+    assert_eq!(page.get("outline"), "polygon");
+    let outline = page.outline();
+    let back: Float64Array = property(&outline, "points").unchecked_into();
+    let near = |(a, b): (f64, &f64)| (a - b).abs() < 0.01;
+    assert!(back.to_vec().into_iter().zip(&points).all(near));
+    let rings: Uint32Array = property(&outline, "rings").unchecked_into();
+    assert_eq!(rings.to_vec(), [4]);
+    let link = page.link();
+    for (points, rings) in [
+        (vec![1., 2., 3.], vec![2]),
+        (vec![1., 2., f64::NAN, 4., 9., 9.], vec![3]),
+        (vec![10., 10., 100., 100., 100., 10., 10., 100.], vec![4]),
+        (vec![], vec![]),
+        (vec![1., 2.], vec![u32::MAX, 2]),
+    ] {
+        assert!(page.set_outline(&points, &rings).ends_with('.'));
+        assert_eq!(page.link(), link);
+    }
+}
+
+#[wasm_bindgen_test]
+fn tables_are_plain_objects() {
+    let schema: Array = schema();
+    assert!(schema.length() > 30);
+    for row in schema.iter() {
+        for key in ["key", "name", "kind", "help", "group", "stage"] {
+            assert!(property(&row, key).as_string().is_some(), "{key}");
+        }
+        assert!(number(&row, "min") <= number(&row, "max"));
+    }
+    for row in presets().iter() {
+        let link = property(&row, "link").as_string().unwrap();
+        assert!(Bubblestone::new(&link).notices().is_empty(), "{link}");
+    }
+}
+
+#[wasm_bindgen_test]
+fn reports_and_dice() {
+    let report = report_of_link(LINK);
+    assert!(number(&report, "cells") > 10.0);
+    assert_eq!(
+        property(&report, "hash").as_string(),
+        Some(digest_of_link(LINK))
+    );
+    assert_eq!(property(&report, "problem"), JsValue::UNDEFINED);
+    let throws: Vec<u32> = (0..4).map(|_| random_seed()).collect();
+    assert!(throws.iter().any(|&t| t != throws[0]));
+}

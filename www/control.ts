@@ -1,0 +1,189 @@
+/** One control of the panel: a label, the ways to change it, a reset, and its help. */
+import { make, symbol } from './dom';
+import { fromPlace, isLogarithmic, onStep, stepOf, toPlace } from './scale';
+import type { Parameter } from './types';
+
+/** Choices stand side by side where their labels, with some letters' room around each, have no more letters than this. */
+const SEGMENT_LETTERS = 38;
+const SEGMENT_ROOM = 4;
+
+/** Places on a slider's way. */
+const PLACES = 1000;
+
+export interface Control {
+  readonly parameter: Parameter;
+  readonly element: HTMLElement;
+  /** Shows the value that the engine holds. */
+  show(value: string): void;
+}
+
+/** `change` gets the new text; `last` is false while a slider is still on its way. */
+export type Change = (key: string, text: string, last: boolean) => void;
+
+interface Parts {
+  inputs: HTMLElement[];
+  show: (value: string) => void;
+}
+
+export function makeControl(parameter: Parameter, change: Change): Control {
+  const id = `p-${parameter.key}`;
+  const { inputs, show } = waysOf(parameter, id, change);
+  const numeric = parameter.kind === 'number' || parameter.kind === 'int';
+  const name = make(numeric || inputs[0]?.tagName === 'SELECT' ? 'label' : 'span', { class: 'name', id: `${id}-name` }, parameter.name);
+  if (name instanceof HTMLLabelElement) name.htmlFor = id;
+  if (parameter.symbol) name.append(' ', symbol(parameter.symbol));
+  const reset = make('button', { type: 'button', class: 'reset', title: `Back to ${shown(parameter, parameter.default)}` });
+  reset.setAttribute('aria-label', `Reset ${parameter.name} to ${shown(parameter, parameter.default)}`);
+  const help = make('span', { class: 'said', id: `${id}-help` }, parameter.help);
+  const element = make('div', { class: `control ${parameter.kind}`, 'data-key': parameter.key, title: parameter.help });
+  element.append(name, reset, ...inputs, help);
+
+  const back = (): void => change(parameter.key, parameter.default, true);
+  reset.addEventListener('click', () => {
+    back();
+    element.querySelector<HTMLElement>('input, select')?.focus();
+  });
+  for (const spot of [name, ...inputs.filter((input) => input.matches('[type=range]'))]) {
+    spot.addEventListener('dblclick', (event) => {
+      event.preventDefault();
+      back();
+    });
+  }
+  return {
+    parameter,
+    element,
+    show: (value) => {
+      element.toggleAttribute('data-changed', differs(parameter, value));
+      show(value);
+    },
+  };
+}
+
+/** Whether a value is not the default, however the number is written. */
+export function differs(parameter: Parameter, value: string): boolean {
+  const numeric = parameter.kind === 'number' || parameter.kind === 'int';
+  return numeric ? Number(value) !== Number(parameter.default) : value !== parameter.default;
+}
+
+function waysOf(parameter: Parameter, id: string, change: Change): Parts {
+  if (parameter.kind === 'choice') {
+    const letters = parameter.choices.reduce((sum, { label }) => sum + label.length + SEGMENT_ROOM, 0);
+    return letters > SEGMENT_LETTERS ? list(parameter, id, change) : segments(parameter, id, change);
+  }
+  return parameter.kind === 'flag' ? tick(parameter, id, change) : numberAndSlider(parameter, id, change);
+}
+
+/** How a value reads in a sentence. */
+function shown(parameter: Parameter, value: string): string {
+  const choice = parameter.choices.find(({ word }) => word === value);
+  return choice?.label ?? `${value}${parameter.unit && ` ${parameter.unit}`}`;
+}
+
+function numberAndSlider(parameter: Parameter, id: string, change: Change): Parts {
+  const { key, min, max, unit } = parameter;
+  const box = make('input', {
+    type: 'number',
+    id,
+    inputmode: min < 0 ? 'text' : 'decimal',
+    min: String(min),
+    max: String(max),
+    step: String(stepOf(parameter)),
+    'aria-describedby': `${id}-help ${id}-unit`,
+  });
+  const slider = make('input', {
+    type: 'range',
+    min: '0',
+    max: String(PLACES),
+    step: 'any',
+    'aria-label': parameter.name,
+    'aria-describedby': `${id}-help`,
+  });
+  const origin = String(toPlace(parameter, Math.max(min, 0)));
+  slider.style.setProperty('--origin', isLogarithmic(parameter) ? '0' : origin);
+  slider.style.setProperty('--default', String(toPlace(parameter, Number(parameter.default))));
+  const value = make('span', { class: 'value' }, box, make('span', { class: 'unit', id: `${id}-unit` }, unit));
+  const now = (): number => fromPlace(parameter, Number(slider.value) / PLACES);
+
+  box.addEventListener('change', () => change(key, box.value, true));
+  slider.addEventListener('input', () => change(key, String(now()), false));
+  slider.addEventListener('change', () => change(key, String(now()), true));
+  slider.addEventListener('keydown', (event) => {
+    const next = byKey(parameter, Number(box.value), event);
+    if (next === undefined) return;
+    event.preventDefault();
+    change(key, String(next), true);
+  });
+  return {
+    inputs: [value, slider],
+    show: (text) => {
+      const place = toPlace(parameter, Number(text));
+      // The number on its way is left alone; the slider under the finger as well, where it says the same.
+      if (box.value !== text) box.value = text;
+      if (now() !== Number(text) || document.activeElement !== slider) slider.value = String(place * PLACES);
+      slider.style.setProperty('--place', String(place));
+      slider.setAttribute('aria-valuetext', shown(parameter, text));
+    },
+  };
+}
+
+/** Arrow keys move by the parameter's step, page keys by a tenth of the way, whatever the slider's scale. */
+function byKey(parameter: Parameter, value: number, event: KeyboardEvent): number | undefined {
+  const step = stepOf(parameter);
+  const page = (way: number): number =>
+    isLogarithmic(parameter)
+      ? fromPlace(parameter, Math.min(1, Math.max(0, toPlace(parameter, value) + way / 10)))
+      : onStep(parameter, value + (way * (parameter.max - parameter.min)) / 10);
+  const fine = event.shiftKey ? 10 : 1;
+  switch (event.key) {
+    case 'ArrowRight':
+    case 'ArrowUp':
+      return onStep(parameter, value + step * fine);
+    case 'ArrowLeft':
+    case 'ArrowDown':
+      return onStep(parameter, value - step * fine);
+    case 'PageUp':
+      return page(1);
+    case 'PageDown':
+      return page(-1);
+    case 'Home':
+      return parameter.min;
+    case 'End':
+      return parameter.max;
+    default:
+      return undefined;
+  }
+}
+
+function list(parameter: Parameter, id: string, change: Change): Parts {
+  const select = make('select', { id, 'aria-describedby': `${id}-help` });
+  for (const { word, label } of parameter.choices) select.append(make('option', { value: word }, label));
+  select.addEventListener('change', () => change(parameter.key, select.value, true));
+  return { inputs: [select], show: (value) => void (select.value = value) };
+}
+
+function segments(parameter: Parameter, id: string, change: Change): Parts {
+  const row = make('div', {
+    class: 'segments',
+    role: 'radiogroup',
+    'aria-labelledby': `${id}-name`,
+    'aria-describedby': `${id}-help`,
+  });
+  const radios = parameter.choices.map(({ word, label }) => {
+    const radio = make('input', { type: 'radio', name: id, value: word });
+    radio.addEventListener('change', () => change(parameter.key, word, true));
+    row.append(make('label', {}, radio, make('span', {}, label)));
+    return radio;
+  });
+  return {
+    inputs: [row],
+    show: (value) => {
+      for (const radio of radios) radio.checked = radio.value === value;
+    },
+  };
+}
+
+function tick(parameter: Parameter, id: string, change: Change): Parts {
+  const box = make('input', { type: 'checkbox', id, 'aria-labelledby': `${id}-name`, 'aria-describedby': `${id}-help` });
+  box.addEventListener('change', () => change(parameter.key, box.checked ? '1' : '0', true));
+  return { inputs: [box], show: (value) => void (box.checked = value === '1' || value === 'true' || value === 'on') };
+}

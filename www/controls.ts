@@ -1,0 +1,83 @@
+/** The panel: every parameter of the schema as a control, in groups in the order of the pipeline. */
+import { differs, makeControl, type Change, type Control } from './control';
+import { byId, byIdAs, make, say } from './dom';
+import type { Parameter } from './types';
+
+/** Parameters that have their own place on the page. */
+const ELSEWHERE = new Set(['seed', 'poly']);
+
+/** Groups that stand open at first where there is room; on a phone only the first of them does. */
+const OPEN_AT_FIRST = ['Outline', 'Fields', 'Stones', 'Surface'];
+
+interface Group {
+  readonly details: HTMLDetailsElement;
+  readonly badge: HTMLElement;
+  readonly controls: Control[];
+}
+
+export class Controls {
+  private readonly groups = new Map<string, Group>();
+  private readonly get: (key: string) => string;
+
+  constructor(schema: Parameter[], get: (key: string) => string, change: Change) {
+    this.get = get;
+    const form = byIdAs('controls', HTMLFormElement);
+    form.replaceChildren();
+    form.addEventListener('submit', (event) => event.preventDefault());
+    for (const parameter of schema) {
+      if (ELSEWHERE.has(parameter.key) || parameter.kind === 'text' || parameter.choices.length === 1) continue;
+      const control = makeControl(parameter, change);
+      this.group(parameter.group, form).controls.push(control);
+      this.group(parameter.group, form).details.append(control.element);
+    }
+    hintFrom(form);
+  }
+
+  /** Appends something of the page's own to a group. */
+  append(group: string, element: HTMLElement): void {
+    this.groups.get(group)?.details.append(element);
+  }
+
+  /** Shows what the engine holds: values, which controls apply, how many differ from the default. */
+  refresh(): void {
+    for (const { controls, badge, details } of this.groups.values()) {
+      let changed = 0;
+      for (const control of controls) {
+        const { parameter, element } = control;
+        const value = this.get(parameter.key);
+        control.show(value);
+        const rule = parameter.shownFor;
+        element.hidden = rule !== undefined && !rule.words.includes(this.get(rule.key));
+        if (!element.hidden && differs(parameter, value)) changed += 1;
+      }
+      say(badge, changed ? `${changed} changed` : '');
+      details.hidden = controls.every(({ element }) => element.hidden);
+    }
+  }
+
+  private group(name: string, form: HTMLFormElement): Group {
+    const known = this.groups.get(name);
+    if (known) return known;
+    const badge = make('span', { class: 'badge' });
+    const details = make('details', { class: 'group' }, make('summary', {}, make('span', {}, name), badge));
+    const narrow = matchMedia('(max-width: 60rem)').matches;
+    details.open = narrow ? this.groups.size === 0 : OPEN_AT_FIRST.includes(name);
+    const group = { details, badge, controls: [] };
+    this.groups.set(name, group);
+    form.append(details);
+    return group;
+  }
+}
+
+/** The help of the control under the pointer or the keyboard, in one line at the panel's foot. */
+function hintFrom(form: HTMLFormElement): void {
+  const hint = byId('hint');
+  const show = (event: Event): void => {
+    const control = event.target instanceof Element ? event.target.closest('.control') : null;
+    say(hint, control?.querySelector('[id$="-help"]')?.textContent ?? '');
+  };
+  form.addEventListener('pointerover', show);
+  form.addEventListener('focusin', show);
+  form.addEventListener('pointerleave', () => say(hint, ''));
+  form.addEventListener('focusout', () => say(hint, ''));
+}

@@ -1,0 +1,39 @@
+/** Small helpers for plain elements. */
+
+/** The element with this id; the page's own markup promises it. */
+export function byId(id: string): HTMLElement {
+  return byIdAs(id, HTMLElement);
+}
+
+/** The same, of a certain class. */
+export function byIdAs<T extends Element>(id: string, kind: new () => T): T {
+  const found = document.getElementById(id);
+  if (!(found instanceof kind)) throw new Error(`The page has no element “${id}” that is a ${kind.name}.`);
+  return found;
+}
+
+/** Makes an element with attributes ('' sets a bare one, undefined leaves it out) and children. */
+export function make<K extends keyof HTMLElementTagNameMap>(
+  tag: K,
+  attributes: Record<string, string | undefined> = {},
+  ...children: (Node | string)[]
+): HTMLElementTagNameMap[K] {
+  const element = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) {
+    if (value !== undefined) element.setAttribute(name, value);
+  }
+  element.append(...children);
+  return element;
+}
+
+/** Sets a text only when it differs, so that idle frames touch nothing. */
+export function say(element: Element, text: string): void {
+  if (element.textContent !== text) element.textContent = text;
+}
+
+/** A paper's symbol, the way it is printed: first letter in italics, the rest lowered. */
+export function symbol(text: string): HTMLElement {
+  const sign = make('i', { class: 'symbol' }, text.slice(0, 1));
+  if (text.length > 1) sign.append(make('sub', {}, text.slice(1)));
+  return sign;
+}

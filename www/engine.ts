@@ -1,0 +1,179 @@
+/**
+ * The studio in WebAssembly behind one guard: when a call fails, the page is told once, and later
+ * calls answer with harmless values instead of failing again.
+ */
+import init, { Bubblestone, presets, random_seed, schema } from '../pkg/bubblestone.js';
+import type { Parameter, Point, Preset, Ring, Status } from './types';
+
+/** The schema gives the defaults of numbers as numbers. */
+type RawParameter = Omit<Parameter, 'default'> & { default: string | number };
+
+/** What became of an outline. */
+export interface OutlineAnswer {
+  /** It cannot be used, and the last good one stays. */
+  refused: boolean;
+  /** Why it was refused, or what was mended; '' where there is nothing to say. */
+  sentence: string;
+}
+
+const NO_STATUS: Status = {
+  cells: 0,
+  steps: 0,
+  largestMove: 0,
+  energy: 0,
+  added: 0,
+  removed: 0,
+  converged: false,
+  stones: 0,
+  ms: {},
+};
+
+/** Loads the module. Throws an Error whose message is a sentence for the visitor. */
+export async function load(): Promise<void> {
+  if (typeof WebAssembly !== 'object') {
+    throw new Error('This browser has no WebAssembly, which Bubblestone needs. Any browser since about 2021 will do.');
+  }
+  try {
+    await init();
+  } catch (error) {
+    if (error instanceof WebAssembly.CompileError) {
+      throw new Error('This browser is too old for the WebAssembly of Bubblestone. Please update it (Safari: 16.4 or later).', { cause: error });
+    }
+    throw new Error('The WebAssembly part of Bubblestone could not be loaded. Please check the connection and load the page again.', { cause: error });
+  }
+}
+
+export class Engine {
+  private readonly core: Bubblestone | undefined;
+  private readonly crashed: (error: unknown, link: string) => void;
+  private dead = false;
+  private lastLink: string;
+  readonly schema: Parameter[];
+  readonly presets: Preset[];
+
+  /** Never throws; a failure reaches `crashed` with the last known link. */
+  constructor(link: string, crashed: (error: unknown, link: string) => void) {
+    this.crashed = crashed;
+    this.lastLink = link.replace(/^#/, '');
+    this.schema = this.guard(() => (schema() as RawParameter[]).map((row) => ({ ...row, default: String(row.default) })), []);
+    this.presets = this.guard(() => presets() as Preset[], []);
+    this.core = this.guard(() => new Bubblestone(link), undefined);
+  }
+
+  get alive(): boolean {
+    return !this.dead;
+  }
+
+  open(link: string): string[] {
+    this.lastLink = link.replace(/^#/, '');
+    return this.ask((core) => core.open(link), []);
+  }
+
+  notices(): string[] {
+    return this.ask((core) => core.notices(), []);
+  }
+
+  /** The link's fragment, without '#'. */
+  link(): string {
+    this.lastLink = this.ask((core) => core.link(), this.lastLink);
+    return this.lastLink;
+  }
+
+  /** '' or a sentence about what was clamped or refused. */
+  set(key: string, text: string): string {
+    return this.ask((core) => core.set(key, text), '');
+  }
+
+  get(key: string): string {
+    return this.ask((core) => core.get(key), '');
+  }
+
+  /** Works for about `budget` milliseconds; true when what is shown may have changed. */
+  tick(budget: number, steps: number): boolean {
+    return this.ask((core) => core.tick(budget, steps), false);
+  }
+
+  step(): void {
+    this.ask((core) => core.step(), undefined);
+  }
+
+  restart(): void {
+    this.ask((core) => core.restart(), undefined);
+  }
+
+  /** The word of the stage at work, then 'done', or 'error' where no pavement can be made. */
+  stage(): string {
+    return this.ask((core) => core.stage(), 'error');
+  }
+
+  /** Why the stage is 'error'; '' while all is well. */
+  problem(): string {
+    return this.ask((core) => core.problem(), '');
+  }
+
+  status(): Status {
+    return this.ask((core) => core.status() as Status, NO_STATUS);
+  }
+
+  draw(context: CanvasRenderingContext2D, view: string): void {
+    this.ask((core) => core.draw(context, view), undefined);
+  }
+
+  digest(): string {
+    return this.ask((core) => core.digest(), '');
+  }
+
+  side(): number {
+    return this.ask((core) => core.side(), 512);
+  }
+
+  setOutline(rings: Ring[]): OutlineAnswer {
+    const points = new Float64Array(rings.flat(2));
+    const lengths = new Uint32Array(rings.map((ring) => ring.length));
+    const before = this.get('poly');
+    const sentence = this.ask((core) => core.setOutline(points, lengths), '');
+    const same = this.get('outline') !== 'polygon' || this.get('poly') === before;
+    return { refused: sentence !== '' && same, sentence };
+  }
+
+  outline(): Ring[] {
+    const none = { points: new Float64Array(), rings: new Uint32Array() };
+    const { points, rings } = this.ask(
+      (core) => core.outline() as { points: Float64Array; rings: Uint32Array },
+      none,
+    );
+    let at = 0;
+    return Array.from(rings, (count) =>
+      Array.from({ length: count }, (): Point => {
+        const point: Point = [points[at] ?? 0, points[at + 1] ?? 0];
+        at += 2;
+        return point;
+      }),
+    );
+  }
+
+  randomSeed(): number {
+    return this.guard(() => random_seed(), 1);
+  }
+
+  free(): void {
+    if (!this.dead) this.ask((core) => core.free(), undefined);
+    this.dead = true;
+  }
+
+  private ask<T>(call: (core: Bubblestone) => T, otherwise: T): T {
+    const core = this.core;
+    return core ? this.guard(() => call(core), otherwise) : otherwise;
+  }
+
+  private guard<T>(call: () => T, otherwise: T): T {
+    if (this.dead) return otherwise;
+    try {
+      return call();
+    } catch (error) {
+      this.dead = true;
+      this.crashed(error, this.lastLink);
+      return otherwise;
+    }
+  }
+}

@@ -1,0 +1,93 @@
+/** The animation frames: a slice of work in each, none when there is nothing to do or to see. */
+import type { Engine } from './engine';
+
+/** Milliseconds of work in a frame; the rest of it belongs to the browser. */
+const BUDGET = 8;
+
+/** Drawing that takes longer than this many milliseconds is done in some frames only: it may take this part of the time. */
+const DRAWN_ALWAYS = 8;
+const DRAWING_SHARE = 0.25;
+
+export class Loop {
+  /** Packing steps that a frame may take at most; below 1, several frames share one. */
+  stepsPerFrame = 1;
+  private credit = 0;
+  private readonly engine: Engine;
+  private readonly drawn: (stage: string, changed: boolean) => void;
+  private held = false;
+  /** While held: run up to the packing and what follows a finished packing, but take no packing step. */
+  private settling = false;
+  private dirty = true;
+  private frame = 0;
+  /** Not before this time is work in progress drawn again; what was asked for and what is done is drawn at once. */
+  private nextDrawing = 0;
+
+  /** `drawn` is called in every frame in which something was done. */
+  constructor(engine: Engine, drawn: (stage: string, changed: boolean) => void) {
+    this.engine = engine;
+    this.drawn = drawn;
+    document.addEventListener('visibilitychange', () => this.wake());
+  }
+
+  get paused(): boolean {
+    return this.held;
+  }
+
+  set paused(paused: boolean) {
+    this.held = paused;
+    this.settling = false;
+    // A pause shows the step that it holds, which may not have been drawn.
+    this.redraw();
+  }
+
+  /** Something was changed: work and draw again, up to where a pause holds the packing. */
+  changed(): void {
+    this.settling = true;
+    this.redraw();
+  }
+
+  /** What is to be seen was changed, but not what it is made of. */
+  redraw(): void {
+    this.dirty = true;
+    this.wake();
+  }
+
+  private wake(): void {
+    if (!this.frame && !document.hidden) this.frame = requestAnimationFrame(() => this.run());
+  }
+
+  /** Whole steps for this frame; what is left over goes to the next one. */
+  private stepsNow(): number {
+    this.credit += this.stepsPerFrame;
+    const steps = Math.floor(this.credit);
+    this.credit -= steps;
+    return steps;
+  }
+
+  private show(stage: string, draw: boolean): void {
+    const begin = performance.now();
+    this.drawn(stage, draw);
+    const end = performance.now();
+    if (draw) this.nextDrawing = end - begin > DRAWN_ALWAYS ? end + (end - begin) * (1 / DRAWING_SHARE - 1) : end;
+  }
+
+  private run(): void {
+    this.frame = 0;
+    if (document.hidden || !this.engine.alive) return;
+    const before = this.engine.stage();
+    const working = !isEnd(before) && (!this.held || this.settling);
+    const changed = working && this.engine.tick(BUDGET, this.held ? 0 : this.stepsNow());
+    const stage = this.engine.stage();
+    if (isEnd(stage) || (this.held && stage === 'packing')) this.settling = false;
+    const due = changed && performance.now() >= this.nextDrawing;
+    const draw = this.dirty || due || isEnd(stage) || (this.held && stage !== before);
+    this.dirty = false;
+    this.show(stage, draw);
+    if (!isEnd(stage) && (!this.held || this.settling)) this.wake();
+  }
+}
+
+/** Whether there is no work left at this stage. */
+export function isEnd(stage: string): boolean {
+  return stage === 'done' || stage === 'error';
+}

@@ -1,0 +1,57 @@
+/** Fewer points for an outline that is to be edited by hand: Douglas and Peucker (1973), ring by ring. */
+import type { Point, Ring } from './types';
+
+/** The first tolerance, as a fraction of the picture's side, and how it grows until the points are few. */
+const FIRST_TOLERANCE = 0.0008;
+const GROWTH = 1.35;
+
+/** The same outline with at most `most` points in all; rings keep at least three. */
+export function simplify(rings: Ring[], side: number, most: number): Ring[] {
+  let fewer = rings;
+  for (let tolerance = FIRST_TOLERANCE * side; count(fewer) > most && tolerance < side; tolerance *= GROWTH) {
+    fewer = rings.map((ring) => thin(ring, tolerance));
+  }
+  return fewer;
+}
+
+function count(rings: Ring[]): number {
+  return rings.reduce((total, ring) => total + ring.length, 0);
+}
+
+/** A ring is cut at its first point and the one farthest from it, and each half thinned as an open line. */
+function thin(ring: Ring, tolerance: number): Ring {
+  const first = ring[0];
+  if (!first || ring.length < 5) return ring;
+  const half = farthest(ring, (point) => Math.hypot(point[0] - first[0], point[1] - first[1])).index;
+  const there = thinLine(ring.slice(0, half + 1), tolerance);
+  const back = thinLine([...ring.slice(half), first], tolerance);
+  const thinned = [...there.slice(0, -1), ...back.slice(0, -1)];
+  return thinned.length < 3 ? ring : thinned;
+}
+
+function thinLine(line: Ring, tolerance: number): Ring {
+  const from = line[0];
+  const to = line[line.length - 1];
+  if (!from || !to || line.length < 3) return line;
+  const { index, distance } = farthest(line, (point) => toSegment(point, from, to));
+  if (distance <= tolerance) return [from, to];
+  return [...thinLine(line.slice(0, index + 1), tolerance).slice(0, -1), ...thinLine(line.slice(index), tolerance)];
+}
+
+function farthest(line: Ring, measure: (point: Point) => number): { index: number; distance: number } {
+  let found = { index: 0, distance: -1 };
+  line.forEach((point, index) => {
+    const distance = measure(point);
+    if (distance > found.distance) found = { index, distance };
+  });
+  return found;
+}
+
+/** Distance from a point to a segment. */
+export function toSegment(point: Point, from: Point, to: Point): number {
+  const [x, y] = [to[0] - from[0], to[1] - from[1]];
+  const length = x * x + y * y;
+  const along = length > 0 ? ((point[0] - from[0]) * x + (point[1] - from[1]) * y) / length : 0;
+  const t = Math.min(1, Math.max(0, along));
+  return Math.hypot(point[0] - from[0] - t * x, point[1] - from[1] - t * y);
+}

@@ -1,0 +1,97 @@
+/** The state of the work: the stages with their milliseconds, the counts, and the caption. */
+import { byId, make, say } from './dom';
+import { STAGES, type Preset, type Status } from './types';
+
+const COUNTS = ['cells', 'steps', 'move', 'added'] as const;
+const COUNT_LABELS: Record<(typeof COUNTS)[number], [label: string, help: string]> = {
+  cells: ['Cells', 'Cells in the packing'],
+  steps: ['Steps', 'Packing steps taken'],
+  move: ['Largest move', 'In the last step, in cell sizes'],
+  added: ['Added, removed', 'Cells added to the first placement, and taken away, so far'],
+};
+
+export class StatusLine {
+  private readonly stages = new Map<string, { item: HTMLElement; time: HTMLElement }>();
+  private readonly counts = new Map<string, HTMLElement>();
+  private readonly caption = byId('caption');
+
+  constructor() {
+    const pipeline = byId('pipeline');
+    pipeline.replaceChildren();
+    for (const { word, label } of STAGES) {
+      const time = make('span', { class: 'time' }, '–');
+      const item = make('li', { 'data-word': word }, make('span', { class: 'word' }, label), time);
+      this.stages.set(word, { item, time });
+      pipeline.append(item);
+    }
+    const list = byId('counts');
+    list.replaceChildren();
+    for (const count of COUNTS) {
+      const [label, help] = COUNT_LABELS[count];
+      const value = make('dd', { id: `count-${count}` }, '–');
+      list.append(make('div', { title: help }, make('dt', {}, label), value));
+      this.counts.set(count, value);
+    }
+  }
+
+  show(stage: string, status: Status): void {
+    const at = STAGES.findIndex(({ word }) => word === stage);
+    STAGES.forEach(({ word }, index) => {
+      const parts = this.stages.get(word);
+      if (!parts) return;
+      const state = stage === 'done' || index < at ? 'done' : index === at ? 'now' : 'next';
+      if (parts.item.dataset['state'] !== state) parts.item.dataset['state'] = state;
+      if (state === 'now') parts.item.setAttribute('aria-current', 'step');
+      else parts.item.removeAttribute('aria-current');
+      const spent = status.ms[word];
+      say(parts.time, state === 'next' || spent === undefined ? '–' : `${milliseconds(spent)} ms`);
+    });
+    this.count('cells', String(status.cells));
+    this.count('steps', String(status.steps));
+    this.count('move', status.steps ? status.largestMove.toFixed(3) : '–');
+    this.count('added', `+${status.added} −${status.removed}`);
+  }
+
+  /** What is shown, and where the papers print how long they took, their seconds beside ours. */
+  name(preset: Preset | undefined, changed: boolean, stage: string, status: Status): void {
+    if (!preset) return say(this.caption, 'A pavement of your own.');
+    const title = `${changed ? 'After ' : ''}${preset.figure || preset.title}${changed || !preset.note ? '.' : ':'}`;
+    const parts = [make('strong', {}, title), ...(preset.note && !changed ? [` ${preset.note}`] : [])];
+    if (preset.packingSeconds !== null && preset.textureSeconds !== null && !changed) {
+      const { packing, texture } = ourSeconds(status);
+      const ours = stage === 'done' ? `here ${packing} s and ${texture} s.` : 'here …';
+      parts.push(
+        make(
+          'span',
+          { class: 'seconds', title: 'Packing and texture. The paper: Pentium II, 300 MHz' },
+          `Packing and texture: in the paper ${preset.packingSeconds} s and ${preset.textureSeconds} s, ${ours}`,
+        ),
+      );
+    }
+    const text = parts.map((part) => (typeof part === 'string' ? part : part.textContent)).join('');
+    if (this.caption.textContent !== text) this.caption.replaceChildren(...parts);
+  }
+
+  private count(name: (typeof COUNTS)[number], text: string): void {
+    const value = this.counts.get(name);
+    if (value) say(value, text);
+  }
+}
+
+function milliseconds(spent: number): string {
+  return spent < 9.95 ? spent.toFixed(1) : spent.toFixed(0);
+}
+
+/** Two digits that count, of which the papers print one or two as well. */
+function seconds(milliseconds: number): string {
+  return milliseconds < 1 ? 'below 0.001' : String(Number((milliseconds / 1000).toPrecision(2)));
+}
+
+/** Seconds of packing and of making the texture, divided as the papers do. */
+function ourSeconds(status: Status): { packing: string; texture: string } {
+  const sum = (...words: string[]): string => seconds(words.reduce((total, word) => total + (status.ms[word] ?? 0), 0));
+  return {
+    packing: sum('domain', 'fields', 'packing'),
+    texture: sum('mesh', 'cells', 'solids', 'planes', 'shading'),
+  };
+}
