@@ -22,7 +22,7 @@ await start(async () => {
   setup.npmPackages();
   const env = setup.wasmRust();
   setup.wasmTools();
-  const folder = buildWasm('bench', env);
+  const folder = await buildWasm('bench', env);
   const native = runNative();
   const wasm = await runWasm(folder);
   print(native, wasm);

@@ -9,6 +9,6 @@ await start(async () => {
   setup.npmPackages();
   const env = setup.wasmRust();
   setup.wasmTools();
-  buildWasm('web', env);
+  await buildWasm('web', env);
   await buildSite();
 });

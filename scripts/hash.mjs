@@ -13,7 +13,7 @@ await start(() => {
   setup.npmPackages();
   const env = setup.wasmRust();
   setup.wasmTools();
-  const folder = buildWasm('nodejs', env);
+  const folder = await buildWasm('nodejs', env);
   const { digest_of_link: digestOfLink } = createRequire(import.meta.url)(join(folder, 'bubblestone.js'));
   if (!digestOfLink) throw new Stop('The module exports no digest_of_link: see src/web.rs.');
   console.log(digestOfLink(link));

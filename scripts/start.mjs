@@ -8,7 +8,7 @@ await start(async () => {
   setup.npmPackages();
   const env = setup.wasmRust();
   setup.wasmTools();
-  buildWasm('web', env);
+  await buildWasm('web', env);
   await serve();
 });
 

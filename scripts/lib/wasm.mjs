@@ -4,7 +4,6 @@ import { existsSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { root, run, say, Stop } from './run.mjs';
 import { targetDir, wasmTarget, wasmTargetDir } from './rust.mjs';
-import { trim } from './trim.mjs';
 
 /** Where the page's module, Node's and the one with the benchmarks are. */
 export const pageModule = join(root, 'pkg');
@@ -19,7 +18,7 @@ const recipe = ['Cargo.toml', 'Cargo.lock', 'package-lock.json', 'scripts/lib/wa
  * @param {'web' | 'nodejs' | 'bench'} kind bench: for Node, with the benchmarks
  * @param {NodeJS.ProcessEnv} env of the Rust for WebAssembly
  */
-export function buildWasm(kind, env) {
+export async function buildWasm(kind, env) {
   const folder = { web: pageModule, nodejs: nodeModule, bench: benchModule }[kind];
   const target = kind === 'web' ? 'web' : 'nodejs';
   const features = kind === 'bench' ? ['--features', 'bench'] : [];
@@ -34,6 +33,8 @@ export function buildWasm(kind, env) {
   const extra = features.length ? ['--', ...features] : [];
   run('wasm-pack', ['build', '--mode', 'no-install', '--profiling', '--target', target, '--out-dir', folder, ...extra], { env });
   const module = join(folder, 'bubblestone_bg.wasm');
+  // Only here: this file is read before the npm packages are installed.
+  const { trim } = await import('./trim.mjs');
   trim(module);
   run('wasm-opt', [module, '-o', module, ...optimizing()], { env });
   writeFileSync(stamp, source);
