@@ -5,7 +5,7 @@ import { keepOutputForAnswer, start, Stop } from './lib/run.mjs';
 import * as setup from './lib/setup.mjs';
 import { buildWasm } from './lib/wasm.mjs';
 
-await start(() => {
+await start(async () => {
   keepOutputForAnswer();
   const [link] = process.argv.slice(2);
   if (link === undefined) throw new Stop("Give a link or its fragment: npm run hash -- '<link>'.");
