@@ -3,7 +3,7 @@
 
 use bubblestone::cells::{Cell, fitted, packed};
 use bubblestone::domain::{Domain, Outline, signed_area};
-use bubblestone::field::{Direction, FieldBuilder, FieldParams, Fields};
+use bubblestone::field::{Direction, FieldBuilder, FieldParams, Fields, Kind};
 use bubblestone::mesh::Mesh;
 use bubblestone::packing::{
     Edge, Integrator, Packing, PackingParams, Particle, Population, Start, StepReport,
@@ -62,6 +62,8 @@ fn fields(domain: &Domain, size: f64) -> Fields {
         direction: Direction::Boundary,
         angle: 0.0,
         power: 4,
+        kind: Kind::Square,
+        aspect: 1.0,
         size,
         linear: DVec2::ZERO,
         radial: 0.0,

@@ -3,6 +3,7 @@
 mod quarry;
 
 use bubblestone::cells::Cell;
+use bubblestone::field::Kind;
 use bubblestone::solid::{Quarry, Solid, Spread, StoneKind, StoneParams, joint_depth};
 use bubblestone::texture::{GROUND, GROUNDS, PALETTES, TextureParams, optics_table};
 use glam::{DVec2, Vec3};
@@ -170,7 +171,9 @@ fn degenerate_cells_do_no_harm() {
         .map(|(id, ring)| Cell {
             id,
             centre: p(5., 5.),
+            kind: Kind::Square,
             size: 4.0,
+            aspect: 1.0,
             axis: DVec2::ZERO,
             ring,
         })

@@ -8,6 +8,7 @@
 use super::Cell;
 use super::rings::rings;
 use crate::domain::{Domain, cross, signed_area};
+use crate::field::Kind;
 use crate::mesh::{Delaunay, insert};
 use crate::order;
 use crate::packing::Particle;
@@ -452,7 +453,9 @@ impl Arrangement {
                 cells.push(Cell {
                     id: nameless,
                     centre,
+                    kind: Kind::default(),
                     size: self.regions[region as usize].size,
+                    aspect: 1.0,
                     axis: DVec2::ZERO,
                     ring,
                 });

@@ -82,7 +82,9 @@ pub(super) fn cell(p: &Particle, ring: Vec<DVec2>) -> Cell {
     Cell {
         id: p.id,
         centre: p.centre,
+        kind: p.kind,
         size: p.size,
+        aspect: p.aspect,
         axis: p.axis,
         ring,
     }

@@ -11,6 +11,7 @@ mod straighten;
 pub use fitted::{Fitting, fitted};
 pub use packed::packed;
 
+use crate::field::Kind;
 use glam::DVec2;
 
 /// The ground plan of one stone.
@@ -20,8 +21,12 @@ pub struct Cell {
     pub id: u32,
     /// The packed particle's centre; inside the ring for any sensible cell.
     pub centre: DVec2,
+    /// The packed particle's kind.
+    pub kind: Kind,
     /// The size the cell was asked to have (the side of its square), in picture units.
     pub size: f64,
+    /// The length over width that it was asked to have; 1 for squares and circles.
+    pub aspect: f64,
     /// Unit vector of the direction field at the centre, or zero where the field has none.
     pub axis: DVec2,
     /// A simple ring, not closed, of positive shoelace area (clockwise on screen), at least 3 points.

@@ -34,7 +34,9 @@ pub fn packed(particles: &[Particle]) -> Vec<Cell> {
             Cell {
                 id: p.id,
                 centre: p.centre,
+                kind: p.kind,
                 size: p.size,
+                aspect: p.aspect,
                 axis: p.axis,
                 ring: [-e - f, e - f, e + f, f - e].map(|c| p.centre + c).to_vec(),
             }

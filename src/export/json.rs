@@ -73,6 +73,7 @@ pub fn text(s: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::field::Kind;
 
     #[test]
     fn numbers_read_back_as_the_same_bits() {
@@ -93,7 +94,9 @@ mod tests {
         let cell = Cell {
             id: 3,
             centre: DVec2::ZERO,
+            kind: Kind::Square,
             size: 1.0,
+            aspect: 1.0,
             axis: DVec2::X,
             ring,
         };

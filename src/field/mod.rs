@@ -4,6 +4,9 @@
 //! interpolated is the representation vector (cos 4t, sin 4t), never an angle.
 
 mod boundary;
+mod kind;
+
+pub use kind::Kind;
 
 use crate::domain::Domain;
 use boundary::{Source, direction, printed_vector};
@@ -30,7 +33,12 @@ pub struct FieldParams {
     pub angle: f64,
     /// Power of the distance in [`Direction::Boundary`]: 2 (as printed), 3 or 4.
     pub power: u32,
-    /// Mean side of a cell (Cs), picture units.
+    /// Kind of the cells.
+    pub kind: Kind,
+    /// Aspect ratio of stretched cells (Ca), 1..5: length along the direction over width.
+    pub aspect: f64,
+    /// Mean side of a cell (Cs), picture units: a stretched one has the area of a square of this
+    /// side.
     pub size: f64,
     /// Relative change of the size from the picture's middle to its right and lower edge, -0.8..0.8.
     pub linear: DVec2,
@@ -156,6 +164,20 @@ impl Fields {
         }
     }
 
+    /// The kind of a cell at this point.
+    pub fn kind(&self, _p: DVec2) -> Kind {
+        self.params.kind
+    }
+
+    /// Length over width of a cell at this point: 1 for squares and circles, else 1..5.
+    pub fn aspect(&self, p: DVec2) -> f64 {
+        if self.kind(p).is_stretched() {
+            self.params.aspect
+        } else {
+            1.0
+        }
+    }
+
     fn interpolate(&self, p: DVec2) -> DVec2 {
         let at = (p - self.origin) / self.step;
         let last = DVec2::new((self.columns - 2) as f64, (self.rows - 2) as f64);
@@ -207,6 +229,8 @@ mod tests {
             direction,
             angle: 0.3,
             power: 4,
+            kind: Kind::Square,
+            aspect: 1.0,
             size: 20.0,
             linear: DVec2::ZERO,
             radial: 0.0,

@@ -15,7 +15,7 @@ mod wall;
 pub(crate) use grid::Grid;
 
 use crate::domain::{Domain, Facing};
-use crate::field::Fields;
+use crate::field::{Fields, Kind};
 use crate::order;
 use crate::random::{Purpose, Random};
 use glam::DVec2;
@@ -117,8 +117,13 @@ pub struct Particle {
     pub id: u32,
     /// Where it is.
     pub centre: DVec2,
-    /// The side of its square.
+    /// Its shape.
+    pub kind: Kind,
+    /// The side of its square, the diameter of its circle; a stretched cell has half axes of
+    /// `size / 2` times and over the root of `aspect`.
     pub size: f64,
+    /// Length along `axis` over width; 1 for squares and circles.
+    pub aspect: f64,
     /// Unit vector along a side; zero where the direction field vanishes.
     pub axis: DVec2,
     /// Its centre is held on the boundary.
@@ -161,6 +166,7 @@ impl Body {
         self.particle.centre = centre;
         self.particle.axis = fields.direction(centre);
         self.particle.size = self.factor * fields.size(centre);
+        self.particle.aspect = fields.aspect(centre);
     }
 }
 
@@ -216,7 +222,9 @@ impl Packing {
         let particle = Particle {
             id: self.next_id,
             centre,
+            kind: fields.kind(centre),
             size: fields.size(centre),
+            aspect: fields.aspect(centre),
             axis: fields.direction(centre),
             fixed,
         };

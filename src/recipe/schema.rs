@@ -186,6 +186,13 @@ parameters! {
         number("oa", "", "Turn").range(-180.0, 180.0, 1.0, 0.0).unit("°").at(Domain, "Outline")
             .only_for(Key::Outline, BUILT_IN);
 
+    Kind: "Shape of the packed cells: squares and rectangles in rows, circles and ellipses like honeycombs.",
+        choice("kind", "Cell kind", choices![
+            square: "Square", rectangle: "Rectangle", circle: "Circle", ellipse: "Ellipse",
+        ]).at(Fields, "Fields");
+    Ca: "Length of a cell along the direction over its width.",
+        number("ca", "Ca", "Aspect ratio").range(1.0, 5.0, 0.05, 2.0).at(Fields, "Fields")
+            .only_for(Key::Kind, &["rectangle", "ellipse"]);
     Cs: "Average side of a cell.",
         number("cs", "Cs", "Cell size").range(2.0, 256.0, 1.0, 23.0).unit("px")
             .at(Fields, "Fields");
@@ -206,8 +213,6 @@ parameters! {
         int("dp", "", "Distance power").range(2.0, 4.0, 1.0, 4.0).at(Fields, "Fields")
             .only_for(Key::Dir, &["boundary"]);
 
-    Kind: "Shape of the packed cells.",
-        choice("kind", "Cell kind", choices![square: "Square"]).at(Packing, "Packing");
     Edge: "What lies on the boundary: the edges of the outermost cells, or their fixed centres.",
         choice("edge", "Boundary", choices![wall: "Edges on it", on: "Centres on it"])
             .at(Packing, "Packing");

@@ -89,7 +89,9 @@ mod tests {
             .map(|(id, &(x, y))| Particle {
                 id,
                 centre: DVec2::new(x, y),
+                kind: crate::field::Kind::Square,
                 size: 10.0,
+                aspect: 1.0,
                 axis: DVec2::X,
                 fixed: false,
             })

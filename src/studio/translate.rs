@@ -1,7 +1,7 @@
 //! From the recipe's words and numbers to the small parameter structures of the stages.
 
 use crate::domain::Outline;
-use crate::field::{Direction, FieldParams};
+use crate::field::{Direction, FieldParams, Kind};
 use crate::packing::{Edge, Integrator, PackingParams, Population, Start};
 use crate::recipe::{Key, Recipe};
 use crate::render::{Light, ShadeParams};
@@ -31,6 +31,8 @@ pub(super) fn fields(recipe: &Recipe) -> FieldParams {
         },
         angle: recipe.number(Key::Angle).to_radians(),
         power: recipe.number(Key::Dp) as u32,
+        kind: Kind::from_word(recipe.choice(Key::Kind)).unwrap_or_default(),
+        aspect: recipe.number(Key::Ca),
         size: recipe.number(Key::Cs),
         linear: DVec2::new(recipe.number(Key::Gx), recipe.number(Key::Gy)),
         radial: recipe.number(Key::Gr),

@@ -5,6 +5,7 @@
 
 use bubblestone::cells::Cell;
 use bubblestone::domain::signed_area;
+use bubblestone::field::Kind;
 use bubblestone::random::{Purpose, Random};
 use bubblestone::solid::Quarry;
 use bubblestone::texture::{Painter, Planes, TextureParams};
@@ -20,7 +21,9 @@ pub fn cell(id: u32, ring: Vec<DVec2>) -> Cell {
     Cell {
         id,
         centre,
+        kind: Kind::Square,
         size: signed_area(&ring).abs().sqrt(),
+        aspect: 1.0,
         axis: DVec2::X,
         ring,
     }
