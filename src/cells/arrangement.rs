@@ -9,16 +9,13 @@ use super::Cell;
 use super::rings::rings;
 use crate::domain::{Domain, cross, signed_area};
 use crate::field::Kind;
-use crate::mesh::{Delaunay, insert};
 use crate::order;
 use crate::packing::Particle;
+use crate::planar::{self, Delaunay, position};
 use glam::DVec2;
-use spade::handles::FixedVertexHandle;
-use spade::{Point2, PositionInTriangulation, Triangulation as _};
+use spade::Triangulation as _;
 use std::collections::BTreeMap;
 
-/// Lines' ends are rounded to this (picture units), so that nearly equal points are equal.
-const GRAIN: f64 = 1.0 / 65536.0;
 /// A region without a centre as large as this (in squared sizes) and as compact as `COMPACT`
 /// becomes a cell of its own.
 const OWN_AREA: f64 = 0.6;
@@ -90,37 +87,11 @@ pub(super) struct Arrangement {
     joined: Vec<u32>,
 }
 
-/// Rounds a point as the arrangement does.
-pub(super) fn on_grain(p: DVec2) -> DVec2 {
-    (p / GRAIN).round() * GRAIN
-}
-
-fn grain(p: DVec2) -> Point2<f64> {
-    let q = on_grain(p);
-    Point2::new(q.x, q.y)
-}
-
-fn position(p: Point2<f64>) -> DVec2 {
-    DVec2::new(p.x, p.y)
-}
-
 impl Arrangement {
     pub fn new(lines: Vec<Line>) -> Self {
-        let mut mesh = Delaunay::new();
-        let mut ends: Vec<[FixedVertexHandle; 2]> = Vec::new();
         // The outline first: its lines do not cross, the sides are divided by them.
         let (boundary, sides): (Vec<Line>, Vec<Line>) = lines.into_iter().partition(|l| l.boundary);
-        for line in boundary.iter().chain(&sides) {
-            let [a, b] = line.ends.map(grain);
-            if let (Some(a), Some(b)) = (insert(&mut mesh, a), insert(&mut mesh, b))
-                && a != b
-            {
-                ends.push([a, b]);
-            }
-        }
-        for [a, b] in ends {
-            mesh.add_constraint_and_split(a, b, |v| v);
-        }
+        let mesh = planar::lay(boundary.iter().chain(&sides).map(|line| line.ends));
         let count = mesh.num_inner_faces();
         let mut arrangement = Self {
             corners: Vec::with_capacity(count),
@@ -224,23 +195,7 @@ impl Arrangement {
     }
 
     fn locate(&self, p: DVec2) -> Option<usize> {
-        let face = match self.mesh.locate(grain(p)) {
-            PositionInTriangulation::OnFace(face) => Some(face),
-            PositionInTriangulation::OnEdge(edge) => self
-                .mesh
-                .directed_edge(edge)
-                .face()
-                .as_inner()
-                .map(|f| f.fix()),
-            PositionInTriangulation::OnVertex(vertex) => self
-                .mesh
-                .vertex(vertex)
-                .out_edges()
-                .find_map(|e| e.face().as_inner())
-                .map(|f| f.fix()),
-            _ => None,
-        };
-        face.map(|f| f.index() - 1)
+        planar::triangles_at(&self.mesh, p).first().copied()
     }
 
     fn root(&self, mut region: u32) -> u32 {

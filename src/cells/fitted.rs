@@ -5,13 +5,14 @@
 //! planar arrangement (`arrangement`), whose regions are then given to the cells; so the cells
 //! fill the outline without gap or overlap whatever its shape.
 
-use super::arrangement::{Arrangement, Line, on_grain};
+use super::arrangement::{Arrangement, Line};
 use super::straighten::Straightening;
 use super::{Cell, ghosts};
-use crate::domain::{Domain, ring_contains};
+use crate::domain::{Domain, divided, ring_contains};
 use crate::mesh::{Fans, Mesh};
 use crate::order;
 use crate::packing::{Grid, Particle};
+use crate::planar::on_grain;
 use glam::DVec2;
 
 /// Middles of elements between inside and outside go onto the boundary where it is this near.
@@ -184,24 +185,15 @@ impl Dual {
 
     /// The outline's segments, divided where a middle has been put on them.
     fn outline(&self, domain: &Domain) -> Vec<Line> {
-        let mut on: Vec<Vec<DVec2>> = vec![Vec::new(); domain.segments().len()];
-        for (&middle, segment) in self.middles.iter().zip(&self.snapped) {
-            if let Some(segment) = *segment {
-                on[segment].push(middle);
-            }
-        }
-        let mut lines = Vec::new();
-        for (&[a, b], mut points) in domain.segments().iter().zip(on) {
-            order::sort(&mut points, |p| (order::rank(p.distance_squared(a)), 0));
-            let mut from = a;
-            for to in points.into_iter().chain([b]) {
-                if from != to {
-                    lines.push(Line::boundary(from, to));
-                }
-                from = to;
-            }
-        }
-        lines
+        let snapped = self.middles.iter().zip(&self.snapped);
+        let places: Vec<(usize, DVec2)> = snapped
+            .filter_map(|(&middle, &segment)| Some((segment?, middle)))
+            .collect();
+        let pieces = divided(domain.segments(), &places);
+        pieces
+            .into_iter()
+            .map(|[a, b]| Line::boundary(a, b))
+            .collect()
     }
 
     /// The sides of the band's polygons and of the ghosts'. A side between a cell and a ghost

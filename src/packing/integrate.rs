@@ -183,9 +183,10 @@ impl Motion {
             }
             let before = body.particle.centre;
             let by = by.clamp_length_max(LONGEST_MOVE * body.particle.size);
-            let centre = keep_inside(before + by, body.particle.size, around);
+            let centre = keep_inside(before, before + by, body.particle.size, around);
             body.place(centre, around.fields);
-            largest_move = largest_move.max(centre.distance(before) / body.particle.size);
+            largest_move = largest_move
+                .max(around.domain.shortest(centre - before).length() / body.particle.size);
         }
         (largest_move, largest_force)
     }

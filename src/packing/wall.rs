@@ -44,17 +44,31 @@ pub(super) fn wall_force(body: &Body, facing: &Facing, feet: &mut Vec<Foot>) -> 
     force
 }
 
-/// Puts a centre that got too near to the boundary, or beyond it, back inside.
-pub(super) fn keep_inside(centre: DVec2, size: f64, around: Surroundings) -> DVec2 {
-    let (lo, hi) = around.domain.bounds();
-    let in_box = centre.cmpgt(lo).all() && centre.cmplt(hi).all();
+/// Puts a centre that has moved too near to the boundary or a constraint line, or beyond it, back to
+/// its own side; on a torus, back into the picture.
+pub(super) fn keep_inside(from: DVec2, to: DVec2, size: f64, around: Surroundings) -> DVec2 {
+    let domain = around.domain;
+    let (lo, hi) = domain.bounds();
+    let in_box = to.cmpgt(lo).all() && to.cmplt(hi).all();
     // A single move is shorter than the reach of the walls: whoever is beyond them is near them.
-    if in_box && !around.facing.is_near(centre) {
-        return centre;
+    if in_box && !around.facing.is_near(to) {
+        return to;
     }
-    let near = around.domain.nearest(centre);
-    if near.distance >= CLOSEST * size {
-        return centre;
+    let near = domain.nearest(to);
+    let mut centre = to;
+    if near.distance < CLOSEST * size {
+        centre = near.point + near.inward * (CLOSEST * size);
     }
-    near.point + near.inward * (CLOSEST * size)
+    if domain.crosses_line(from, centre) {
+        centre = from;
+    }
+    if let Some(line) = domain.nearest_line(centre)
+        && line.distance < CLOSEST * size
+    {
+        let away = line.point + line.inward * (CLOSEST * size);
+        if domain.nearest(away).distance > 0.0 && !domain.crosses_line(centre, away) {
+            centre = away;
+        }
+    }
+    domain.wrap(centre)
 }
