@@ -148,7 +148,16 @@ impl Domain {
             return false;
         };
         let from = self.wrap(a);
-        network.crosses(from, b - a + from)
+        network.crosses(from, b - (a - from))
+    }
+
+    /// The segment of a constraint line that the straight way from a to b crosses first.
+    pub(crate) fn line_between(&self, a: DVec2, b: DVec2) -> Option<[DVec2; 2]> {
+        let network = self.network.as_ref()?;
+        let from = self.wrap(a);
+        let shift = a - from;
+        let index = network.first_crossed(from, b - shift)?;
+        Some(network.images[index].map(|p| p + shift))
     }
 
     /// How many parts the constraint lines cut the inside into; 1 without lines.

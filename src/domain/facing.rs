@@ -16,6 +16,8 @@ pub struct Foot {
     pub distance: f64,
     /// Unit vector from the place to the point asked for, into the paved area.
     pub inward: DVec2,
+    /// The place is one of a constraint line.
+    pub on_line: bool,
 }
 
 /// Finds the feet of points within a fixed reach of the boundary, in constant time.
@@ -81,6 +83,7 @@ impl Facing {
                         point,
                         distance,
                         inward,
+                        on_line: index as usize >= self.before.len(),
                     });
                 }
             }

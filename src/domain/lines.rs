@@ -15,6 +15,8 @@ use glam::DVec2;
 /// Points nearer to each other, or to a line or the outline, than this part of the larger side of
 /// the box around the outline are one, or lie on it.
 const TOUCH: f64 = 1.0 / 2048.0;
+/// Parts smaller than the square of this part of that side are joined to a neighbour.
+const SMALLEST: f64 = 1.0 / 128.0;
 /// No more crossings than this are looked for.
 const MOST_NODES: usize = 4096;
 /// A piece that runs beside the outline at less than this slope is part of the outline.
@@ -39,21 +41,29 @@ pub(super) struct Network {
 impl Network {
     /// Nothing where no piece of a line lies inside.
     pub fn new(domain: &Domain, lines: &[Vec<DVec2>]) -> Option<Self> {
-        let (lines, touches) = Cutter::new(domain, lines).cut();
-        let segments: Vec<[DVec2; 2]> = lines
-            .iter()
-            .flat_map(|line| line.windows(2).map(|w| [w[0], w[1]]))
-            .collect();
-        if segments.is_empty() {
-            return None;
-        }
-        let images = images(domain, &segments, 1);
+        let (mut lines, touches) = Cutter::new(domain, lines).cut();
         let (lo, hi) = domain.bounds();
         let largest = (hi - lo).max_element();
+        let least = (SMALLEST * largest) * (SMALLEST * largest);
+        let (segments, parts) = loop {
+            let segments: Vec<[DVec2; 2]> = lines
+                .iter()
+                .flat_map(|line| line.windows(2).map(|w| [w[0], w[1]]))
+                .collect();
+            if segments.is_empty() {
+                return None;
+            }
+            let parts = Parts::new(domain, &touches, &segments);
+            match parts.sliver(domain, least) {
+                Some(place) => take_out(domain, &mut lines, place),
+                None => break (segments, parts),
+            }
+        };
+        let images = images(domain, &segments, 1);
         // On a torus a move may reach over the edge of the picture.
         let margin = domain.period().map_or(0.0, |side| side / 2.0);
         Some(Self {
-            parts: Parts::new(domain, &touches, &segments),
+            parts,
             grid: CandidateGrid::new(&images),
             squares: Squares::new((lo, hi), margin, largest / 64.0, &images, 0.0),
             lines,
@@ -71,10 +81,44 @@ impl Network {
         })
     }
 
+    /// The number among `images` of the segment that the way from a to b crosses first.
+    pub fn first_crossed(&self, a: DVec2, b: DVec2) -> Option<usize> {
+        let mut best = (f64::INFINITY, None);
+        for (index, &[c, d]) in self.images.iter().enumerate() {
+            if crosses(a, b, c, d) {
+                let (sa, sb) = (orientation(c, d, a), orientation(c, d, b));
+                let at = sa / (sa - sb);
+                if at < best.0 {
+                    best = (at, Some(index));
+                }
+            }
+        }
+        best.1
+    }
+
     /// The squared distance, the place and the number among `images` of the nearest segment.
     pub fn nearest(&self, p: DVec2) -> (f64, DVec2, usize) {
         self.grid.nearest(&self.images, p)
     }
+}
+
+/// Takes the segment at a place out of the lines.
+fn take_out(domain: &Domain, lines: &mut Vec<Vec<DVec2>>, place: DVec2) {
+    let mut nearest = (f64::INFINITY, 0, 0);
+    for (index, line) in lines.iter().enumerate() {
+        for (k, w) in line.windows(2).enumerate() {
+            let middle = w[0].midpoint(w[1]);
+            let p = middle + domain.shortest(place - middle);
+            let distance = closest_on_segment(p, w[0], w[1]).distance(p);
+            if distance < nearest.0 {
+                nearest = (distance, index, k);
+            }
+        }
+    }
+    let (_, index, k) = nearest;
+    let rest = lines[index].split_off(k + 1);
+    lines.insert(index + 1, rest);
+    lines.retain(|line| line.len() > 1);
 }
 
 /// The segments in the pictures up to `far` around the first; only themselves without a period.

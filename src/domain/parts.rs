@@ -129,6 +129,35 @@ impl Parts {
         (part != OUTSIDE).then_some(part as usize)
     }
 
+    /// The middle of the longest edge between a part of an area below `least` and another part.
+    pub fn sliver(&self, domain: &Domain, least: f64) -> Option<DVec2> {
+        let mut areas = vec![0.0; self.count];
+        for face in self.mesh.inner_faces() {
+            let corners = face.positions().map(position);
+            let middle = corners.iter().sum::<DVec2>() / 3.0;
+            let part = self.part[face.fix().index() - 1];
+            if part != OUTSIDE && domain.wrap(middle) == middle {
+                areas[part as usize] += super::cross(corners[0], corners[1], corners[2]) / 2.0;
+            }
+        }
+        let mut longest = (0.0, None);
+        for edge in self.mesh.undirected_edges() {
+            let edge = edge.as_directed();
+            let sides = [edge, edge.rev()].map(|e| {
+                let face = e.face().as_inner()?;
+                let part = self.part[face.fix().index() - 1];
+                (part != OUTSIDE).then_some(part)
+            });
+            let [Some(a), Some(b)] = sides else { continue };
+            let [from, to] = edge.positions().map(position);
+            let small = areas[a as usize].min(areas[b as usize]) < least;
+            if a != b && small && from.distance(to) > longest.0 {
+                longest = (from.distance(to), Some(from.midpoint(to)));
+            }
+        }
+        longest.1
+    }
+
     /// How many there are.
     pub fn count(&self) -> usize {
         self.count
