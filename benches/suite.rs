@@ -57,6 +57,7 @@ fn ring() -> Domain {
     Domain::from_checked(&Outline {
         outer: circle(250.0, 1.0),
         holes: vec![circle(125.0, -1.0)],
+        ..Outline::default()
     })
 }
 

@@ -33,6 +33,7 @@ pub mod field;
 pub mod mesh;
 mod order;
 pub mod packing;
+mod planar;
 pub mod random;
 pub mod recipe;
 pub mod render;

@@ -79,6 +79,7 @@ fn polygon(random: &mut Random, side: f64) -> Outline {
     Outline {
         outer: shrunk(&outer, scale),
         holes,
+        ..Outline::default()
     }
 }
 

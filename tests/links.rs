@@ -262,6 +262,7 @@ fn a_hundred_points_make_a_short_link_with_the_same_bits() {
         let outline = Outline {
             outer: star(recipe.side(), &radii),
             holes: vec![hole.iter().map(|p| *p * recipe.side() / 512.0).collect()],
+            ..Outline::default()
         };
         assert_eq!(recipe.set_polygon(&outline), Ok(vec![]));
         let link = recipe.link();
@@ -320,7 +321,7 @@ proptest! {
         }
         if let Some(radii) = radii {
             let outer = star(recipe.side(), &radii);
-            recipe.set_polygon(&Outline { outer, holes: vec![] }).unwrap();
+            recipe.set_polygon(&Outline { outer, holes: vec![], ..Outline::default() }).unwrap();
         }
         valid(&recipe);
         let link = recipe.link();

@@ -49,6 +49,7 @@ fn outlines() -> Vec<(String, Domain)> {
                     .iter()
                     .map(ring)
                     .collect(),
+                ..Outline::default()
             };
             let (checked, _) = outline.check(512.0).unwrap();
             let name = value["name"].as_str().unwrap().to_owned();

@@ -14,6 +14,8 @@ const MIRRORED: f64 = 0.9;
 const SAME: f64 = 0.45;
 /// Two walls make a corner where their directions differ by more than this (cosine of 45 degrees).
 const CORNER: f64 = 0.707;
+/// A fixed cell this near to the boundary (in sizes) stands on it.
+const ON_BOUNDARY: f64 = 0.05;
 /// The frame of points around everything, in sides of the box around the outline.
 const FRAME: f64 = 1.5;
 
@@ -26,11 +28,16 @@ pub(super) fn ghosts(domain: &Domain, particles: &[Particle]) -> Vec<DVec2> {
     for p in particles.iter().filter(|p| facing.is_near(p.centre)) {
         if p.fixed {
             let near = domain.nearest(p.centre);
+            // A cell that is fixed on a constraint line has neighbours on both sides.
+            if near.distance.abs() > ON_BOUNDARY * p.size {
+                continue;
+            }
             let outward = outward_of_boundary_cell(domain, p, near.tangent);
             images.push((p.centre + outward * p.size, p.size));
             continue;
         }
         facing.feet(p.centre, MIRRORED * p.size, &mut feet);
+        feet.retain(|foot| !foot.on_line);
         mirror(p, &feet, &mut images);
     }
     let mut kept = thin_out(domain, images, largest);

@@ -1,6 +1,7 @@
 //! One polygon per cell: the packed squares as they are, or the pseudo-Voronoi dual of the mesh
 //! fitted into the outline.
 
+mod across;
 mod arrangement;
 mod fitted;
 mod ghosts;

@@ -268,6 +268,7 @@ mod tests {
         let domain = Domain::from_checked(&Outline {
             outer: ring(128, 232.0, true),
             holes: vec![ring(96, 104.0, false)],
+            ..Outline::default()
         });
         let fields = FieldBuilder::build(&domain, params(Direction::Boundary));
         for k in 0..200 {
@@ -295,6 +296,7 @@ mod tests {
             let domain = Domain::from_checked(&Outline {
                 outer,
                 holes: vec![],
+                ..Outline::default()
             });
             FieldBuilder::build(&domain, params(Direction::Boundary))
         };

@@ -8,9 +8,9 @@ mod quads;
 use crate::domain::Domain;
 use crate::order;
 use crate::packing::Particle;
+use crate::planar::{Delaunay, insert};
 use glam::DVec2;
-use spade::handles::FixedVertexHandle;
-use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation as _};
+use spade::{Point2, Triangulation as _};
 
 /// A mesh element: a triangle or a quadrilateral.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -114,16 +114,6 @@ fn is_sliver(face: &Face, vertices: &[DVec2]) -> bool {
     let [a, b, c] = [a, b, c].map(|k| vertices[k as usize]);
     let longest = a.distance(b).max(b.distance(c)).max(c.distance(a));
     crate::domain::cross(a, b, c) < SLIVER * longest * longest
-}
-
-/// A triangulation, with or without constraints: two types would bring two copies of spade into the
-/// WebAssembly.
-pub(crate) type Delaunay = ConstrainedDelaunayTriangulation<Point2<f64>>;
-
-/// Adds a point; nothing where it has no finite place. Kept as one function for the same reason.
-#[inline(never)]
-pub(crate) fn insert(mesh: &mut Delaunay, p: Point2<f64>) -> Option<FixedVertexHandle> {
-    mesh.insert(p).ok()
 }
 
 /// Delaunay triangles, each of positive shoelace area, in an order that depends on the points only.

@@ -195,9 +195,10 @@ impl Motion {
             let before = body.particle.centre;
             let shape = Shape::of(&body.particle);
             let by = by.clamp_length_max(LONGEST_MOVE * body.particle.size);
-            let centre = keep_inside(before + by, shape, around);
+            let centre = keep_inside(before, before + by, shape, around);
             body.place(centre, around.fields);
-            largest_move = largest_move.max(centre.distance(before) / shape.size);
+            largest_move =
+                largest_move.max(around.domain.shortest(centre - before).length() / shape.size);
         }
         (largest_move, largest_force)
     }

@@ -35,18 +35,34 @@ pub(super) fn wall_force(body: &Body, facing: &Facing, feet: &mut Vec<Foot>) -> 
     force
 }
 
-/// Puts a centre that got too near to the boundary, or beyond it, back inside.
-pub(super) fn keep_inside(centre: DVec2, shape: Shape, around: Surroundings) -> DVec2 {
-    let (lo, hi) = around.domain.bounds();
-    let in_box = centre.cmpgt(lo).all() && centre.cmplt(hi).all();
+/// Puts a centre that has moved too near to the boundary or a constraint line, or beyond it, back to
+/// its own side; on a torus, back into the picture.
+pub(super) fn keep_inside(from: DVec2, to: DVec2, shape: Shape, around: Surroundings) -> DVec2 {
+    let domain = around.domain;
+    let (lo, hi) = domain.bounds();
+    let in_box = to.cmpgt(lo).all() && to.cmplt(hi).all();
     // A single move is shorter than the reach of the walls: whoever is beyond them is near them.
-    if in_box && !around.facing.is_near(centre) {
-        return centre;
+    if in_box && !around.facing.is_near(to) {
+        return to;
     }
-    let near = around.domain.nearest(centre);
+    let near = domain.nearest(to);
+    let mut centre = to;
     let least = CLOSEST * shape.extent(near.inward);
-    if near.distance >= least {
-        return centre;
+    if near.distance < least {
+        centre = near.point + near.inward * least;
     }
-    near.point + near.inward * least
+    if domain.crosses_line(from, centre) {
+        centre = from;
+    }
+    if let Some(line) = domain.nearest_line(centre) {
+        let least = CLOSEST * shape.extent(line.inward);
+        let away = line.point + line.inward * least;
+        if line.distance < least
+            && domain.nearest(away).distance > 0.0
+            && !domain.crosses_line(centre, away)
+        {
+            centre = away;
+        }
+    }
+    domain.wrap(centre)
 }

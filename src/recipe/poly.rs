@@ -19,6 +19,7 @@ fn map(outline: &Outline, f: impl Fn(DVec2) -> DVec2) -> Outline {
     Outline {
         outer: ring(&outline.outer),
         holes: outline.holes.iter().map(ring).collect(),
+        lines: outline.lines.iter().map(ring).collect(),
     }
 }
 
@@ -95,6 +96,7 @@ pub fn decode(text: &str, side: f64) -> Result<Outline, String> {
     Ok(Outline {
         outer: rings.next().unwrap_or_default(),
         holes: rings.collect(),
+        ..Outline::default()
     })
 }
 

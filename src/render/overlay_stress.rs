@@ -82,6 +82,7 @@ mod tests {
         let domain = Domain::from_checked(&Outline {
             outer: ring.map(DVec2::from).to_vec(),
             holes: Vec::new(),
+            ..Outline::default()
         });
         let particles: Vec<Particle> = (0..)
             .zip(places)
