@@ -53,6 +53,8 @@ struct Layer {
 
 /// Bounds of the size field as multiples of the mean size.
 const SIZE_RANGE: (f64, f64) = (0.2, 3.0);
+/// No field makes cells smaller than this part of the picture's side: 100,000 would fill it.
+const FINEST: f64 = 320.0;
 /// Bounds of the aspect ratio.
 const ASPECT_RANGE: (f64, f64) = (1.0, 5.0);
 
@@ -86,7 +88,8 @@ impl Fields {
         if !self.growth.is_empty() {
             factor *= self.grid.blend(&self.growth, p);
         }
-        size * factor.clamp(SIZE_RANGE.0, SIZE_RANGE.1)
+        let wanted = size * factor.clamp(SIZE_RANGE.0, SIZE_RANGE.1);
+        wanted.max((side / FINEST).min(size))
     }
 
     /// Unit vector along one side of a cell at this point, or zero where the field vanishes. Any
