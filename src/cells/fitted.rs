@@ -7,9 +7,10 @@
 
 use super::arrangement::{Arrangement, Line, on_grain};
 use super::straighten::Straightening;
+use super::voronoi::{self, circumcentre};
 use super::{Cell, ghosts};
 use crate::domain::{Domain, ring_contains};
-use crate::mesh::{Fans, Mesh};
+use crate::mesh::{Face, Fans, Mesh};
 use crate::order;
 use crate::packing::{Grid, Particle};
 use glam::DVec2;
@@ -34,6 +35,7 @@ pub struct Fitting {
 /// What the next slice of the work begins with.
 enum Next {
     Dual(Vec<Particle>),
+    Voronoi(Vec<Particle>),
     Band(Dual),
     Corners,
     Rounds(Straightening),
@@ -49,14 +51,31 @@ impl Fitting {
         }
     }
 
+    /// The plain Voronoi cells of these particles' centres within the outline, none made yet: each
+    /// holds what is nearer to its centre than to any other, whatever comes of it. Pieces that the
+    /// outline cuts off from their centre go to a neighbour, or are cells where they are large.
+    pub fn voronoi(particles: Vec<Particle>) -> Self {
+        Self {
+            cells: Vec::new(),
+            next: Next::Voronoi(particles),
+        }
+    }
+
     /// One slice of the work; true when all is done.
     pub fn advance(&mut self, domain: &Domain) -> bool {
         self.next = match std::mem::replace(&mut self.next, Next::Nothing) {
-            Next::Dual(particles) if particles.is_empty() => Next::Nothing,
+            Next::Dual(particles) | Next::Voronoi(particles) if particles.is_empty() => {
+                Next::Nothing
+            }
             Next::Dual(particles) => Next::Band(Dual::new(domain, particles)),
+            Next::Voronoi(particles) => Next::Band(Dual::voronoi(domain, particles)),
             Next::Band(dual) => {
                 self.cells = dual.cells(domain);
-                Next::Corners
+                if dual.plain {
+                    Next::Nothing
+                } else {
+                    Next::Corners
+                }
             }
             Next::Corners => Next::Rounds(Straightening::new(domain, &self.cells)),
             Next::Rounds(mut straightening) => {
@@ -101,6 +120,8 @@ struct Dual {
     /// On the boundary: the index of its segment.
     snapped: Vec<Option<usize>>,
     vertices: usize,
+    /// Cells stay as they come: none is too small, no corner is straightened.
+    plain: bool,
 }
 
 impl Dual {
@@ -135,6 +156,28 @@ impl Dual {
             mixed,
             snapped,
             vertices: mesh.vertices.len(),
+            plain: false,
+        }
+    }
+
+    /// The Voronoi diagram: the middles are those of the circles around Delaunay's triangles.
+    fn voronoi(domain: &Domain, particles: Vec<Particle>) -> Self {
+        let real = particles.len();
+        let centres: Vec<DVec2> = particles.iter().map(|p| p.centre).collect();
+        let (vertices, triangles) = voronoi::triangles(domain, &centres);
+        let middle = |t: &[u32; 3]| on_grain(circumcentre(t.map(|k| vertices[k as usize])));
+        let faces: Vec<Face> = triangles.iter().map(|&t| Face::triangle(t)).collect();
+        Self {
+            particles,
+            middles: triangles.iter().map(middle).collect(),
+            mixed: triangles
+                .iter()
+                .map(|t| t.iter().any(|&k| k as usize >= real))
+                .collect(),
+            snapped: vec![None; faces.len()],
+            vertices: vertices.len(),
+            fans: Mesh { vertices, faces }.fans(),
+            plain: true,
         }
     }
 
@@ -152,7 +195,13 @@ impl Dual {
 
     fn ring(&self, vertex: usize) -> Vec<DVec2> {
         let around = self.fans.around(vertex);
-        around.iter().map(|&f| self.middles[f as usize]).collect()
+        let mut ring: Vec<DVec2> = around.iter().map(|&f| self.middles[f as usize]).collect();
+        // Circles through the same four points have the same middle.
+        ring.dedup();
+        if ring.len() > 1 && ring.first() == ring.last() {
+            ring.pop();
+        }
+        ring
     }
 
     /// Which cells take part in the arrangement: all but those whose polygon surely keeps off the
@@ -178,7 +227,7 @@ impl Dual {
         let mut arrangement = Arrangement::new(lines);
         let inner = Inner::new(domain, inner);
         arrangement.mark(domain, &self.particles, band, |p| inner.contains(p));
-        arrangement.assign();
+        arrangement.assign(!self.plain);
         arrangement.cells(&self.particles)
     }
 

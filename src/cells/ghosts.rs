@@ -15,7 +15,7 @@ const SAME: f64 = 0.45;
 /// Two walls make a corner where their directions differ by more than this (cosine of 45 degrees).
 const CORNER: f64 = 0.707;
 /// The frame of points around everything, in sides of the box around the outline.
-const FRAME: f64 = 1.5;
+const FRAME: f64 = 2.0;
 
 /// The images of all cells near a wall, and a frame of far points around everything.
 pub(super) fn ghosts(domain: &Domain, particles: &[Particle]) -> Vec<DVec2> {
@@ -87,7 +87,8 @@ fn thin_out(domain: &Domain, images: Vec<(DVec2, f64)>, largest: f64) -> Vec<DVe
     kept
 }
 
-fn frame(domain: &Domain) -> Vec<DVec2> {
+/// Points far around the outline, so that what is asked about inside has closed fans.
+pub(super) fn frame(domain: &Domain) -> Vec<DVec2> {
     let (lo, hi) = domain.bounds();
     let (middle, half) = (lo.midpoint(hi), FRAME * (hi - lo).max_element());
     // Not on one circle, so that the frame's own triangles are unique.

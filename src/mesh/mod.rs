@@ -120,7 +120,7 @@ pub(crate) fn insert(mesh: &mut Delaunay, p: Point2<f64>) -> Option<FixedVertexH
 }
 
 /// Delaunay triangles, each of positive shoelace area, in an order that depends on the points only.
-fn triangulate(points: &[DVec2]) -> Vec<[u32; 3]> {
+pub(crate) fn triangulate(points: &[DVec2]) -> Vec<[u32; 3]> {
     let mut mesh = Delaunay::default();
     // One after the other in the order given: coinciding points are told apart by their handles.
     let mut name = Vec::with_capacity(points.len());
