@@ -7,10 +7,10 @@
 
 use super::arrangement::{Arrangement, Line, on_grain};
 use super::straighten::Straightening;
-use super::voronoi::{self, circumcentre};
+use super::voronoi::circumcentre;
 use super::{Cell, ghosts};
 use crate::domain::{Domain, ring_contains};
-use crate::mesh::{Face, Fans, Mesh};
+use crate::mesh::{Fans, Mesh};
 use crate::order;
 use crate::packing::{Grid, Particle};
 use glam::DVec2;
@@ -67,8 +67,8 @@ impl Fitting {
             Next::Dual(particles) | Next::Voronoi(particles) if particles.is_empty() => {
                 Next::Nothing
             }
-            Next::Dual(particles) => Next::Band(Dual::new(domain, particles)),
-            Next::Voronoi(particles) => Next::Band(Dual::voronoi(domain, particles)),
+            Next::Dual(particles) => Next::Band(Dual::new(domain, particles, false)),
+            Next::Voronoi(particles) => Next::Band(Dual::new(domain, particles, true)),
             Next::Band(dual) => {
                 self.cells = dual.cells(domain);
                 if dual.plain {
@@ -120,25 +120,33 @@ struct Dual {
     /// On the boundary: the index of its segment.
     snapped: Vec<Option<usize>>,
     vertices: usize,
-    /// Cells stay as they come: none is too small, no corner is straightened.
+    /// The Voronoi diagram as it is: middles are those of the circles around Delaunay's triangles,
+    /// no cell is too small, no corner straightened.
     plain: bool,
 }
 
 impl Dual {
-    fn new(domain: &Domain, particles: Vec<Particle>) -> Self {
+    fn new(domain: &Domain, particles: Vec<Particle>, plain: bool) -> Self {
         let real = particles.len();
         let mut points: Vec<DVec2> = particles.iter().map(|p| p.centre).collect();
-        points.extend(ghosts::ghosts(domain, &particles));
-        let mesh = Mesh::whole(points, |_| false);
+        points.extend(if plain {
+            ghosts::frame(domain)
+        } else {
+            ghosts::ghosts(domain, &particles)
+        });
+        let mesh = Mesh::whole(points, |_| plain);
         let mut middles = Vec::with_capacity(mesh.faces.len());
         let mut mixed = Vec::with_capacity(mesh.faces.len());
         let mut snapped = Vec::with_capacity(mesh.faces.len());
         for face in &mesh.faces {
-            let mut middle = face.centroid(&mesh.vertices);
+            let mut middle = match *face.nodes() {
+                [a, b, c] if plain => circumcentre([a, b, c].map(|k| mesh.vertices[k as usize])),
+                _ => face.centroid(&mesh.vertices),
+            };
             let cells = face.nodes().iter().filter(|&&k| (k as usize) < real);
             let sizes: Vec<f64> = cells.map(|&k| particles[k as usize].size).collect();
             let mut on = None;
-            if !sizes.is_empty() && sizes.len() < face.nodes().len() {
+            if !plain && !sizes.is_empty() && sizes.len() < face.nodes().len() {
                 let size = sizes.iter().sum::<f64>() / sizes.len() as f64;
                 let near = domain.nearest(middle);
                 if near.distance.abs() < SNAP * size {
@@ -156,28 +164,7 @@ impl Dual {
             mixed,
             snapped,
             vertices: mesh.vertices.len(),
-            plain: false,
-        }
-    }
-
-    /// The Voronoi diagram: the middles are those of the circles around Delaunay's triangles.
-    fn voronoi(domain: &Domain, particles: Vec<Particle>) -> Self {
-        let real = particles.len();
-        let centres: Vec<DVec2> = particles.iter().map(|p| p.centre).collect();
-        let (vertices, triangles) = voronoi::triangles(domain, &centres);
-        let middle = |t: &[u32; 3]| on_grain(circumcentre(t.map(|k| vertices[k as usize])));
-        let faces: Vec<Face> = triangles.iter().map(|&t| Face::triangle(t)).collect();
-        Self {
-            particles,
-            middles: triangles.iter().map(middle).collect(),
-            mixed: triangles
-                .iter()
-                .map(|t| t.iter().any(|&k| k as usize >= real))
-                .collect(),
-            snapped: vec![None; faces.len()],
-            vertices: vertices.len(),
-            fans: Mesh { vertices, faces }.fans(),
-            plain: true,
+            plain,
         }
     }
 

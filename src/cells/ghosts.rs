@@ -92,13 +92,14 @@ pub(super) fn frame(domain: &Domain) -> Vec<DVec2> {
     let (lo, hi) = domain.bounds();
     let (middle, half) = (lo.midpoint(hi), FRAME * (hi - lo).max_element());
     // Not on one circle, so that the frame's own triangles are unique.
-    let mut points = Vec::new();
-    for k in 0..4 {
-        let t = f64::from(k) / 4.0 * 2.0 - 1.0;
-        points.push(middle + half * DVec2::new(t, -1.0));
-        points.push(middle + half * DVec2::new(1.0, t));
-        points.push(middle + half * DVec2::new(-t, 1.0));
-        points.push(middle + half * DVec2::new(-1.0, -t));
+    let mut points = Vec::with_capacity(16);
+    let mut spoke = DVec2::splat(-half);
+    for k in 1..=16 {
+        points.push(middle + spoke);
+        spoke = spoke.perp();
+        if k % 4 == 0 {
+            spoke.x += 0.5 * half;
+        }
     }
     points
 }

@@ -42,17 +42,25 @@ impl Scatter {
     /// Draws the points, uniformly over the outline.
     pub fn new(domain: &Domain, params: ScatterParams) -> Self {
         let (lo, hi) = domain.bounds();
-        let draw = |id: usize| {
+        let mut points = Vec::with_capacity(params.count);
+        for id in 0..params.count {
             let mut random = Random::new(params.seed, Purpose::Scatter, id as u64);
-            let mut point = || lo + (hi - lo) * DVec2::new(random.unit(), random.unit());
-            (0..MOST_TRIES).find_map(|_| Some(point()).filter(|&p| domain.contains(p)))
-        };
-        let mut points: Vec<DVec2> = (0..params.count).filter_map(draw).collect();
+            for _ in 0..MOST_TRIES {
+                let point = lo + (hi - lo) * DVec2::new(random.unit(), random.unit());
+                if domain.contains(point) {
+                    points.push(point);
+                    break;
+                }
+            }
+        }
         // Row by row, there and back: each point is found from the one before it.
         let rows = (params.count as f64).sqrt() / POINTS_ACROSS;
         order::sort(&mut points, |p| {
             let row = ((p.y - lo.y) / (hi.y - lo.y) * rows) as u64;
-            (row, order::rank(if row % 2 == 0 { p.x } else { -p.x }))
+            (
+                row,
+                order::rank(if row.is_multiple_of(2) { p.x } else { -p.x }),
+            )
         });
         Self {
             points,
@@ -73,49 +81,36 @@ impl Scatter {
     pub fn particles(&self, fields: &Fields) -> Vec<Particle> {
         let points = self.points.iter().zip(0..);
         points
-            .map(|(&centre, id)| Particle {
-                id,
-                centre,
-                kind: fields.kind(centre),
-                size: fields.size(centre),
-                aspect: fields.aspect(centre),
-                axis: fields.direction(centre),
-                fixed: false,
-            })
+            .map(|(&centre, id)| Particle::new(id, centre, false, fields))
             .collect()
     }
 
     fn round(&mut self, domain: &Domain) {
-        let (vertices, triangles) = triangles(domain, &self.points);
-        let mut cells = vec![Moments::default(); self.points.len()];
-        let mut reach = vec![0.0_f64; self.points.len()];
+        // Within the frame every point's triangles close a full turn.
+        let mut vertices = self.points.clone();
+        vertices.extend(frame(domain));
+        let triangles = triangulate(&vertices);
+        let real = self.points.len();
+        let mut cells = vec![Moments::default(); real];
+        let mut reach = vec![0.0; real];
         for t in &triangles {
             let corners = t.map(|k| vertices[k as usize]);
             let centre = circumcentre(corners);
-            for k in 0..3 {
-                let Some(cell) = cells.get_mut(t[k] as usize) else {
-                    continue;
-                };
-                // The triangle's part of the cell: a kite, inside out where the angle opposite is obtuse.
-                let p = corners[k];
-                let [a, b] = [corners[(k + 1) % 3], corners[(k + 2) % 3]].map(|q| (q - p) / 2.0);
-                cell.add(a, centre - p);
-                cell.add(centre - p, b);
-                let reach = &mut reach[t[k] as usize];
-                *reach = reach.max(centre.distance(p));
+            for k in (0..3).filter(|&k| (t[k] as usize) < real) {
+                // The triangle's part of the cell: a kite, inside out where the angle is obtuse.
+                let (p, site) = (corners[k], t[k] as usize);
+                let to = centre - p;
+                cells[site].add((corners[(k + 1) % 3] - p) / 2.0, to);
+                cells[site].add(to, (corners[(k + 2) % 3] - p) / 2.0);
+                reach[site] = order::greater(reach[site], to.length());
             }
         }
-        let cut: Vec<bool> = self
-            .points
-            .iter()
-            .zip(reach)
-            .map(|(&p, reach)| domain.nearest(p).distance < reach)
-            .collect();
+        let links = Links::new(&triangles, real);
         let mut clip = Clip::default();
-        for (k, neighbours) in neighbours(&triangles, &cut).iter().enumerate() {
-            if cut[k] {
-                let q = neighbours.iter().map(|&q| vertices[q as usize]);
-                cells[k] = clip.moments(domain, self.points[k], q);
+        for (site, &p) in self.points.iter().enumerate() {
+            if domain.nearest(p).distance < reach[site] {
+                let neighbours = links.of(site).map(|k| vertices[k]);
+                cells[site] = clip.moments(domain, p, neighbours);
             }
         }
         for (p, cell) in self.points.iter_mut().zip(cells) {
@@ -128,16 +123,44 @@ impl Scatter {
     }
 }
 
-/// Delaunay's triangles of the points and of a frame around them, so that every point's triangles
-/// close a full turn and their circles' middles lie within the frame.
-pub(super) fn triangles(domain: &Domain, points: &[DVec2]) -> (Vec<DVec2>, Vec<[u32; 3]>) {
-    let mut vertices = points.to_vec();
-    vertices.extend(frame(domain));
-    let triangles = triangulate(&vertices);
-    (vertices, triangles)
+/// For each of the first points those that it shares a side of a triangle with.
+struct Links {
+    /// The last entry of a point's chain.
+    last: Vec<u32>,
+    /// (neighbour, the entry before).
+    entries: Vec<[u32; 2]>,
+}
+
+impl Links {
+    fn new(triangles: &[[u32; 3]], real: usize) -> Self {
+        let mut links = Self {
+            last: vec![u32::MAX; real],
+            entries: Vec::with_capacity(3 * triangles.len()),
+        };
+        for t in triangles {
+            for k in 0..3 {
+                if let Some(last) = links.last.get_mut(t[k] as usize) {
+                    let entry = [t[(k + 1) % 3], *last];
+                    *last = links.entries.len() as u32;
+                    links.entries.push(entry);
+                }
+            }
+        }
+        links
+    }
+
+    fn of(&self, site: usize) -> impl Iterator<Item = usize> + Clone {
+        let mut at = self.last[site];
+        std::iter::from_fn(move || {
+            let [neighbour, before] = *self.entries.get(at as usize)?;
+            at = before;
+            Some(neighbour as usize)
+        })
+    }
 }
 
 /// The middle of the circle through three points; their mean where they lie on a line.
+#[inline(never)]
 pub(super) fn circumcentre([a, b, c]: [DVec2; 3]) -> DVec2 {
     let (u, v) = (b - a, c - a);
     let from_a =
@@ -147,19 +170,6 @@ pub(super) fn circumcentre([a, b, c]: [DVec2; 3]) -> DVec2 {
     } else {
         (a + b + c) / 3.0
     }
-}
-
-/// For each marked point those that it shares a side of a triangle with.
-fn neighbours(triangles: &[[u32; 3]], marked: &[bool]) -> Vec<Vec<u32>> {
-    let mut lists = vec![Vec::new(); marked.len()];
-    for &[a, b, c] in triangles {
-        for (from, to) in [(a, b), (b, c), (c, a)] {
-            if marked.get(from as usize) == Some(&true) {
-                lists[from as usize].push(to);
-            }
-        }
-    }
-    lists
 }
 
 /// The area and the first moments of a cell, around its point.

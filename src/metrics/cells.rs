@@ -71,11 +71,7 @@ impl CellMetrics {
         let small = areas.iter().filter(|&&a| a < half).count();
         Self {
             count: cells.len(),
-            cover: cover(
-                domain,
-                cells.iter().flat_map(|c| ring_edges(&c.ring)),
-                cells.len(),
-            ),
+            cover: cover(domain, cells.iter().flat_map(|c| ring_edges(&c.ring))),
             size_error: error.mean().unwrap_or(0.0),
             area_cv: area.variation(),
             small: small as f64 / cells.len().max(1) as f64,

@@ -15,10 +15,9 @@ pub struct Cover {
     pub outside: f64,
 }
 
-/// Scan lines are at most this apart, in roots of the outline's area over the number of
-/// polygons.
-const SPACING: f64 = 1.0 / 32.0;
-/// About so many scan lines at most.
+/// At least so many scan lines, evenly spaced ...
+const FEWEST_LINES: f64 = 4096.0;
+/// ... and about so many at most.
 const MOST_LINES: f64 = 16384.0;
 
 /// An edge that scan lines can cross, from above to below.
@@ -56,31 +55,22 @@ impl Edge {
     }
 }
 
-/// Measures so many polygons given by all their directed edges, the inside at the hand (-dy, dx).
+/// Measures polygons given by all their directed edges, the inside at the hand (-dy, dx).
 ///
 /// Between two heights at which edges end, the lengths that a scan line finds change linearly with
 /// its height unless edges cross: so a line in the middle between any two such heights gives the
 /// exact areas of polygons that do not overlap each other or the outline. Where edges cross, and
 /// where more than 16,384 lines would be needed, it is an approximation, good to about 1e-5.
-pub(super) fn cover(
-    domain: &Domain,
-    polygons: impl Iterator<Item = [DVec2; 2]>,
-    count: usize,
-) -> Cover {
+pub(super) fn cover(domain: &Domain, polygons: impl Iterator<Item = [DVec2; 2]>) -> Cover {
     let mut edges: Vec<Edge> = polygons.filter_map(|e| Edge::new(e, false)).collect();
     let outline = domain.segments().iter();
     edges.extend(outline.filter_map(|&s| Edge::new(s, true)));
-    let mean = domain.area() / count.max(1) as f64;
-    sweep(edges, SPACING * mean.sqrt())
-}
-
-fn sweep(mut edges: Vec<Edge>, spacing: f64) -> Cover {
     order::sort(&mut edges, |e| (order::rank(e.upper.y), 0));
     let mut waiting = edges.iter().peekable();
     // (crossing, edge), kept in order from line to line.
     let mut active: Vec<(f64, &Edge)> = Vec::new();
     let mut lengths = Lengths::default();
-    for (y, height) in lines(&edges, spacing) {
+    for (y, height) in lines(&edges) {
         active.retain(|(_, e)| e.lower.y > y);
         while let Some(edge) = waiting.next_if(|e| e.upper.y <= y) {
             if edge.lower.y > y {
@@ -104,19 +94,19 @@ fn sweep(mut edges: Vec<Edge>, spacing: f64) -> Cover {
 }
 
 /// Scan lines as (y, the height they stand for): in the middle between the heights of the edges'
-/// ends, and no farther apart than `spacing`.
-fn lines(edges: &[Edge], spacing: f64) -> Vec<(f64, f64)> {
+/// ends, and at least [`FEWEST_LINES`].
+fn lines(edges: &[Edge]) -> Vec<(f64, f64)> {
     let mut heights: Vec<f64> = edges.iter().flat_map(|e| [e.upper.y, e.lower.y]).collect();
     order::sort(&mut heights, |&y| (order::rank(y), 0));
     let (Some(&first), Some(&last)) = (heights.first(), heights.last()) else {
         return Vec::new();
     };
-    let least = (last - first) / MOST_LINES;
+    let (most, least) = ((last - first) / FEWEST_LINES, (last - first) / MOST_LINES);
     let mut lines = Vec::new();
     let mut from = first;
     for to in heights {
         if to - from > least || (to == last && to > from) {
-            let parts = ((to - from) / spacing.max(least)).ceil().max(1.0);
+            let parts = ((to - from) / most).ceil();
             let height = (to - from) / parts;
             lines.extend((0..parts as u32).map(|k| (from + (f64::from(k) + 0.5) * height, height)));
             from = to;

@@ -108,11 +108,7 @@ impl MeshMetrics {
         Self {
             faces: mesh.faces.len(),
             quads: jacobian.weight / area.weight.max(1.0),
-            cover: cover(
-                domain,
-                polygons.iter().flat_map(|p| ring_edges(p)),
-                polygons.len(),
-            ),
+            cover: cover(domain, polygons.iter().flat_map(|p| ring_edges(p))),
             area_cv: area.variation(),
             jacobian: jacobian.mean().map(|mean| Jacobian {
                 mean,
