@@ -22,14 +22,10 @@ fn packed(domain: &Domain, size: f64, edge: Edge) -> Vec<Particle> {
         } else {
             Direction::Boundary
         },
-        angle: 0.0,
         power: 2,
-        kind: Kind::default(),
-        aspect: 1.0,
         size,
-        linear: DVec2::ZERO,
-        radial: 0.0,
         side: SIDE,
+        ..FieldParams::default()
     };
     let fields = FieldBuilder::build(domain, params);
     let params = PackingParams {
