@@ -15,7 +15,9 @@ pub struct Preset {
     pub name: &'static str,
     /// Title on the page.
     pub title: &'static str,
-    /// The papers' figures, empty for those of the house.
+    /// What it stands under on the page.
+    pub group: &'static str,
+    /// The papers' figures, empty for other presets.
     pub figure: &'static str,
     /// One sentence about it.
     pub note: &'static str,
@@ -34,8 +36,9 @@ impl Preset {
     }
 }
 
-/// Those of the house.
-const fn house(
+/// Those without a figure.
+const fn free(
+    group: &'static str,
     name: &'static str,
     title: &'static str,
     note: &'static str,
@@ -44,6 +47,7 @@ const fn house(
     Preset {
         name,
         title,
+        group,
         figure: "",
         note,
         link,
@@ -58,6 +62,7 @@ macro_rules! paper {
         Preset {
             name: $name,
             title: concat!("Fig. ", $first, " / ", $second),
+            group: "Papers",
             figure: concat!("Fig. ", $first, " of 2000, Fig. ", $second, " of 2001"),
             note: $note,
             link: $link,
@@ -67,34 +72,37 @@ macro_rules! paper {
     };
 }
 
+const HOUSE: &str = "House";
+const KINDS: &str = "Kinds, fields";
+
 /// All presets, in the order of the page.
 #[rustfmt::skip]
 pub const PRESETS: &[Preset] = &[
-    house("ring", "Granite ring",
+    free(HOUSE, "ring", "Granite ring",
         "Where every visit begins: cobbles run round and round.",
         ""),
-    house("piazza", "Sandstone piazza",
+    free(HOUSE, "piazza", "Sandstone piazza",
         "Flagstones part around flower beds in the evening sun.",
         "v=1&outline=plaza&cs=27&vs=0.06&stone=flag&sv=0.98&hs=12&dr=0.14&fd=1.35&af=1.3&palette=sandstone&ground=mortar&az=205&el=30"),
-    house("serpentine", "Basalt serpentine",
+    free(HOUSE, "serpentine", "Basalt serpentine",
         "Small dark setts follow five bends.",
         "v=1&outline=road_s&ow=1.45&on=5&cs=11&hs=9&dr=0.35&fd=1.4&af=1.1&palette=basalt"),
-    house("star", "Terracotta star",
+    free(HOUSE, "star", "Terracotta star",
         "Tiles with eight tips, laid in mortar.",
         "v=1&outline=star&ow=1.5&on=8&cs=19&stone=flag&sv=0.96&hs=9&dr=0.08&bh=0.14&fd=1.3&af=0.8&palette=terracotta&vary=1.3&ground=mortar&el=50"),
-    house("spiral", "Marble spiral",
+    free(HOUSE, "spiral", "Marble spiral",
         "White, rose and green pebbles wind inwards on sand.",
         "v=1&outline=road_spiral&ow=1.5&cs=15&vs=0.18&sv=0.96&hs=14&dr=0.22&fd=1.2&af=0.4&palette=marble&vary=1.2"),
-    house("lane", "Mossy lane",
+    free(HOUSE, "lane", "Mossy lane",
         "Old stones through a garden, late in the day.",
         "v=1&outline=road_s&ow=1.25&cs=26&vs=0.15&dr=0.4&palette=mossy&ground=moss&az=240&el=36"),
-    house("ripples", "Porphyry ripples",
+    free(HOUSE, "ripples", "Porphyry ripples",
         "Stones grow from the middle of the crossing outwards.",
         "v=1&outline=crossing&ow=1.3&cs=17&gr=0.7&hs=15&dr=0.4&palette=porphyry&ground=soil"),
-    house("fountain", "Fountain court",
+    free(HOUSE, "fountain", "Fountain court",
         "Marble setts make room for a basin.",
         "v=1&outline=plaza&ow=0.8&on=1&cs=16&vs=0.05&hs=12&dr=0.25&af=1&palette=marble&ground=soil"),
-    house("lantern", "Lantern at the fork",
+    free(HOUSE, "lantern", "Lantern at the fork",
         "Basalt at night: one lamp, long shadows.",
         "v=1&outline=y_fork&ow=1.25&cs=20&dr=0.4&palette=basalt&ground=dark&light=point&lx=0.5&ly=0.42&lz=0.16&amb=0.5&diff=1.3&spec=1.5"),
 
