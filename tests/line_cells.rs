@@ -88,8 +88,9 @@ fn assert_sound(domain: &Domain, cells: &[Cell], what: &str) {
                 assert_eq!(
                     *part.get_or_insert(here),
                     here,
-                    "{what}: {} in two parts",
-                    cell.id
+                    "{what}: {} in two parts {:?}",
+                    cell.id,
+                    cell.ring
                 );
             }
         }
@@ -130,7 +131,7 @@ fn random_outline(random: &mut Random) -> Outline {
 #[test]
 fn cells_fill_random_outlines_with_random_lines() {
     let mut random = Random::new(3, Purpose::Noise, 0);
-    for k in 0..60 {
+    for k in 0..6000 {
         let Ok((outline, _)) = random_outline(&mut random).check(SIDE) else {
             continue;
         };

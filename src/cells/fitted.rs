@@ -325,7 +325,7 @@ impl Dual {
             let along = ghost_and_cell && on_boundary(f) && on_boundary(g);
             let outside = ghosts_only && (on_boundary(f) || on_boundary(g));
             let [a, b] = [f, g].map(|f| self.middles[f as usize]);
-            if !along && !outside && a != b && !self.runs_along_line(domain, f, g) {
+            if !along && !outside && a != b && !self.runs_along_wall(domain, f, g) {
                 lines.push(Line::side(a, b));
             }
             k += if twice { 2 } else { 1 };
@@ -333,12 +333,18 @@ impl Dual {
         lines
     }
 
-    /// Do two vertices lie on a constraint line, and the straight way between them nearly so?
-    fn runs_along_line(&self, domain: &Domain, f: u32, g: u32) -> bool {
+    /// Do two vertices lie on walls, and the straight way between them along a wall? Where there are
+    /// constraint lines, the walls themselves divide cells there: lines that nearly coincide with
+    /// them would only do harm.
+    fn runs_along_wall(&self, domain: &Domain, f: u32, g: u32) -> bool {
         let on = |f: u32| self.on[f as usize] != On::Nothing;
         let [a, b] = [f, g].map(|f| self.middles[f as usize]);
-        let near = || domain.nearest_line(a.midpoint(b));
-        on(f) && on(g) && near().is_some_and(|near| near.distance < ALONG * a.distance(b))
+        let (middle, near) = (a.midpoint(b), ALONG * a.distance(b));
+        on(f)
+            && on(g)
+            && domain.nearest_line(middle).is_some_and(|line| {
+                line.distance < near || domain.nearest(middle).distance.abs() < near
+            })
     }
 }
 
