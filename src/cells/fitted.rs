@@ -125,7 +125,8 @@ impl Dual {
         let real = particles.len();
         let mut points: Vec<DVec2> = particles.iter().map(|p| p.centre).collect();
         points.extend(ghosts::ghosts(domain, &particles));
-        let mesh = Mesh::whole(points, |_| false);
+        let round = particles.first().is_some_and(|p| !p.kind.has_corners());
+        let mesh = Mesh::whole(points, |_| round);
         let count = mesh.faces.len();
         let mut dual = Self {
             particles,

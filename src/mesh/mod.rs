@@ -67,7 +67,14 @@ impl Mesh {
     /// stand at, are left out.
     pub fn build(domain: &Domain, particles: &[Particle]) -> Self {
         let centres = particles.iter().map(|p| p.centre).collect();
-        let mut mesh = Self::whole(centres, |_| false);
+        let round = |[a, b]: [u32; 2]| {
+            [a, b].map(|k| {
+                particles
+                    .get(k as usize)
+                    .is_some_and(|p| !p.kind.has_corners())
+            }) != [false; 2]
+        };
+        let mut mesh = Self::whole(centres, round);
         let vertices = &mesh.vertices;
         mesh.faces.retain(|face| {
             let depth = domain.nearest(face.centroid(vertices)).distance;

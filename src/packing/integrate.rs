@@ -4,15 +4,19 @@
 
 use super::force::{Pair, SQUARE_REACH};
 use super::grid::Grid;
+use super::shape::Shape;
 use super::wall::{keep_inside, wall_force};
 use super::{Body, Integrator};
 use crate::domain::{Domain, Facing, Foot};
-use crate::field::Fields;
+use crate::field::{Fields, Kind};
 use crate::order;
 use glam::DVec2;
 
-/// Viscous damping c.
-const DAMPING: f64 = 2.0;
+/// Viscous damping c. Honeycombs have more faults to heal than rows and columns: round cells keep
+/// swinging for longer.
+const fn damping(kind: Kind) -> f64 {
+    if kind.has_corners() { 2.0 } else { 0.2 }
+}
 /// Time step of the semi-implicit method.
 const SEMI_IMPLICIT_STEP: f64 = 0.5;
 /// Time step of the Runge-Kutta method; stable while damping times step stays below 2.
@@ -63,25 +67,31 @@ impl Motion {
             return;
         }
         let first = bodies[0].particle.centre;
-        let (mut lo, mut hi, mut largest) = (first, first, 0.0_f64);
+        let (mut lo, mut hi) = (first, first);
+        let (mut largest, mut longest, mut root) = (0.0_f64, 0.0_f64, 1.0_f64);
         for body in bodies.iter() {
             lo = lo.min(body.particle.centre);
             hi = hi.max(body.particle.centre);
-            largest = largest.max(body.particle.size);
+            let shape = Shape::of(&body.particle);
+            largest = largest.max(shape.size);
+            longest = longest.max(shape.length());
+            root = root.max(shape.root);
         }
-        self.slack = SKIN * largest;
-        let reach = SQUARE_REACH * largest + self.slack;
+        let slack = SKIN * largest;
+        // A move counts for more across a stretched cell than along it.
+        self.slack = slack / root;
+        let reach = SQUARE_REACH * longest + slack;
         let grid = Grid::new(lo, hi, reach / 2.0);
         let place = |b: &Body| (grid.bucket(b.particle.centre) as u64, b.particle.id.into());
         order::sort(bodies, place);
         self.made_at = bodies.iter().map(|b| b.particle.centre).collect();
         self.forces.resize(bodies.len(), DVec2::ZERO);
-        self.collect_pairs(bodies, &grid, reach);
+        self.collect_pairs(bodies, &grid, reach, slack);
     }
 
     /// The bodies are in the order of the grid's buckets, so those of a run of buckets are a run of
     /// bodies, and only the ones after the body itself are looked at.
-    fn collect_pairs(&mut self, bodies: &[Body], grid: &Grid, reach: f64) {
+    fn collect_pairs(&mut self, bodies: &[Body], grid: &Grid, reach: f64, slack: f64) {
         let mut firsts = vec![0; grid.buckets() + 1];
         for body in bodies {
             firsts[grid.bucket(body.particle.centre) + 1] += 1;
@@ -93,14 +103,14 @@ impl Motion {
         self.start.clear();
         self.start.push(0);
         for (i, body) in bodies.iter().enumerate() {
-            let (centre, size) = (body.particle.centre, body.particle.size);
+            let centre = body.particle.centre;
+            let shape = Shape::of(&body.particle);
             for run in grid.runs_near(centre, reach) {
                 let end = firsts[run.end];
                 let first = firsts[run.start].max(i + 1).min(end);
                 for (other, j) in bodies[first..end].iter().zip(first as u32..) {
-                    let other = &other.particle;
-                    let within = SQUARE_REACH * 0.5 * (size + other.size) + self.slack;
-                    if other.centre.distance_squared(centre) < within * within {
+                    let r = other.particle.centre - centre;
+                    if shape.may_touch(&Shape::of(&other.particle), r, slack) {
                         self.list.push(j);
                     }
                 }
@@ -124,7 +134,7 @@ impl Motion {
         let mut stiffness = 0.0;
         for (i, j) in self.pairs(bodies) {
             let (a, b) = (&bodies[i].particle, &bodies[j].particle);
-            sum += Pair::new((a.axis, b.axis), (a.size, b.size)).potential(b.centre - a.centre);
+            sum += Pair::new(a, b).potential(b.centre - a.centre);
         }
         for body in bodies {
             stiffness += body.particle.size * body.particle.size / bodies.len() as f64;
@@ -146,10 +156,11 @@ impl Motion {
                 let b = &bodies[j].particle;
                 let r = b.centre - a.centre;
                 let reach = SQUARE_REACH * 0.5 * (a.size + b.size);
-                if r.length_squared() >= reach * reach {
+                let is_stretched = a.kind.is_stretched() || b.kind.is_stretched();
+                if !is_stretched && r.length_squared() >= reach * reach {
                     continue;
                 }
-                let force = Pair::new((a.axis, b.axis), (a.size, b.size)).force(r);
+                let force = Pair::new(&a, b).force(r);
                 self.forces[j] += force;
                 total -= force;
             }
@@ -182,11 +193,12 @@ impl Motion {
                 continue;
             }
             let before = body.particle.centre;
+            let shape = Shape::of(&body.particle);
             let by = by.clamp_length_max(LONGEST_MOVE * body.particle.size);
-            let centre = keep_inside(before, before + by, body.particle.size, around);
+            let centre = keep_inside(before, before + by, shape, around);
             body.place(centre, around.fields);
-            largest_move = largest_move
-                .max(around.domain.shortest(centre - before).length() / body.particle.size);
+            largest_move =
+                largest_move.max(around.domain.shortest(centre - before).length() / shape.size);
         }
         (largest_move, largest_force)
     }
@@ -195,7 +207,7 @@ impl Motion {
         let h = SEMI_IMPLICIT_STEP;
         let each = bodies.iter_mut().zip(&self.forces);
         each.map(|(body, &force)| {
-            body.velocity = (body.velocity + h * force) / (1.0 + h * DAMPING);
+            body.velocity = (body.velocity + h * force) / (1.0 + h * damping(body.particle.kind));
             pace * h * body.velocity
         })
         .collect()
@@ -219,7 +231,10 @@ impl Motion {
                 if body.particle.fixed {
                     continue;
                 }
-                let (slope, pull) = (velocity[i], self.forces[i] - DAMPING * velocity[i]);
+                let (slope, pull) = (
+                    velocity[i],
+                    self.forces[i] - damping(body.particle.kind) * velocity[i],
+                );
                 sums[i].0 += weight / 6.0 * slope;
                 sums[i].1 += weight / 6.0 * pull;
                 if stage < 3 {

@@ -6,10 +6,13 @@
 //! time; nothing in it knows of time or frames.
 
 pub mod force;
+mod front;
 mod grid;
 mod integrate;
 mod placement;
 mod population;
+mod rim;
+mod shape;
 mod wall;
 
 pub(crate) use grid::Grid;
@@ -20,6 +23,7 @@ use crate::order;
 use crate::random::{Purpose, Random};
 use glam::DVec2;
 use integrate::{Motion, Surroundings};
+use shape::Shape;
 
 /// How the cells meet the boundary.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -198,7 +202,10 @@ impl Packing {
                 TUNING.most_cells
             ));
         }
-        let facing = Facing::new(domain, wall::reach(largest_size(domain, fields, &params)));
+        let facing = Facing::new(
+            domain,
+            wall::reach(greatest_length(domain, fields, &params)),
+        );
         let mut packing = Self {
             params,
             facing,
@@ -336,14 +343,14 @@ impl Packing {
     }
 }
 
-/// The largest size that any cell can have in this outline.
-fn largest_size(domain: &Domain, fields: &Fields, params: &PackingParams) -> f64 {
+/// The greatest length that any cell can have in this outline.
+fn greatest_length(domain: &Domain, fields: &Fields, params: &PackingParams) -> f64 {
     let (lo, hi) = domain.bounds();
     let mut largest = 0.0_f64;
     for row in 0..=16 {
         for column in 0..=16 {
             let t = DVec2::new(f64::from(column), f64::from(row)) / 16.0;
-            largest = largest.max(fields.size(lo + (hi - lo) * t));
+            largest = largest.max(Shape::at(fields, lo + (hi - lo) * t).length());
         }
     }
     largest * (1.0 + params.variance * 3.0_f64.sqrt())

@@ -54,8 +54,7 @@ enum Position {
 impl Studio {
     /// A studio with all its work before it.
     pub fn new(recipe: Recipe) -> Self {
-        let outline = recipe.outline();
-        Self::start(recipe, None, outline)
+        Self::start(recipe, None)
     }
 
     /// A studio that paves exactly this outline, whatever outline the recipe names. Answers with
@@ -65,16 +64,16 @@ impl Studio {
     /// The sentence that says what is wrong with the outline.
     pub fn with_outline(recipe: Recipe, outline: &Outline) -> Result<(Self, Vec<String>), String> {
         let (outline, notices) = translate::checked(outline, &recipe)?;
-        Ok((Self::start(recipe, Some(outline.clone()), outline), notices))
+        Ok((Self::start(recipe, Some(outline)), notices))
     }
 
-    fn start(recipe: Recipe, exact: Option<Outline>, outline: Outline) -> Self {
+    fn start(recipe: Recipe, exact: Option<Outline>) -> Self {
         Self {
+            made: Products::new(translate::outline(&recipe, exact.as_ref())),
             working: recipe.clone(),
             recipe,
             exact,
             at: Position::At(Stage::Domain),
-            made: Products::new(outline),
             spent: [0.0; STAGES],
             last_shading: f64::INFINITY,
             changes: [0; STAGES],

@@ -95,7 +95,7 @@ impl Products {
     /// One slice of a stage's work; true when the stage is finished.
     pub fn slice(&mut self, stage: Stage, recipe: &Recipe) -> Result<bool, String> {
         match stage {
-            Stage::Domain => self.slice_domain(),
+            Stage::Domain => self.slice_domain(recipe),
             Stage::Fields => self.slice_fields(recipe),
             Stage::Packing => self.slice_packing(recipe),
             Stage::Mesh => self.slice_mesh(),
@@ -106,8 +106,8 @@ impl Products {
         }
     }
 
-    fn slice_domain(&mut self) -> Result<bool, String> {
-        self.domain = Some(Domain::from_checked(&self.outline));
+    fn slice_domain(&mut self, recipe: &Recipe) -> Result<bool, String> {
+        self.domain = Some(translate::domain(recipe, &self.outline));
         Ok(true)
     }
 
@@ -115,7 +115,7 @@ impl Products {
         let domain = self.domain.as_ref().ok_or(MISSING)?;
         let builder = self
             .builder
-            .get_or_insert_with(|| FieldBuilder::new(domain, translate::fields(recipe)));
+            .get_or_insert_with(|| FieldBuilder::new(domain, translate::fields(recipe, domain)));
         if !builder.advance(domain) {
             return Ok(false);
         }

@@ -1,0 +1,140 @@
+//! The cells along the boundary.
+
+use super::placement::Crowd;
+use super::shape::Shape;
+use crate::domain::Domain;
+use crate::field::Fields;
+use glam::DVec2;
+
+/// The ring is cut into pieces where it turns by more than this (cosine of 25 degrees).
+const CORNER: f64 = 0.906;
+/// Boundary cells nearer to each other than this (in sizes) are dropped ...
+const BOUNDARY_GAP: f64 = 0.6;
+/// ... as are those nearer to the boundary than this share of their way in, where a bend is
+/// tighter than a cell.
+const BOUNDARY_CLEARANCE: f64 = 0.8;
+/// How far in the first row stands, in sizes: half a cell, or less where the outline is narrow.
+const DEPTHS: [f64; 4] = [0.5, 0.4, 0.3, 0.22];
+
+/// A ring's pieces between corners, each a run of points; a smooth ring is one closed piece.
+pub(super) struct Piece {
+    points: Vec<DVec2>,
+    /// The directions with which the neighbouring pieces meet it at its ends.
+    before: Option<DVec2>,
+    after: Option<DVec2>,
+}
+
+pub(super) fn pieces(ring: &[DVec2]) -> Vec<Piece> {
+    let n = ring.len();
+    let along = |k: usize| (ring[(k + 1) % n] - ring[k % n]).normalize();
+    let corners: Vec<usize> = (0..n)
+        .filter(|&k| along(k + n - 1).dot(along(k)) < CORNER)
+        .collect();
+    if corners.is_empty() {
+        let mut points = ring.to_vec();
+        points.push(ring[0]);
+        return vec![Piece {
+            points,
+            before: None,
+            after: None,
+        }];
+    }
+    let ends = corners.iter().skip(1).copied().chain([corners[0] + n]);
+    let runs = corners.iter().copied().zip(ends);
+    runs.map(|(from, to)| Piece {
+        points: (from..=to).map(|k| ring[k % n]).collect(),
+        before: Some(along(from + n - 1)),
+        after: Some(along(to)),
+    })
+    .collect()
+}
+
+/// Evenly spaced cells along a piece: on it, or half a cell inside with mitred ends.
+pub(super) fn boundary_cells(
+    crowd: &mut Crowd,
+    piece: &Piece,
+    fields: &Fields,
+    domain: &Domain,
+    fixed: bool,
+) {
+    // Narrow: with a row half a cell in, most of it would not be clear of the other side.
+    let is_wide = |depth: &&f64| {
+        let line = offset_line(piece, fields, **depth);
+        let clear = |p: &&DVec2| {
+            let near = domain.nearest(**p);
+            let extent = Shape::gauge(fields, **p).extent(near.inward);
+            near.distance >= BOUNDARY_CLEARANCE * **depth * extent
+        };
+        2 * line.iter().filter(clear).count() >= line.len()
+    };
+    let depth = *DEPTHS.iter().find(is_wide).unwrap_or(&DEPTHS[0]);
+    let line = if fixed {
+        piece.points.clone()
+    } else {
+        offset_line(piece, fields, depth)
+    };
+    // Lengths in cells: a step is shorter where cells are smaller.
+    let mut reached = vec![0.0];
+    for w in line.windows(2) {
+        let cells = Shape::gauge(fields, w[0].midpoint(w[1])).cells_along(w[1] - w[0]);
+        reached.push(reached[reached.len() - 1] + cells);
+    }
+    let total = reached[reached.len() - 1];
+    let closed = piece.before.is_none();
+    let count = (total.round() as usize).max(1);
+    let places = if closed { count } else { count + 1 };
+    let mut k = 0;
+    for place in 0..places {
+        let at = total * place as f64 / count as f64;
+        while k + 2 < line.len() && reached[k + 1] < at {
+            k += 1;
+        }
+        let span = reached[k + 1] - reached[k];
+        let t = if span > 0.0 {
+            ((at - reached[k]) / span).clamp(0.0, 1.0)
+        } else {
+            0.0
+        };
+        let p = line[k].lerp(line[k + 1], t);
+        let clear = || {
+            let near = domain.nearest(p);
+            let extent = Shape::gauge(fields, p).extent(near.inward);
+            near.distance >= BOUNDARY_CLEARANCE * depth * extent
+        };
+        if (fixed || clear()) && crowd.gap(p, BOUNDARY_GAP) >= BOUNDARY_GAP {
+            crowd.push(p);
+        }
+    }
+}
+
+/// The piece moved inwards by `depth` cells. At its ends it meets the neighbouring pieces' lines.
+fn offset_line(piece: &Piece, fields: &Fields, depth: f64) -> Vec<DVec2> {
+    let points = &piece.points;
+    let last = points.len() - 1;
+    let along = |k: usize| (points[k + 1] - points[k]).normalize();
+    let closing = (piece.before.is_none()).then(|| (along(last - 1), along(0)));
+    (0..=last)
+        .map(|k| {
+            let earlier = match (k, piece.before, closing) {
+                (0, Some(before), _) => before,
+                (0, None, Some((end, _))) => end,
+                _ => along(k.max(1) - 1),
+            };
+            let later = match (k == last, piece.after, closing) {
+                (true, Some(after), _) => after,
+                (true, None, Some((_, start))) => start,
+                _ => along(k.min(last - 1)),
+            };
+            let mitre = mitre(earlier, later);
+            let shape = Shape::gauge(fields, points[k]);
+            points[k] + mitre * depth * shape.extent(mitre.normalize())
+        })
+        .collect()
+}
+
+/// Where the inward offsets by 1 of two lines meet, seen from their common point; at tips sharper
+/// than about 40 degrees not quite so far in.
+fn mitre(earlier: DVec2, later: DVec2) -> DVec2 {
+    let normal = (earlier.perp() + later.perp()).normalize_or(later.perp());
+    normal / normal.dot(later.perp()).max(0.35)
+}
