@@ -7,7 +7,7 @@
 
 use super::arrangement::{Arrangement, Line};
 use super::straighten::Straightening;
-use super::{Cell, across, ghosts};
+use super::{Cell, across, ghosts, torus};
 use crate::domain::{Domain, divided, ring_contains};
 use crate::mesh::{Fans, Mesh};
 use crate::order;
@@ -22,6 +22,9 @@ const SNAP: f64 = 0.35;
 /// it than this share of its length.
 const ALONG: f64 = 0.15;
 
+/// On the torus images are made so many sizes around the picture.
+const MARGINS: [f64; 2] = [5.0, 12.0];
+
 /// The dual of the packed cells, filling the outline, all at once; see [`Fitting`].
 pub fn fitted(domain: &Domain, particles: &[Particle]) -> Vec<Cell> {
     let mut fitting = Fitting::new(particles.to_vec());
@@ -33,6 +36,8 @@ pub fn fitted(domain: &Domain, particles: &[Particle]) -> Vec<Cell> {
 /// joined to a neighbour, so there can be a few less than particles.
 pub struct Fitting {
     cells: Vec<Cell>,
+    /// How many of these are no images of others.
+    count: usize,
     next: Next,
 }
 
@@ -50,6 +55,7 @@ impl Fitting {
     pub fn new(particles: Vec<Particle>) -> Self {
         Self {
             cells: Vec::new(),
+            count: 0,
             next: Next::Dual(particles),
         }
     }
@@ -63,10 +69,15 @@ impl Fitting {
                 self.cells = dual.cells(domain);
                 Next::Corners
             }
-            Next::Corners => Next::Rounds(Straightening::new(domain, &self.cells)),
+            Next::Corners => {
+                self.count = self.cells.len();
+                self.cells.extend(torus::images(domain, &self.cells));
+                Next::Rounds(Straightening::new(domain, &self.cells))
+            }
             Next::Rounds(mut straightening) => {
                 if straightening.round(&self.cells) {
                     straightening.finish(&mut self.cells);
+                    self.cells.truncate(self.count);
                     Next::Nothing
                 } else {
                     Next::Rounds(straightening)
@@ -81,6 +92,11 @@ impl Fitting {
     pub fn finish(self) -> Vec<Cell> {
         self.cells
     }
+}
+
+/// Circles and ellipses keep their triangles: their cells have six sides.
+fn is_round(particles: &[Particle]) -> bool {
+    particles.first().is_some_and(|p| !p.kind.has_corners())
 }
 
 pub(super) fn cell(p: &Particle, ring: Vec<DVec2>) -> Cell {
@@ -122,21 +138,14 @@ struct Dual {
 
 impl Dual {
     fn new(domain: &Domain, particles: Vec<Particle>) -> Self {
+        if let Some(side) = domain.period() {
+            return Self::over_seams(domain, side, particles);
+        }
         let real = particles.len();
         let mut points: Vec<DVec2> = particles.iter().map(|p| p.centre).collect();
         points.extend(ghosts::ghosts(domain, &particles));
-        let round = particles.first().is_some_and(|p| !p.kind.has_corners());
-        let mesh = Mesh::whole(points, |_| round);
-        let count = mesh.faces.len();
-        let mut dual = Self {
-            particles,
-            fans: mesh.fans(),
-            middles: Vec::with_capacity(count),
-            mixed: Vec::with_capacity(count),
-            on: Vec::with_capacity(count),
-            own: Vec::new(),
-            vertices: mesh.vertices.len(),
-        };
+        let mesh = Mesh::whole(points, |_| is_round(&particles));
+        let mut dual = Self::of(particles, &mesh);
         for face in &mesh.faces {
             let mut middle = face.centroid(&mesh.vertices);
             let cells = face.nodes().iter().filter(|&&k| (k as usize) < real);
@@ -155,6 +164,45 @@ impl Dual {
             dual.divide(domain, &mesh);
         }
         dual
+    }
+
+    /// On the torus. Pairs of triangles are chosen one after the other, so that far from the picture
+    /// other ones may be chosen; should that reach as far as the seams, more images are taken, and in
+    /// the end lone triangles, which depend on nothing but their own corners.
+    fn over_seams(domain: &Domain, side: f64, mut particles: Vec<Particle>) -> Self {
+        for p in &mut particles {
+            p.centre = domain.wrap(p.centre);
+        }
+        let mut margins = MARGINS.into_iter();
+        loop {
+            let margin = margins.next();
+            let all = torus::spread(side, &particles, margin.unwrap_or(MARGINS[0]));
+            let lone = margin.is_none() || is_round(&particles);
+            let mesh = Mesh::whole(all.iter().map(|p| p.centre).collect(), |_| lone);
+            let mut dual = Self::of(Vec::new(), &mesh);
+            for face in &mesh.faces {
+                dual.push(face.centroid(&mesh.vertices), false, On::Nothing);
+            }
+            let rings: Vec<Vec<DVec2>> = (0..particles.len()).map(|k| dual.ring(k)).collect();
+            if margin.is_none() || torus::closes(domain, &rings) {
+                dual.particles = particles;
+                return dual;
+            }
+        }
+    }
+
+    /// Without vertices yet.
+    fn of(particles: Vec<Particle>, mesh: &Mesh) -> Self {
+        let count = mesh.faces.len();
+        Self {
+            particles,
+            fans: mesh.fans(),
+            middles: Vec::with_capacity(count),
+            mixed: Vec::with_capacity(count),
+            on: Vec::with_capacity(count),
+            own: Vec::new(),
+            vertices: mesh.vertices.len(),
+        }
     }
 
     fn push(&mut self, middle: DVec2, mixed: bool, on: On) {
@@ -237,12 +285,19 @@ impl Dual {
 
     /// All cells, corners not straightened.
     fn cells(&self, domain: &Domain) -> Vec<Cell> {
-        let band = self.band(domain);
+        let band = if domain.period().is_some() {
+            vec![false; self.particles.len()]
+        } else {
+            self.band(domain)
+        };
         let mut cells: Vec<Cell> = (0..self.particles.len())
             .filter(|&k| !band[k])
             .map(|k| cell(&self.particles[k], self.ring(k)))
             .collect();
-        cells.extend(self.cut(domain, &band, &cells));
+        if domain.period().is_none() {
+            cells.extend(self.cut(domain, &band, &cells));
+        }
+        cells.retain(|c| c.ring.len() >= 3);
         order::sort(&mut cells, |c| (c.id.into(), 0));
         cells
     }

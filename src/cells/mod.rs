@@ -8,6 +8,7 @@ mod ghosts;
 mod packed;
 mod rings;
 mod straighten;
+mod torus;
 
 pub use fitted::{Fitting, fitted};
 pub use packed::packed;
