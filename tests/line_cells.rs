@@ -23,6 +23,7 @@ fn packed(domain: &Domain, size: f64, edge: Edge) -> Vec<Particle> {
         } else {
             Direction::Boundary
         },
+        power: 2,
         size,
         side: SIDE,
         ..FieldParams::default()

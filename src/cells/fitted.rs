@@ -7,9 +7,10 @@
 
 use super::arrangement::{Arrangement, Line};
 use super::straighten::Straightening;
+use super::voronoi::circumcentre;
 use super::{Cell, across, ghosts, torus};
 use crate::domain::{Domain, divided, ring_contains};
-use crate::mesh::{Fans, Mesh};
+use crate::mesh::{Face, Fans, Mesh};
 use crate::order;
 use crate::packing::{Grid, Particle};
 use crate::planar::on_grain;
@@ -44,6 +45,7 @@ pub struct Fitting {
 /// What the next slice of the work begins with.
 enum Next {
     Dual(Vec<Particle>),
+    Voronoi(Vec<Particle>),
     Band(Dual),
     Corners,
     Rounds(Straightening),
@@ -60,14 +62,32 @@ impl Fitting {
         }
     }
 
+    /// The plain Voronoi cells of these particles' centres within the outline, none made yet: each
+    /// holds what is nearer to its centre than to any other, whatever comes of it. Pieces that the
+    /// outline cuts off from their centre go to a neighbour, or are cells where they are large.
+    pub fn voronoi(particles: Vec<Particle>) -> Self {
+        Self {
+            cells: Vec::new(),
+            count: 0,
+            next: Next::Voronoi(particles),
+        }
+    }
+
     /// One slice of the work; true when all is done.
     pub fn advance(&mut self, domain: &Domain) -> bool {
         self.next = match std::mem::replace(&mut self.next, Next::Nothing) {
-            Next::Dual(particles) if particles.is_empty() => Next::Nothing,
-            Next::Dual(particles) => Next::Band(Dual::new(domain, particles)),
+            Next::Dual(particles) | Next::Voronoi(particles) if particles.is_empty() => {
+                Next::Nothing
+            }
+            Next::Dual(particles) => Next::Band(Dual::new(domain, particles, false)),
+            Next::Voronoi(particles) => Next::Band(Dual::new(domain, particles, true)),
             Next::Band(dual) => {
                 self.cells = dual.cells(domain);
-                Next::Corners
+                if dual.plain {
+                    Next::Nothing
+                } else {
+                    Next::Corners
+                }
             }
             Next::Corners => {
                 self.count = self.cells.len();
@@ -134,24 +154,31 @@ struct Dual {
     /// (element, node, the vertex this node sees), for divided elements.
     own: Vec<[u32; 3]>,
     vertices: usize,
+    /// The Voronoi diagram as it is: middles are those of the circles around Delaunay's triangles,
+    /// no cell is too small, no corner straightened.
+    plain: bool,
 }
 
 impl Dual {
-    fn new(domain: &Domain, particles: Vec<Particle>) -> Self {
+    fn new(domain: &Domain, particles: Vec<Particle>, plain: bool) -> Self {
         if let Some(side) = domain.period() {
-            return Self::over_seams(domain, side, particles);
+            return Self::over_seams(domain, side, particles, plain);
         }
         let real = particles.len();
         let mut points: Vec<DVec2> = particles.iter().map(|p| p.centre).collect();
-        points.extend(ghosts::ghosts(domain, &particles));
-        let mesh = Mesh::whole(points, |_| is_round(&particles));
-        let mut dual = Self::of(particles, &mesh);
+        points.extend(if plain {
+            ghosts::frame(domain)
+        } else {
+            ghosts::ghosts(domain, &particles)
+        });
+        let mesh = Mesh::whole(points, |_| plain || is_round(&particles));
+        let mut dual = Self::of(particles, &mesh, plain);
         for face in &mesh.faces {
-            let mut middle = face.centroid(&mesh.vertices);
+            let mut middle = dual.middle(&mesh, face);
             let cells = face.nodes().iter().filter(|&&k| (k as usize) < real);
             let sizes: Vec<f64> = cells.map(|&k| dual.particles[k as usize].size).collect();
             let mut on = On::Nothing;
-            if !sizes.is_empty() && sizes.len() < face.nodes().len() {
+            if !plain && !sizes.is_empty() && sizes.len() < face.nodes().len() {
                 let size = sizes.iter().sum::<f64>() / sizes.len() as f64;
                 let near = domain.nearest(middle);
                 if near.distance.abs() < SNAP * size {
@@ -160,7 +187,7 @@ impl Dual {
             }
             dual.push(middle, sizes.len() < face.nodes().len(), on);
         }
-        if !domain.lines().is_empty() {
+        if !plain && !domain.lines().is_empty() {
             dual.divide(domain, &mesh);
         }
         dual
@@ -169,7 +196,7 @@ impl Dual {
     /// On the torus. Pairs of triangles are chosen one after the other, so that far from the picture
     /// other ones may be chosen; should that reach as far as the seams, more images are taken, and in
     /// the end lone triangles, which depend on nothing but their own corners.
-    fn over_seams(domain: &Domain, side: f64, mut particles: Vec<Particle>) -> Self {
+    fn over_seams(domain: &Domain, side: f64, mut particles: Vec<Particle>, plain: bool) -> Self {
         for p in &mut particles {
             p.centre = domain.wrap(p.centre);
         }
@@ -177,11 +204,11 @@ impl Dual {
         loop {
             let margin = margins.next();
             let all = torus::spread(side, &particles, margin.unwrap_or(MARGINS[0]));
-            let lone = margin.is_none() || is_round(&particles);
+            let lone = plain || margin.is_none() || is_round(&particles);
             let mesh = Mesh::whole(all.iter().map(|p| p.centre).collect(), |_| lone);
-            let mut dual = Self::of(Vec::new(), &mesh);
+            let mut dual = Self::of(Vec::new(), &mesh, plain);
             for face in &mesh.faces {
-                dual.push(face.centroid(&mesh.vertices), false, On::Nothing);
+                dual.push(dual.middle(&mesh, face), false, On::Nothing);
             }
             let rings: Vec<Vec<DVec2>> = (0..particles.len()).map(|k| dual.ring(k)).collect();
             if margin.is_none() || torus::closes(domain, &rings) {
@@ -192,7 +219,7 @@ impl Dual {
     }
 
     /// Without vertices yet.
-    fn of(particles: Vec<Particle>, mesh: &Mesh) -> Self {
+    fn of(particles: Vec<Particle>, mesh: &Mesh, plain: bool) -> Self {
         let count = mesh.faces.len();
         Self {
             particles,
@@ -202,6 +229,15 @@ impl Dual {
             on: Vec::with_capacity(count),
             own: Vec::new(),
             vertices: mesh.vertices.len(),
+            plain,
+        }
+    }
+
+    /// Where an element's vertex belongs.
+    fn middle(&self, mesh: &Mesh, face: &Face) -> DVec2 {
+        match *face.nodes() {
+            [a, b, c] if self.plain => circumcentre([a, b, c].map(|k| mesh.vertices[k as usize])),
+            _ => face.centroid(&mesh.vertices),
         }
     }
 
@@ -304,7 +340,13 @@ impl Dual {
 
     fn ring(&self, vertex: usize) -> Vec<DVec2> {
         let around = self.around(vertex);
-        around.iter().map(|&f| self.middles[f as usize]).collect()
+        let mut ring: Vec<DVec2> = around.iter().map(|&f| self.middles[f as usize]).collect();
+        // Circles through the same four points have the same middle.
+        ring.dedup();
+        if ring.len() > 1 && ring.first() == ring.last() {
+            ring.pop();
+        }
+        ring
     }
 
     /// Which cells take part in the arrangement: all but those whose polygon surely keeps off the
@@ -332,7 +374,7 @@ impl Dual {
         let mut arrangement = Arrangement::new(domain, lines);
         let inner = Inner::new(domain, inner);
         arrangement.mark(domain, &self.particles, band, |p| inner.contains(p));
-        arrangement.assign();
+        arrangement.assign(!self.plain);
         arrangement.cells(&self.particles)
     }
 

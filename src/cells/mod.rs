@@ -9,9 +9,11 @@ mod packed;
 mod rings;
 mod straighten;
 mod torus;
+mod voronoi;
 
 pub use fitted::{Fitting, fitted};
 pub use packed::packed;
+pub use voronoi::{Scatter, ScatterParams};
 
 use crate::field::Kind;
 use glam::DVec2;

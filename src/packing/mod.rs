@@ -134,6 +134,22 @@ pub struct Particle {
     pub fixed: bool,
 }
 
+impl Particle {
+    /// A cell that has what the fields ask for at its place.
+    #[inline(never)]
+    pub fn new(id: u32, centre: DVec2, fixed: bool, fields: &Fields) -> Self {
+        Self {
+            id,
+            centre,
+            kind: fields.kind(centre),
+            size: fields.size(centre),
+            aspect: fields.aspect(centre),
+            axis: fields.direction(centre),
+            fixed,
+        }
+    }
+}
+
 /// What the last step did.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct StepReport {
@@ -226,15 +242,7 @@ impl Packing {
     }
 
     fn add(&mut self, fields: &Fields, centre: DVec2, fixed: bool) {
-        let particle = Particle {
-            id: self.next_id,
-            centre,
-            kind: fields.kind(centre),
-            size: fields.size(centre),
-            aspect: fields.aspect(centre),
-            axis: fields.direction(centre),
-            fixed,
-        };
+        let particle = Particle::new(self.next_id, centre, fixed, fields);
         self.next_id += 1;
         self.bodies.push(Body {
             particle,
