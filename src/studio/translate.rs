@@ -185,6 +185,7 @@ pub(super) fn texture(recipe: &Recipe) -> TextureParams {
         palette: recipe.choice(Key::Palette),
         ground: recipe.choice(Key::Ground),
         vary: recipe.number(Key::Vary),
+        tile: recipe.is_tile(),
     }
 }
 
