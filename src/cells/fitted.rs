@@ -9,7 +9,7 @@ use super::arrangement::{Arrangement, Line, on_grain};
 use super::straighten::Straightening;
 use super::{Cell, ghosts};
 use crate::domain::{Domain, ring_contains};
-use crate::mesh::{Fans, Mesh};
+use crate::mesh::{Fans, Mesh, Node};
 use crate::order;
 use crate::packing::{Grid, Particle};
 use glam::DVec2;
@@ -106,9 +106,9 @@ struct Dual {
 impl Dual {
     fn new(domain: &Domain, particles: Vec<Particle>) -> Self {
         let real = particles.len();
-        let mut points: Vec<DVec2> = particles.iter().map(|p| p.centre).collect();
-        points.extend(ghosts::ghosts(domain, &particles));
-        let mesh = Mesh::whole(points, |_| false);
+        let mut nodes: Vec<Node> = particles.iter().map(Node::of).collect();
+        nodes.extend(ghosts::ghosts(domain, &particles));
+        let mesh = Mesh::whole(&nodes, |_| false);
         let mut middles = Vec::with_capacity(mesh.faces.len());
         let mut mixed = Vec::with_capacity(mesh.faces.len());
         let mut snapped = Vec::with_capacity(mesh.faces.len());

@@ -3,14 +3,57 @@
 //! Itoh, Miyata, Shimada (2003), section 5.2: Delaunay triangulation (spade), then pairs of
 //! triangles become quadrilaterals in the order of their quality; lone triangles may stay.
 
+mod metric;
+mod patch;
 mod quads;
+mod relax;
+mod triangles;
+
+pub use metric::Metric;
 
 use crate::domain::Domain;
 use crate::order;
 use crate::packing::Particle;
 use glam::DVec2;
+use quads::Faces;
 use spade::handles::FixedVertexHandle;
 use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation as _};
+use triangles::{NONE, Triangles};
+
+/// A point to be joined into a mesh.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Node {
+    /// Where it is, in picture units.
+    pub at: DVec2,
+    /// Unit vector along a side of its cell; zero where it has no direction.
+    pub axis: DVec2,
+    /// How lengths are measured here.
+    pub metric: Metric,
+    /// Its cell has corners: it may be a corner of quadrilaterals.
+    pub corners: bool,
+}
+
+impl Node {
+    /// A point that stands for a square.
+    pub fn plain(at: DVec2) -> Self {
+        Self {
+            at,
+            axis: DVec2::ZERO,
+            metric: Metric::EVEN,
+            corners: true,
+        }
+    }
+
+    /// That of a packed cell.
+    pub fn of(p: &Particle) -> Self {
+        Self {
+            at: p.centre,
+            axis: p.axis,
+            metric: Metric::new(p.axis, p.aspect),
+            corners: p.kind.has_corners(),
+        }
+    }
+}
 
 /// A mesh element: a triangle or a quadrilateral.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -61,28 +104,51 @@ const SLIVER: f64 = 0.12;
 /// sizes, only bridges a bend.
 const AT_WALL: f64 = 0.45;
 
+/// Lone triangles are let be where they are at most this share of the elements ...
+const FEW_TRIANGLES: f64 = 0.037;
+/// ... and this many more, but ...
+const RIM_TRIANGLES: f64 = 6.0;
+/// ... at most this share.
+const MOST_TRIANGLES: f64 = 0.08;
+/// The least score of quadrilaterals that replace lone triangles, falling.
+const STANDARDS: [f64; 6] = [0.5, 0.4, 0.3, 0.2, 0.2, 0.15];
+
 impl Mesh {
     /// The mesh of the cells' centres within the outline: elements whose middle lies outside,
     /// slivers along the rim, and triangles that lie between the outermost cells and the wall they
     /// stand at, are left out.
     pub fn build(domain: &Domain, particles: &[Particle]) -> Self {
-        let centres = particles.iter().map(|p| p.centre).collect();
-        let mut mesh = Self::whole(centres, |_| false);
-        let vertices = &mesh.vertices;
-        mesh.faces.retain(|face| {
-            let depth = domain.nearest(face.centroid(vertices)).distance;
+        let mut nodes: Vec<Node> = particles.iter().map(Node::of).collect();
+        let vertices: Vec<DVec2> = particles.iter().map(|p| p.centre).collect();
+        let mut triangles = Triangles::new(&nodes);
+        triangles.stretch(&nodes, |_| false);
+        triangles.retain(|t| {
+            let [a, b, c] = t.map(|k| vertices[k as usize]);
+            domain.nearest((a + b + c) / 3.0).distance > 0.0
+        });
+        let mut made = quads::pair(&nodes, &triangles, |_| false);
+        join_lone(&mut nodes, &mut made, |k| particles[k].fixed);
+        let vertices: Vec<DVec2> = nodes.iter().map(|n| n.at).collect();
+        let mut faces = made.faces;
+        faces.retain(|face| {
+            if face.sides == 0 {
+                return false;
+            }
+            let depth = domain.nearest(face.centroid(&vertices)).distance;
             depth > 0.0
-                && !is_sliver(face, vertices)
+                && !is_sliver(face, &vertices)
                 && !(face.sides == 3 && depth < at_wall(face, particles))
         });
-        mesh
+        Self { vertices, faces }
     }
 
     /// The mesh of all points over their convex hull. Edges for which `keep` holds are never
     /// dissolved into a quadrilateral. Points that coincide with an earlier one get no element.
-    pub(crate) fn whole(vertices: Vec<DVec2>, keep: impl Fn([u32; 2]) -> bool) -> Self {
-        let triangles = triangulate(&vertices);
-        let faces = quads::pair(&vertices, &triangles, keep);
+    pub(crate) fn whole(nodes: &[Node], keep: impl Fn([u32; 2]) -> bool) -> Self {
+        let mut triangles = Triangles::new(nodes);
+        triangles.stretch(nodes, &keep);
+        let faces = quads::pair(nodes, &triangles, &keep).faces;
+        let vertices = nodes.iter().map(|n| n.at).collect();
         Self { vertices, faces }
     }
 
@@ -90,6 +156,31 @@ impl Mesh {
     /// vertices on the rim of the mesh.
     pub(crate) fn fans(&self) -> Fans {
         Fans::new(self)
+    }
+}
+
+/// Joins lone triangles over the elements between them while there are too many, first to good
+/// quadrilaterals only; in between the nodes that may move relax, which makes room for more.
+fn join_lone(nodes: &mut [Node], made: &mut Faces, is_fixed: impl Fn(usize) -> bool) {
+    let mut free: Vec<bool> = (0..nodes.len()).map(|k| !is_fixed(k)).collect();
+    for (face, beside) in made.faces.iter().zip(&made.beside) {
+        let corners = face.nodes();
+        for k in 0..corners.len() {
+            if beside[k] == NONE {
+                free[corners[k] as usize] = false;
+                free[corners[(k + 1) % corners.len()] as usize] = false;
+            }
+        }
+    }
+    let count = made.faces.len() as f64;
+    let few = (FEW_TRIANGLES * count + RIM_TRIANGLES).min(MOST_TRIANGLES * count) as usize;
+    for worst in STANDARDS {
+        let triangles = made.faces.iter().filter(|f| f.sides == 3);
+        if triangles.count() <= few {
+            break;
+        }
+        patch::better(nodes, made, worst, few, |_| false);
+        relax::relax(nodes, &made.faces, &free);
     }
 }
 
@@ -117,24 +208,6 @@ pub(crate) type Delaunay = ConstrainedDelaunayTriangulation<Point2<f64>>;
 #[inline(never)]
 pub(crate) fn insert(mesh: &mut Delaunay, p: Point2<f64>) -> Option<FixedVertexHandle> {
     mesh.insert(p).ok()
-}
-
-/// Delaunay triangles, each of positive shoelace area, in an order that depends on the points only.
-fn triangulate(points: &[DVec2]) -> Vec<[u32; 3]> {
-    let mut mesh = Delaunay::default();
-    // One after the other in the order given: coinciding points are told apart by their handles.
-    let mut name = Vec::with_capacity(points.len());
-    for (k, p) in points.iter().enumerate() {
-        if let Some(handle) = insert(&mut mesh, Point2::new(p.x, p.y))
-            && handle.index() == name.len()
-        {
-            name.push(k as u32);
-        }
-    }
-    // Spade winds counter-clockwise with y up: a positive shoelace area on the same numbers.
-    mesh.inner_faces()
-        .map(|face| face.vertices().map(|v| name[v.fix().index()]))
-        .collect()
 }
 
 /// The elements around each vertex.
@@ -206,6 +279,10 @@ impl Fans {
 mod tests {
     use super::*;
 
+    fn even(points: Vec<DVec2>) -> Vec<Node> {
+        points.into_iter().map(Node::plain).collect()
+    }
+
     fn lattice(n: u32) -> Vec<DVec2> {
         (0..n * n)
             .map(|k| DVec2::new(f64::from(k % n), f64::from(k / n)))
@@ -214,7 +291,7 @@ mod tests {
 
     #[test]
     fn a_lattice_becomes_quads_with_four_around_each_inner_node() {
-        let mesh = Mesh::whole(lattice(6), |_| false);
+        let mesh = Mesh::whole(&even(lattice(6)), |_| false);
         assert_eq!(mesh.faces.len(), 25);
         assert!(mesh.faces.iter().all(|f| f.nodes().len() == 4));
         let fans = mesh.fans();
@@ -229,7 +306,7 @@ mod tests {
     fn fans_run_clockwise_on_screen() {
         let mut points = lattice(5);
         points[12] += DVec2::new(0.21, -0.13);
-        let mesh = Mesh::whole(points, |_| false);
+        let mesh = Mesh::whole(&even(points), |_| false);
         let ring: Vec<DVec2> = mesh
             .fans()
             .around(12)
@@ -242,8 +319,12 @@ mod tests {
     #[test]
     fn degenerate_points_give_no_elements() {
         let line: Vec<DVec2> = (0..9).map(|k| DVec2::new(f64::from(k), 0.0)).collect();
-        assert!(Mesh::whole(line, |_| false).faces.is_empty());
-        assert!(Mesh::whole(vec![], |_| false).faces.is_empty());
-        assert!(Mesh::whole(vec![DVec2::ONE; 4], |_| false).faces.is_empty());
+        assert!(Mesh::whole(&even(line), |_| false).faces.is_empty());
+        assert!(Mesh::whole(&even(vec![]), |_| false).faces.is_empty());
+        assert!(
+            Mesh::whole(&even(vec![DVec2::ONE; 4]), |_| false)
+                .faces
+                .is_empty()
+        );
     }
 }
