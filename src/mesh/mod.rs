@@ -100,6 +100,8 @@ pub struct Mesh {
 
 /// A triangle whose height is less than this share of its longest side is a sliver of the rim.
 const SLIVER: f64 = 0.12;
+/// Without an obtuse angle it is one if its height is less than this share.
+const NEEDLE: f64 = 0.01;
 /// Cells at a wall stand half their size from it; a triangle whose middle is nearer than this, in
 /// sizes, only bridges a bend.
 const AT_WALL: f64 = 0.45;
@@ -136,7 +138,7 @@ impl Mesh {
             }
             let depth = domain.nearest(face.centroid(&vertices)).distance;
             depth > 0.0
-                && !is_sliver(face, &vertices)
+                && !is_sliver(face, &nodes)
                 && !(face.sides == 3 && depth < at_wall(face, particles))
         });
         Self { vertices, faces }
@@ -172,11 +174,15 @@ fn join_lone(nodes: &mut [Node], made: &mut Faces, is_fixed: impl Fn(usize) -> b
             }
         }
     }
-    let count = made.faces.len() as f64;
+    let lone = |nodes: &[Node], made: &Faces| {
+        let faces = made.faces.iter();
+        faces.filter(|f| quads::is_lone(nodes, f)).count()
+    };
+    let quads = made.faces.iter().filter(|f| f.sides == 4).count();
+    let count = (quads + lone(nodes, made)) as f64;
     let few = (FEW_TRIANGLES * count + RIM_TRIANGLES).min(MOST_TRIANGLES * count) as usize;
     for worst in STANDARDS {
-        let triangles = made.faces.iter().filter(|f| f.sides == 3);
-        if triangles.count() <= few {
+        if lone(nodes, made) <= few {
             break;
         }
         patch::better(nodes, made, worst, few, |_| false);
@@ -187,17 +193,25 @@ fn join_lone(nodes: &mut [Node], made: &mut Faces, is_fixed: impl Fn(usize) -> b
 /// How deep a triangle of cells that all stand at a wall has to lie; 0 where one is fixed on it.
 fn at_wall(triangle: &Face, particles: &[Particle]) -> f64 {
     let nodes = triangle.nodes().iter().map(|&k| &particles[k as usize]);
-    let depth = nodes.map(|p| if p.fixed { 0.0 } else { AT_WALL * p.size });
+    let depth = nodes.map(|p| {
+        if p.fixed {
+            0.0
+        } else {
+            AT_WALL * p.size / p.aspect.sqrt()
+        }
+    });
     depth.fold(f64::INFINITY, f64::min)
 }
 
-fn is_sliver(face: &Face, vertices: &[DVec2]) -> bool {
+/// Is this a triangle so flat that it only lies along the rim? The needles of sharp tips stay.
+fn is_sliver(face: &Face, nodes: &[Node]) -> bool {
     let [a, b, c] = *face.nodes() else {
         return false;
     };
-    let [a, b, c] = [a, b, c].map(|k| vertices[k as usize]);
-    let longest = a.distance(b).max(b.distance(c)).max(c.distance(a));
-    crate::domain::cross(a, b, c) < SLIVER * longest * longest
+    let [p, q, r] = [a, b, c].map(|k| nodes[k as usize].at);
+    let obtuse = |p: DVec2, q: DVec2, r: DVec2| (q - p).dot(r - p) < 0.0;
+    let cap = obtuse(p, q, r) || obtuse(q, r, p) || obtuse(r, p, q);
+    quads::height(nodes, [a, b, c]) < if cap { SLIVER } else { NEEDLE }
 }
 
 /// A triangulation, with or without constraints: two types would bring two copies of spade into the
@@ -276,55 +290,4 @@ impl Fans {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn even(points: Vec<DVec2>) -> Vec<Node> {
-        points.into_iter().map(Node::plain).collect()
-    }
-
-    fn lattice(n: u32) -> Vec<DVec2> {
-        (0..n * n)
-            .map(|k| DVec2::new(f64::from(k % n), f64::from(k / n)))
-            .collect()
-    }
-
-    #[test]
-    fn a_lattice_becomes_quads_with_four_around_each_inner_node() {
-        let mesh = Mesh::whole(&even(lattice(6)), |_| false);
-        assert_eq!(mesh.faces.len(), 25);
-        assert!(mesh.faces.iter().all(|f| f.nodes().len() == 4));
-        let fans = mesh.fans();
-        for k in 0..36 {
-            let (x, y) = (k % 6, k / 6);
-            let inner = x > 0 && x < 5 && y > 0 && y < 5;
-            assert_eq!(fans.around(k).len(), if inner { 4 } else { 0 });
-        }
-    }
-
-    #[test]
-    fn fans_run_clockwise_on_screen() {
-        let mut points = lattice(5);
-        points[12] += DVec2::new(0.21, -0.13);
-        let mesh = Mesh::whole(&even(points), |_| false);
-        let ring: Vec<DVec2> = mesh
-            .fans()
-            .around(12)
-            .iter()
-            .map(|&f| mesh.faces[f as usize].centroid(&mesh.vertices))
-            .collect();
-        assert!(crate::domain::signed_area(&ring) > 0.5);
-    }
-
-    #[test]
-    fn degenerate_points_give_no_elements() {
-        let line: Vec<DVec2> = (0..9).map(|k| DVec2::new(f64::from(k), 0.0)).collect();
-        assert!(Mesh::whole(&even(line), |_| false).faces.is_empty());
-        assert!(Mesh::whole(&even(vec![]), |_| false).faces.is_empty());
-        assert!(
-            Mesh::whole(&even(vec![DVec2::ONE; 4]), |_| false)
-                .faces
-                .is_empty()
-        );
-    }
-}
+mod tests;

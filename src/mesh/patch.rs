@@ -7,10 +7,9 @@
 //! change their common side, two quadrilaterals likewise. A patch changes only where that is a gain,
 //! so all of it ends.
 
-use super::quads::{Faces, score};
+use super::quads::{Faces, height, is_lone, score};
 use super::triangles::NONE;
 use super::{Face, Node};
-use glam::DVec2;
 
 /// The most elements of a patch.
 const LONGEST: usize = 6;
@@ -20,7 +19,8 @@ const MOST: usize = 2 * LONGEST + 2;
 const TRIANGLE: f64 = 1.5;
 /// What an inner node costs for each side that it has more or less than four.
 const IRREGULAR: f64 = 0.12;
-
+/// A new triangle is higher than this share of its longest side.
+const FLAT: f64 = 0.4;
 /// Less is no gain.
 const LEAST_GAIN: f64 = 1e-3;
 /// A quadrilateral that costs less, among regular nodes, is left alone.
@@ -60,7 +60,7 @@ struct Work<'a, K> {
     keep: K,
     /// Quadrilaterals have at least this score.
     worst: f64,
-    /// How many triangles there are.
+    /// How many lone triangles there are.
     triangles: usize,
     /// Sides at each node.
     valence: Vec<i32>,
@@ -114,7 +114,7 @@ impl<'a, K: Fn([u32; 2]) -> bool> Work<'a, K> {
             nodes,
             keep,
             worst,
-            triangles: faces.faces.iter().filter(|f| f.sides == 3).count(),
+            triangles: faces.faces.iter().filter(|f| is_lone(nodes, f)).count(),
             valence,
             rim,
             fresh: vec![true; faces.faces.len()],
@@ -132,7 +132,11 @@ impl<'a, K: Fn([u32; 2]) -> bool> Work<'a, K> {
     fn try_from(&mut self, first: u32) -> bool {
         let face = self.faces.faces[first as usize];
         let tried = !std::mem::replace(&mut self.fresh[first as usize], false);
-        if face.sides == 0 || tried || (face.sides == 4 && self.is_fine(&face)) {
+        if face.sides == 0
+            || tried
+            || (face.sides == 3 && !is_lone(self.nodes, &face))
+            || (face.sides == 4 && self.is_fine(&face))
+        {
             return false;
         }
         let start = Polygon {
@@ -359,7 +363,7 @@ impl<'a, K: Fn([u32; 2]) -> bool> Work<'a, K> {
                     let inner = first + self.table.cost[a][j] + TRIANGLE;
                     if inner < least
                         && n % 2 == 1
-                        && self.is_sound([i, a, j].map(|k| patch.corners[k]))
+                        && height(self.nodes, [i, a, j].map(|k| patch.corners[k])) > FLAT
                     {
                         (least, apex) = (inner, [a as u8, a as u8]);
                     }
@@ -369,16 +373,6 @@ impl<'a, K: Fn([u32; 2]) -> bool> Work<'a, K> {
             }
         }
         self.table.cost[0][n - 1]
-    }
-
-    /// Is this a triangle that may stay: of positive area and no sliver?
-    fn is_sound(&self, corners: [u32; 3]) -> bool {
-        let [a, b, c]: [DVec2; 3] = corners.map(|k| self.nodes[k as usize].at);
-        let longest = a
-            .distance_squared(b)
-            .max(b.distance_squared(c))
-            .max(c.distance_squared(a));
-        crate::domain::cross(a, b, c) > 0.4 * longest
     }
 
     /// Puts the division in the table in place of the patch's elements.

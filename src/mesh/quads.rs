@@ -2,6 +2,7 @@
 
 use super::triangles::{NONE, Triangles};
 use super::{Face, Metric, Node};
+use crate::domain::cross;
 use crate::order;
 
 /// A pair scores the least sine of its four corners; worse ones stay two triangles.
@@ -115,4 +116,20 @@ pub(super) fn score(nodes: &[Node], quad: [u32; 4]) -> f64 {
         least = least.min(sine);
     }
     least
+}
+
+/// A triangle's height over its longest side in the mean metric of its nodes: 0.866 where all sides
+/// are equal, negative where it is turned over.
+pub(super) fn height(nodes: &[Node], triangle: [u32; 3]) -> f64 {
+    let [a, b, c] = triangle.map(|k| &nodes[k as usize]);
+    let metric = Metric::mean([a.metric, b.metric, c.metric, c.metric]);
+    let sides = [b.at - a.at, c.at - b.at, a.at - c.at];
+    let longest = sides.map(|side| metric.dot(side, side));
+    let longest = longest[0].max(longest[1]).max(longest[2]);
+    cross(a.at, b.at, c.at) / longest
+}
+
+/// Is this a triangle that could be a part of a quadrilateral?
+pub(super) fn is_lone(nodes: &[Node], face: &Face) -> bool {
+    face.sides == 3 && face.nodes().iter().all(|&k| nodes[k as usize].corners)
 }

@@ -5,9 +5,8 @@
 //! diagonals made equally long. A node moves to the mean of what is asked of it, if its elements gain
 //! by that; so nothing is ever turned inside out.
 
-use super::quads::score;
+use super::quads::{height, score};
 use super::{Face, Metric, Node};
-use crate::domain::cross;
 use glam::DVec2;
 
 /// Passes over the nodes.
@@ -106,14 +105,7 @@ fn worth(nodes: &[Node], faces: &[Face], around: &[u32]) -> f64 {
                 }
             }
             [a, b, c] => {
-                let [a, b, c] = [a, b, c].map(|k| nodes[k as usize].at);
-                let (p, q, r) = (b - a, c - b, a - c);
-                let longest = p
-                    .length_squared()
-                    .max(q.length_squared())
-                    .max(r.length_squared());
-                let height = cross(a, b, c) / longest;
-                sum -= 4.0 * (FLAT - height).max(0.0);
+                sum -= 4.0 * (FLAT - height(nodes, [a, b, c])).max(0.0);
             }
             _ => {}
         }

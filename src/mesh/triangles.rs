@@ -109,7 +109,7 @@ impl Triangles {
             }
             left -= 1;
             self.flip(t as u32, k, u, j);
-            open.extend([[t as u32, 0], [t as u32, 1], [u, 0], [u, 2]]);
+            open.extend([[t as u32, 0], [t as u32, 2], [u, 0], [u, 2]]);
         }
     }
 
