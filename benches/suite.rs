@@ -2,7 +2,7 @@
 //! clock; each is the shortest of several runs, which other programs have disturbed least.
 
 use bubblestone::domain::{Domain, Outline};
-use bubblestone::field::{Direction, FieldBuilder, FieldParams, Fields, Kind};
+use bubblestone::field::{FieldBuilder, FieldParams, Fields};
 use bubblestone::packing::{Edge, Integrator, Packing, PackingParams, Population, Start};
 use bubblestone::recipe::Recipe;
 use bubblestone::solid::Stencil;
@@ -57,20 +57,14 @@ fn ring() -> Domain {
     Domain::from_checked(&Outline {
         outer: circle(250.0, 1.0),
         holes: vec![circle(125.0, -1.0)],
+        ..Outline::default()
     })
 }
 
 fn fields(domain: &Domain, size: f64) -> Fields {
     let params = FieldParams {
-        direction: Direction::Boundary,
-        angle: 0.0,
-        power: 4,
-        kind: Kind::Square,
-        aspect: 1.0,
         size,
-        linear: DVec2::ZERO,
-        radial: 0.0,
-        side: 512.0,
+        ..FieldParams::default()
     };
     FieldBuilder::build(domain, params)
 }

@@ -215,6 +215,7 @@ fn rings_of(points: &[f64], lengths: &[u32]) -> Result<Outline, String> {
     Ok(Outline {
         outer,
         holes: rings,
+        ..Outline::default()
     })
 }
 

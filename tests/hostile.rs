@@ -30,6 +30,30 @@ fn number(random: &mut Random, (min, max): (f64, f64)) -> f64 {
     }
 }
 
+/// Some rows of a list, in decimal numbers.
+fn list(key: Key, random: &mut Random) -> String {
+    let place = |random: &mut Random| (1.4 * random.unit() - 0.2).to_string();
+    let rows = 1 + random.below(3);
+    let rows = (0..rows).map(|_| {
+        let mut row: Vec<String> = (0..2).map(|_| place(random)).collect();
+        match key {
+            Key::Spots => {
+                row.extend([random.unit() + 0.01, 0.2 + random.unit()].map(|x| x.to_string()))
+            }
+            Key::Stretch => {
+                row.extend(
+                    [random.unit() + 0.01, 1.0 + 4.0 * random.unit()].map(|x| x.to_string()),
+                );
+            }
+            Key::Parts => row.push(random.below(4).to_string()),
+            _ => row.extend((0..2 + 2 * random.below(5)).map(|_| place(random))),
+        }
+        row.join(",")
+    });
+    let rows: Vec<String> = rows.collect();
+    rows.join(";")
+}
+
 /// A recipe with some of its parameters far from home.
 fn wild(random: &mut Random) -> Recipe {
     let mut recipe = Recipe::default();
@@ -42,6 +66,7 @@ fn wild(random: &mut Random) -> Recipe {
         }
         let text = match row.kind {
             Kind::Choice => row.choices[random.below(row.choices.len())].word.to_owned(),
+            Kind::Text => list(key, random),
             _ => number(random, recipe.limits(key)).to_string(),
         };
         recipe.set(row.key, &text).unwrap();
@@ -79,6 +104,7 @@ fn polygon(random: &mut Random, side: f64) -> Outline {
     Outline {
         outer: shrunk(&outer, scale),
         holes,
+        ..Outline::default()
     }
 }
 

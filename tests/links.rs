@@ -144,9 +144,45 @@ fn bad_links_are_mended_and_told() {
             &["(stone)", "cobble or flag", "\"brick\"", "kept cobble"],
         ),
         (
-            "kind=circle",
+            "kind=hexagon",
             "",
-            &["(kind)", "square so far", "\"circle\"", "kept square"],
+            &["(kind)", "circle or ellipse", "\"hexagon\"", "kept square"],
+        ),
+        ("tile=yes", "", &["(tile)", "0 or 1", "\"yes\"", "kept 0"]),
+        ("lines=!", "", &["(lines)", "'!'", "kept what was there"]),
+        (
+            "lines=0.1,0.2",
+            "",
+            &["(lines)", "row 1", "2 different points"],
+        ),
+        (
+            "lines=0.1,0.2,0.1,0.2",
+            "",
+            &["(lines)", "2 different points"],
+        ),
+        ("strokes=0.1,0.2,0.3", "", &["(strokes)", "lost its y"]),
+        (
+            "strokes=0,0,1,1;0,0,9,9",
+            "",
+            &["row 2", "outside the picture"],
+        ),
+        (
+            "strokes=0,0,1,x",
+            "",
+            &["(strokes)", "a number in it is none"],
+        ),
+        ("spots=0.5,0.5,0.2", "", &["(spots)", "radius and value"]),
+        ("spots=0.5,0.5,0.2,9", "", &["(spots)", "from 0.2 to 3"]),
+        (
+            "stretch=0.5,0.5,7,2",
+            "",
+            &["(stretch)", "from 0.01 to 2 sides"],
+        ),
+        ("parts=0.5,0.5,7", "", &["(parts)", "kind from 0 to 3"]),
+        (
+            "spots=0.5,0.5,0.25,2&spots=!",
+            "v=1&spots=gggBgggBggQggE",
+            &["(spots)", "kept what was there"],
         ),
         (
             "outline=donut",
@@ -262,6 +298,7 @@ fn a_hundred_points_make_a_short_link_with_the_same_bits() {
         let outline = Outline {
             outer: star(recipe.side(), &radii),
             holes: vec![hole.iter().map(|p| *p * recipe.side() / 512.0).collect()],
+            ..Outline::default()
         };
         assert_eq!(recipe.set_polygon(&outline), Ok(vec![]));
         let link = recipe.link();
@@ -292,6 +329,49 @@ fn numbers_are_written_as_short_as_can_be() {
     assert_eq!(recipe.get("stone"), "cobble");
 }
 
+#[test]
+fn lists_are_read_in_decimals_and_written_compactly() {
+    let link = "lines=0.25,0.25,0.75,0.5;0,1,1,0&parts=0.5,0.75,3&spots=.5,.5,.25,.2;1,1,.1,3\
+                &strokes=0.1,0.1,0.9,0.1,0.9,0.9&stretch=0.5,0.5,0.25,2.5&size=1024";
+    let (mut recipe, notices) = open(link);
+    assert_eq!(notices, "");
+    assert_eq!(
+        recipe.lines(),
+        [
+            vec![DVec2::splat(256.0), DVec2::new(768.0, 512.0)],
+            vec![DVec2::new(0.0, 1024.0), DVec2::new(1024.0, 0.0)],
+        ]
+    );
+    assert_eq!(recipe.outline().lines, recipe.lines());
+    assert_eq!(recipe.part_kinds(), [(DVec2::new(512.0, 768.0), "ellipse")]);
+    assert_eq!(
+        recipe.size_spots()[0],
+        [512.0, 512.0, 256.0, 205.0 / 1024.0]
+    );
+    assert_eq!(recipe.size_spots()[1][3], 3.0);
+    assert_eq!(recipe.aspect_spots(), [[512.0, 512.0, 256.0, 2.5]]);
+    assert_eq!(recipe.strokes()[0].len(), 3);
+    // From their compact form the same again, in any picture.
+    let (mut back, notices) = open(&recipe.link());
+    assert_eq!((&back, notices.as_str()), (&recipe, ""));
+    assert!(recipe.link().len() < 200, "{}", recipe.link());
+    back.set("size", "512").unwrap();
+    assert_eq!(back.lines()[0][0], DVec2::splat(128.0));
+    // An empty text clears a list.
+    assert_eq!(recipe.set("strokes", ""), Ok(None));
+    assert!(recipe.strokes().is_empty());
+}
+
+#[test]
+fn lists_that_are_too_long_are_told() {
+    let many = vec!["0,0,1,1"; 65].join(";");
+    let (_, told) = Recipe::from_link(&format!("strokes={many}"));
+    assert!(told[0].contains("more than 64 rows"), "{told:?}");
+    let long = vec!["0,0"; 257].join(",");
+    let (_, told) = Recipe::from_link(&format!("strokes={long}"));
+    assert!(told[0].contains("more than 256 points"), "{told:?}");
+}
+
 /// A value for a row: in its range, at its ends, or a word.
 fn value(index: usize, t: f64) -> String {
     let row = &SCHEMA[index];
@@ -304,7 +384,14 @@ fn value(index: usize, t: f64) -> String {
                 .word
                 .to_owned()
         }
-        Kind::Text => String::new(),
+        Kind::Text if row.key == "poly" => String::new(),
+        Kind::Text => match row.key {
+            "parts" => format!("{t},0.5,{}", (t * 3.0).round()),
+            "spots" => format!("{t},0.5,0.1,{};0.5,0.5,0.2,0.2", 1.0 + t),
+            "stretch" => format!("{t},0.5,0.1,{}", 1.0 + t),
+            _ => format!("{t},0.5,0.1,2;0.5,{t},0.25,0.125,0.9,0.1"),
+        }
+        .replace(",2;", ",0.2;"),
     }
 }
 
@@ -320,7 +407,7 @@ proptest! {
         }
         if let Some(radii) = radii {
             let outer = star(recipe.side(), &radii);
-            recipe.set_polygon(&Outline { outer, holes: vec![] }).unwrap();
+            recipe.set_polygon(&Outline { outer, holes: vec![], ..Outline::default() }).unwrap();
         }
         valid(&recipe);
         let link = recipe.link();

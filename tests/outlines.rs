@@ -30,6 +30,7 @@ fn outline(outer: Vec<DVec2>, holes: &[Vec<DVec2>]) -> Outline {
     Outline {
         outer,
         holes: holes.to_vec(),
+        ..Outline::default()
     }
 }
 
@@ -38,6 +39,7 @@ fn scaled(outline: &Outline, scale: f64) -> Outline {
     Outline {
         outer: ring(&outline.outer),
         holes: outline.holes.iter().map(ring).collect(),
+        ..Outline::default()
     }
 }
 
@@ -401,7 +403,7 @@ proptest! {
         let ring = |points: &Vec<(i32, i32)>| -> Vec<DVec2> {
             points.iter().map(|&(x, y)| DVec2::new(x.into(), y.into()) * scale * SIDE / 6.0).collect()
         };
-        let given = Outline { outer: ring(&outer), holes: holes.iter().map(ring).collect() };
+        let given = Outline { outer: ring(&outer), holes: holes.iter().map(ring).collect(), lines: vec![] };
         match given.check(scale * SIDE) {
             Ok((checked, _)) => {
                 prop_assert!(signed_area(&checked.outer) > 0.0);

@@ -3,7 +3,7 @@
 
 use bubblestone::cells::{Cell, fitted, packed};
 use bubblestone::domain::{Domain, Outline, signed_area};
-use bubblestone::field::{Direction, FieldBuilder, FieldParams, Fields, Kind};
+use bubblestone::field::{FieldBuilder, FieldParams, Fields};
 use bubblestone::mesh::Mesh;
 use bubblestone::packing::{
     Edge, Integrator, Packing, PackingParams, Particle, Population, Start, StepReport,
@@ -49,6 +49,7 @@ fn outlines() -> Vec<(String, Domain)> {
                     .iter()
                     .map(ring)
                     .collect(),
+                ..Outline::default()
             };
             let (checked, _) = outline.check(512.0).unwrap();
             let name = value["name"].as_str().unwrap().to_owned();
@@ -59,15 +60,8 @@ fn outlines() -> Vec<(String, Domain)> {
 
 fn fields(domain: &Domain, size: f64) -> Fields {
     let params = FieldParams {
-        direction: Direction::Boundary,
-        angle: 0.0,
-        power: 4,
-        kind: Kind::Square,
-        aspect: 1.0,
         size,
-        linear: DVec2::ZERO,
-        radial: 0.0,
-        side: 512.0,
+        ..FieldParams::default()
     };
     FieldBuilder::build(domain, params)
 }
@@ -180,7 +174,7 @@ fn cells_of_very_different_sizes_fill_every_outline_too() {
             let params = FieldParams {
                 linear: DVec2::new(linear, 0.2),
                 radial,
-                ..*fields(&domain, size).params()
+                ..fields(&domain, size).params().clone()
             };
             let fields = FieldBuilder::build(&domain, params);
             let params = PackingParams { variance, ..PARAMS };
@@ -283,14 +277,14 @@ fn relaxing_lowers_the_energy() {
         ..PARAMS
     };
     let mut packing = Packing::new(&domain, &fields, params).unwrap();
-    let before = packing.energy();
+    let before = packing.energy(&domain);
     while !packing.done() {
         packing.step(&domain, &fields);
     }
     assert!(
-        packing.energy() < before,
+        packing.energy(&domain) < before,
         "{before} to {}",
-        packing.energy()
+        packing.energy(&domain)
     );
 }
 

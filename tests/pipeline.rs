@@ -94,6 +94,7 @@ fn only_stale_stages_run_again() {
         ("palette", "basalt", "solids"),
         ("dr", "0.9", "solids"),
         ("cells", "packed", "cells"),
+        ("cells", "lloyd", "cells"),
         ("seed", "77", "packing"),
         ("cs", "20", "fields"),
         ("ow", "0.8", "domain"),
@@ -138,7 +139,7 @@ fn the_latest_recipe_wins() {
         ("af", ["0", "4"]),
         ("vary", ["0.5", "1.5"]),
         ("hs", ["9", "22"]),
-        ("cells", ["packed", "fitted"]),
+        ("cells", ["lloyd", "fitted"]),
         ("cs", ["13", "17"]),
         ("size", ["160", "128"]),
         ("outline", ["star", "l_shape"]),
@@ -218,6 +219,7 @@ fn an_exact_outline_is_used_as_it_is() {
             p(15.7, 130.8),
         ],
         holes: vec![],
+        ..Outline::default()
     };
     let made = Studio::with_outline(recipe("size=160&cs=14"), &outline);
     let (mut studio, notices) = made.map_err(|e| panic!("{e}")).unwrap();
@@ -235,6 +237,7 @@ fn bad_outlines_get_a_sentence() {
         let outline = Outline {
             outer,
             holes: vec![],
+            ..Outline::default()
         };
         let sentence = Studio::with_outline(recipe(""), &outline).err().unwrap();
         assert!(sentence.ends_with('.') && sentence.len() > 20, "{sentence}");
@@ -252,6 +255,7 @@ fn coarse_cells_in_small_outlines_do_no_harm() {
         let outline = Outline {
             outer: vec![p(4., 4.), p(4. + reach, 5.), p(5., 4. + reach)],
             holes: vec![],
+            ..Outline::default()
         };
         for link in ["size=160&cs=80", "size=160&cs=80&edge=on", "size=160&cs=2"] {
             let Ok((mut studio, _)) = Studio::with_outline(recipe(link), &outline) else {

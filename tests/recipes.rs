@@ -116,6 +116,7 @@ fn the_polygon_scales_with_the_picture_there_and_back() {
         .set_polygon(&Outline {
             outer,
             holes: vec![],
+            ..Outline::default()
         })
         .unwrap();
     let first = recipe.clone();
@@ -153,6 +154,7 @@ fn a_bad_polygon_leaves_the_recipe_as_it_was() {
         .set_polygon(&Outline {
             outer,
             holes: vec![],
+            ..Outline::default()
         })
         .unwrap();
     let before = recipe.clone();
@@ -162,6 +164,7 @@ fn a_bad_polygon_leaves_the_recipe_as_it_was() {
         .set_polygon(&Outline {
             outer: bow,
             holes: vec![],
+            ..Outline::default()
         })
         .unwrap_err();
     assert!(error.contains("outer ring crosses"), "{error}");

@@ -17,9 +17,11 @@ interface Group {
 
 export class Controls {
   private readonly groups = new Map<string, Group>();
+  private readonly schema: Parameter[];
   private readonly get: (key: string) => string;
 
   constructor(schema: Parameter[], get: (key: string) => string, change: Change) {
+    this.schema = schema;
     this.get = get;
     const form = byIdAs('controls', HTMLFormElement);
     form.replaceChildren();
@@ -46,13 +48,21 @@ export class Controls {
         const { parameter, element } = control;
         const value = this.get(parameter.key);
         control.show(value);
-        const rule = parameter.shownFor;
-        element.hidden = rule !== undefined && !rule.words.includes(this.get(rule.key));
+        element.hidden = !this.applies(parameter);
         if (!element.hidden && differs(parameter, value)) changed += 1;
       }
       say(badge, changed ? `${changed} changed` : '');
       details.hidden = controls.every(({ element }) => element.hidden);
     }
+  }
+
+  /** Whether a parameter does anything, as the schema's rule and that of the parameter it names say. */
+  private applies({ shownFor: rule }: Parameter): boolean {
+    if (!rule) return true;
+    const value = this.get(rule.key);
+    const other = this.schema.find(({ key }) => key === rule.key);
+    const fits = rule.words.length ? rule.words.includes(value) : other !== undefined && differs(other, value);
+    return fits && (other === undefined || this.applies(other));
   }
 
   private group(name: string, form: HTMLFormElement): Group {

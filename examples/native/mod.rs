@@ -2,7 +2,7 @@
 #![allow(dead_code)] // Each program uses its part of it.
 
 use bubblestone::domain::Outline;
-use bubblestone::export::{cells_json, mesh_json};
+use bubblestone::export::{cells_json, mesh_json, metrics_json};
 use bubblestone::render::overlay_planes;
 use bubblestone::studio::{Studio, View};
 use bubblestone::texture::Planes;
@@ -39,15 +39,19 @@ pub struct OutlineFile {
 impl OutlineFile {
     /// Scales the rings to a picture of another side.
     pub fn scale(&mut self, factor: f64) {
-        let Outline { outer, holes } = &mut self.outline;
-        for point in holes.iter_mut().chain([outer]).flatten() {
+        let Outline {
+            outer,
+            holes,
+            lines,
+        } = &mut self.outline;
+        for point in holes.iter_mut().chain(lines).chain([outer]).flatten() {
             *point *= factor;
         }
     }
 }
 
-/// Reads `{"size": [512, 512], "outer": [[x, y], ...], "holes": [[[x, y], ...], ...]}`; `size` and
-/// `holes` may be missing, other words are passed over.
+/// Reads `{"size": [512, 512], "outer": [[x, y], ...], "holes": [[[x, y], ...], ...], "lines": [...]}`;
+/// all but `outer` may be missing, other words are passed over.
 pub fn read_outline(path: &str) -> Result<OutlineFile, String> {
     let text = std::fs::read_to_string(path).map_err(|e| format!("Cannot read {path}: {e}."))?;
     let value: Value =
@@ -60,21 +64,26 @@ fn outline_of(value: &Value) -> Result<OutlineFile, String> {
         "there is no \"outer\" ring; an outline is {\"outer\": [[x, y], ...], \"holes\": [...]}.",
     )?;
     let outer = ring_of(outer, "outer")?;
-    let holes = match value.get("holes") {
-        None | Some(Value::Null) => Vec::new(),
-        Some(Value::Array(holes)) => holes
+    let runs = |name: &str| match value.get(name) {
+        None | Some(Value::Null) => Ok(Vec::new()),
+        Some(Value::Array(runs)) => runs
             .iter()
             .enumerate()
-            .map(|(k, hole)| ring_of(hole, &format!("holes[{k}]")))
-            .collect::<Result<_, _>>()?,
-        Some(_) => return Err("\"holes\" is not a list of rings.".into()),
+            .map(|(k, run)| ring_of(run, &format!("{name}[{k}]")))
+            .collect::<Result<Vec<_>, _>>(),
+        Some(_) => Err(format!("\"{name}\" is not a list of lists of points.")),
     };
+    let (holes, lines) = (runs("holes")?, runs("lines")?);
     let size = match value.get("size") {
         None | Some(Value::Null) => None,
         Some(size) => Some(side_of(size)?),
     };
     Ok(OutlineFile {
-        outline: Outline { outer, holes },
+        outline: Outline {
+            outer,
+            holes,
+            lines,
+        },
         size,
     })
 }
@@ -117,6 +126,7 @@ pub fn write_all(studio: &mut Studio, notices: Vec<String>, dir: &Path) -> Resul
     std::fs::create_dir_all(dir).map_err(|e| format!("Cannot make {}: {e}.", dir.display()))?;
     let mut report = studio.report();
     report.notices = notices;
+    report.metrics = studio.metrics().map(|m| metrics_json(&m));
     write(dir, "report.json", report.json().as_bytes())?;
     write(dir, "cells.json", cells_json(studio.cells()).as_bytes())?;
     if let Some(mesh) = studio.mesh() {

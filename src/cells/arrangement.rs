@@ -9,16 +9,13 @@ use super::Cell;
 use super::rings::rings;
 use crate::domain::{Domain, cross, signed_area};
 use crate::field::Kind;
-use crate::mesh::{Delaunay, insert};
 use crate::order;
 use crate::packing::Particle;
+use crate::planar::{self, Delaunay, position};
 use glam::DVec2;
-use spade::handles::FixedVertexHandle;
-use spade::{Point2, PositionInTriangulation, Triangulation as _};
+use spade::Triangulation as _;
 use std::collections::BTreeMap;
 
-/// Lines' ends are rounded to this (picture units), so that nearly equal points are equal.
-const GRAIN: f64 = 1.0 / 65536.0;
 /// A region without a centre as large as this (in squared sizes) and as compact as `COMPACT`
 /// becomes a cell of its own.
 const OWN_AREA: f64 = 0.6;
@@ -26,6 +23,10 @@ const OWN_AREA: f64 = 0.6;
 const COMPACT: f64 = 0.45;
 /// Cells smaller than this (in squared sizes) join a neighbour.
 const SMALL: f64 = 0.45;
+/// Edges with their middle this near to a constraint line (picture units) are pieces of it.
+const ON_LINE: f64 = 1e-4;
+/// The two halves of a cell on a line are looked for this far from it (in sizes).
+const ASIDE: f64 = 0.05;
 /// Ids of cells that no particle stands for count down from here.
 const NAMELESS: u32 = u32::MAX;
 
@@ -69,6 +70,17 @@ enum Owner {
     Nobody,
 }
 
+/// What divides two triangles.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Between {
+    /// Nothing.
+    Open,
+    /// A line.
+    Side,
+    /// A constraint line: no cell is on both its sides.
+    Wall,
+}
+
 #[derive(Clone, Debug)]
 struct Region {
     owner: Owner,
@@ -82,45 +94,19 @@ pub(super) struct Arrangement {
     mesh: Delaunay,
     /// Corners of the triangles; `[0; 3]` never: triangles have three different corners.
     corners: Vec<[DVec2; 3]>,
-    /// For each triangle, over its three edges: the neighbour and whether a line divides them.
-    across: Vec<[(Option<u32>, bool); 3]>,
+    /// For each triangle, over its three edges: the neighbour and what is between them.
+    across: Vec<[(Option<u32>, Between); 3]>,
     region: Vec<u32>,
     regions: Vec<Region>,
     /// Regions are joined by pointing at another one.
     joined: Vec<u32>,
 }
 
-/// Rounds a point as the arrangement does.
-pub(super) fn on_grain(p: DVec2) -> DVec2 {
-    (p / GRAIN).round() * GRAIN
-}
-
-fn grain(p: DVec2) -> Point2<f64> {
-    let q = on_grain(p);
-    Point2::new(q.x, q.y)
-}
-
-fn position(p: Point2<f64>) -> DVec2 {
-    DVec2::new(p.x, p.y)
-}
-
 impl Arrangement {
-    pub fn new(lines: Vec<Line>) -> Self {
-        let mut mesh = Delaunay::new();
-        let mut ends: Vec<[FixedVertexHandle; 2]> = Vec::new();
+    pub fn new(domain: &Domain, lines: Vec<Line>) -> Self {
         // The outline first: its lines do not cross, the sides are divided by them.
         let (boundary, sides): (Vec<Line>, Vec<Line>) = lines.into_iter().partition(|l| l.boundary);
-        for line in boundary.iter().chain(&sides) {
-            let [a, b] = line.ends.map(grain);
-            if let (Some(a), Some(b)) = (insert(&mut mesh, a), insert(&mut mesh, b))
-                && a != b
-            {
-                ends.push([a, b]);
-            }
-        }
-        for [a, b] in ends {
-            mesh.add_constraint_and_split(a, b, |v| v);
-        }
+        let mesh = planar::lay(boundary.iter().chain(&sides).map(|line| line.ends));
         let count = mesh.num_inner_faces();
         let mut arrangement = Self {
             corners: Vec::with_capacity(count),
@@ -130,19 +116,28 @@ impl Arrangement {
             joined: Vec::new(),
             mesh,
         };
-        arrangement.read_triangles();
+        arrangement.read_triangles(domain);
         arrangement.flood();
         arrangement
     }
 
-    fn read_triangles(&mut self) {
+    fn read_triangles(&mut self, domain: &Domain) {
         for face in self.mesh.inner_faces() {
             self.corners.push(face.positions().map(position));
             self.across.push(face.adjacent_edges().map(|edge| {
                 let other = edge.rev().face().as_inner();
                 // Inner faces are numbered from 1: 0 is the outer face.
                 let index = other.map(|f| f.fix().index() as u32 - 1);
-                (index, edge.is_constraint_edge())
+                let [a, b] = edge.positions().map(position);
+                let on_line = || domain.nearest_line(a.midpoint(b));
+                let between = if !edge.is_constraint_edge() {
+                    Between::Open
+                } else if on_line().is_some_and(|near| near.distance < ON_LINE) {
+                    Between::Wall
+                } else {
+                    Between::Side
+                };
+                (index, between)
             }));
         }
     }
@@ -159,9 +154,9 @@ impl Arrangement {
             self.region[start] = region;
             while let Some(t) = open.pop() {
                 area += self.area(t);
-                for (other, divided) in self.across[t] {
+                for (other, between) in self.across[t] {
                     let Some(other) = other else { continue };
-                    if !divided && self.region[other as usize] == u32::MAX {
+                    if between == Between::Open && self.region[other as usize] == u32::MAX {
                         self.region[other as usize] = region;
                         open.push(other as usize);
                     }
@@ -212,35 +207,28 @@ impl Arrangement {
             };
         }
         for (k, p) in particles.iter().enumerate().filter(|&(k, _)| band[k]) {
-            let Some(t) = self.locate(p.centre) else {
-                continue;
-            };
-            let region = &mut self.regions[self.region[t] as usize];
-            if region.owner == Owner::Nobody {
-                region.size = p.size;
-                region.owner = Owner::Particle(k as u32);
+            let mut places = vec![p.centre];
+            // A cell that is fixed on a constraint line is one half on each side: the first keeps
+            // its name.
+            let line = domain.nearest_line(p.centre).filter(|_| p.fixed);
+            if let Some(near) = line.filter(|near| near.distance < ON_LINE) {
+                let aside = ASIDE * p.size * near.tangent.perp();
+                places = vec![p.centre + aside, p.centre - aside];
+            }
+            let mut owner = Owner::Particle(k as u32);
+            for place in places {
+                let triangles = planar::triangles_at(&self.mesh, place);
+                let Some(&t) = triangles.first() else {
+                    continue;
+                };
+                let region = &mut self.regions[self.region[t] as usize];
+                if region.owner == Owner::Nobody {
+                    region.size = p.size;
+                    region.owner = owner;
+                    owner = Owner::Itself;
+                }
             }
         }
-    }
-
-    fn locate(&self, p: DVec2) -> Option<usize> {
-        let face = match self.mesh.locate(grain(p)) {
-            PositionInTriangulation::OnFace(face) => Some(face),
-            PositionInTriangulation::OnEdge(edge) => self
-                .mesh
-                .directed_edge(edge)
-                .face()
-                .as_inner()
-                .map(|f| f.fix()),
-            PositionInTriangulation::OnVertex(vertex) => self
-                .mesh
-                .vertex(vertex)
-                .out_edges()
-                .find_map(|e| e.face().as_inner())
-                .map(|f| f.fix()),
-            _ => None,
-        };
-        face.map(|f| f.index() - 1)
     }
 
     fn root(&self, mut region: u32) -> u32 {
@@ -254,8 +242,9 @@ impl Arrangement {
         self.root(self.region[triangle])
     }
 
-    /// Gives every region inside the outline to a cell, and joins small cells to a neighbour.
-    pub fn assign(&mut self) {
+    /// Gives every region inside the outline to a cell, and where `join_small` says so joins small
+    /// cells to a neighbour.
+    pub fn assign(&mut self, join_small: bool) {
         self.found_own();
         let orphan = |r: &Region| r.owner == Owner::Nobody;
         while self.join_where(&orphan) {}
@@ -266,7 +255,8 @@ impl Arrangement {
             }
         }
         let small = |r: &Region| {
-            matches!(r.owner, Owner::Particle(_) | Owner::Itself)
+            join_small
+                && matches!(r.owner, Owner::Particle(_) | Owner::Itself)
                 && r.area < SMALL * r.size * r.size
         };
         while self.join_where(&small) {}
@@ -289,7 +279,7 @@ impl Arrangement {
     }
 
     /// The borders between different joined regions as (region, other, length), both ways; with
-    /// `all`, also those with the outside.
+    /// `all`, also those with the outside and across constraint lines.
     fn borders(&self, all: bool) -> Vec<(u32, u32, f64)> {
         let mut lengths: BTreeMap<(u32, u32), f64> = BTreeMap::new();
         for (t, across) in self.across.iter().enumerate() {
@@ -297,7 +287,10 @@ impl Arrangement {
             if self.regions[here as usize].owner == Owner::Outside {
                 continue;
             }
-            for (k, &(other, _)) in across.iter().enumerate() {
+            for (k, &(other, between)) in across.iter().enumerate() {
+                if between == Between::Wall && !all {
+                    continue;
+                }
                 let there = other.map_or(u32::MAX, |o| self.root_of(o as usize));
                 let outside =
                     other.is_none() || self.regions[there as usize].owner == Owner::Outside;

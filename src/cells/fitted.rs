@@ -5,17 +5,23 @@
 //! planar arrangement (`arrangement`), whose regions are then given to the cells; so the cells
 //! fill the outline without gap or overlap whatever its shape.
 
-use super::arrangement::{Arrangement, Line, on_grain};
+use super::arrangement::{Arrangement, Line};
 use super::straighten::Straightening;
-use super::{Cell, ghosts};
-use crate::domain::{Domain, ring_contains};
+use super::voronoi::circumcentre;
+use super::{Cell, across, ghosts};
+use crate::domain::{Domain, divided, ring_contains};
 use crate::mesh::{Fans, Mesh, Node};
 use crate::order;
 use crate::packing::{Grid, Particle};
+use crate::planar::on_grain;
 use glam::DVec2;
 
 /// Middles of elements between inside and outside go onto the boundary where it is this near.
 const SNAP: f64 = 0.35;
+
+/// A side of a cell whose ends lie on a constraint line runs along it where its middle is nearer to
+/// it than this share of its length.
+const ALONG: f64 = 0.15;
 
 /// The dual of the packed cells, filling the outline, all at once; see [`Fitting`].
 pub fn fitted(domain: &Domain, particles: &[Particle]) -> Vec<Cell> {
@@ -34,6 +40,7 @@ pub struct Fitting {
 /// What the next slice of the work begins with.
 enum Next {
     Dual(Vec<Particle>),
+    Voronoi(Vec<Particle>),
     Band(Dual),
     Corners,
     Rounds(Straightening),
@@ -49,14 +56,31 @@ impl Fitting {
         }
     }
 
+    /// The plain Voronoi cells of these particles' centres within the outline, none made yet: each
+    /// holds what is nearer to its centre than to any other, whatever comes of it. Pieces that the
+    /// outline cuts off from their centre go to a neighbour, or are cells where they are large.
+    pub fn voronoi(particles: Vec<Particle>) -> Self {
+        Self {
+            cells: Vec::new(),
+            next: Next::Voronoi(particles),
+        }
+    }
+
     /// One slice of the work; true when all is done.
     pub fn advance(&mut self, domain: &Domain) -> bool {
         self.next = match std::mem::replace(&mut self.next, Next::Nothing) {
-            Next::Dual(particles) if particles.is_empty() => Next::Nothing,
-            Next::Dual(particles) => Next::Band(Dual::new(domain, particles)),
+            Next::Dual(particles) | Next::Voronoi(particles) if particles.is_empty() => {
+                Next::Nothing
+            }
+            Next::Dual(particles) => Next::Band(Dual::new(domain, particles, false)),
+            Next::Voronoi(particles) => Next::Band(Dual::new(domain, particles, true)),
             Next::Band(dual) => {
                 self.cells = dual.cells(domain);
-                Next::Corners
+                if dual.plain {
+                    Next::Nothing
+                } else {
+                    Next::Corners
+                }
             }
             Next::Corners => Next::Rounds(Straightening::new(domain, &self.cells)),
             Next::Rounds(mut straightening) => {
@@ -90,52 +114,163 @@ pub(super) fn cell(p: &Particle, ring: Vec<DVec2>) -> Cell {
     }
 }
 
+/// Where one of the dual's vertices has been put.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum On {
+    /// Where it was.
+    Nothing,
+    /// On the outline's segment of that number.
+    Outline(usize),
+    /// On the segment of that number of the constraint lines.
+    Line(usize),
+}
+
 /// The mesh of cells and ghosts with the middles of its elements.
 struct Dual {
     particles: Vec<Particle>,
     fans: Fans,
-    /// The dual's vertices: one per element.
+    /// The dual's vertices: one per element, and more where a constraint line divides elements.
     middles: Vec<DVec2>,
-    /// The element has a ghost among its nodes.
+    /// The element has a ghost among its nodes, or a constraint line divides it.
     mixed: Vec<bool>,
-    /// On the boundary: the index of its segment.
-    snapped: Vec<Option<usize>>,
+    on: Vec<On>,
+    /// (element, node, the vertex this node sees), for divided elements.
+    own: Vec<[u32; 3]>,
     vertices: usize,
+    /// The Voronoi diagram as it is: middles are those of the circles around Delaunay's triangles,
+    /// no cell is too small, no corner straightened.
+    plain: bool,
 }
 
 impl Dual {
-    fn new(domain: &Domain, particles: Vec<Particle>) -> Self {
+    fn new(domain: &Domain, particles: Vec<Particle>, plain: bool) -> Self {
         let real = particles.len();
-        let mut nodes: Vec<Node> = particles.iter().map(Node::of).collect();
-        nodes.extend(ghosts::ghosts(domain, &particles));
-        let mesh = Mesh::whole(&nodes, |_| false);
-        let mut middles = Vec::with_capacity(mesh.faces.len());
-        let mut mixed = Vec::with_capacity(mesh.faces.len());
-        let mut snapped = Vec::with_capacity(mesh.faces.len());
+        // Voronoi polygons know no stretch.
+        let node = |p: &Particle| {
+            if plain {
+                Node::plain(p.centre)
+            } else {
+                Node::of(p)
+            }
+        };
+        let mut nodes: Vec<Node> = particles.iter().map(node).collect();
+        nodes.extend(if plain {
+            ghosts::frame(domain).into_iter().map(Node::plain).collect()
+        } else {
+            ghosts::ghosts(domain, &particles)
+        });
+        let round = particles.first().is_some_and(|p| !p.kind.has_corners());
+        let mesh = Mesh::whole(&nodes, |_| plain || round);
+        let count = mesh.faces.len();
+        let mut dual = Self {
+            particles,
+            fans: mesh.fans(),
+            middles: Vec::with_capacity(count),
+            mixed: Vec::with_capacity(count),
+            on: Vec::with_capacity(count),
+            own: Vec::new(),
+            vertices: mesh.vertices.len(),
+            plain,
+        };
         for face in &mesh.faces {
-            let mut middle = face.centroid(&mesh.vertices);
+            let mut middle = match *face.nodes() {
+                [a, b, c] if plain => circumcentre([a, b, c].map(|k| mesh.vertices[k as usize])),
+                _ => face.centroid(&mesh.vertices),
+            };
             let cells = face.nodes().iter().filter(|&&k| (k as usize) < real);
-            let sizes: Vec<f64> = cells.map(|&k| particles[k as usize].size).collect();
-            let mut on = None;
-            if !sizes.is_empty() && sizes.len() < face.nodes().len() {
+            let sizes: Vec<f64> = cells.map(|&k| dual.particles[k as usize].size).collect();
+            let mut on = On::Nothing;
+            if !plain && !sizes.is_empty() && sizes.len() < face.nodes().len() {
                 let size = sizes.iter().sum::<f64>() / sizes.len() as f64;
                 let near = domain.nearest(middle);
                 if near.distance.abs() < SNAP * size {
-                    (middle, on) = (near.point, Some(near.segment));
+                    (middle, on) = (near.point, On::Outline(near.segment));
                 }
             }
-            middles.push(on_grain(middle));
-            mixed.push(sizes.len() < face.nodes().len());
-            snapped.push(on);
+            dual.push(middle, sizes.len() < face.nodes().len(), on);
         }
-        Self {
-            particles,
-            fans: mesh.fans(),
-            middles,
-            mixed,
-            snapped,
-            vertices: mesh.vertices.len(),
+        if !plain && !domain.lines().is_empty() {
+            dual.divide(domain, &mesh);
         }
+        dual
+    }
+
+    fn push(&mut self, middle: DVec2, mixed: bool, on: On) {
+        self.middles.push(on_grain(middle));
+        self.mixed.push(mixed);
+        self.on.push(on);
+    }
+
+    /// Looks at elements that constraint lines divide from each side.
+    fn divide(&mut self, domain: &Domain, mesh: &Mesh) {
+        let real = self.particles.len() as u32;
+        for (index, face) in mesh.faces.iter().enumerate() {
+            let nodes: Vec<u32> = face.nodes().iter().copied().filter(|&k| k < real).collect();
+            let corners: Vec<DVec2> = nodes.iter().map(|&k| mesh.vertices[k as usize]).collect();
+            if nodes.len() < 2 {
+                continue;
+            }
+            let sizes = nodes.iter().map(|&k| self.particles[k as usize].size);
+            let size = sizes.sum::<f64>() / nodes.len() as f64;
+            let view = across::view(domain, &corners);
+            let middle = face.centroid(&mesh.vertices);
+            let shared = match view {
+                across::View::Whole => continue,
+                _ if self.mixed[index] => {
+                    across::junction(domain, middle, size).map(|(k, p)| (p, On::Outline(k)))
+                }
+                across::View::Around => {
+                    across::end(domain, middle, size).map(|(k, p)| (p, On::Line(k)))
+                }
+                across::View::Divided(_) => None,
+            };
+            if let Some((place, on)) = shared {
+                (self.middles[index], self.on[index]) = (on_grain(place), on);
+                continue;
+            }
+            let (across::View::Divided(group), false) = (view, self.mixed[index]) else {
+                continue;
+            };
+            let first = self.own.len();
+            for (k, &node) in nodes.iter().enumerate() {
+                if let Some(like) = (0..k).find(|&j| group[j] == group[k]) {
+                    let [.., seen] = self.own[first + like];
+                    self.own.push([index as u32, node, seen]);
+                    continue;
+                }
+                let mean = |same: bool| {
+                    let which = (0..nodes.len()).filter(|&j| (group[j] == group[k]) == same);
+                    which.clone().map(|j| corners[j]).sum::<DVec2>() / which.count() as f64
+                };
+                let foot = across::foot(domain, mean(true), mean(false), size);
+                self.own
+                    .push([index as u32, node, self.middles.len() as u32]);
+                match foot {
+                    Some((segment, place)) => self.push(place, true, On::Line(segment)),
+                    None => self.push(middle, true, On::Nothing),
+                }
+            }
+        }
+        order::sort(&mut self.own, |o| (order::pair(o[0], o[1]), 0));
+    }
+
+    /// The vertex that a node sees of an element.
+    fn seen(&self, element: u32, node: u32) -> u32 {
+        let place = self.own.partition_point(|o| (o[0], o[1]) < (element, node));
+        match self.own.get(place) {
+            Some(&[e, n, vertex]) if (e, n) == (element, node) => vertex,
+            _ => element,
+        }
+    }
+
+    /// The vertices around a cell or a ghost, clockwise on screen; none where they do not close.
+    fn around(&self, vertex: usize) -> Vec<u32> {
+        let around = self.fans.around(vertex);
+        if self.own.is_empty() {
+            return around.to_vec();
+        }
+        let seen = around.iter().map(|&f| self.seen(f, vertex as u32));
+        seen.collect()
     }
 
     /// All cells, corners not straightened.
@@ -151,16 +286,24 @@ impl Dual {
     }
 
     fn ring(&self, vertex: usize) -> Vec<DVec2> {
-        let around = self.fans.around(vertex);
-        around.iter().map(|&f| self.middles[f as usize]).collect()
+        let around = self.around(vertex);
+        let mut ring: Vec<DVec2> = around.iter().map(|&f| self.middles[f as usize]).collect();
+        // Circles through the same four points have the same middle.
+        ring.dedup();
+        if ring.len() > 1 && ring.first() == ring.last() {
+            ring.pop();
+        }
+        ring
     }
 
     /// Which cells take part in the arrangement: all but those whose polygon surely keeps off the
     /// boundary, because no corner of it is as far from the centre as the boundary is.
     fn band(&self, domain: &Domain) -> Vec<bool> {
         let inside = |(k, p): (usize, &Particle)| {
-            let around = self.fans.around(k);
-            let free = domain.nearest(p.centre).distance;
+            let around = self.around(k);
+            let line = domain.nearest_line(p.centre);
+            let free = line.map_or(f64::INFINITY, |near| near.distance);
+            let free = free.min(domain.nearest(p.centre).distance);
             around.len() >= 3
                 && around.iter().all(|&f| {
                     let f = f as usize;
@@ -174,46 +317,41 @@ impl Dual {
     /// The cells of the band: the outline and the polygons' sides laid over each other.
     fn cut(&self, domain: &Domain, band: &[bool], inner: &[Cell]) -> Vec<Cell> {
         let mut lines = self.outline(domain);
-        lines.extend(self.sides(band));
-        let mut arrangement = Arrangement::new(lines);
+        lines.extend(self.sides(domain, band));
+        let mut arrangement = Arrangement::new(domain, lines);
         let inner = Inner::new(domain, inner);
         arrangement.mark(domain, &self.particles, band, |p| inner.contains(p));
-        arrangement.assign();
+        arrangement.assign(!self.plain);
         arrangement.cells(&self.particles)
     }
 
-    /// The outline's segments, divided where a middle has been put on them.
+    /// The segments of the outline and of constraint lines, divided where a middle has been put on
+    /// them.
     fn outline(&self, domain: &Domain) -> Vec<Line> {
-        let mut on: Vec<Vec<DVec2>> = vec![Vec::new(); domain.segments().len()];
-        for (&middle, segment) in self.middles.iter().zip(&self.snapped) {
-            if let Some(segment) = *segment {
-                on[segment].push(middle);
+        let (mut on_outline, mut on_lines) = (domain.touches().to_vec(), Vec::new());
+        for (&middle, on) in self.middles.iter().zip(&self.on) {
+            match *on {
+                On::Nothing => {}
+                On::Outline(segment) => on_outline.push((segment, middle)),
+                On::Line(segment) => on_lines.push((segment, middle)),
             }
         }
-        let mut lines = Vec::new();
-        for (&[a, b], mut points) in domain.segments().iter().zip(on) {
-            order::sort(&mut points, |p| (order::rank(p.distance_squared(a)), 0));
-            let mut from = a;
-            for to in points.into_iter().chain([b]) {
-                if from != to {
-                    lines.push(Line::boundary(from, to));
-                }
-                from = to;
-            }
-        }
-        lines
+        let mut pieces = divided(domain.segments(), &on_outline);
+        pieces.extend(divided(domain.line_segments(), &on_lines));
+        let lines = pieces.into_iter().map(|[a, b]| Line::boundary(a, b));
+        lines.collect()
     }
 
     /// The sides of the band's polygons and of the ghosts'. A side between a cell and a ghost
     /// whose ends both lie on the boundary is left out: the boundary itself divides the two.
-    fn sides(&self, band: &[bool]) -> Vec<Line> {
+    fn sides(&self, domain: &Domain, band: &[bool]) -> Vec<Line> {
         let real = self.particles.len();
         let mut sides: Vec<([u32; 2], bool)> = Vec::new();
         for vertex in 0..self.vertices {
             if band.get(vertex) == Some(&false) {
                 continue;
             }
-            let around = self.fans.around(vertex);
+            let around = self.around(vertex);
             for k in 0..around.len() {
                 let (f, g) = (around[k], around[(k + 1) % around.len()]);
                 sides.push(([f.min(g), f.max(g)], vertex < real));
@@ -228,16 +366,24 @@ impl Dual {
             // Sorted, so that of two owners the ghost (false) comes first.
             let ghost_and_cell = twice && !sides[k].1 && sides[k + 1].1;
             let ghosts_only = !sides[k].1 && !ghost_and_cell;
-            let on_boundary = |f: u32| self.snapped[f as usize].is_some();
+            let on_boundary = |f: u32| matches!(self.on[f as usize], On::Outline(_));
             let along = ghost_and_cell && on_boundary(f) && on_boundary(g);
             let outside = ghosts_only && (on_boundary(f) || on_boundary(g));
             let [a, b] = [f, g].map(|f| self.middles[f as usize]);
-            if !along && !outside && a != b {
+            if !along && !outside && a != b && !self.runs_along_line(domain, f, g) {
                 lines.push(Line::side(a, b));
             }
             k += if twice { 2 } else { 1 };
         }
         lines
+    }
+
+    /// Do two vertices lie on a constraint line, and the straight way between them nearly so?
+    fn runs_along_line(&self, domain: &Domain, f: u32, g: u32) -> bool {
+        let on = |f: u32| self.on[f as usize] != On::Nothing;
+        let [a, b] = [f, g].map(|f| self.middles[f as usize]);
+        let near = || domain.nearest_line(a.midpoint(b));
+        on(f) && on(g) && near().is_some_and(|near| near.distance < ALONG * a.distance(b))
     }
 }
 

@@ -15,8 +15,10 @@ const MIRRORED: f64 = 0.9;
 const SAME: f64 = 0.45;
 /// Two walls make a corner where their directions differ by more than this (cosine of 45 degrees).
 const CORNER: f64 = 0.707;
+/// A fixed cell this near to the boundary (in sizes) stands on it.
+const ON_BOUNDARY: f64 = 0.05;
 /// The frame of points around everything, in sides of the box around the outline.
-const FRAME: f64 = 1.5;
+const FRAME: f64 = 2.0;
 
 /// The images of all cells near a wall, and a frame of far points around everything.
 pub(super) fn ghosts(domain: &Domain, particles: &[Particle]) -> Vec<Node> {
@@ -27,15 +29,20 @@ pub(super) fn ghosts(domain: &Domain, particles: &[Particle]) -> Vec<Node> {
     for p in particles.iter().filter(|p| facing.is_near(p.centre)) {
         if p.fixed {
             let near = domain.nearest(p.centre);
+            // A cell that is fixed on a constraint line has neighbours on both sides.
+            if near.distance.abs() > ON_BOUNDARY * p.size {
+                continue;
+            }
             let outward = outward_of_boundary_cell(domain, p, near.tangent);
             images.push(image(p, outward * p.size));
             continue;
         }
         facing.feet(p.centre, MIRRORED * p.size, &mut feet);
+        feet.retain(|foot| !foot.on_line);
         mirror(p, &feet, &mut images);
     }
     let mut kept = thin_out(domain, images, largest);
-    kept.extend(frame(domain));
+    kept.extend(frame(domain).into_iter().map(Node::plain));
     kept
 }
 
@@ -99,17 +106,19 @@ fn thin_out(domain: &Domain, images: Vec<Image>, largest: f64) -> Vec<Node> {
     kept
 }
 
-fn frame(domain: &Domain) -> Vec<Node> {
+/// Points far around the outline, so that what is asked about inside has closed fans.
+pub(super) fn frame(domain: &Domain) -> Vec<DVec2> {
     let (lo, hi) = domain.bounds();
     let (middle, half) = (lo.midpoint(hi), FRAME * (hi - lo).max_element());
     // Not on one circle, so that the frame's own triangles are unique.
-    let mut points = Vec::new();
-    for k in 0..4 {
-        let t = f64::from(k) / 4.0 * 2.0 - 1.0;
-        points.push(middle + half * DVec2::new(t, -1.0));
-        points.push(middle + half * DVec2::new(1.0, t));
-        points.push(middle + half * DVec2::new(-t, 1.0));
-        points.push(middle + half * DVec2::new(-1.0, -t));
+    let mut points = Vec::with_capacity(16);
+    let mut spoke = DVec2::splat(-half);
+    for k in 1..=16 {
+        points.push(middle + spoke);
+        spoke = spoke.perp();
+        if k % 4 == 0 {
+            spoke.x += 0.5 * half;
+        }
     }
-    points.into_iter().map(Node::plain).collect()
+    points
 }

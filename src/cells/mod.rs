@@ -1,15 +1,18 @@
 //! One polygon per cell: the packed squares as they are, or the pseudo-Voronoi dual of the mesh
 //! fitted into the outline.
 
+mod across;
 mod arrangement;
 mod fitted;
 mod ghosts;
 mod packed;
 mod rings;
 mod straighten;
+mod voronoi;
 
 pub use fitted::{Fitting, fitted};
 pub use packed::packed;
+pub use voronoi::{Scatter, ScatterParams};
 
 use crate::field::Kind;
 use glam::DVec2;

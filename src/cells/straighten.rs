@@ -32,7 +32,8 @@ const THINNEST: f64 = 0.2;
 enum Freedom {
     /// Nowhere: a corner of the outline, or a point of it that only one cell has.
     Fixed,
-    /// Along the boundary: two cells meet on a straight piece of it. Holds its unit vector.
+    /// Along the boundary or a constraint line: two cells meet on a straight piece of it. Holds its
+    /// unit vector.
     Slides(DVec2),
     /// Anywhere.
     Free,
@@ -42,6 +43,8 @@ enum Freedom {
 struct Rings {
     points: Vec<DVec2>,
     free: Vec<Freedom>,
+    /// The point lies on a constraint line.
+    on_line: Vec<bool>,
     /// For each cell the indices of its ring.
     rings: Vec<Vec<u32>>,
     /// For each cell with exactly four corners, these.
@@ -114,6 +117,7 @@ impl Rings {
         start.push(uses.len() as u32);
         let mut made = Self {
             free: vec![Freedom::Fixed; points.len()],
+            on_line: vec![false; points.len()],
             points,
             rings,
             quads: Vec::new(),
@@ -160,9 +164,14 @@ impl Rings {
         for vertex in 0..self.points.len() {
             let p = self.points[vertex];
             let on_boundary = |q: DVec2| domain.nearest(q).distance.abs() < 0.01;
+            let line = domain.nearest_line(p).filter(|near| near.distance < 0.01);
+            self.on_line[vertex] = line.is_some();
             self.free[vertex] = match (&arriving[vertex][..], &leaving[vertex][..]) {
-                ([], []) if !on_boundary(p) => Freedom::Free,
-                (&[a], &[b]) if self.uses_of(vertex).len() > 1 => {
+                ([], []) if on_boundary(p) => Freedom::Fixed,
+                ([], []) => line.map_or(Freedom::Free, |near| {
+                    self.along_line(domain, vertex, near.tangent)
+                }),
+                (&[a], &[b]) if line.is_none() && self.uses_of(vertex).len() > 1 => {
                     let (a, b) = (self.points[a as usize], self.points[b as usize]);
                     let along = (b - p).normalize();
                     let straight = (p - a).normalize().dot(along) > STRAIGHT;
@@ -174,6 +183,31 @@ impl Rings {
                 }
                 _ => Freedom::Fixed,
             };
+        }
+    }
+
+    /// A vertex on a constraint line slides where the line is straight and no other line meets it.
+    fn along_line(&self, domain: &Domain, vertex: usize, along: DVec2) -> Freedom {
+        let p = self.points[vertex];
+        let (mut ahead, mut behind) = (false, false);
+        for &u in self.uses_of(vertex) {
+            for side in [true, false] {
+                let q = self.points[self.neighbour(u, side) as usize];
+                let middle = domain.nearest_line(p.midpoint(q));
+                if middle.is_some_and(|near| near.distance < 0.01) {
+                    let cosine = along.dot(q - p) / p.distance(q);
+                    if cosine.abs() < STRAIGHT {
+                        return Freedom::Fixed;
+                    }
+                    ahead |= cosine > 0.0;
+                    behind |= cosine < 0.0;
+                }
+            }
+        }
+        if ahead && behind {
+            Freedom::Slides(along)
+        } else {
+            Freedom::Fixed
         }
     }
 
@@ -210,10 +244,13 @@ impl Rings {
         for (k, &vertex) in ring.iter().enumerate() {
             let count = self.uses_of(vertex as usize).len();
             let free = self.free[vertex as usize] == Freedom::Free;
-            let meets = count >= if free { 3 } else { 2 };
             let [a, b, c] =
                 [ring[(k + n - 1) % n], vertex, ring[(k + 1) % n]].map(|v| self.points[v as usize]);
-            let turns = (b - a).normalize().dot((c - b).normalize()) < CORNER;
+            let turn = (b - a).normalize().dot((c - b).normalize());
+            // A corner of cells beyond a constraint line is none of this one.
+            let beyond = self.on_line[vertex as usize] && turn > STRAIGHT;
+            let meets = count >= if free { 3 } else { 2 } && !beyond;
+            let turns = turn < CORNER;
             if meets || turns {
                 corners.push(vertex);
             }
@@ -256,6 +293,21 @@ impl Rings {
         self.uses_of(vertex).iter().all(|&[_, cell, place]| {
             let ring = &self.rings[cell as usize];
             let n = ring.len();
+            let inside = |q: DVec2, t: [DVec2; 3]| {
+                let turn = |k: usize| cross(t[k], t[(k + 1) % 3], q);
+                let turns = [turn(0), turn(1), turn(2)];
+                turns.iter().all(|&t| t > 0.0) || turns.iter().all(|&t| t < 0.0)
+            };
+            // Neither of its sides may have gone over a corner that stays.
+            let swept = |&k: &u32| {
+                let held = self.free[k as usize] == Freedom::Fixed;
+                let past = |to: u32| to != k && inside(at(k), [old, at(vertex as u32), at(to)]);
+                let ends = [n - 1, 1].map(|shift| ring[(place as usize + shift) % n]);
+                held && k as usize != vertex && ends.into_iter().any(past)
+            };
+            if ring.iter().any(swept) {
+                return false;
+            }
             // The turns at the vertex and at its two neighbours.
             [n - 1, 0, 1].into_iter().all(|shift| {
                 let k = place as usize + shift;

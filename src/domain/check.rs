@@ -10,6 +10,9 @@ use std::fmt;
 /// Most points that the rings of an outline may have together.
 pub const MAX_POINTS: usize = 4096;
 
+/// Most points that the constraint lines of an outline may have together.
+pub const MAX_LINE_POINTS: usize = 512;
+
 /// The smallest ring has the area of a square of this part of the picture's side (4 px of 512).
 const SMALLEST: f64 = 1.0 / 128.0;
 /// Points nearer than this part of the picture's side are one.
@@ -19,13 +22,15 @@ const TOLD: usize = 4;
 /// How far outside the picture a point may lie, in sides.
 const OUTSIDE: f64 = 0.5;
 
-/// One of the rings of an outline.
+/// One of the rings of an outline, or of its constraint lines.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ring {
     /// The outer ring.
     Outer,
     /// A hole, counted from 1.
     Hole(usize),
+    /// A constraint line, counted from 1.
+    Line(usize),
 }
 
 impl Ring {
@@ -42,6 +47,7 @@ impl Ring {
         match self {
             Ring::Outer => "The outer ring".into(),
             Ring::Hole(number) => format!("Hole {number}"),
+            Ring::Line(number) => format!("Line {number}"),
         }
     }
 }
@@ -51,6 +57,7 @@ impl fmt::Display for Ring {
         match self {
             Ring::Outer => f.write_str("the outer ring"),
             Ring::Hole(number) => write!(f, "hole {number}"),
+            Ring::Line(number) => write!(f, "line {number}"),
         }
     }
 }
@@ -64,6 +71,10 @@ pub enum OutlineError {
     NotFinite(Ring, usize),
     /// A point lies farther outside the picture than half of its side.
     FarOutside(Ring, DVec2),
+    /// Too many points in all constraint lines.
+    TooManyLinePoints(usize),
+    /// All points of the constraint line are one.
+    NoLength(Ring),
     /// The ring has fewer than three different points, this many.
     TooFewPoints(Ring, usize),
     /// All points of the ring lie on one line.
@@ -106,6 +117,11 @@ impl fmt::Display for OutlineError {
                 f,
                 "The outline has {n} points; at most {MAX_POINTS} are allowed."
             ),
+            TooManyLinePoints(n) => write!(
+                f,
+                "The lines have {n} points; at most {MAX_LINE_POINTS} are allowed."
+            ),
+            NoLength(line) => write!(f, "{} needs at least 2 different points.", line.first()),
             NotFinite(ring, number) => write!(
                 f,
                 "Point {number} of {ring} is not a pair of finite numbers."
@@ -174,6 +190,7 @@ impl Outline {
         if count > MAX_POINTS {
             return Err(OutlineError::TooManyPoints(count));
         }
+        let lines = check_lines(&self.lines, side)?;
         let mut notices = Vec::new();
         let mut rings = Vec::with_capacity(1 + self.holes.len());
         for (index, ring) in std::iter::once(&self.outer).chain(&self.holes).enumerate() {
@@ -199,7 +216,48 @@ impl Outline {
         }
         let outer = rings.remove(0);
         let holes = rings;
-        Ok((Outline { outer, holes }, notices))
+        let checked = Outline {
+            outer,
+            holes,
+            lines,
+        };
+        Ok((checked, notices))
+    }
+}
+
+/// The constraint lines without repeated points.
+///
+/// # Errors
+/// A line has too many points in all, a point that is not finite or far outside the picture, or no
+/// two different points.
+pub fn check_lines(lines: &[Vec<DVec2>], side: f64) -> Result<Vec<Vec<DVec2>>, OutlineError> {
+    let count = lines.iter().map(Vec::len).sum();
+    if count > MAX_LINE_POINTS {
+        return Err(OutlineError::TooManyLinePoints(count));
+    }
+    let mut checked = Vec::with_capacity(lines.len());
+    for (index, line) in lines.iter().enumerate() {
+        let which = Ring::Line(index + 1);
+        check_places(line, which, side)?;
+        let mut points = line.clone();
+        points.dedup_by(|a, b| (*a - *b).abs().max_element() <= SAME * side);
+        if points.len() < 2 {
+            return Err(OutlineError::NoLength(which));
+        }
+        checked.push(points);
+    }
+    Ok(checked)
+}
+
+/// Refuses points that are not finite or lie far outside the picture.
+fn check_places(points: &[DVec2], which: Ring, side: f64) -> Result<(), OutlineError> {
+    if let Some(bad) = points.iter().position(|p| !p.is_finite()) {
+        return Err(OutlineError::NotFinite(which, bad + 1));
+    }
+    let far = |p: &&DVec2| (**p / side - 0.5).abs().max_element() > 0.5 + OUTSIDE;
+    match points.iter().find(far) {
+        Some(&p) => Err(OutlineError::FarOutside(which, p)),
+        None => Ok(()),
     }
 }
 
@@ -210,13 +268,7 @@ fn check_points(
     side: f64,
     notices: &mut Vec<String>,
 ) -> Result<Vec<DVec2>, OutlineError> {
-    if let Some(bad) = ring.iter().position(|p| !p.is_finite()) {
-        return Err(OutlineError::NotFinite(which, bad + 1));
-    }
-    let far = |p: &&DVec2| (**p / side - 0.5).abs().max_element() > 0.5 + OUTSIDE;
-    if let Some(&p) = ring.iter().find(far) {
-        return Err(OutlineError::FarOutside(which, p));
-    }
+    check_places(ring, which, side)?;
     let same = |a: DVec2, b: DVec2| (a - b).abs().max_element() <= SAME * side;
     let mut points: Vec<DVec2> = Vec::with_capacity(ring.len());
     let mut repeated = Vec::new();

@@ -1,5 +1,7 @@
 //! Inside test and exact nearest boundary point, by a grid of candidate segments.
 
+use super::candidates::CandidateGrid;
+use super::lines::Network;
 use super::{Outline, signed_area};
 use glam::DVec2;
 
@@ -9,8 +11,16 @@ pub struct Domain {
     rings: Vec<Vec<DVec2>>,
     segments: Vec<[DVec2; 2]>,
     area: f64,
-    grid: CandidateGrid,
+    /// Nothing on a torus, which has no boundary.
+    grid: Option<CandidateGrid>,
+    /// The side of the torus.
+    period: Option<f64>,
+    /// Nothing where there are no constraint lines: they cost nothing then.
+    network: Option<Box<Network>>,
 }
+
+/// How far the boundary is where there is none.
+const NOWHERE: f64 = 1e30;
 
 /// The boundary as seen from a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,16 +45,157 @@ impl Domain {
         rings.extend(outline.holes.iter().cloned());
         let segments: Vec<[DVec2; 2]> = rings.iter().flat_map(|r| ring_segments(r)).collect();
         let area = rings.iter().map(|r| signed_area(r)).sum();
-        let grid = CandidateGrid::new(&segments);
+        let grid = Some(CandidateGrid::new(&segments));
         Self {
             rings,
             segments,
             area,
             grid,
+            period: None,
+            network: None,
+        }
+        .with_lines(&outline.lines)
+    }
+
+    /// The whole picture of a side, periodic: its left edge is its right edge, its top its bottom.
+    /// There are no rings, and the boundary is far away from everywhere. Lines that leave the picture
+    /// come back in at the other edge; they must be checked.
+    pub fn torus(side: f64, lines: &[Vec<DVec2>]) -> Self {
+        Self {
+            rings: Vec::new(),
+            segments: Vec::new(),
+            area: side * side,
+            grid: None,
+            period: Some(side),
+            network: None,
+        }
+        .with_lines(lines)
+    }
+
+    fn with_lines(mut self, lines: &[Vec<DVec2>]) -> Self {
+        if !lines.is_empty() {
+            self.network = Network::new(&self, lines).map(Box::new);
+        }
+        self
+    }
+
+    /// The side of the picture, where the domain is the whole picture as a torus.
+    pub fn period(&self) -> Option<f64> {
+        self.period
+    }
+
+    /// A difference of two places as the shortest one between their images on the torus; itself
+    /// without a period.
+    #[inline]
+    pub fn shortest(&self, r: DVec2) -> DVec2 {
+        match self.period {
+            Some(side) => r - (r / side).round() * side,
+            None => r,
         }
     }
 
-    /// The rings, the outer one first.
+    /// The image of a place in the picture, 0 <= x, y < side; itself without a period.
+    #[inline]
+    pub fn wrap(&self, p: DVec2) -> DVec2 {
+        let Some(side) = self.period else { return p };
+        let q = p - (p / side).floor() * side;
+        // A number a little below 0 rounds up to the side itself.
+        DVec2::select(q.cmpge(DVec2::splat(side)), DVec2::ZERO, q)
+    }
+
+    /// What lies inside of the constraint lines: each a run of points, closed where the first is
+    /// repeated at the end. Lines meet and touch the outline only at points of these.
+    pub fn lines(&self) -> &[Vec<DVec2>] {
+        self.network.as_ref().map_or(&[], |n| &n.lines)
+    }
+
+    /// The segments of [`Domain::lines`], line after line.
+    pub fn line_segments(&self) -> &[[DVec2; 2]] {
+        self.network.as_ref().map_or(&[], |n| &n.segments)
+    }
+
+    /// Where constraint lines meet the outline: the number of the outline's segment, and the place.
+    pub fn touches(&self) -> &[(usize, DVec2)] {
+        self.network.as_ref().map_or(&[], |n| &n.touches)
+    }
+
+    /// The nearest place of a constraint line: `distance` is positive on both sides and `inward`
+    /// points away from the line, `segment` counts [`Domain::line_segments`]. Nothing without lines.
+    pub fn nearest_line(&self, p: DVec2) -> Option<Nearest> {
+        let network = self.network.as_ref()?;
+        let wrapped = self.wrap(p);
+        let (square, point, segment) = network.nearest(wrapped);
+        let [a, b] = network.images[segment];
+        let (distance, tangent) = (square.sqrt(), (b - a).normalize());
+        let inward = if distance > 1e-9 {
+            (wrapped - point) / distance
+        } else {
+            tangent.perp()
+        };
+        Some(Nearest {
+            distance,
+            point: point + (p - wrapped),
+            inward,
+            tangent,
+            segment: segment % network.segments.len(),
+        })
+    }
+
+    /// Does the straight way from a to b cross a constraint line? On a torus of at most half a side.
+    #[inline]
+    pub fn crosses_line(&self, a: DVec2, b: DVec2) -> bool {
+        let Some(network) = &self.network else {
+            return false;
+        };
+        let from = self.wrap(a);
+        network.crosses(from, b - (a - from))
+    }
+
+    /// The segment of a constraint line that the straight way from a to b crosses first.
+    pub(crate) fn line_between(&self, a: DVec2, b: DVec2) -> Option<[DVec2; 2]> {
+        let network = self.network.as_ref()?;
+        let from = self.wrap(a);
+        let shift = a - from;
+        let index = network.first_crossed(from, b - shift)?;
+        Some(network.images[index].map(|p| p + shift))
+    }
+
+    /// How many parts the constraint lines cut the inside into; 1 without lines.
+    pub fn parts(&self) -> usize {
+        self.network.as_ref().map_or(1, |n| n.parts.count().max(1))
+    }
+
+    /// The part that a point lies in, numbered from 0 by their topmost points, at equal heights from
+    /// the left. A point on a line counts to the first part there, one outside to the nearest.
+    pub fn part(&self, p: DVec2) -> usize {
+        let Some(network) = &self.network else {
+            return 0;
+        };
+        let p = self.wrap(p);
+        if let Some(part) = network.parts.at(p) {
+            return part;
+        }
+        let near = self.nearest(p);
+        let inside = [1e-3, 1e-2, 0.1].map(|step| near.point + step * near.inward);
+        inside
+            .into_iter()
+            .find_map(|q| network.parts.at(q))
+            .unwrap_or(0)
+    }
+
+    /// Adds the constraint lines' segments, with their images on a torus, to a list of walls; gives
+    /// for each whether its ends lie on the outline.
+    pub(super) fn line_walls(&self, walls: &mut Vec<[DVec2; 2]>) -> Vec<[bool; 2]> {
+        let Some(network) = &self.network else {
+            return Vec::new();
+        };
+        walls.extend(&network.images);
+        let on_outline = |p: DVec2| network.touches.iter().any(|&(_, at)| at == p);
+        let ends = network.images.iter().map(|s| s.map(on_outline));
+        ends.collect()
+    }
+
+    /// The rings, the outer one first; none on a torus.
     pub fn rings(&self) -> &[Vec<DVec2>] {
         &self.rings
     }
@@ -61,6 +212,9 @@ impl Domain {
 
     /// The smallest and the largest corner of the box around the outline.
     pub fn bounds(&self) -> (DVec2, DVec2) {
+        if let Some(side) = self.period {
+            return (DVec2::ZERO, DVec2::splat(side));
+        }
         self.rings[0]
             .iter()
             .fold((self.rings[0][0], self.rings[0][0]), |(lo, hi), &p| {
@@ -73,18 +227,18 @@ impl Domain {
         self.nearest(p).distance > 0.0
     }
 
-    /// The exact nearest boundary point.
+    /// The exact nearest boundary point; on a torus the boundary is very far away.
     pub fn nearest(&self, p: DVec2) -> Nearest {
-        let mut best = (f64::INFINITY, DVec2::ZERO, 0usize);
-        for &index in self.grid.candidates(p) {
-            let [a, b] = self.segments[index as usize];
-            let point = closest_on_segment(p, a, b);
-            let square = point.distance_squared(p);
-            if square < best.0 {
-                best = (square, point, index as usize);
-            }
-        }
-        let (square, point, segment) = best;
+        let Some(grid) = &self.grid else {
+            return Nearest {
+                distance: NOWHERE,
+                point: p - DVec2::X * NOWHERE,
+                inward: DVec2::X,
+                tangent: DVec2::NEG_Y,
+                segment: 0,
+            };
+        };
+        let (square, point, segment) = grid.nearest(&self.segments, p);
         let [a, b] = self.segments[segment];
         let tangent = (b - a).normalize();
         let inside = self.side(p, segment, point);
@@ -151,119 +305,6 @@ fn ring_segments(ring: &[DVec2]) -> impl Iterator<Item = [DVec2; 2]> {
     (0..ring.len()).map(|k| [ring[k], ring[(k + 1) % ring.len()]])
 }
 
-/// The point of the segment a to b nearest to p.
-pub(crate) fn closest_on_segment(p: DVec2, a: DVec2, b: DVec2) -> DVec2 {
-    let ab = b - a;
-    let square = ab.length_squared();
-    if square == 0.0 {
-        return a;
-    }
-    let t = (p - a).dot(ab) / square;
-    if t <= 0.0 {
-        a
-    } else if t >= 1.0 {
-        b
-    } else {
-        a + ab * t
-    }
-}
-
-/// For each square of a grid, the segments that can be the nearest to some point of it: those not
-/// farther from its middle than the nearest one by more than the square's diagonal.
-#[derive(Clone, Debug)]
-struct CandidateGrid {
-    origin: DVec2,
-    step: f64,
-    columns: usize,
-    rows: usize,
-    start: Vec<u32>,
-    list: Vec<u32>,
-    all: Vec<u32>,
-}
-
-/// Squares along the longer side of the box around the outline.
-const SQUARES: f64 = 64.0;
-/// Squares along the side of a block, for which segments are sorted out first.
-const BLOCK: usize = 8;
-
-impl CandidateGrid {
-    fn new(segments: &[[DVec2; 2]]) -> Self {
-        let all: Vec<u32> = (0..segments.len() as u32).collect();
-        let (lo, hi) = segments
-            .iter()
-            .flatten()
-            .fold((segments[0][0], segments[0][0]), |(lo, hi), &p| {
-                (lo.min(p), hi.max(p))
-            });
-        let step = (hi - lo).max_element() / SQUARES;
-        // A margin of a few squares: the packing asks about points a little outside, too.
-        let origin = lo - DVec2::splat(4.0 * step);
-        let columns = ((hi.x - lo.x) / step) as usize + 9;
-        let rows = ((hi.y - lo.y) / step) as usize + 9;
-        let mut grid = Self {
-            origin,
-            step,
-            columns,
-            rows,
-            start: vec![0],
-            list: Vec::new(),
-            all,
-        };
-        grid.fill(segments);
-        grid
-    }
-
-    /// Blocks of squares first, so that each square tries few segments.
-    fn fill(&mut self, segments: &[[DVec2; 2]]) {
-        let mut lists = vec![Vec::new(); self.columns * self.rows];
-        for top in (0..self.rows).step_by(BLOCK) {
-            for left in (0..self.columns).step_by(BLOCK) {
-                let corner = DVec2::new(left as f64, top as f64);
-                let middle = self.origin + self.step * (corner + DVec2::splat(BLOCK as f64 / 2.0));
-                let block = nearest_to(segments, &self.all, middle, BLOCK as f64 * self.step);
-                for row in top..(top + BLOCK).min(self.rows) {
-                    for column in left..(left + BLOCK).min(self.columns) {
-                        let at = DVec2::new(column as f64 + 0.5, row as f64 + 0.5);
-                        let middle = self.origin + self.step * at;
-                        lists[row * self.columns + column] =
-                            nearest_to(segments, &block, middle, self.step);
-                    }
-                }
-            }
-        }
-        for list in lists {
-            self.list.extend(list);
-            self.start.push(self.list.len() as u32);
-        }
-    }
-
-    fn candidates(&self, p: DVec2) -> &[u32] {
-        let at = (p - self.origin) / self.step;
-        if !(at.x >= 0.0 && at.y >= 0.0 && at.x < self.columns as f64 && at.y < self.rows as f64) {
-            return &self.all;
-        }
-        let square = at.y as usize * self.columns + at.x as usize;
-        &self.list[self.start[square] as usize..self.start[square + 1] as usize]
-    }
-}
-
-/// Those of the segments in `among` that can be the nearest to a point of a square with this middle
-/// and side.
-fn nearest_to(segments: &[[DVec2; 2]], among: &[u32], middle: DVec2, side: f64) -> Vec<u32> {
-    let distance: Vec<f64> = among
-        .iter()
-        .map(|&i| {
-            let [a, b] = segments[i as usize];
-            closest_on_segment(middle, a, b).distance(middle)
-        })
-        .collect();
-    let least = distance.iter().fold(f64::INFINITY, |m, &d| m.min(d));
-    // From the middle to a corner and back is a diagonal.
-    let reach = least + 1.415 * side;
-    let near = among.iter().zip(distance).filter(|&(_, d)| d <= reach);
-    near.map(|(&i, _)| i).collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -273,6 +314,7 @@ mod tests {
         Domain::from_checked(&Outline {
             outer: vec![p(0., 0.), p(100., 0.), p(100., 100.), p(0., 100.)],
             holes: vec![vec![p(40., 40.), p(40., 60.), p(60., 60.), p(60., 40.)]],
+            ..Outline::default()
         })
     }
 

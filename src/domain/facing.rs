@@ -1,7 +1,9 @@
-//! The places of the boundary that face a point: where the distance to the boundary has a local
-//! minimum, seen from the paved side.
+//! The places of the boundary and of constraint lines that face a point: where the distance to them
+//! has a local minimum, seen from the paved side.
 
-use super::{Domain, closest_on_segment};
+use super::Domain;
+use super::lines::crosses;
+use super::squares::Squares;
 use crate::order;
 use glam::DVec2;
 
@@ -14,20 +16,21 @@ pub struct Foot {
     pub distance: f64,
     /// Unit vector from the place to the point asked for, into the paved area.
     pub inward: DVec2,
+    /// The place is one of a constraint line.
+    pub on_line: bool,
 }
 
 /// Finds the feet of points within a fixed reach of the boundary, in constant time.
 #[derive(Clone, Debug)]
 pub struct Facing {
-    reach: f64,
-    origin: DVec2,
-    step: f64,
-    columns: usize,
-    rows: usize,
-    start: Vec<u32>,
-    list: Vec<u32>,
+    squares: Squares,
+    /// The outline's, then those of the constraint lines.
     segments: Vec<[DVec2; 2]>,
+    /// For each segment of the outline the one before it on its ring.
     before: Vec<u32>,
+    /// For each segment of a line: does it end at the outline?
+    blunt: Vec<[bool; 2]>,
+    period: Option<f64>,
 }
 
 /// Most squares along a side of the look-up grid.
@@ -41,73 +44,38 @@ impl Facing {
     pub fn new(domain: &Domain, reach: f64) -> Self {
         let (lo, hi) = domain.bounds();
         let step = (reach / 2.0).max((hi - lo).max_element() / MOST_SQUARES);
-        let origin = lo - DVec2::splat(reach);
-        let span = (hi - origin + DVec2::splat(reach)) / step;
-        let (columns, rows) = (span.x as usize + 1, span.y as usize + 1);
-        let mut facing = Self {
-            reach,
-            origin,
-            step,
-            columns,
-            rows,
-            start: Vec::new(),
-            list: Vec::new(),
-            segments: domain.segments().to_vec(),
+        let mut segments = domain.segments().to_vec();
+        let blunt = domain.line_walls(&mut segments);
+        Self {
+            squares: Squares::new((lo, hi), reach, step, &segments, reach),
+            segments,
             before: before(domain),
-        };
-        facing.fill();
-        facing
+            blunt,
+            period: domain.period(),
+        }
     }
 
-    fn fill(&mut self) {
-        let near = self.reach + 0.708 * self.step;
-        let mut entries = Vec::new();
-        for (index, &[a, b]) in self.segments.iter().enumerate() {
-            let lo = ((a.min(b) - self.origin - DVec2::splat(near)) / self.step).max(DVec2::ZERO);
-            let hi = (a.max(b) - self.origin + DVec2::splat(near)) / self.step;
-            for row in lo.y as usize..(hi.y as usize + 1).min(self.rows) {
-                for column in lo.x as usize..(hi.x as usize + 1).min(self.columns) {
-                    let at = DVec2::new(column as f64 + 0.5, row as f64 + 0.5);
-                    let middle = self.origin + self.step * at;
-                    if closest_on_segment(middle, a, b).distance(middle) <= near {
-                        entries.push(((row * self.columns + column) as u32, index as u32));
-                    }
-                }
-            }
-        }
-        order::sort(&mut entries, |&(square, index)| {
-            (order::pair(square, index), 0)
-        });
-        self.start = vec![0; self.columns * self.rows + 1];
-        for &(square, _) in &entries {
-            self.start[square as usize + 1] += 1;
-        }
-        for k in 1..self.start.len() {
-            self.start[k] += self.start[k - 1];
-        }
-        self.list = entries.into_iter().map(|(_, index)| index).collect();
-    }
-
-    fn segments_near(&self, p: DVec2) -> &[u32] {
-        let at = (p - self.origin) / self.step;
-        if !(at.x >= 0.0 && at.y >= 0.0 && at.x < self.columns as f64 && at.y < self.rows as f64) {
-            return &[];
-        }
-        let square = at.y as usize * self.columns + at.x as usize;
-        &self.list[self.start[square] as usize..self.start[square + 1] as usize]
+    /// The picture that a point lies in, as the shift from the first one; zero without a period.
+    fn shift(&self, p: DVec2) -> DVec2 {
+        self.period
+            .map_or(DVec2::ZERO, |side| (p / side).floor() * side)
     }
 
     /// May the boundary be within reach of the point? A quick no for most of the inside.
     pub fn is_near(&self, p: DVec2) -> bool {
-        !self.segments_near(p).is_empty()
+        !self.squares.at(p - self.shift(p)).is_empty()
     }
 
     /// The feet of a point within `reach` (at most the reach prepared for), nearest first; of walls
-    /// that lie in nearly the same direction only the nearest. `feet` is overwritten.
+    /// that lie in nearly the same direction only the nearest, and none behind a constraint line.
+    /// `feet` is overwritten.
     pub fn feet(&self, p: DVec2, reach: f64, feet: &mut Vec<Foot>) {
         feet.clear();
-        for &index in self.segments_near(p) {
-            if let Some(point) = self.foot(p, index as usize) {
+        let shift = self.shift(p);
+        let p = p - shift;
+        let near = self.squares.at(p);
+        for &index in near {
+            if let Some(point) = self.place(p, index as usize, near) {
                 let distance = point.distance(p);
                 if distance > 1e-9 && distance <= reach {
                     let inward = (p - point) / distance;
@@ -115,6 +83,7 @@ impl Facing {
                         point,
                         distance,
                         inward,
+                        on_line: index as usize >= self.before.len(),
                     });
                 }
             }
@@ -126,12 +95,51 @@ impl Facing {
             if feet[..kept]
                 .iter()
                 .all(|other| other.inward.dot(foot.inward) < SAME_WALL)
+                && !self.is_hidden(p, foot.point, near)
             {
                 feet[kept] = foot;
+                feet[kept].point += shift;
                 kept += 1;
             }
         }
         feet.truncate(kept);
+    }
+
+    /// The place of a segment that faces a point.
+    fn place(&self, p: DVec2, index: usize, near: &[u32]) -> Option<DVec2> {
+        if index < self.before.len() {
+            return self.foot(p, index);
+        }
+        let [a, b] = self.segments[index];
+        let along = b - a;
+        let t = along.dot(p - a) / along.length_squared();
+        if t > 0.0 && t < 1.0 {
+            return Some(a + along * t);
+        }
+        let end = usize::from(t >= 1.0);
+        let tip = [a, b][end];
+        let blunt = self.blunt[index - self.before.len()][end];
+        // A tip where no other segment of a line that ends there comes nearer.
+        let faces = |&other: &u32| {
+            let [a, b] = self.segments[other as usize];
+            let nearer = |end: DVec2, to: DVec2| end == tip && (to - end).dot(p - end) > 0.0;
+            (other as usize) < self.before.len() || !(nearer(a, b) || nearer(b, a))
+        };
+        (!blunt && near.iter().all(faces)).then_some(tip)
+    }
+
+    /// Does a constraint line stand between a point and a place?
+    fn is_hidden(&self, p: DVec2, place: DVec2, near: &[u32]) -> bool {
+        if self.blunt.is_empty() {
+            return false;
+        }
+        // Not quite up to the place, which may lie on a line itself.
+        let place = place + (p - place) * 1e-6;
+        let lines = near.iter().filter(|&&k| k as usize >= self.before.len());
+        lines.into_iter().any(|&k| {
+            let [a, b] = self.segments[k as usize];
+            crosses(p, place, a, b)
+        })
     }
 
     /// The foot on a segment's inside, or at its start where the ring turns away from the point.
@@ -179,6 +187,7 @@ mod tests {
                 p(0., 100.),
             ],
             holes: vec![],
+            ..Outline::default()
         });
         let facing = Facing::new(&domain, 20.0);
         let mut feet = Vec::new();

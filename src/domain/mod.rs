@@ -6,17 +6,22 @@
 //! negative one, so the paved side is always to the same hand of a segment: at its inward normal
 //! (-dy, dx).
 
+mod candidates;
 mod check;
 mod crossing;
 mod distance;
 mod facing;
+mod lines;
+mod parts;
 pub mod shape;
+mod squares;
 
+pub(crate) use candidates::closest_on_segment;
 pub(crate) use check::ring_contains;
-pub use check::{MAX_POINTS, OutlineError, Ring};
-pub(crate) use distance::closest_on_segment;
+pub use check::{MAX_LINE_POINTS, MAX_POINTS, OutlineError, Ring, check_lines};
 pub use distance::{Domain, Nearest};
 pub use facing::{Facing, Foot};
+pub(crate) use parts::divided;
 
 use glam::DVec2;
 
@@ -27,6 +32,10 @@ pub struct Outline {
     pub outer: Vec<DVec2>,
     /// The holes, each a ring like the outer one.
     pub holes: Vec<Vec<DVec2>>,
+    /// Constraint lines, which cells line up along: runs of points, closed where the last point is
+    /// the first again. They may touch and cross the rings and each other; what lies outside does
+    /// not count.
+    pub lines: Vec<Vec<DVec2>>,
 }
 
 /// Twice the signed area of the triangle a, b, c: positive where c lies at the inward hand of a to b.

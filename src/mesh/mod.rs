@@ -16,8 +16,6 @@ use crate::order;
 use crate::packing::Particle;
 use glam::DVec2;
 use quads::Faces;
-use spade::handles::FixedVertexHandle;
-use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation as _};
 use triangles::{NONE, Triangles};
 
 /// A point to be joined into a mesh.
@@ -115,6 +113,11 @@ const MOST_TRIANGLES: f64 = 0.08;
 /// The least score of quadrilaterals that replace lone triangles, falling.
 const STANDARDS: [f64; 6] = [0.5, 0.4, 0.3, 0.2, 0.2, 0.15];
 
+/// A side is looked at without this share of it at both ends: those may stand on a constraint line.
+const SHRINK: f64 = 0.02;
+/// A point nearer to a constraint line than this (in sizes) lies on it.
+const ON_LINE: f64 = 0.05;
+
 impl Mesh {
     /// The mesh of the cells' centres within the outline: elements whose middle lies outside,
     /// slivers along the rim, and triangles that lie between the outermost cells and the wall they
@@ -123,13 +126,18 @@ impl Mesh {
         let mut nodes: Vec<Node> = particles.iter().map(Node::of).collect();
         let vertices: Vec<DVec2> = particles.iter().map(|p| p.centre).collect();
         let mut triangles = Triangles::new(&nodes);
-        triangles.stretch(&nodes, |_| false);
+        // Sides from cell to cell along a constraint line are not dissolved.
+        let keep = |side: [u32; 2]| lies_on_line(domain, side.map(|k| &particles[k as usize]));
+        triangles.stretch(&nodes, keep);
         triangles.retain(|t| {
             let [a, b, c] = t.map(|k| vertices[k as usize]);
             domain.nearest((a + b + c) / 3.0).distance > 0.0
+                && ![[a, b], [b, c], [c, a]]
+                    .iter()
+                    .any(|&[p, q]| domain.crosses_line(p.lerp(q, SHRINK), q.lerp(p, SHRINK)))
         });
-        let mut made = quads::pair(&nodes, &triangles, |_| false);
-        join_lone(&mut nodes, &mut made, |k| particles[k].fixed);
+        let mut made = quads::pair(&nodes, &triangles, keep);
+        join_lone(&mut nodes, &mut made, |k| particles[k].fixed, keep);
         let vertices: Vec<DVec2> = nodes.iter().map(|n| n.at).collect();
         let mut faces = made.faces;
         faces.retain(|face| {
@@ -163,7 +171,12 @@ impl Mesh {
 
 /// Joins lone triangles over the elements between them while there are too many, first to good
 /// quadrilaterals only; in between the nodes that may move relax, which makes room for more.
-fn join_lone(nodes: &mut [Node], made: &mut Faces, is_fixed: impl Fn(usize) -> bool) {
+fn join_lone(
+    nodes: &mut [Node],
+    made: &mut Faces,
+    is_fixed: impl Fn(usize) -> bool,
+    keep: impl Fn([u32; 2]) -> bool,
+) {
     let mut free: Vec<bool> = (0..nodes.len()).map(|k| !is_fixed(k)).collect();
     for (face, beside) in made.faces.iter().zip(&made.beside) {
         let corners = face.nodes();
@@ -185,9 +198,18 @@ fn join_lone(nodes: &mut [Node], made: &mut Faces, is_fixed: impl Fn(usize) -> b
         if lone(nodes, made) <= few {
             break;
         }
-        patch::better(nodes, made, worst, few, |_| false);
+        patch::better(nodes, made, worst, few, &keep);
         relax::relax(nodes, &made.faces, &free);
     }
+}
+
+/// Do both cells stand on a constraint line, and what is between them, too?
+fn lies_on_line(domain: &Domain, [a, b]: [&Particle; 2]) -> bool {
+    let on = |p: DVec2| {
+        let near = domain.nearest_line(p);
+        near.is_some_and(|near| near.distance < ON_LINE * a.size)
+    };
+    on(a.centre.midpoint(b.centre)) && on(a.centre) && on(b.centre)
 }
 
 /// How deep a triangle of cells that all stand at a wall has to lie; 0 where one is fixed on it.
@@ -214,14 +236,10 @@ fn is_sliver(face: &Face, nodes: &[Node]) -> bool {
     quads::height(nodes, [a, b, c]) < if cap { SLIVER } else { NEEDLE }
 }
 
-/// A triangulation, with or without constraints: two types would bring two copies of spade into the
-/// WebAssembly.
-pub(crate) type Delaunay = ConstrainedDelaunayTriangulation<Point2<f64>>;
-
-/// Adds a point; nothing where it has no finite place. Kept as one function for the same reason.
-#[inline(never)]
-pub(crate) fn insert(mesh: &mut Delaunay, p: Point2<f64>) -> Option<FixedVertexHandle> {
-    mesh.insert(p).ok()
+/// Delaunay triangles, each of positive shoelace area, in an order that depends on the points only.
+pub(crate) fn triangulate(points: &[DVec2]) -> Vec<[u32; 3]> {
+    let nodes: Vec<Node> = points.iter().copied().map(Node::plain).collect();
+    Triangles::new(&nodes).nodes
 }
 
 /// The elements around each vertex.

@@ -174,7 +174,7 @@ fn joining_leaves_few_triangles_and_a_valid_mesh() {
         let at = |k: usize| (k % 24, k / 24);
         let held = |k: usize| [at(k).0, at(k).1].iter().any(|&c| c == 0 || c == 23);
         let before = nodes.clone();
-        join_lone(&mut nodes, &mut made, held);
+        join_lone(&mut nodes, &mut made, held, |_| false);
         assert!(2 * lone(&made) < paired, "{} of {paired}", lone(&made));
         for (k, (old, new)) in before.iter().zip(&nodes).enumerate() {
             assert!(!held(k) || old.at == new.at);

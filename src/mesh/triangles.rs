@@ -1,7 +1,8 @@
 //! The triangulation: Delaunay (spade), made Delaunay in the local metric by flips.
 
+use super::Node;
 use super::metric::Metric;
-use super::{Delaunay, Node, insert};
+use crate::planar::{Delaunay, insert};
 use glam::DVec2;
 use spade::{Point2, Triangulation as _};
 

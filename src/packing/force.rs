@@ -1,9 +1,12 @@
-//! The bubble force and the square cell's potential.
+//! The bubble force and the potential of a pair of cells.
 //!
 //! Miyata, Itoh, Shimada (2000), section 4.2: code `bubble_force` = eq. (2), `bubble_potential` =
 //! eq. (3), `square_force` = the gradient of eq. (4). The units make a force a length: the spring
 //! constant k0 of a pair is l0 squared, so that k0 / l0 = l0, the pair's stable distance.
 
+use super::Particle;
+use super::shape::Shape;
+use crate::field::Kind;
 use glam::DVec2;
 
 /// Weight of the four corner potentials in eq. (4).
@@ -32,36 +35,65 @@ pub fn bubble_potential(w: f64) -> f64 {
     -(((0.3125 * w - 19.0 / 24.0) * w * w + 1.125) * w - 153.0 / 256.0)
 }
 
-/// What one square cell does to another.
+/// What one cell does to another.
+///
+/// Squares and circles push along the line between their centres, as eq. (2) says; so do ellipses
+/// and rectangles, by their effective distance (Itoh, Miyata, Shimada 2003, section 5.1). Cells with
+/// corners have four more potentials there (eq. 4). Where cells are stretched, those are evaluated
+/// in the frame in which the cells would be squares.
 #[derive(Clone, Copy, Debug)]
 pub struct Pair {
     /// Unit vector of the pair's frame, or zero where the field has no direction: then only the
     /// central potential acts (Miyata, Itoh, Shimada 2001, section 4).
-    pub axis: DVec2,
+    axis: DVec2,
     /// Sizes of the two cells.
-    pub sizes: (f64, f64),
+    sizes: (f64, f64),
+    /// Do their corners act?
+    corners: (bool, bool),
+    /// Present where one of them is stretched.
+    stretch: Option<Stretch>,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Stretch {
+    shapes: (Shape, Shape),
+    /// The root of the mean aspect ratio.
+    root: f64,
 }
 
 impl Pair {
-    /// The frame of two cells: the mean of the first one's axis and of that quarter turn of the
-    /// second one's which is nearest to it, so that forces are reciprocal.
-    pub fn new(axes: (DVec2, DVec2), sizes: (f64, f64)) -> Self {
-        let (e, f) = axes;
-        let (along, across) = (e.dot(f), e.perp_dot(f));
-        let turned = if along.abs() >= across.abs() {
-            f * along.signum()
+    /// The frame of two cells: the mean of the first one's axis and of that turn of the second one's
+    /// which looks alike and is nearest to it, so that forces are reciprocal.
+    pub fn new(a: &Particle, b: &Particle) -> Self {
+        let sizes = (a.size, b.size);
+        if a.kind == Kind::Square && b.kind == Kind::Square {
+            return Self {
+                axis: mean_axis(a.axis, b.axis, 4),
+                sizes,
+                corners: (true, true),
+                stretch: None,
+            };
+        }
+        let stretch = (a.kind.is_stretched() || b.kind.is_stretched()).then(|| Stretch {
+            shapes: (Shape::of(a), Shape::of(b)),
+            root: (0.5 * (a.aspect + b.aspect)).sqrt(),
+        });
+        let corners = (a.kind.has_corners(), b.kind.has_corners());
+        let axis = if corners.0 || corners.1 {
+            mean_axis(a.axis, b.axis, if stretch.is_some() { 2 } else { 4 })
         } else {
-            -f.perp() * across.signum()
-        };
-        let axis = if e == DVec2::ZERO || f == DVec2::ZERO {
             DVec2::ZERO
-        } else {
-            (e + turned).normalize()
         };
-        Self { axis, sizes }
+        Self {
+            axis,
+            sizes,
+            corners,
+            stretch,
+        }
     }
 
-    /// The stable distance l0 of the two centres.
+    /// The stable distance l0 of the two centres, of stretched cells in the frame in which they
+    /// would be squares.
     pub fn stable_distance(&self) -> f64 {
         0.5 * (self.sizes.0 + self.sizes.1)
     }
@@ -70,39 +102,83 @@ impl Pair {
     /// feels the opposite. Where sizes differ it is the mean of what each does to the other.
     pub fn force(&self, r: DVec2) -> DVec2 {
         let l0 = self.stable_distance();
-        let mut force = spoke_force(r, l0, l0);
+        let mut force = match &self.stretch {
+            None => spoke_force(r, l0, l0),
+            Some(Stretch { shapes, .. }) => {
+                let w = shapes.0.closeness(&shapes.1, r);
+                if w == 0.0 {
+                    return DVec2::ZERO;
+                }
+                r * (bubble_force(w) / w)
+            }
+        };
         if self.axis != DVec2::ZERO {
             let local = self.framed(r);
-            let corners = if self.sizes.0 == self.sizes.1 {
+            let corners = if self.sizes.0 == self.sizes.1 && self.corners == (true, true) {
                 self.corner_force(local, self.sizes.0)
             } else {
-                0.5 * (self.corner_force(local, self.sizes.0)
-                    + self.corner_force(local, self.sizes.1))
+                let mut sum = DVec2::ZERO;
+                if self.corners.0 {
+                    sum += self.corner_force(local, self.sizes.0);
+                }
+                if self.corners.1 {
+                    sum += self.corner_force(local, self.sizes.1);
+                }
+                0.5 * sum
             };
             force += CORNER_WEIGHT * self.unframed(corners);
         }
         force
     }
 
-    /// The pair's potential at `r`, of which [`Pair::force`] is minus the gradient.
+    /// The pair's potential at `r`. [`Pair::force`] is minus its gradient where no cell is
+    /// stretched; where one is, minus the gradient in the frame in which it would not be.
     pub fn potential(&self, r: DVec2) -> f64 {
         let l0 = self.stable_distance();
-        let mut sum = l0 * l0 * bubble_potential(r.length() / l0);
+        let w = match &self.stretch {
+            None => r.length() / l0,
+            Some(Stretch { shapes, .. }) => shapes.0.closeness(&shapes.1, r),
+        };
+        let mut sum = l0 * l0 * bubble_potential(w);
         if self.axis != DVec2::ZERO {
             let local = self.framed(r);
-            let corners = 0.5
-                * (self.corner_potential(local, self.sizes.0)
-                    + self.corner_potential(local, self.sizes.1));
-            sum += CORNER_WEIGHT * corners;
+            let mut corners = 0.0;
+            if self.corners.0 {
+                corners += self.corner_potential(local, self.sizes.0);
+            }
+            if self.corners.1 {
+                corners += self.corner_potential(local, self.sizes.1);
+            }
+            sum += 0.5 * CORNER_WEIGHT * corners;
         }
         sum
     }
 
+    /// How deep the cells stand in each other at `r`, in stable distances: 0 where they touch, edge
+    /// to edge if both have corners; negative where they are apart.
+    pub fn depth(&self, r: DVec2) -> f64 {
+        if self.corners == (true, true) && self.axis != DVec2::ZERO {
+            return 1.0 - self.framed(r).abs().max_element() / self.stable_distance();
+        }
+        1.0 - match &self.stretch {
+            None => r.length() / self.stable_distance(),
+            Some(Stretch { shapes, .. }) => shapes.0.closeness(&shapes.1, r),
+        }
+    }
+
     fn framed(&self, r: DVec2) -> DVec2 {
-        DVec2::new(self.axis.dot(r), self.axis.perp_dot(r))
+        let local = DVec2::new(self.axis.dot(r), self.axis.perp_dot(r));
+        match &self.stretch {
+            None => local,
+            Some(Stretch { root, .. }) => DVec2::new(local.x / root, local.y * root),
+        }
     }
 
     fn unframed(&self, v: DVec2) -> DVec2 {
+        let v = match &self.stretch {
+            None => v,
+            Some(Stretch { root, .. }) => DVec2::new(v.x * root, v.y / root),
+        };
         self.axis * v.x + self.axis.perp() * v.y
     }
 
@@ -147,6 +223,22 @@ impl Pair {
     }
 }
 
+/// The mean of a vector and of that turn of another by a whole number of `symmetry`-th parts of a
+/// circle (2 or 4) which is nearest to it; zero where one of them is.
+fn mean_axis(e: DVec2, f: DVec2, symmetry: u32) -> DVec2 {
+    let (along, across) = (e.dot(f), e.perp_dot(f));
+    let turned = if symmetry == 2 || along.abs() >= across.abs() {
+        f * along.signum()
+    } else {
+        -f.perp() * across.signum()
+    };
+    if e == DVec2::ZERO || f == DVec2::ZERO {
+        DVec2::ZERO
+    } else {
+        (e + turned).normalize()
+    }
+}
+
 /// The bubble force along `r`, of stable distance `reach` and strength k0 / l0 = `scale`.
 fn spoke_force(r: DVec2, reach: f64, scale: f64) -> DVec2 {
     let square = r.length_squared();
@@ -160,6 +252,25 @@ fn spoke_force(r: DVec2, reach: f64, scale: f64) -> DVec2 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    fn cell(kind: Kind, axis: DVec2, size: f64, aspect: f64) -> Particle {
+        Particle {
+            id: 0,
+            centre: DVec2::ZERO,
+            kind,
+            size,
+            aspect,
+            axis,
+            fixed: false,
+        }
+    }
+
+    fn squares(axes: (DVec2, DVec2), sizes: (f64, f64)) -> Pair {
+        Pair::new(
+            &cell(Kind::Square, axes.0, sizes.0, 1.0),
+            &cell(Kind::Square, axes.1, sizes.1, 1.0),
+        )
+    }
 
     #[test]
     fn the_force_meets_the_conditions_of_equation_2() {
@@ -186,7 +297,7 @@ mod tests {
     fn a_pair_s_force_is_minus_the_gradient_of_its_potential() {
         for sizes in [(1.0, 1.0), (0.7, 1.4)] {
             let axis = DVec2::new(0.6, 0.8);
-            let pair = Pair::new((axis, axis), sizes);
+            let pair = squares((axis, axis), sizes);
             for k in 0..60 {
                 let r = DVec2::new(
                     f64::from(k * 7 % 31) / 10.0 - 1.5,
@@ -207,7 +318,7 @@ mod tests {
 
     #[test]
     fn there_are_four_stable_places_edge_to_edge() {
-        let pair = Pair::new((DVec2::X, DVec2::X), (1.0, 1.0));
+        let pair = squares((DVec2::X, DVec2::X), (1.0, 1.0));
         // Follow the force from many places: all that stay near end edge to edge.
         for k in 0..64 {
             let t = f64::from(k) * 0.0982 + 0.01;
@@ -225,9 +336,9 @@ mod tests {
     fn a_pair_s_frame_is_the_same_from_both_sides() {
         let e = DVec2::new(0.8, 0.6);
         let f = DVec2::new(-0.5, 0.75_f64.sqrt());
-        let (a, b) = (Pair::new((e, f), (1.0, 1.0)), Pair::new((f, e), (1.0, 1.0)));
+        let (a, b) = (squares((e, f), (1.0, 1.0)), squares((f, e), (1.0, 1.0)));
         let r = DVec2::new(0.9, -0.3);
         assert!((a.force(r) + b.force(-r)).length() < 1e-12);
-        assert_eq!(Pair::new((e, DVec2::ZERO), (1.0, 1.0)).axis, DVec2::ZERO);
+        assert_eq!(squares((e, DVec2::ZERO), (1.0, 1.0)).axis, DVec2::ZERO);
     }
 }

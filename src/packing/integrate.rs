@@ -3,16 +3,20 @@
 //! Time is in units of sqrt(m d^2 / k0), so that one set of constants serves all sizes.
 
 use super::force::{Pair, SQUARE_REACH};
-use super::grid::Grid;
+use super::grid::{Grid, images};
+use super::shape::Shape;
 use super::wall::{keep_inside, wall_force};
 use super::{Body, Integrator};
 use crate::domain::{Domain, Facing, Foot};
-use crate::field::Fields;
+use crate::field::{Fields, Kind};
 use crate::order;
 use glam::DVec2;
 
-/// Viscous damping c.
-const DAMPING: f64 = 2.0;
+/// Viscous damping c. Honeycombs have more faults to heal than rows and columns: round cells keep
+/// swinging for longer.
+const fn damping(kind: Kind) -> f64 {
+    if kind.has_corners() { 2.0 } else { 0.2 }
+}
 /// Time step of the semi-implicit method.
 const SEMI_IMPLICIT_STEP: f64 = 0.5;
 /// Time step of the Runge-Kutta method; stable while damping times step stays below 2.
@@ -52,7 +56,7 @@ impl Motion {
 
     /// Makes the neighbour list again where it may have become wrong. The bodies are put in the
     /// order of the grid's buckets first, so that neighbours lie near in memory too.
-    pub fn refresh(&mut self, bodies: &mut [Body]) {
+    pub fn refresh(&mut self, bodies: &mut [Body], domain: &Domain) {
         let limit = 0.25 * self.slack * self.slack;
         let fresh = self.made_at.len() == bodies.len()
             && bodies
@@ -63,25 +67,37 @@ impl Motion {
             return;
         }
         let first = bodies[0].particle.centre;
-        let (mut lo, mut hi, mut largest) = (first, first, 0.0_f64);
+        let (mut lo, mut hi) = (first, first);
+        let (mut largest, mut longest, mut root) = (0.0_f64, 0.0_f64, 1.0_f64);
         for body in bodies.iter() {
             lo = lo.min(body.particle.centre);
             hi = hi.max(body.particle.centre);
-            largest = largest.max(body.particle.size);
+            let shape = Shape::of(&body.particle);
+            largest = largest.max(shape.size);
+            longest = longest.max(shape.length());
+            root = root.max(shape.root);
         }
-        self.slack = SKIN * largest;
-        let reach = SQUARE_REACH * largest + self.slack;
+        let slack = SKIN * largest;
+        // A move counts for more across a stretched cell than along it.
+        self.slack = slack / root;
+        let reach = SQUARE_REACH * longest + slack;
         let grid = Grid::new(lo, hi, reach / 2.0);
         let place = |b: &Body| (grid.bucket(b.particle.centre) as u64, b.particle.id.into());
         order::sort(bodies, place);
         self.made_at = bodies.iter().map(|b| b.particle.centre).collect();
         self.forces.resize(bodies.len(), DVec2::ZERO);
-        self.collect_pairs(bodies, &grid, reach);
+        self.collect_pairs(bodies, domain, &grid, (reach, slack));
     }
 
     /// The bodies are in the order of the grid's buckets, so those of a run of buckets are a run of
     /// bodies, and only the ones after the body itself are looked at.
-    fn collect_pairs(&mut self, bodies: &[Body], grid: &Grid, reach: f64) {
+    fn collect_pairs(
+        &mut self,
+        bodies: &[Body],
+        domain: &Domain,
+        grid: &Grid,
+        (reach, slack): (f64, f64),
+    ) {
         let mut firsts = vec![0; grid.buckets() + 1];
         for body in bodies {
             firsts[grid.bucket(body.particle.centre) + 1] += 1;
@@ -92,21 +108,34 @@ impl Motion {
         self.list.clear();
         self.start.clear();
         self.start.push(0);
+        let period = domain.period();
+        let plain = period.is_none() && domain.lines().is_empty();
         for (i, body) in bodies.iter().enumerate() {
-            let (centre, size) = (body.particle.centre, body.particle.size);
-            for run in grid.runs_near(centre, reach) {
-                let end = firsts[run.end];
-                let first = firsts[run.start].max(i + 1).min(end);
-                for (other, j) in bodies[first..end].iter().zip(first as u32..) {
-                    let other = &other.particle;
-                    let within = SQUARE_REACH * 0.5 * (size + other.size) + self.slack;
-                    if other.centre.distance_squared(centre) < within * within {
-                        self.list.push(j);
+            let centre = body.particle.centre;
+            let shape = Shape::of(&body.particle);
+            for image in images(period, centre, reach) {
+                for run in grid.runs_near(image, reach) {
+                    let end = firsts[run.end];
+                    let first = firsts[run.start].max(i + 1).min(end);
+                    for (other, j) in bodies[first..end].iter().zip(first as u32..) {
+                        let r = other.particle.centre - image;
+                        let meets = shape.may_touch(&Shape::of(&other.particle), r, slack);
+                        if meets && (plain || self.meets(body, other, r, domain)) {
+                            self.list.push(j);
+                        }
                     }
                 }
             }
             self.start.push(self.list.len() as u32);
         }
+    }
+
+    /// Is there no wall between two cells, and is `r` the shortest way between them on the torus?
+    fn meets(&self, body: &Body, other: &Body, r: DVec2, domain: &Domain) -> bool {
+        let (a, b) = (&body.particle, &other.particle);
+        let half = domain.period().map_or(f64::INFINITY, |side| 0.5 * side);
+        r.abs().max_element() <= half
+            && (a.fixed || b.fixed || !domain.crosses_line(a.centre, b.centre))
     }
 
     /// The pairs that may touch, each once.
@@ -119,12 +148,12 @@ impl Motion {
     }
 
     /// See [`super::Packing::energy`].
-    pub fn energy(&self, bodies: &[Body]) -> f64 {
+    pub fn energy(&self, bodies: &[Body], domain: &Domain) -> f64 {
         let mut sum = 0.0;
         let mut stiffness = 0.0;
         for (i, j) in self.pairs(bodies) {
             let (a, b) = (&bodies[i].particle, &bodies[j].particle);
-            sum += Pair::new((a.axis, b.axis), (a.size, b.size)).potential(b.centre - a.centre);
+            sum += Pair::new(a, b).potential(domain.shortest(b.centre - a.centre));
         }
         for body in bodies {
             stiffness += body.particle.size * body.particle.size / bodies.len() as f64;
@@ -144,12 +173,13 @@ impl Motion {
             for k in self.start[i] as usize..self.start[i + 1] as usize {
                 let j = self.list[k] as usize;
                 let b = &bodies[j].particle;
-                let r = b.centre - a.centre;
+                let r = around.domain.shortest(b.centre - a.centre);
                 let reach = SQUARE_REACH * 0.5 * (a.size + b.size);
-                if r.length_squared() >= reach * reach {
+                let is_stretched = a.kind.is_stretched() || b.kind.is_stretched();
+                if !is_stretched && r.length_squared() >= reach * reach {
                     continue;
                 }
-                let force = Pair::new((a.axis, b.axis), (a.size, b.size)).force(r);
+                let force = Pair::new(&a, b).force(r);
                 self.forces[j] += force;
                 total -= force;
             }
@@ -182,10 +212,12 @@ impl Motion {
                 continue;
             }
             let before = body.particle.centre;
+            let shape = Shape::of(&body.particle);
             let by = by.clamp_length_max(LONGEST_MOVE * body.particle.size);
-            let centre = keep_inside(before + by, body.particle.size, around);
+            let centre = keep_inside(before, before + by, shape, around);
             body.place(centre, around.fields);
-            largest_move = largest_move.max(centre.distance(before) / body.particle.size);
+            largest_move =
+                largest_move.max(around.domain.shortest(centre - before).length() / shape.size);
         }
         (largest_move, largest_force)
     }
@@ -194,7 +226,7 @@ impl Motion {
         let h = SEMI_IMPLICIT_STEP;
         let each = bodies.iter_mut().zip(&self.forces);
         each.map(|(body, &force)| {
-            body.velocity = (body.velocity + h * force) / (1.0 + h * DAMPING);
+            body.velocity = (body.velocity + h * force) / (1.0 + h * damping(body.particle.kind));
             pace * h * body.velocity
         })
         .collect()
@@ -218,7 +250,10 @@ impl Motion {
                 if body.particle.fixed {
                     continue;
                 }
-                let (slope, pull) = (velocity[i], self.forces[i] - DAMPING * velocity[i]);
+                let (slope, pull) = (
+                    velocity[i],
+                    self.forces[i] - damping(body.particle.kind) * velocity[i],
+                );
                 sums[i].0 += weight / 6.0 * slope;
                 sums[i].1 += weight / 6.0 * pull;
                 if stage < 3 {

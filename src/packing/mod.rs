@@ -6,10 +6,13 @@
 //! time; nothing in it knows of time or frames.
 
 pub mod force;
+mod front;
 mod grid;
 mod integrate;
 mod placement;
 mod population;
+mod rim;
+mod shape;
 mod wall;
 
 pub(crate) use grid::Grid;
@@ -20,6 +23,7 @@ use crate::order;
 use crate::random::{Purpose, Random};
 use glam::DVec2;
 use integrate::{Motion, Surroundings};
+use shape::Shape;
 
 /// How the cells meet the boundary.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -130,6 +134,22 @@ pub struct Particle {
     pub fixed: bool,
 }
 
+impl Particle {
+    /// A cell that has what the fields ask for at its place.
+    #[inline(never)]
+    pub fn new(id: u32, centre: DVec2, fixed: bool, fields: &Fields) -> Self {
+        Self {
+            id,
+            centre,
+            kind: fields.kind(centre),
+            size: fields.size(centre),
+            aspect: fields.aspect(centre),
+            axis: fields.direction(centre),
+            fixed,
+        }
+    }
+}
+
 /// What the last step did.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct StepReport {
@@ -198,7 +218,10 @@ impl Packing {
                 TUNING.most_cells
             ));
         }
-        let facing = Facing::new(domain, wall::reach(largest_size(domain, fields, &params)));
+        let facing = Facing::new(
+            domain,
+            wall::reach(greatest_length(domain, fields, &params)),
+        );
         let mut packing = Self {
             params,
             facing,
@@ -219,15 +242,7 @@ impl Packing {
     }
 
     fn add(&mut self, fields: &Fields, centre: DVec2, fixed: bool) {
-        let particle = Particle {
-            id: self.next_id,
-            centre,
-            kind: fields.kind(centre),
-            size: fields.size(centre),
-            aspect: fields.aspect(centre),
-            axis: fields.direction(centre),
-            fixed,
-        };
+        let particle = Particle::new(self.next_id, centre, fixed, fields);
         self.next_id += 1;
         self.bodies.push(Body {
             particle,
@@ -270,9 +285,9 @@ impl Packing {
 
     /// The potential energy of the cells among each other (eq. 4 summed over pairs), in units of
     /// the mean cell's k0.
-    pub fn energy(&mut self) -> f64 {
-        self.motion.refresh(&mut self.bodies);
-        self.motion.energy(&self.bodies)
+    pub fn energy(&mut self, domain: &Domain) -> f64 {
+        self.motion.refresh(&mut self.bodies, domain);
+        self.motion.energy(&self.bodies, domain)
     }
 
     /// One step of the equation of motion and, now and then, population control.
@@ -283,7 +298,7 @@ impl Packing {
         let step = self.report.step + 1;
         let late = step.saturating_sub(TUNING.cooling_from);
         let pace = (0..late).fold(1.0, |pace, _| pace * TUNING.cooling);
-        self.motion.refresh(&mut self.bodies);
+        self.motion.refresh(&mut self.bodies, domain);
         let around = Surroundings {
             domain,
             fields,
@@ -336,14 +351,14 @@ impl Packing {
     }
 }
 
-/// The largest size that any cell can have in this outline.
-fn largest_size(domain: &Domain, fields: &Fields, params: &PackingParams) -> f64 {
+/// The greatest length that any cell can have in this outline.
+fn greatest_length(domain: &Domain, fields: &Fields, params: &PackingParams) -> f64 {
     let (lo, hi) = domain.bounds();
     let mut largest = 0.0_f64;
     for row in 0..=16 {
         for column in 0..=16 {
             let t = DVec2::new(f64::from(column), f64::from(row)) / 16.0;
-            largest = largest.max(fields.size(lo + (hi - lo) * t));
+            largest = largest.max(Shape::at(fields, lo + (hi - lo) * t).length());
         }
     }
     largest * (1.0 + params.variance * 3.0_f64.sqrt())

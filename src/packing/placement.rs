@@ -1,26 +1,18 @@
 //! The first cells: along the boundary, then inside.
 
+use super::front::stream;
 use super::grid::Grid;
+use super::rim::{boundary_cells, line_pieces, pieces};
+use super::shape::Shape;
 use super::{Edge, PackingParams, Start};
-use crate::domain::{Domain, Facing};
+use crate::domain::{Domain, Facing, Nearest};
 use crate::field::Fields;
-use crate::random::{Purpose, Random};
 use glam::DVec2;
-use std::collections::VecDeque;
 
-/// The ring is cut into pieces where it turns by more than this (cosine of 25 degrees).
-const CORNER: f64 = 0.906;
-/// Boundary cells nearer to each other than this (in sizes) are dropped ...
-const BOUNDARY_GAP: f64 = 0.6;
-/// ... as are those nearer to the boundary than this share of their way in, where a bend is
-/// tighter than a cell.
-const BOUNDARY_CLEARANCE: f64 = 0.8;
-/// How far in the first row stands, in sizes: half a cell, or less where the outline is narrow.
-const DEPTHS: [f64; 4] = [0.5, 0.4, 0.3, 0.22];
 /// The front takes a place whose nearest cell is at least this far, in stable distances.
-const FRONT_GAP: f64 = 0.75;
-/// Where the front has died out, a new one starts at a place this free.
-const SEED_GAP: f64 = 0.9;
+pub(super) const FRONT_GAP: f64 = 0.75;
+/// The least distance at which a cell of a quadtree's leaf is put beside others.
+const LEAF_GAP: f64 = 0.6;
 /// The fewest sizes from the boundary at which a cell is placed inside.
 const INSIDE_CLEARANCE: f64 = 0.35;
 
@@ -34,7 +26,12 @@ pub(super) fn place(
     let mut crowd = Crowd::new(domain, fields);
     let fixed = params.edge == Edge::On;
     for ring in domain.rings() {
-        for piece in pieces(ring) {
+        for piece in pieces(ring, true) {
+            boundary_cells(&mut crowd, &piece, fields, domain, fixed);
+        }
+    }
+    for line in domain.lines() {
+        for piece in line_pieces(line, fixed) {
             boundary_cells(&mut crowd, &piece, fields, domain, fixed);
         }
     }
@@ -50,211 +47,50 @@ pub(super) fn place(
 }
 
 /// Cells so far, with the grid to find them.
-struct Crowd<'a> {
-    cells: Vec<DVec2>,
-    sizes: Vec<f64>,
+pub(super) struct Crowd<'a> {
+    pub cells: Vec<DVec2>,
+    shapes: Vec<Shape>,
     grid: Grid,
-    largest: f64,
+    longest: f64,
+    domain: &'a Domain,
     fields: &'a Fields,
 }
 
 impl<'a> Crowd<'a> {
-    fn new(domain: &Domain, fields: &'a Fields) -> Self {
+    fn new(domain: &'a Domain, fields: &'a Fields) -> Self {
         let (lo, hi) = domain.bounds();
         Self {
             cells: Vec::new(),
-            sizes: Vec::new(),
+            shapes: Vec::new(),
             grid: Grid::new(lo, hi, fields.params().size),
-            largest: 0.0,
+            longest: 0.0,
+            domain,
             fields,
         }
     }
 
-    fn push(&mut self, p: DVec2) {
-        let size = self.fields.size(p);
+    pub fn push(&mut self, p: DVec2) {
+        let shape = Shape::gauge(self.fields, p);
         self.cells.push(p);
-        self.sizes.push(size);
+        self.shapes.push(shape);
         self.grid.push(p);
-        self.largest = self.largest.max(size);
+        self.longest = self.longest.max(shape.length());
     }
 
     /// The distance to the nearest cell in stable distances, or `enough` where none is nearer.
-    fn gap(&self, p: DVec2, enough: f64) -> f64 {
-        let size = self.fields.size(p);
+    pub fn gap(&self, p: DVec2, enough: f64) -> f64 {
+        let shape = Shape::gauge(self.fields, p);
         let mut least = enough;
-        self.grid
-            .near(p, enough * 0.5 * (size + self.largest), |k| {
-                let w = self.cells[k].distance(p) / (0.5 * (size + self.sizes[k]));
-                least = least.min(w);
-            });
+        let reach = enough * 0.5 * (shape.length() + self.longest);
+        let (domain, grid) = (self.domain, &self.grid);
+        grid.near_images(domain.period(), p, reach, |k| {
+            let w = shape.closeness(&self.shapes[k], domain.shortest(self.cells[k] - p));
+            if w < least && !domain.crosses_line(p, self.cells[k]) {
+                least = w;
+            }
+        });
         least
     }
-}
-
-/// A ring's pieces between corners, each a run of points; a smooth ring is one closed piece.
-struct Piece {
-    points: Vec<DVec2>,
-    /// The directions with which the neighbouring pieces meet it at its ends.
-    before: Option<DVec2>,
-    after: Option<DVec2>,
-}
-
-fn pieces(ring: &[DVec2]) -> Vec<Piece> {
-    let n = ring.len();
-    let along = |k: usize| (ring[(k + 1) % n] - ring[k % n]).normalize();
-    let corners: Vec<usize> = (0..n)
-        .filter(|&k| along(k + n - 1).dot(along(k)) < CORNER)
-        .collect();
-    if corners.is_empty() {
-        let mut points = ring.to_vec();
-        points.push(ring[0]);
-        return vec![Piece {
-            points,
-            before: None,
-            after: None,
-        }];
-    }
-    let ends = corners.iter().skip(1).copied().chain([corners[0] + n]);
-    let runs = corners.iter().copied().zip(ends);
-    runs.map(|(from, to)| Piece {
-        points: (from..=to).map(|k| ring[k % n]).collect(),
-        before: Some(along(from + n - 1)),
-        after: Some(along(to)),
-    })
-    .collect()
-}
-
-/// Evenly spaced cells along a piece: on it, or half a cell inside with mitred ends.
-fn boundary_cells(crowd: &mut Crowd, piece: &Piece, fields: &Fields, domain: &Domain, fixed: bool) {
-    // Narrow: with a row half a cell in, most of it would not be clear of the other side.
-    let is_wide = |depth: &&f64| {
-        let line = offset_line(piece, fields, **depth);
-        let clear = |p: &&DVec2| {
-            domain.nearest(**p).distance >= BOUNDARY_CLEARANCE * **depth * fields.size(**p)
-        };
-        2 * line.iter().filter(clear).count() >= line.len()
-    };
-    let depth = *DEPTHS.iter().find(is_wide).unwrap_or(&DEPTHS[0]);
-    let line = if fixed {
-        piece.points.clone()
-    } else {
-        offset_line(piece, fields, depth)
-    };
-    // Lengths in cells: a step is shorter where cells are smaller.
-    let mut reached = vec![0.0];
-    for w in line.windows(2) {
-        let cells = w[0].distance(w[1]) / fields.size(w[0].midpoint(w[1]));
-        reached.push(reached[reached.len() - 1] + cells);
-    }
-    let total = reached[reached.len() - 1];
-    let closed = piece.before.is_none();
-    let count = (total.round() as usize).max(1);
-    let places = if closed { count } else { count + 1 };
-    let mut k = 0;
-    for place in 0..places {
-        let at = total * place as f64 / count as f64;
-        while k + 2 < line.len() && reached[k + 1] < at {
-            k += 1;
-        }
-        let span = reached[k + 1] - reached[k];
-        let t = if span > 0.0 {
-            ((at - reached[k]) / span).clamp(0.0, 1.0)
-        } else {
-            0.0
-        };
-        let p = line[k].lerp(line[k + 1], t);
-        let clear = || domain.nearest(p).distance >= BOUNDARY_CLEARANCE * depth * fields.size(p);
-        if (fixed || clear()) && crowd.gap(p, BOUNDARY_GAP) >= BOUNDARY_GAP {
-            crowd.push(p);
-        }
-    }
-}
-
-/// The piece moved inwards by `depth` cells. At its ends it meets the neighbouring pieces' lines.
-fn offset_line(piece: &Piece, fields: &Fields, depth: f64) -> Vec<DVec2> {
-    let points = &piece.points;
-    let last = points.len() - 1;
-    let along = |k: usize| (points[k + 1] - points[k]).normalize();
-    let closing = (piece.before.is_none()).then(|| (along(last - 1), along(0)));
-    (0..=last)
-        .map(|k| {
-            let earlier = match (k, piece.before, closing) {
-                (0, Some(before), _) => before,
-                (0, None, Some((end, _))) => end,
-                _ => along(k.max(1) - 1),
-            };
-            let later = match (k == last, piece.after, closing) {
-                (true, Some(after), _) => after,
-                (true, None, Some((_, start))) => start,
-                _ => along(k.min(last - 1)),
-            };
-            points[k] + mitre(earlier, later) * depth * fields.size(points[k])
-        })
-        .collect()
-}
-
-/// Where the inward offsets by 1 of two lines meet, seen from their common point; at tips sharper
-/// than about 40 degrees not quite so far in.
-fn mitre(earlier: DVec2, later: DVec2) -> DVec2 {
-    let normal = (earlier.perp() + later.perp()).normalize_or(later.perp());
-    normal / normal.dot(later.perp()).max(0.35)
-}
-
-/// A front that grows from the boundary cells along the direction field, first come first served.
-fn stream(
-    crowd: &mut Crowd,
-    domain: &Domain,
-    fields: &Fields,
-    facing: &Facing,
-    params: &PackingParams,
-) {
-    let mut queue: VecDeque<usize> = (0..crowd.cells.len()).collect();
-    let mut random = Random::new(params.seed, Purpose::Placement, 0);
-    let (lo, hi) = domain.bounds();
-    let tries = 40 + (4.0 * domain.area() / (fields.params().size * fields.params().size)) as u32;
-    let mut left = tries;
-    loop {
-        while let Some(k) = queue.pop_front() {
-            for p in slots(crowd.cells[k], crowd.sizes[k], fields) {
-                if crowd.gap(p, FRONT_GAP) >= FRONT_GAP
-                    && has_room(p, fields, domain, facing, params.edge)
-                {
-                    queue.push_back(crowd.cells.len());
-                    crowd.push(p);
-                }
-            }
-        }
-        // The front has died out: look for places it could not reach.
-        let found = loop {
-            if left == 0 {
-                break None;
-            }
-            left -= 1;
-            let p = lo + (hi - lo) * DVec2::new(random.unit(), random.unit());
-            if crowd.gap(p, SEED_GAP) >= SEED_GAP
-                && has_room(p, fields, domain, facing, params.edge)
-            {
-                break Some(p);
-            }
-        };
-        let Some(p) = found else { break };
-        queue.push_back(crowd.cells.len());
-        crowd.push(p);
-    }
-    if crowd.cells.is_empty()
-        && let Some(p) = deepest(domain)
-    {
-        crowd.push(p);
-    }
-}
-
-/// The four places edge to edge with a cell.
-pub(super) fn slots(centre: DVec2, size: f64, fields: &Fields) -> [DVec2; 4] {
-    let e = fields.direction(centre).normalize_or(DVec2::X);
-    [e, e.perp(), -e, -e.perp()].map(|to| {
-        let there = centre + size * to;
-        centre + 0.5 * (size + fields.size(there)) * to
-    })
 }
 
 /// Is there room for a cell between the walls at this place?
@@ -277,11 +113,18 @@ pub(super) fn has_room(
         // The first row inside keeps off the cells on the boundary by itself.
         Edge::On => FRONT_GAP * 0.8,
     };
-    domain.nearest(p).distance >= clearance * fields.size(p)
+    is_clear(p, clearance, fields, domain)
+}
+
+/// Is a place inside, and this share of a cell's extent or more from the boundary and from lines?
+pub(super) fn is_clear(p: DVec2, clearance: f64, fields: &Fields, domain: &Domain) -> bool {
+    let shape = Shape::gauge(fields, p);
+    let clear = |near: Nearest| near.distance >= clearance * shape.extent(near.inward);
+    clear(domain.nearest(p)) && domain.nearest_line(p).is_none_or(clear)
 }
 
 /// The innermost point of a coarse sample: where the only cell of a narrow outline goes.
-fn deepest(domain: &Domain) -> Option<DVec2> {
+pub(super) fn deepest(domain: &Domain) -> Option<DVec2> {
     let (lo, hi) = domain.bounds();
     let mut best = (0.0, None);
     for row in 0..64 {
@@ -314,7 +157,7 @@ fn quadtree(crowd: &mut Crowd, domain: &Domain, fields: &Fields, facing: &Facing
             for (x, y) in [(half, half), (0.0, half), (half, 0.0), (0.0, 0.0)] {
                 open.push((corner + DVec2::new(x, y), half));
             }
-        } else if crowd.gap(middle, BOUNDARY_GAP) >= BOUNDARY_GAP
+        } else if crowd.gap(middle, LEAF_GAP) >= LEAF_GAP
             && has_room(middle, fields, domain, facing, edge)
         {
             crowd.push(middle);

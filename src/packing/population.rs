@@ -4,18 +4,26 @@
 //! Shimada (2003), section 5.1. Attraction keeps the smallest w near 1 beside the largest gaps, so
 //! by default a cell's four edges are tested for an empty place instead.
 
+use super::front::slots;
 use super::grid::Grid;
-use super::placement::{has_room, slots};
+use super::placement::has_room;
+use super::shape::Shape;
 use super::{Body, Edge, PackingParams, Population};
 use crate::domain::{Domain, Facing};
-use crate::field::Fields;
+use crate::field::{Fields, Kind};
 use crate::order;
 use glam::DVec2;
 
-/// A cell goes where its nearest neighbour is nearer than this, in stable distances.
-const TOO_TIGHT: f64 = 0.66;
-/// A cell comes where the nearest is at least this far.
-const ROOM: f64 = 0.72;
+/// A cell goes where its nearest neighbour is nearer than the first, in stable distances; one comes
+/// where the nearest is at least as far as the second. Round cells have six neighbours that share a
+/// gap: one comes into a smaller gap, and the six make room.
+const fn limits(kind: Kind) -> (f64, f64) {
+    if kind.has_corners() {
+        (0.66, 0.72)
+    } else {
+        (0.74, 0.63)
+    }
+}
 /// The papers' rule adds beside a cell whose nearest neighbour is farther than this.
 const LONELY: f64 = 1.02;
 /// The largest share of the cells changed in one look.
@@ -28,9 +36,11 @@ pub(super) struct Change {
 }
 
 struct Census<'a> {
+    domain: &'a Domain,
     bodies: &'a [Body],
+    shapes: Vec<Shape>,
     grid: Grid,
-    largest: f64,
+    longest: f64,
 }
 
 pub(super) fn change(
@@ -40,12 +50,15 @@ pub(super) fn change(
     bodies: &[Body],
     params: &PackingParams,
 ) -> Change {
-    let largest = bodies.iter().fold(0.0_f64, |m, b| m.max(b.particle.size));
+    let shapes: Vec<Shape> = bodies.iter().map(|b| Shape::of(&b.particle)).collect();
+    let longest = shapes.iter().fold(0.0_f64, |m, s| m.max(s.length()));
     let (lo, hi) = domain.bounds();
     let mut census = Census {
+        domain,
         bodies,
-        grid: Grid::new(lo, hi, largest),
-        largest,
+        shapes,
+        grid: Grid::new(lo, hi, longest),
+        longest,
     };
     for body in bodies {
         census.grid.push(body.particle.centre);
@@ -64,15 +77,17 @@ pub(super) fn change(
         if params.population == Population::Smallest && nearest[i] < LONELY {
             continue;
         }
-        let p = &bodies[i].particle;
-        for place in slots(p.centre, p.size, fields) {
-            let free = census.gap(place, fields.size(place), usize::MAX) >= ROOM
+        for place in slots(bodies[i].particle.centre, census.shapes[i], fields) {
+            let place = domain.wrap(place);
+            let shape = Shape::gauge(fields, place);
+            let (_, room) = limits(shape.kind());
+            let free = census.gap(place, &shape, usize::MAX) >= room
                 && add
                     .iter()
-                    .all(|other| other.distance(place) >= ROOM * fields.size(place));
+                    .all(|&other| shape.closeness(&shape, domain.shortest(other - place)) >= room);
             if free
                 && has_room(place, fields, domain, facing, params.edge)
-                && clear_of_walls(place, fields, facing, params.edge)
+                && clear_of_walls(place, &shape, facing, params.edge)
             {
                 add.push(place);
             }
@@ -82,27 +97,29 @@ pub(super) fn change(
 }
 
 /// A new cell may not stand between two walls that are nearer to each other than a cell.
-fn clear_of_walls(place: DVec2, fields: &Fields, facing: &Facing, edge: Edge) -> bool {
+fn clear_of_walls(place: DVec2, shape: &Shape, facing: &Facing, edge: Edge) -> bool {
     let mut feet = Vec::new();
-    let size = fields.size(place);
-    facing.feet(place, size, &mut feet);
+    facing.feet(place, shape.length(), &mut feet);
     let least = if edge == Edge::Wall { 0.4 } else { 0.7 };
-    feet.iter().all(|foot| foot.distance >= least * size)
+    feet.iter()
+        .all(|foot| foot.distance >= least * shape.extent(foot.inward))
 }
 
 impl Census<'_> {
     /// The smallest w between a body and the others (2 where none is near).
     fn nearest(&self, i: usize) -> f64 {
-        let p = &self.bodies[i].particle;
-        self.gap(p.centre, p.size, i)
+        self.gap(self.bodies[i].particle.centre, &self.shapes[i], i)
     }
 
-    fn gap(&self, at: DVec2, size: f64, but: usize) -> f64 {
+    fn gap(&self, at: DVec2, shape: &Shape, but: usize) -> f64 {
         let mut least = 2.0_f64;
-        self.grid.near(at, 0.5 * (size + self.largest), |k| {
-            if k != but {
-                let other = &self.bodies[k].particle;
-                least = least.min(other.centre.distance(at) / (0.5 * (size + other.size)));
+        let reach = 0.5 * (shape.length() + self.longest);
+        let domain = self.domain;
+        self.grid.near_images(domain.period(), at, reach, |k| {
+            let other = self.bodies[k].particle.centre;
+            let w = shape.closeness(&self.shapes[k], domain.shortest(other - at));
+            if w < least && k != but && !domain.crosses_line(at, other) {
+                least = w;
             }
         });
         least
@@ -111,7 +128,8 @@ impl Census<'_> {
     /// The tightest first, and no two neighbours in one look.
     fn crowded(&self, nearest: &[f64], most: usize) -> Vec<bool> {
         let mut tight: Vec<usize> = (0..nearest.len())
-            .filter(|&i| nearest[i] < TOO_TIGHT && !self.bodies[i].particle.fixed)
+            .filter(|&i| nearest[i] < limits(self.shapes[i].kind()).0)
+            .filter(|&i| !self.bodies[i].particle.fixed)
             .collect();
         order::sort(&mut tight, |&i| {
             let id = u64::from(self.bodies[i].particle.id);
@@ -120,11 +138,14 @@ impl Census<'_> {
         let mut remove = vec![false; nearest.len()];
         let mut count = 0;
         for i in tight {
-            let p = &self.bodies[i].particle;
+            let (centre, shape) = (self.bodies[i].particle.centre, &self.shapes[i]);
             let mut beside = false;
-            self.grid.near(p.centre, 1.5 * self.largest, |k| {
-                let near = self.bodies[k].particle.centre.distance(p.centre) < 1.5 * p.size;
-                beside |= remove[k] && near;
+            let (period, reach) = (self.domain.period(), 1.5 * self.longest);
+            self.grid.near_images(period, centre, reach, |k| {
+                let r = self
+                    .domain
+                    .shortest(self.bodies[k].particle.centre - centre);
+                beside |= remove[k] && shape.closeness(shape, r) < 1.5;
             });
             if !beside && count < most {
                 remove[i] = true;

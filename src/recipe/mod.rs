@@ -5,12 +5,15 @@
 
 mod decimal;
 mod link;
+mod lists;
 mod poly;
 mod presets;
+mod rows;
 mod schema;
 mod value;
 
 pub use link::VERSION;
+pub use lists::{MAX_ROW_POINTS, MAX_ROWS};
 pub use presets::{PRESETS, Preset};
 pub use schema::{Choice, Key, Kind, Parameter, SCHEMA};
 
@@ -74,6 +77,7 @@ pub struct Recipe {
     /// The free polygon in picture units; always one that passed the check. It is kept while another
     /// outline is chosen, but it is part of the link only while it is in use.
     polygon: Option<Outline>,
+    lists: [lists::Rows; lists::COUNT],
 }
 
 impl Default for Recipe {
@@ -81,6 +85,7 @@ impl Default for Recipe {
         Self {
             values: SCHEMA.iter().map(|row| row.default).collect(),
             polygon: None,
+            lists: Default::default(),
         }
     }
 }
@@ -116,9 +121,14 @@ impl Recipe {
         self.number(Key::Size)
     }
 
-    /// The outline that the recipe asks for, checked, in picture units.
+    /// Is the picture a tile, whose edges fit each other? Then the outline does not count.
+    pub fn is_tile(&self) -> bool {
+        self.choice(Key::Tile) == "1"
+    }
+
+    /// The outline that the recipe asks for, with the constraint lines, checked, in picture units.
     pub fn outline(&self) -> Outline {
-        match (&self.polygon, self.choice(Key::Outline)) {
+        let mut outline = match (&self.polygon, self.choice(Key::Outline)) {
             (Some(polygon), POLYGON) => polygon.clone(),
             (_, name) => built_in(
                 name,
@@ -129,7 +139,9 @@ impl Recipe {
                     turn: self.number(Key::Oa).to_radians(),
                 },
             ),
-        }
+        };
+        outline.lines = self.lines();
+        outline
     }
 
     /// The limits of a number in this recipe: those of the schema, except that cells go from a 200th
@@ -153,7 +165,9 @@ impl Recipe {
         }
         Key::ALL
             .iter()
-            .filter(|&&key| self.number(key) != other.number(key))
+            .filter(|&&key| {
+                self.number(key) != other.number(key) || self.rows(key) != other.rows(key)
+            })
             .map(|key| key.parameter().stage)
             .min()
     }

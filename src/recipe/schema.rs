@@ -13,7 +13,7 @@ pub enum Kind {
     Int,
     /// One of [`Parameter::choices`].
     Choice,
-    /// Compact text with a form of its own: the free polygon.
+    /// Compact text with a form of its own: the free polygon, or a list.
     Text,
 }
 
@@ -67,7 +67,8 @@ pub struct Parameter {
     pub stage: Stage,
     /// The words of a choice, the default first.
     pub choices: &'static [Choice],
-    /// Only worth showing while the choice `.0` is one of the words `.1`.
+    /// Only worth showing while the choice `.0` is one of the words `.1`, or, where there are no
+    /// words, while the value of `.0` is not its default.
     pub shown_for: Option<(Key, &'static [&'static str])>,
 }
 
@@ -109,6 +110,11 @@ impl Parameter {
     const fn only_for(mut self, key: Key, words: &'static [&'static str]) -> Self {
         self.shown_for = Some((key, words));
         self
+    }
+
+    /// Shown while another value is not its default.
+    const fn only_with(self, key: Key) -> Self {
+        self.only_for(key, &[])
     }
 
     const fn help(mut self, help: &'static str) -> Self {
@@ -173,6 +179,12 @@ parameters! {
         ]).at(Domain, "Outline");
     Poly: "The free polygon's points, as compact text; draw it or load it from a file instead.",
         text("poly", "Points").at(Domain, "Outline").only_for(Key::Outline, &["polygon"]);
+    Lines: "Constraint lines inside the outline, which cells line up along on both sides, as compact text.",
+        text("lines", "Lines").at(Domain, "Outline");
+    Tile: "Makes the whole picture a tile that repeats without a seam; the outline does not count.",
+        choice("tile", "Tile", &[
+            Choice { word: "0", label: "Outline" }, Choice { word: "1", label: "Seamless tile" },
+        ]).at(Domain, "Outline");
     Size: "Side of the square picture; the outline grows with it, the stones do not.",
         int("size", "", "Picture side").range(128.0, 2048.0, 64.0, 512.0).unit("px")
             .at(Domain, "Outline");
@@ -190,28 +202,63 @@ parameters! {
         choice("kind", "Cell kind", choices![
             square: "Square", rectangle: "Rectangle", circle: "Circle", ellipse: "Ellipse",
         ]).at(Fields, "Fields");
+    Parts: "Kinds of the parts that lines cut the outline into: a point in the part and its kind, as compact text.",
+        text("parts", "Kinds of parts").at(Fields, "Fields").only_with(Key::Lines);
     Ca: "Length of a cell along the direction over its width.",
         number("ca", "Ca", "Aspect ratio").range(1.0, 5.0, 0.05, 2.0).at(Fields, "Fields")
-            .only_for(Key::Kind, &["rectangle", "ellipse"]);
+            .only_for(Key::Kind, STRETCHED);
+    Cb: "Factor of the aspect ratio on the boundary; inwards it goes over to the plain one.",
+        number("cb", "", "Aspect at the boundary").range(0.2, 5.0, 0.05, 1.0).at(Fields, "Fields")
+            .only_for(Key::Kind, STRETCHED);
+    Cd: "How far from the boundary the aspect ratio changes, in picture sides.",
+        number("cd", "", "Reach of that").range(0.02, 1.0, 0.01, 0.25).at(Fields, "Fields")
+            .only_with(Key::Cb);
+    Stretch: "Soft spots with an aspect ratio of their own: x, y, radius, ratio, as compact text.",
+        text("stretch", "Aspect spots").at(Fields, "Fields").only_for(Key::Kind, STRETCHED);
     Cs: "Average side of a cell.",
         number("cs", "Cs", "Cell size").range(2.0, 256.0, 1.0, 23.0).unit("px")
             .at(Fields, "Fields");
-    Gx: "Makes cells grow from left to right (or shrink, below 0).",
+    Gx: "Makes cells grow from left to right (or shrink, below 0); on a tile a wave.",
         number("gx", "", "Size gradient x").range(-0.8, 0.8, 0.05, 0.0).at(Fields, "Fields");
-    Gy: "Makes cells grow from top to bottom (or shrink, below 0).",
+    Gy: "Makes cells grow from top to bottom (or shrink, below 0); on a tile a wave.",
         number("gy", "", "Size gradient y").range(-0.8, 0.8, 0.05, 0.0).at(Fields, "Fields");
     Gr: "Makes cells grow from the picture's centre outwards (or shrink, below 0).",
         number("gr", "", "Size gradient radial").range(-0.8, 0.8, 0.05, 0.0).at(Fields, "Fields");
-    Dir: "What the rows of stones follow: the boundary, one angle, or eq. (1) as it is printed.",
+    Gb: "Factor of the size on the boundary; inwards it goes over to the plain one.",
+        number("gb", "", "Size at the boundary").range(0.2, 3.0, 0.05, 1.0).at(Fields, "Fields");
+    Gd: "How far from the boundary the size changes, in picture sides.",
+        number("gd", "", "Reach of that").range(0.02, 1.0, 0.01, 0.25).at(Fields, "Fields")
+            .only_with(Key::Gb);
+    Spots: "Soft spots of larger or smaller cells: x, y, radius, factor, as compact text.",
+        text("spots", "Size spots").at(Fields, "Fields");
+    Dir: "What the rows of cells follow: the boundary, painted strokes, one angle, a point, or eq. (1) as it is printed.",
         choice("dir", "Direction", choices![
             boundary: "Along the boundary", constant: "One angle", printed: "Eq. (1) as printed",
+            radial: "Radial", circular: "Circular", spiral: "Spiral", strokes: "Strokes only",
         ]).at(Fields, "Fields");
     Angle: "Direction of the rows, clockwise from the x axis.",
         number("angle", "θ", "Angle").range(-90.0, 90.0, 1.0, 0.0).unit("°").at(Fields, "Fields")
-            .only_for(Key::Dir, &["constant"]);
+            .only_for(Key::Dir, &["constant", "strokes"]);
+    Fx: "The point that rows turn about, from left to right, in picture sides.",
+        number("fx", "", "Centre x").range(-1.0, 2.0, 0.01, 0.5).at(Fields, "Fields")
+            .only_for(Key::Dir, ABOUT);
+    Fy: "The point that rows turn about, from top to bottom, in picture sides.",
+        number("fy", "", "Centre y").range(-1.0, 2.0, 0.01, 0.5).at(Fields, "Fields")
+            .only_for(Key::Dir, ABOUT);
+    Fa: "Angle of the spiral to the rays from its point: 0 radial, 90 circular.",
+        number("fa", "", "Spiral angle").range(-90.0, 90.0, 1.0, 45.0).unit("°")
+            .at(Fields, "Fields").only_for(Key::Dir, &["spiral"]);
     Dp: "Power of the distance in the direction's weights: the higher, the nearer a wall must be.",
         int("dp", "", "Distance power").range(2.0, 4.0, 1.0, 4.0).at(Fields, "Fields")
-            .only_for(Key::Dir, &["boundary"]);
+            .only_for(Key::Dir, &["boundary", "strokes"]);
+    Ends: "Weight of the outline's short ends in the direction of cells that are not square.",
+        number("ends", "", "Weight of ends").range(0.0, 1.0, 0.05, 0.0).at(Fields, "Fields")
+            .only_for(Key::Kind, &["rectangle", "circle", "ellipse"]);
+    Strokes: "Painted lines that the rows follow, as compact text.",
+        text("strokes", "Strokes").at(Fields, "Fields");
+    Reach: "Up to where a stroke counts more than one angle or the point, in picture sides.",
+        number("reach", "", "Reach of strokes").range(0.02, 1.0, 0.01, 0.15).at(Fields, "Fields")
+            .only_with(Key::Strokes);
 
     Edge: "What lies on the boundary: the edges of the outermost cells, or their fixed centres.",
         choice("edge", "Boundary", choices![wall: "Edges on it", on: "Centres on it"])
@@ -231,9 +278,10 @@ parameters! {
     Seed: "Names the random numbers: another seed, another pavement.",
         int("seed", "", "Seed").range(0.0, 4_294_967_295.0, 1.0, 1.0).at(Packing, "Packing");
 
-    Cells: "Cells fitted to each other without gaps, or the packed squares as they are.",
-        choice("cells", "Cells", choices![fitted: "Fitted", packed: "As packed"])
-            .at(Cells, "Cells");
+    Cells: "Cells fitted to each other without gaps, or as they were packed; to compare, Voronoi cells of as many random points, plain or evened out by Lloyd's relaxation.",
+        choice("cells", "Cells", choices![
+            fitted: "Fitted", packed: "As packed", voronoi: "Voronoi", lloyd: "Lloyd",
+        ]).at(Cells, "Cells");
 
     Stone: "The control mesh of a stone: round, or flat with bevelled edges.",
         choice("stone", "Stone", choices![cobble: "Cobblestone", flag: "Flagstone"])
@@ -305,6 +353,12 @@ parameters! {
     Occl: "Strength of ambient occlusion, the darkness of the joints.",
         number("occl", "", "Occlusion").range(0.0, 1.0, 0.05, 1.0).at(Shading, "Light");
 }
+
+/// The kinds with an aspect ratio.
+const STRETCHED: &[&str] = &["rectangle", "ellipse"];
+
+/// The directions about a point.
+const ABOUT: &[&str] = &["radial", "circular", "spiral"];
 
 /// Every outline but the free polygon.
 const BUILT_IN: &[&str] = &[

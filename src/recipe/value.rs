@@ -25,23 +25,27 @@ impl Recipe {
             ));
         };
         let text = text.trim();
-        if text.is_empty() {
+        let list = key.parameter().kind == Kind::Text && key != Key::Poly;
+        if text.is_empty() && !list {
             let (what, kept) = (name(key.parameter()), self.shown(key));
             return Err(format!("{what} has no value; kept {kept}."));
         }
         match key.parameter().kind {
             Kind::Number | Kind::Int => self.set_number(key, text),
             Kind::Choice => self.set_choice(key, text),
+            Kind::Text if list => self.set_list(key, text),
             Kind::Text => self.set_poly(text),
         }
     }
 
-    /// The value as the link writes it; empty for an unknown key or where there is no polygon.
+    /// The value as the link writes it; empty for an unknown key, an empty list, or where there is no
+    /// polygon.
     pub fn get(&self, key: &str) -> String {
         Key::from_word(key).map_or(String::new(), |key| self.text(key))
     }
 
-    /// Takes the outline as the free polygon and chooses it. Its points are moved to the nearest
+    /// Takes the outline as the free polygon and chooses it, and its constraint lines where it has
+    /// any. Its points are moved to the nearest
     /// ones that a link can hold (1/32768 of the picture's side).
     ///
     /// # Errors
@@ -51,8 +55,13 @@ impl Recipe {
         let check = |outline: &Outline| outline.check(side).map_err(|error| error.to_string());
         // Before the points are moved, too: a sentence should tell the places that were given.
         let (given, mut notices) = check(outline)?;
-        let (checked, more) = check(&poly::snap(&given, side))?;
+        let (mut checked, more) = check(&poly::snap(&given, side))?;
         notices.extend(more);
+        let lines = std::mem::take(&mut checked.lines);
+        if !lines.is_empty() {
+            self.take_lines(&lines)
+                .map_err(|why| format!("The lines cannot be taken: {why}."))?;
+        }
         self.polygon = Some(checked);
         self.choose(Key::Outline, POLYGON);
         Ok(notices)
@@ -63,6 +72,7 @@ impl Recipe {
         match key.parameter().kind {
             Kind::Number | Kind::Int => number_text(self.number(key)),
             Kind::Choice => self.choice(key).to_owned(),
+            Kind::Text if key != Key::Poly => self.list_text(key),
             Kind::Text => self
                 .polygon
                 .as_ref()
@@ -185,6 +195,13 @@ impl Recipe {
         Ok(None)
     }
 
+    fn set_list(&mut self, key: Key, text: &str) -> Taken {
+        self.take_list(key, text).map(|()| None).map_err(|why| {
+            let what = name(key.parameter());
+            format!("{what} cannot be read: {why}; kept what was there.")
+        })
+    }
+
     fn set_poly(&mut self, text: &str) -> Taken {
         let kept = self.shown(Key::Poly);
         let what = name(Key::Poly.parameter());
@@ -239,6 +256,7 @@ fn one_of(row: &Parameter) -> String {
 pub(super) fn differing(recipe: &Recipe) -> impl Iterator<Item = Key> {
     Key::ALL.iter().copied().filter(|&key| match key {
         Key::Poly => recipe.choice(Key::Outline) == POLYGON,
+        _ if !recipe.rows(key).is_empty() => true,
         _ => recipe.number(key) != SCHEMA[key as usize].default,
     })
 }

@@ -59,11 +59,10 @@ pub fn along(particle: &Particle) -> DVec2 {
 /// What a neighbour changes: the side it stands at is taken, and it may reach in.
 fn meet(particle: &Particle, other: &Particle, sides: &mut [bool; 4], depth: &mut f64) {
     let r = other.centre - particle.centre;
-    let pair = Pair::new((along(particle), along(other)), (particle.size, other.size));
-    let l0 = pair.stable_distance();
-    let frame = |axis: DVec2| DVec2::new(axis.dot(r), axis.perp_dot(r)) / l0;
-    *depth = depth.max(1.0 - frame(pair.axis).abs().max_element());
-    let q = frame(along(particle));
+    let pair = Pair::new(particle, other);
+    *depth = depth.max(pair.depth(r));
+    let axis = along(particle);
+    let q = DVec2::new(axis.dot(r), axis.perp_dot(r)) / pair.stable_distance();
     let (x, y) = (q.x.abs(), q.y.abs());
     if x >= y && x < OPEN && y < 0.75 {
         sides[usize::from(q.x < 0.0)] = true;
@@ -83,6 +82,7 @@ mod tests {
         let domain = Domain::from_checked(&Outline {
             outer: ring.map(DVec2::from).to_vec(),
             holes: Vec::new(),
+            ..Outline::default()
         });
         let particles: Vec<Particle> = (0..)
             .zip(places)

@@ -164,8 +164,7 @@ impl Studio {
 
     fn begin(&mut self, stage: Stage) {
         if stage == Stage::Domain {
-            let exact = self.exact.clone();
-            self.made.outline = exact.unwrap_or_else(|| self.working.outline());
+            self.made.outline = translate::outline(&self.working, self.exact.as_ref());
         }
         self.at = Position::At(stage);
         self.made.forget_work(stage);

@@ -1,13 +1,17 @@
 //! From the recipe's words and numbers to the small parameter structures of the stages.
 
-use crate::domain::Outline;
-use crate::field::{Direction, FieldParams, Kind};
+use crate::cells::ScatterParams;
+use crate::domain::{Domain, Outline};
+use crate::field::{Direction, FieldParams, Kind, Rim, Spot};
 use crate::packing::{Edge, Integrator, PackingParams, Population, Start};
 use crate::recipe::{Key, Recipe};
 use crate::render::{Light, ShadeParams};
 use crate::solid::{Spread, StoneKind, StoneParams};
 use crate::texture::{Optics, TextureParams, optics_table};
 use glam::DVec2;
+
+/// Rounds of Lloyd's relaxation: after these it hardly gets better.
+const LLOYD_ROUNDS: u32 = 50;
 
 /// Pixels along the picture's side.
 pub(super) fn side(recipe: &Recipe) -> usize {
@@ -22,22 +26,86 @@ pub(super) fn checked(
     outline.check(recipe.side()).map_err(|e| e.to_string())
 }
 
-pub(super) fn fields(recipe: &Recipe) -> FieldParams {
-    FieldParams {
-        direction: match recipe.choice(Key::Dir) {
-            "constant" => Direction::Constant,
-            "printed" => Direction::Printed,
-            _ => Direction::Boundary,
-        },
-        angle: recipe.number(Key::Angle).to_radians(),
-        power: recipe.number(Key::Dp) as u32,
-        kind: Kind::from_word(recipe.choice(Key::Kind)).unwrap_or_default(),
-        aspect: recipe.number(Key::Ca),
-        size: recipe.number(Key::Cs),
-        linear: DVec2::new(recipe.number(Key::Gx), recipe.number(Key::Gy)),
-        radial: recipe.number(Key::Gr),
-        side: recipe.side(),
+/// The outline to pave: the exact one where there is one, the recipe's constraint lines in either.
+pub(super) fn outline(recipe: &Recipe, exact: Option<&Outline>) -> Outline {
+    let Some(exact) = exact else {
+        return recipe.outline();
+    };
+    let mut outline = exact.clone();
+    outline.lines.extend(recipe.lines());
+    outline
+}
+
+/// The domain of an outline, or of the whole picture as a tile.
+pub(super) fn domain(recipe: &Recipe, outline: &Outline) -> Domain {
+    if recipe.is_tile() {
+        Domain::torus(recipe.side(), &outline.lines)
+    } else {
+        Domain::from_checked(outline)
     }
+}
+
+pub(super) fn fields(recipe: &Recipe, domain: &Domain) -> FieldParams {
+    let number = |key| recipe.number(key);
+    let side = recipe.side();
+    let (direction, angle) = match recipe.choice(Key::Dir) {
+        "constant" => (Direction::Constant, number(Key::Angle)),
+        "strokes" => (Direction::Strokes, number(Key::Angle)),
+        "radial" => (Direction::Spiral, 0.0),
+        "circular" => (Direction::Spiral, 90.0),
+        "spiral" => (Direction::Spiral, number(Key::Fa)),
+        "printed" => (Direction::Printed, number(Key::Angle)),
+        _ => (Direction::Boundary, number(Key::Angle)),
+    };
+    let rim = |factor, reach| Rim {
+        factor: number(factor),
+        reach: side * number(reach),
+    };
+    let spots = |spots: Vec<[f64; 4]>| {
+        let spot = |[x, y, radius, value]: [f64; 4]| Spot {
+            centre: DVec2::new(x, y),
+            radius,
+            value,
+        };
+        spots.into_iter().map(spot).collect()
+    };
+    let kind = Kind::from_word(recipe.choice(Key::Kind)).unwrap_or_default();
+    FieldParams {
+        direction,
+        angle: angle.to_radians(),
+        centre: side * DVec2::new(number(Key::Fx), number(Key::Fy)),
+        power: number(Key::Dp) as u32,
+        ends: number(Key::Ends),
+        strokes: recipe.strokes(),
+        reach: side * number(Key::Reach),
+        kind,
+        kinds: kinds(recipe, domain, kind),
+        aspect: number(Key::Ca),
+        aspect_rim: rim(Key::Cb, Key::Cd),
+        aspect_spots: spots(recipe.aspect_spots()),
+        size: number(Key::Cs),
+        linear: DVec2::new(number(Key::Gx), number(Key::Gy)),
+        radial: number(Key::Gr),
+        size_rim: rim(Key::Gb, Key::Gd),
+        size_spots: spots(recipe.size_spots()),
+        side,
+    }
+}
+
+/// The kinds of the domain's parts; none where all have the same.
+fn kinds(recipe: &Recipe, domain: &Domain, kind: Kind) -> Vec<Kind> {
+    let mut kinds = vec![kind; domain.parts()];
+    for (seed, word) in recipe.part_kinds() {
+        if domain.contains(seed) {
+            if let Some(own) = kinds.get_mut(domain.part(seed)) {
+                *own = Kind::from_word(word).unwrap_or(kind);
+            }
+        }
+    }
+    if kinds.iter().all(|&own| own == kind) {
+        kinds.clear();
+    }
+    kinds
 }
 
 pub(super) fn packing(recipe: &Recipe) -> PackingParams {
@@ -71,6 +139,20 @@ fn seed(recipe: &Recipe) -> u64 {
 /// Are the cells the packed squares as they are?
 pub(super) fn as_packed(recipe: &Recipe) -> bool {
     recipe.choice(Key::Cells) == "packed"
+}
+
+/// Where the cells are those of scattered points: as many as `count`, and how they are evened out.
+pub(super) fn scatter(recipe: &Recipe, count: usize) -> Option<ScatterParams> {
+    let rounds = match recipe.choice(Key::Cells) {
+        "voronoi" => 0,
+        "lloyd" => LLOYD_ROUNDS,
+        _ => return None,
+    };
+    Some(ScatterParams {
+        count,
+        rounds,
+        seed: seed(recipe),
+    })
 }
 
 fn stone(recipe: &Recipe) -> StoneParams {

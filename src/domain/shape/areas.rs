@@ -22,6 +22,7 @@ pub fn ring(width: f64) -> Outline {
     Outline {
         outer: ellipse(DVec2::ZERO, DVec2::splat(RADIUS), 0.0),
         holes: vec![ellipse(DVec2::ZERO, DVec2::splat(inner), 0.0)],
+        ..Outline::default()
     }
 }
 
@@ -31,6 +32,7 @@ pub fn rectangle(width: f64) -> Outline {
     Outline {
         outer: box_around(DVec2::ZERO, half),
         holes: Vec::new(),
+        ..Outline::default()
     }
 }
 
@@ -48,6 +50,7 @@ pub fn l_shape(width: f64) -> Outline {
             (0.0, 1.0),
         ]),
         holes: Vec::new(),
+        ..Outline::default()
     }
 }
 
@@ -61,6 +64,7 @@ pub fn star(width: f64, points: u32) -> Outline {
     Outline {
         outer: (0..2 * points).map(corner).collect(),
         holes: Vec::new(),
+        ..Outline::default()
     }
 }
 
@@ -92,5 +96,6 @@ pub fn plaza(width: f64, count: u32) -> Outline {
     Outline {
         outer: box_around(DVec2::ZERO, DVec2::splat(0.5)),
         holes: (0..count).map(hole).collect(),
+        ..Outline::default()
     }
 }

@@ -9,6 +9,7 @@ fn without_holes(outer: Vec<DVec2>) -> Outline {
     Outline {
         outer,
         holes: Vec::new(),
+        ..Outline::default()
     }
 }
 

@@ -1,0 +1,97 @@
+//! Which segments pass near a place: squares with lists.
+
+use super::closest_on_segment;
+use crate::order;
+use glam::DVec2;
+
+/// Squares over a box, each with the segments within a reach of any of its points.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Squares {
+    origin: DVec2,
+    step: f64,
+    columns: usize,
+    rows: usize,
+    start: Vec<u32>,
+    list: Vec<u32>,
+}
+
+impl Squares {
+    /// Over the box widened by `margin`, in squares of the side `step`.
+    pub fn new(
+        (lo, hi): (DVec2, DVec2),
+        margin: f64,
+        step: f64,
+        segments: &[[DVec2; 2]],
+        reach: f64,
+    ) -> Self {
+        let origin = lo - DVec2::splat(margin);
+        let span = (hi - origin + DVec2::splat(margin)) / step;
+        let mut squares = Self {
+            origin,
+            step,
+            columns: span.x as usize + 1,
+            rows: span.y as usize + 1,
+            ..Self::default()
+        };
+        squares.fill(segments, reach);
+        squares
+    }
+
+    fn fill(&mut self, segments: &[[DVec2; 2]], reach: f64) {
+        let near = reach + 0.708 * self.step;
+        let mut entries = Vec::new();
+        for (index, &[a, b]) in segments.iter().enumerate() {
+            let lo = ((a.min(b) - self.origin - DVec2::splat(near)) / self.step).max(DVec2::ZERO);
+            let hi = (a.max(b) - self.origin + DVec2::splat(near)) / self.step;
+            for row in lo.y as usize..(hi.y as usize + 1).min(self.rows) {
+                for column in lo.x as usize..(hi.x as usize + 1).min(self.columns) {
+                    let at = DVec2::new(column as f64 + 0.5, row as f64 + 0.5);
+                    let middle = self.origin + self.step * at;
+                    if closest_on_segment(middle, a, b).distance(middle) <= near {
+                        entries.push(((row * self.columns + column) as u32, index as u32));
+                    }
+                }
+            }
+        }
+        order::sort(&mut entries, |&(square, index)| {
+            (order::pair(square, index), 0)
+        });
+        self.start = vec![0; self.columns * self.rows + 1];
+        for &(square, _) in &entries {
+            self.start[square as usize + 1] += 1;
+        }
+        for k in 1..self.start.len() {
+            self.start[k] += self.start[k - 1];
+        }
+        self.list = entries.into_iter().map(|(_, index)| index).collect();
+    }
+
+    fn square(&self, square: usize) -> &[u32] {
+        &self.list[self.start[square] as usize..self.start[square + 1] as usize]
+    }
+
+    /// The segments within the reach of a point, and a few more; none beyond the squares.
+    pub fn at(&self, p: DVec2) -> &[u32] {
+        let at = (p - self.origin) / self.step;
+        if !(at.x >= 0.0 && at.y >= 0.0 && at.x < self.columns as f64 && at.y < self.rows as f64) {
+            return &[];
+        }
+        self.square(at.y as usize * self.columns + at.x as usize)
+    }
+
+    /// Does it hold for any segment near the box around two points? Some are asked more than once.
+    pub fn any(&self, a: DVec2, b: DVec2, test: impl Fn(usize) -> bool) -> bool {
+        // Casts of negative numbers give 0: what lies beyond the squares counts to the outermost.
+        let (lo, hi) = (
+            (a.min(b) - self.origin) / self.step,
+            (a.max(b) - self.origin) / self.step,
+        );
+        let (last_row, last_column) = (self.rows - 1, self.columns - 1);
+        (lo.y as usize..=(hi.y as usize).min(last_row)).any(|row| {
+            (lo.x as usize..=(hi.x as usize).min(last_column)).any(|column| {
+                let near = self.square(row * self.columns + column);
+                near.iter().any(|&index| test(index as usize))
+            })
+        })
+    }
+}

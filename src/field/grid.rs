@@ -1,0 +1,83 @@
+//! The background grid that fields are sampled on.
+
+use glam::DVec2;
+use std::ops::{Add, Mul};
+
+/// Nodes of the first pass lie this many steps apart; both counts of squares are multiples of it.
+pub(super) const COARSE: usize = 4;
+
+/// Nodes at equal distances, row after row from the top.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Grid {
+    pub origin: DVec2,
+    pub step: f64,
+    pub columns: usize,
+    pub rows: usize,
+    /// Side of the torus: the last column and row are the first ones.
+    period: Option<f64>,
+}
+
+impl Grid {
+    /// A grid with this step over a box and two squares around it.
+    pub fn over((lo, hi): (DVec2, DVec2), step: f64) -> Self {
+        let squares = |span: f64| (span / step).ceil() as usize + 4;
+        let count = |span: f64| squares(span).next_multiple_of(COARSE) + 1;
+        Self {
+            origin: lo - DVec2::splat(2.0 * step),
+            step,
+            columns: count(hi.x - lo.x),
+            rows: count(hi.y - lo.y),
+            period: None,
+        }
+    }
+
+    /// A grid over the torus with about this step.
+    pub fn torus(side: f64, step: f64) -> Self {
+        let squares = ((side / step) as usize).max(1).next_multiple_of(COARSE);
+        Self {
+            origin: DVec2::ZERO,
+            step: side / squares as f64,
+            columns: squares + 1,
+            rows: squares + 1,
+            period: Some(side),
+        }
+    }
+
+    /// Number of nodes.
+    pub fn len(&self) -> usize {
+        self.columns * self.rows
+    }
+
+    /// The place of a node.
+    pub fn node(&self, column: usize, row: usize) -> DVec2 {
+        self.origin + self.step * DVec2::new(column as f64, row as f64)
+    }
+
+    /// Makes the last column and row of a torus the same as the first.
+    pub fn close<T: Copy>(&self, values: &mut [T]) {
+        if self.period.is_some() && !values.is_empty() {
+            for row in 0..self.rows {
+                values[(row + 1) * self.columns - 1] = values[row * self.columns];
+            }
+            let (first, last) = values.split_at_mut((self.rows - 1) * self.columns);
+            last.copy_from_slice(&first[..self.columns]);
+        }
+    }
+
+    /// The bilinear mean at a point of values at the nodes; beyond the grid, that of its rim.
+    pub fn blend<T>(&self, values: &[T], p: DVec2) -> T
+    where
+        T: Copy + Add<Output = T> + Mul<f64, Output = T>,
+    {
+        let p = self.period.map_or(p, |side| p - side * (p / side).floor());
+        let at = (p - self.origin) / self.step;
+        let last = DVec2::new((self.columns - 2) as f64, (self.rows - 2) as f64);
+        let base = at.floor().clamp(DVec2::ZERO, last);
+        let t = (at - base).clamp(DVec2::ZERO, DVec2::ONE);
+        let first = base.y as usize * self.columns + base.x as usize;
+        let (n, below) = (&values[first..], &values[first + self.columns..]);
+        let top = n[0] * (1.0 - t.x) + n[1] * t.x;
+        let bottom = below[0] * (1.0 - t.x) + below[1] * t.x;
+        top * (1.0 - t.y) + bottom * t.y
+    }
+}

@@ -1,0 +1,121 @@
+//! What the fields are made from.
+
+use super::{Kind, Rim, Spot};
+use glam::DVec2;
+
+/// Where the direction of the cells comes from.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Direction {
+    /// Along the boundary, the constraint lines and the strokes: each piece counts with the inverse
+    /// power of its distance.
+    #[default]
+    Boundary,
+    /// Along the strokes and the constraint lines only; one angle where there are none.
+    Strokes,
+    /// One angle everywhere. Strokes count near them.
+    Constant,
+    /// At one angle to the rays from a point: 0 radial, a quarter turn circular, spirals in between.
+    /// Strokes count near them. On the torus, the rays are those of (sin x, sin y) with a wave as
+    /// long as the side: near the point the same, and half a side away from it three more singular
+    /// points.
+    Spiral,
+    /// Equation (1) of Miyata, Itoh, Shimada (2000) to the letter: signed segment vectors are
+    /// summed, so that the two sides of a road cancel on its middle line. For comparison.
+    Printed,
+}
+
+/// What the fields are made from. Lengths and places are picture units, angles radians from +x
+/// towards +y (clockwise on screen).
+#[derive(Clone, Debug, PartialEq)]
+pub struct FieldParams {
+    /// Source of the direction.
+    pub direction: Direction,
+    /// The angle of [`Direction::Constant`], or that to the rays of [`Direction::Spiral`].
+    pub angle: f64,
+    /// The point of [`Direction::Spiral`].
+    pub centre: DVec2,
+    /// Power of the distance in the weights of boundary, lines and strokes: 2 (as printed), 3 or 4.
+    pub power: u32,
+    /// Weight of the boundary's ends for two-fold directions, 0..1: ends are pieces between two
+    /// corners shorter than the sides next to them, as at the end of a road.
+    pub ends: f64,
+    /// Painted polylines that rows follow.
+    pub strokes: Vec<Vec<DVec2>>,
+    /// In the constant and the spiral direction: a long stroke counts as much as these at this
+    /// distance.
+    pub reach: f64,
+    /// Kind of the cells.
+    pub kind: Kind,
+    /// Kinds by the index of the part that constraint lines cut the outline into; `kind` for those
+    /// beyond the list's end.
+    pub kinds: Vec<Kind>,
+    /// Aspect ratio of stretched cells (Ca), 1..5: length along the direction over width.
+    pub aspect: f64,
+    /// The aspect ratio's change towards the boundary.
+    pub aspect_rim: Rim,
+    /// Spots with an aspect ratio of their own, later ones over earlier ones.
+    pub aspect_spots: Vec<Spot>,
+    /// Mean side of a cell (Cs): a stretched one has the area of a square of this side.
+    pub size: f64,
+    /// Relative change of the size from the picture's middle to its right and lower edge, -0.8..0.8.
+    /// On the torus the amplitudes of waves.
+    pub linear: DVec2,
+    /// Relative change of the size towards the picture's rim (its middle changes the other way).
+    pub radial: f64,
+    /// The size's change towards the boundary.
+    pub size_rim: Rim,
+    /// Spots with a factor of the size; where they overlap, factors are multiplied.
+    pub size_spots: Vec<Spot>,
+    /// Side of the square picture.
+    pub side: f64,
+}
+
+impl Default for FieldParams {
+    fn default() -> Self {
+        Self {
+            direction: Direction::Boundary,
+            angle: 0.0,
+            centre: DVec2::splat(256.0),
+            power: 4,
+            ends: 0.0,
+            strokes: Vec::new(),
+            reach: 64.0,
+            kind: Kind::Square,
+            kinds: Vec::new(),
+            aspect: 1.0,
+            aspect_rim: Rim::default(),
+            aspect_spots: Vec::new(),
+            size: 23.0,
+            linear: DVec2::ZERO,
+            radial: 0.0,
+            size_rim: Rim::default(),
+            size_spots: Vec::new(),
+            side: 512.0,
+        }
+    }
+}
+
+impl FieldParams {
+    /// The kind of the cells in a part of the outline.
+    pub fn kind_of(&self, part: usize) -> Kind {
+        *self.kinds.get(part).unwrap_or(&self.kind)
+    }
+
+    /// Is there a cell kind of this symmetry?
+    pub(super) fn has_symmetry(&self, symmetry: u32) -> bool {
+        let mut kinds = std::iter::once(&self.kind).chain(&self.kinds);
+        kinds.any(|kind| kind.symmetry() == symmetry)
+    }
+
+    /// Is the wished size or aspect ratio other than a number and a gradient?
+    pub(super) fn has_growth(&self, periodic: bool) -> bool {
+        let waves = periodic && (self.linear != DVec2::ZERO || self.radial != 0.0);
+        waves || !self.size_rim.is_flat() || !self.size_spots.is_empty()
+    }
+
+    pub(super) fn has_stretch(&self) -> bool {
+        let mut kinds = std::iter::once(&self.kind).chain(&self.kinds);
+        kinds.any(|kind| kind.is_stretched())
+            && (!self.aspect_rim.is_flat() || !self.aspect_spots.is_empty())
+    }
+}

@@ -1,0 +1,104 @@
+//! Size and aspect ratio as functions of the point.
+
+use glam::DVec2;
+
+/// How a value changes towards the boundary and the constraint lines.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rim {
+    /// Factor of the value on the boundary.
+    pub factor: f64,
+    /// Distance, in picture units, from which on the value is its own again.
+    pub reach: f64,
+}
+
+impl Default for Rim {
+    fn default() -> Self {
+        Self {
+            factor: 1.0,
+            reach: 1.0,
+        }
+    }
+}
+
+impl Rim {
+    /// Logarithm of the factor at a distance.
+    pub(super) fn log_factor(&self, distance: f64) -> f64 {
+        let t = 1.0 - (distance / self.reach).clamp(0.0, 1.0);
+        libm::log(self.factor) * (t * t * (3.0 - 2.0 * t))
+    }
+
+    pub(super) fn is_flat(&self) -> bool {
+        self.factor == 1.0
+    }
+}
+
+/// A soft spot: its value in the middle, falling off smoothly to nothing at the radius.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Spot {
+    /// The middle, picture units.
+    pub centre: DVec2,
+    /// Where it ends, picture units.
+    pub radius: f64,
+    /// A factor of the size, or an aspect ratio.
+    pub value: f64,
+}
+
+impl Spot {
+    /// Its share at a point that lies `from` its middle: 1 there, 0 from the radius on.
+    pub(super) fn share(&self, from: DVec2) -> f64 {
+        let rest = 1.0 - from.length_squared() / (self.radius * self.radius);
+        if rest > 0.0 { rest * rest } else { 0.0 }
+    }
+}
+
+/// A gradient across the picture's middle, from -1 to 1 in each direction: linear and radial, or as
+/// waves that repeat with the picture.
+pub(super) fn gradient(linear: DVec2, radial: f64, from_middle: DVec2, periodic: bool) -> f64 {
+    let (across, outwards) = if periodic {
+        let turn = std::f64::consts::PI * from_middle;
+        (
+            DVec2::new(libm::sin(turn.x), libm::sin(turn.y)),
+            -0.5 * (libm::cos(turn.x) + libm::cos(turn.y)),
+        )
+    } else {
+        (from_middle, 2.0 * from_middle.length().min(1.0) - 1.0)
+    };
+    1.0 + linear.dot(across) + radial * outwards
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rims_and_spots_fall_off_smoothly() {
+        let rim = Rim {
+            factor: 0.25,
+            reach: 80.0,
+        };
+        assert!((libm::exp(rim.log_factor(0.0)) - 0.25).abs() < 1e-12);
+        assert_eq!(rim.log_factor(80.0), 0.0);
+        assert!((libm::exp(rim.log_factor(40.0)) - 0.5).abs() < 1e-12);
+        let spot = Spot {
+            centre: DVec2::ZERO,
+            radius: 10.0,
+            value: 2.0,
+        };
+        assert_eq!(spot.share(DVec2::ZERO), 1.0);
+        assert_eq!(spot.share(DVec2::new(6.0, 8.0)), 0.0);
+        assert_eq!(spot.share(DVec2::new(60.0, 8.0)), 0.0);
+        assert!((spot.share(DVec2::X * 5.0) - 0.5625).abs() < 1e-12);
+    }
+
+    #[test]
+    fn waves_repeat_with_the_picture() {
+        let (linear, radial) = (DVec2::new(0.3, -0.2), 0.25);
+        let at = |x: f64, y: f64| gradient(linear, radial, DVec2::new(x, y), true);
+        for k in 0..20 {
+            let t = f64::from(k) * 0.1 - 1.0;
+            assert!((at(-1.0, t) - at(1.0, t)).abs() < 1e-12);
+            assert!((at(t, -1.0) - at(t, 1.0)).abs() < 1e-12);
+        }
+        assert_eq!(at(0.0, 0.0), 1.0 - radial);
+    }
+}

@@ -1,0 +1,65 @@
+//! Directions that a part of a full turn leaves as they are, as representation vectors.
+//!
+//! A quarter turn changes nothing of a square and half a turn nothing of a rectangle. So what is
+//! summed, stored and interpolated is (cos N t, sin N t) with N the symmetry, never an angle t.
+
+use glam::DVec2;
+
+/// The representation vector (cos N t, sin N t) of a unit vector at angle t; N is 1, 2 or 4.
+pub(super) fn representation(e: DVec2, symmetry: u32) -> DVec2 {
+    match symmetry {
+        4 => twice(twice(e)),
+        2 => twice(e),
+        _ => e,
+    }
+}
+
+/// The unit vector whose representation this unit vector is, of all that are alike the one with the
+/// smallest angle to +x; zero stays zero.
+pub(super) fn direction_of(r: DVec2, symmetry: u32) -> DVec2 {
+    if r == DVec2::ZERO {
+        return r;
+    }
+    match symmetry {
+        4 => half(half(r)),
+        2 => half(r),
+        _ => r,
+    }
+}
+
+fn twice(e: DVec2) -> DVec2 {
+    DVec2::new(e.x * e.x - e.y * e.y, 2.0 * e.x * e.y)
+}
+
+/// By the half-angle formulas, each used where it loses no digits.
+fn half(r: DVec2) -> DVec2 {
+    if r.x >= 0.0 {
+        let c = ((1.0 + r.x) / 2.0).sqrt();
+        DVec2::new(c, r.y / (2.0 * c))
+    } else {
+        let s = ((1.0 - r.x) / 2.0).sqrt();
+        let s = if r.y < 0.0 { -s } else { s };
+        DVec2::new(r.y / (2.0 * s), s)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn directions_come_back_from_their_representations() {
+        for symmetry in [1, 2, 4] {
+            let sector = 180.0 / f64::from(symmetry);
+            for k in 0..360 {
+                let t = f64::from(k).to_radians();
+                let e = DVec2::new(libm::cos(t), libm::sin(t));
+                let r = representation(e, symmetry);
+                let back = direction_of(r, symmetry);
+                assert!((representation(back, symmetry) - r).length() < 1e-12, "{k}");
+                let turn = libm::atan2(back.y, back.x).to_degrees().abs();
+                assert!(turn <= sector + 1e-6, "{k}: {back}");
+            }
+        }
+    }
+}

@@ -1,0 +1,179 @@
+//! Sizes that fit a whole number of times round the torus.
+//!
+//! Where the direction is one angle everywhere, rows must meet themselves again behind the seam in
+//! both directions. The lattice of the cells has the sides of the picture among its vectors only
+//! for some angles and sizes; the nearest ones are taken.
+
+use super::Kind;
+use glam::DVec2;
+
+/// The distance of hexagonal rows, in cell widths.
+const ROW: f64 = 0.866_025_403_784_438_6;
+
+/// A size, an aspect ratio and the unit vector of a direction.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Lattice {
+    pub size: f64,
+    pub aspect: f64,
+    pub along: DVec2,
+}
+
+/// The lattice nearest to the one wished for that repeats with the side.
+pub(super) fn fitted(kind: Kind, wish: Lattice, side: f64) -> Lattice {
+    if kind == Kind::Square {
+        // Steps of (p, q) / (p^2 + q^2) of the side: the nearest whole p and q.
+        let steps = (wish.along * side / wish.size).round();
+        let steps = if steps == DVec2::ZERO {
+            DVec2::X
+        } else {
+            steps
+        };
+        return Lattice {
+            size: side / steps.length(),
+            aspect: 1.0,
+            along: steps.normalize(),
+        };
+    }
+    // Cells in rows: one cell's length and one row's distance. Hexagonal rows are shifted by half a
+    // cell: half a length, and sums of steps that are even.
+    let root = wish.aspect.sqrt();
+    let even = !kind.has_corners();
+    let (length, width) = (wish.size * root, wish.size / root);
+    let (unit, row) = if even {
+        (length / 2.0, width * ROW)
+    } else {
+        (length, width)
+    };
+    let (unit, row) = nearest(wish.along, unit, row, side, even);
+    let (length, width) = if even {
+        (2.0 * unit.length(), row / ROW)
+    } else {
+        (unit.length(), row)
+    };
+    Lattice {
+        size: (length * width).sqrt(),
+        aspect: if kind.is_stretched() {
+            (length / width).clamp(1.0, 5.0)
+        } else {
+            1.0
+        },
+        along: unit.normalize(),
+    }
+}
+
+/// The vector along the rows and the rows' distance. The directions that meet themselves are those
+/// of (a, b) with whole numbers without a common divisor; along it the side can be divided by any
+/// multiple of their length, and across it as well.
+fn nearest(along: DVec2, unit: f64, row: f64, side: f64, even: bool) -> (DVec2, f64) {
+    let most = ((side / unit.min(row)) as i64).clamp(1, 200);
+    let mut best = (f64::INFINITY, DVec2::X * unit, row);
+    for a in -most..=most {
+        // b so near the direction that no other could be nearer, and both its neighbours.
+        let slanted = along.x.abs() < along.y.abs();
+        let tilt = if slanted {
+            along.x / along.y
+        } else {
+            along.y / along.x
+        };
+        let other = (a as f64 * tilt).round() as i64;
+        for other in other - 1..=other + 1 {
+            let (x, y) = if slanted { (other, a) } else { (a, other) };
+            let vector = DVec2::new(x as f64, y as f64);
+            let length = vector.length();
+            if divisor(x, y) != 1 || vector.dot(along) <= 0.0 {
+                continue;
+            }
+            let wish = (side / (unit * length), side / (row * length));
+            for m in multiples(wish.0) {
+                for n in multiples(wish.1) {
+                    let (m, n) = (m as i64, n as i64);
+                    if even && ((m * x + n * y) % 2 != 0 || (m * y + n * x) % 2 != 0) {
+                        continue;
+                    }
+                    let stretch = libm::log(m as f64 / wish.0);
+                    let spread = libm::log(n as f64 / wish.1);
+                    let turn = along.perp_dot(vector) / length;
+                    let cost = stretch * stretch + spread * spread + 2.0 * turn * turn;
+                    if cost < best.0 {
+                        let unit = vector * (side / (m as f64 * length * length));
+                        best = (cost, unit, side / (n as f64 * length));
+                    }
+                }
+            }
+        }
+    }
+    (best.1, best.2)
+}
+
+fn multiples(wish: f64) -> [u32; 3] {
+    let middle = (wish.round() as u32).max(2);
+    [middle - 1, middle, middle + 1]
+}
+
+fn divisor(a: i64, b: i64) -> i64 {
+    let (mut a, mut b) = (a.abs(), b.abs());
+    while b != 0 {
+        (a, b) = (b, a % b);
+    }
+    a
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Is (x, y) a sum of whole multiples of the lattice's two vectors?
+    fn repeats(kind: Kind, lattice: Lattice, p: DVec2) -> bool {
+        let root = lattice.aspect.sqrt();
+        let (length, width) = (lattice.size * root, lattice.size / root);
+        let (u, v) = (
+            p.dot(lattice.along) / length,
+            p.perp_dot(lattice.along) / width,
+        );
+        let whole = |x: f64| (x - x.round()).abs() < 1e-6;
+        if kind.has_corners() {
+            return whole(u) && whole(v);
+        }
+        let (u, v) = (2.0 * u, v / ROW);
+        whole(u) && whole(v) && (u.round() + v.round()) as i64 % 2 == 0
+    }
+
+    #[test]
+    fn the_sides_are_sums_of_steps_and_little_changes() {
+        let side = 512.0;
+        for kind in [Kind::Square, Kind::Rectangle, Kind::Ellipse] {
+            for size in [8.0, 23.0, 37.0] {
+                for degrees in [-88.0, -45.0, -10.0, 0.0, 17.0, 45.0, 63.0, 90.0_f64] {
+                    let angle = degrees.to_radians();
+                    let wish = Lattice {
+                        size,
+                        aspect: if kind.is_stretched() { 2.0 } else { 1.0 },
+                        along: DVec2::new(libm::cos(angle), libm::sin(angle)),
+                    };
+                    let got = fitted(kind, wish, side);
+                    let said = format!("{kind:?} {size} {degrees}: {got:?}");
+                    assert!(repeats(kind, got, DVec2::X * side), "{said}");
+                    assert!(repeats(kind, got, DVec2::Y * side), "{said}");
+                    let change = libm::log(got.size / size).abs();
+                    assert!(change < 0.15, "{said}");
+                    assert!(got.along.dot(wish.along) > 0.99, "{said}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn squares_along_the_axes_and_tilted_ones_are_exact() {
+        let wish = |degrees: f64| Lattice {
+            size: 23.0,
+            aspect: 1.0,
+            along: DVec2::new(
+                libm::cos(degrees.to_radians()),
+                libm::sin(degrees.to_radians()),
+            ),
+        };
+        assert_eq!(fitted(Kind::Square, wish(0.0), 512.0).size, 512.0 / 22.0);
+        let tilted = fitted(Kind::Square, wish(18.0), 512.0);
+        assert_eq!(tilted.along, DVec2::new(21.0, 7.0).normalize());
+    }
+}

@@ -1,0 +1,165 @@
+//! The cells along the boundary.
+
+use super::placement::{Crowd, is_clear};
+use super::shape::Shape;
+use crate::domain::Domain;
+use crate::field::Fields;
+use glam::DVec2;
+
+/// The ring is cut into pieces where it turns by more than this (cosine of 25 degrees).
+const CORNER: f64 = 0.906;
+/// Boundary cells nearer to each other than this (in sizes) are dropped ...
+const BOUNDARY_GAP: f64 = 0.6;
+/// ... as are those nearer to the boundary than this share of their way in, where a bend is
+/// tighter than a cell.
+const BOUNDARY_CLEARANCE: f64 = 0.8;
+/// How far in the first row stands, in sizes: half a cell, or less where the outline is narrow.
+const DEPTHS: [f64; 4] = [0.5, 0.4, 0.3, 0.22];
+
+/// A ring's pieces between corners, each a run of points; a smooth ring is one closed piece.
+pub(super) struct Piece {
+    points: Vec<DVec2>,
+    /// The directions with which the neighbouring pieces meet it at its ends.
+    before: Option<DVec2>,
+    after: Option<DVec2>,
+}
+
+/// The pieces of a ring, or of an open line.
+pub(super) fn pieces(points: &[DVec2], closed: bool) -> Vec<Piece> {
+    let n = points.len();
+    let along = |k: usize| (points[(k + 1) % n] - points[k % n]).normalize();
+    let turns = |k: usize| along(k + n - 1).dot(along(k)) < CORNER;
+    let mut corners: Vec<usize> = if closed {
+        (0..n).filter(|&k| turns(k)).collect()
+    } else {
+        (0..n)
+            .filter(|&k| k == 0 || k == n - 1 || turns(k))
+            .collect()
+    };
+    if corners.is_empty() {
+        let mut points = points.to_vec();
+        points.push(points[0]);
+        return vec![Piece {
+            points,
+            before: None,
+            after: None,
+        }];
+    }
+    if closed {
+        corners.push(corners[0] + n);
+    }
+    let runs = corners.windows(2).map(|w| (w[0], w[1]));
+    runs.map(|(from, to)| {
+        // At the free ends of a line it goes straight on.
+        let first = if !closed && from == 0 {
+            from
+        } else {
+            from + n - 1
+        };
+        let last = if !closed && to == n - 1 { to - 1 } else { to };
+        Piece {
+            points: (from..=to).map(|k| points[k % n]).collect(),
+            before: Some(along(first)),
+            after: Some(along(last)),
+        }
+    })
+    .collect()
+}
+
+/// The pieces of a constraint line: there and back, a row along each side; or there only, for cells
+/// that stand on it.
+pub(super) fn line_pieces(line: &[DVec2], fixed: bool) -> Vec<Piece> {
+    let closed = line.first() == line.last();
+    let mut points = line.to_vec();
+    if closed {
+        points.pop();
+    }
+    let mut both = pieces(&points, closed);
+    if !fixed {
+        points.reverse();
+        both.extend(pieces(&points, closed));
+    }
+    both
+}
+
+/// Evenly spaced cells along a piece: on it, or half a cell inside with mitred ends.
+pub(super) fn boundary_cells(
+    crowd: &mut Crowd,
+    piece: &Piece,
+    fields: &Fields,
+    domain: &Domain,
+    fixed: bool,
+) {
+    // Narrow: with a row half a cell in, most of it would not be clear of the other side.
+    let is_wide = |depth: &&f64| {
+        let line = offset_line(piece, fields, **depth);
+        let clear = |p: &&DVec2| is_clear(**p, BOUNDARY_CLEARANCE * **depth, fields, domain);
+        2 * line.iter().filter(clear).count() >= line.len()
+    };
+    let depth = *DEPTHS.iter().find(is_wide).unwrap_or(&DEPTHS[0]);
+    let line = if fixed {
+        piece.points.clone()
+    } else {
+        offset_line(piece, fields, depth)
+    };
+    // Lengths in cells: a step is shorter where cells are smaller.
+    let mut reached = vec![0.0];
+    for w in line.windows(2) {
+        let cells = Shape::gauge(fields, w[0].midpoint(w[1])).cells_along(w[1] - w[0]);
+        reached.push(reached[reached.len() - 1] + cells);
+    }
+    let total = reached[reached.len() - 1];
+    let closed = piece.before.is_none();
+    let count = (total.round() as usize).max(1);
+    let places = if closed { count } else { count + 1 };
+    let mut k = 0;
+    for place in 0..places {
+        let at = total * place as f64 / count as f64;
+        while k + 2 < line.len() && reached[k + 1] < at {
+            k += 1;
+        }
+        let span = reached[k + 1] - reached[k];
+        let t = if span > 0.0 {
+            ((at - reached[k]) / span).clamp(0.0, 1.0)
+        } else {
+            0.0
+        };
+        let p = line[k].lerp(line[k + 1], t);
+        let clear = || is_clear(p, BOUNDARY_CLEARANCE * depth, fields, domain);
+        if (fixed || clear()) && crowd.gap(p, BOUNDARY_GAP) >= BOUNDARY_GAP {
+            crowd.push(p);
+        }
+    }
+}
+
+/// The piece moved inwards by `depth` cells. At its ends it meets the neighbouring pieces' lines.
+fn offset_line(piece: &Piece, fields: &Fields, depth: f64) -> Vec<DVec2> {
+    let points = &piece.points;
+    let last = points.len() - 1;
+    let along = |k: usize| (points[k + 1] - points[k]).normalize();
+    let closing = (piece.before.is_none()).then(|| (along(last - 1), along(0)));
+    (0..=last)
+        .map(|k| {
+            let earlier = match (k, piece.before, closing) {
+                (0, Some(before), _) => before,
+                (0, None, Some((end, _))) => end,
+                _ => along(k.max(1) - 1),
+            };
+            let later = match (k == last, piece.after, closing) {
+                (true, Some(after), _) => after,
+                (true, None, Some((_, start))) => start,
+                _ => along(k.min(last - 1)),
+            };
+            let mitre = mitre(earlier, later);
+            let shape = Shape::gauge(fields, points[k]);
+            points[k] + mitre * depth * shape.extent(mitre.normalize())
+        })
+        .collect()
+}
+
+/// Where the inward offsets by 1 of two lines meet, seen from their common point; at tips sharper
+/// than about 40 degrees not quite so far in.
+fn mitre(earlier: DVec2, later: DVec2) -> DVec2 {
+    let normal = (earlier.perp() + later.perp()).normalize_or(later.perp());
+    normal / normal.dot(later.perp()).max(0.35)
+}

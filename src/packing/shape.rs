@@ -1,0 +1,150 @@
+//! The metric that a cell's kind, size and aspect ratio make.
+
+use super::Particle;
+use super::force::SQUARE_REACH;
+use crate::field::{Fields, Kind};
+use glam::DVec2;
+
+/// A cell without its place.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Shape {
+    kind: Kind,
+    axis: DVec2,
+    pub size: f64,
+    /// The root of the aspect ratio; 1 where the field has no direction to be stretched along.
+    pub root: f64,
+}
+
+const EDGES: &[[f64; 2]] = &[[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]];
+
+const SIN_60: f64 = 0.866_025_403_784_438_6;
+const AROUND: &[[f64; 2]] = &[
+    [1.0, 0.0],
+    [0.5, SIN_60],
+    [-0.5, SIN_60],
+    [-1.0, 0.0],
+    [-0.5, -SIN_60],
+    [0.5, -SIN_60],
+];
+
+/// How far a rectangle or square that does not stand along a wall may poke its corner into it: no
+/// more than this times its half extent is kept free.
+const POKE: f64 = 1.15;
+
+impl Shape {
+    /// What a cell at this point should be.
+    pub fn at(fields: &Fields, p: DVec2) -> Self {
+        let kind = fields.kind(p);
+        Self::new(kind, fields.direction(p), fields.size(p), fields.aspect(p))
+    }
+
+    /// The same as far as distances ask for it: without the axis where the cell is not stretched.
+    pub fn gauge(fields: &Fields, p: DVec2) -> Self {
+        let kind = fields.kind(p);
+        if kind.is_stretched() {
+            Self::at(fields, p)
+        } else {
+            Self::new(kind, DVec2::ZERO, fields.size(p), 1.0)
+        }
+    }
+
+    fn new(kind: Kind, axis: DVec2, size: f64, aspect: f64) -> Self {
+        let is_stretched = kind.is_stretched() && axis != DVec2::ZERO;
+        Self {
+            kind,
+            axis,
+            size,
+            root: if is_stretched { aspect.sqrt() } else { 1.0 },
+        }
+    }
+
+    pub fn of(particle: &Particle) -> Self {
+        let &Particle {
+            kind,
+            axis,
+            size,
+            aspect,
+            ..
+        } = particle;
+        Self::new(kind, axis, size, aspect)
+    }
+
+    pub fn kind(&self) -> Kind {
+        self.kind
+    }
+
+    /// The length of its longer side.
+    pub fn length(&self) -> f64 {
+        self.size * self.root
+    }
+
+    /// The diameter along a vector, in vectors: how often it would have to be laid end to end.
+    pub fn cells_along(&self, r: DVec2) -> f64 {
+        if self.root == 1.0 {
+            return r.length() / self.size;
+        }
+        let local = DVec2::new(self.axis.dot(r), self.axis.perp_dot(r));
+        (local * DVec2::new(1.0 / self.root, self.root)).length() / self.size
+    }
+
+    /// Gives it another direction.
+    pub fn turn(&mut self, axis: DVec2) {
+        self.axis = axis;
+    }
+
+    /// The places of neighbours that touch the cell, as vectors in stable distances: at its four
+    /// edges, or six around where it has no corners.
+    pub fn places(self) -> impl Iterator<Item = DVec2> {
+        let e = self.axis.normalize_or(DVec2::X);
+        let (along, across) = (e * self.root, e.perp() / self.root);
+        let places = if self.kind.has_corners() {
+            EDGES
+        } else {
+            AROUND
+        };
+        places.iter().map(move |&[x, y]| along * x + across * y)
+    }
+
+    /// The extent of its ellipse along a unit vector.
+    pub fn extent(&self, along: DVec2) -> f64 {
+        if self.root == 1.0 {
+            return self.size;
+        }
+        let (x, y) = (self.axis.dot(along), self.axis.perp_dot(along));
+        self.size * DVec2::new(x * self.root, y / self.root).length()
+    }
+
+    /// Half its extent along a unit vector, at least nearly half its side: a cell that stands on its
+    /// corner may poke its tip into a wall a little.
+    pub fn half_extent(&self, along: DVec2) -> f64 {
+        let round = 0.5 * self.extent(along);
+        if !self.kind.has_corners() || self.axis == DVec2::ZERO {
+            return round;
+        }
+        let (x, y) = (self.axis.dot(along).abs(), self.axis.perp_dot(along).abs());
+        let support = 0.5 * self.size * (x * self.root + y / self.root);
+        support.min(POKE * round)
+    }
+
+    /// Could the forces of two cells reach each other, had they come nearer by `slack`?
+    pub fn may_touch(&self, other: &Shape, r: DVec2, slack: f64) -> bool {
+        let stable = 0.5 * (self.size + other.size);
+        let within = SQUARE_REACH * stable + slack;
+        if self.root == 1.0 && other.root == 1.0 {
+            return r.length_squared() < within * within;
+        }
+        self.closeness(other, r) * stable < within
+    }
+
+    /// The distance of two cells over their stable one: w of eq. (2), by effective distances (Itoh,
+    /// Miyata, Shimada 2003, section 5.1): the stable distance is the sum of the two lengths that
+    /// the cells' ellipses cut out of the line between the centres.
+    pub fn closeness(&self, other: &Shape, r: DVec2) -> f64 {
+        if self.root == 1.0 && other.root == 1.0 {
+            return r.length() / (0.5 * (self.size + other.size));
+        }
+        let (a, b) = (self.cells_along(r), other.cells_along(r));
+        // Each cuts half a diameter out of the line: 1 / w = 1 / (2 a) + 1 / (2 b).
+        2.0 * a * b / (a + b).max(f64::MIN_POSITIVE)
+    }
+}

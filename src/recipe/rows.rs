@@ -1,0 +1,139 @@
+//! Lists of rows of numbers as compact text: the free polygon, lines, strokes, spots, seeds.
+//!
+//! Points lie on a grid of 1/32768 of the picture's side, so all of them scale with the picture
+//! without any rounding. A row is the sequence of its numbers, coordinates (x and y in turn) as
+//! differences from the point before (the first from the last of the row before, or the origin),
+//! each number mapped to 0, -1, 1, -2, 2 ... = 0, 1, 2, 3, 4 ... and written in groups of five bits,
+//! lowest first, 32 added to all but the last group, as characters of the base64url alphabet. A dot
+//! divides rows.
+//!
+//! Rows may also be given in decimal numbers, with commas between them and semicolons between rows.
+
+use super::decimal;
+
+/// Grid steps along the picture's side; a power of two, so that the scaling is exact.
+pub const STEPS: f64 = 32768.0;
+
+const ALPHABET: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
+
+/// Numbers beyond this are refused: they reach far beyond any picture, and sums of them stay exact.
+const MOST: i64 = 1 << 29;
+
+/// What a row consists of.
+#[derive(Clone, Copy, Debug)]
+pub struct Form {
+    /// So many numbers at the beginning are coordinates.
+    pub coordinates: usize,
+    /// What 1 in a decimal number is in whole numbers: for coordinates, and for those behind them.
+    pub units: &'static [f64],
+}
+
+/// Rows of points and nothing else.
+pub const POINTS: Form = Form {
+    coordinates: usize::MAX,
+    units: &[],
+};
+
+/// The text of rows.
+pub fn encode(rows: &[Vec<i64>], form: Form) -> String {
+    let mut text = String::new();
+    let mut last = [0; 2];
+    for (index, row) in rows.iter().enumerate() {
+        if index > 0 {
+            text.push('.');
+        }
+        for (k, &number) in row.iter().enumerate() {
+            let before = if k < form.coordinates { last[k % 2] } else { 0 };
+            push(&mut text, number - before);
+            if k < form.coordinates {
+                last[k % 2] = number;
+            }
+        }
+    }
+    text
+}
+
+fn push(text: &mut String, value: i64) {
+    let mut rest = ((value << 1) ^ (value >> 63)) as u64;
+    loop {
+        let group = (rest & 31) as usize;
+        rest >>= 5;
+        let more = rest > 0;
+        text.push(ALPHABET[group + if more { 32 } else { 0 }] as char);
+        if !more {
+            return;
+        }
+    }
+}
+
+/// Reads what [`encode`] writes, or decimal numbers.
+///
+/// # Errors
+/// Half a sentence that says why the text cannot be read.
+pub fn decode(text: &str, form: Form, most_points: usize) -> Result<Vec<Vec<i64>>, String> {
+    let readable = text.contains(',');
+    let mut rows = Vec::new();
+    let mut last = [0; 2];
+    let mut points = 0;
+    for part in text.split(if readable { ';' } else { '.' }) {
+        let mut row = if readable {
+            decimals(part, form)?
+        } else {
+            numbers(part)?
+        };
+        points += row.len().min(form.coordinates) / 2;
+        if points > most_points {
+            return Err(format!("it has more than {most_points} points"));
+        }
+        if row.len().min(form.coordinates) % 2 == 1 {
+            return Err("a point has lost its y".to_owned());
+        }
+        for (k, number) in row.iter_mut().enumerate().take(form.coordinates) {
+            if !readable {
+                *number += last[k % 2];
+            }
+            last[k % 2] = *number;
+        }
+        rows.push(row);
+    }
+    Ok(rows)
+}
+
+/// The whole numbers of a row's text.
+fn numbers(text: &str) -> Result<Vec<i64>, String> {
+    let mut numbers = Vec::new();
+    let (mut value, mut shift) = (0u64, 0);
+    for c in text.chars() {
+        let Some(code) = ALPHABET.iter().position(|&a| a as char == c) else {
+            return Err(format!("it has the character {c:?}"));
+        };
+        if shift > 25 {
+            return Err("a number is too large".to_owned());
+        }
+        value |= (code as u64 & 31) << shift;
+        shift += 5;
+        if code < 32 {
+            numbers.push((value >> 1) as i64 ^ -((value & 1) as i64));
+            (value, shift) = (0, 0);
+        }
+    }
+    if shift > 0 {
+        return Err("its end is missing".to_owned());
+    }
+    Ok(numbers)
+}
+
+/// The whole numbers of a row in decimal numbers.
+fn decimals(text: &str, form: Form) -> Result<Vec<i64>, String> {
+    let mut row = Vec::new();
+    for word in text.split(',') {
+        let extra = row.len().checked_sub(form.coordinates);
+        let unit = extra.and_then(|k| form.units.get(k)).unwrap_or(&STEPS);
+        match decimal::parse(word.trim()).map(|v| (v * unit).round()) {
+            Some(v) if v.abs() < MOST as f64 => row.push(v as i64),
+            Some(_) => return Err("a number is too large".to_owned()),
+            None => return Err("a number in it is none".to_owned()),
+        }
+    }
+    Ok(row)
+}
