@@ -10,7 +10,7 @@ use super::straighten::Straightening;
 use super::voronoi::circumcentre;
 use super::{Cell, across, ghosts, torus};
 use crate::domain::{Domain, divided, ring_contains};
-use crate::mesh::{Face, Fans, Mesh};
+use crate::mesh::{Face, Fans, Mesh, Node};
 use crate::order;
 use crate::packing::{Grid, Particle};
 use crate::planar::on_grain;
@@ -114,9 +114,13 @@ impl Fitting {
     }
 }
 
-/// Circles and ellipses keep their triangles: their cells have six sides.
-fn is_round(particles: &[Particle]) -> bool {
-    particles.first().is_some_and(|p| !p.kind.has_corners())
+/// A cell to be joined into the mesh; Voronoi polygons know no stretch.
+fn node(p: &Particle, plain: bool) -> Node {
+    if plain {
+        Node::plain(p.centre)
+    } else {
+        Node::of(p)
+    }
 }
 
 pub(super) fn cell(p: &Particle, ring: Vec<DVec2>) -> Cell {
@@ -165,13 +169,13 @@ impl Dual {
             return Self::over_seams(domain, side, particles, plain);
         }
         let real = particles.len();
-        let mut points: Vec<DVec2> = particles.iter().map(|p| p.centre).collect();
-        points.extend(if plain {
-            ghosts::frame(domain)
+        let mut nodes: Vec<Node> = particles.iter().map(|p| node(p, plain)).collect();
+        nodes.extend(if plain {
+            ghosts::frame(domain).into_iter().map(Node::plain).collect()
         } else {
             ghosts::ghosts(domain, &particles)
         });
-        let mesh = Mesh::whole(points, |_| plain || is_round(&particles));
+        let mesh = Mesh::whole(&nodes, |_| plain);
         let mut dual = Self::of(particles, &mesh, plain);
         for face in &mesh.faces {
             let mut middle = dual.middle(&mesh, face);
@@ -204,8 +208,11 @@ impl Dual {
         loop {
             let margin = margins.next();
             let all = torus::spread(side, &particles, margin.unwrap_or(MARGINS[0]));
-            let lone = plain || margin.is_none() || is_round(&particles);
-            let mesh = Mesh::whole(all.iter().map(|p| p.centre).collect(), |_| lone);
+            let mut nodes: Vec<Node> = all.iter().map(|p| node(p, plain)).collect();
+            if margin.is_none() {
+                nodes.iter_mut().for_each(|node| node.corners = false);
+            }
+            let mesh = Mesh::whole(&nodes, |_| plain);
             let mut dual = Self::of(Vec::new(), &mesh, plain);
             for face in &mesh.faces {
                 dual.push(dual.middle(&mesh, face), false, On::Nothing);
