@@ -3,7 +3,7 @@
 
 use bubblestone::cells::{Cell, fitted};
 use bubblestone::domain::{Domain, Outline, cross, signed_area};
-use bubblestone::field::{Direction, FieldBuilder, FieldParams, Kind};
+use bubblestone::field::{Direction, FieldBuilder, FieldParams};
 use bubblestone::packing::{Edge, Integrator, Packing, PackingParams, Particle, Population, Start};
 use bubblestone::random::{Purpose, Random};
 use glam::DVec2;
@@ -22,14 +22,10 @@ fn packed(domain: &Domain, size: f64, edge: Edge) -> Vec<Particle> {
         } else {
             Direction::Boundary
         },
-        angle: 0.0,
         power: 2,
-        kind: Kind::default(),
-        aspect: 1.0,
         size,
-        linear: DVec2::ZERO,
-        radial: 0.0,
         side: SIDE,
+        ..FieldParams::default()
     };
     let fields = FieldBuilder::build(domain, params);
     let params = PackingParams {
@@ -164,7 +160,7 @@ fn each_side_of_a_line_has_its_own_cells() {
             particles.push(Particle {
                 id: particles.len() as u32,
                 centre: p((f64::from(k) + 0.5) * size, y),
-                kind: Kind::default(),
+                kind: bubblestone::field::Kind::default(),
                 size,
                 aspect: 1.0,
                 axis: DVec2::X,
