@@ -6,6 +6,7 @@
 
 mod builder;
 mod ends;
+mod follow;
 mod grid;
 mod kind;
 mod params;
