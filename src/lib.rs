@@ -31,6 +31,7 @@ pub mod domain;
 pub mod export;
 pub mod field;
 pub mod mesh;
+pub mod metrics;
 mod order;
 pub mod packing;
 mod planar;

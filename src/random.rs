@@ -22,6 +22,8 @@ pub enum Purpose {
     Attribute = 5,
     /// The ground between the stones.
     Ground = 6,
+    /// Points scattered over the outline.
+    Scatter = 7,
 }
 
 /// A stream of random numbers.

@@ -2,7 +2,7 @@
 #![allow(dead_code)] // Each program uses its part of it.
 
 use bubblestone::domain::Outline;
-use bubblestone::export::{cells_json, mesh_json};
+use bubblestone::export::{cells_json, mesh_json, metrics_json};
 use bubblestone::render::overlay_planes;
 use bubblestone::studio::{Studio, View};
 use bubblestone::texture::Planes;
@@ -126,6 +126,7 @@ pub fn write_all(studio: &mut Studio, notices: Vec<String>, dir: &Path) -> Resul
     std::fs::create_dir_all(dir).map_err(|e| format!("Cannot make {}: {e}.", dir.display()))?;
     let mut report = studio.report();
     report.notices = notices;
+    report.metrics = studio.metrics().map(|m| metrics_json(&m));
     write(dir, "report.json", report.json().as_bytes())?;
     write(dir, "cells.json", cells_json(studio.cells()).as_bytes())?;
     if let Some(mesh) = studio.mesh() {

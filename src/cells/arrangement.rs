@@ -242,8 +242,9 @@ impl Arrangement {
         self.root(self.region[triangle])
     }
 
-    /// Gives every region inside the outline to a cell, and joins small cells to a neighbour.
-    pub fn assign(&mut self) {
+    /// Gives every region inside the outline to a cell, and where `join_small` says so joins small
+    /// cells to a neighbour.
+    pub fn assign(&mut self, join_small: bool) {
         self.found_own();
         let orphan = |r: &Region| r.owner == Owner::Nobody;
         while self.join_where(&orphan) {}
@@ -254,7 +255,8 @@ impl Arrangement {
             }
         }
         let small = |r: &Region| {
-            matches!(r.owner, Owner::Particle(_) | Owner::Itself)
+            join_small
+                && matches!(r.owner, Owner::Particle(_) | Owner::Itself)
                 && r.area < SMALL * r.size * r.size
         };
         while self.join_where(&small) {}

@@ -7,6 +7,7 @@
 
 use super::arrangement::{Arrangement, Line};
 use super::straighten::Straightening;
+use super::voronoi::circumcentre;
 use super::{Cell, across, ghosts};
 use crate::domain::{Domain, divided, ring_contains};
 use crate::mesh::{Fans, Mesh};
@@ -39,6 +40,7 @@ pub struct Fitting {
 /// What the next slice of the work begins with.
 enum Next {
     Dual(Vec<Particle>),
+    Voronoi(Vec<Particle>),
     Band(Dual),
     Corners,
     Rounds(Straightening),
@@ -54,14 +56,31 @@ impl Fitting {
         }
     }
 
+    /// The plain Voronoi cells of these particles' centres within the outline, none made yet: each
+    /// holds what is nearer to its centre than to any other, whatever comes of it. Pieces that the
+    /// outline cuts off from their centre go to a neighbour, or are cells where they are large.
+    pub fn voronoi(particles: Vec<Particle>) -> Self {
+        Self {
+            cells: Vec::new(),
+            next: Next::Voronoi(particles),
+        }
+    }
+
     /// One slice of the work; true when all is done.
     pub fn advance(&mut self, domain: &Domain) -> bool {
         self.next = match std::mem::replace(&mut self.next, Next::Nothing) {
-            Next::Dual(particles) if particles.is_empty() => Next::Nothing,
-            Next::Dual(particles) => Next::Band(Dual::new(domain, particles)),
+            Next::Dual(particles) | Next::Voronoi(particles) if particles.is_empty() => {
+                Next::Nothing
+            }
+            Next::Dual(particles) => Next::Band(Dual::new(domain, particles, false)),
+            Next::Voronoi(particles) => Next::Band(Dual::new(domain, particles, true)),
             Next::Band(dual) => {
                 self.cells = dual.cells(domain);
-                Next::Corners
+                if dual.plain {
+                    Next::Nothing
+                } else {
+                    Next::Corners
+                }
             }
             Next::Corners => Next::Rounds(Straightening::new(domain, &self.cells)),
             Next::Rounds(mut straightening) => {
@@ -118,15 +137,22 @@ struct Dual {
     /// (element, node, the vertex this node sees), for divided elements.
     own: Vec<[u32; 3]>,
     vertices: usize,
+    /// The Voronoi diagram as it is: middles are those of the circles around Delaunay's triangles,
+    /// no cell is too small, no corner straightened.
+    plain: bool,
 }
 
 impl Dual {
-    fn new(domain: &Domain, particles: Vec<Particle>) -> Self {
+    fn new(domain: &Domain, particles: Vec<Particle>, plain: bool) -> Self {
         let real = particles.len();
         let mut points: Vec<DVec2> = particles.iter().map(|p| p.centre).collect();
-        points.extend(ghosts::ghosts(domain, &particles));
+        points.extend(if plain {
+            ghosts::frame(domain)
+        } else {
+            ghosts::ghosts(domain, &particles)
+        });
         let round = particles.first().is_some_and(|p| !p.kind.has_corners());
-        let mesh = Mesh::whole(points, |_| round);
+        let mesh = Mesh::whole(points, |_| plain || round);
         let count = mesh.faces.len();
         let mut dual = Self {
             particles,
@@ -136,13 +162,17 @@ impl Dual {
             on: Vec::with_capacity(count),
             own: Vec::new(),
             vertices: mesh.vertices.len(),
+            plain,
         };
         for face in &mesh.faces {
-            let mut middle = face.centroid(&mesh.vertices);
+            let mut middle = match *face.nodes() {
+                [a, b, c] if plain => circumcentre([a, b, c].map(|k| mesh.vertices[k as usize])),
+                _ => face.centroid(&mesh.vertices),
+            };
             let cells = face.nodes().iter().filter(|&&k| (k as usize) < real);
             let sizes: Vec<f64> = cells.map(|&k| dual.particles[k as usize].size).collect();
             let mut on = On::Nothing;
-            if !sizes.is_empty() && sizes.len() < face.nodes().len() {
+            if !plain && !sizes.is_empty() && sizes.len() < face.nodes().len() {
                 let size = sizes.iter().sum::<f64>() / sizes.len() as f64;
                 let near = domain.nearest(middle);
                 if near.distance.abs() < SNAP * size {
@@ -151,7 +181,7 @@ impl Dual {
             }
             dual.push(middle, sizes.len() < face.nodes().len(), on);
         }
-        if !domain.lines().is_empty() {
+        if !plain && !domain.lines().is_empty() {
             dual.divide(domain, &mesh);
         }
         dual
@@ -249,7 +279,13 @@ impl Dual {
 
     fn ring(&self, vertex: usize) -> Vec<DVec2> {
         let around = self.around(vertex);
-        around.iter().map(|&f| self.middles[f as usize]).collect()
+        let mut ring: Vec<DVec2> = around.iter().map(|&f| self.middles[f as usize]).collect();
+        // Circles through the same four points have the same middle.
+        ring.dedup();
+        if ring.len() > 1 && ring.first() == ring.last() {
+            ring.pop();
+        }
+        ring
     }
 
     /// Which cells take part in the arrangement: all but those whose polygon surely keeps off the
@@ -277,7 +313,7 @@ impl Dual {
         let mut arrangement = Arrangement::new(domain, lines);
         let inner = Inner::new(domain, inner);
         arrangement.mark(domain, &self.particles, band, |p| inner.contains(p));
-        arrangement.assign();
+        arrangement.assign(!self.plain);
         arrangement.cells(&self.particles)
     }
 

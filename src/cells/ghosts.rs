@@ -17,7 +17,7 @@ const CORNER: f64 = 0.707;
 /// A fixed cell this near to the boundary (in sizes) stands on it.
 const ON_BOUNDARY: f64 = 0.05;
 /// The frame of points around everything, in sides of the box around the outline.
-const FRAME: f64 = 1.5;
+const FRAME: f64 = 2.0;
 
 /// The images of all cells near a wall, and a frame of far points around everything.
 pub(super) fn ghosts(domain: &Domain, particles: &[Particle]) -> Vec<DVec2> {
@@ -94,17 +94,19 @@ fn thin_out(domain: &Domain, images: Vec<(DVec2, f64)>, largest: f64) -> Vec<DVe
     kept
 }
 
-fn frame(domain: &Domain) -> Vec<DVec2> {
+/// Points far around the outline, so that what is asked about inside has closed fans.
+pub(super) fn frame(domain: &Domain) -> Vec<DVec2> {
     let (lo, hi) = domain.bounds();
     let (middle, half) = (lo.midpoint(hi), FRAME * (hi - lo).max_element());
     // Not on one circle, so that the frame's own triangles are unique.
-    let mut points = Vec::new();
-    for k in 0..4 {
-        let t = f64::from(k) / 4.0 * 2.0 - 1.0;
-        points.push(middle + half * DVec2::new(t, -1.0));
-        points.push(middle + half * DVec2::new(1.0, t));
-        points.push(middle + half * DVec2::new(-t, 1.0));
-        points.push(middle + half * DVec2::new(-1.0, -t));
+    let mut points = Vec::with_capacity(16);
+    let mut spoke = DVec2::splat(-half);
+    for k in 1..=16 {
+        points.push(middle + spoke);
+        spoke = spoke.perp();
+        if k % 4 == 0 {
+            spoke.x += 0.5 * half;
+        }
     }
     points
 }

@@ -8,9 +8,11 @@ mod ghosts;
 mod packed;
 mod rings;
 mod straighten;
+mod voronoi;
 
 pub use fitted::{Fitting, fitted};
 pub use packed::packed;
+pub use voronoi::{Scatter, ScatterParams};
 
 use crate::field::Kind;
 use glam::DVec2;

@@ -41,6 +41,15 @@ pub(super) fn list(items: impl Iterator<Item = String>) -> String {
     out
 }
 
+/// A JSON object of values that are JSON already.
+pub(super) fn object<K: AsRef<str>>(items: impl IntoIterator<Item = (K, String)>) -> String {
+    let items = items.into_iter();
+    let items: Vec<String> = items
+        .map(|(key, value)| text(key.as_ref()) + ":" + &value)
+        .collect();
+    "{".to_string() + &items.join(",") + "}"
+}
+
 /// A JSON number; what is not finite, which JSON cannot say, becomes null.
 pub(super) fn number(x: f64) -> String {
     if x.is_finite() {

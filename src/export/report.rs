@@ -26,12 +26,18 @@ pub struct Report {
     pub converged: bool,
     /// The largest move of the last step, in cell sizes.
     pub largest_move: f64,
+    /// Cells that the population control has added.
+    pub added: u32,
+    /// Cells that it has removed.
+    pub removed: u32,
     /// Potential energy after the last step.
     pub energy: f64,
     /// Time by stage, in the stages' order.
     pub milliseconds: Vec<StageTime>,
     /// The heights shown as 0 and as 65535 in height.png, in picture units.
     pub height_range: (f32, f32),
+    /// What [`super::metrics_json`] made of the figures, where they were asked for.
+    pub metrics: Option<String>,
     /// What was clamped, dropped or given up, in words.
     pub notices: Vec<String>,
     /// Digest of the planes, in hex.
@@ -50,13 +56,15 @@ impl Report {
         });
         let times: Vec<String> = times.collect();
         let (low, high) = self.height_range;
-        let fields = [
+        let mut fields = vec![
             ("link", text(&self.link)),
             ("size", self.size.to_string()),
             ("cells", self.cells.to_string()),
             ("steps", self.steps.to_string()),
             ("converged", self.converged.to_string()),
             ("largest_move", number(self.largest_move)),
+            ("added", self.added.to_string()),
+            ("removed", self.removed.to_string()),
             ("energy", number(self.energy)),
             ("milliseconds", format!("{{{}}}", times.join(","))),
             (
@@ -66,6 +74,7 @@ impl Report {
             ("notices", list(self.notices.iter().map(|n| text(n)))),
             ("hash", text(&self.hash)),
         ];
+        fields.extend(self.metrics.clone().map(|metrics| ("metrics", metrics)));
         let lines: Vec<String> = fields
             .iter()
             .map(|(key, value)| format!("  {}: {value}", text(key)))
@@ -87,10 +96,12 @@ mod tests {
                 stage: "packing",
                 ms: 1.23456,
             }],
+            metrics: Some("{\"mesh\":{}}".into()),
             ..Report::default()
         };
         let value: serde_json::Value = serde_json::from_str(&report.json()).unwrap();
         assert_eq!(value["milliseconds"]["packing"], 1.235);
+        assert!(value["metrics"]["mesh"].is_object());
         assert_eq!(value["notices"][0], "cs was \"big\"");
     }
 }

@@ -117,7 +117,7 @@ fn is_sliver(face: &Face, vertices: &[DVec2]) -> bool {
 }
 
 /// Delaunay triangles, each of positive shoelace area, in an order that depends on the points only.
-fn triangulate(points: &[DVec2]) -> Vec<[u32; 3]> {
+pub(crate) fn triangulate(points: &[DVec2]) -> Vec<[u32; 3]> {
     let mut mesh = Delaunay::default();
     // One after the other in the order given: coinciding points are told apart by their handles.
     let mut name = Vec::with_capacity(points.len());

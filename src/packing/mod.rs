@@ -134,6 +134,22 @@ pub struct Particle {
     pub fixed: bool,
 }
 
+impl Particle {
+    /// A cell that has what the fields ask for at its place.
+    #[inline(never)]
+    pub fn new(id: u32, centre: DVec2, fixed: bool, fields: &Fields) -> Self {
+        Self {
+            id,
+            centre,
+            kind: fields.kind(centre),
+            size: fields.size(centre),
+            aspect: fields.aspect(centre),
+            axis: fields.direction(centre),
+            fixed,
+        }
+    }
+}
+
 /// What the last step did.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct StepReport {
@@ -226,15 +242,7 @@ impl Packing {
     }
 
     fn add(&mut self, fields: &Fields, centre: DVec2, fixed: bool) {
-        let particle = Particle {
-            id: self.next_id,
-            centre,
-            kind: fields.kind(centre),
-            size: fields.size(centre),
-            aspect: fields.aspect(centre),
-            axis: fields.direction(centre),
-            fixed,
-        };
+        let particle = Particle::new(self.next_id, centre, fixed, fields);
         self.next_id += 1;
         self.bodies.push(Body {
             particle,
@@ -277,9 +285,9 @@ impl Packing {
 
     /// The potential energy of the cells among each other (eq. 4 summed over pairs), in units of
     /// the mean cell's k0.
-    pub fn energy(&mut self) -> f64 {
-        self.motion.refresh(&mut self.bodies);
-        self.motion.energy(&self.bodies)
+    pub fn energy(&mut self, domain: &Domain) -> f64 {
+        self.motion.refresh(&mut self.bodies, domain);
+        self.motion.energy(&self.bodies, domain)
     }
 
     /// One step of the equation of motion and, now and then, population control.
@@ -290,7 +298,7 @@ impl Packing {
         let step = self.report.step + 1;
         let late = step.saturating_sub(TUNING.cooling_from);
         let pace = (0..late).fold(1.0, |pace, _| pace * TUNING.cooling);
-        self.motion.refresh(&mut self.bodies);
+        self.motion.refresh(&mut self.bodies, domain);
         let around = Surroundings {
             domain,
             fields,

@@ -136,9 +136,10 @@ parameters! {
     Seed: "Names the random numbers: another seed, another pavement.",
         int("seed", "", "Seed").range(0.0, 4_294_967_295.0, 1.0, 1.0).at(Packing, "Packing");
 
-    Cells: "Cells fitted to each other without gaps, or the packed squares as they are.",
-        choice("cells", "Cells", choices![fitted: "Fitted", packed: "As packed"])
-            .at(Cells, "Cells");
+    Cells: "Cells fitted to each other without gaps, or as they were packed; to compare, Voronoi cells of as many random points, plain or evened out by Lloyd's relaxation.",
+        choice("cells", "Cells", choices![
+            fitted: "Fitted", packed: "As packed", voronoi: "Voronoi", lloyd: "Lloyd",
+        ]).at(Cells, "Cells");
 
     Stone: "The control mesh of a stone: round, or flat with bevelled edges.",
         choice("stone", "Stone", choices![cobble: "Cobblestone", flag: "Flagstone"])

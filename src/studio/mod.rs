@@ -16,6 +16,7 @@ use crate::domain::{Domain, Outline};
 use crate::export::{Report, StageTime};
 use crate::field::Fields;
 use crate::mesh::Mesh;
+use crate::metrics::Metrics;
 use crate::packing::Packing;
 use crate::recipe::{Recipe, Stage};
 use crate::texture::Planes;
@@ -169,7 +170,10 @@ impl Studio {
 
     /// The packing's potential energy, in units of a cell's; 0 before there is a packing.
     pub fn energy(&mut self) -> f64 {
-        self.made.packing.as_mut().map_or(0.0, Packing::energy)
+        match (&mut self.made.packing, &self.made.domain) {
+            (Some(packing), Some(domain)) => packing.energy(domain),
+            _ => 0.0,
+        }
     }
 
     /// Milliseconds spent by stage, in the stages' order.
@@ -183,6 +187,15 @@ impl Studio {
             .collect()
     }
 
+    /// How good the mesh and the cells of the last packing that ended are, once they are there.
+    pub fn metrics(&self) -> Option<Metrics> {
+        let made = &self.made;
+        let particles = made.packing.as_ref()?.particles();
+        let (domain, fields) = (made.domain.as_ref()?, made.fields.as_ref()?);
+        let mesh = made.mesh.as_ref().filter(|_| !made.cells.is_empty())?;
+        Some(Metrics::new(domain, fields, &particles, mesh, &made.cells))
+    }
+
     /// The figures of the run so far.
     pub fn report(&mut self) -> Report {
         let energy = self.energy();
@@ -193,12 +206,15 @@ impl Studio {
             cells: self.made.cells.len(),
             steps: last.map_or(0, |r| r.step),
             converged: last.is_some_and(|r| r.converged),
+            added: last.map_or(0, |r| r.added),
+            removed: last.map_or(0, |r| r.removed),
             largest_move: last.map_or(0.0, |r| r.largest_move),
             energy,
             milliseconds: self.milliseconds(),
             height_range: self
                 .planes()
                 .map_or((0.0, 0.0), crate::render::overlay_planes::height_range),
+            metrics: None,
             notices: Vec::new(),
             hash: self.digest(),
         }

@@ -1,7 +1,7 @@
 //! What each stage has made, and one slice of each stage's work.
 
 use super::translate;
-use crate::cells::{self, Cell, Fitting};
+use crate::cells::{self, Cell, Fitting, Scatter};
 use crate::domain::{Domain, Outline};
 use crate::field::{FieldBuilder, Fields};
 use crate::mesh::Mesh;
@@ -25,6 +25,7 @@ pub(super) struct Products {
     /// Is `packing` of the pass at work, not of an earlier one?
     pub packing_begun: bool,
     pub mesh: Option<Mesh>,
+    scatter: Option<Scatter>,
     fitting: Option<Fitting>,
     pub cells: Vec<Cell>,
     quarry: Quarry,
@@ -54,6 +55,7 @@ impl Products {
             packing: None,
             packing_begun: false,
             mesh: None,
+            scatter: None,
             fitting: None,
             cells: Vec::new(),
             quarry: Quarry::new(),
@@ -80,6 +82,7 @@ impl Products {
     /// shown.
     pub fn forget_work(&mut self, from: Stage) {
         self.builder = None;
+        self.scatter = None;
         self.fitting = None;
         self.lit_anew = true;
         if from < Stage::Planes {
@@ -151,21 +154,41 @@ impl Products {
         let cells = if translate::as_packed(recipe) {
             cells::packed(&packing.particles())
         } else {
-            let mut fitting = self
-                .fitting
-                .take()
-                .unwrap_or_else(|| Fitting::new(packing.particles()));
+            let Some(fitting) = &mut self.fitting else {
+                return self.begin_fitting(recipe);
+            };
             if !fitting.advance(domain) {
-                self.fitting = Some(fitting);
                 return Ok(false);
             }
-            fitting.finish()
+            self.fitting.take().map_or(Vec::new(), Fitting::finish)
         };
         if cells.is_empty() {
             return Err(NO_CELLS.into());
         }
         self.cells = cells;
         Ok(true)
+    }
+
+    /// The way to the fitting: that of the packed cells at once, that of scattered points when they
+    /// have come to rest.
+    fn begin_fitting(&mut self, recipe: &Recipe) -> Result<bool, String> {
+        let domain = self.domain.as_ref().ok_or(MISSING)?;
+        let fields = self.fields.as_ref().ok_or(MISSING)?;
+        let packing = self.packing.as_ref().ok_or(MISSING)?;
+        self.fitting = match translate::scatter(recipe, packing.report().cells) {
+            None => Some(Fitting::new(packing.particles())),
+            Some(params) => {
+                let scatter = self
+                    .scatter
+                    .get_or_insert_with(|| Scatter::new(domain, params));
+                if !scatter.advance(domain) {
+                    return Ok(false);
+                }
+                let points = self.scatter.take();
+                points.map(|s| Fitting::voronoi(s.particles(fields)))
+            }
+        };
+        Ok(false)
     }
 
     fn slice_solids(&mut self, recipe: &Recipe) -> Result<bool, String> {

@@ -1,5 +1,6 @@
 //! From the recipe's words and numbers to the small parameter structures of the stages.
 
+use crate::cells::ScatterParams;
 use crate::domain::{Domain, Outline};
 use crate::field::{Direction, FieldParams, Kind, Rim, Spot};
 use crate::packing::{Edge, Integrator, PackingParams, Population, Start};
@@ -8,6 +9,9 @@ use crate::render::{Light, ShadeParams};
 use crate::solid::{Spread, StoneKind, StoneParams};
 use crate::texture::{Optics, TextureParams, optics_table};
 use glam::DVec2;
+
+/// Rounds of Lloyd's relaxation: after these it hardly gets better.
+const LLOYD_ROUNDS: u32 = 50;
 
 /// Pixels along the picture's side.
 pub(super) fn side(recipe: &Recipe) -> usize {
@@ -135,6 +139,20 @@ fn seed(recipe: &Recipe) -> u64 {
 /// Are the cells the packed squares as they are?
 pub(super) fn as_packed(recipe: &Recipe) -> bool {
     recipe.choice(Key::Cells) == "packed"
+}
+
+/// Where the cells are those of scattered points: as many as `count`, and how they are evened out.
+pub(super) fn scatter(recipe: &Recipe, count: usize) -> Option<ScatterParams> {
+    let rounds = match recipe.choice(Key::Cells) {
+        "voronoi" => 0,
+        "lloyd" => LLOYD_ROUNDS,
+        _ => return None,
+    };
+    Some(ScatterParams {
+        count,
+        rounds,
+        seed: seed(recipe),
+    })
 }
 
 fn stone(recipe: &Recipe) -> StoneParams {

@@ -1,0 +1,93 @@
+//! Voronoi cells of scattered points, plain and evened out: they fill the outline, and are what they
+//! are called.
+
+use bubblestone::cells::Cell;
+use bubblestone::domain::signed_area;
+use bubblestone::recipe::Recipe;
+use bubblestone::studio::Studio;
+use glam::DVec2;
+#[cfg(target_arch = "wasm32")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
+
+fn finished(link: &str) -> Studio {
+    let (recipe, notices) = Recipe::from_link(link);
+    assert!(notices.is_empty(), "{link}: {notices:?}");
+    let mut studio = Studio::new(recipe);
+    assert_eq!(studio.finish(&mut || 0.0), Ok(()), "{link}");
+    studio
+}
+
+fn centroid(ring: &[DVec2]) -> DVec2 {
+    let mut sum = DVec2::ZERO;
+    for k in 0..ring.len() {
+        let (a, b) = (ring[k], ring[(k + 1) % ring.len()]);
+        sum += (a - ring[0]).perp_dot(b - ring[0]) * (a + b - 2.0 * ring[0]);
+    }
+    ring[0] + sum / (6.0 * signed_area(ring))
+}
+
+#[test]
+fn they_fill_every_outline() {
+    for outline in ["plaza", "road_spiral", "road_notch", "star", "l_shape"] {
+        for size in [12, 60, 128] {
+            for cells in ["voronoi", "lloyd"] {
+                let link = format!("size=256&outline={outline}&cs={size}&cells={cells}");
+                let studio = finished(&link);
+                let figures = studio.metrics().unwrap().cells;
+                let cover = figures.cover;
+                assert!((cover.coverage - 1.0).abs() < 1e-5, "{link}: {cover:?}");
+                assert!(
+                    cover.overlap < 1e-5 && cover.outside < 1e-5,
+                    "{link}: {cover:?}"
+                );
+                // Large pieces that the outline cuts off are cells of their own.
+                let packed = studio.packing().unwrap().report().cells;
+                let of_points = studio.cells().iter().filter(|c| (c.id as usize) < packed);
+                assert_eq!(of_points.count(), packed, "{link}");
+            }
+        }
+    }
+}
+
+#[test]
+fn every_place_belongs_to_the_nearest_point() {
+    for cells in ["voronoi", "lloyd"] {
+        let studio = finished(&format!("size=256&outline=square&cs=11&cells={cells}"));
+        let cells: &[Cell] = studio.cells();
+        for cell in cells {
+            let nearest = |p: DVec2| {
+                let distances = cells.iter().map(|c| c.centre.distance(p));
+                distances.fold(f64::INFINITY, f64::min)
+            };
+            // A little inside of each corner, where up to three points are nearly as near.
+            for &corner in &cell.ring {
+                let p = corner.lerp(cell.centre, 0.01);
+                assert!(cell.centre.distance(p) <= nearest(p), "{cell:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn lloyds_relaxation_evens_them_out() {
+    for outline in ["annulus", "plaza", "star"] {
+        let with = |cells| finished(&format!("size=256&outline={outline}&cs=9&cells={cells}"));
+        let (plain, even) = (with("voronoi"), with("lloyd"));
+        let variation = |s: &Studio| s.metrics().unwrap().cells.area_cv;
+        assert!(variation(&plain) > 0.4, "{outline}: {}", variation(&plain));
+        assert!(variation(&even) < 0.15, "{outline}: {}", variation(&even));
+        // Also beside the boundary, where the outline cuts the cells.
+        let mut farthest = 0.0_f64;
+        for cell in even.cells() {
+            farthest = farthest.max(cell.centre.distance(centroid(&cell.ring)));
+        }
+        assert!(farthest < 0.2 * 9.0, "{outline}: {farthest}");
+    }
+}
+
+#[test]
+fn they_are_drawn_by_the_seed() {
+    let with = |seed| finished(&format!("size=128&cs=12&cells=voronoi&seed={seed}"));
+    assert_eq!(with(1).cells(), with(1).cells());
+    assert_ne!(with(1).cells(), with(2).cells());
+}
