@@ -29,11 +29,17 @@ pub(super) fn layers(domain: &Domain, params: &FieldParams) -> (Vec<u32>, Vec<So
     if params.direction == Direction::Printed && !domain.segments().is_empty() {
         return (vec![1], vec![Sources::default()]);
     }
-    let symmetries = [4, 2].into_iter().filter(|&n| params.has_symmetry(n));
-    let pairs = symmetries.map(|n| (n, Sources::new(sources(domain, params, n))));
-    pairs
-        .filter(|(_, sources)| params.direction == Direction::Spiral || !sources.is_empty())
-        .unzip()
+    let mut layers = (Vec::new(), Vec::new());
+    for symmetry in [4, 2] {
+        if params.has_symmetry(symmetry) {
+            let list = sources(domain, params, symmetry);
+            if params.direction == Direction::Spiral || !list.is_empty() {
+                layers.0.push(symmetry);
+                layers.1.push(Sources::new(list));
+            }
+        }
+    }
+    layers
 }
 
 /// All that the direction follows.
