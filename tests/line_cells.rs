@@ -161,7 +161,7 @@ fn each_side_of_a_line_has_its_own_cells() {
             particles.push(Particle {
                 id: particles.len() as u32,
                 centre: p((f64::from(k) + 0.5) * size, y),
-                kind: Kind::default(),
+                kind: bubblestone::field::Kind::default(),
                 size,
                 aspect: 1.0,
                 axis: DVec2::X,
