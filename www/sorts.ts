@@ -1,6 +1,6 @@
 /** What can be edited over the canvas: the outline, and the lists of the recipe. */
 import type { Engine } from './engine';
-import { distance, simplify } from './simplify';
+import { distance, simplify, toSegment } from './simplify';
 import type { Figure, Point, Sort } from './types';
 
 /** Points of a built-in outline that is made free, and of a free one that is edited, at most. */
@@ -123,10 +123,11 @@ export class Sorts {
     return { points: [at], value: taken ? taken.value : first };
   }
 
-  /** Of places around the picture's middle the one inside the outline that lies farthest from all points, the nearer the better. */
+  /** Of places around the picture's middle the one inside the outline with the most room around it. */
   private free(form: Sort['form'], figures: Figure[]): Point {
     const side = this.engine.side();
     const points = figures.flatMap((figure) => figure.points);
+    const walls = this.engine.get('tile') === '1' ? [] : this.engine.outline();
     const taken = form === 'seed' ? points.map((point) => this.engine.part(point)) : [];
     let best: { place: Point; room: number } = { place: [side / 2, side / 2], room: -Infinity };
     for (let k = 0; k < 160; k += 1) {
@@ -134,7 +135,8 @@ export class Sorts {
       const place: Point = [side / 2 + r * Math.cos(2.399963 * k), side / 2 + r * Math.sin(2.399963 * k)];
       const part = this.engine.part(place);
       if (part < 0 || taken.includes(part)) continue;
-      const room = Math.min(0.3 * side, ...points.map((point) => distance(point, place))) - 0.4 * r;
+      const near = walls.map((ring) => Math.min(...ring.map((from, n) => toSegment(place, from, ring[(n + 1) % ring.length] ?? from))));
+      const room = Math.min(0.2 * side, ...near, ...points.map((point) => distance(point, place))) - 0.05 * r;
       if (room > best.room) best = { place, room };
     }
     return best.place;

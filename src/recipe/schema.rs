@@ -37,10 +37,10 @@ parameters! {
         ]).at(Domain, "Outline").only_for(Key::Tile, &["0"]);
     Poly: "The free polygon's points, as compact text; draw it or load it from a file instead.",
         text("poly", "Points").at(Domain, "Outline").only_for(Key::Outline, &["polygon"]);
-    Lines: "Constraint lines inside the outline, which cells line up along on both sides, as compact text.",
+    Lines: "Constraint lines inside the outline: cells line up along both sides of them.",
         text("lines", "Lines").at(Domain, "Outline");
     Tile: "Makes the whole picture a tile that repeats without a seam; the outline does not count.",
-        choice("tile", "Tile", &[
+        choice("tile", "Area", &[
             Choice { word: "0", label: "Outline" }, Choice { word: "1", label: "Seamless tile" },
         ]).at(Domain, "Outline");
     Size: "Side of the square picture; the outline grows with it, the stones do not.",
@@ -60,7 +60,7 @@ parameters! {
         choice("kind", "Kind", choices![
             square: "Square", rectangle: "Rectangle", circle: "Circle", ellipse: "Ellipse",
         ]).at(Fields, "Cells");
-    Parts: "Kinds of the parts that lines cut the outline into: a point in the part and its kind, as compact text.",
+    Parts: "Kinds of the parts that lines cut the outline into.",
         text("parts", "Kinds of parts").at(Fields, "Cells").only_with(Key::Lines);
     Ca: "Length of a cell along the direction over its width.",
         number("ca", "Ca", "Aspect ratio").range(1.0, 5.0, 0.05, 2.0).at(Fields, "Cells")
@@ -71,7 +71,7 @@ parameters! {
     Cd: "How far from the boundary the aspect ratio changes, in picture sides.",
         number("cd", "", "Aspect reach").range(0.02, 1.0, 0.01, 0.25).at(Fields, "Cells")
             .only_with(Key::Cb);
-    Stretch: "Soft spots with an aspect ratio of their own: x, y, radius, ratio, as compact text.",
+    Stretch: "Soft spots with an aspect ratio of their own.",
         text("stretch", "Aspect spots").at(Fields, "Cells").only_for(Key::Kind, STRETCHED);
     Cs: "Average side of a cell.",
         number("cs", "Cs", "Cell size").range(2.0, 256.0, 1.0, 23.0).unit("px")
@@ -87,7 +87,7 @@ parameters! {
     Gd: "How far from the boundary the size changes, in picture sides.",
         number("gd", "", "Size reach").range(0.02, 1.0, 0.01, 0.25).at(Fields, "Size")
             .only_with(Key::Gb);
-    Spots: "Soft spots of larger or smaller cells: x, y, radius, factor, as compact text.",
+    Spots: "Soft spots of larger or smaller cells.",
         text("spots", "Size spots").at(Fields, "Size");
     Dir: "What the rows of cells follow: the boundary, painted strokes, one angle, a point, or eq. (1) as it is printed.",
         choice("dir", "Direction", choices![
@@ -112,7 +112,7 @@ parameters! {
     Ends: "Weight of the outline's short ends in the direction of cells that are not square.",
         number("ends", "", "Weight of ends").range(0.0, 1.0, 0.05, 0.0).at(Fields, "Direction")
             .only_for(Key::Kind, &["rectangle", "circle", "ellipse"]);
-    Strokes: "Painted lines that the rows follow, as compact text.",
+    Strokes: "Painted lines that the rows follow.",
         text("strokes", "Strokes").at(Fields, "Direction");
     Reach: "Up to where a stroke counts more than one angle or the point, in picture sides.",
         number("reach", "", "Reach of strokes").range(0.02, 1.0, 0.01, 0.15).at(Fields, "Direction")

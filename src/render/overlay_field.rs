@@ -49,7 +49,8 @@ fn crosses(board: &mut Board, domain: &Domain, fields: &Fields, side: f64, width
     for k in 0..count * count {
         let square = DVec2::new((k % count) as f64 + 0.5, (k / count) as f64 + 0.5);
         let p = DVec2::splat(margin) + step * square;
-        if !domain.contains(p) {
+        let room = domain.nearest(p).distance;
+        if room < 0.1 * step {
             continue;
         }
         let axis = fields.direction(p);
@@ -58,7 +59,6 @@ fn crosses(board: &mut Board, domain: &Domain, fields: &Fields, side: f64, width
             continue;
         }
         // Inside the outline, too.
-        let room = domain.nearest(p).distance;
         let arm = (0.46 * fields.size(p)).min(0.42 * step).min(room);
         // A half turn of a cell looks alike, but no quarter turn: one arm is shorter.
         let short = match fields.kind(p).symmetry() {
