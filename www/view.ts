@@ -8,7 +8,7 @@ export const VIEWS: readonly { word: string; label: string; note?: string }[] = 
   { word: 'picture', label: 'Picture' },
   { word: 'packed', label: 'Packing', note: 'The cells as they are packed: warmer where neighbours press into them, bluer where there is room beside them.' },
   { word: 'cells', label: 'Cells', note: 'One polygon for each cell; together they fill the outline.' },
-  { word: 'mesh', label: 'Mesh', note: 'The mesh that joins neighbours: quadrilaterals, and triangles in orange.' },
+  { word: 'mesh', label: 'Mesh', note: 'The mesh that joins neighbours: quadrilaterals for cells with corners, triangles for round ones; lone triangles in orange.' },
   { word: 'direction', label: 'Fields', note: 'Directions (crosses as long as cells), lines, strokes in green, spots as rings; points where rows meet, with their index.' },
   { word: 'height', label: 'Height' },
   { word: 'normals', label: 'Normals' },

@@ -86,21 +86,21 @@ fn mark(board: &mut Board, point: &Singularity, unit: f64, side: f64) {
         }
     }
     let word = signs(point.index);
-    let width = word.len() as f64 * 1.6;
-    let left = if p.x + unit * (width + 4.0) > side {
-        -3.4 - width
-    } else {
-        3.4
+    let width = word.len() as f64 * 2.4;
+    let left = match p.x + unit * (width + 4.0) > side {
+        true => -3.4 - width,
+        false => 3.4,
     };
     let mut bars = Vec::new();
     for (k, &sign) in word.iter().enumerate() {
-        let corner = p + unit * DVec2::new(left + 1.6 * k as f64, -1.2);
-        let at =
-            |code: u8| corner + 0.6 * unit * DVec2::new(f64::from(code % 3), f64::from(code / 3));
+        let corner = p + unit * DVec2::new(left + 2.4 * k as f64, -1.8);
+        let at = |place: u8| {
+            corner + 0.9 * unit * DVec2::new(f64::from(place % 3), f64::from(place / 3))
+        };
         bars.extend(sign.iter().map(|&[a, b]| [at(a), at(b)]));
     }
-    board.strokes(&bars, SHEET.bed, 1.1 * unit);
-    board.strokes(&bars, INK, 0.45 * unit);
+    board.strokes(&bars, SHEET.bed, 1.6 * unit);
+    board.strokes(&bars, INK, 0.5 * unit);
 }
 
 /// Bars between places of a grid of 3 columns and 5 rows, numbered from the upper left.

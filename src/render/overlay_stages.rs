@@ -5,6 +5,7 @@ use super::overlay_stress::stress;
 use super::overlay_tones::Tones;
 use crate::cells::Cell;
 use crate::domain::Domain;
+use crate::field::Fields;
 use crate::mesh::Mesh;
 use crate::packing::Particle;
 use glam::DVec2;
@@ -22,8 +23,8 @@ const FIXED: f32 = 0.82;
 /// Rounding of corners, of a cell's size.
 const ROUND: f64 = 0.13;
 
-const QUAD: Tint = [0.836, 0.800, 0.735, 1.0];
-const TRIANGLE: Tint = [0.800, 0.510, 0.350, 1.0];
+const FACE: Tint = [0.836, 0.800, 0.735, 1.0];
+const LONE: Tint = [0.800, 0.510, 0.350, 1.0];
 pub(super) const INK: Tint = [0.33, 0.27, 0.21, 1.0];
 
 /// Draws the packed cells in the tones of the stones to come: warmer and redder the deeper their
@@ -69,15 +70,17 @@ pub fn cells(board: &mut Board, cells: &[Cell], tones: &Tones) {
     );
 }
 
-/// Draws the mesh, quadrilaterals and triangles in different tints.
-pub fn mesh(board: &mut Board, mesh: &Mesh) {
+/// Draws the mesh. Triangles among cells with corners, which found no partner, stand out.
+pub fn mesh(board: &mut Board, mesh: &Mesh, fields: &Fields) {
     let ring = |nodes: &[u32]| -> Vec<DVec2> {
         let place = |&n: &u32| mesh.vertices.get(n as usize).copied();
         nodes.iter().filter_map(place).collect()
     };
     let rings: Vec<Vec<DVec2>> = mesh.faces.iter().map(|f| ring(f.nodes())).collect();
     for ring in &rings {
-        let inside = if ring.len() == 4 { QUAD } else { TRIANGLE };
+        let middle = ring.iter().sum::<DVec2>() / ring.len().max(1) as f64;
+        let is_lone = ring.len() < 4 && fields.kind(middle).has_corners();
+        let inside = if is_lone { LONE } else { FACE };
         board.fill(&[ring], inside, 0.0);
     }
     let first = |r: &Vec<DVec2>| r.first().zip(r.get(1)).map_or(0.0, |(a, b)| a.distance(*b));

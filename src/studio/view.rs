@@ -112,8 +112,8 @@ impl Studio {
                 })
             }
             View::Mesh => self.on_paper(&SHEET, |board| {
-                if let Some(mesh) = &made.mesh {
-                    overlay_stages::mesh(board, mesh);
+                if let (Some(mesh), Some(fields)) = (&made.mesh, &made.fields) {
+                    overlay_stages::mesh(board, mesh, fields);
                 }
                 self.lines(board);
             }),
