@@ -27,7 +27,7 @@ fn rectangle(x: f64, y: f64, width: f64, height: f64) -> Vec<DVec2> {
 fn square() -> Domain {
     Domain::from_checked(&Outline {
         outer: rectangle(0.0, 0.0, 40.0, 40.0),
-        holes: vec![],
+        ..Outline::default()
     })
 }
 
@@ -36,13 +36,9 @@ fn fields(domain: &Domain, degrees: f64) -> Fields {
     let params = FieldParams {
         direction: Direction::Constant,
         angle: degrees.to_radians(),
-        power: 4,
-        kind: Kind::Square,
-        aspect: 1.0,
         size: 10.0,
-        linear: DVec2::ZERO,
-        radial: 0.0,
         side: 40.0,
+        ..FieldParams::default()
     };
     FieldBuilder::build(domain, params)
 }

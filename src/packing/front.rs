@@ -24,7 +24,7 @@ pub(super) fn stream(
     let mut rows = VecDeque::new();
     // Circles have no direction of their own: one honeycomb, from the middle outwards, has fewer
     // faults than rows along the boundary that meet each other.
-    let honeycomb = along_most(domain);
+    let honeycomb = along_most(domain, fields);
     if let Some(p) = deepest(domain)
         && fields.kind(p) == Kind::Circle
         && crowd.gap(p, FRONT_GAP) >= FRONT_GAP
@@ -45,6 +45,7 @@ pub(super) fn stream(
                 shape.turn(honeycomb);
             }
             for p in slots(centre, shape, fields) {
+                let p = domain.wrap(p);
                 if crowd.gap(p, FRONT_GAP) >= FRONT_GAP
                     && has_room(p, fields, domain, facing, params.edge)
                 {
@@ -90,8 +91,12 @@ pub(super) fn slots(centre: DVec2, shape: Shape, fields: &Fields) -> impl Iterat
 }
 
 /// The direction in which a honeycomb's rows lie along as much of the boundary as can be: six turns
-/// of it look alike, so it is a sixth of the angle of the mean of the six-fold vectors.
-fn along_most(domain: &Domain) -> DVec2 {
+/// of it look alike, so it is a sixth of the angle of the mean of the six-fold vectors. On a torus,
+/// that of the fields, whose sizes fit it.
+fn along_most(domain: &Domain, fields: &Fields) -> DVec2 {
+    if domain.period().is_some() {
+        return fields.direction(DVec2::ZERO);
+    }
     let mut sum = DVec2::ZERO;
     for [a, b] in domain.segments() {
         let (length, angle) = (a.distance(*b), libm::atan2(b.y - a.y, b.x - a.x));

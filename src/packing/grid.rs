@@ -14,6 +14,20 @@ pub struct Grid {
     next: Vec<u32>,
 }
 
+/// The images of a place on a torus of this side that are no farther than `radius` from the picture,
+/// the place itself first.
+pub(super) fn images(period: Option<f64>, p: DVec2, radius: f64) -> impl Iterator<Item = DVec2> {
+    const SHIFTS: [f64; 3] = [0.0, -1.0, 1.0];
+    let count = if period.is_some() { 9 } else { 1 };
+    let side = period.unwrap_or(0.0);
+    (0..count)
+        .map(move |k| p + side * DVec2::new(SHIFTS[k % 3], SHIFTS[k / 3]))
+        .filter(move |q| {
+            period.is_none()
+                || (q.cmpge(DVec2::splat(-radius)) & q.cmple(DVec2::splat(side + radius))).all()
+        })
+}
+
 const NONE: u32 = u32::MAX;
 
 /// Most buckets along a side, so that tiny cells in a large picture do not cost memory.
@@ -68,6 +82,17 @@ impl Grid {
         let bucket = self.bucket(p);
         self.next.push(self.head[bucket]);
         self.head[bucket] = (self.next.len() - 1) as u32;
+    }
+
+    /// The same as [`Grid::near`] for the images of the place on a torus of this side, too.
+    pub fn near_images(
+        &self,
+        period: Option<f64>,
+        p: DVec2,
+        radius: f64,
+        mut visit: impl FnMut(usize),
+    ) {
+        images(period, p, radius).for_each(|image| self.near(image, radius, &mut visit));
     }
 
     /// Calls `visit` with the number of every point that may lie within `radius` of `p`.

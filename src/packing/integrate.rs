@@ -3,7 +3,7 @@
 //! Time is in units of sqrt(m d^2 / k0), so that one set of constants serves all sizes.
 
 use super::force::{Pair, SQUARE_REACH};
-use super::grid::Grid;
+use super::grid::{Grid, images};
 use super::shape::Shape;
 use super::wall::{keep_inside, wall_force};
 use super::{Body, Integrator};
@@ -56,7 +56,7 @@ impl Motion {
 
     /// Makes the neighbour list again where it may have become wrong. The bodies are put in the
     /// order of the grid's buckets first, so that neighbours lie near in memory too.
-    pub fn refresh(&mut self, bodies: &mut [Body]) {
+    pub fn refresh(&mut self, bodies: &mut [Body], domain: &Domain) {
         let limit = 0.25 * self.slack * self.slack;
         let fresh = self.made_at.len() == bodies.len()
             && bodies
@@ -86,12 +86,18 @@ impl Motion {
         order::sort(bodies, place);
         self.made_at = bodies.iter().map(|b| b.particle.centre).collect();
         self.forces.resize(bodies.len(), DVec2::ZERO);
-        self.collect_pairs(bodies, &grid, reach, slack);
+        self.collect_pairs(bodies, domain, &grid, (reach, slack));
     }
 
     /// The bodies are in the order of the grid's buckets, so those of a run of buckets are a run of
     /// bodies, and only the ones after the body itself are looked at.
-    fn collect_pairs(&mut self, bodies: &[Body], grid: &Grid, reach: f64, slack: f64) {
+    fn collect_pairs(
+        &mut self,
+        bodies: &[Body],
+        domain: &Domain,
+        grid: &Grid,
+        (reach, slack): (f64, f64),
+    ) {
         let mut firsts = vec![0; grid.buckets() + 1];
         for body in bodies {
             firsts[grid.bucket(body.particle.centre) + 1] += 1;
@@ -102,21 +108,34 @@ impl Motion {
         self.list.clear();
         self.start.clear();
         self.start.push(0);
+        let period = domain.period();
+        let plain = period.is_none() && domain.lines().is_empty();
         for (i, body) in bodies.iter().enumerate() {
             let centre = body.particle.centre;
             let shape = Shape::of(&body.particle);
-            for run in grid.runs_near(centre, reach) {
-                let end = firsts[run.end];
-                let first = firsts[run.start].max(i + 1).min(end);
-                for (other, j) in bodies[first..end].iter().zip(first as u32..) {
-                    let r = other.particle.centre - centre;
-                    if shape.may_touch(&Shape::of(&other.particle), r, slack) {
-                        self.list.push(j);
+            for image in images(period, centre, reach) {
+                for run in grid.runs_near(image, reach) {
+                    let end = firsts[run.end];
+                    let first = firsts[run.start].max(i + 1).min(end);
+                    for (other, j) in bodies[first..end].iter().zip(first as u32..) {
+                        let r = other.particle.centre - image;
+                        let meets = shape.may_touch(&Shape::of(&other.particle), r, slack);
+                        if meets && (plain || self.meets(body, other, r, domain)) {
+                            self.list.push(j);
+                        }
                     }
                 }
             }
             self.start.push(self.list.len() as u32);
         }
+    }
+
+    /// Is there no wall between two cells, and is `r` the shortest way between them on the torus?
+    fn meets(&self, body: &Body, other: &Body, r: DVec2, domain: &Domain) -> bool {
+        let (a, b) = (&body.particle, &other.particle);
+        let half = domain.period().map_or(f64::INFINITY, |side| 0.5 * side);
+        r.abs().max_element() <= half
+            && (a.fixed || b.fixed || !domain.crosses_line(a.centre, b.centre))
     }
 
     /// The pairs that may touch, each once.
@@ -129,12 +148,12 @@ impl Motion {
     }
 
     /// See [`super::Packing::energy`].
-    pub fn energy(&self, bodies: &[Body]) -> f64 {
+    pub fn energy(&self, bodies: &[Body], domain: &Domain) -> f64 {
         let mut sum = 0.0;
         let mut stiffness = 0.0;
         for (i, j) in self.pairs(bodies) {
             let (a, b) = (&bodies[i].particle, &bodies[j].particle);
-            sum += Pair::new(a, b).potential(b.centre - a.centre);
+            sum += Pair::new(a, b).potential(domain.shortest(b.centre - a.centre));
         }
         for body in bodies {
             stiffness += body.particle.size * body.particle.size / bodies.len() as f64;
@@ -154,7 +173,7 @@ impl Motion {
             for k in self.start[i] as usize..self.start[i + 1] as usize {
                 let j = self.list[k] as usize;
                 let b = &bodies[j].particle;
-                let r = b.centre - a.centre;
+                let r = around.domain.shortest(b.centre - a.centre);
                 let reach = SQUARE_REACH * 0.5 * (a.size + b.size);
                 let is_stretched = a.kind.is_stretched() || b.kind.is_stretched();
                 if !is_stretched && r.length_squared() >= reach * reach {

@@ -285,9 +285,9 @@ impl Packing {
 
     /// The potential energy of the cells among each other (eq. 4 summed over pairs), in units of
     /// the mean cell's k0.
-    pub fn energy(&mut self) -> f64 {
-        self.motion.refresh(&mut self.bodies);
-        self.motion.energy(&self.bodies)
+    pub fn energy(&mut self, domain: &Domain) -> f64 {
+        self.motion.refresh(&mut self.bodies, domain);
+        self.motion.energy(&self.bodies, domain)
     }
 
     /// One step of the equation of motion and, now and then, population control.
@@ -298,7 +298,7 @@ impl Packing {
         let step = self.report.step + 1;
         let late = step.saturating_sub(TUNING.cooling_from);
         let pace = (0..late).fold(1.0, |pace, _| pace * TUNING.cooling);
-        self.motion.refresh(&mut self.bodies);
+        self.motion.refresh(&mut self.bodies, domain);
         let around = Surroundings {
             domain,
             fields,

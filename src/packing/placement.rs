@@ -2,10 +2,10 @@
 
 use super::front::stream;
 use super::grid::Grid;
-use super::rim::{boundary_cells, pieces};
+use super::rim::{boundary_cells, line_pieces, pieces};
 use super::shape::Shape;
 use super::{Edge, PackingParams, Start};
-use crate::domain::{Domain, Facing};
+use crate::domain::{Domain, Facing, Nearest};
 use crate::field::Fields;
 use glam::DVec2;
 
@@ -26,7 +26,12 @@ pub(super) fn place(
     let mut crowd = Crowd::new(domain, fields);
     let fixed = params.edge == Edge::On;
     for ring in domain.rings() {
-        for piece in pieces(ring) {
+        for piece in pieces(ring, true) {
+            boundary_cells(&mut crowd, &piece, fields, domain, fixed);
+        }
+    }
+    for line in domain.lines() {
+        for piece in line_pieces(line, fixed) {
             boundary_cells(&mut crowd, &piece, fields, domain, fixed);
         }
     }
@@ -47,17 +52,19 @@ pub(super) struct Crowd<'a> {
     shapes: Vec<Shape>,
     grid: Grid,
     longest: f64,
+    domain: &'a Domain,
     fields: &'a Fields,
 }
 
 impl<'a> Crowd<'a> {
-    fn new(domain: &Domain, fields: &'a Fields) -> Self {
+    fn new(domain: &'a Domain, fields: &'a Fields) -> Self {
         let (lo, hi) = domain.bounds();
         Self {
             cells: Vec::new(),
             shapes: Vec::new(),
             grid: Grid::new(lo, hi, fields.params().size),
             longest: 0.0,
+            domain,
             fields,
         }
     }
@@ -75,8 +82,12 @@ impl<'a> Crowd<'a> {
         let shape = Shape::gauge(self.fields, p);
         let mut least = enough;
         let reach = enough * 0.5 * (shape.length() + self.longest);
-        self.grid.near(p, reach, |k| {
-            least = least.min(shape.closeness(&self.shapes[k], self.cells[k] - p));
+        let (domain, grid) = (self.domain, &self.grid);
+        grid.near_images(domain.period(), p, reach, |k| {
+            let w = shape.closeness(&self.shapes[k], domain.shortest(self.cells[k] - p));
+            if w < least && !domain.crosses_line(p, self.cells[k]) {
+                least = w;
+            }
         });
         least
     }
@@ -102,8 +113,14 @@ pub(super) fn has_room(
         // The first row inside keeps off the cells on the boundary by itself.
         Edge::On => FRONT_GAP * 0.8,
     };
-    let near = domain.nearest(p);
-    near.distance >= clearance * Shape::gauge(fields, p).extent(near.inward)
+    is_clear(p, clearance, fields, domain)
+}
+
+/// Is a place inside, and this share of a cell's extent or more from the boundary and from lines?
+pub(super) fn is_clear(p: DVec2, clearance: f64, fields: &Fields, domain: &Domain) -> bool {
+    let shape = Shape::gauge(fields, p);
+    let clear = |near: Nearest| near.distance >= clearance * shape.extent(near.inward);
+    clear(domain.nearest(p)) && domain.nearest_line(p).is_none_or(clear)
 }
 
 /// The innermost point of a coarse sample: where the only cell of a narrow outline goes.

@@ -36,6 +36,7 @@ pub(super) struct Change {
 }
 
 struct Census<'a> {
+    domain: &'a Domain,
     bodies: &'a [Body],
     shapes: Vec<Shape>,
     grid: Grid,
@@ -53,6 +54,7 @@ pub(super) fn change(
     let longest = shapes.iter().fold(0.0_f64, |m, s| m.max(s.length()));
     let (lo, hi) = domain.bounds();
     let mut census = Census {
+        domain,
         bodies,
         shapes,
         grid: Grid::new(lo, hi, longest),
@@ -76,12 +78,13 @@ pub(super) fn change(
             continue;
         }
         for place in slots(bodies[i].particle.centre, census.shapes[i], fields) {
+            let place = domain.wrap(place);
             let shape = Shape::gauge(fields, place);
             let (_, room) = limits(shape.kind());
             let free = census.gap(place, &shape, usize::MAX) >= room
                 && add
                     .iter()
-                    .all(|&other| shape.closeness(&shape, other - place) >= room);
+                    .all(|&other| shape.closeness(&shape, domain.shortest(other - place)) >= room);
             if free
                 && has_room(place, fields, domain, facing, params.edge)
                 && clear_of_walls(place, &shape, facing, params.edge)
@@ -111,10 +114,12 @@ impl Census<'_> {
     fn gap(&self, at: DVec2, shape: &Shape, but: usize) -> f64 {
         let mut least = 2.0_f64;
         let reach = 0.5 * (shape.length() + self.longest);
-        self.grid.near(at, reach, |k| {
-            if k != but {
-                let r = self.bodies[k].particle.centre - at;
-                least = least.min(shape.closeness(&self.shapes[k], r));
+        let domain = self.domain;
+        self.grid.near_images(domain.period(), at, reach, |k| {
+            let other = self.bodies[k].particle.centre;
+            let w = shape.closeness(&self.shapes[k], domain.shortest(other - at));
+            if w < least && k != but && !domain.crosses_line(at, other) {
+                least = w;
             }
         });
         least
@@ -135,8 +140,11 @@ impl Census<'_> {
         for i in tight {
             let (centre, shape) = (self.bodies[i].particle.centre, &self.shapes[i]);
             let mut beside = false;
-            self.grid.near(centre, 1.5 * self.longest, |k| {
-                let r = self.bodies[k].particle.centre - centre;
+            let (period, reach) = (self.domain.period(), 1.5 * self.longest);
+            self.grid.near_images(period, centre, reach, |k| {
+                let r = self
+                    .domain
+                    .shortest(self.bodies[k].particle.centre - centre);
                 beside |= remove[k] && shape.closeness(shape, r) < 1.5;
             });
             if !beside && count < most {

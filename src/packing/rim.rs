@@ -1,6 +1,6 @@
 //! The cells along the boundary.
 
-use super::placement::Crowd;
+use super::placement::{Crowd, is_clear};
 use super::shape::Shape;
 use crate::domain::Domain;
 use crate::field::Fields;
@@ -24,29 +24,62 @@ pub(super) struct Piece {
     after: Option<DVec2>,
 }
 
-pub(super) fn pieces(ring: &[DVec2]) -> Vec<Piece> {
-    let n = ring.len();
-    let along = |k: usize| (ring[(k + 1) % n] - ring[k % n]).normalize();
-    let corners: Vec<usize> = (0..n)
-        .filter(|&k| along(k + n - 1).dot(along(k)) < CORNER)
-        .collect();
+/// The pieces of a ring, or of an open line.
+pub(super) fn pieces(points: &[DVec2], closed: bool) -> Vec<Piece> {
+    let n = points.len();
+    let along = |k: usize| (points[(k + 1) % n] - points[k % n]).normalize();
+    let turns = |k: usize| along(k + n - 1).dot(along(k)) < CORNER;
+    let mut corners: Vec<usize> = if closed {
+        (0..n).filter(|&k| turns(k)).collect()
+    } else {
+        (0..n)
+            .filter(|&k| k == 0 || k == n - 1 || turns(k))
+            .collect()
+    };
     if corners.is_empty() {
-        let mut points = ring.to_vec();
-        points.push(ring[0]);
+        let mut points = points.to_vec();
+        points.push(points[0]);
         return vec![Piece {
             points,
             before: None,
             after: None,
         }];
     }
-    let ends = corners.iter().skip(1).copied().chain([corners[0] + n]);
-    let runs = corners.iter().copied().zip(ends);
-    runs.map(|(from, to)| Piece {
-        points: (from..=to).map(|k| ring[k % n]).collect(),
-        before: Some(along(from + n - 1)),
-        after: Some(along(to)),
+    if closed {
+        corners.push(corners[0] + n);
+    }
+    let runs = corners.windows(2).map(|w| (w[0], w[1]));
+    runs.map(|(from, to)| {
+        // At the free ends of a line it goes straight on.
+        let first = if !closed && from == 0 {
+            from
+        } else {
+            from + n - 1
+        };
+        let last = if !closed && to == n - 1 { to - 1 } else { to };
+        Piece {
+            points: (from..=to).map(|k| points[k % n]).collect(),
+            before: Some(along(first)),
+            after: Some(along(last)),
+        }
     })
     .collect()
+}
+
+/// The pieces of a constraint line: there and back, a row along each side; or there only, for cells
+/// that stand on it.
+pub(super) fn line_pieces(line: &[DVec2], fixed: bool) -> Vec<Piece> {
+    let closed = line.first() == line.last();
+    let mut points = line.to_vec();
+    if closed {
+        points.pop();
+    }
+    let mut both = pieces(&points, closed);
+    if !fixed {
+        points.reverse();
+        both.extend(pieces(&points, closed));
+    }
+    both
 }
 
 /// Evenly spaced cells along a piece: on it, or half a cell inside with mitred ends.
@@ -60,11 +93,7 @@ pub(super) fn boundary_cells(
     // Narrow: with a row half a cell in, most of it would not be clear of the other side.
     let is_wide = |depth: &&f64| {
         let line = offset_line(piece, fields, **depth);
-        let clear = |p: &&DVec2| {
-            let near = domain.nearest(**p);
-            let extent = Shape::gauge(fields, **p).extent(near.inward);
-            near.distance >= BOUNDARY_CLEARANCE * **depth * extent
-        };
+        let clear = |p: &&DVec2| is_clear(**p, BOUNDARY_CLEARANCE * **depth, fields, domain);
         2 * line.iter().filter(clear).count() >= line.len()
     };
     let depth = *DEPTHS.iter().find(is_wide).unwrap_or(&DEPTHS[0]);
@@ -96,11 +125,7 @@ pub(super) fn boundary_cells(
             0.0
         };
         let p = line[k].lerp(line[k + 1], t);
-        let clear = || {
-            let near = domain.nearest(p);
-            let extent = Shape::gauge(fields, p).extent(near.inward);
-            near.distance >= BOUNDARY_CLEARANCE * depth * extent
-        };
+        let clear = || is_clear(p, BOUNDARY_CLEARANCE * depth, fields, domain);
         if (fixed || clear()) && crowd.gap(p, BOUNDARY_GAP) >= BOUNDARY_GAP {
             crowd.push(p);
         }

@@ -170,7 +170,10 @@ impl Studio {
 
     /// The packing's potential energy, in units of a cell's; 0 before there is a packing.
     pub fn energy(&mut self) -> f64 {
-        self.made.packing.as_mut().map_or(0.0, Packing::energy)
+        match (&mut self.made.packing, &self.made.domain) {
+            (Some(packing), Some(domain)) => packing.energy(domain),
+            _ => 0.0,
+        }
     }
 
     /// Milliseconds spent by stage, in the stages' order.
