@@ -15,7 +15,11 @@ use glam::DVec2;
 /// Viscous damping c. A honeycomb of circles has more faults to heal than rows and columns: circles
 /// keep swinging for longer.
 const fn damping(kind: Kind) -> f64 {
-    if matches!(kind, Kind::Circle) { 0.2 } else { 2.0 }
+    if matches!(kind, Kind::Circle) {
+        0.2
+    } else {
+        2.0
+    }
 }
 /// Time step of the semi-implicit method.
 const SEMI_IMPLICIT_STEP: f64 = 0.5;
