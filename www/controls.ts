@@ -16,12 +16,12 @@ interface Group {
 }
 
 export interface ControlNeeds {
-  get(key: string): string;
+  get: (key: string) => string;
   change: Change;
   /** Opens a list over the canvas. */
-  edit(key: string): void;
+  edit: (key: string) => void;
   /** The kinds of cells in use, those of parts as well. */
-  kinds(): string[];
+  kinds: () => string[];
 }
 
 export class Controls {

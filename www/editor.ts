@@ -55,9 +55,11 @@ export class Editor {
     });
     this.lines.setAttribute('aria-hidden', 'true');
     layer.replaceChildren(this.lines, this.handles);
-    layer.addEventListener('keydown', (event) => {
-      if (event.key === 'Escape') this.close();
-    });
+    for (const place of [layer, bar]) {
+      place.addEventListener('keydown', (event) => {
+        if (event.key === 'Escape') this.close();
+      });
+    }
     layer.addEventListener('click', (event) => {
       if (event.target === layer && this.sort?.form === 'seed') this.addFigure(this.at(event));
     });
@@ -308,7 +310,10 @@ export class Editor {
     if (this.frame) return;
     this.frame = requestAnimationFrame(() => {
       this.frame = 0;
-      if (this.sort) this.layer.classList.toggle('bad', !this.needs.change(this.sort, this.figures));
+      if (!this.sort) return;
+      this.layer.classList.toggle('bad', !this.needs.change(this.sort, this.figures));
+      // Other sorts may do something now.
+      this.place();
     });
   }
 }

@@ -188,3 +188,35 @@ impl Shape {
         2.0 * a * b / (a + b).max(f64::MIN_POSITIVE)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rings_keep_the_area_whatever_the_aspect() {
+        let particle = |kind, aspect| Particle {
+            id: 0,
+            centre: DVec2::new(3.0, 4.0),
+            kind,
+            size: 10.0,
+            aspect,
+            axis: DVec2::new(0.6, 0.8),
+            fixed: false,
+        };
+        for (kind, aspect, area) in [
+            (Kind::Square, 1.0, 100.0),
+            (Kind::Rectangle, 3.0, 100.0),
+            (Kind::Circle, 1.0, 78.54),
+            (Kind::Ellipse, 3.0, 78.54),
+        ] {
+            let cell = particle(kind, aspect);
+            let ring = cell.ring(1.0, 256);
+            let found = crate::domain::signed_area(&ring);
+            assert!((found - area).abs() < 0.02, "{kind:?}: {found}");
+            let along = |p: &DVec2| (*p - cell.centre).dot(cell.axis).abs();
+            let reach = ring.iter().map(along).fold(0.0, f64::max);
+            assert!((reach - 5.0 * aspect.sqrt()).abs() < 1e-9, "{kind:?}");
+        }
+    }
+}

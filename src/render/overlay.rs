@@ -268,6 +268,19 @@ mod tests {
     }
 
     #[test]
+    fn what_leaves_a_tile_comes_in_again() {
+        let mut board = Board::new(64, [0.0, 0.0, 0.0, 1.0]);
+        board.fill(&[&square(-6.0, 6.0)], WHITE, 0.0);
+        assert_eq!(pixel(&board, 61, 61)[0], 0);
+        board.repeat();
+        board.fill(&[&square(-6.0, 6.0)], WHITE, 0.0);
+        for (x, y) in [(2, 2), (61, 2), (2, 61), (61, 61)] {
+            assert_eq!(pixel(&board, x, y)[0], 255, "{x} {y}");
+        }
+        assert_eq!(pixel(&board, 32, 32)[0], 0);
+    }
+
+    #[test]
     fn half_covered_pixels_are_half_filled() {
         let mut board = Board::new(64, [0.0, 0.0, 0.0, 1.0]);
         board.fill(&[&square(10.5, 20.0)], WHITE, 0.0);

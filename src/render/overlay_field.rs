@@ -27,8 +27,17 @@ pub fn direction(board: &mut Board, domain: &Domain, fields: &Fields, side: f64)
     lines(board, domain, side);
     board.polylines(&params.strokes, STROKE, 2.5 * thin);
     let unit = (side / 170.0).clamp(2.0, 6.0);
-    for point in fields.singularities(domain) {
-        mark(board, &point, unit, side);
+    let points = fields.singularities(domain);
+    let middle = points.iter().map(|s| s.point.x).sum::<f64>() / points.len().max(1) as f64;
+    for point in &points {
+        // Away from the others, as far as the picture has room.
+        let room = LABEL * unit;
+        let x = point.point.x;
+        let left = (x < middle - unit && x > room) || x + room > side;
+        index(board, point, unit, left);
+    }
+    for point in &points {
+        mark(board, point, unit);
     }
 }
 
@@ -72,28 +81,37 @@ fn crosses(board: &mut Board, domain: &Domain, fields: &Fields, side: f64, width
     board.strokes(&arms, CROSS, width);
 }
 
-/// A disc where the index is positive, a square on its tip where it is negative, and the index.
-fn mark(board: &mut Board, point: &Singularity, unit: f64, side: f64) {
-    let p = point.point;
-    let corners = [DVec2::X, DVec2::Y, -DVec2::X, -DVec2::Y];
-    for (radius, tint) in [
-        (2.1, SHEET.bed),
-        (1.6, if point.index > 0.0 { WITH } else { AGAINST }),
-    ] {
-        match point.index > 0.0 {
-            true => board.dot(p, unit * radius, tint),
-            false => board.fill(&[&corners.map(|c| p + 1.2 * unit * radius * c)], tint, 0.0),
+/// The width of an index and its distance from the point, in units.
+const LABEL: f64 = 14.0;
+
+/// A disc where the index is positive, a square on its tip where it is negative.
+fn mark(board: &mut Board, point: &Singularity, unit: f64) {
+    let (p, turns_with) = (point.point, point.index > 0.0);
+    let tint = if turns_with { WITH } else { AGAINST };
+    for (radius, tint) in [(2.1 * unit, SHEET.bed), (1.6 * unit, tint)] {
+        if turns_with {
+            board.dot(p, radius, tint);
+        } else {
+            let tip = |c: DVec2| p + 1.2 * radius * c;
+            board.fill(
+                &[&[DVec2::X, DVec2::Y, -DVec2::X, -DVec2::Y].map(tip)],
+                tint,
+                0.0,
+            );
         }
     }
+}
+
+/// Writes an index beside its point.
+fn index(board: &mut Board, point: &Singularity, unit: f64, left: bool) {
     let word = signs(point.index);
-    let width = word.len() as f64 * 2.4;
-    let left = match p.x + unit * (width + 4.0) > side {
-        true => -3.4 - width,
+    let start = match left {
+        true => -2.8 - 2.4 * word.len() as f64,
         false => 3.4,
     };
     let mut bars = Vec::new();
     for (k, &sign) in word.iter().enumerate() {
-        let corner = p + unit * DVec2::new(left + 2.4 * k as f64, -1.8);
+        let corner = point.point + unit * DVec2::new(start + 2.4 * k as f64, -1.8);
         let at = |place: u8| {
             corner + 0.9 * unit * DVec2::new(f64::from(place % 3), f64::from(place / 3))
         };

@@ -48,7 +48,7 @@ pub fn potential(board: &mut Board, kind: Kind, aspect: f64, side: f64) {
     let thin = (side / 340.0).max(1.2);
     let ghost = |board: &mut Board, centre: DVec2| {
         let other = Particle { centre, ..cell };
-        board.edges(&[&other.ring(0.97, 64)], LIGHT, thin, 0.06 * cell.size);
+        board.edges(&[&other.ring(0.97, 64)], LIGHT, thin, 0.0);
     };
     if kind.has_corners() {
         wells.iter().for_each(|&well| ghost(board, well));
@@ -56,12 +56,9 @@ pub fn potential(board: &mut Board, kind: Kind, aspect: f64, side: f64) {
         board.edges(&[&wells], LIGHT, 1.6 * thin, 0.0);
         cell.places().for_each(|place| ghost(board, place));
     }
-    board.fill(
-        &[&cell.ring(1.0, 64)],
-        [1.0, 0.98, 0.94, 0.30],
-        0.06 * cell.size,
-    );
-    board.edges(&[&cell.ring(1.0, 64)], INK, 1.8 * thin, 0.06 * cell.size);
+    let own = cell.ring(1.0, 64);
+    board.fill(&[&own], [1.0, 0.98, 0.94, 0.30], 0.0);
+    board.edges(&[&own], INK, 1.8 * thin, 0.0);
     let dots: Vec<DVec2> = match kind.has_corners() {
         true => wells,
         false => cell.places().collect(),

@@ -78,6 +78,10 @@ mod tests {
     use crate::domain::Outline;
 
     fn row(places: &[(f64, f64)]) -> Vec<Stress> {
+        lots(crate::field::Kind::Square, places)
+    }
+
+    fn lots(kind: crate::field::Kind, places: &[(f64, f64)]) -> Vec<Stress> {
         let ring = [(0.0, 0.0), (100.0, 0.0), (100.0, 100.0), (0.0, 100.0)];
         let domain = Domain::from_checked(&Outline {
             outer: ring.map(DVec2::from).to_vec(),
@@ -89,7 +93,7 @@ mod tests {
             .map(|(id, &(x, y))| Particle {
                 id,
                 centre: DVec2::new(x, y),
-                kind: crate::field::Kind::Square,
+                kind,
                 size: 10.0,
                 aspect: 1.0,
                 axis: DVec2::X,
@@ -129,5 +133,25 @@ mod tests {
     #[test]
     fn the_boundary_is_company() {
         assert_eq!(row(&[(5.0, 5.0)])[0].alone, 0.5);
+    }
+
+    #[test]
+    fn round_cells_have_six_neighbours_at_any_turn() {
+        for turn in [0.0, 0.3, 0.5] {
+            let around = |k: i32| {
+                let angle = turn + std::f64::consts::FRAC_PI_3 * f64::from(k);
+                (
+                    50.0 + 10.0 * libm::cos(angle),
+                    50.0 + 10.0 * libm::sin(angle),
+                )
+            };
+            let mut places = vec![(50.0, 50.0)];
+            places.extend((0..6).map(around));
+            let six = lots(crate::field::Kind::Circle, &places);
+            assert_eq!(six[0], Stress::default(), "{turn}");
+            assert!(six[1].alone > 0.3);
+            let five = lots(crate::field::Kind::Circle, &places[..6]);
+            assert!(five[0].alone > 0.0 && five[0].alone < 0.2, "{turn}");
+        }
     }
 }
