@@ -206,7 +206,8 @@ export class Editor {
     const inside = this.sort?.form === 'spot' ? points.slice(0, 1) : points;
     const [dx, dy] = [0, 1].map((axis) => {
       const places = inside.map((point) => point[axis] ?? 0);
-      return Math.min(side - Math.max(...places), Math.max(-Math.min(...places), by[axis] ?? 0));
+      const [back, on] = [Math.min(0, -Math.min(...places)), Math.max(0, side - Math.max(...places))];
+      return Math.min(on, Math.max(back, by[axis] ?? 0));
     });
     points.forEach((point) => {
       point[0] += dx ?? 0;

@@ -59,7 +59,7 @@ pub fn stress(domain: &Domain, particles: &[Particle]) -> Vec<Stress> {
             let way = DVec2::new(libm::cos(turn), libm::sin(turn));
             let taken = around.iter().any(|q| {
                 let (along, across) = (way.dot(*q), way.perp_dot(*q).abs());
-                along < OPEN && across < ASIDE * along.max(0.0).min(1.0)
+                along < OPEN && across < ASIDE * along.clamp(0.0, 1.0)
             });
             let beyond = centre + 2.2 * (way.x * e + way.y * f);
             !taken && domain.contains(beyond) && !domain.crosses_line(centre, beyond)
