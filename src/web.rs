@@ -4,7 +4,7 @@
 //! sentences come back instead.
 
 use crate::domain::Outline;
-use crate::recipe::{Kind, PRESETS, Parameter, Preset, Recipe, SCHEMA};
+use crate::recipe::{Key, Kind, PRESETS, Parameter, Preset, Recipe, SCHEMA};
 use crate::studio::{Studio, View};
 use glam::DVec2;
 use js_sys::{Array, Date, Float64Array, Object, Reflect, Uint32Array};
@@ -139,7 +139,7 @@ impl Bubblestone {
     }
 
     /// Draws a view ('auto', 'picture', 'packed', 'cells', 'mesh', 'direction', 'height',
-    /// 'normals', 'ids'; anything else is 'auto') at the context's upper left corner.
+    /// 'normals', 'ids', 'potential'; anything else is 'auto') at the context's upper left corner.
     pub fn draw(&mut self, context: &CanvasRenderingContext2d, view: &str) {
         let side = self.studio.side() as u32;
         let frame = self.studio.view(View::of_word(view).unwrap_or(View::Auto));
@@ -174,18 +174,24 @@ impl Bubblestone {
 
     /// `{ points, rings }`: the outline in use, x, y, x, y, ... and the rings' lengths in points.
     pub fn outline(&self) -> Object {
-        let rings = self.studio.rings();
-        let points: Vec<f64> = rings
-            .iter()
-            .copied()
-            .flatten()
-            .flat_map(|p| [p.x, p.y])
-            .collect();
-        let lengths: Vec<u32> = rings.iter().map(|r| r.len() as u32).collect();
-        object(&[
-            ("points", Float64Array::from(&points[..]).into()),
-            ("rings", Uint32Array::from(&lengths[..]).into()),
-        ])
+        let numbers = |ring: &&[DVec2]| ring.iter().flat_map(|p| [p.x, p.y]).collect();
+        let rings: Vec<Vec<f64>> = self.studio.rings().iter().map(numbers).collect();
+        rows_object(&rings, 2, ["points", "rings"])
+    }
+
+    /// `{ numbers, rows }`: a list parameter's numbers row after row, lengths in sides of the
+    /// picture, and how many numbers each row has. `set` takes them back as text, with commas
+    /// between numbers and semicolons between rows.
+    pub fn list(&self, key: &str) -> Object {
+        let rows = Key::from_word(key).map_or(Vec::new(), |key| self.studio.recipe().list(key));
+        rows_object(&rows, 1, ["numbers", "rows"])
+    }
+
+    /// Which of the parts that lines cut the outline into holds this point; -1 outside.
+    pub fn part(&self, x: f64, y: f64) -> i32 {
+        let p = DVec2::new(x, y);
+        let domain = self.studio.domain().filter(|domain| domain.contains(p));
+        domain.map_or(-1, |domain| domain.part(p) as i32)
     }
 
     /// Pixels along the picture's side.
@@ -217,6 +223,15 @@ fn rings_of(points: &[f64], lengths: &[u32]) -> Result<Outline, String> {
         holes: rings,
         ..Outline::default()
     })
+}
+
+/// Rows of numbers one after the other, and their lengths in units of `size` numbers.
+fn rows_object(rows: &[Vec<f64>], size: usize, [numbers, lengths]: [&str; 2]) -> Object {
+    let counts: Vec<u32> = rows.iter().map(|row| (row.len() / size) as u32).collect();
+    object(&[
+        (numbers, Float64Array::from(&rows.concat()[..]).into()),
+        (lengths, Uint32Array::from(&counts[..]).into()),
+    ])
 }
 
 fn object(entries: &[(&str, JsValue)]) -> Object {
@@ -279,6 +294,7 @@ fn preset_object(p: &Preset) -> Object {
     object(&[
         ("name", p.name.into()),
         ("title", p.title.into()),
+        ("group", p.group.into()),
         ("figure", p.figure.into()),
         ("note", p.note.into()),
         ("link", p.link.into()),

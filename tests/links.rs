@@ -344,6 +344,13 @@ fn lists_are_read_in_decimals_and_written_compactly() {
     );
     assert_eq!(recipe.outline().lines, recipe.lines());
     assert_eq!(recipe.part_kinds(), [(DVec2::new(512.0, 768.0), "ellipse")]);
+    assert_eq!(recipe.list(Key::Parts), [[0.5, 0.75, 3.0]]);
+    assert_eq!(
+        recipe.list(Key::Spots)[1],
+        [1.0, 1.0, 3277.0 / 32768.0, 3.0]
+    );
+    assert_eq!(recipe.list(Key::Lines)[0], [0.25, 0.25, 0.75, 0.5]);
+    assert!(recipe.list(Key::Cs).is_empty());
     assert_eq!(
         recipe.size_spots()[0],
         [512.0, 512.0, 256.0, 205.0 / 1024.0]

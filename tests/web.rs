@@ -120,6 +120,22 @@ fn outlines_go_in_and_out() {
 }
 
 #[wasm_bindgen_test]
+fn lists_and_parts_are_asked_for() {
+    let mut page = Bubblestone::new("size=160&cs=14&outline=square&lines=0,0.5,1,0.5");
+    run(&mut page);
+    let lines = page.list("lines");
+    let numbers: Float64Array = property(&lines, "numbers").unchecked_into();
+    assert_eq!(numbers.to_vec(), [0.0, 0.5, 1.0, 0.5]);
+    let rows: Uint32Array = property(&lines, "rows").unchecked_into();
+    assert_eq!(rows.to_vec(), [4]);
+    let none: Uint32Array = property(&page.list("nothing"), "rows").unchecked_into();
+    assert_eq!(none.length(), 0);
+    let (above, below) = (page.part(80.0, 50.0), page.part(80.0, 110.0));
+    assert!(above >= 0 && below >= 0 && above != below);
+    assert_eq!((page.part(1.0, 1.0), page.part(f64::NAN, 0.0)), (-1, -1));
+}
+
+#[wasm_bindgen_test]
 fn tables_are_plain_objects() {
     let schema: Array = schema();
     assert!(schema.length() > 30);

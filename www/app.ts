@@ -1,6 +1,7 @@
 /** The wiring: what happens when something on the page is changed, and what is shown of it. */
 import { Controls } from './controls';
 import { byId, say } from './dom';
+import { Editing } from './editing';
 import { Engine } from './engine';
 import { bindKeys } from './keys';
 import { address, Link } from './link';
@@ -26,7 +27,7 @@ export class App {
   private readonly thumbs: Thumbs;
   private readonly transport: Transport;
   private readonly status = new StatusLine();
-  private readonly outline: OutlineTools;
+  private readonly editing: Editing;
   private readonly face: ScriptFace;
   /** The preset that was opened last, and the link that it gave. */
   private preset: { shown: Preset; link: string } | undefined;
@@ -40,15 +41,22 @@ export class App {
     this.loop = new Loop(this.engine, (stage, changed) => this.drawn(stage, changed));
     this.view = new View(this.engine, () => this.loop.redraw());
     this.link = new Link((fragment) => this.open(fragment, false));
-    this.controls = new Controls(this.engine.schema, (key) => this.engine.get(key), (key, text) => this.change(key, text));
-    this.outline = new OutlineTools(this.engine, this.controls, () => this.changed());
+    this.editing = new Editing(this.engine, () => this.changed());
+    this.controls = new Controls(this.engine.schema, {
+      get: (key) => this.engine.get(key),
+      change: (key, text) => this.change(key, text),
+      edit: (key) => this.editing.toggle(key),
+      kinds: () => this.editing.sorts.kinds(),
+    });
+    const outline = new OutlineTools(this.engine, this.controls, this.editing);
+    this.editing.shown = () => outline.show();
     this.presets = new Presets(this.engine.presets, (preset) => this.choose(preset));
     this.thumbs = new Thumbs(this.presets.thumbs, () => this.stage === 'done' || this.loop.paused);
     this.transport = this.makeTransport();
     this.bind();
     notice('link', ...this.engine.notices());
     this.recognise();
-    this.outline.follow();
+    this.editing.follow();
     this.changed();
   }
 
@@ -90,7 +98,7 @@ export class App {
       r: press('restart'),
       d: press('dice'),
       c: press('copy'),
-      e: () => this.outline.toggle(),
+      e: () => this.editing.toggle(),
       '?': press('about-button'),
       ...Object.fromEntries(VIEWS.map(({ word }, index) => [String(index), () => (this.view.word = word)])),
     });
@@ -110,10 +118,10 @@ export class App {
 
   /** A control was moved. */
   private change(key: string, text: string): void {
-    if (key === 'outline' && text === 'polygon') return this.outline.begin();
+    if (key === 'outline' && text === 'polygon') return this.editing.begin('outline');
     const sentence = this.engine.set(key, text);
     notice('value', ...(sentence ? [sentence] : []));
-    if (key === 'outline') this.outline.follow();
+    if (key === 'outline' || key === 'tile' || key === this.editing.word) this.editing.follow();
     this.changed();
   }
 
@@ -129,7 +137,7 @@ export class App {
     clear('value');
     clear('outline');
     this.recognise();
-    this.outline.follow();
+    this.editing.follow();
     this.changed(push);
   }
 
@@ -146,6 +154,7 @@ export class App {
     if (push) this.link.push(link);
     else this.link.replace(link);
     this.controls.refresh();
+    this.editing.shown();
     this.presets.mark(this.preset?.link === link ? this.preset.shown.name : undefined);
     this.showTransport();
     this.loop.changed();
@@ -176,7 +185,7 @@ export class App {
     if (changed && (!this.still || stage === 'done' || this.loop.paused)) this.view.draw();
     const status = this.engine.status();
     this.status.show(stage, status);
-    this.status.name(this.preset?.shown, this.preset?.link !== this.engine.link(), stage, status);
+    this.status.name(this.view.note, this.preset?.shown, this.preset?.link !== this.engine.link(), stage, status);
     this.report(stage);
     if (stage === 'error') this.stuck();
     if (stage !== 'done') return;

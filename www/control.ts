@@ -1,5 +1,5 @@
 /** One control of the panel: a label, the ways to change it, a reset, and its help. */
-import { make, symbol } from './dom';
+import { make, say, symbol } from './dom';
 import { fromPlace, isLogarithmic, onStep, stepOf, toPlace } from './scale';
 import type { Parameter } from './types';
 
@@ -25,9 +25,10 @@ interface Parts {
   show: (value: string) => void;
 }
 
-export function makeControl(parameter: Parameter, change: Change): Control {
+/** `edit` opens what is edited over the canvas. */
+export function makeControl(parameter: Parameter, change: Change, edit: (key: string) => void): Control {
   const id = `p-${parameter.key}`;
-  const { inputs, show } = waysOf(parameter, id, change);
+  const { inputs, show } = waysOf(parameter, id, change, edit);
   const numeric = parameter.kind === 'number' || parameter.kind === 'int';
   const name = make(numeric || inputs[0]?.tagName === 'SELECT' ? 'label' : 'span', { class: 'name', id: `${id}-name` }, parameter.name);
   if (name instanceof HTMLLabelElement) name.htmlFor = id;
@@ -41,7 +42,7 @@ export function makeControl(parameter: Parameter, change: Change): Control {
   const back = (): void => change(parameter.key, parameter.default, true);
   reset.addEventListener('click', () => {
     back();
-    element.querySelector<HTMLElement>('input, select')?.focus();
+    element.querySelector<HTMLElement>('input, select, .wide')?.focus();
   });
   for (const spot of [name, ...inputs.filter((input) => input.matches('[type=range]'))]) {
     spot.addEventListener('dblclick', (event) => {
@@ -65,7 +66,8 @@ export function differs(parameter: Parameter, value: string): boolean {
   return numeric ? Number(value) !== Number(parameter.default) : value !== parameter.default;
 }
 
-function waysOf(parameter: Parameter, id: string, change: Change): Parts {
+function waysOf(parameter: Parameter, id: string, change: Change, edit: (key: string) => void): Parts {
+  if (parameter.kind === 'text') return drawnList(parameter, id, edit);
   if (parameter.kind === 'choice') {
     const letters = parameter.choices.reduce((sum, { label }) => sum + label.length + SEGMENT_ROOM, 0);
     return letters > SEGMENT_LETTERS ? list(parameter, id, change) : segments(parameter, id, change);
@@ -76,6 +78,7 @@ function waysOf(parameter: Parameter, id: string, change: Change): Parts {
 /** How a value reads in a sentence. */
 function shown(parameter: Parameter, value: string): string {
   const choice = parameter.choices.find(({ word }) => word === value);
+  if (parameter.kind === 'text') return 'none';
   return choice?.label ?? `${value}${parameter.unit && ` ${parameter.unit}`}`;
 }
 
@@ -179,6 +182,17 @@ function segments(parameter: Parameter, id: string, change: Change): Parts {
     show: (value) => {
       for (const radio of radios) radio.checked = radio.value === value;
     },
+  };
+}
+
+/** A list that is edited over the canvas: how many there are, and the way there. */
+function drawnList(parameter: Parameter, id: string, edit: (key: string) => void): Parts {
+  const button = make('button', { type: 'button', class: 'wide', id, 'aria-labelledby': `${id}-name ${id}`, 'aria-describedby': `${id}-help` });
+  button.addEventListener('click', () => edit(parameter.key));
+  return {
+    inputs: [button],
+    // Dots divide the rows of a list.
+    show: (value) => say(button, value ? `Edit ${value.split('.').length}…` : 'Add…'),
   };
 }
 

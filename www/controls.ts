@@ -7,7 +7,7 @@ import type { Parameter } from './types';
 const ELSEWHERE = new Set(['seed', 'poly']);
 
 /** Groups that stand open at first where there is room; on a phone only the first of them does. */
-const OPEN_AT_FIRST = ['Outline', 'Fields', 'Stones', 'Surface'];
+const OPEN_AT_FIRST = ['Outline', 'Cells', 'Size', 'Direction', 'Stones'];
 
 interface Group {
   readonly details: HTMLDetailsElement;
@@ -15,20 +15,31 @@ interface Group {
   readonly controls: Control[];
 }
 
+export interface ControlNeeds {
+  get: (key: string) => string;
+  change: Change;
+  /** Opens a list over the canvas. */
+  edit: (key: string) => void;
+  /** The kinds of cells in use, those of parts as well. */
+  kinds: () => string[];
+}
+
 export class Controls {
   private readonly groups = new Map<string, Group>();
   private readonly schema: Parameter[];
   private readonly get: (key: string) => string;
+  private readonly kinds: () => string[];
 
-  constructor(schema: Parameter[], get: (key: string) => string, change: Change) {
+  constructor(schema: Parameter[], needs: ControlNeeds) {
     this.schema = schema;
-    this.get = get;
+    this.get = needs.get;
+    this.kinds = needs.kinds;
     const form = byIdAs('controls', HTMLFormElement);
     form.replaceChildren();
     form.addEventListener('submit', (event) => event.preventDefault());
     for (const parameter of schema) {
-      if (ELSEWHERE.has(parameter.key) || parameter.kind === 'text' || parameter.choices.length === 1) continue;
-      const control = makeControl(parameter, change);
+      if (ELSEWHERE.has(parameter.key)) continue;
+      const control = makeControl(parameter, needs.change, needs.edit);
       this.group(parameter.group, form).controls.push(control);
       this.group(parameter.group, form).details.append(control.element);
     }
@@ -59,9 +70,9 @@ export class Controls {
   /** Whether a parameter does anything, as the schema's rule and that of the parameter it names say. */
   private applies({ shownFor: rule }: Parameter): boolean {
     if (!rule) return true;
-    const value = this.get(rule.key);
+    const values = rule.key === 'kind' ? this.kinds() : [this.get(rule.key)];
     const other = this.schema.find(({ key }) => key === rule.key);
-    const fits = rule.words.length ? rule.words.includes(value) : other !== undefined && differs(other, value);
+    const fits = values.some((value) => (rule.words.length ? rule.words.includes(value) : other !== undefined && differs(other, value)));
     return fits && (other === undefined || this.applies(other));
   }
 

@@ -1,97 +1,115 @@
-/** Dragging the points of a free outline, over the canvas, by mouse, touch and keyboard. */
+/** Moving points over the canvas, by mouse, touch and keyboard: of rings, lines, spots and seeds of parts. */
+import { EditorBar } from './editor-bar';
 import { make } from './dom';
-import { toSegment } from './simplify';
-import type { Point, Ring } from './types';
+import { distance, toSegment } from './simplify';
+import type { Figure, Point, Sort } from './types';
 
 const SVG = 'http://www.w3.org/2000/svg';
 
 /** Picture units that an arrow key moves a point; with Shift ten times as many. */
 const NUDGE = 1;
 
+/** A point of a figure. */
 interface Place {
-  ring: number;
+  figure: number;
   index: number;
 }
 
 export interface EditorNeeds {
   side(): number;
-  /** Takes the outline over, or says why it cannot and answers false. */
-  change(rings: Ring[]): boolean;
+  /** All that can be edited now. */
+  sorts(): Sort[];
+  /** Another sort was chosen in the bar. */
+  choose(word: string): void;
+  /** A new figure, away from those that are there; for a seed the one at this place. */
+  fresh(sort: Sort, figures: Figure[], at?: Point): Figure | undefined;
+  /** Takes the figures over, or says why it cannot and answers false. */
+  change(sort: Sort, figures: Figure[]): boolean;
   closed(): void;
 }
 
 export class Editor {
   private readonly layer: HTMLElement;
-  private readonly bar: HTMLElement;
+  private readonly bar: EditorBar;
   private readonly needs: EditorNeeds;
   private readonly lines = document.createElementNS(SVG, 'svg');
-  private readonly edge = document.createElementNS(SVG, 'path');
-  private readonly grip = document.createElementNS(SVG, 'path');
   private readonly handles = make('div', { class: 'handles' });
-  private readonly remove = make('button', { type: 'button', title: 'Remove the marked point (Delete)' }, 'Remove point');
-  private rings: Ring[] = [];
-  private marked: Place = { ring: 0, index: 0 };
+  private sort: Sort | undefined;
+  private figures: Figure[] = [];
+  private marked: Place = { figure: 0, index: 0 };
   private frame = 0;
+  /** Where the pointer that drags a whole figure was last. */
+  private held: Point | undefined;
 
   /** The layer lies over the canvas; the bar takes the buttons for the marked point. */
   constructor(layer: HTMLElement, bar: HTMLElement, needs: EditorNeeds) {
     this.layer = layer;
-    this.bar = bar;
     this.needs = needs;
-    this.edge.classList.add('edge');
-    this.grip.classList.add('grip');
+    this.bar = new EditorBar(bar, {
+      choose: (word) => needs.choose(word),
+      addFigure: () => this.addFigure(),
+      addPoint: () => this.addAfter(this.marked),
+      remove: () => this.take(this.marked),
+      value: (value) => this.setValue(value),
+      close: () => this.close(),
+    });
     this.lines.setAttribute('aria-hidden', 'true');
-    this.lines.append(this.edge, this.grip);
-    this.grip.addEventListener('dblclick', (event) => this.split(this.at(event)));
     layer.replaceChildren(this.lines, this.handles);
-    this.fillBar();
-    layer.addEventListener('keydown', (event) => {
-      if (event.key === 'Escape') this.close();
+    for (const place of [layer, bar]) {
+      place.addEventListener('keydown', (event) => {
+        if (event.key === 'Escape') this.close();
+      });
+    }
+    layer.addEventListener('click', (event) => {
+      if (event.target === layer && this.sort?.form === 'seed') this.addFigure(this.at(event));
     });
   }
 
-  get active(): boolean {
-    return !this.layer.hidden;
+  /** The word of the sort that is edited. */
+  get word(): string | undefined {
+    return this.layer.hidden ? undefined : this.sort?.word;
   }
 
-  /** Shows handles on these rings. */
-  open(rings: Ring[]): void {
-    this.rings = rings.map((ring) => ring.map(([x, y]): Point => [x, y]));
-    this.marked = { ring: 0, index: 0 };
+  /** Shows handles on these figures. */
+  open(sort: Sort, figures: Figure[]): void {
+    this.sort = sort;
+    this.figures = figures;
+    this.marked = { figure: 0, index: 0 };
     this.layer.hidden = false;
-    this.bar.hidden = false;
+    this.layer.dataset['form'] = sort.form;
+    this.layer.setAttribute('aria-label', sort.label);
     this.layer.classList.remove('bad');
     this.rebuild();
   }
 
-  /** Puts the keyboard on the marked point. */
-  focus(): void {
-    const before = this.rings.slice(0, this.marked.ring).reduce((total, ring) => total + ring.length, 0);
+  /** Puts the keyboard on the marked point; where there is none, on one of a new figure. */
+  start(): void {
+    if (this.figures.length) this.focus();
+    else this.addFigure();
+  }
+
+  /** Puts the keyboard on the marked point, or where figures are added. */
+  private focus(): void {
+    const before = this.figures.slice(0, this.marked.figure).reduce((total, { points }) => total + points.length, 0);
     const handle = this.handles.children[before + this.marked.index];
     if (handle instanceof HTMLElement) handle.focus({ preventScroll: true });
+    else this.bar.focus();
   }
 
   close(): void {
-    if (!this.active) return;
+    if (this.layer.hidden) return;
     this.layer.hidden = true;
-    this.bar.hidden = true;
+    this.bar.hide();
     this.needs.closed();
-  }
-
-  private fillBar(): void {
-    const add = make('button', { type: 'button', title: 'Add a point after the marked one (Insert, or double click on an edge)' }, 'Add point');
-    const done = make('button', { type: 'button', title: 'Leave the outline (Escape)' }, 'Done');
-    add.addEventListener('click', () => this.addAfter(this.marked));
-    this.remove.addEventListener('click', () => this.take(this.marked));
-    done.addEventListener('click', () => this.close());
-    this.bar.replaceChildren(add, this.remove, done);
   }
 
   private rebuild(): void {
     this.handles.replaceChildren();
-    this.rings.forEach((ring, r) =>
-      ring.forEach((_, index) => this.handles.append(this.handle({ ring: r, index }))),
-    );
+    this.lines.replaceChildren(...['edge', ...this.figures.map(() => 'grip')].map(path));
+    this.figures.forEach(({ points }, figure) => {
+      points.forEach((_, index) => this.handles.append(this.handle({ figure, index })));
+      this.grip(figure);
+    });
     this.place();
   }
 
@@ -109,24 +127,53 @@ export class Editor {
     return handle;
   }
 
-  /** Puts lines and handles where the points are. */
+  /** A figure's line takes a point by double click; lines and spots are dragged by it. */
+  private grip(figure: number): void {
+    const grip = this.lines.children[figure + 1];
+    if (!(grip instanceof SVGElement)) return;
+    grip.addEventListener('dblclick', (event) => this.split(figure, this.at(event)));
+    if (this.sort?.form === 'ring') return;
+    grip.addEventListener('pointerdown', (event) => {
+      grip.setPointerCapture(event.pointerId);
+      this.held = this.at(event);
+      this.mark({ figure, index: 0 });
+    });
+    grip.addEventListener('pointermove', (event) => {
+      if (!this.held || !grip.hasPointerCapture(event.pointerId)) return;
+      const [x, y] = this.at(event);
+      this.shift(figure, [x - this.held[0], y - this.held[1]]);
+      this.held = [x, y];
+    });
+  }
+
+  /** Puts lines, handles and buttons where the points are. */
   private place(): void {
+    const { sort } = this;
+    if (!sort) return;
     const side = this.needs.side();
     this.lines.setAttribute('viewBox', `0 0 ${side} ${side}`);
-    const path = this.rings.map((ring) => `M${ring.map(([x, y]) => `${x} ${y}`).join('L')}Z`).join('');
-    this.edge.setAttribute('d', path);
-    this.grip.setAttribute('d', path);
+    const paths = this.figures.map(({ points }) => drawn(sort, points));
+    [paths.join(''), ...paths].forEach((d, k) => this.lines.children[k]?.setAttribute('d', d));
     let at = 0;
-    this.rings.forEach((ring, r) =>
-      ring.forEach(([x, y], index) => {
+    this.figures.forEach((figure, f) =>
+      figure.points.forEach(([x, y], index) => {
         const handle = this.handles.children[at++] as HTMLButtonElement;
         handle.style.left = `${(100 * x) / side}%`;
         handle.style.top = `${(100 * y) / side}%`;
-        handle.setAttribute('aria-label', `Point ${index + 1} of ${ring.length}, ${ringName(r)}, at ${Math.round(x)}, ${Math.round(y)}`);
-        handle.toggleAttribute('data-marked', this.marked.ring === r && this.marked.index === index);
+        handle.setAttribute('aria-label', `${sort.name(f, index, figure)}, at ${Math.round(x)}, ${Math.round(y)}`);
+        handle.toggleAttribute('data-marked', this.marked.figure === f && this.marked.index === index);
+        const tag = index === 0 && sort.value?.shown(figure.value);
+        if (tag) handle.dataset['tag'] = tag;
       }),
     );
-    this.remove.disabled = this.marked.ring === 0 && (this.rings[0]?.length ?? 0) <= 3;
+    this.bar.show(this.needs.sorts(), sort, this.figures[this.marked.figure], this.removable());
+  }
+
+  /** The outer ring keeps three points. */
+  private removable(): boolean {
+    const marked = this.figures[this.marked.figure];
+    const outer = this.sort?.form === 'ring' && this.marked.figure === 0;
+    return marked !== undefined && !(outer && marked.points.length <= 3);
   }
 
   private mark(place: Place): void {
@@ -141,24 +188,48 @@ export class Editor {
     return [((event.clientX - box.left) / box.width) * side, ((event.clientY - box.top) / box.height) * side];
   }
 
-  private move({ ring, index }: Place, [x, y]: Point): void {
+  private move({ figure, index }: Place, [x, y]: Point): void {
+    const points = this.figures[figure]?.points;
+    const here = points?.[index];
+    if (!points || !here) return;
+    if (this.sort?.form === 'spot' && index === 0) return this.shift(figure, [x - here[0], y - here[1]]);
     const side = this.needs.side();
-    const points = this.rings[ring];
-    if (!points) return;
     points[index] = [Math.min(side, Math.max(0, x)), Math.min(side, Math.max(0, y))];
     this.changed();
   }
 
+  /** Moves a whole figure, as far as its points (of a spot, its middle) stay in the picture. */
+  private shift(figure: number, by: Point): void {
+    const points = this.figures[figure]?.points;
+    if (!points) return;
+    const side = this.needs.side();
+    const inside = this.sort?.form === 'spot' ? points.slice(0, 1) : points;
+    const [dx, dy] = [0, 1].map((axis) => {
+      const places = inside.map((point) => point[axis] ?? 0);
+      const [back, on] = [Math.min(0, -Math.min(...places)), Math.max(0, side - Math.max(...places))];
+      return Math.min(on, Math.max(back, by[axis] ?? 0));
+    });
+    points.forEach((point) => {
+      point[0] += dx ?? 0;
+      point[1] += dy ?? 0;
+    });
+    this.changed();
+  }
+
   private key(event: KeyboardEvent, place: Place): void {
-    const point = this.rings[place.ring]?.[place.index];
+    const point = this.figures[place.figure]?.points[place.index];
     if (!point) return;
     const step = NUDGE * (event.shiftKey ? 10 : 1);
     const [x, y] = point;
+    const go = (dx: number, dy: number) => (): void => {
+      if (event.ctrlKey || event.metaKey) this.shift(place.figure, [dx * step, dy * step]);
+      else this.move(place, [x + dx * step, y + dy * step]);
+    };
     const moves: Record<string, () => void> = {
-      ArrowLeft: () => this.move(place, [x - step, y]),
-      ArrowRight: () => this.move(place, [x + step, y]),
-      ArrowUp: () => this.move(place, [x, y - step]),
-      ArrowDown: () => this.move(place, [x, y + step]),
+      ArrowLeft: go(-1, 0),
+      ArrowRight: go(1, 0),
+      ArrowUp: go(0, -1),
+      ArrowDown: go(0, 1),
       Delete: () => this.take(place),
       Backspace: () => this.take(place),
       Insert: () => this.addAfter(place),
@@ -169,38 +240,62 @@ export class Editor {
     act();
   }
 
-  private addAfter({ ring, index }: Place): void {
-    const points = this.rings[ring];
+  private setValue(value: number): void {
+    const figure = this.figures[this.marked.figure];
+    if (!figure || Number.isNaN(value)) return this.place();
+    figure.value = value;
+    this.changed();
+  }
+
+  private addFigure(at?: Point): void {
+    const fresh = this.sort && this.needs.fresh(this.sort, this.figures, at);
+    if (!fresh) return;
+    this.figures.push(fresh);
+    this.restructured({ figure: this.figures.length - 1, index: 0 });
+  }
+
+  /** Adds a point half the way to the next one; behind the end of a line, on the way on. */
+  private addAfter({ figure, index }: Place): void {
+    const points = this.figures[figure]?.points;
     const here = points?.[index];
-    const next = points?.[(index + 1) % points.length];
-    if (!points || !here || !next) return;
-    points.splice(index + 1, 0, [(here[0] + next[0]) / 2, (here[1] + next[1]) / 2]);
-    this.restructured({ ring, index: index + 1 });
+    const closed = this.sort?.form === 'ring';
+    const before = points?.[index - 1];
+    const next = points?.[closed && points.length ? (index + 1) % points.length : index + 1] ?? (before && here && mirrored(before, here));
+    if (!points || !here || !next || !(closed || this.sort?.form === 'line')) return;
+    points.splice(index + 1, 0, this.clamped([(here[0] + next[0]) / 2, (here[1] + next[1]) / 2]));
+    this.restructured({ figure, index: index + 1 });
   }
 
-  /** Adds a point on the edge nearest to this place. */
-  private split(point: Point): void {
-    let nearest = { ring: 0, index: 0, distance: Infinity };
-    this.rings.forEach((ring, r) =>
-      ring.forEach((from, index) => {
-        const to = ring[(index + 1) % ring.length] ?? from;
-        const distance = toSegment(point, from, to);
-        if (distance < nearest.distance) nearest = { ring: r, index, distance };
-      }),
-    );
-    this.rings[nearest.ring]?.splice(nearest.index + 1, 0, point);
-    this.restructured({ ring: nearest.ring, index: nearest.index + 1 });
+  private clamped([x, y]: Point): Point {
+    const side = this.needs.side();
+    return [Math.min(side, Math.max(0, x)), Math.min(side, Math.max(0, y))];
   }
 
-  /** Takes a point away; the last three of a hole go together, those of the outer ring stay. */
-  private take({ ring, index }: Place): void {
-    const points = this.rings[ring];
-    if (!points) return;
-    if (points.length > 3) points.splice(index, 1);
-    else if (ring > 0) this.rings.splice(ring, 1);
-    else return;
-    const left = this.rings[ring];
-    this.restructured(left ? { ring, index: Math.min(index, left.length - 1) } : { ring: 0, index: 0 });
+  /** Adds a point on the piece of a ring or a line that is nearest to this place. */
+  private split(figure: number, point: Point): void {
+    const points = this.figures[figure]?.points;
+    const closed = this.sort?.form === 'ring';
+    if (!points || !(closed || this.sort?.form === 'line')) return;
+    let nearest = { index: 0, distance: Infinity };
+    points.forEach((from, index) => {
+      const to = points[closed ? (index + 1) % points.length : index + 1];
+      const far = to ? toSegment(point, from, to) : Infinity;
+      if (far < nearest.distance) nearest = { index, distance: far };
+    });
+    points.splice(nearest.index + 1, 0, point);
+    this.restructured({ figure, index: nearest.index + 1 });
+  }
+
+  /** Takes a point away; of a figure that has no more than it needs, all go. The outer ring stays. */
+  private take({ figure, index }: Place): void {
+    const points = this.figures[figure]?.points;
+    const { sort } = this;
+    if (!points || !sort || !this.removable()) return;
+    if (points.length > sort.least) points.splice(index, 1);
+    else this.figures.splice(figure, 1);
+    const left = this.figures[figure] === undefined ? this.figures.length - 1 : figure;
+    const most = (this.figures[left]?.points.length ?? 1) - 1;
+    this.restructured({ figure: Math.max(0, left), index: Math.min(index, most) });
   }
 
   private restructured(marked: Place): void {
@@ -210,17 +305,36 @@ export class Editor {
     this.changed();
   }
 
-  /** Hands the outline over once a frame; a bad one stays drawn here, so that it can be mended. */
+  /** Hands the figures over once a frame; bad ones stay drawn here, so that they can be mended. */
   private changed(): void {
     this.place();
     if (this.frame) return;
     this.frame = requestAnimationFrame(() => {
       this.frame = 0;
-      this.layer.classList.toggle('bad', !this.needs.change(this.rings));
+      if (!this.sort) return;
+      this.layer.classList.toggle('bad', !this.needs.change(this.sort, this.figures));
+      // Other sorts may do something now.
+      this.place();
     });
   }
 }
 
-function ringName(ring: number): string {
-  return ring === 0 ? 'outer ring' : `hole ${ring}`;
+function path(name: string): SVGElement {
+  const element = document.createElementNS(SVG, 'path');
+  element.classList.add(name);
+  return element;
+}
+
+/** The place as far behind the second point as the first one is before it. */
+function mirrored(from: Point, at: Point): Point {
+  return [2 * at[0] - from[0], 2 * at[1] - from[1]];
+}
+
+/** A figure as an SVG path. */
+function drawn({ form }: Sort, points: Point[]): string {
+  const [first, second] = points;
+  if (form === 'seed' || !first) return '';
+  if (form !== 'spot' || !second) return `M${points.map(([x, y]) => `${x} ${y}`).join('L')}${form === 'ring' ? 'Z' : ''}`;
+  const r = distance(first, second);
+  return `M${first[0] - r} ${first[1]}a${r} ${r} 0 1 0 ${2 * r} 0a${r} ${r} 0 1 0 ${-2 * r} 0Z`;
 }

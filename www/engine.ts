@@ -152,6 +152,19 @@ export class Engine {
     );
   }
 
+  /** The rows of a list parameter; lengths in sides of the picture. */
+  list(key: string): number[][] {
+    const none = { numbers: new Float64Array(), rows: new Uint32Array() };
+    const { numbers, rows } = this.ask((core) => core.list(key) as { numbers: Float64Array; rows: Uint32Array }, none);
+    let at = 0;
+    return Array.from(rows, (count) => Array.from(numbers.slice(at, (at += count))));
+  }
+
+  /** The part of the outline that holds this place; -1 outside. */
+  part([x, y]: Point): number {
+    return this.ask((core) => core.part(x, y), -1);
+  }
+
   randomSeed(): number {
     return this.guard(() => random_seed(), 1);
   }

@@ -12,12 +12,11 @@ export class Presets {
   constructor(presets: Preset[], chosen: (preset: Preset) => void) {
     const rail = byId('rail');
     rail.replaceChildren();
-    const house = presets.filter(({ figure }) => !figure);
-    const papers = presets.filter(({ figure }) => figure);
-    for (const [title, group] of [['House', house], ['Papers', papers]] as const) {
-      if (!group.length) continue;
+    for (const title of new Set(presets.map(({ group }) => group))) {
       const list = make('ul');
-      for (const preset of group) list.append(make('li', {}, this.button(preset, chosen)));
+      for (const preset of presets) {
+        if (preset.group === title) list.append(make('li', {}, this.button(preset, chosen)));
+      }
       rail.append(make('h2', {}, title), list);
     }
   }

@@ -22,7 +22,7 @@ function count(rings: Ring[]): number {
 function thin(ring: Ring, tolerance: number): Ring {
   const first = ring[0];
   if (!first || ring.length < 5) return ring;
-  const half = farthest(ring, (point) => Math.hypot(point[0] - first[0], point[1] - first[1])).index;
+  const half = farthest(ring, (point) => distance(point, first)).index;
   const there = thinLine(ring.slice(0, half + 1), tolerance);
   const back = thinLine([...ring.slice(half), first], tolerance);
   const thinned = [...there.slice(0, -1), ...back.slice(0, -1)];
@@ -45,6 +45,10 @@ function farthest(line: Ring, measure: (point: Point) => number): { index: numbe
     if (distance > found.distance) found = { index, distance };
   });
   return found;
+}
+
+export function distance(from: Point, to: Point): number {
+  return Math.hypot(to[0] - from[0], to[1] - from[1]);
 }
 
 /** Distance from a point to a segment. */

@@ -52,8 +52,9 @@ export class StatusLine {
     this.count('added', `+${status.added} −${status.removed}`);
   }
 
-  /** What is shown, and where the papers print how long they took, their seconds beside ours. */
-  name(preset: Preset | undefined, changed: boolean, stage: string, status: Status): void {
+  /** What is shown (of drawings, `note`), and where the papers print how long they took, their seconds beside ours. */
+  name(note: string, preset: Preset | undefined, changed: boolean, stage: string, status: Status): void {
+    if (note) return say(this.caption, note);
     if (!preset) return say(this.caption, 'A pavement of your own.');
     const title = `${changed ? 'After ' : ''}${preset.figure || preset.title}${changed || !preset.note ? '.' : ':'}`;
     const parts = [make('strong', {}, title), ...(preset.note && !changed ? [` ${preset.note}`] : [])];

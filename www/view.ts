@@ -2,17 +2,18 @@
 import { byIdAs, make } from './dom';
 import type { Engine } from './engine';
 
-/** The views in the order of their keys 0 to 8. */
-export const VIEWS: readonly { word: string; label: string }[] = [
+/** The views in the order of their keys 0 to 9, those of drawings with what they show. */
+export const VIEWS: readonly { word: string; label: string; note?: string }[] = [
   { word: 'auto', label: 'As it forms' },
   { word: 'picture', label: 'Picture' },
-  { word: 'packed', label: 'Packing' },
-  { word: 'cells', label: 'Cells' },
-  { word: 'mesh', label: 'Mesh' },
-  { word: 'direction', label: 'Directions' },
+  { word: 'packed', label: 'Packing', note: 'The cells as they are packed: warmer where neighbours press into them, bluer where there is room beside them.' },
+  { word: 'cells', label: 'Cells', note: 'One polygon for each cell; together they fill the outline.' },
+  { word: 'mesh', label: 'Mesh', note: 'The mesh that joins neighbours: quadrilaterals for cells with corners, triangles for round ones; lone triangles in orange.' },
+  { word: 'direction', label: 'Fields', note: 'Directions (crosses as long as cells), lines, strokes in green, spots as rings; points where rows meet, with their index.' },
   { word: 'height', label: 'Height' },
   { word: 'normals', label: 'Normals' },
   { word: 'ids', label: 'Cell ids' },
+  { word: 'potential', label: 'Potential', note: 'What a neighbour feels around one cell: it rolls off the red hill and comes to rest in the blue, where dots are.' },
 ];
 
 export class View {
@@ -37,6 +38,11 @@ export class View {
   set word(word: string) {
     this.select.value = word;
     this.select.dispatchEvent(new Event('change'));
+  }
+
+  /** What a drawing shows, in a sentence; '' for pictures. */
+  get note(): string {
+    return VIEWS.find(({ word }) => word === this.word)?.note ?? '';
   }
 
   draw(): void {

@@ -31,6 +31,40 @@ const AROUND: &[[f64; 2]] = &[
 /// more than this times its half extent is kept free.
 const POKE: f64 = 1.15;
 
+impl Particle {
+    /// The cell's ring, `scale` times as large, clockwise on screen: its four corners, or so
+    /// many points on its ellipse.
+    pub fn ring(&self, scale: f64, points: u32) -> Vec<DVec2> {
+        let (e, f) = self.half_axes();
+        let (e, f) = (scale * e, scale * f);
+        let around = |k: u32| {
+            let turn = std::f64::consts::TAU * f64::from(k) / f64::from(points);
+            self.centre + e * libm::cos(turn) + f * libm::sin(turn)
+        };
+        if self.kind.has_corners() {
+            return [-e - f, e - f, e + f, f - e]
+                .map(|c| self.centre + c)
+                .to_vec();
+        }
+        (0..points).map(around).collect()
+    }
+
+    /// Half its sides, along its axis and across.
+    pub(crate) fn half_axes(&self) -> (DVec2, DVec2) {
+        let root = Shape::of(self).root;
+        let e = self.axis.normalize_or(DVec2::X) * (0.5 * self.size);
+        (e * root, e.perp() / root)
+    }
+
+    /// Where neighbours of the same kind and size touch it: at its four edges, or six around.
+    pub(crate) fn places(&self) -> impl Iterator<Item = DVec2> {
+        let (centre, size) = (self.centre, self.size);
+        Shape::of(self)
+            .places()
+            .map(move |place| centre + size * place)
+    }
+}
+
 impl Shape {
     /// What a cell at this point should be.
     pub fn at(fields: &Fields, p: DVec2) -> Self {
@@ -152,5 +186,37 @@ impl Shape {
         let (a, b) = (self.cells_along(r), other.cells_along(r));
         // Each cuts half a diameter out of the line: 1 / w = 1 / (2 a) + 1 / (2 b).
         2.0 * a * b / (a + b).max(f64::MIN_POSITIVE)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rings_keep_the_area_whatever_the_aspect() {
+        let particle = |kind, aspect| Particle {
+            id: 0,
+            centre: DVec2::new(3.0, 4.0),
+            kind,
+            size: 10.0,
+            aspect,
+            axis: DVec2::new(0.6, 0.8),
+            fixed: false,
+        };
+        for (kind, aspect, area) in [
+            (Kind::Square, 1.0, 100.0),
+            (Kind::Rectangle, 3.0, 100.0),
+            (Kind::Circle, 1.0, 78.54),
+            (Kind::Ellipse, 3.0, 78.54),
+        ] {
+            let cell = particle(kind, aspect);
+            let ring = cell.ring(1.0, 256);
+            let found = crate::domain::signed_area(&ring);
+            assert!((found - area).abs() < 0.02, "{kind:?}: {found}");
+            let along = |p: &DVec2| (*p - cell.centre).dot(cell.axis).abs();
+            let reach = ring.iter().map(along).fold(0.0, f64::max);
+            assert!((reach - 5.0 * aspect.sqrt()).abs() < 1e-9, "{kind:?}");
+        }
     }
 }

@@ -110,6 +110,15 @@ impl Recipe {
         rows::encode(self.rows(key), form)
     }
 
+    /// The rows of a list in decimal numbers: lengths in sides of the picture, values as they are,
+    /// the numbers that its readable text has.
+    pub fn list(&self, key: Key) -> Vec<Vec<f64>> {
+        let form = place(key).map_or(POINTS, |at| LISTS[at].1.form());
+        let decimal = |(k, &number): (usize, &i64)| number as f64 / form.unit(k);
+        let row = |row: &Vec<i64>| row.iter().enumerate().map(decimal).collect();
+        self.rows(key).iter().map(row).collect()
+    }
+
     /// Takes a list from its text; an empty one clears it.
     ///
     /// # Errors

@@ -28,6 +28,14 @@ pub struct Form {
     pub units: &'static [f64],
 }
 
+impl Form {
+    /// What 1 is in whole numbers at a place of a row.
+    pub fn unit(&self, place: usize) -> f64 {
+        let extra = place.checked_sub(self.coordinates);
+        *extra.and_then(|k| self.units.get(k)).unwrap_or(&STEPS)
+    }
+}
+
 /// Rows of points and nothing else.
 pub const POINTS: Form = Form {
     coordinates: usize::MAX,
@@ -127,8 +135,7 @@ fn numbers(text: &str) -> Result<Vec<i64>, String> {
 fn decimals(text: &str, form: Form) -> Result<Vec<i64>, String> {
     let mut row = Vec::new();
     for word in text.split(',') {
-        let extra = row.len().checked_sub(form.coordinates);
-        let unit = extra.and_then(|k| form.units.get(k)).unwrap_or(&STEPS);
+        let unit = form.unit(row.len());
         match decimal::parse(word.trim()).map(|v| (v * unit).round()) {
             Some(v) if v.abs() < MOST as f64 => row.push(v as i64),
             Some(_) => return Err("a number is too large".to_owned()),

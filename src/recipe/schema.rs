@@ -37,10 +37,10 @@ parameters! {
         ]).at(Domain, "Outline").only_for(Key::Tile, &["0"]);
     Poly: "The free polygon's points, as compact text; draw it or load it from a file instead.",
         text("poly", "Points").at(Domain, "Outline").only_for(Key::Outline, &["polygon"]);
-    Lines: "Constraint lines inside the outline, which cells line up along on both sides, as compact text.",
+    Lines: "Constraint lines inside the outline: cells line up along both sides of them.",
         text("lines", "Lines").at(Domain, "Outline");
     Tile: "Makes the whole picture a tile that repeats without a seam; the outline does not count.",
-        choice("tile", "Tile", &[
+        choice("tile", "Area", &[
             Choice { word: "0", label: "Outline" }, Choice { word: "1", label: "Seamless tile" },
         ]).at(Domain, "Outline");
     Size: "Side of the square picture; the outline grows with it, the stones do not.",
@@ -57,65 +57,65 @@ parameters! {
             .only_for(Key::Outline, BUILT_IN);
 
     Kind: "Shape of the packed cells: squares and rectangles in rows, circles and ellipses like honeycombs.",
-        choice("kind", "Cell kind", choices![
+        choice("kind", "Kind", choices![
             square: "Square", rectangle: "Rectangle", circle: "Circle", ellipse: "Ellipse",
-        ]).at(Fields, "Fields");
-    Parts: "Kinds of the parts that lines cut the outline into: a point in the part and its kind, as compact text.",
-        text("parts", "Kinds of parts").at(Fields, "Fields").only_with(Key::Lines);
+        ]).at(Fields, "Cells");
+    Parts: "Kinds of the parts that lines cut the outline into.",
+        text("parts", "Kinds of parts").at(Fields, "Cells").only_with(Key::Lines);
     Ca: "Length of a cell along the direction over its width.",
-        number("ca", "Ca", "Aspect ratio").range(1.0, 5.0, 0.05, 2.0).at(Fields, "Fields")
+        number("ca", "Ca", "Aspect ratio").range(1.0, 5.0, 0.05, 2.0).at(Fields, "Cells")
             .only_for(Key::Kind, STRETCHED);
     Cb: "Factor of the aspect ratio on the boundary; inwards it goes over to the plain one.",
-        number("cb", "", "Aspect at the boundary").range(0.2, 5.0, 0.05, 1.0).at(Fields, "Fields")
+        number("cb", "", "Aspect at the boundary").range(0.2, 5.0, 0.05, 1.0).at(Fields, "Cells")
             .only_for(Key::Kind, STRETCHED);
     Cd: "How far from the boundary the aspect ratio changes, in picture sides.",
-        number("cd", "", "Reach of that").range(0.02, 1.0, 0.01, 0.25).at(Fields, "Fields")
+        number("cd", "", "Aspect reach").range(0.02, 1.0, 0.01, 0.25).at(Fields, "Cells")
             .only_with(Key::Cb);
-    Stretch: "Soft spots with an aspect ratio of their own: x, y, radius, ratio, as compact text.",
-        text("stretch", "Aspect spots").at(Fields, "Fields").only_for(Key::Kind, STRETCHED);
+    Stretch: "Soft spots with an aspect ratio of their own.",
+        text("stretch", "Aspect spots").at(Fields, "Cells").only_for(Key::Kind, STRETCHED);
     Cs: "Average side of a cell.",
         number("cs", "Cs", "Cell size").range(2.0, 256.0, 1.0, 23.0).unit("px")
-            .at(Fields, "Fields");
+            .at(Fields, "Size");
     Gx: "Makes cells grow from left to right (or shrink, below 0); on a tile a wave.",
-        number("gx", "", "Size gradient x").range(-0.8, 0.8, 0.05, 0.0).at(Fields, "Fields");
+        number("gx", "", "Size gradient x").range(-0.8, 0.8, 0.05, 0.0).at(Fields, "Size");
     Gy: "Makes cells grow from top to bottom (or shrink, below 0); on a tile a wave.",
-        number("gy", "", "Size gradient y").range(-0.8, 0.8, 0.05, 0.0).at(Fields, "Fields");
+        number("gy", "", "Size gradient y").range(-0.8, 0.8, 0.05, 0.0).at(Fields, "Size");
     Gr: "Makes cells grow from the picture's centre outwards (or shrink, below 0).",
-        number("gr", "", "Size gradient radial").range(-0.8, 0.8, 0.05, 0.0).at(Fields, "Fields");
+        number("gr", "", "Size gradient radial").range(-0.8, 0.8, 0.05, 0.0).at(Fields, "Size");
     Gb: "Factor of the size on the boundary; inwards it goes over to the plain one.",
-        number("gb", "", "Size at the boundary").range(0.2, 3.0, 0.05, 1.0).at(Fields, "Fields");
+        number("gb", "", "Size at the boundary").range(0.2, 3.0, 0.05, 1.0).at(Fields, "Size");
     Gd: "How far from the boundary the size changes, in picture sides.",
-        number("gd", "", "Reach of that").range(0.02, 1.0, 0.01, 0.25).at(Fields, "Fields")
+        number("gd", "", "Size reach").range(0.02, 1.0, 0.01, 0.25).at(Fields, "Size")
             .only_with(Key::Gb);
-    Spots: "Soft spots of larger or smaller cells: x, y, radius, factor, as compact text.",
-        text("spots", "Size spots").at(Fields, "Fields");
+    Spots: "Soft spots of larger or smaller cells.",
+        text("spots", "Size spots").at(Fields, "Size");
     Dir: "What the rows of cells follow: the boundary, painted strokes, one angle, a point, or eq. (1) as it is printed.",
         choice("dir", "Direction", choices![
             boundary: "Along the boundary", constant: "One angle", printed: "Eq. (1) as printed",
             radial: "Radial", circular: "Circular", spiral: "Spiral", strokes: "Strokes only",
-        ]).at(Fields, "Fields");
+        ]).at(Fields, "Direction");
     Angle: "Direction of the rows, clockwise from the x axis.",
-        number("angle", "θ", "Angle").range(-90.0, 90.0, 1.0, 0.0).unit("°").at(Fields, "Fields")
+        number("angle", "θ", "Angle").range(-90.0, 90.0, 1.0, 0.0).unit("°").at(Fields, "Direction")
             .only_for(Key::Dir, &["constant", "strokes"]);
     Fx: "The point that rows turn about, from left to right, in picture sides.",
-        number("fx", "", "Centre x").range(-1.0, 2.0, 0.01, 0.5).at(Fields, "Fields")
+        number("fx", "", "Centre x").range(-1.0, 2.0, 0.01, 0.5).at(Fields, "Direction")
             .only_for(Key::Dir, ABOUT);
     Fy: "The point that rows turn about, from top to bottom, in picture sides.",
-        number("fy", "", "Centre y").range(-1.0, 2.0, 0.01, 0.5).at(Fields, "Fields")
+        number("fy", "", "Centre y").range(-1.0, 2.0, 0.01, 0.5).at(Fields, "Direction")
             .only_for(Key::Dir, ABOUT);
     Fa: "Angle of the spiral to the rays from its point: 0 radial, 90 circular.",
         number("fa", "", "Spiral angle").range(-90.0, 90.0, 1.0, 45.0).unit("°")
-            .at(Fields, "Fields").only_for(Key::Dir, &["spiral"]);
+            .at(Fields, "Direction").only_for(Key::Dir, &["spiral"]);
     Dp: "Power of the distance in the direction's weights: the higher, the nearer a wall must be.",
-        int("dp", "", "Distance power").range(2.0, 4.0, 1.0, 4.0).at(Fields, "Fields")
+        int("dp", "", "Distance power").range(2.0, 4.0, 1.0, 4.0).at(Fields, "Direction")
             .only_for(Key::Dir, &["boundary", "strokes"]);
     Ends: "Weight of the outline's short ends in the direction of cells that are not square.",
-        number("ends", "", "Weight of ends").range(0.0, 1.0, 0.05, 0.0).at(Fields, "Fields")
+        number("ends", "", "Weight of ends").range(0.0, 1.0, 0.05, 0.0).at(Fields, "Direction")
             .only_for(Key::Kind, &["rectangle", "circle", "ellipse"]);
-    Strokes: "Painted lines that the rows follow, as compact text.",
-        text("strokes", "Strokes").at(Fields, "Fields");
+    Strokes: "Painted lines that the rows follow.",
+        text("strokes", "Strokes").at(Fields, "Direction");
     Reach: "Up to where a stroke counts more than one angle or the point, in picture sides.",
-        number("reach", "", "Reach of strokes").range(0.02, 1.0, 0.01, 0.15).at(Fields, "Fields")
+        number("reach", "", "Reach of strokes").range(0.02, 1.0, 0.01, 0.15).at(Fields, "Direction")
             .only_with(Key::Strokes);
 
     Edge: "What lies on the boundary: the edges of the outermost cells, or their fixed centres.",
@@ -139,7 +139,7 @@ parameters! {
     Cells: "Cells fitted to each other without gaps, or as they were packed; to compare, Voronoi cells of as many random points, plain or evened out by Lloyd's relaxation.",
         choice("cells", "Cells", choices![
             fitted: "Fitted", packed: "As packed", voronoi: "Voronoi", lloyd: "Lloyd",
-        ]).at(Cells, "Cells");
+        ]).at(Cells, "Packing");
 
     Stone: "The control mesh of a stone: round, or flat with bevelled edges.",
         choice("stone", "Stone", choices![cobble: "Cobblestone", flag: "Flagstone"])

@@ -25,6 +25,8 @@ pub struct Paper {
 #[derive(Clone, Debug)]
 pub struct Board {
     pixmap: Pixmap,
+    /// Does what reaches over an edge come in again at the opposite one?
+    tile: bool,
 }
 
 impl Board {
@@ -36,18 +38,18 @@ impl Board {
         let side = side.max(1) as u32;
         let mut pixmap = Pixmap::new(side, side).expect("a picture fits into memory");
         pixmap.fill(colour(ground));
-        Self { pixmap }
+        Self {
+            pixmap,
+            tile: false,
+        }
     }
 
-    /// A board with the outline's bed and boundary on it. Holes are rings that run against the
-    /// outer one.
-    pub fn with_outline(side: usize, rings: &[&[DVec2]], paper: &Paper) -> Self {
-        let mut board = Self::new(side, paper.surround);
-        board.outline(rings, paper);
-        board
+    /// From now on what reaches over an edge comes in again at the opposite one.
+    pub fn repeat(&mut self) {
+        self.tile = true;
     }
 
-    /// Draws the outline's bed and boundary.
+    /// Draws the outline's bed and boundary. Holes are rings that run against the outer one.
     pub fn outline(&mut self, rings: &[&[DVec2]], paper: &Paper) {
         self.fill(rings, paper.bed, 0.0);
         self.edges(rings, paper.line, 1.25, 0.0);
@@ -87,18 +89,38 @@ impl Board {
     }
 
     fn fill_path(&mut self, path: Option<Path>, tint: Tint) {
-        if let Some(path) = path {
-            let (paint, rule) = (paint(tint), FillRule::Winding);
-            let as_it_is = Transform::identity();
-            self.pixmap.fill_path(&path, &paint, rule, as_it_is, None);
+        let Some(path) = path else { return };
+        let (paint, rule) = (paint(tint), FillRule::Winding);
+        let side = self.pixmap.width() as f32;
+        let bounds = path.bounds();
+        let shifts = |lo: f32, hi: f32| {
+            let over = [true, self.tile && hi > side, self.tile && lo < 0.0];
+            [0.0, -side, side].into_iter().zip(over).filter(|s| s.1)
+        };
+        for (x, _) in shifts(bounds.left(), bounds.right()) {
+            for (y, _) in shifts(bounds.top(), bounds.bottom()) {
+                let moved = Transform::from_translate(x, y);
+                self.pixmap.fill_path(&path, &paint, rule, moved, None);
+            }
         }
+    }
+
+    /// Draws lines through points, `width` pixels wide.
+    pub fn polylines(&mut self, lines: &[Vec<DVec2>], tint: Tint, width: f64) {
+        let pieces = lines.iter().flat_map(|line| line.windows(2));
+        let pieces: Vec<[DVec2; 2]> = pieces.map(|w| [w[0], w[1]]).collect();
+        self.strokes(&pieces, tint, width);
+    }
+
+    /// Draws a circle.
+    pub fn circle(&mut self, centre: DVec2, radius: f64, tint: Tint, width: f64) {
+        let ring = round(centre, radius);
+        self.edges(&[&ring], tint, width, 0.0);
     }
 
     /// Draws a filled dot.
     pub fn dot(&mut self, centre: DVec2, radius: f64, tint: Tint) {
-        let square = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
-        let ring = square.map(|corner| centre + radius * DVec2::from(corner));
-        self.fill(&[&ring], tint, 0.8 * radius);
+        self.fill(&[&round(centre, radius)], tint, 0.0);
     }
 
     /// The pixels, red, green, blue, opacity, all opaque, row after row from the top.
@@ -124,6 +146,16 @@ impl Board {
     }
 }
 
+/// The corners of a polygon that passes for a circle.
+fn round(centre: DVec2, radius: f64) -> Vec<DVec2> {
+    let count = if radius < 12.0 { 12 } else { 64 };
+    let point = |k: i32| {
+        let turn = std::f64::consts::TAU * f64::from(k) / f64::from(count);
+        centre + radius * DVec2::new(libm::cos(turn), libm::sin(turn))
+    };
+    (0..count).map(point).collect()
+}
+
 /// Adds a closed ring to a path.
 fn trace(builder: &mut PathBuilder, ring: &[DVec2]) {
     for (k, p) in ring.iter().enumerate() {
@@ -139,6 +171,9 @@ fn trace(builder: &mut PathBuilder, ring: &[DVec2]) {
     }
 }
 
+/// Corners that turn by less than the angle of this cosine are not rounded.
+const FLAT: f64 = 0.9;
+
 /// The ring with its corners cut round, by up to `round` pixels.
 fn rounded(ring: &[DVec2], round: f64) -> Vec<DVec2> {
     let n = ring.len();
@@ -146,7 +181,8 @@ fn rounded(ring: &[DVec2], round: f64) -> Vec<DVec2> {
     for (k, &corner) in ring.iter().enumerate() {
         let (to, from) = (ring[(k + 1) % n] - corner, ring[(k + n - 1) % n] - corner);
         let reach = round.min(0.4 * to.length().min(from.length()));
-        if reach < 0.2 {
+        let is_flat = -to.dot(from) > FLAT * to.length() * from.length();
+        if reach < 0.2 || is_flat {
             points.push(corner);
             continue;
         }
@@ -223,11 +259,25 @@ mod tests {
     fn the_bed_has_its_hole() {
         let mut hole = square(24.0, 40.0);
         hole.reverse();
-        let board = Board::with_outline(64, &[&square(8.0, 56.0), &hole], &PAPER);
+        let mut board = Board::new(64, PAPER.surround);
+        board.outline(&[&square(8.0, 56.0), &hole], &PAPER);
         assert_eq!(pixel(&board, 2, 2), bytes(PAPER.surround));
         assert_eq!(pixel(&board, 32, 32), bytes(PAPER.surround));
         assert_eq!(pixel(&board, 16, 32), bytes(PAPER.bed));
         assert!(board.rgba().chunks(4).all(|p| p[3] == 255));
+    }
+
+    #[test]
+    fn what_leaves_a_tile_comes_in_again() {
+        let mut board = Board::new(64, [0.0, 0.0, 0.0, 1.0]);
+        board.fill(&[&square(-6.0, 6.0)], WHITE, 0.0);
+        assert_eq!(pixel(&board, 61, 61)[0], 0);
+        board.repeat();
+        board.fill(&[&square(-6.0, 6.0)], WHITE, 0.0);
+        for (x, y) in [(2, 2), (61, 2), (2, 61), (61, 61)] {
+            assert_eq!(pixel(&board, x, y)[0], 255, "{x} {y}");
+        }
+        assert_eq!(pixel(&board, 32, 32)[0], 0);
     }
 
     #[test]

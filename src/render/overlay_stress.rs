@@ -17,59 +17,59 @@ pub struct Stress {
 const DEEP: f64 = 0.40;
 /// ... and one of this share is what soft cells at rest have.
 const REST: f64 = 0.08;
-/// A side is open where no centre is within so many stable distances along it.
+/// A side is open where no centre is within so many stable distances along it ...
 const OPEN: f64 = 1.35;
+/// ... and within this slope of it.
+const ASIDE: f64 = 0.75;
+/// Sides of cells with corners, and ways around the others, at any turn.
+const SIDES: u32 = 4;
+const WAYS: u32 = 12;
 
 /// The lot of each particle, in their order.
 pub fn stress(domain: &Domain, particles: &[Particle]) -> Vec<Stress> {
-    let largest = particles.iter().fold(0.0_f64, |m, p| m.max(p.size));
+    let length = |p: &Particle| p.size * p.aspect.sqrt();
+    let reach = OPEN * particles.iter().map(length).fold(1.0, f64::max);
     let (lo, hi) = domain.bounds();
-    let mut grid = Grid::new(lo, hi, OPEN * largest.max(1.0));
+    let mut grid = Grid::new(lo, hi, reach);
     particles.iter().for_each(|p| grid.push(p.centre));
+    let mut around = Vec::new();
     let lot = |(own, particle): (usize, &Particle)| {
-        let mut sides = [false; 4];
+        let centre = particle.centre;
+        let (e, f) = particle.half_axes();
         let mut depth = 0.0_f64;
-        grid.near(particle.centre, OPEN * largest, |other| {
-            if other != own {
-                meet(particle, &particles[other], &mut sides, &mut depth);
+        around.clear();
+        grid.near_images(domain.period(), centre, reach, |k| {
+            let other = &particles[k];
+            let r = domain.shortest(other.centre - centre);
+            if k != own && !domain.crosses_line(centre, other.centre) {
+                let pair = Pair::new(particle, other);
+                depth = depth.max(pair.depth(r));
+                let stable = 2.0 * pair.stable_distance() / particle.size;
+                let q = DVec2::new(r.dot(e) / e.length_squared(), r.dot(f) / f.length_squared());
+                around.push(q / stable);
             }
         });
-        let axis = along(particle);
-        let ways = [axis, -axis, axis.perp(), -axis.perp()];
-        let open = ways.iter().zip(sides).filter(|(way, taken)| {
-            let beyond = particle.centre + **way * (1.1 * particle.size);
-            !taken && domain.contains(beyond)
+        let count = if particle.kind.has_corners() {
+            SIDES
+        } else {
+            WAYS
+        };
+        let open = (0..count).filter(|&k| {
+            let turn = std::f64::consts::TAU * f64::from(k) / f64::from(count);
+            let way = DVec2::new(libm::cos(turn), libm::sin(turn));
+            let taken = around.iter().any(|q| {
+                let (along, across) = (way.dot(*q), way.perp_dot(*q).abs());
+                along < OPEN && across < ASIDE * along.clamp(0.0, 1.0)
+            });
+            let beyond = centre + 2.2 * (way.x * e + way.y * f);
+            !taken && domain.contains(beyond) && !domain.crosses_line(centre, beyond)
         });
         Stress {
-            alone: open.count() as f32 / 4.0,
+            alone: open.count() as f32 / count as f32,
             pressed: ((depth - REST) / (DEEP - REST)).clamp(0.0, 1.0) as f32,
         }
     };
     particles.iter().enumerate().map(lot).collect()
-}
-
-/// A side's direction; x where the field has none.
-pub fn along(particle: &Particle) -> DVec2 {
-    match particle.axis == DVec2::ZERO {
-        true => DVec2::X,
-        false => particle.axis,
-    }
-}
-
-/// What a neighbour changes: the side it stands at is taken, and it may reach in.
-fn meet(particle: &Particle, other: &Particle, sides: &mut [bool; 4], depth: &mut f64) {
-    let r = other.centre - particle.centre;
-    let pair = Pair::new(particle, other);
-    *depth = depth.max(pair.depth(r));
-    let axis = along(particle);
-    let q = DVec2::new(axis.dot(r), axis.perp_dot(r)) / pair.stable_distance();
-    let (x, y) = (q.x.abs(), q.y.abs());
-    if x >= y && x < OPEN && y < 0.75 {
-        sides[usize::from(q.x < 0.0)] = true;
-    }
-    if y >= x && y < OPEN && x < 0.75 {
-        sides[2 + usize::from(q.y < 0.0)] = true;
-    }
 }
 
 #[cfg(test)]
@@ -78,6 +78,10 @@ mod tests {
     use crate::domain::Outline;
 
     fn row(places: &[(f64, f64)]) -> Vec<Stress> {
+        lots(crate::field::Kind::Square, places)
+    }
+
+    fn lots(kind: crate::field::Kind, places: &[(f64, f64)]) -> Vec<Stress> {
         let ring = [(0.0, 0.0), (100.0, 0.0), (100.0, 100.0), (0.0, 100.0)];
         let domain = Domain::from_checked(&Outline {
             outer: ring.map(DVec2::from).to_vec(),
@@ -89,7 +93,7 @@ mod tests {
             .map(|(id, &(x, y))| Particle {
                 id,
                 centre: DVec2::new(x, y),
-                kind: crate::field::Kind::Square,
+                kind,
                 size: 10.0,
                 aspect: 1.0,
                 axis: DVec2::X,
@@ -129,5 +133,25 @@ mod tests {
     #[test]
     fn the_boundary_is_company() {
         assert_eq!(row(&[(5.0, 5.0)])[0].alone, 0.5);
+    }
+
+    #[test]
+    fn round_cells_have_six_neighbours_at_any_turn() {
+        for turn in [0.0, 0.3, 0.5] {
+            let around = |k: i32| {
+                let angle = turn + std::f64::consts::FRAC_PI_3 * f64::from(k);
+                (
+                    50.0 + 10.0 * libm::cos(angle),
+                    50.0 + 10.0 * libm::sin(angle),
+                )
+            };
+            let mut places = vec![(50.0, 50.0)];
+            places.extend((0..6).map(around));
+            let six = lots(crate::field::Kind::Circle, &places);
+            assert_eq!(six[0], Stress::default(), "{turn}");
+            assert!(six[1].alone > 0.3);
+            let five = lots(crate::field::Kind::Circle, &places[..6]);
+            assert!(five[0].alone > 0.0 && five[0].alone < 0.2, "{turn}");
+        }
     }
 }

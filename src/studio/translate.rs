@@ -45,6 +45,12 @@ pub(super) fn domain(recipe: &Recipe, outline: &Outline) -> Domain {
     }
 }
 
+/// The kind of the cells and their aspect ratio.
+pub(super) fn kind(recipe: &Recipe) -> (Kind, f64) {
+    let kind = Kind::from_word(recipe.choice(Key::Kind)).unwrap_or_default();
+    (kind, recipe.number(Key::Ca))
+}
+
 pub(super) fn fields(recipe: &Recipe, domain: &Domain) -> FieldParams {
     let number = |key| recipe.number(key);
     let side = recipe.side();
@@ -69,7 +75,7 @@ pub(super) fn fields(recipe: &Recipe, domain: &Domain) -> FieldParams {
         };
         spots.into_iter().map(spot).collect()
     };
-    let kind = Kind::from_word(recipe.choice(Key::Kind)).unwrap_or_default();
+    let (kind, aspect) = kind(recipe);
     FieldParams {
         direction,
         angle: angle.to_radians(),
@@ -80,7 +86,7 @@ pub(super) fn fields(recipe: &Recipe, domain: &Domain) -> FieldParams {
         reach: side * number(Key::Reach),
         kind,
         kinds: kinds(recipe, domain, kind),
-        aspect: number(Key::Ca),
+        aspect,
         aspect_rim: rim(Key::Cb, Key::Cd),
         aspect_spots: spots(recipe.aspect_spots()),
         size: number(Key::Cs),

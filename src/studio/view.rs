@@ -5,7 +5,7 @@ use crate::cells::Cell;
 use crate::recipe::Stage;
 use crate::render::overlay::{Board, Paper};
 use crate::render::overlay_tones::{SHEET, Tones};
-use crate::render::{overlay_planes, overlay_stages};
+use crate::render::{overlay_field, overlay_planes, overlay_potential, overlay_stages};
 use crate::texture::Planes;
 use glam::DVec2;
 
@@ -16,14 +16,16 @@ pub enum View {
     Auto,
     /// The shaded picture.
     Picture,
-    /// The packed squares.
+    /// The packed cells in their shapes.
     Packed,
     /// The cells' polygons.
     Cells,
     /// The mesh of triangles and quadrilaterals.
     Mesh,
-    /// The direction field.
+    /// The direction field, what shapes it, and its singular points.
     Direction,
+    /// The potential around one cell of the recipe's kind.
+    Potential,
     /// The bump plane in grey.
     Height,
     /// The bump plane's normals as colours.
@@ -34,7 +36,7 @@ pub enum View {
 
 impl View {
     /// All views with their words.
-    pub const ALL: [(View, &'static str); 9] = [
+    pub const ALL: [(View, &'static str); 10] = [
         (View::Auto, "auto"),
         (View::Picture, "picture"),
         (View::Packed, "packed"),
@@ -44,6 +46,7 @@ impl View {
         (View::Height, "height"),
         (View::Normals, "normals"),
         (View::Ids, "ids"),
+        (View::Potential, "potential"),
     ];
 
     /// The view of a word.
@@ -105,18 +108,26 @@ impl Studio {
                 let tones = self.tones();
                 self.on_paper(&tones.paper, |board| {
                     overlay_stages::cells(board, &made.cells, &tones);
+                    self.lines(board);
                 })
             }
             View::Mesh => self.on_paper(&SHEET, |board| {
-                if let Some(mesh) = &made.mesh {
-                    overlay_stages::mesh(board, mesh);
+                if let (Some(mesh), Some(fields)) = (&made.mesh, &made.fields) {
+                    overlay_stages::mesh(board, mesh, fields);
                 }
+                self.lines(board);
             }),
             View::Direction => self.on_paper(&SHEET, |board| {
                 if let (Some(domain), Some(fields)) = (&made.domain, &made.fields) {
-                    overlay_stages::direction(board, domain, fields, self.side() as f64);
+                    overlay_field::direction(board, domain, fields, self.side() as f64);
                 }
             }),
+            View::Potential => {
+                let mut board = Board::new(self.side(), SHEET.bed);
+                let (kind, aspect) = translate::kind(&self.working);
+                overlay_potential::potential(&mut board, kind, aspect, self.side() as f64);
+                board
+            }
             View::Height => of_planes(overlay_planes::height),
             View::Normals => of_planes(overlay_planes::normals),
             View::Ids => of_planes(overlay_planes::ids),
@@ -164,9 +175,28 @@ impl Studio {
     }
 
     fn on_paper(&self, paper: &Paper, draw: impl FnOnce(&mut Board)) -> Board {
-        let mut board = Board::with_outline(self.side(), &self.rings(), paper);
+        let mut board = Board::new(self.side(), paper.surround);
+        self.bed(&mut board, paper);
         draw(&mut board);
         board
+    }
+
+    /// The area to pave: the outline, or all of a tile.
+    fn bed(&self, board: &mut Board, paper: &Paper) {
+        if self.working.is_tile() {
+            board.repeat();
+            let side = self.side() as f64;
+            let all = [DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y].map(|p| side * p);
+            board.fill(&[&all], paper.bed, 0.0);
+        } else {
+            board.outline(&self.rings(), paper);
+        }
+    }
+
+    fn lines(&self, board: &mut Board) {
+        if let Some(domain) = &self.made.domain {
+            overlay_stages::lines(board, domain, self.side() as f64);
+        }
     }
 
     fn bare(&self) -> Board {
@@ -180,6 +210,7 @@ impl Studio {
         let tones = self.tones();
         self.on_paper(&tones.paper, |board| {
             overlay_stages::packed(board, domain, &packing.particles(), &tones);
+            self.lines(board);
         })
     }
 
@@ -200,7 +231,7 @@ impl Studio {
                 preview.stones = 0;
                 let mut board = Board::new(planes.side, tones.paper.surround);
                 light_ground(planes, board.rgba_mut());
-                board.outline(&self.rings(), &tones.paper);
+                self.bed(&mut board, &tones.paper);
                 overlay_stages::cells(&mut board, &made.cells, &tones);
                 board
             }

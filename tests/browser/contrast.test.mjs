@@ -59,6 +59,7 @@ for (const dark of [false, true]) {
       }
       document.querySelector('#alerts').append(document.querySelector('#notices .message').cloneNode(true));
     });
+    await page.$eval('#p-spots', (button) => button.click());
     await page.hover('[data-key=cs]');
     const { found, count } = await page.evaluate(faint);
     assert.ok(count > 100, `only ${count} texts`);

@@ -12,13 +12,18 @@ before(async () => {
 
 after(() => site?.close());
 
-// Not controls of the panel, or with nothing to choose: tested elsewhere.
-const NO_CONTROL = new Set(['poly', 'kind']);
+// Not a control of the panel: tested elsewhere.
+const NO_CONTROL = new Set(['poly']);
 
-// What a parameter needs before it can be seen in the picture.
+// What a parameter needs before it can be seen in the picture, as part of the link.
 const NEEDS = {
-  on: { outline: 'star' },
-  pop: { start: 'quadtree' },
+  on: 'outline=star',
+  pop: 'start=quadtree',
+  parts: 'lines=0,0.3,1,0.6',
+  cd: 'kind=rectangle&cb=2',
+  gd: 'gb=2',
+  ends: 'kind=rectangle&outline=road_straight',
+  reach: 'dir=constant&strokes=0.1,0.1,0.6,0.9',
 };
 
 // Values that are sure to differ, where half the way to the end is not.
@@ -45,20 +50,25 @@ test('every control reaches the picture', async (t) => {
     const { key } = parameter;
     if (NO_CONTROL.has(key)) continue;
     await t.test(key, async () => {
-      await page.evaluate((fragment) => (location.hash = fragment), `${SMALL}&seed=${1 + schema.indexOf(parameter)}`);
+      const rule = parameter.shownFor;
+      const needs = NEEDS[key] ?? (rule ? `${rule.key}=${rule.words[0]}` : '');
+      await page.evaluate((fragment) => (location.hash = fragment), `${SMALL}&seed=${1 + schema.indexOf(parameter)}&${needs}`);
       await frames(page, 1);
-      const needs = { ...(parameter.shownFor && { [parameter.shownFor.key]: parameter.shownFor.words[0] }), ...NEEDS[key] };
-      for (const [other, word] of Object.entries(needs)) await set(page, other, word);
       if (key !== 'seed') assert.ok(await page.$eval(`[data-key="${key}"]`, (control) => !control.hidden), 'the control is hidden');
       const before = { planes: await digest(page), ...(await canvas(page)) };
-      const value = another(parameter, await get(page, key));
-      await set(page, key, value);
-      assert.equal(Number(await get(page, key)) || (await get(page, key)), Number(value) || value);
+      const value = parameter.kind === 'text' ? 'one more' : another(parameter, await get(page, key));
+      if (parameter.kind === 'text') await page.$eval(`#p-${key}`, (button) => button.click());
+      else {
+        await set(page, key, value);
+        assert.equal(Number(await get(page, key)) || (await get(page, key)), Number(value) || value);
+      }
+      await frames(page, 2);
       const now = { planes: await digest(page), ...(await canvas(page)) };
       assert.notEqual(now.hash, before.hash, `${key}=${value} does not change the picture`);
       if (parameter.stage === 'shading') assert.equal(now.planes, before.planes, 'light changes the planes');
       else assert.notEqual(now.planes, before.planes, `${key}=${value} does not change the planes`);
       assert.match(await page.evaluate(() => window.bubblestone.link()), new RegExp(`(^|&)${key}=`));
+      await page.$eval('#edit-done', (button) => button.click());
     });
   }
   assert.deepEqual(problems, []);
@@ -68,11 +78,19 @@ test('every control reaches the picture', async (t) => {
 test('controls that do not apply are hidden', async () => {
   const { page, close } = await site.newPage(SMALL);
   await digest(page);
-  const rules = await page.evaluate(() => window.bubblestone.schema.filter((row) => row.shownFor && row.kind !== 'text'));
-  assert.ok(rules.length > 3);
-  for (const { key, shownFor } of rules) {
-    const applies = shownFor.words.includes(await get(page, shownFor.key));
-    assert.equal(await page.$eval(`[data-key="${key}"]`, (control) => control.hidden), !applies, key);
+  const schema = await page.evaluate(() => window.bubblestone.schema);
+  const values = Object.fromEntries(await Promise.all(schema.map(async ({ key }) => [key, await get(page, key)])));
+  const applies = (key) => {
+    const { shownFor } = schema.find((other) => other.key === key);
+    if (!shownFor) return true;
+    const [value, standard] = [values[shownFor.key], schema.find((other) => other.key === shownFor.key).default];
+    const fits = shownFor.words.length ? shownFor.words.includes(value) : String(value) !== String(standard);
+    return fits && applies(shownFor.key);
+  };
+  const rules = schema.filter(({ key, shownFor }) => shownFor && !NO_CONTROL.has(key));
+  assert.ok(rules.length > 10);
+  for (const { key } of rules) {
+    assert.equal(await page.$eval(`[data-key="${key}"]`, (control) => control.hidden), !applies(key), key);
   }
   await close();
 });
@@ -116,11 +134,11 @@ test('every control has a name, a help text and its symbol', async () => {
   await digest(page);
   const bare = await page.$$eval('.control', (controls) =>
     controls.flatMap((control) =>
-      [...control.querySelectorAll('input, select')]
+      [...control.querySelectorAll('input, select, .wide')]
         .filter((input) => {
           const group = input.type === 'radio' ? input.closest('[role=radiogroup]') : input;
           const help = group.getAttribute('aria-describedby')?.split(' ')[0];
-          const named = input.labels?.length || input.getAttribute('aria-label');
+          const named = input.labels?.length || input.getAttribute('aria-label') || input.getAttribute('aria-labelledby');
           return !named || !document.getElementById(help ?? '')?.textContent;
         })
         .map(() => control.dataset.key),

@@ -91,7 +91,7 @@ test('every view draws something of its own', async () => {
     assert.ok(!seen.has(hash), `${view} looks like ${seen.get(hash)}`);
     seen.set(hash, view);
   }
-  assert.equal(seen.size, 8);
+  assert.equal(seen.size, 9);
   assert.deepEqual(problems, []);
   await close();
 });

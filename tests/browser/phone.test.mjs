@@ -43,6 +43,8 @@ test('the canvas comes first and as wide as the screen, the controls below', asy
 test('nothing is wider than the screen', async () => {
   const { page, close } = await unfolded();
   await page.click('#edit-outline');
+  await page.select('#edit-what', 'spots');
+  await page.click('#add-figure');
   const { wide, scroll } = await page.evaluate(() => ({
     scroll: document.documentElement.scrollWidth,
     wide: [...document.querySelectorAll('body *')]
@@ -56,6 +58,7 @@ test('nothing is wider than the screen', async () => {
 
 test('everything to touch is at least 44 pixels high and wide', async () => {
   const { page, close } = await unfolded();
+  await page.$eval('#p-spots', (button) => button.click());
   const small = await page.evaluate(() => {
     const targets = [...document.querySelectorAll('button, select, summary, input')].filter((target) => target.offsetParent);
     return targets

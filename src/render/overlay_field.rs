@@ -1,0 +1,151 @@
+//! The direction field with all that shapes it, and its singular points.
+
+use super::overlay::{Board, Tint};
+use super::overlay_stages::{INK, lines};
+use super::overlay_tones::SHEET;
+use crate::domain::Domain;
+use crate::field::{Fields, Singularity, Spot};
+use glam::DVec2;
+
+const CROSS: Tint = [0.54, 0.29, 0.16, 1.0];
+const NO_DIRECTION: Tint = [0.20, 0.42, 0.54, 1.0];
+/// Where rows turn as the way around does, and where they turn against it.
+const WITH: Tint = [0.78, 0.25, 0.12, 1.0];
+const AGAINST: Tint = [0.13, 0.37, 0.58, 1.0];
+const STROKE: Tint = [0.16, 0.46, 0.33, 1.0];
+const SIZE_SPOT: Tint = [0.62, 0.40, 0.08, 0.9];
+const ASPECT_SPOT: Tint = [0.45, 0.25, 0.55, 0.9];
+
+/// Draws the field as crosses on a grid, as long as the cells wanted there as far as the grid has
+/// room, a dot where there is no direction; strokes, constraint lines, spots and singular points.
+pub fn direction(board: &mut Board, domain: &Domain, fields: &Fields, side: f64) {
+    let thin = (side / 360.0).clamp(1.0, 3.0);
+    let params = fields.params();
+    spots(board, &params.size_spots, SIZE_SPOT, thin);
+    spots(board, &params.aspect_spots, ASPECT_SPOT, thin);
+    crosses(board, domain, fields, side, thin);
+    lines(board, domain, side);
+    board.polylines(&params.strokes, STROKE, 2.5 * thin);
+    let unit = (side / 170.0).clamp(2.0, 6.0);
+    let points = fields.singularities(domain);
+    let middle = points.iter().map(|s| s.point.x).sum::<f64>() / points.len().max(1) as f64;
+    for point in &points {
+        // Away from the others, as far as the picture has room.
+        let room = LABEL * unit;
+        let x = point.point.x;
+        let left = (x < middle - unit && x > room) || x + room > side;
+        index(board, point, unit, left);
+    }
+    for point in &points {
+        mark(board, point, unit);
+    }
+}
+
+fn spots(board: &mut Board, spots: &[Spot], tint: Tint, width: f64) {
+    for spot in spots {
+        // Where it has its full share, half of it and none.
+        for share in [0.05, 0.54, 1.0] {
+            board.circle(spot.centre, share * spot.radius, tint, width);
+        }
+    }
+}
+
+fn crosses(board: &mut Board, domain: &Domain, fields: &Fields, side: f64, width: f64) {
+    let step = (side / 30.0).max(9.0);
+    let count = (side / step) as usize;
+    let margin = (side - step * count as f64) / 2.0;
+    let mut arms = Vec::new();
+    for k in 0..count * count {
+        let square = DVec2::new((k % count) as f64 + 0.5, (k / count) as f64 + 0.5);
+        let p = DVec2::splat(margin) + step * square;
+        let room = domain.nearest(p).distance;
+        if room < 0.1 * step {
+            continue;
+        }
+        let axis = fields.direction(p);
+        if axis == DVec2::ZERO {
+            board.dot(p, step / 8.0, NO_DIRECTION);
+            continue;
+        }
+        // Inside the outline, too.
+        let arm = (0.46 * fields.size(p)).min(0.42 * step).min(room);
+        // A half turn of a cell looks alike, but no quarter turn: one arm is shorter.
+        let short = match fields.kind(p).symmetry() {
+            4 => 1.0,
+            _ => (1.0 / fields.aspect(p)).min(0.4),
+        };
+        for along in [axis * arm, axis.perp() * (arm * short)] {
+            arms.push([p - along, p + along]);
+        }
+    }
+    board.strokes(&arms, CROSS, width);
+}
+
+/// The width of an index and its distance from the point, in units.
+const LABEL: f64 = 14.0;
+
+/// A disc where the index is positive, a square on its tip where it is negative.
+fn mark(board: &mut Board, point: &Singularity, unit: f64) {
+    let (p, turns_with) = (point.point, point.index > 0.0);
+    let tint = if turns_with { WITH } else { AGAINST };
+    for (radius, tint) in [(2.1 * unit, SHEET.bed), (1.6 * unit, tint)] {
+        if turns_with {
+            board.dot(p, radius, tint);
+        } else {
+            let tip = |c: DVec2| p + 1.2 * radius * c;
+            board.fill(
+                &[&[DVec2::X, DVec2::Y, -DVec2::X, -DVec2::Y].map(tip)],
+                tint,
+                0.0,
+            );
+        }
+    }
+}
+
+/// Writes an index beside its point.
+fn index(board: &mut Board, point: &Singularity, unit: f64, left: bool) {
+    let word = signs(point.index);
+    let start = match left {
+        true => -2.8 - 2.4 * word.len() as f64,
+        false => 3.4,
+    };
+    let mut bars = Vec::new();
+    for (k, &sign) in word.iter().enumerate() {
+        let corner = point.point + unit * DVec2::new(start + 2.4 * k as f64, -1.8);
+        let at = |place: u8| {
+            corner + 0.9 * unit * DVec2::new(f64::from(place % 3), f64::from(place / 3))
+        };
+        bars.extend(sign.iter().map(|&[a, b]| [at(a), at(b)]));
+    }
+    board.strokes(&bars, SHEET.bed, 1.6 * unit);
+    board.strokes(&bars, INK, 0.5 * unit);
+}
+
+/// Bars between places of a grid of 3 columns and 5 rows, numbered from the upper left.
+type Sign = &'static [[u8; 2]];
+
+const PLUS: Sign = &[[6, 8], [4, 10]];
+const MINUS: Sign = &[[6, 8]];
+const OVER: Sign = &[[12, 2]];
+const DIGITS: [Sign; 4] = [
+    &[[3, 1], [1, 13]],
+    &[[0, 2], [2, 8], [8, 6], [6, 12], [12, 14]],
+    &[[0, 2], [2, 14], [6, 8], [12, 14]],
+    &[[0, 6], [6, 8], [2, 14]],
+];
+
+/// The signs of an index, a multiple of 1/4 up to 4.
+fn signs(index: f64) -> Vec<Sign> {
+    let quarters = (4.0 * index).abs().round() as usize;
+    let below = match quarters % 4 {
+        0 => 1,
+        2 => 2,
+        _ => 4,
+    };
+    let above = (quarters * below / 4).clamp(1, 4);
+    let mut word = vec![if index > 0.0 { PLUS } else { MINUS }, DIGITS[above - 1]];
+    if below > 1 {
+        word.extend([OVER, DIGITS[below - 1]]);
+    }
+    word
+}

@@ -1,0 +1,174 @@
+//! What the drawings of the stages show, asked of their pixels.
+#![cfg(not(target_arch = "wasm32"))]
+
+use bubblestone::recipe::Recipe;
+use bubblestone::studio::{Studio, View};
+
+const SIDE: usize = 160;
+
+/// A view of a recipe in a small picture, finished.
+fn view(link: &str, view: View) -> Vec<u8> {
+    let (recipe, notices) = Recipe::from_link(&format!("size={SIDE}&cs=14&{link}"));
+    assert!(notices.is_empty(), "{notices:?}");
+    let mut studio = Studio::new(recipe);
+    assert_eq!(studio.finish(&mut || 0.0), Ok(()));
+    studio.view(view).to_vec()
+}
+
+fn pixel(rgba: &[u8], x: usize, y: usize) -> [i32; 3] {
+    std::array::from_fn(|c| i32::from(rgba[4 * (y * SIDE + x) + c]))
+}
+
+/// How much more red than blue there is.
+fn warmth(rgba: &[u8], x: usize, y: usize) -> i32 {
+    let [red, _, blue] = pixel(rgba, x, y);
+    red - blue
+}
+
+fn differing(a: &[u8], b: &[u8]) -> usize {
+    let pairs = a.chunks(4).zip(b.chunks(4));
+    pairs.filter(|(a, b)| a != b).count()
+}
+
+/// The picture turned by a quarter.
+fn turned(rgba: &[u8]) -> Vec<u8> {
+    let place = |k: usize| (k % SIDE) * SIDE + SIDE - 1 - k / SIDE;
+    let pixels = (0..SIDE * SIDE).map(|k| 4 * place(k));
+    pixels.flat_map(|at| rgba[at..at + 4].to_vec()).collect()
+}
+
+const KINDS: [&str; 4] = ["square", "rectangle", "circle", "ellipse"];
+
+#[test]
+fn every_kind_has_a_potential_of_its_own() {
+    let views = KINDS.map(|kind| view(&format!("kind={kind}"), View::Potential));
+    let half = SIDE / 2;
+    for (k, rgba) in views.iter().enumerate() {
+        assert!(warmth(rgba, half, half) > 60, "{}: no hill", KINDS[k]);
+        assert_eq!(pixel(rgba, 1, 1), pixel(rgba, SIDE - 2, SIDE - 2));
+        for other in &views[..k] {
+            assert!(differing(rgba, other) > 1000);
+        }
+    }
+    // Where the cells stop at a quarter turn, so does the drawing, but for soft edges.
+    for (rgba, alike) in views.iter().zip([true, false, true, false]) {
+        let others = differing(rgba, &turned(rgba));
+        assert_eq!(others < SIDE * SIDE / 5, alike, "{others}");
+    }
+}
+
+#[test]
+fn squares_have_wells_at_their_edges_and_circles_all_around() {
+    // A stable distance in this picture.
+    let l0 = SIDE as f64 / 3.6;
+    let along = |rgba: &[u8], degrees: f64| {
+        let ray = |r: f64| {
+            let (x, y) = (
+                libm::cos(degrees.to_radians()),
+                libm::sin(degrees.to_radians()),
+            );
+            let half = SIDE as f64 / 2.0;
+            warmth(
+                rgba,
+                (half + r * l0 * x) as usize,
+                (half + r * l0 * y) as usize,
+            )
+        };
+        // Beside the white lines and dots.
+        (80..95).map(|r| ray(f64::from(r) / 100.0)).min().unwrap()
+    };
+    let square = view("kind=square", View::Potential);
+    let circle = view("kind=circle", View::Potential);
+    assert!(along(&square, 8.0) < -20, "{}", along(&square, 8.0));
+    assert!(along(&square, 98.0) < -20);
+    assert!(along(&square, 45.0) > 0);
+    for degrees in [12.0, 45.0, 78.0, 200.0] {
+        assert!(along(&circle, degrees) < -20, "{degrees}");
+    }
+}
+
+#[test]
+fn a_longer_cell_has_a_longer_ring() {
+    let wide = |ca: &str| {
+        let rgba = view(&format!("kind=ellipse&ca={ca}"), View::Potential);
+        (0..SIDE)
+            .filter(|&y| warmth(&rgba, SIDE / 2, y) < -10)
+            .count()
+    };
+    assert!(wide("4") < wide("1.5"));
+}
+
+#[test]
+fn packed_cells_are_drawn_in_their_shapes() {
+    let views = KINDS.map(|kind| view(&format!("outline=square&kind={kind}"), View::Packed));
+    for (k, rgba) in views.iter().enumerate() {
+        for other in &views[..k] {
+            assert!(differing(rgba, other) > 2000);
+        }
+    }
+}
+
+#[test]
+fn the_fields_show_what_shapes_them() {
+    let plain = view("outline=square", View::Direction);
+    for more in [
+        "lines=0.2,0.5,0.8,0.5",
+        "strokes=0.2,0.3,0.8,0.6",
+        "spots=0.5,0.5,0.3,0.5",
+    ] {
+        let rgba = view(&format!("outline=square&{more}"), View::Direction);
+        assert!(differing(&plain, &rgba) > 150, "{more}");
+    }
+    let stretched = view("outline=square&kind=ellipse", View::Direction);
+    let spot = view(
+        "outline=square&kind=ellipse&stretch=0.5,0.5,0.3,4",
+        View::Direction,
+    );
+    assert!(differing(&stretched, &spot) > 150);
+}
+
+#[test]
+fn singular_points_are_marked_by_their_sign() {
+    let half = SIDE / 2;
+    let round = view("outline=square&dir=circular", View::Direction);
+    assert!(
+        warmth(&round, half, half) > 80,
+        "{:?}",
+        pixel(&round, half, half)
+    );
+    // Around a stroke that turns back, rows turn against the way round.
+    let cold = |link: &str| {
+        let rgba = view(link, View::Direction);
+        (0..SIDE * SIDE)
+            .filter(|&k| warmth(&rgba, k % SIDE, k / SIDE) < -60)
+            .count()
+    };
+    assert!(cold("outline=crossing&kind=ellipse") > 10);
+    assert_eq!(cold("outline=square&dir=constant"), 0);
+}
+
+#[test]
+fn lone_triangles_stand_out_only_among_cells_with_corners() {
+    let warm = |link: &str| {
+        let rgba = view(link, View::Mesh);
+        (0..SIDE * SIDE)
+            .filter(|&k| warmth(&rgba, k % SIDE, k / SIDE) > 70)
+            .count()
+    };
+    assert_eq!(warm("outline=square&kind=circle"), 0);
+    assert!(warm("outline=square&dir=spiral") > 50);
+}
+
+#[test]
+fn a_tile_has_no_outline_and_no_seam() {
+    let rgba = view("tile=1&kind=circle&palette=marble", View::Packed);
+    let apart = |x: usize, y: usize, u: usize, v: usize| {
+        let (a, b) = (pixel(&rgba, x, y), pixel(&rgba, u, v));
+        (0..3).map(|c| (a[c] - b[c]).abs()).sum::<i32>()
+    };
+    // Where images at the edges were missing, both would be far above those inside.
+    let column = |x: usize| -> i32 { (0..SIDE).map(|y| apart(x, y, (x + 1) % SIDE, y)).sum() };
+    let row = |y: usize| -> i32 { (0..SIDE).map(|x| apart(x, y, x, (y + 1) % SIDE)).sum() };
+    assert!(column(SIDE - 1) <= (0..SIDE - 1).map(column).max().unwrap());
+    assert!(row(SIDE - 1) <= (0..SIDE - 1).map(row).max().unwrap());
+}
