@@ -38,6 +38,14 @@ pub(super) struct Motion {
     made_at: Vec<DVec2>,
     slack: f64,
     feet: Vec<Foot>,
+    gauges: Vec<Gauge>,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Gauge {
+    centre: DVec2,
+    axis: DVec2,
+    size: f64,
 }
 
 /// What one step needs to know of its surroundings.
@@ -167,19 +175,24 @@ impl Motion {
 
     fn evaluate(&mut self, bodies: &[Body], around: Surroundings) {
         self.forces.fill(DVec2::ZERO);
+        self.gauges.clear();
+        self.gauges.extend(bodies.iter().map(|body| Gauge {
+            centre: body.particle.centre,
+            axis: body.particle.axis,
+            size: body.particle.size,
+        }));
         for i in 0..bodies.len() {
             let a = bodies[i].particle;
             let mut total = DVec2::ZERO;
             for k in self.start[i] as usize..self.start[i + 1] as usize {
                 let j = self.list[k] as usize;
-                let b = &bodies[j].particle;
+                let b = &self.gauges[j];
                 let r = around.domain.shortest(b.centre - a.centre);
                 let reach = SQUARE_REACH * 0.5 * (a.size + b.size);
-                let is_stretched = a.kind.is_stretched() || b.kind.is_stretched();
-                if !is_stretched && r.length_squared() >= reach * reach {
+                if r.length_squared() >= reach * reach {
                     continue;
                 }
-                let force = Pair::new(&a, b).force(r);
+                let force = Pair::squares((a.axis, b.axis), (a.size, b.size)).force(r);
                 self.forces[j] += force;
                 total -= force;
             }
