@@ -40,7 +40,8 @@ pub(crate) fn lay(lines: impl Iterator<Item = [DVec2; 2]>) -> Delaunay {
 
 /// Rounds a point to the grain.
 pub(crate) fn on_grain(p: DVec2) -> DVec2 {
-    (p / GRAIN).round() * GRAIN
+    // Halves always up, so that images of a place are rounded alike.
+    (p / GRAIN + 0.5).floor() * GRAIN
 }
 
 /// A point as spade has it, rounded to the grain.

@@ -7,6 +7,7 @@ use bubblestone::field::{Direction, FieldBuilder, FieldParams, Kind};
 use bubblestone::packing::{Edge, Integrator, Packing, PackingParams, Particle, Population, Start};
 use bubblestone::random::{Purpose, Random};
 use glam::DVec2;
+use std::collections::HashMap;
 
 const SIDE: f64 = 256.0;
 
@@ -84,8 +85,9 @@ fn assert_sound(domain: &Domain, cells: &[Cell], what: &str) {
                 assert_eq!(
                     *part.get_or_insert(here),
                     here,
-                    "{what}: {} in two parts",
-                    cell.id
+                    "{what}: {} in two parts {:?}",
+                    cell.id,
+                    cell.ring
                 );
             }
         }
@@ -159,7 +161,7 @@ fn each_side_of_a_line_has_its_own_cells() {
             particles.push(Particle {
                 id: particles.len() as u32,
                 centre: p((f64::from(k) + 0.5) * size, y),
-                kind: Kind::default(),
+                kind: bubblestone::field::Kind::default(),
                 size,
                 aspect: 1.0,
                 axis: DVec2::X,
@@ -179,5 +181,62 @@ fn each_side_of_a_line_has_its_own_cells() {
     for cell in &cells {
         let area = signed_area(&cell.ring) / (cell.size * cell.size);
         assert!((0.8..1.2).contains(&area), "{} {area}", cell.id);
+    }
+}
+
+/// Every side of every ring is, up to whole pictures, the side of another one.
+fn assert_seamless(domain: &Domain, cells: &[Cell], what: &str) {
+    let bits = |q: DVec2| (q.x.to_bits(), q.y.to_bits());
+    let mut sides = HashMap::new();
+    for cell in cells {
+        for (k, &a) in cell.ring.iter().enumerate() {
+            let b = cell.ring[(k + 1) % cell.ring.len()];
+            let ends = [a, b].map(|q| bits(domain.wrap(q)));
+            *sides.entry(ends).or_insert(0) += 1;
+        }
+    }
+    for (&[a, b], &count) in &sides {
+        assert_eq!(sides.get(&[b, a]), Some(&count), "{what}");
+    }
+    let area: f64 = cells.iter().map(|c| signed_area(&c.ring)).sum();
+    assert!((area - SIDE * SIDE).abs() < 1e-6, "{what}: {area}");
+    for cell in cells {
+        assert!(signed_area(&cell.ring) > 0.0 && !crosses_itself(&cell.ring));
+        assert_eq!(domain.wrap(cell.centre), cell.centre);
+    }
+}
+
+#[test]
+fn cells_of_a_torus_meet_over_the_seams() {
+    let domain = Domain::torus(SIDE, &[]);
+    let mut random = Random::new(5, Purpose::Noise, 0);
+    for k in 0..30 {
+        // An even lattice, then more and more disorder; from 4 cells to 400.
+        let across = [2, 3, 5, 11, 20][k % 5];
+        let size = SIDE / f64::from(across);
+        let disorder = 0.05 * size * (k / 5) as f64;
+        let particles: Vec<Particle> = (0..across * across)
+            .map(|id| Particle {
+                id,
+                centre: domain.wrap(
+                    p(f64::from(id % across), f64::from(id / across)) * size
+                        + disorder * p(random.signed(), random.signed()),
+                ),
+                kind: Kind::default(),
+                size,
+                aspect: 1.0,
+                axis: DVec2::X,
+                fixed: false,
+            })
+            .collect();
+        let cells = fitted(&domain, &particles);
+        assert_eq!(cells.len(), particles.len());
+        assert_seamless(&domain, &cells, &format!("{k}"));
+        assert_eq!(cells, fitted(&domain, &particles));
+    }
+    for size in [9.0, 14.0, 30.0, 70.0] {
+        let particles = packed(&domain, size, Edge::Wall);
+        let cells = fitted(&domain, &particles);
+        assert_seamless(&domain, &cells, &format!("packed {size}"));
     }
 }

@@ -119,6 +119,42 @@ fn gaps_overlaps_and_what_sticks_out() {
 }
 
 #[test]
+fn on_a_torus_cells_go_on_at_the_other_side() {
+    let torus = Domain::torus(40.0, &[]);
+    let fields = fields(&torus, 0.0);
+    let mut cells = checkers(10.0);
+    // All of them by 3 to the right and 4 up: none is missing, none lies twice.
+    for corner in cells.iter_mut().flat_map(|c| &mut c.ring) {
+        *corner += p(3.0, -4.0);
+    }
+    let cover = CellMetrics::new(&torus, &fields, &cells).cover;
+    near(cover.coverage, 1.0);
+    near(cover.overlap, 0.0);
+    near(cover.outside, 0.0);
+    // The one in the upper left corner by 1 to the left, over the last one of its row.
+    for corner in &mut cells[0].ring {
+        corner.x -= 1.0;
+    }
+    let cover = CellMetrics::new(&torus, &fields, &cells).cover;
+    near(cover.coverage, 1.0 - 10.0 / 1600.0);
+    near(cover.overlap, 10.0 / 1600.0);
+    // The mesh of their centres has as many elements as nodes.
+    let vertices: Vec<DVec2> = checkers(10.0).iter().map(|c| c.centre).collect();
+    let quad = |k: u32| {
+        let at = |x: u32, y: u32| x % 4 + y % 4 * 4;
+        let (x, y) = (k % 4, k / 4);
+        Face::quad([at(x, y), at(x + 1, y), at(x + 1, y + 1), at(x, y + 1)])
+    };
+    let faces = (0..16).map(quad).collect();
+    let mesh = Mesh { vertices, faces };
+    let figures = MeshMetrics::new(&torus, &particles(&mesh.vertices, Kind::Square), &mesh);
+    near(figures.cover.coverage, 1.0);
+    near(figures.cover.overlap, 0.0);
+    assert_eq!(figures.valence[4], 16);
+    assert_eq!(figures.quads_to_boundary, None);
+}
+
+#[test]
 fn edges_that_cross_are_measured_well() {
     let diamond = |x: f64| vec![p(x, 10.0), p(x + 10.0, 20.0), p(x, 30.0), p(x - 10.0, 20.0)];
     let cells = [13.0, 23.0, 35.0].map(|x| cell(Kind::Square, 14.0, 1.0, diamond(x)));

@@ -1,8 +1,9 @@
 //! Voronoi cells of scattered points, plain and evened out: they fill the outline, and are what they
 //! are called.
 
-use bubblestone::cells::Cell;
-use bubblestone::domain::signed_area;
+use bubblestone::cells::{Cell, Scatter, ScatterParams};
+use bubblestone::domain::{Domain, signed_area};
+use bubblestone::field::{FieldBuilder, FieldParams};
 use bubblestone::recipe::Recipe;
 use bubblestone::studio::Studio;
 use glam::DVec2;
@@ -90,4 +91,33 @@ fn they_are_drawn_by_the_seed() {
     let with = |seed| finished(&format!("size=128&cs=12&cells=voronoi&seed={seed}"));
     assert_eq!(with(1).cells(), with(1).cells());
     assert_ne!(with(1).cells(), with(2).cells());
+}
+
+#[test]
+fn a_torus_has_no_seam() {
+    let torus = Domain::torus(100.0, &[]);
+    let fields = FieldBuilder::build(&torus, FieldParams::default());
+    for count in [2, 5, 100] {
+        let params = ScatterParams {
+            count,
+            rounds: 60,
+            seed: 4,
+        };
+        let mut scatter = Scatter::new(&torus, params);
+        while !scatter.advance(&torus) {}
+        let points: Vec<DVec2> = scatter
+            .particles(&fields)
+            .iter()
+            .map(|p| p.centre)
+            .collect();
+        let mut least = f64::INFINITY;
+        for (k, &a) in points.iter().enumerate() {
+            assert_eq!(a, torus.wrap(a));
+            for &b in &points[..k] {
+                least = least.min(torus.shortest(a - b).length());
+            }
+        }
+        let apart = 100.0 / (count as f64).sqrt();
+        assert!(least > 0.7 * apart, "{count}: {least} of {apart}");
+    }
 }

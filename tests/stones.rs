@@ -258,6 +258,46 @@ fn every_palette_on_every_ground_gives_stones_of_many_tones() {
     }
 }
 
+/// A stone over the corner of a tile is whole, and the ground runs on over the edges.
+#[test]
+fn tiles_repeat_without_a_seam() {
+    let tile = TextureParams {
+        tile: true,
+        ..small()
+    };
+    let whole = star(9, 20.0, 0.1, 1);
+    let mut split = whole.clone();
+    for p in split.ring.iter_mut().chain([&mut split.centre]) {
+        *p -= DVec2::splat(48.0);
+    }
+    let [inside, over] = [whole, split].map(|cell| painted(tile, &[cell]));
+    let last = SIDE - 1;
+    for corner in [0, last, last * SIDE, last * SIDE + last] {
+        assert_eq!(over.id[corner], 1);
+    }
+    let moved = |k: usize| ((k / SIDE + 48) % SIDE) * SIDE + (k % SIDE + 48) % SIDE;
+    let other = (0..SIDE * SIDE).filter(|&k| over.id[k] != inside.id[moved(k)]);
+    // Relief and ground are others at another place: they decide a few pixels of the rim.
+    let other = other.count();
+    assert!(other < 80, "{other} pixels");
+    let open = |planes: &bubblestone::texture::Planes, id: u32| {
+        let of = (0..SIDE * SIDE).filter(|&k| planes.id[k] == id);
+        of.clone()
+            .map(|k| f64::from(planes.openness[k]))
+            .sum::<f64>()
+            / of.count() as f64
+    };
+    assert!((open(&inside, 1) - open(&over, 1)).abs() < 3.0);
+    let bare = painted(tile, &[]);
+    let jump = |x: usize| {
+        let steps =
+            (0..SIDE).map(|y| bare.bump[y * SIDE + x] - bare.bump[y * SIDE + (x + 1) % SIDE]);
+        steps.map(f32::abs).sum::<f32>()
+    };
+    let mean = (0..last).map(jump).sum::<f32>() / last as f32;
+    assert!(jump(last) < 1.5 * mean);
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(48))]
 

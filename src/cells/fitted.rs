@@ -8,9 +8,9 @@
 use super::arrangement::{Arrangement, Line};
 use super::straighten::Straightening;
 use super::voronoi::circumcentre;
-use super::{Cell, across, ghosts};
+use super::{Cell, across, ghosts, torus};
 use crate::domain::{Domain, divided, ring_contains};
-use crate::mesh::{Fans, Mesh};
+use crate::mesh::{Face, Fans, Mesh, Node};
 use crate::order;
 use crate::packing::{Grid, Particle};
 use crate::planar::on_grain;
@@ -23,6 +23,9 @@ const SNAP: f64 = 0.35;
 /// it than this share of its length.
 const ALONG: f64 = 0.15;
 
+/// On the torus images are made so many sizes around the picture.
+const MARGINS: [f64; 2] = [5.0, 12.0];
+
 /// The dual of the packed cells, filling the outline, all at once; see [`Fitting`].
 pub fn fitted(domain: &Domain, particles: &[Particle]) -> Vec<Cell> {
     let mut fitting = Fitting::new(particles.to_vec());
@@ -34,6 +37,8 @@ pub fn fitted(domain: &Domain, particles: &[Particle]) -> Vec<Cell> {
 /// joined to a neighbour, so there can be a few less than particles.
 pub struct Fitting {
     cells: Vec<Cell>,
+    /// How many of these are no images of others.
+    count: usize,
     next: Next,
 }
 
@@ -52,6 +57,7 @@ impl Fitting {
     pub fn new(particles: Vec<Particle>) -> Self {
         Self {
             cells: Vec::new(),
+            count: 0,
             next: Next::Dual(particles),
         }
     }
@@ -62,6 +68,7 @@ impl Fitting {
     pub fn voronoi(particles: Vec<Particle>) -> Self {
         Self {
             cells: Vec::new(),
+            count: 0,
             next: Next::Voronoi(particles),
         }
     }
@@ -82,10 +89,15 @@ impl Fitting {
                     Next::Corners
                 }
             }
-            Next::Corners => Next::Rounds(Straightening::new(domain, &self.cells)),
+            Next::Corners => {
+                self.count = self.cells.len();
+                self.cells.extend(torus::images(domain, &self.cells));
+                Next::Rounds(Straightening::new(domain, &self.cells))
+            }
             Next::Rounds(mut straightening) => {
                 if straightening.round(&self.cells) {
                     straightening.finish(&mut self.cells);
+                    self.cells.truncate(self.count);
                     Next::Nothing
                 } else {
                     Next::Rounds(straightening)
@@ -99,6 +111,15 @@ impl Fitting {
     /// The cells in the order of their ids.
     pub fn finish(self) -> Vec<Cell> {
         self.cells
+    }
+}
+
+/// A cell to be joined into the mesh; Voronoi polygons know no stretch.
+fn node(p: &Particle, plain: bool) -> Node {
+    if plain {
+        Node::plain(p.centre)
+    } else {
+        Node::of(p)
     }
 }
 
@@ -144,31 +165,20 @@ struct Dual {
 
 impl Dual {
     fn new(domain: &Domain, particles: Vec<Particle>, plain: bool) -> Self {
+        if let Some(side) = domain.period() {
+            return Self::over_seams(domain, side, particles, plain);
+        }
         let real = particles.len();
-        let mut points: Vec<DVec2> = particles.iter().map(|p| p.centre).collect();
-        points.extend(if plain {
-            ghosts::frame(domain)
+        let mut nodes: Vec<Node> = particles.iter().map(|p| node(p, plain)).collect();
+        nodes.extend(if plain {
+            ghosts::frame(domain).into_iter().map(Node::plain).collect()
         } else {
             ghosts::ghosts(domain, &particles)
         });
-        let round = particles.first().is_some_and(|p| !p.kind.has_corners());
-        let mesh = Mesh::whole(points, |_| plain || round);
-        let count = mesh.faces.len();
-        let mut dual = Self {
-            particles,
-            fans: mesh.fans(),
-            middles: Vec::with_capacity(count),
-            mixed: Vec::with_capacity(count),
-            on: Vec::with_capacity(count),
-            own: Vec::new(),
-            vertices: mesh.vertices.len(),
-            plain,
-        };
+        let mesh = Mesh::whole(&nodes, |_| plain);
+        let mut dual = Self::of(particles, &mesh, plain);
         for face in &mesh.faces {
-            let mut middle = match *face.nodes() {
-                [a, b, c] if plain => circumcentre([a, b, c].map(|k| mesh.vertices[k as usize])),
-                _ => face.centroid(&mesh.vertices),
-            };
+            let mut middle = dual.middle(&mesh, face);
             let cells = face.nodes().iter().filter(|&&k| (k as usize) < real);
             let sizes: Vec<f64> = cells.map(|&k| dual.particles[k as usize].size).collect();
             let mut on = On::Nothing;
@@ -185,6 +195,57 @@ impl Dual {
             dual.divide(domain, &mesh);
         }
         dual
+    }
+
+    /// On the torus. Pairs of triangles are chosen one after the other, so that far from the picture
+    /// other ones may be chosen; should that reach as far as the seams, more images are taken, and in
+    /// the end lone triangles, which depend on nothing but their own corners.
+    fn over_seams(domain: &Domain, side: f64, mut particles: Vec<Particle>, plain: bool) -> Self {
+        for p in &mut particles {
+            p.centre = domain.wrap(p.centre);
+        }
+        let mut margins = MARGINS.into_iter();
+        loop {
+            let margin = margins.next();
+            let all = torus::spread(side, &particles, margin.unwrap_or(MARGINS[0]));
+            let mut nodes: Vec<Node> = all.iter().map(|p| node(p, plain)).collect();
+            if margin.is_none() {
+                nodes.iter_mut().for_each(|node| node.corners = false);
+            }
+            let mesh = Mesh::whole(&nodes, |_| plain);
+            let mut dual = Self::of(Vec::new(), &mesh, plain);
+            for face in &mesh.faces {
+                dual.push(dual.middle(&mesh, face), false, On::Nothing);
+            }
+            let rings: Vec<Vec<DVec2>> = (0..particles.len()).map(|k| dual.ring(k)).collect();
+            if margin.is_none() || torus::closes(domain, &rings) {
+                dual.particles = particles;
+                return dual;
+            }
+        }
+    }
+
+    /// Without vertices yet.
+    fn of(particles: Vec<Particle>, mesh: &Mesh, plain: bool) -> Self {
+        let count = mesh.faces.len();
+        Self {
+            particles,
+            fans: mesh.fans(),
+            middles: Vec::with_capacity(count),
+            mixed: Vec::with_capacity(count),
+            on: Vec::with_capacity(count),
+            own: Vec::new(),
+            vertices: mesh.vertices.len(),
+            plain,
+        }
+    }
+
+    /// Where an element's vertex belongs.
+    fn middle(&self, mesh: &Mesh, face: &Face) -> DVec2 {
+        match *face.nodes() {
+            [a, b, c] if self.plain => circumcentre([a, b, c].map(|k| mesh.vertices[k as usize])),
+            _ => face.centroid(&mesh.vertices),
+        }
     }
 
     fn push(&mut self, middle: DVec2, mixed: bool, on: On) {
@@ -267,12 +328,19 @@ impl Dual {
 
     /// All cells, corners not straightened.
     fn cells(&self, domain: &Domain) -> Vec<Cell> {
-        let band = self.band(domain);
+        let band = if domain.period().is_some() {
+            vec![false; self.particles.len()]
+        } else {
+            self.band(domain)
+        };
         let mut cells: Vec<Cell> = (0..self.particles.len())
             .filter(|&k| !band[k])
             .map(|k| cell(&self.particles[k], self.ring(k)))
             .collect();
-        cells.extend(self.cut(domain, &band, &cells));
+        if domain.period().is_none() {
+            cells.extend(self.cut(domain, &band, &cells));
+        }
+        cells.retain(|c| c.ring.len() >= 3);
         order::sort(&mut cells, |c| (c.id.into(), 0));
         cells
     }
@@ -362,7 +430,7 @@ impl Dual {
             let along = ghost_and_cell && on_boundary(f) && on_boundary(g);
             let outside = ghosts_only && (on_boundary(f) || on_boundary(g));
             let [a, b] = [f, g].map(|f| self.middles[f as usize]);
-            if !along && !outside && a != b && !self.runs_along_line(domain, f, g) {
+            if !along && !outside && a != b && !self.runs_along_wall(domain, f, g) {
                 lines.push(Line::side(a, b));
             }
             k += if twice { 2 } else { 1 };
@@ -370,12 +438,18 @@ impl Dual {
         lines
     }
 
-    /// Do two vertices lie on a constraint line, and the straight way between them nearly so?
-    fn runs_along_line(&self, domain: &Domain, f: u32, g: u32) -> bool {
+    /// Do two vertices lie on walls, and the straight way between them along a wall? Where there are
+    /// constraint lines, the walls themselves divide cells there: lines that nearly coincide with
+    /// them would only do harm.
+    fn runs_along_wall(&self, domain: &Domain, f: u32, g: u32) -> bool {
         let on = |f: u32| self.on[f as usize] != On::Nothing;
         let [a, b] = [f, g].map(|f| self.middles[f as usize]);
-        let near = || domain.nearest_line(a.midpoint(b));
-        on(f) && on(g) && near().is_some_and(|near| near.distance < ALONG * a.distance(b))
+        let (middle, near) = (a.midpoint(b), ALONG * a.distance(b));
+        on(f)
+            && on(g)
+            && domain.nearest_line(middle).is_some_and(|line| {
+                line.distance < near || domain.nearest(middle).distance.abs() < near
+            })
     }
 }
 

@@ -5,6 +5,7 @@
 //! the image through both.
 
 use crate::domain::{Domain, Facing, Foot};
+use crate::mesh::Node;
 use crate::packing::Particle;
 use glam::DVec2;
 
@@ -20,10 +21,10 @@ const ON_BOUNDARY: f64 = 0.05;
 const FRAME: f64 = 2.0;
 
 /// The images of all cells near a wall, and a frame of far points around everything.
-pub(super) fn ghosts(domain: &Domain, particles: &[Particle]) -> Vec<DVec2> {
+pub(super) fn ghosts(domain: &Domain, particles: &[Particle]) -> Vec<Node> {
     let largest = particles.iter().fold(0.0_f64, |m, p| m.max(p.size));
     let facing = Facing::new(domain, MIRRORED * largest);
-    let mut images: Vec<(DVec2, f64)> = Vec::new();
+    let mut images: Vec<Image> = Vec::new();
     let mut feet = Vec::new();
     for p in particles.iter().filter(|p| facing.is_near(p.centre)) {
         if p.fixed {
@@ -33,7 +34,7 @@ pub(super) fn ghosts(domain: &Domain, particles: &[Particle]) -> Vec<DVec2> {
                 continue;
             }
             let outward = outward_of_boundary_cell(domain, p, near.tangent);
-            images.push((p.centre + outward * p.size, p.size));
+            images.push(image(p, outward * p.size));
             continue;
         }
         facing.feet(p.centre, MIRRORED * p.size, &mut feet);
@@ -41,20 +42,30 @@ pub(super) fn ghosts(domain: &Domain, particles: &[Particle]) -> Vec<DVec2> {
         mirror(p, &feet, &mut images);
     }
     let mut kept = thin_out(domain, images, largest);
-    kept.extend(frame(domain));
+    kept.extend(frame(domain).into_iter().map(Node::plain));
     kept
 }
 
+/// A ghost and the size of the cell that it mirrors.
+type Image = (Node, f64);
+
+/// A cell's image, moved there.
+fn image(p: &Particle, by: DVec2) -> Image {
+    let mut node = Node::of(p);
+    node.at += by;
+    (node, p.size)
+}
+
 /// Through each wall, and through each pair of walls that make a corner.
-fn mirror(p: &Particle, feet: &[Foot], images: &mut Vec<(DVec2, f64)>) {
+fn mirror(p: &Particle, feet: &[Foot], images: &mut Vec<Image>) {
     for (k, foot) in feet.iter().enumerate() {
         let step = -2.0 * foot.distance * foot.inward;
-        images.push((p.centre + step, p.size));
+        images.push(image(p, step));
         for other in &feet[..k] {
             let along = foot.inward.dot(other.inward);
             if along.abs() < CORNER {
                 let second = -2.0 * other.distance * other.inward;
-                images.push((p.centre + step + second, p.size));
+                images.push(image(p, step + second));
             }
         }
     }
@@ -74,21 +85,22 @@ fn outward_of_boundary_cell(domain: &Domain, p: &Particle, tangent: DVec2) -> DV
 }
 
 /// Drops images that fell back inside the outline or onto another one.
-fn thin_out(domain: &Domain, images: Vec<(DVec2, f64)>, largest: f64) -> Vec<DVec2> {
+fn thin_out(domain: &Domain, images: Vec<Image>, largest: f64) -> Vec<Node> {
     let (lo, hi) = domain.bounds();
     let mut grid = crate::packing::Grid::new(lo, hi, largest);
-    let mut kept: Vec<DVec2> = Vec::new();
-    for (p, size) in images {
+    let mut kept: Vec<Node> = Vec::new();
+    for (node, size) in images {
+        let p = node.at;
         if domain.contains(p) {
             continue;
         }
         let mut free = true;
         grid.near(p, SAME * size, |k| {
-            free &= kept[k].distance(p) >= SAME * size;
+            free &= kept[k].at.distance(p) >= SAME * size;
         });
         if free {
             grid.push(p);
-            kept.push(p);
+            kept.push(node);
         }
     }
     kept

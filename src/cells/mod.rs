@@ -8,6 +8,7 @@ mod ghosts;
 mod packed;
 mod rings;
 mod straighten;
+mod torus;
 mod voronoi;
 
 pub use fitted::{Fitting, fitted};

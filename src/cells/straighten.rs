@@ -5,9 +5,10 @@
 //! mean of what its cells ask for; those on the boundary slide along it. This goes beyond the papers; it
 //! changes no connection, and never turns a corner inside out.
 
-use super::Cell;
+use super::{Cell, torus};
 use crate::domain::{Domain, cross};
 use crate::order;
+use crate::planar::on_grain;
 use glam::DVec2;
 
 /// Rounds of asking and moving.
@@ -52,6 +53,8 @@ struct Rings {
     /// (vertex, cell, place in the ring), by vertex.
     uses: Vec<[u32; 3]>,
     start: Vec<u32>,
+    /// On a torus: see [`torus::twins`].
+    twins: Vec<(u32, u32, DVec2)>,
 }
 
 /// The straightening of cells, in rounds.
@@ -116,6 +119,7 @@ impl Rings {
         }
         start.push(uses.len() as u32);
         let mut made = Self {
+            twins: torus::twins(domain, &points),
             free: vec![Freedom::Fixed; points.len()],
             on_line: vec![false; points.len()],
             points,
@@ -125,6 +129,9 @@ impl Rings {
             start,
         };
         made.find_free(domain);
+        for &(_, image, _) in &made.twins {
+            made.free[image as usize] = Freedom::Fixed;
+        }
         made.quads = (0..cells.len()).map(|c| made.four_corners(c)).collect();
         made
     }
@@ -280,9 +287,24 @@ impl Rings {
                 Freedom::Free => old + by,
                 Freedom::Slides(along) => old + along * self.slide(vertex, along, along.dot(by)),
             };
+            if !self.twins.is_empty() && self.free[vertex] != Freedom::Fixed {
+                self.points[vertex] = on_grain(self.points[vertex]);
+            }
             if !self.is_sound(vertex, old) {
                 self.points[vertex] = old;
             }
+            self.follow(vertex);
+        }
+    }
+
+    /// Moves the images of a vertex after it.
+    fn follow(&mut self, vertex: usize) {
+        let first = self.twins.partition_point(|t| (t.0 as usize) < vertex);
+        for &(home, image, by) in &self.twins[first..] {
+            if home as usize != vertex {
+                break;
+            }
+            self.points[image as usize] = self.points[vertex] + by;
         }
     }
 

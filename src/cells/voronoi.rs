@@ -20,6 +20,10 @@ const MOST_TRIES: u32 = 4096;
 /// About so many points lie across a row, for the order in which they are triangulated.
 const POINTS_ACROSS: f64 = 2.0;
 
+/// Points this far beyond the edge of a torus, in mean distances of points, have images: two of
+/// random points with a common side are hardly ever farther from each other.
+const SIGHT: f64 = 6.0;
+
 /// What points are scattered from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ScatterParams {
@@ -88,6 +92,7 @@ impl Scatter {
     fn round(&mut self, domain: &Domain) {
         // Within the frame every point's triangles close a full turn.
         let mut vertices = self.points.clone();
+        vertices.extend(images(domain, &self.points));
         vertices.extend(frame(domain));
         let triangles = triangulate(&vertices);
         let real = self.points.len();
@@ -117,10 +122,25 @@ impl Scatter {
             let to = *p + cell.centroid();
             // On a bend a cell's centroid can lie outside.
             if domain.contains(to) {
-                *p = to;
+                *p = domain.wrap(to);
             }
         }
     }
+}
+
+/// On a torus the images of points that lie a little beyond the picture's edges.
+fn images(domain: &Domain, points: &[DVec2]) -> Vec<DVec2> {
+    let mut images = Vec::new();
+    if let Some(side) = domain.period() {
+        let middle = DVec2::splat(0.5 * side);
+        let reach = 0.5 * side + SIGHT * side / (points.len() as f64).sqrt();
+        for shift in (0..9).filter(|&k| k != 4) {
+            let shift = side * DVec2::new(f64::from(shift % 3 - 1), f64::from(shift / 3 - 1));
+            let shifted = points.iter().map(|&p| p + shift);
+            images.extend(shifted.filter(|&p| (p - middle).abs().max_element() < reach));
+        }
+    }
+    images
 }
 
 /// For each of the first points those that it shares a side of a triangle with.

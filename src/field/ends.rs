@@ -27,35 +27,35 @@ pub(super) fn strengths(domain: &Domain, ends: f64) -> Vec<f64> {
 
 fn mark(ring: &[DVec2], ends: f64, strengths: &mut [f64]) {
     let n = ring.len();
-    let along = |k: usize| (ring[(k + 1) % n] - ring[k % n]).normalize_or_zero();
-    let turns = |k: usize| along(k + n - 1).dot(along(k)) < CORNER;
-    let corners: Vec<usize> = (0..n).filter(|&k| turns(k)).collect();
+    let mut corners = Vec::new();
+    let mut before = (ring[0] - ring[n - 1]).normalize_or_zero();
+    for k in 0..n {
+        let along = (ring[(k + 1) % n] - ring[k]).normalize_or_zero();
+        if before.dot(along) < CORNER {
+            corners.push((k, before.perp_dot(along) > 0.0));
+        }
+        before = along;
+    }
     let count = corners.len();
     if count < 3 {
         return;
     }
-    // A piece goes from a corner to the next one.
-    let segments = |piece: usize| {
-        let (from, to) = (corners[piece % count], corners[(piece + 1) % count]);
-        (0..(to + n - from - 1) % n + 1).map(move |k| (from + k) % n)
-    };
-    let length = |piece: usize| -> f64 {
-        segments(piece)
-            .map(|k| ring[k].distance(ring[(k + 1) % n]))
-            .sum()
-    };
-    let convex = |corner: usize| {
-        let k = corners[corner % count];
-        along(k + n - 1).perp_dot(along(k)) > 0.0
-    };
-    for piece in 0..count {
-        if convex(piece) && convex(piece + 1) {
-            let beside = length(piece + count - 1).min(length(piece + 1));
-            let t = ((length(piece) / beside - END.0) / (END.1 - END.0)).clamp(0.0, 1.0);
-            let full = t * t * (3.0 - 2.0 * t);
-            for k in segments(piece) {
-                strengths[k] = ends + (1.0 - ends) * full;
-            }
+    // A piece goes from a corner to the next one; the last one goes over the ring's beginning.
+    let (mut piece, mut piece_of, mut lengths) = (count - 1, vec![0; n], vec![0.0; count]);
+    for k in 0..n {
+        let next = (piece + 1) % count;
+        if corners[next].0 == k {
+            piece = next;
+        }
+        piece_of[k] = piece;
+        lengths[piece] += ring[k].distance(ring[(k + 1) % n]);
+    }
+    for (strength, &piece) in strengths.iter_mut().zip(&piece_of) {
+        let (earlier, later) = ((piece + count - 1) % count, (piece + 1) % count);
+        if corners[piece].1 && corners[later].1 {
+            let beside = lengths[earlier].min(lengths[later]);
+            let t = ((lengths[piece] / beside - END.0) / (END.1 - END.0)).clamp(0.0, 1.0);
+            *strength = ends + (1.0 - ends) * t * t * (3.0 - 2.0 * t);
         }
     }
 }

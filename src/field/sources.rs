@@ -38,6 +38,7 @@ pub(super) struct Source {
 
 impl Source {
     /// `None` for a segment without length.
+    #[inline(never)]
     pub fn new([a, b]: [DVec2; 2], strength: f64, symmetry: u32) -> Option<Self> {
         let length = a.distance(b);
         let along = (b - a) / length;
@@ -140,10 +141,6 @@ impl Sources {
             sources.grow(0, sources.list.len());
         }
         sources
-    }
-
-    pub fn is_empty(&self) -> bool {
-        self.list.is_empty()
     }
 
     fn grow(&mut self, first: usize, end: usize) {

@@ -3,14 +3,55 @@
 //! Itoh, Miyata, Shimada (2003), section 5.2: Delaunay triangulation (spade), then pairs of
 //! triangles become quadrilaterals in the order of their quality; lone triangles may stay.
 
+mod metric;
+mod patch;
 mod quads;
+mod relax;
+mod triangles;
+
+pub use metric::Metric;
 
 use crate::domain::Domain;
 use crate::order;
 use crate::packing::Particle;
-use crate::planar::{Delaunay, insert};
 use glam::DVec2;
-use spade::{Point2, Triangulation as _};
+use quads::Faces;
+use triangles::{NONE, Triangles};
+
+/// A point to be joined into a mesh.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Node {
+    /// Where it is, in picture units.
+    pub at: DVec2,
+    /// Unit vector along a side of its cell; zero where it has no direction.
+    pub axis: DVec2,
+    /// How lengths are measured here.
+    pub metric: Metric,
+    /// Its cell has corners: it may be a corner of quadrilaterals.
+    pub corners: bool,
+}
+
+impl Node {
+    /// A point that stands for a square.
+    pub fn plain(at: DVec2) -> Self {
+        Self {
+            at,
+            axis: DVec2::ZERO,
+            metric: Metric::EVEN,
+            corners: true,
+        }
+    }
+
+    /// That of a packed cell.
+    pub fn of(p: &Particle) -> Self {
+        Self {
+            at: p.centre,
+            axis: p.axis,
+            metric: Metric::new(p.axis, p.aspect),
+            corners: p.kind.has_corners(),
+        }
+    }
+}
 
 /// A mesh element: a triangle or a quadrilateral.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -57,39 +98,67 @@ pub struct Mesh {
 
 /// A triangle whose height is less than this share of its longest side is a sliver of the rim.
 const SLIVER: f64 = 0.12;
+/// Without an obtuse angle it is one if its height is less than this share.
+const NEEDLE: f64 = 0.01;
 /// Cells at a wall stand half their size from it; a triangle whose middle is nearer than this, in
 /// sizes, only bridges a bend.
 const AT_WALL: f64 = 0.45;
+
+/// Lone triangles are let be where they are at most this share of the elements ...
+const FEW_TRIANGLES: f64 = 0.037;
+/// ... and this many more, but ...
+const RIM_TRIANGLES: f64 = 6.0;
+/// ... at most this share.
+const MOST_TRIANGLES: f64 = 0.08;
+/// The least score of quadrilaterals that replace lone triangles, falling.
+const STANDARDS: [f64; 6] = [0.5, 0.4, 0.3, 0.2, 0.2, 0.15];
+
+/// A side is looked at without this share of it at both ends: those may stand on a constraint line.
+const SHRINK: f64 = 0.02;
+/// A point nearer to a constraint line than this (in sizes) lies on it.
+const ON_LINE: f64 = 0.05;
 
 impl Mesh {
     /// The mesh of the cells' centres within the outline: elements whose middle lies outside,
     /// slivers along the rim, and triangles that lie between the outermost cells and the wall they
     /// stand at, are left out.
     pub fn build(domain: &Domain, particles: &[Particle]) -> Self {
-        let centres = particles.iter().map(|p| p.centre).collect();
-        let round = |[a, b]: [u32; 2]| {
-            [a, b].map(|k| {
-                particles
-                    .get(k as usize)
-                    .is_some_and(|p| !p.kind.has_corners())
-            }) != [false; 2]
-        };
-        let mut mesh = Self::whole(centres, round);
-        let vertices = &mesh.vertices;
-        mesh.faces.retain(|face| {
-            let depth = domain.nearest(face.centroid(vertices)).distance;
+        let mut nodes: Vec<Node> = particles.iter().map(Node::of).collect();
+        let vertices: Vec<DVec2> = particles.iter().map(|p| p.centre).collect();
+        let mut triangles = Triangles::new(&nodes);
+        // Sides from cell to cell along a constraint line are not dissolved.
+        let keep = |side: [u32; 2]| lies_on_line(domain, side.map(|k| &particles[k as usize]));
+        triangles.stretch(&nodes, keep);
+        triangles.retain(|t| {
+            let [a, b, c] = t.map(|k| vertices[k as usize]);
+            domain.nearest((a + b + c) / 3.0).distance > 0.0
+                && ![[a, b], [b, c], [c, a]]
+                    .iter()
+                    .any(|&[p, q]| domain.crosses_line(p.lerp(q, SHRINK), q.lerp(p, SHRINK)))
+        });
+        let mut made = quads::pair(&nodes, &triangles, keep);
+        join_lone(&mut nodes, &mut made, |k| particles[k].fixed, keep);
+        let vertices: Vec<DVec2> = nodes.iter().map(|n| n.at).collect();
+        let mut faces = made.faces;
+        faces.retain(|face| {
+            if face.sides == 0 {
+                return false;
+            }
+            let depth = domain.nearest(face.centroid(&vertices)).distance;
             depth > 0.0
-                && !is_sliver(face, vertices)
+                && !is_sliver(face, &nodes)
                 && !(face.sides == 3 && depth < at_wall(face, particles))
         });
-        mesh
+        Self { vertices, faces }
     }
 
     /// The mesh of all points over their convex hull. Edges for which `keep` holds are never
     /// dissolved into a quadrilateral. Points that coincide with an earlier one get no element.
-    pub(crate) fn whole(vertices: Vec<DVec2>, keep: impl Fn([u32; 2]) -> bool) -> Self {
-        let triangles = triangulate(&vertices);
-        let faces = quads::pair(&vertices, &triangles, keep);
+    pub(crate) fn whole(nodes: &[Node], keep: impl Fn([u32; 2]) -> bool) -> Self {
+        let mut triangles = Triangles::new(nodes);
+        triangles.stretch(nodes, &keep);
+        let faces = quads::pair(nodes, &triangles, &keep).faces;
+        let vertices = nodes.iter().map(|n| n.at).collect();
         Self { vertices, faces }
     }
 
@@ -100,38 +169,77 @@ impl Mesh {
     }
 }
 
+/// Joins lone triangles over the elements between them while there are too many, first to good
+/// quadrilaterals only; in between the nodes that may move relax, which makes room for more.
+fn join_lone(
+    nodes: &mut [Node],
+    made: &mut Faces,
+    is_fixed: impl Fn(usize) -> bool,
+    keep: impl Fn([u32; 2]) -> bool,
+) {
+    let mut free: Vec<bool> = (0..nodes.len()).map(|k| !is_fixed(k)).collect();
+    for (face, beside) in made.faces.iter().zip(&made.beside) {
+        let corners = face.nodes();
+        for k in 0..corners.len() {
+            if beside[k] == NONE {
+                free[corners[k] as usize] = false;
+                free[corners[(k + 1) % corners.len()] as usize] = false;
+            }
+        }
+    }
+    let lone = |nodes: &[Node], made: &Faces| {
+        let faces = made.faces.iter();
+        faces.filter(|f| quads::is_lone(nodes, f)).count()
+    };
+    let quads = made.faces.iter().filter(|f| f.sides == 4).count();
+    let count = (quads + lone(nodes, made)) as f64;
+    let few = (FEW_TRIANGLES * count + RIM_TRIANGLES).min(MOST_TRIANGLES * count) as usize;
+    for worst in STANDARDS {
+        if lone(nodes, made) <= few {
+            break;
+        }
+        patch::better(nodes, made, worst, few, &keep);
+        relax::relax(nodes, &made.faces, &free);
+    }
+}
+
+/// Do both cells stand on a constraint line, and what is between them, too?
+fn lies_on_line(domain: &Domain, [a, b]: [&Particle; 2]) -> bool {
+    let on = |p: DVec2| {
+        let near = domain.nearest_line(p);
+        near.is_some_and(|near| near.distance < ON_LINE * a.size)
+    };
+    on(a.centre.midpoint(b.centre)) && on(a.centre) && on(b.centre)
+}
+
 /// How deep a triangle of cells that all stand at a wall has to lie; 0 where one is fixed on it.
 fn at_wall(triangle: &Face, particles: &[Particle]) -> f64 {
     let nodes = triangle.nodes().iter().map(|&k| &particles[k as usize]);
-    let depth = nodes.map(|p| if p.fixed { 0.0 } else { AT_WALL * p.size });
+    let depth = nodes.map(|p| {
+        if p.fixed {
+            0.0
+        } else {
+            AT_WALL * p.size / p.aspect.sqrt()
+        }
+    });
     depth.fold(f64::INFINITY, f64::min)
 }
 
-fn is_sliver(face: &Face, vertices: &[DVec2]) -> bool {
+/// Is this a triangle so flat that it only lies along the rim? The needles of sharp tips stay.
+fn is_sliver(face: &Face, nodes: &[Node]) -> bool {
     let [a, b, c] = *face.nodes() else {
         return false;
     };
-    let [a, b, c] = [a, b, c].map(|k| vertices[k as usize]);
-    let longest = a.distance(b).max(b.distance(c)).max(c.distance(a));
-    crate::domain::cross(a, b, c) < SLIVER * longest * longest
+    let [p, q, r] = [a, b, c].map(|k| nodes[k as usize].at);
+    let obtuse = |p: DVec2, q: DVec2, r: DVec2| (q - p).dot(r - p) < 0.0;
+    let cap = obtuse(p, q, r) || obtuse(q, r, p) || obtuse(r, p, q);
+    quads::height(nodes, [a, b, c]) < if cap { SLIVER } else { NEEDLE }
 }
 
 /// Delaunay triangles, each of positive shoelace area, in an order that depends on the points only.
 pub(crate) fn triangulate(points: &[DVec2]) -> Vec<[u32; 3]> {
-    let mut mesh = Delaunay::default();
-    // One after the other in the order given: coinciding points are told apart by their handles.
-    let mut name = Vec::with_capacity(points.len());
-    for (k, p) in points.iter().enumerate() {
-        if let Some(handle) = insert(&mut mesh, Point2::new(p.x, p.y))
-            && handle.index() == name.len()
-        {
-            name.push(k as u32);
-        }
-    }
-    // Spade winds counter-clockwise with y up: a positive shoelace area on the same numbers.
-    mesh.inner_faces()
-        .map(|face| face.vertices().map(|v| name[v.fix().index()]))
-        .collect()
+    let nodes: Vec<Node> = points.iter().copied().map(Node::plain).collect();
+    Triangles::new(&nodes).nodes
 }
 
 /// The elements around each vertex.
@@ -200,47 +308,4 @@ impl Fans {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn lattice(n: u32) -> Vec<DVec2> {
-        (0..n * n)
-            .map(|k| DVec2::new(f64::from(k % n), f64::from(k / n)))
-            .collect()
-    }
-
-    #[test]
-    fn a_lattice_becomes_quads_with_four_around_each_inner_node() {
-        let mesh = Mesh::whole(lattice(6), |_| false);
-        assert_eq!(mesh.faces.len(), 25);
-        assert!(mesh.faces.iter().all(|f| f.nodes().len() == 4));
-        let fans = mesh.fans();
-        for k in 0..36 {
-            let (x, y) = (k % 6, k / 6);
-            let inner = x > 0 && x < 5 && y > 0 && y < 5;
-            assert_eq!(fans.around(k).len(), if inner { 4 } else { 0 });
-        }
-    }
-
-    #[test]
-    fn fans_run_clockwise_on_screen() {
-        let mut points = lattice(5);
-        points[12] += DVec2::new(0.21, -0.13);
-        let mesh = Mesh::whole(points, |_| false);
-        let ring: Vec<DVec2> = mesh
-            .fans()
-            .around(12)
-            .iter()
-            .map(|&f| mesh.faces[f as usize].centroid(&mesh.vertices))
-            .collect();
-        assert!(crate::domain::signed_area(&ring) > 0.5);
-    }
-
-    #[test]
-    fn degenerate_points_give_no_elements() {
-        let line: Vec<DVec2> = (0..9).map(|k| DVec2::new(f64::from(k), 0.0)).collect();
-        assert!(Mesh::whole(line, |_| false).faces.is_empty());
-        assert!(Mesh::whole(vec![], |_| false).faces.is_empty());
-        assert!(Mesh::whole(vec![DVec2::ONE; 4], |_| false).faces.is_empty());
-    }
-}
+mod tests;

@@ -1,92 +1,135 @@
 //! Pairs triangles to quadrilaterals (Itoh, Miyata, Shimada 2003, section 5.2).
 
-use super::Face;
+use super::triangles::{NONE, Triangles};
+use super::{Face, Metric, Node};
+use crate::domain::cross;
 use crate::order;
-use glam::DVec2;
 
 /// A pair scores the least sine of its four corners; worse ones stay two triangles.
-const WORST_SCORE: f64 = 0.5;
+pub(super) const WORST_SCORE: f64 = 0.5;
+
+/// Elements and what lies beside them.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Faces {
+    pub faces: Vec<Face>,
+    /// The element across the side from each node to the next; [`NONE`] at the rim.
+    pub beside: Vec<[u32; 4]>,
+}
 
 struct Candidate {
     score: f64,
     triangles: [u32; 2],
     nodes: [u32; 4],
+    /// What lies across its four sides.
+    beside: [u32; 4],
 }
 
-/// The best pairs first; ties by the triangles' order. Edges for which `keep` holds stay.
+/// The best pairs first; ties by the triangles' order. Edges for which `keep` holds stay, and so do
+/// triangles with a node that has no corners.
 pub(super) fn pair(
-    vertices: &[DVec2],
-    triangles: &[[u32; 3]],
+    nodes: &[Node],
+    triangles: &Triangles,
     keep: impl Fn([u32; 2]) -> bool,
-) -> Vec<Face> {
-    let mut candidates = candidates(vertices, triangles, keep);
+) -> Faces {
+    let mut candidates = candidates(nodes, triangles, keep);
     order::sort(&mut candidates, |c| {
         let [a, b] = c.triangles;
         (!order::rank(c.score), order::pair(a, b))
     });
-    let mut used = vec![false; triangles.len()];
-    let mut faces = Vec::new();
+    // The element that each triangle has become.
+    let mut into = vec![NONE; triangles.nodes.len()];
+    let mut made = Faces::default();
     for candidate in candidates {
         let [a, b] = candidate.triangles.map(|t| t as usize);
-        if !used[a] && !used[b] {
-            used[a] = true;
-            used[b] = true;
-            faces.push(Face::quad(candidate.nodes));
+        if into[a] == NONE && into[b] == NONE {
+            into[a] = made.faces.len() as u32;
+            into[b] = into[a];
+            made.faces.push(Face::quad(candidate.nodes));
+            made.beside.push(candidate.beside);
         }
     }
-    let lone = triangles.iter().zip(used).filter(|(_, used)| !used);
-    faces.extend(lone.map(|(&nodes, _)| Face::triangle(nodes)));
-    faces
+    for (t, (&[a, b, c], &[x, y, z])) in triangles.nodes.iter().zip(&triangles.beside).enumerate() {
+        if into[t] == NONE {
+            into[t] = made.faces.len() as u32;
+            made.faces.push(Face::triangle([a, b, c]));
+            made.beside.push([z, x, y, NONE]);
+        }
+    }
+    for t in made.beside.iter_mut().flatten() {
+        if *t != NONE {
+            *t = into[*t as usize];
+        }
+    }
+    made
 }
 
 fn candidates(
-    vertices: &[DVec2],
-    triangles: &[[u32; 3]],
+    nodes: &[Node],
+    triangles: &Triangles,
     keep: impl Fn([u32; 2]) -> bool,
 ) -> Vec<Candidate> {
-    // Every side as (lower node, higher node, triangle, opposite node): partners become neighbours.
-    let mut sides: Vec<[u32; 4]> = Vec::with_capacity(3 * triangles.len());
-    for (index, nodes) in triangles.iter().enumerate() {
-        for k in 0..3 {
-            let (a, b) = (nodes[(k + 1) % 3], nodes[(k + 2) % 3]);
-            sides.push([a.min(b), a.max(b), index as u32, nodes[k]]);
-        }
-    }
-    order::sort(&mut sides, |&[a, b, t, c]| {
-        (order::pair(a, b), order::pair(t, c))
-    });
     let mut candidates = Vec::new();
-    for w in sides.windows(2) {
-        let [[a, b, t, c], [a2, b2, u, d]] = [w[0], w[1]];
-        if (a, b) != (a2, b2) || keep([a, b]) {
-            continue;
-        }
-        // Around the quadrilateral: c, one end of the side, d, the other end.
-        let turn = |k: u32| vertices[k as usize] - vertices[c as usize];
-        let nodes = if turn(a).perp_dot(turn(b)) > 0.0 {
-            [c, a, d, b]
-        } else {
-            [c, b, d, a]
-        };
-        let score = least_sine(nodes.map(|k| vertices[k as usize]));
-        if score >= WORST_SCORE {
-            candidates.push(Candidate {
-                score,
-                triangles: [t, u],
-                nodes,
-            });
+    for (t, (corners, sides)) in triangles.nodes.iter().zip(&triangles.beside).enumerate() {
+        for k in 0..3 {
+            let u = sides[k];
+            let [c, a, b] = [0, 1, 2].map(|s| corners[(k + s) % 3]);
+            // Each pair once, from its first triangle.
+            if u == NONE || u < t as u32 || keep([a.min(b), a.max(b)]) {
+                continue;
+            }
+            let j = triangles.side_towards(u, t as u32);
+            let (d, other) = (triangles.nodes[u as usize][j], triangles.beside[u as usize]);
+            let quad = [c, a, d, b];
+            let score = score(nodes, quad);
+            if score >= WORST_SCORE {
+                candidates.push(Candidate {
+                    score,
+                    triangles: [t as u32, u],
+                    nodes: quad,
+                    beside: [
+                        sides[(k + 2) % 3],
+                        other[(j + 1) % 3],
+                        other[(j + 2) % 3],
+                        sides[(k + 1) % 3],
+                    ],
+                });
+            }
         }
     }
     candidates
 }
 
-/// The least sine of the corners' angles; 1 for a rectangle, negative where it is not convex.
-fn least_sine(corners: [DVec2; 4]) -> f64 {
+/// The least sine of a quadrilateral's angles, in the mean metric of its nodes: 1 for a rectangle,
+/// negative where it is not convex. Negative also where a node has no corners.
+pub(super) fn score(nodes: &[Node], quad: [u32; 4]) -> f64 {
+    let corners = quad.map(|k| &nodes[k as usize]);
+    if corners.iter().any(|node| !node.corners) {
+        return -1.0;
+    }
+    let metric = Metric::mean(corners.map(|node| node.metric));
     let mut least = 1.0_f64;
+    let sides = [0, 1, 2, 3].map(|k| corners[(k + 1) % 4].at - corners[k].at);
+    let lengths = sides.map(|side| metric.length(side));
     for k in 0..4 {
-        let u = corners[(k + 1) % 4] - corners[k];
-        let v = corners[(k + 3) % 4] - corners[k];
-        least = least.min(u.perp_dot(v) / (u.length() * v.length()));
+        let before = (k + 3) % 4;
+        let sine = sides[before].perp_dot(sides[k]) / (lengths[before] * lengths[k]);
+        least = least.min(sine);
     }
     least
+}
+
+/// A triangle's height over its longest side in the mean metric of its nodes: 0.866 where all sides
+/// are equal, negative where it is turned over.
+pub(super) fn height(nodes: &[Node], triangle: [u32; 3]) -> f64 {
+    let [a, b, c] = triangle.map(|k| &nodes[k as usize]);
+    let metric = Metric::mean([a.metric, b.metric, c.metric, c.metric]);
+    let sides = [b.at - a.at, c.at - b.at, a.at - c.at];
+    let longest = sides.map(|side| metric.dot(side, side));
+    let longest = longest[0].max(longest[1]).max(longest[2]);
+    cross(a.at, b.at, c.at) / longest
+}
+
+/// Is this a triangle that could be a part of a quadrilateral?
+pub(super) fn is_lone(nodes: &[Node], face: &Face) -> bool {
+    face.sides == 3 && face.nodes().iter().all(|&k| nodes[k as usize].corners)
 }

@@ -10,7 +10,8 @@ use glam::DVec2;
 /// A corner turns by more than this, degrees: so a cell cut by a curved boundary has no side for
 /// each piece of it.
 const CORNER: f64 = 10.0;
-/// An edge whose ends are this near to the boundary (in roots of the mean area) lies on it.
+/// An edge whose ends are this near to the boundary or a constraint line (in roots of the mean area)
+/// lies on it.
 const ON_BOUNDARY: f64 = 0.02;
 /// Cells at least this much longer than wide have a long axis.
 const LONG: f64 = 1.2;
@@ -32,7 +33,8 @@ pub struct CellMetrics {
     /// Mean angle, by length, of the cells' edges to the direction field: of squares and rectangles
     /// 0..45 degrees (22.5 at random); of circles and ellipses that of the edges' normals, seen in
     /// the metric that makes circles of ellipses, 0..30 degrees (15 at random): 0 for honeycombs
-    /// whose rows run along the field. Edges that lie on the boundary are left out.
+    /// whose rows run along the field. Edges that lie on the boundary or on constraint lines are left
+    /// out.
     pub edge_angle: Option<f64>,
     /// Mean angle of the long axis to the direction field over cells that are asked to be longer
     /// than wide and are (by 1.2), 0..90 degrees (45 at random).
@@ -97,7 +99,10 @@ fn edges_to_field(domain: &Domain, fields: &Fields, cell: &Cell, near: f64, tall
     let on: Vec<bool> = cell
         .ring
         .iter()
-        .map(|&p| domain.nearest(p).distance.abs() < near)
+        .map(|&p| {
+            let line = domain.nearest_line(p);
+            domain.nearest(p).distance.abs() < near || line.is_some_and(|l| l.distance < near)
+        })
         .collect();
     for k in (0..n).filter(|&k| !(on[k] && on[(k + 1) % n])) {
         let (a, b) = (cell.ring[k], cell.ring[(k + 1) % n]);

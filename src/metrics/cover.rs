@@ -63,6 +63,9 @@ impl Edge {
 /// where more than 16,384 lines would be needed, it is an approximation, good to about 1e-5.
 pub(super) fn cover(domain: &Domain, polygons: impl Iterator<Item = [DVec2; 2]>) -> Cover {
     let mut edges: Vec<Edge> = polygons.filter_map(|e| Edge::new(e, false)).collect();
+    if let Some(side) = domain.period() {
+        edges = unrolled(edges, side);
+    }
     let outline = domain.segments().iter();
     edges.extend(outline.filter_map(|&s| Edge::new(s, true)));
     order::sort(&mut edges, |e| (order::rank(e.upper.y), 0));
@@ -88,9 +91,28 @@ pub(super) fn cover(domain: &Domain, polygons: impl Iterator<Item = [DVec2; 2]>)
                 at -= 1;
             }
         }
-        lengths.add_line(&active, height);
+        lengths.add_line(&active, height, domain.period().is_some());
     }
     lengths.cover()
+}
+
+/// On a torus: the edges in all images that can be seen in the picture, and the picture's rim as
+/// the outline.
+fn unrolled(edges: Vec<Edge>, side: f64) -> Vec<Edge> {
+    let mut images = Vec::new();
+    for shift in 0..9 {
+        let shift = side * DVec2::new(f64::from(shift % 3 - 1), f64::from(shift / 3 - 1));
+        let shifted = edges.iter().map(|e| Edge {
+            upper: e.upper + shift,
+            lower: e.lower + shift,
+            ..*e
+        });
+        images.extend(shifted.filter(|e| e.lower.y > 0.0 && e.upper.y < side));
+    }
+    let (right, left) = (DVec2::new(side, 0.0), DVec2::new(0.0, side));
+    let rim = [[right, DVec2::splat(side)], [left, DVec2::ZERO]];
+    images.extend(rim.into_iter().filter_map(|s| Edge::new(s, true)));
+    images
 }
 
 /// Scan lines as (y, the height they stand for): in the middle between the heights of the edges'
@@ -125,12 +147,16 @@ struct Lengths {
 }
 
 impl Lengths {
-    fn add_line(&mut self, crossings: &[(f64, &Edge)], height: f64) {
+    /// Adds what a line finds; with `cropped`, only within the outline.
+    fn add_line(&mut self, crossings: &[(f64, &Edge)], height: f64, cropped: bool) {
         let (mut cells, mut domain) = (0, 0);
         for w in crossings.windows(2) {
             let [(x, edge), (next, _)] = [w[0], w[1]];
             cells += edge.step;
             domain += edge.domain_step;
+            if cropped && domain <= 0 {
+                continue;
+            }
             let area = (next - x) * height;
             self.sum += f64::from(cells.max(0)) * area;
             if cells > 0 {

@@ -3,7 +3,7 @@
 use super::cover::cover;
 use super::{Cover, Histogram, MOST_SIDES, Tally, angle, ring_edges};
 use crate::domain::{Domain, signed_area};
-use crate::mesh::Mesh;
+use crate::mesh::{Face, Mesh};
 use crate::order;
 use crate::packing::Particle;
 use glam::DVec2;
@@ -71,16 +71,13 @@ struct Edge {
 impl MeshMetrics {
     /// Works them out. The mesh's vertices are the particles' centres, in the same order.
     pub fn new(domain: &Domain, particles: &[Particle], mesh: &Mesh) -> Self {
-        let polygons: Vec<Vec<DVec2>> = mesh
-            .faces
-            .iter()
-            .map(|f| {
-                f.nodes()
-                    .iter()
-                    .map(|&k| mesh.vertices[k as usize])
-                    .collect()
-            })
-            .collect();
+        let polygon = |face: &Face| -> Vec<DVec2> {
+            let places = face.nodes().iter().map(|&k| mesh.vertices[k as usize]);
+            let first = places.clone().next().unwrap_or_default();
+            // On a torus an element lies where its first node does.
+            places.map(|p| first + domain.shortest(p - first)).collect()
+        };
+        let polygons: Vec<Vec<DVec2>> = mesh.faces.iter().map(polygon).collect();
         let (mut area, mut jacobian, mut quality) =
             (Tally::default(), Tally::default(), Tally::default());
         let (mut least_jacobian, mut least_quality, mut not_positive) =

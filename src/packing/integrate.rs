@@ -12,10 +12,10 @@ use crate::field::{Fields, Kind};
 use crate::order;
 use glam::DVec2;
 
-/// Viscous damping c. Honeycombs have more faults to heal than rows and columns: round cells keep
-/// swinging for longer.
+/// Viscous damping c. A honeycomb of circles has more faults to heal than rows and columns: circles
+/// keep swinging for longer.
 const fn damping(kind: Kind) -> f64 {
-    if kind.has_corners() { 2.0 } else { 0.2 }
+    if matches!(kind, Kind::Circle) { 0.2 } else { 2.0 }
 }
 /// Time step of the semi-implicit method.
 const SEMI_IMPLICIT_STEP: f64 = 0.5;

@@ -1,7 +1,7 @@
 //! The metric that a cell's kind, size and aspect ratio make.
 
 use super::Particle;
-use super::force::SQUARE_REACH;
+use super::force::{CUT, SQUARE_REACH};
 use crate::field::{Fields, Kind};
 use glam::DVec2;
 
@@ -128,12 +128,18 @@ impl Shape {
 
     /// Could the forces of two cells reach each other, had they come nearer by `slack`?
     pub fn may_touch(&self, other: &Shape, r: DVec2, slack: f64) -> bool {
-        let stable = 0.5 * (self.size + other.size);
-        let within = SQUARE_REACH * stable + slack;
-        if self.root == 1.0 && other.root == 1.0 {
-            return r.length_squared() < within * within;
+        let reach = if self.kind.has_corners() || other.kind.has_corners() {
+            SQUARE_REACH
+        } else {
+            CUT
+        };
+        let within = reach * 0.5 * (self.length() + other.length()) + slack;
+        if r.length_squared() >= within * within {
+            return false;
         }
-        self.closeness(other, r) * stable < within
+        let stable = 0.5 * (self.size + other.size);
+        (self.root == 1.0 && other.root == 1.0)
+            || self.closeness(other, r) * stable < reach * stable + slack
     }
 
     /// The distance of two cells over their stable one: w of eq. (2), by effective distances (Itoh,

@@ -6,6 +6,7 @@
 mod decimal;
 mod link;
 mod lists;
+mod parameter;
 mod poly;
 mod presets;
 mod rows;
@@ -14,8 +15,9 @@ mod value;
 
 pub use link::VERSION;
 pub use lists::{MAX_ROW_POINTS, MAX_ROWS};
+pub use parameter::{Choice, Kind, Parameter};
 pub use presets::{PRESETS, Preset};
-pub use schema::{Choice, Key, Kind, Parameter, SCHEMA};
+pub use schema::{Key, SCHEMA};
 
 use crate::domain::Outline;
 use crate::domain::shape::{ShapeParams, built_in};

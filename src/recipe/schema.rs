@@ -1,150 +1,8 @@
 //! The one table of parameters. The link, the controls of the page, clamping, presets and the
 //! question what is stale all read it: a new parameter is one row.
 
-use super::Stage;
 use super::Stage::{Cells, Domain, Fields, Packing, Planes, Shading, Solids};
-
-/// What kind of value a parameter takes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
-    /// Any finite number between the limits.
-    Number,
-    /// A whole number between the limits.
-    Int,
-    /// One of [`Parameter::choices`].
-    Choice,
-    /// Compact text with a form of its own: the free polygon, or a list.
-    Text,
-}
-
-impl Kind {
-    /// The kind's name for the page.
-    pub const fn word(self) -> &'static str {
-        match self {
-            Kind::Number => "number",
-            Kind::Int => "int",
-            Kind::Choice => "choice",
-            Kind::Text => "text",
-        }
-    }
-}
-
-/// One of the words a choice can take.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Choice {
-    /// As in the link.
-    pub word: &'static str,
-    /// As on the page.
-    pub label: &'static str,
-}
-
-/// One row of the schema.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Parameter {
-    /// The key in the link.
-    pub key: &'static str,
-    /// The papers' symbol, empty where they have none.
-    pub symbol: &'static str,
-    /// The name on the page.
-    pub name: &'static str,
-    /// The kind of value.
-    pub kind: Kind,
-    /// Smallest value (numbers). The limits of `cs` move with the picture: [`super::Recipe::limits`].
-    pub min: f64,
-    /// Largest value (numbers).
-    pub max: f64,
-    /// Step of the control; a link may hold values between the steps.
-    pub step: f64,
-    /// Default of a number; the default of a choice is its first word.
-    pub default: f64,
-    /// Unit, or empty.
-    pub unit: &'static str,
-    /// One sentence for the page.
-    pub help: &'static str,
-    /// The group of controls that it belongs to.
-    pub group: &'static str,
-    /// The first stage that reads it.
-    pub stage: Stage,
-    /// The words of a choice, the default first.
-    pub choices: &'static [Choice],
-    /// Only worth showing while the choice `.0` is one of the words `.1`, or, where there are no
-    /// words, while the value of `.0` is not its default.
-    pub shown_for: Option<(Key, &'static [&'static str])>,
-}
-
-impl Parameter {
-    const fn new(key: &'static str, symbol: &'static str, name: &'static str, kind: Kind) -> Self {
-        Self {
-            key,
-            symbol,
-            name,
-            kind,
-            min: 0.0,
-            max: 0.0,
-            step: 0.0,
-            default: 0.0,
-            unit: "",
-            help: "",
-            group: "",
-            stage: Domain,
-            choices: &[],
-            shown_for: None,
-        }
-    }
-
-    const fn range(mut self, min: f64, max: f64, step: f64, default: f64) -> Self {
-        (self.min, self.max, self.step, self.default) = (min, max, step, default);
-        self
-    }
-
-    const fn unit(mut self, unit: &'static str) -> Self {
-        self.unit = unit;
-        self
-    }
-
-    const fn at(mut self, stage: Stage, group: &'static str) -> Self {
-        (self.stage, self.group) = (stage, group);
-        self
-    }
-
-    const fn only_for(mut self, key: Key, words: &'static [&'static str]) -> Self {
-        self.shown_for = Some((key, words));
-        self
-    }
-
-    /// Shown while another value is not its default.
-    const fn only_with(self, key: Key) -> Self {
-        self.only_for(key, &[])
-    }
-
-    const fn help(mut self, help: &'static str) -> Self {
-        self.help = help;
-        self
-    }
-
-    /// The place of a word among the choices.
-    pub fn choice(&self, word: &str) -> Option<usize> {
-        self.choices.iter().position(|c| c.word == word)
-    }
-}
-
-const fn number(key: &'static str, symbol: &'static str, name: &'static str) -> Parameter {
-    Parameter::new(key, symbol, name, Kind::Number)
-}
-
-const fn int(key: &'static str, symbol: &'static str, name: &'static str) -> Parameter {
-    Parameter::new(key, symbol, name, Kind::Int)
-}
-
-const fn choice(key: &'static str, name: &'static str, choices: &'static [Choice]) -> Parameter {
-    let mut row = Parameter::new(key, "", name, Kind::Choice);
-    row.choices = choices;
-    row
-}
-
-const fn text(key: &'static str, name: &'static str) -> Parameter {
-    Parameter::new(key, "", name, Kind::Text)
-}
+use super::parameter::{Choice, Parameter, choice, int, number, text};
 
 macro_rules! choices {
     ($($word:ident: $label:literal),* $(,)?) => {
@@ -176,7 +34,7 @@ parameters! {
             road_spiral: "Spiral", y_fork: "Fork", crossing: "Crossing",
             plaza: "Plaza with holes", road_notch: "Cut-out road", l_shape: "L", star: "Star",
             square: "Square", polygon: "Free polygon",
-        ]).at(Domain, "Outline");
+        ]).at(Domain, "Outline").only_for(Key::Tile, &["0"]);
     Poly: "The free polygon's points, as compact text; draw it or load it from a file instead.",
         text("poly", "Points").at(Domain, "Outline").only_for(Key::Outline, &["polygon"]);
     Lines: "Constraint lines inside the outline, which cells line up along on both sides, as compact text.",

@@ -96,10 +96,10 @@ pub(super) fn fields(recipe: &Recipe, domain: &Domain) -> FieldParams {
 fn kinds(recipe: &Recipe, domain: &Domain, kind: Kind) -> Vec<Kind> {
     let mut kinds = vec![kind; domain.parts()];
     for (seed, word) in recipe.part_kinds() {
-        if domain.contains(seed) {
-            if let Some(own) = kinds.get_mut(domain.part(seed)) {
-                *own = Kind::from_word(word).unwrap_or(kind);
-            }
+        if domain.contains(seed)
+            && let Some(own) = kinds.get_mut(domain.part(seed))
+        {
+            *own = Kind::from_word(word).unwrap_or(kind);
         }
     }
     if kinds.iter().all(|&own| own == kind) {
@@ -185,6 +185,7 @@ pub(super) fn texture(recipe: &Recipe) -> TextureParams {
         palette: recipe.choice(Key::Palette),
         ground: recipe.choice(Key::Ground),
         vary: recipe.number(Key::Vary),
+        tile: recipe.is_tile(),
     }
 }
 

@@ -24,6 +24,8 @@ pub struct Bed {
     level: f32,
     depth: f32,
     seed: u64,
+    /// The ground repeats after so many pixels.
+    period: Option<usize>,
     /// Noise, broad and fine.
     tiles: Vec<Tile>,
     /// Above the base level, in picture units.
@@ -34,13 +36,20 @@ pub struct Bed {
 
 impl Bed {
     /// Ground at `level`, its unevenness a part of the joints' `depth`; to be made by
-    /// [`Bed::advance`].
-    pub fn new(ground: &'static Ground, level: f32, depth: f32, seed: u64) -> Self {
+    /// [`Bed::advance`]. With a `period` it repeats after so many pixels.
+    pub fn new(
+        ground: &'static Ground,
+        level: f32,
+        depth: f32,
+        seed: u64,
+        period: Option<usize>,
+    ) -> Self {
         Self {
             ground,
             level,
             depth,
             seed,
+            period,
             tiles: Vec::new(),
             heights: Vec::with_capacity(SIDE * SIDE),
             colours: Vec::with_capacity(SIDE * SIDE),
@@ -82,12 +91,25 @@ impl Bed {
 
     /// Height above the base level, in picture units.
     pub fn height(&self, x: i32, y: i32) -> f32 {
-        self.heights[index(x, y)]
+        self.heights[self.place(x, y)]
     }
 
     /// Red, green and blue, 0..255.
     pub fn colour(&self, x: i32, y: i32) -> [f32; 3] {
-        self.colours[index(x, y)]
+        self.colours[self.place(x, y)]
+    }
+
+    /// Where in the tile a pixel is: tiles are stretched to a whole number in a period.
+    fn place(&self, x: i32, y: i32) -> usize {
+        match self.period {
+            Some(period) => {
+                let period = period as i32;
+                let tiles = ((period + SIDE as i32 / 2) / SIDE as i32).max(1);
+                let stretched = |v: i32| v.rem_euclid(period) * tiles * SIDE as i32 / period;
+                index(stretched(x), stretched(y))
+            }
+            None => index(x, y),
+        }
     }
 
     fn strew(&mut self) {
@@ -115,7 +137,7 @@ impl Bed {
     }
 
     fn pebble(&mut self, [x, y]: [f32; 2], radius: f32, colour: [f32; 3]) {
-        let base = self.height(x as i32, y as i32);
+        let base = self.heights[index(x as i32, y as i32)];
         let reach = radius.ceil() as i32 + 1;
         for py in y as i32 - reach..=y as i32 + reach {
             for px in x as i32 - reach..=x as i32 + reach {

@@ -28,12 +28,14 @@ pub struct Occlusion {
     /// Distances along an axis and along a diagonal, in pixels.
     straight: Vec<i32>,
     diagonal: Vec<i32>,
+    /// The picture is a torus.
+    tile: bool,
     row: usize,
 }
 
 impl Occlusion {
-    /// For cells of about `size` pixels.
-    pub fn new(size: f64) -> Self {
+    /// For cells of about `size` pixels; with `tile`, what lies beyond an edge is beyond the other.
+    pub fn new(size: f64, tile: bool) -> Self {
         let reach = (REACH * size).max(4.0);
         let distances = |unit: f64| {
             let mut distances: Vec<i32> = STEPS
@@ -46,6 +48,7 @@ impl Occlusion {
         Self {
             straight: distances(1.0),
             diagonal: distances(std::f64::consts::SQRT_2),
+            tile,
             row: 0,
         }
     }
@@ -92,17 +95,29 @@ impl Occlusion {
         let here = &bump[y * side..(y + 1) * side];
         for &d in distances {
             let (shift, row) = (dx * d, y as i32 + dy * d);
-            let span = side as i32 - shift.abs();
-            if row < 0 || row >= side as i32 || span <= 0 {
+            let rim = side as i32;
+            let off = row < 0 || row >= rim || shift.abs() >= rim;
+            if off && !self.tile {
                 break;
             }
-            let (span, at) = (span as usize, shift.max(0) as usize);
-            let first = (-shift).max(0) as usize;
-            let there = &bump[row as usize * side + at..][..span];
             let per = 1.0 / (d as f32 * unit);
-            let slopes = steepest[first..first + span].iter_mut();
-            for ((slope, &h), &t) in slopes.zip(&here[first..first + span]).zip(there) {
-                *slope = greater(*slope, (t - h) * per);
+            let there = &bump[row.rem_euclid(rim) as usize * side..][..side];
+            let shift = if self.tile { shift % rim } else { shift };
+            let mut compare = |first: usize, at: usize, span: usize| {
+                let slopes = steepest[first..first + span].iter_mut();
+                let pairs = here[first..first + span].iter().zip(&there[at..at + span]);
+                for (slope, (&h, &t)) in slopes.zip(pairs) {
+                    *slope = greater(*slope, (t - h) * per);
+                }
+            };
+            let beyond = shift.unsigned_abs() as usize;
+            let span = side - beyond;
+            let (first, at) = if shift < 0 { (beyond, 0) } else { (0, beyond) };
+            compare(first, at, span);
+            if self.tile {
+                // The rest of the row lies at the other edge.
+                let (first, at) = if shift < 0 { (0, span) } else { (span, 0) };
+                compare(first, at, beyond);
             }
         }
     }

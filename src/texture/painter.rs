@@ -12,7 +12,9 @@ use super::scan::{Raster, SAMPLES};
 use super::skin::{Patterns, Skin};
 use super::{Optics, Planes, optics_table};
 use crate::cells::Cell;
-use crate::solid::{Quarry, StoneParams, joint_depth};
+use crate::order::{greater, lesser};
+use crate::solid::{Quarry, Solid, StoneParams, joint_depth};
+use glam::Vec3;
 
 /// What the planes are made by; the papers' symbols in brackets.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,6 +37,8 @@ pub struct TextureParams {
     pub ground: &'static str,
     /// Variation of tone between stones: 0 none, 1 as the palette has it.
     pub vary: f64,
+    /// The planes repeat without a seam: what reaches over an edge comes in at the other.
+    pub tile: bool,
 }
 
 impl Default for TextureParams {
@@ -49,6 +53,7 @@ impl Default for TextureParams {
             palette: "granite",
             ground: "sand",
             vary: 1.0,
+            tile: false,
         }
     }
 }
@@ -92,9 +97,10 @@ impl Painter {
                 level as f32,
                 depth as f32,
                 params.seed,
+                params.tile.then_some(params.side),
             ),
             patterns: Patterns::new(params.seed, params.size, params.dimension),
-            occlusion: Occlusion::new(params.size),
+            occlusion: Occlusion::new(params.size, params.tile),
             raster: Raster::default(),
             taken: vec![0; pixels],
             share: vec![0; pixels],
@@ -128,7 +134,7 @@ impl Painter {
     /// Puts the stone of a cell into the planes, under the id `index` + 1.
     pub fn paint(&mut self, quarry: &mut Quarry, cell: &Cell, index: usize) {
         self.prepare(usize::MAX);
-        let solid = quarry.stone(cell, &self.params.stone);
+        let mut solid = quarry.stone(cell, &self.params.stone);
         if solid.vertices.is_empty() {
             return;
         }
@@ -140,14 +146,32 @@ impl Painter {
             self.params.vary as f32,
             uneven,
         );
+        self.place(&skin, &solid, [0, 0], index);
+        if !self.params.tile {
+            return;
+        }
+        let side = self.params.side as i32;
+        let mut at = [0, 0];
+        for to in images(&solid.vertices, side) {
+            for v in &mut solid.vertices {
+                v.x += (to[0] - at[0]) as f32;
+                v.y += (to[1] - at[1]) as f32;
+            }
+            at = to;
+            self.place(&skin, &solid, at, index);
+        }
+    }
+
+    /// Puts a stone that was moved by whole pixels into the planes: it looks as where it came from.
+    fn place(&mut self, skin: &Skin, solid: &Solid, moved: [i32; 2], index: usize) {
         let mut raster = std::mem::take(&mut self.raster);
         let floor = self.level - 0.5 * self.depth - 2.0 * self.relief;
-        raster.draw(&solid, floor, self.params.side);
+        raster.draw(solid, floor, self.params.side);
         for y in 0..raster.extent[1] {
             for x in 0..raster.extent[0] {
                 if let Some(heights) = raster.pixel(x, y) {
                     let at = [x as i32 + raster.origin[0], y as i32 + raster.origin[1]];
-                    self.pixel(&skin, at, heights, index as u32 + 1);
+                    self.pixel(skin, at, moved, heights, index as u32 + 1);
                 }
             }
         }
@@ -176,10 +200,18 @@ impl Painter {
         self.planes
     }
 
-    fn pixel(&mut self, skin: &Skin, [x, y]: [i32; 2], heights: [f32; PER_PIXEL], id: u32) {
+    fn pixel(
+        &mut self,
+        skin: &Skin,
+        [x, y]: [i32; 2],
+        moved: [i32; 2],
+        heights: [f32; PER_PIXEL],
+        id: u32,
+    ) {
         let i = y as usize * self.params.side + x as usize;
-        let rough = skin.relief(&self.patterns, x, y);
-        let raise = self.relief * rough + skin.lift(x, y);
+        let own_place = [x - moved[0], y - moved[1]];
+        let rough = skin.relief(&self.patterns, own_place[0], own_place[1]);
+        let raise = self.relief * rough + skin.lift(own_place[0], own_place[1]);
         let soil = self.bed.height(x, y);
         let (fresh, won) = self.claim(i, heights, raise, soil);
         if fresh.count + won.count == 0 {
@@ -188,7 +220,13 @@ impl Painter {
         let dust = self.bed.colour(x, y);
         let own = (fresh.sum + won.sum) / f32::from(fresh.count + won.count);
         let stand = (own - self.level) / self.depth;
-        let colour = skin.colour(self.palette, &self.patterns, [x, y], rough, (stand, dust));
+        let colour = skin.colour(
+            self.palette,
+            &self.patterns,
+            own_place,
+            rough,
+            (stand, dust),
+        );
         let each = 1.0 / PER_PIXEL as f32;
         let (new, taken_over) = (f32::from(fresh.count), f32::from(won.count));
         let before = self.planes.bump[i];
@@ -235,6 +273,26 @@ impl Painter {
             self.planes.optics[i] = optics;
         }
     }
+}
+
+/// The ways to the other pictures in which an image of a stone reaches into this one.
+fn images(vertices: &[Vec3], side: i32) -> Vec<[i32; 2]> {
+    let (mut low, mut high) = ([f32::MAX; 2], [f32::MIN; 2]);
+    for v in vertices {
+        low = [lesser(low[0], v.x), lesser(low[1], v.y)];
+        high = [greater(high[0], v.x), greater(high[1], v.y)];
+    }
+    let mut images = Vec::new();
+    for to in (0..9).map(|k| [(k % 3 - 1) * side, (k / 3 - 1) * side]) {
+        let reaches = |k: usize| {
+            let by = to[k] as f32;
+            low[k] + by < side as f32 && high[k] + by > 0.0
+        };
+        if to != [0, 0] && reaches(0) && reaches(1) {
+            images.push(to);
+        }
+    }
+    images
 }
 
 /// Samples of a pixel: how many, and the sum of their heights.

@@ -1,0 +1,456 @@
+//! Betters the mesh patch by patch: a few neighbouring elements are divided anew.
+//!
+//! Pairs taken in the order of their scores leave lone triangles that have no partner, where another
+//! choice nearby would have had one. Two lone triangles and the quadrilaterals on a way between them
+//! make a polygon with an even number of sides, which quadrilaterals alone can fill: the augmenting
+//! path of matching, but free to choose all diagonals. A lone triangle and a quadrilateral can
+//! change their common side, two quadrilaterals likewise. A patch changes only where that is a gain,
+//! so all of it ends.
+
+use super::quads::{Faces, height, is_lone, score};
+use super::triangles::NONE;
+use super::{Face, Node};
+
+/// The most elements of a patch.
+const LONGEST: usize = 6;
+/// The most corners of a patch: those of so many quadrilaterals.
+const MOST: usize = 2 * LONGEST + 2;
+/// What a triangle costs; a quadrilateral costs what its score lacks to 1.
+const TRIANGLE: f64 = 1.5;
+/// What an inner node costs for each side that it has more or less than four.
+const IRREGULAR: f64 = 0.12;
+/// A new triangle is higher than this share of its longest side.
+const FLAT: f64 = 0.4;
+/// Less is no gain.
+const LEAST_GAIN: f64 = 1e-3;
+/// A quadrilateral that costs less, among regular nodes, is left alone.
+const FINE: f64 = 0.15;
+/// Regular nodes cannot outweigh more.
+const SLACK: f64 = 0.5;
+/// The most times all patches are tried.
+const ROUNDS: usize = 6;
+
+/// Divides patches anew until none gains, or until triangles are at most `few`. The new
+/// quadrilaterals score at least `worst`. Sides for which `keep` holds are not dissolved.
+pub(super) fn better(
+    nodes: &[Node],
+    faces: &mut Faces,
+    worst: f64,
+    few: usize,
+    keep: impl Fn([u32; 2]) -> bool,
+) {
+    let mut work = Work::new(nodes, faces, worst, keep);
+    for _ in 0..ROUNDS {
+        let mut again = false;
+        for first in 0..work.faces.faces.len() {
+            if work.triangles <= few {
+                return;
+            }
+            again |= work.try_from(first as u32);
+        }
+        if !again {
+            break;
+        }
+    }
+}
+
+struct Work<'a, K> {
+    nodes: &'a [Node],
+    faces: &'a mut Faces,
+    keep: K,
+    /// Quadrilaterals have at least this score.
+    worst: f64,
+    /// How many lone triangles there are.
+    triangles: usize,
+    /// Sides at each node.
+    valence: Vec<i32>,
+    /// Nodes on the rim of the mesh.
+    rim: Vec<bool>,
+    /// Elements whose surroundings have changed since they were tried.
+    fresh: Vec<bool>,
+    /// How many elements away from the first one, for those in `reached`.
+    depth: Vec<u8>,
+    reached: Vec<u32>,
+    table: Table,
+}
+
+/// A patch's outline.
+#[derive(Clone)]
+struct Polygon {
+    corners: Vec<u32>,
+    /// The element outside, across the side from each corner to the next.
+    outside: Vec<u32>,
+    /// The elements of the patch.
+    members: Vec<u32>,
+    /// What its elements cost.
+    cost: f64,
+}
+
+/// For each pair of corners i < j the least cost of dividing what lies between them, and how.
+struct Table {
+    cost: [[f64; MOST]; MOST],
+    apex: [[[u8; 2]; MOST]; MOST],
+}
+
+impl<'a, K: Fn([u32; 2]) -> bool> Work<'a, K> {
+    fn new(nodes: &'a [Node], faces: &'a mut Faces, worst: f64, keep: K) -> Self {
+        let mut valence = vec![0; nodes.len()];
+        let mut rim = vec![false; nodes.len()];
+        for (face, beside) in faces.faces.iter().zip(&faces.beside) {
+            let corners = face.nodes();
+            for k in 0..corners.len() {
+                let (a, b) = (
+                    corners[k] as usize,
+                    corners[(k + 1) % corners.len()] as usize,
+                );
+                valence[a] += 1;
+                if beside[k] == NONE {
+                    rim[a] = true;
+                    rim[b] = true;
+                }
+            }
+        }
+        Self {
+            nodes,
+            keep,
+            worst,
+            triangles: faces.faces.iter().filter(|f| is_lone(nodes, f)).count(),
+            valence,
+            rim,
+            fresh: vec![true; faces.faces.len()],
+            depth: vec![u8::MAX; faces.faces.len()],
+            reached: Vec::new(),
+            faces,
+            table: Table {
+                cost: [[0.0; MOST]; MOST],
+                apex: [[[0; 2]; MOST]; MOST],
+            },
+        }
+    }
+
+    /// Tries the patches that begin with this element, and takes the one that gains most.
+    fn try_from(&mut self, first: u32) -> bool {
+        let face = self.faces.faces[first as usize];
+        let tried = !std::mem::replace(&mut self.fresh[first as usize], false);
+        if face.sides == 0
+            || tried
+            || (face.sides == 3 && !is_lone(self.nodes, &face))
+            || (face.sides == 4 && self.is_fine(&face))
+        {
+            return false;
+        }
+        let start = Polygon {
+            corners: face.nodes().to_vec(),
+            outside: self.faces.beside[first as usize][..face.nodes().len()].to_vec(),
+            members: vec![first],
+            cost: self.cost(&face),
+        };
+        let mut best = None;
+        let mut gain = LEAST_GAIN;
+        for next in start.outside.clone() {
+            self.consider(self.grow(&start, next), &mut gain, &mut best);
+        }
+        if face.sides == 3 {
+            self.ways(&start, &mut gain, &mut best);
+        }
+        let Some(best) = best else { return false };
+        self.triangles -= (self.triangles_in(&best) / 2) * 2;
+        self.divide(&best);
+        self.apply(&best);
+        true
+    }
+
+    /// A good quadrilateral among regular nodes is left alone.
+    fn is_fine(&self, face: &Face) -> bool {
+        let regular = |&k: &u32| self.rim[k as usize] || self.valence[k as usize] == 4;
+        face.nodes().iter().all(regular) && self.cost(face) < FINE
+    }
+
+    fn triangles_in(&self, patch: &Polygon) -> usize {
+        let members = patch.members.iter();
+        members
+            .filter(|&&f| self.faces.faces[f as usize].sides == 3)
+            .count()
+    }
+
+    fn consider(&mut self, patch: Option<Polygon>, gain: &mut f64, best: &mut Option<Polygon>) {
+        if let Some(patch) = patch {
+            let now = self.gain(&patch);
+            if now > *gain {
+                *gain = now;
+                *best = Some(patch);
+            }
+        }
+    }
+
+    /// The shortest ways to other triangles nearby.
+    fn ways(&mut self, start: &Polygon, gain: &mut f64, best: &mut Option<Polygon>) {
+        let first = start.members[0];
+        self.reached.push(first);
+        self.depth[first as usize] = 0;
+        let mut at = 0;
+        while at < self.reached.len() {
+            let face = self.reached[at];
+            at += 1;
+            let depth = self.depth[face as usize] + 1;
+            if usize::from(depth) >= LONGEST
+                || (depth > 1 && self.faces.faces[face as usize].sides == 3)
+            {
+                continue;
+            }
+            for next in self.faces.beside[face as usize] {
+                if next != NONE && self.depth[next as usize] == u8::MAX {
+                    self.depth[next as usize] = depth;
+                    self.reached.push(next);
+                }
+            }
+        }
+        let reached = std::mem::take(&mut self.reached);
+        for &end in &reached[1..] {
+            if self.faces.faces[end as usize].sides == 3 {
+                let mut way = vec![end];
+                self.walk(&mut way, start, gain, best);
+            }
+        }
+        for &face in &reached {
+            self.depth[face as usize] = u8::MAX;
+        }
+        self.reached = reached;
+        self.reached.clear();
+    }
+
+    /// Goes on with a way from its far end back to the first element.
+    fn walk(
+        &mut self,
+        way: &mut Vec<u32>,
+        start: &Polygon,
+        gain: &mut f64,
+        best: &mut Option<Polygon>,
+    ) {
+        let last = way[way.len() - 1];
+        let depth = self.depth[last as usize];
+        if depth == 0 {
+            let mut patch = Some(start.clone());
+            for &next in way.iter().rev().skip(1) {
+                patch = patch.and_then(|patch| self.grow(&patch, next));
+            }
+            return self.consider(patch, gain, best);
+        }
+        for next in self.faces.beside[last as usize] {
+            if next != NONE && self.depth[next as usize] == depth - 1 {
+                way.push(next);
+                self.walk(way, start, gain, best);
+                way.pop();
+            }
+        }
+    }
+
+    fn cost(&self, face: &Face) -> f64 {
+        match *face.nodes() {
+            [a, b, c, d] => 1.0 - score(self.nodes, [a, b, c, d]),
+            _ => TRIANGLE,
+        }
+    }
+
+    /// The patch with an element beside its last member added; none where a node would lie inside,
+    /// or the side between them is to be kept.
+    fn grow(&self, patch: &Polygon, next: u32) -> Option<Polygon> {
+        let n = patch.corners.len();
+        let last = *patch.members.last()?;
+        if next == NONE {
+            return None;
+        }
+        let face = self.faces.faces[next as usize];
+        let corners = face.nodes();
+        let m = corners.len();
+        let at = (0..m).find(|&j| self.faces.beside[next as usize][j] == last)?;
+        let (b, a) = (corners[at], corners[(at + 1) % m]);
+        if (self.keep)([a.min(b), a.max(b)]) {
+            return None;
+        }
+        let k = (0..n).find(|&k| patch.corners[k] == a && patch.corners[(k + 1) % n] == b)?;
+        let mut grown = Polygon {
+            corners: Vec::with_capacity(n + 2),
+            outside: Vec::with_capacity(n + 2),
+            members: patch.members.clone(),
+            cost: patch.cost + self.cost(&face),
+        };
+        grown.members.push(next);
+        for s in 0..n {
+            grown.corners.push(patch.corners[s]);
+            if s != k {
+                grown.outside.push(patch.outside[s]);
+                continue;
+            }
+            for j in 1..m {
+                let place = (at + j) % m;
+                grown.outside.push(self.faces.beside[next as usize][place]);
+                if j + 1 < m {
+                    let node = corners[(place + 1) % m];
+                    if patch.corners.contains(&node) {
+                        return None;
+                    }
+                    grown.corners.push(node);
+                }
+            }
+        }
+        Some(grown)
+    }
+
+    /// What dividing a patch anew would gain.
+    fn gain(&mut self, patch: &Polygon) -> f64 {
+        let n = patch.corners.len();
+        let cost = self.divide(patch);
+        if cost >= patch.cost + SLACK {
+            return 0.0;
+        }
+        // Sides at each corner before and after, those within the patch.
+        let mut change = [0; MOST];
+        let before = |node: u32| {
+            let uses = patch
+                .members
+                .iter()
+                .filter(|&&f| self.faces.faces[f as usize].nodes().contains(&node));
+            uses.count() as i32
+        };
+        for (k, &node) in patch.corners.iter().enumerate() {
+            change[k] = 1 - before(node);
+        }
+        self.table.pieces(n, |piece| {
+            for &k in piece {
+                change[k as usize] += 1;
+            }
+        });
+        let mut regular = 0;
+        for (k, &node) in patch.corners.iter().enumerate() {
+            let now = self.valence[node as usize];
+            // `change` is 1 too many: a corner in one element has no side within the patch.
+            let then = now + change[k] - 1;
+            if !self.rim[node as usize] {
+                regular += (now - 4).abs() - (then - 4).abs();
+            }
+        }
+        patch.cost - cost + IRREGULAR * f64::from(regular)
+    }
+
+    /// Fills the table with the cheapest division into quadrilaterals and at most one triangle.
+    fn divide(&mut self, patch: &Polygon) -> f64 {
+        let n = patch.corners.len();
+        for span in 1..n {
+            for i in 0..n - span {
+                let j = i + span;
+                let (mut least, mut apex) = (f64::INFINITY, [0, 0]);
+                if span == 1 {
+                    least = 0.0;
+                }
+                for a in i + 1..j {
+                    let first = self.table.cost[i][a];
+                    if first >= least {
+                        continue;
+                    }
+                    for b in a + 1..j {
+                        let inner = first + self.table.cost[a][b] + self.table.cost[b][j];
+                        if inner < least {
+                            let quad = [i, a, b, j].map(|k| patch.corners[k]);
+                            let score = score(self.nodes, quad);
+                            if score >= self.worst && inner + 1.0 - score < least {
+                                (least, apex) = (inner + 1.0 - score, [a as u8, b as u8]);
+                            }
+                        }
+                    }
+                    // One triangle at most: only in patches with an odd number of corners, where
+                    // one part of the rest is odd only by taking the triangle itself.
+                    let inner = first + self.table.cost[a][j] + TRIANGLE;
+                    if inner < least
+                        && n % 2 == 1
+                        && height(self.nodes, [i, a, j].map(|k| patch.corners[k])) > FLAT
+                    {
+                        (least, apex) = (inner, [a as u8, a as u8]);
+                    }
+                }
+                self.table.cost[i][j] = least;
+                self.table.apex[i][j] = apex;
+            }
+        }
+        self.table.cost[0][n - 1]
+    }
+
+    /// Puts the division in the table in place of the patch's elements.
+    fn apply(&mut self, patch: &Polygon) {
+        let n = patch.corners.len();
+        for &f in &patch.members {
+            for &node in self.faces.faces[f as usize].nodes() {
+                self.valence[node as usize] -= 1;
+            }
+        }
+        let mut slots = patch.members.iter();
+        // Sides within: (from, to, element, place), to be matched with their other half.
+        let mut sides: Vec<(u8, u8, u32, usize)> = Vec::new();
+        for &f in patch.members.iter().chain(&patch.outside) {
+            if f != NONE {
+                self.fresh[f as usize] = true;
+            }
+        }
+        let faces = &mut *self.faces;
+        let valence = &mut self.valence;
+        self.table.pieces(n, |piece| {
+            let Some(&slot) = slots.next() else { return };
+            let node = |k: usize| patch.corners[piece[k] as usize];
+            faces.faces[slot as usize] = match piece.len() {
+                4 => Face::quad([node(0), node(1), node(2), node(3)]),
+                _ => Face::triangle([node(0), node(1), node(2)]),
+            };
+            faces.beside[slot as usize] = [NONE; 4];
+            for k in 0..piece.len() {
+                valence[node(k) as usize] += 1;
+                let (from, to) = (piece[k], piece[(k + 1) % piece.len()]);
+                if usize::from(to) == (usize::from(from) + 1) % n {
+                    let outer = patch.outside[usize::from(from)];
+                    faces.beside[slot as usize][k] = outer;
+                    if outer != NONE {
+                        let [a, b] = [from, to].map(|k| patch.corners[usize::from(k)]);
+                        let corners = faces.faces[outer as usize];
+                        let corners = corners.nodes();
+                        let m = corners.len();
+                        for j in 0..m {
+                            if corners[j] == b && corners[(j + 1) % m] == a {
+                                faces.beside[outer as usize][j] = slot;
+                            }
+                        }
+                    }
+                    continue;
+                }
+                for &(f, t, other, place) in &sides {
+                    if (f, t) == (to, from) {
+                        faces.beside[slot as usize][k] = other;
+                        faces.beside[other as usize][place] = slot;
+                    }
+                }
+                sides.push((from, to, slot, k));
+            }
+        });
+        for &slot in slots {
+            self.faces.faces[slot as usize].sides = 0;
+        }
+    }
+}
+
+impl Table {
+    /// The elements of the division found for `n` corners, as places in the polygon.
+    fn pieces(&self, n: usize, mut each: impl FnMut(&[u8])) {
+        let mut open = vec![(0u8, n as u8 - 1)];
+        while let Some((i, j)) = open.pop() {
+            if j - i < 2 {
+                continue;
+            }
+            let [a, b] = self.apex[usize::from(i)][usize::from(j)];
+            if a == b {
+                each(&[i, a, j]);
+                open.extend([(i, a), (a, j)]);
+            } else {
+                each(&[i, a, b, j]);
+                open.extend([(i, a), (a, b), (b, j)]);
+            }
+        }
+    }
+}

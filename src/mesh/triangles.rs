@@ -1,0 +1,156 @@
+//! The triangulation: Delaunay (spade), made Delaunay in the local metric by flips.
+
+use super::Node;
+use super::metric::Metric;
+use crate::planar::{Delaunay, insert};
+use glam::DVec2;
+use spade::{Point2, Triangulation as _};
+
+/// No triangle.
+pub(super) const NONE: u32 = u32::MAX;
+/// The most flips, per triangle: where the metric turns within a few cells flips can go in circles.
+const MOST_FLIPS: usize = 4;
+/// An edge is flipped where its opposite angles add up to more than 180 degrees by this (their
+/// sine): ties stay as they are.
+const TIE: f64 = 1e-9;
+
+/// Triangles of positive shoelace area and what lies beside them.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Triangles {
+    pub nodes: Vec<[u32; 3]>,
+    /// The triangle across the side opposite to each node; [`NONE`] at the rim.
+    pub beside: Vec<[u32; 3]>,
+}
+
+impl Triangles {
+    /// Delaunay triangles in an order that depends on the points only. Points that coincide with an
+    /// earlier one get no triangle.
+    pub fn new(nodes: &[Node]) -> Self {
+        let mut mesh = Delaunay::default();
+        // One after the other in the order given: coinciding points are told apart by their handles.
+        let mut name = Vec::with_capacity(nodes.len());
+        for (k, node) in nodes.iter().enumerate() {
+            if let Some(handle) = insert(&mut mesh, Point2::new(node.at.x, node.at.y))
+                && handle.index() == name.len()
+            {
+                name.push(k as u32);
+            }
+        }
+        let mut made = Self::default();
+        // Spade winds counter-clockwise with y up: a positive shoelace area on the same numbers. Its
+        // face 0 is the outer one.
+        for face in mesh.inner_faces() {
+            let sides = face.adjacent_edges();
+            made.nodes.push(sides.map(|e| name[e.from().fix().index()]));
+            let across = |k: usize| {
+                let other = sides[(k + 1) % 3].rev().face();
+                other
+                    .as_inner()
+                    .map_or(NONE, |f| f.fix().index() as u32 - 1)
+            };
+            made.beside.push([across(0), across(1), across(2)]);
+        }
+        made
+    }
+
+    /// Keeps the triangles that `good` says yes to.
+    pub fn retain(&mut self, good: impl Fn(&[u32; 3]) -> bool) {
+        let mut kept = 0;
+        let mut new = Vec::with_capacity(self.nodes.len());
+        for nodes in &self.nodes {
+            let stays = good(nodes);
+            new.push(if stays { kept } else { NONE });
+            kept += u32::from(stays);
+        }
+        let mut k = 0;
+        self.nodes.retain(|_| {
+            k += 1;
+            new[k - 1] != NONE
+        });
+        k = 0;
+        self.beside.retain(|_| {
+            k += 1;
+            new[k - 1] != NONE
+        });
+        for t in self.beside.iter_mut().flatten() {
+            if *t != NONE {
+                *t = new[*t as usize];
+            }
+        }
+    }
+
+    /// Which side of `t` has `u` across it.
+    pub fn side_towards(&self, t: u32, u: u32) -> usize {
+        let beside = &self.beside[t as usize];
+        (0..3).find(|&k| beside[k] == u).unwrap_or(0)
+    }
+
+    /// Lawson's flips in the local metric: the triangulation becomes Delaunay in it where that can be
+    /// had, and is valid wherever the flips end. Sides for which `keep` holds are not flipped.
+    pub fn stretch(&mut self, nodes: &[Node], keep: impl Fn([u32; 2]) -> bool) {
+        if nodes.iter().all(|n| n.metric == Metric::EVEN) {
+            return;
+        }
+        let mut open: Vec<[u32; 2]> = Vec::new();
+        for t in (0..self.nodes.len() as u32).rev() {
+            open.extend((0..3).map(|k| [t, k]));
+        }
+        let mut left = MOST_FLIPS * self.nodes.len();
+        while let Some([t, k]) = open.pop() {
+            let (t, k) = (t as usize, k as usize);
+            let u = self.beside[t][k];
+            if u == NONE || left == 0 {
+                continue;
+            }
+            let [c, a, b] = [0, 1, 2].map(|s| self.nodes[t][(k + s) % 3]);
+            let j = self.side_towards(u, t as u32);
+            let d = self.nodes[u as usize][j];
+            if keep([a.min(b), a.max(b)]) || !wants_flip([c, a, d, b].map(|n| &nodes[n as usize])) {
+                continue;
+            }
+            left -= 1;
+            self.flip(t as u32, k, u, j);
+            open.extend([[t as u32, 0], [t as u32, 2], [u, 0], [u, 2]]);
+        }
+    }
+
+    /// Exchanges the side between `t` (opposite to its node `k`) and `u` (to its node `j`) for the
+    /// other diagonal: `t` becomes (c, a, d), `u` (d, b, c).
+    fn flip(&mut self, t: u32, k: usize, u: u32, j: usize) {
+        let at = |t: u32, k: usize| (t as usize, k % 3);
+        let node = |(t, k): (usize, usize)| self.nodes[t][k];
+        let side = |(t, k): (usize, usize)| self.beside[t][k];
+        let (c, a, b) = (node(at(t, k)), node(at(t, k + 1)), node(at(t, k + 2)));
+        let d = node(at(u, j));
+        // Across b-c and c-a of the one, across a-d and d-b of the other.
+        let (bc, ca) = (side(at(t, k + 1)), side(at(t, k + 2)));
+        let (ad, db) = (side(at(u, j + 1)), side(at(u, j + 2)));
+        self.nodes[t as usize] = [c, a, d];
+        self.beside[t as usize] = [ad, u, ca];
+        self.nodes[u as usize] = [d, b, c];
+        self.beside[u as usize] = [bc, t, db];
+        for (outer, old, new) in [(ad, u, t), (bc, t, u)] {
+            if outer != NONE {
+                let side = self.side_towards(outer, old);
+                self.beside[outer as usize][side] = new;
+            }
+        }
+    }
+}
+
+/// Would the diagonal from `c` to `d` of the quadrilateral c, a, d, b be better than that from a to b?
+fn wants_flip([c, a, d, b]: [&Node; 4]) -> bool {
+    let metric = Metric::mean([c.metric, a.metric, d.metric, b.metric]);
+    let (u, v) = (a.at - c.at, b.at - c.at);
+    let (p, q) = (b.at - d.at, a.at - d.at);
+    let (at_c, at_d) = (u.perp_dot(v), p.perp_dot(q));
+    let sum = at_c * metric.dot(p, q) + at_d * metric.dot(u, v);
+    let scale = metric.length(u) * metric.length(v) * metric.length(p) * metric.length(q);
+    sum < -TIE * scale && is_convex(c.at, a.at, d.at) && is_convex(d.at, b.at, c.at)
+}
+
+/// Will the triangle have a positive area beyond doubt?
+fn is_convex(a: DVec2, b: DVec2, c: DVec2) -> bool {
+    let (u, v) = (b - a, c - a);
+    u.perp_dot(v) > TIE * (u.length_squared() + v.length_squared())
+}
