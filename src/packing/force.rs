@@ -220,7 +220,12 @@ impl Pair {
             along += (above + below) * (x + half);
             across += above * (y - half) + below * (y + half);
         }
-        let sum = l0 * if q.x >= q.y { DVec2::new(along, across) } else { DVec2::new(across, along) };
+        let sum = l0
+            * if q.x >= q.y {
+                DVec2::new(along, across)
+            } else {
+                DVec2::new(across, along)
+            };
         DVec2::new(
             if local.x < 0.0 { -sum.x } else { sum.x },
             if local.y < 0.0 { -sum.y } else { sum.y },

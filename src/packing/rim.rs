@@ -126,7 +126,7 @@ pub(super) fn boundary_cells(
         };
         let p = line[k].lerp(line[k + 1], t);
         let clear = || is_clear(p, BOUNDARY_CLEARANCE * depth, fields, domain);
-        if (fixed || clear()) && crowd.gap(p, BOUNDARY_GAP) >= BOUNDARY_GAP {
+        if (fixed || clear()) && crowd.is_free(p, BOUNDARY_GAP) {
             crowd.push(p);
         }
     }
