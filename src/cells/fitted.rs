@@ -114,6 +114,17 @@ impl Fitting {
     }
 }
 
+/// The cells, and those fixed on the rim (the outline and constraint lines), which get no polygon
+/// (Itoh, Miyata, Shimada 2003, section 5.2): the others end there. Where all are fixed, all are cells.
+fn without_rim(particles: Vec<Particle>) -> (Vec<Particle>, Vec<Particle>) {
+    let (rim, cells): (Vec<Particle>, Vec<Particle>) = particles.iter().partition(|p| p.fixed);
+    if cells.is_empty() {
+        (rim, cells)
+    } else {
+        (cells, rim)
+    }
+}
+
 /// A cell to be joined into the mesh; Voronoi polygons know no stretch.
 fn node(p: &Particle, plain: bool) -> Node {
     if plain {
@@ -168,26 +179,34 @@ impl Dual {
         if let Some(side) = domain.period() {
             return Self::over_seams(domain, side, particles, plain);
         }
-        let real = particles.len();
-        let mut nodes: Vec<Node> = particles.iter().map(|p| node(p, plain)).collect();
-        nodes.extend(if plain {
+        let (cells, rim) = if plain {
+            (particles, Vec::new())
+        } else {
+            without_rim(particles)
+        };
+        let real = cells.len();
+        let mut nodes: Vec<Node> = cells.iter().chain(&rim).map(|p| node(p, plain)).collect();
+        nodes.extend(if plain || !rim.is_empty() {
             ghosts::frame(domain).into_iter().map(Node::plain).collect()
         } else {
-            ghosts::ghosts(domain, &particles)
+            ghosts::ghosts(domain, &cells)
         });
         let mesh = Mesh::whole(&nodes, |_| plain);
-        let mut dual = Self::of(particles, &mesh, plain);
+        let mut dual = Self::of(cells, &mesh, plain);
         for face in &mesh.faces {
             let mut middle = dual.middle(&mesh, face);
-            let cells = face.nodes().iter().filter(|&&k| (k as usize) < real);
-            let sizes: Vec<f64> = cells.map(|&k| dual.particles[k as usize].size).collect();
+            let corners = face.nodes().iter().map(|&k| k as usize);
+            let sizes = corners.clone().filter(|&k| k < real);
+            let sizes: Vec<f64> = sizes.map(|k| dual.particles[k].size).collect();
             let mut on = On::Nothing;
             if !plain && !sizes.is_empty() && sizes.len() < face.nodes().len() {
                 let size = sizes.iter().sum::<f64>() / sizes.len() as f64;
-                let near = domain.nearest(middle);
-                if near.distance.abs() < SNAP * size {
-                    (middle, on) = (near.point, On::Outline(near.segment));
-                }
+                // Round the element, from a cell on.
+                let first = corners.clone().position(|k| k < real).unwrap_or(0);
+                let round = corners.cycle().skip(first).take(face.nodes().len());
+                let on_rim = round.filter(|k| (real..real + rim.len()).contains(k));
+                let on_rim: Vec<DVec2> = on_rim.map(|k| mesh.vertices[k]).collect();
+                (middle, on) = dual.at_wall(domain, middle, &on_rim, size);
             }
             dual.push(middle, sizes.len() < face.nodes().len(), on);
         }
@@ -246,6 +265,28 @@ impl Dual {
             [a, b, c] if self.plain => circumcentre([a, b, c].map(|k| mesh.vertices[k as usize])),
             _ => face.centroid(&mesh.vertices),
         }
+    }
+
+    /// Where an element ends whose other nodes are ghosts, or cells fixed on the rim: there at the one
+    /// or in the middle of the two; of three the one between the others.
+    fn at_wall(&self, domain: &Domain, middle: DVec2, on_rim: &[DVec2], size: f64) -> (DVec2, On) {
+        let middle = match *on_rim {
+            [] => middle,
+            [a] => a,
+            [a, b] => a.midpoint(b),
+            [_, b, ..] => b,
+        };
+        let near = domain.nearest(middle);
+        if let Some(line) = domain.nearest_line(middle)
+            && !on_rim.is_empty()
+            && line.distance < near.distance.min(SNAP * size)
+        {
+            return (line.point, On::Line(line.segment));
+        }
+        if near.distance.abs() < SNAP * size {
+            return (near.point, On::Outline(near.segment));
+        }
+        (middle, On::Nothing)
     }
 
     fn push(&mut self, middle: DVec2, mixed: bool, on: On) {
