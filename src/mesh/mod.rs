@@ -137,6 +137,7 @@ impl Mesh {
                     .any(|&[p, q]| domain.crosses_line(p.lerp(q, SHRINK), q.lerp(p, SHRINK)))
         });
         let mut made = quads::pair(&nodes, &triangles, keep);
+        made.leave_out(|face| is_sliver(face, &nodes));
         join_lone(&mut nodes, &mut made, |k| particles[k].fixed, keep);
         let vertices: Vec<DVec2> = nodes.iter().map(|n| n.at).collect();
         let mut faces = made.faces;
