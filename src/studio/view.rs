@@ -164,7 +164,11 @@ impl Studio {
     }
 
     fn on_paper(&self, paper: &Paper, draw: impl FnOnce(&mut Board)) -> Board {
-        let mut board = Board::with_outline(self.side(), &self.rings(), paper);
+        let mut board = if self.working.is_tile() {
+            Board::new(self.side(), paper.bed)
+        } else {
+            Board::with_outline(self.side(), &self.rings(), paper)
+        };
         draw(&mut board);
         board
     }
@@ -200,7 +204,9 @@ impl Studio {
                 preview.stones = 0;
                 let mut board = Board::new(planes.side, tones.paper.surround);
                 light_ground(planes, board.rgba_mut());
-                board.outline(&self.rings(), &tones.paper);
+                if !self.working.is_tile() {
+                    board.outline(&self.rings(), &tones.paper);
+                }
                 overlay_stages::cells(&mut board, &made.cells, &tones);
                 board
             }
