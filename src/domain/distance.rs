@@ -234,6 +234,25 @@ impl Domain {
             })
     }
 
+    /// How far one can go from a place of the boundary along its inward normal, `most` at the farthest,
+    /// until another place of the boundary is nearer: up to the medial axis.
+    pub(crate) fn medial_depth(&self, place: DVec2, inward: DVec2, most: f64) -> f64 {
+        let stays = |t: f64| self.nearest(place + inward * t).distance >= 0.99 * t;
+        if stays(most) {
+            return most;
+        }
+        let (mut low, mut high) = (0.0, most);
+        for _ in 0..12 {
+            let middle = 0.5 * (low + high);
+            if stays(middle) {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        low
+    }
+
     /// Is the point inside? Points on the boundary may count either way.
     pub fn contains(&self, p: DVec2) -> bool {
         self.nearest(p).distance > 0.0

@@ -96,12 +96,41 @@ pub(super) fn boundary_cells(
         let clear = |p: &&DVec2| is_clear(**p, BOUNDARY_CLEARANCE * **depth, fields, domain);
         2 * line.iter().filter(clear).count() >= line.len()
     };
-    let depth = *DEPTHS.iter().find(is_wide).unwrap_or(&DEPTHS[0]);
+    let wide = DEPTHS.iter().find(is_wide);
+    if wide.is_none() && !fixed {
+        return narrow_cells(crowd, piece, fields, domain);
+    }
+    let depth = *wide.unwrap_or(&DEPTHS[0]);
     let line = if fixed {
         piece.points.clone()
     } else {
         offset_line(piece, fields, depth)
     };
+    let closed = piece.before.is_none();
+    let spaced = spaced(&line, fields, 0.0);
+    for &(p, _) in &spaced[..spaced.len() - usize::from(closed)] {
+        let clear = || is_clear(p, BOUNDARY_CLEARANCE * depth, fields, domain);
+        if (fixed || clear()) && crowd.gap(p, BOUNDARY_GAP) >= BOUNDARY_GAP {
+            crowd.push(p);
+        }
+    }
+}
+
+/// Where the outline is narrower than the cells: in its middle, as the wall goes along.
+fn narrow_cells(crowd: &mut Crowd, piece: &Piece, fields: &Fields, domain: &Domain) {
+    for (p, along) in spaced(&piece.points, fields, 0.5) {
+        let inward = along.perp();
+        let most = DEPTHS[0] * Shape::gauge(fields, p).extent(inward);
+        let p = p + inward * domain.medial_depth(p, inward, most);
+        if domain.contains(p) && crowd.gap(p, BOUNDARY_GAP) >= BOUNDARY_GAP {
+            crowd.push(p);
+        }
+    }
+}
+
+/// Places along a line at whole numbers of cells, the first `from` of a cell's way from its start,
+/// the last as far from its end; each with the unit vector of the line there.
+fn spaced(line: &[DVec2], fields: &Fields, from: f64) -> Vec<(DVec2, DVec2)> {
     // Lengths in cells: a step is shorter where cells are smaller.
     let mut reached = vec![0.0];
     for w in line.windows(2) {
@@ -109,12 +138,11 @@ pub(super) fn boundary_cells(
         reached.push(reached[reached.len() - 1] + cells);
     }
     let total = reached[reached.len() - 1];
-    let closed = piece.before.is_none();
     let count = (total.round() as usize).max(1);
-    let places = if closed { count } else { count + 1 };
+    let places = if from > 0.0 { count } else { count + 1 };
     let mut k = 0;
-    for place in 0..places {
-        let at = total * place as f64 / count as f64;
+    let place = |place: usize| {
+        let at = total * (place as f64 + from) / count as f64;
         while k + 2 < line.len() && reached[k + 1] < at {
             k += 1;
         }
@@ -124,12 +152,10 @@ pub(super) fn boundary_cells(
         } else {
             0.0
         };
-        let p = line[k].lerp(line[k + 1], t);
-        let clear = || is_clear(p, BOUNDARY_CLEARANCE * depth, fields, domain);
-        if (fixed || clear()) && crowd.gap(p, BOUNDARY_GAP) >= BOUNDARY_GAP {
-            crowd.push(p);
-        }
-    }
+        let (a, b) = (line[k], line[k + 1]);
+        (a.lerp(b, t), (b - a).normalize_or_zero())
+    };
+    (0..places).map(place).collect()
 }
 
 /// The piece moved inwards by `depth` cells. At its ends it meets the neighbouring pieces' lines.

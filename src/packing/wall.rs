@@ -49,7 +49,9 @@ pub(super) fn keep_inside(from: DVec2, to: DVec2, shape: Shape, around: Surround
     let mut centre = to;
     let least = CLOSEST * shape.extent(near.inward);
     if near.distance < least {
-        centre = near.point + near.inward * least;
+        // Where the outline is narrower than that, in its middle.
+        let depth = domain.medial_depth(near.point, near.inward, least);
+        centre = near.point + near.inward * depth;
     }
     if domain.crosses_line(from, centre) {
         centre = from;

@@ -96,7 +96,7 @@ impl Default for Recipe {
 const POLYGON: &str = "polygon";
 
 /// Finest and coarsest cells: this many along a side of the picture.
-const MOST_CELLS: f64 = 200.0;
+const MOST_CELLS: f64 = 400.0;
 const FEWEST_CELLS: f64 = 2.0;
 /// Cells below this many pixels could not be told from noise.
 const LEAST_CELL: f64 = 2.0;
@@ -146,7 +146,7 @@ impl Recipe {
         outline
     }
 
-    /// The limits of a number in this recipe: those of the schema, except that cells go from a 200th
+    /// The limits of a number in this recipe: those of the schema, except that cells go from a 400th
     /// to half of the picture's side (and never below 2 px).
     pub fn limits(&self, key: Key) -> (f64, f64) {
         let row = key.parameter();
