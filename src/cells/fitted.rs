@@ -129,6 +129,22 @@ fn without_rim(particles: Vec<Particle>) -> (Vec<Particle>, Vec<Particle>) {
     }
 }
 
+/// Takes repeated points out of a ring, and ways to a point and straight back.
+fn without_spikes(ring: &mut Vec<DVec2>) {
+    let mut k = 0;
+    while k < ring.len() && ring.len() >= 3 {
+        let n = ring.len();
+        let (next, after) = ((k + 1) % n, (k + 2) % n);
+        if ring[k] == ring[next] || ring[k] == ring[after] {
+            ring.remove(next);
+            // What is now beside it may be the same.
+            k = 0;
+        } else {
+            k += 1;
+        }
+    }
+}
+
 /// A cell to be joined into the mesh; Voronoi polygons know no stretch.
 fn node(p: &Particle, plain: bool) -> Node {
     if plain {
@@ -188,7 +204,6 @@ impl Dual {
         } else {
             without_rim(particles)
         };
-        let real = cells.len();
         let mut nodes: Vec<Node> = cells.iter().chain(&rim).map(|p| node(p, plain)).collect();
         nodes.extend(if plain || !rim.is_empty() {
             ghosts::frame(domain).into_iter().map(Node::plain).collect()
@@ -197,23 +212,7 @@ impl Dual {
         });
         let mesh = Mesh::whole(&nodes, |_| plain);
         let mut dual = Self::of(cells, &mesh, plain);
-        for face in &mesh.faces {
-            let mut middle = dual.middle(&mesh, face);
-            let corners = face.nodes().iter().map(|&k| k as usize);
-            let sizes = corners.clone().filter(|&k| k < real);
-            let sizes: Vec<f64> = sizes.map(|k| dual.particles[k].size).collect();
-            let mut on = On::Nothing;
-            if !plain && !sizes.is_empty() && sizes.len() < face.nodes().len() {
-                let size = sizes.iter().sum::<f64>() / sizes.len() as f64;
-                // Round the element, from a cell on.
-                let first = corners.clone().position(|k| k < real).unwrap_or(0);
-                let round = corners.cycle().skip(first).take(face.nodes().len());
-                let on_rim = round.filter(|k| (real..real + rim.len()).contains(k));
-                let on_rim: Vec<DVec2> = on_rim.map(|k| mesh.vertices[k]).collect();
-                (middle, on) = dual.at_wall(domain, middle, &on_rim, size);
-            }
-            dual.push(middle, sizes.len() < face.nodes().len(), on);
-        }
+        dual.put_middles(domain, &mesh, rim.len());
         if !plain && !domain.lines().is_empty() {
             dual.divide(domain, &mesh);
         }
@@ -257,23 +256,28 @@ impl Dual {
             p.centre = domain.wrap(p.centre);
         }
         MARGINS.into_iter().find_map(|margin| {
-            let (mut all, of) = spread(side, &particles, margin);
-            let nodes: Vec<Node> = all.iter().map(Node::of).collect();
+            let (all, of) = spread(side, &particles, margin);
+            // Where they really are, of the same images.
+            let placed = all.iter().zip(&of).map(|(p, &k)| {
+                let (real, near) = (&particles[k as usize], &all[k as usize]);
+                let centre = real.centre + (p.centre - near.centre);
+                Particle { centre, ..*p }
+            });
+            let (cells, rim) = without_rim(placed.collect());
+            let (first, last) = without_rim(all);
+            let nodes: Vec<Node> = first.iter().chain(&last).map(Node::of).collect();
             let mesh = Mesh::whole(&nodes, |_| false);
-            for ((p, node), &k) in all.iter_mut().zip(&nodes).zip(&of) {
-                p.centre = particles[k as usize].centre + (node.at - nodes[k as usize].at);
-            }
-            let mut dual = Self::of(all, &mesh, false);
-            for face in &mesh.faces {
-                dual.push(dual.middle(&mesh, face), false, On::Nothing);
-            }
+            let mut dual = Self::of(cells, &mesh, false);
+            dual.put_middles(domain, &mesh, rim.len());
             dual.divide(domain, &mesh);
             let mut cells = dual.cells(domain);
             cells.retain(|cell| domain.wrap(cell.centre) == cell.centre);
             // Places where sides cross lines agree with their images but for rounding.
-            for p in cells.iter_mut().flat_map(|cell| &mut cell.ring) {
-                *p = on_grain(*p);
+            for cell in &mut cells {
+                cell.ring.iter_mut().for_each(|p| *p = on_grain(*p));
+                without_spikes(&mut cell.ring);
             }
+            cells.retain(|cell| cell.ring.len() >= 3);
             let rings: Vec<Vec<DVec2>> = cells.iter().map(|cell| cell.ring.clone()).collect();
             closes(domain, &rings).then_some(cells)
         })
@@ -299,6 +303,28 @@ impl Dual {
         match *face.nodes() {
             [a, b, c] if self.plain => circumcentre([a, b, c].map(|k| mesh.vertices[k as usize])),
             _ => face.centroid(&mesh.vertices),
+        }
+    }
+
+    /// The vertices of all elements; `rim` cells fixed on the rim come next to the cells.
+    fn put_middles(&mut self, domain: &Domain, mesh: &Mesh, rim: usize) {
+        let real = self.particles.len();
+        for face in &mesh.faces {
+            let mut middle = self.middle(mesh, face);
+            let corners = face.nodes().iter().map(|&k| k as usize);
+            let sizes = corners.clone().filter(|&k| k < real);
+            let sizes: Vec<f64> = sizes.map(|k| self.particles[k].size).collect();
+            let mut on = On::Nothing;
+            if !self.plain && !sizes.is_empty() && sizes.len() < face.nodes().len() {
+                let size = sizes.iter().sum::<f64>() / sizes.len() as f64;
+                // Round the element, from a cell on.
+                let first = corners.clone().position(|k| k < real).unwrap_or(0);
+                let round = corners.cycle().skip(first).take(face.nodes().len());
+                let on_rim = round.filter(|k| (real..real + rim).contains(k));
+                let on_rim: Vec<DVec2> = on_rim.map(|k| mesh.vertices[k]).collect();
+                (middle, on) = self.at_wall(domain, middle, &on_rim, size);
+            }
+            self.push(middle, sizes.len() < face.nodes().len(), on);
         }
     }
 
@@ -405,7 +431,7 @@ impl Dual {
     /// All cells, corners not straightened.
     fn cells(&self, domain: &Domain) -> Vec<Cell> {
         // On a torus only what lies at a constraint line is cut.
-        let is_cut = domain.period().is_none() || !self.own.is_empty();
+        let is_cut = domain.period().is_none() || self.mixed.contains(&true);
         let band = if is_cut {
             self.band(domain)
         } else {
