@@ -263,8 +263,13 @@ impl Dual {
                 let centre = real.centre + (p.centre - near.centre);
                 Particle { centre, ..*p }
             });
-            let (cells, rim) = without_rim(placed.collect());
-            let (first, last) = without_rim(all);
+            // Of two in one region the first by its id has it, here as at the images.
+            let in_order = |mut particles: Vec<Particle>| {
+                order::sort(&mut particles, |p| (p.id.into(), 0));
+                without_rim(particles)
+            };
+            let (cells, rim) = in_order(placed.collect());
+            let (first, last) = in_order(all);
             let nodes: Vec<Node> = first.iter().chain(&last).map(Node::of).collect();
             let mesh = Mesh::whole(&nodes, |_| false);
             let mut dual = Self::of(cells, &mesh, false);
