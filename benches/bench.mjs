@@ -1,5 +1,5 @@
-// The measurements in WebAssembly under Node, and the same subdivision by the npm package three-subdivide.
-import { performance } from 'node:perf_hooks';
+// The measurements in WebAssembly under Node, and other people's programs for the same work beside them.
+import { d3Delaunay, matterJs, threeSubdivide } from './peers.mjs';
 
 /** @typedef {{ name: string, ms: number }} Timing */
 
@@ -11,54 +11,31 @@ import { performance } from 'node:perf_hooks';
 export async function run(module) {
   if (!module.bench || !module.bench_mesh) throw new Error('The module has no benchmarks: build it with --features bench.');
   const timings = module.bench();
-  const theirs = await threeSubdivide(module.bench_mesh());
-  if (theirs) {
-    const ours = timings.find(({ name }) => name.startsWith('subdivision'));
-    timings.push(theirs);
-    if (ours) console.log(`three-subdivide takes ${(theirs.ms / ours.ms).toFixed(0)} times as long for the same subdivision.`);
-  } else {
-    console.log('three-subdivide is not installed: npm install three three-subdivide lets it be measured beside ours.');
+  /** @type {{ ours: string, theirs: string, most: number }[]} */
+  const bars = [
+    { ours: 'Runge-Kutta step, a thousand of 50000 cells', theirs: 'Runge-Kutta step, a thousand of 500 cells', most: 1.3 },
+  ];
+  /** @param {string} ours @param {Timing | undefined} peer @param {number} most */
+  const beside = (ours, peer, most) => {
+    if (!peer) return;
+    if (!timings.some(({ name }) => name === peer.name)) timings.push(peer);
+    bars.push({ ours, theirs: peer.name, most });
+  };
+  for (const count of [400, 3000]) {
+    const peer = await d3Delaunay(count);
+    for (const outline of ['square', 'ring']) {
+      const whole = `outline to fitted cells, ${outline}, ${count} cells`;
+      beside(whole, peer, 1);
+      bars.push({ ours: `direction field of these, ${outline}, ${count} cells`, theirs: whole, most: 0.1 });
+    }
+  }
+  beside('Runge-Kutta step, 500 cells', await matterJs(500), 0.4);
+  beside('subdivision, 500 stones, 3 times', await threeSubdivide(module.bench_mesh()), 1);
+  const ms = (/** @type {string} */ wanted) => timings.find(({ name }) => name === wanted)?.ms ?? NaN;
+  console.log('\nAs parts of each other in WebAssembly, and the most that is wanted:');
+  for (const { ours, theirs, most } of bars) {
+    const ratio = ms(ours) / ms(theirs);
+    console.log(`${ratio.toFixed(3).padStart(8)} <= ${most}${ratio <= most ? '' : '  NO'}   ${ours} / ${theirs}`);
   }
   return timings;
-}
-
-/** The two packages in one object, or nothing where they are not installed. */
-async function packages() {
-  try {
-    // One after the other: three-subdivide requires three, which must be loaded by then.
-    const three = await import('three');
-    return { ...three, ...(await import('three-subdivide')) };
-  } catch (error) {
-    if (error instanceof Error && 'code' in error && error.code === 'ERR_MODULE_NOT_FOUND') return undefined;
-    throw error;
-  }
-}
-
-/**
- * Subdivides the same stones by three-subdivide, once, after a short warm-up.
- * @param {{ points: Float32Array, triangles: Uint32Array, stones: number, levels: number }} mesh
- * @returns {Promise<Timing | undefined>}
- */
-async function threeSubdivide({ points, triangles, stones, levels }) {
-  const found = await packages();
-  if (!found) return undefined;
-  const { BufferAttribute, BufferGeometry, LoopSubdivision } = found;
-  const stone = (/** @type {number} */ k) => {
-    const stretched = points.map((value, i) => value * (i % 3 === 1 ? 1 + k / stones : i % 3 === 2 ? 0.7 : 1));
-    const geometry = new BufferGeometry();
-    geometry.setAttribute('position', new BufferAttribute(stretched, 3));
-    geometry.setIndex(new BufferAttribute(triangles, 1));
-    return geometry;
-  };
-  const refine = (/** @type {import('three').BufferGeometry} */ geometry) =>
-    LoopSubdivision.modify(geometry, levels, { split: false, uvSmooth: false, preserveEdges: false, flatOnly: false, maxTriangles: Infinity });
-  for (let k = 0; k < 5; k++) refine(stone(k));
-  const geometries = Array.from({ length: stones }, (_, k) => stone(k));
-  const start = performance.now();
-  let made = 0;
-  for (const geometry of geometries) made += refine(geometry).getAttribute('position').count / 3;
-  const ms = performance.now() - start;
-  const wanted = (stones * triangles.length * 4 ** levels) / 3;
-  if (made !== wanted) throw new Error(`three-subdivide made ${made} triangles instead of ${wanted}.`);
-  return { name: `three-subdivide, ${stones} stones, ${levels} times`, ms };
 }

@@ -30,7 +30,14 @@ pub const LEVELS: u32 = 3;
 pub fn run(clock: Clock) -> Vec<Timing> {
     let mut timings = Vec::new();
     for cells in [500, 3_000, 30_000] {
-        packing_step(cells, clock, &mut timings);
+        packing_step(cells, Integrator::SemiImplicit, clock, &mut timings);
+    }
+    for cells in [500, 50_000] {
+        packing_step(cells, Integrator::RungeKutta, clock, &mut timings);
+    }
+    for cells in [400, 3_000] {
+        whole_way("square", &square(), cells, clock, &mut timings);
+        whole_way("ring", &ring(), cells, clock, &mut timings);
     }
     timings.push(subdivision(clock));
     stages(clock, &mut timings);
@@ -45,7 +52,7 @@ fn shortest(times: impl IntoIterator<Item = f64>) -> f64 {
 }
 
 /// A ring, its hole half as wide, in a picture of 512.
-fn ring() -> Domain {
+fn ring() -> Outline {
     let circle = |radius: f64, sense: f64| {
         (0..180)
             .map(|k| {
@@ -54,11 +61,25 @@ fn ring() -> Domain {
             })
             .collect()
     };
-    Domain::from_checked(&Outline {
+    Outline {
         outer: circle(250.0, 1.0),
         holes: vec![circle(125.0, -1.0)],
         ..Outline::default()
-    })
+    }
+}
+
+/// A square in a picture of 512.
+fn square() -> Outline {
+    let corners = [(32.0, 32.0), (480.0, 32.0), (480.0, 480.0), (32.0, 480.0)];
+    Outline {
+        outer: corners.map(|(x, y)| DVec2::new(x, y)).to_vec(),
+        ..Outline::default()
+    }
+}
+
+/// The side of so many squares that fill an outline.
+fn side_of(domain: &Domain, cells: u32) -> f64 {
+    (domain.area() / f64::from(cells)).sqrt()
 }
 
 fn fields(domain: &Domain, size: f64) -> Fields {
@@ -70,14 +91,14 @@ fn fields(domain: &Domain, size: f64) -> Fields {
 }
 
 /// One step of about `cells` cells, and its part for each thousand of them.
-fn packing_step(cells: usize, clock: Clock, timings: &mut Vec<Timing>) {
+fn packing_step(cells: u32, integrator: Integrator, clock: Clock, timings: &mut Vec<Timing>) {
     const STEPS: u32 = 8;
-    let domain = ring();
-    let fields = fields(&domain, (domain.area() / cells as f64).sqrt());
+    let domain = Domain::from_checked(&ring());
+    let fields = fields(&domain, side_of(&domain, cells));
     let params = PackingParams {
         edge: Edge::Wall,
         start: Start::Stream,
-        integrator: Integrator::SemiImplicit,
+        integrator,
         population: Population::Off,
         variance: 0.0,
         seed: 1,
@@ -94,13 +115,45 @@ fn packing_step(cells: usize, clock: Clock, timings: &mut Vec<Timing>) {
         (clock() - start) / f64::from(STEPS)
     });
     let ms = shortest(times);
+    let what = match integrator {
+        Integrator::SemiImplicit => "packing step",
+        Integrator::RungeKutta => "Runge-Kutta step",
+    };
     timings.push(Timing {
-        name: format!("packing step, {cells} cells"),
+        name: format!("{what}, {cells} cells"),
         ms,
     });
     timings.push(Timing {
-        name: format!("packing step, a thousand of {cells} cells"),
+        name: format!("{what}, a thousand of {cells} cells"),
         ms: 1000.0 * ms / first.report().cells as f64,
+    });
+}
+
+/// From an outline to about `cells` fitted cells, and what the direction field takes of it.
+fn whole_way(name: &str, outline: &Outline, cells: u32, clock: Clock, timings: &mut Vec<Timing>) {
+    let size = side_of(&Domain::from_checked(outline), cells);
+    let (recipe, _) = Recipe::from_link(&format!("cs={size:.2}"));
+    let mut whole = Vec::new();
+    let mut field = Vec::new();
+    for _ in 0..9 {
+        let Ok((mut studio, _)) = Studio::with_outline(recipe.clone(), outline) else {
+            return;
+        };
+        let start = clock();
+        while studio.cells().is_empty() && studio.problem().is_none() {
+            studio.tick(clock, 0.0, 1);
+        }
+        whole.push(clock() - start);
+        let stages = studio.milliseconds();
+        field.extend(stages.iter().find(|t| t.stage == "fields").map(|t| t.ms));
+    }
+    timings.push(Timing {
+        name: format!("outline to fitted cells, {name}, {cells} cells"),
+        ms: shortest(whole),
+    });
+    timings.push(Timing {
+        name: format!("direction field of these, {name}, {cells} cells"),
+        ms: shortest(field),
     });
 }
 

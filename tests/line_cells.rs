@@ -240,3 +240,38 @@ fn cells_of_a_torus_meet_over_the_seams() {
         assert_seamless(&domain, &cells, &format!("packed {size}"));
     }
 }
+
+/// On a torus, too, cells end at constraint lines, and meet over the seams.
+#[test]
+fn cells_of_a_torus_end_at_lines() {
+    let lines = [
+        vec![
+            vec![p(0., 60.), p(90., 80.), p(256., 60.)],
+            vec![p(0., 170.), p(256., 170.)],
+        ],
+        vec![vec![p(60., 60.), p(180., 70.), p(130., 200.), p(60., 60.)]],
+        vec![vec![
+            p(200., -40.),
+            p(330., 60.),
+            p(180., 90.),
+            p(200., -40.),
+        ]],
+    ];
+    for lines in lines {
+        let domain = Domain::torus(SIDE, &lines);
+        assert_eq!(domain.parts(), 2, "{lines:?}");
+        // Where cells stand on a line over a sharp corner, slivers at the line may be left.
+        let sharp = lines[0][0].x == 200.0;
+        let edges = [Edge::Wall, Edge::On];
+        for size in [9.0, 14.0, 30.0] {
+            for &edge in &edges[..if sharp { 1 } else { 2 }] {
+                let particles = packed(&domain, size, edge);
+                let cells = fitted(&domain, &particles);
+                let what = format!("{size} {edge:?} {lines:?}");
+                assert_seamless(&domain, &cells, &what);
+                assert_sound(&domain, &cells, &what);
+                assert_eq!(cells, fitted(&domain, &particles));
+            }
+        }
+    }
+}

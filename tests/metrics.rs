@@ -146,7 +146,11 @@ fn on_a_torus_cells_go_on_at_the_other_side() {
         Face::quad([at(x, y), at(x + 1, y), at(x + 1, y + 1), at(x, y + 1)])
     };
     let faces = (0..16).map(quad).collect();
-    let mesh = Mesh { vertices, faces };
+    let mesh = Mesh {
+        vertices,
+        faces,
+        ..Mesh::default()
+    };
     let figures = MeshMetrics::new(&torus, &particles(&mesh.vertices, Kind::Square), &mesh);
     near(figures.cover.coverage, 1.0);
     near(figures.cover.overlap, 0.0);
@@ -250,7 +254,11 @@ fn a_mesh_of_squares_one_of_them_dented() {
     let faces: Vec<Face> = (0..4)
         .flat_map(|y| (0..4).map(move |x| quad(5 * y + x)))
         .collect();
-    let mesh = Mesh { vertices, faces };
+    let mesh = Mesh {
+        vertices,
+        faces,
+        ..Mesh::default()
+    };
     let domain = square();
     let figures = MeshMetrics::new(&domain, &particles(&mesh.vertices, Kind::Square), &mesh);
     assert_eq!((figures.faces, figures.quads), (16, 1.0));
@@ -281,7 +289,11 @@ fn a_wheel_of_triangles_with_a_square_at_its_rim() {
     vertices.extend([vertices[1] - out, vertices[2] - out]);
     let mut faces: Vec<Face> = (1..=6).map(|k| Face::triangle([0, k, k % 6 + 1])).collect();
     faces.push(Face::quad([1, 7, 8, 2]));
-    let mesh = Mesh { vertices, faces };
+    let mesh = Mesh {
+        vertices,
+        faces,
+        ..Mesh::default()
+    };
     let figures = MeshMetrics::new(&square(), &particles(&mesh.vertices, Kind::Circle), &mesh);
     near(figures.quads, 1.0 / 7.0);
     near(figures.jacobian.unwrap().min, 1.0);

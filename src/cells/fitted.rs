@@ -9,7 +9,8 @@ use super::arrangement::{Arrangement, Line};
 use super::straighten::Straightening;
 use super::voronoi::circumcentre;
 use super::{Cell, across, ghosts, torus};
-use crate::domain::{Domain, divided, ring_contains};
+use crate::domain::{Domain, closest_on_segment, divided, ring_contains, shifts};
+use crate::mesh::torus::{MARGINS, closes, spread};
 use crate::mesh::{Face, Fans, Mesh, Node};
 use crate::order;
 use crate::packing::{Grid, Particle};
@@ -22,9 +23,6 @@ const SNAP: f64 = 0.35;
 /// A side of a cell whose ends lie on a constraint line runs along it where its middle is nearer to
 /// it than this share of its length.
 const ALONG: f64 = 0.15;
-
-/// On the torus images are made so many sizes around the picture.
-const MARGINS: [f64; 2] = [5.0, 12.0];
 
 /// The dual of the packed cells, filling the outline, all at once; see [`Fitting`].
 pub fn fitted(domain: &Domain, particles: &[Particle]) -> Vec<Cell> {
@@ -79,7 +77,13 @@ impl Fitting {
             Next::Dual(particles) | Next::Voronoi(particles) if particles.is_empty() => {
                 Next::Nothing
             }
-            Next::Dual(particles) => Next::Band(Dual::new(domain, particles, false)),
+            Next::Dual(particles) => match Dual::beside_lines(domain, &particles) {
+                Some(cells) => {
+                    self.cells = cells;
+                    Next::Corners
+                }
+                None => Next::Band(Dual::new(domain, particles, false)),
+            },
             Next::Voronoi(particles) => Next::Band(Dual::new(domain, particles, true)),
             Next::Band(dual) => {
                 self.cells = dual.cells(domain);
@@ -122,6 +126,22 @@ fn without_rim(particles: Vec<Particle>) -> (Vec<Particle>, Vec<Particle>) {
         (rim, cells)
     } else {
         (cells, rim)
+    }
+}
+
+/// Takes repeated points out of a ring, and ways to a point and straight back.
+fn without_spikes(ring: &mut Vec<DVec2>) {
+    let mut k = 0;
+    while k < ring.len() && ring.len() >= 3 {
+        let n = ring.len();
+        let (next, after) = ((k + 1) % n, (k + 2) % n);
+        if ring[k] == ring[next] || ring[k] == ring[after] {
+            ring.remove(next);
+            // What is now beside it may be the same.
+            k = 0;
+        } else {
+            k += 1;
+        }
     }
 }
 
@@ -184,7 +204,6 @@ impl Dual {
         } else {
             without_rim(particles)
         };
-        let real = cells.len();
         let mut nodes: Vec<Node> = cells.iter().chain(&rim).map(|p| node(p, plain)).collect();
         nodes.extend(if plain || !rim.is_empty() {
             ghosts::frame(domain).into_iter().map(Node::plain).collect()
@@ -193,23 +212,7 @@ impl Dual {
         });
         let mesh = Mesh::whole(&nodes, |_| plain);
         let mut dual = Self::of(cells, &mesh, plain);
-        for face in &mesh.faces {
-            let mut middle = dual.middle(&mesh, face);
-            let corners = face.nodes().iter().map(|&k| k as usize);
-            let sizes = corners.clone().filter(|&k| k < real);
-            let sizes: Vec<f64> = sizes.map(|k| dual.particles[k].size).collect();
-            let mut on = On::Nothing;
-            if !plain && !sizes.is_empty() && sizes.len() < face.nodes().len() {
-                let size = sizes.iter().sum::<f64>() / sizes.len() as f64;
-                // Round the element, from a cell on.
-                let first = corners.clone().position(|k| k < real).unwrap_or(0);
-                let round = corners.cycle().skip(first).take(face.nodes().len());
-                let on_rim = round.filter(|k| (real..real + rim.len()).contains(k));
-                let on_rim: Vec<DVec2> = on_rim.map(|k| mesh.vertices[k]).collect();
-                (middle, on) = dual.at_wall(domain, middle, &on_rim, size);
-            }
-            dual.push(middle, sizes.len() < face.nodes().len(), on);
-        }
+        dual.put_middles(domain, &mesh, rim.len());
         if !plain && !domain.lines().is_empty() {
             dual.divide(domain, &mesh);
         }
@@ -226,7 +229,7 @@ impl Dual {
         let mut margins = MARGINS.into_iter();
         loop {
             let margin = margins.next();
-            let all = torus::spread(side, &particles, margin.unwrap_or(MARGINS[0]));
+            let (all, _) = spread(side, &particles, margin.unwrap_or(MARGINS[0]));
             let mut nodes: Vec<Node> = all.iter().map(|p| node(p, plain)).collect();
             if margin.is_none() {
                 nodes.iter_mut().for_each(|node| node.corners = false);
@@ -237,11 +240,52 @@ impl Dual {
                 dual.push(dual.middle(&mesh, face), false, On::Nothing);
             }
             let rings: Vec<Vec<DVec2>> = (0..particles.len()).map(|k| dual.ring(k)).collect();
-            if margin.is_none() || torus::closes(domain, &rings) {
+            if margin.is_none() || closes(domain, &rings) {
                 dual.particles = particles;
                 return dual;
             }
         }
+    }
+
+    /// The cells of a torus with constraint lines, where they agree over the seams: all images are cut
+    /// by the lines, then those in the picture are taken.
+    fn beside_lines(domain: &Domain, particles: &[Particle]) -> Option<Vec<Cell>> {
+        let side = domain.period().filter(|_| !domain.lines().is_empty())?;
+        let mut particles = particles.to_vec();
+        for p in &mut particles {
+            p.centre = domain.wrap(p.centre);
+        }
+        MARGINS.into_iter().find_map(|margin| {
+            let (all, of) = spread(side, &particles, margin);
+            // Where they really are, of the same images.
+            let placed = all.iter().zip(&of).map(|(p, &k)| {
+                let (real, near) = (&particles[k as usize], &all[k as usize]);
+                let centre = real.centre + (p.centre - near.centre);
+                Particle { centre, ..*p }
+            });
+            // Of two in one region the first by its id has it, here as at the images.
+            let in_order = |mut particles: Vec<Particle>| {
+                order::sort(&mut particles, |p| (p.id.into(), 0));
+                without_rim(particles)
+            };
+            let (cells, rim) = in_order(placed.collect());
+            let (first, last) = in_order(all);
+            let nodes: Vec<Node> = first.iter().chain(&last).map(Node::of).collect();
+            let mesh = Mesh::whole(&nodes, |_| false);
+            let mut dual = Self::of(cells, &mesh, false);
+            dual.put_middles(domain, &mesh, rim.len());
+            dual.divide(domain, &mesh);
+            let mut cells = dual.cells(domain);
+            cells.retain(|cell| domain.wrap(cell.centre) == cell.centre);
+            // Places where sides cross lines agree with their images but for rounding.
+            for cell in &mut cells {
+                cell.ring.iter_mut().for_each(|p| *p = on_grain(*p));
+                without_spikes(&mut cell.ring);
+            }
+            cells.retain(|cell| cell.ring.len() >= 3);
+            let rings: Vec<Vec<DVec2>> = cells.iter().map(|cell| cell.ring.clone()).collect();
+            closes(domain, &rings).then_some(cells)
+        })
     }
 
     /// Without vertices yet.
@@ -264,6 +308,28 @@ impl Dual {
         match *face.nodes() {
             [a, b, c] if self.plain => circumcentre([a, b, c].map(|k| mesh.vertices[k as usize])),
             _ => face.centroid(&mesh.vertices),
+        }
+    }
+
+    /// The vertices of all elements; `rim` cells fixed on the rim come next to the cells.
+    fn put_middles(&mut self, domain: &Domain, mesh: &Mesh, rim: usize) {
+        let real = self.particles.len();
+        for face in &mesh.faces {
+            let mut middle = self.middle(mesh, face);
+            let corners = face.nodes().iter().map(|&k| k as usize);
+            let sizes = corners.clone().filter(|&k| k < real);
+            let sizes: Vec<f64> = sizes.map(|k| self.particles[k].size).collect();
+            let mut on = On::Nothing;
+            if !self.plain && !sizes.is_empty() && sizes.len() < face.nodes().len() {
+                let size = sizes.iter().sum::<f64>() / sizes.len() as f64;
+                // Round the element, from a cell on.
+                let first = corners.clone().position(|k| k < real).unwrap_or(0);
+                let round = corners.cycle().skip(first).take(face.nodes().len());
+                let on_rim = round.filter(|k| (real..real + rim).contains(k));
+                let on_rim: Vec<DVec2> = on_rim.map(|k| mesh.vertices[k]).collect();
+                (middle, on) = self.at_wall(domain, middle, &on_rim, size);
+            }
+            self.push(middle, sizes.len() < face.nodes().len(), on);
         }
     }
 
@@ -369,16 +435,18 @@ impl Dual {
 
     /// All cells, corners not straightened.
     fn cells(&self, domain: &Domain) -> Vec<Cell> {
-        let band = if domain.period().is_some() {
-            vec![false; self.particles.len()]
-        } else {
+        // On a torus only what lies at a constraint line is cut.
+        let is_cut = domain.period().is_none() || self.mixed.contains(&true);
+        let band = if is_cut {
             self.band(domain)
+        } else {
+            vec![false; self.particles.len()]
         };
         let mut cells: Vec<Cell> = (0..self.particles.len())
             .filter(|&k| !band[k])
             .map(|k| cell(&self.particles[k], self.ring(k)))
             .collect();
-        if domain.period().is_none() {
+        if is_cut {
             cells.extend(self.cut(domain, &band, &cells));
         }
         cells.retain(|c| c.ring.len() >= 3);
@@ -438,9 +506,39 @@ impl Dual {
             }
         }
         let mut pieces = divided(domain.segments(), &on_outline);
-        pieces.extend(divided(domain.line_segments(), &on_lines));
+        pieces.extend(self.line_pieces(domain, on_lines));
         let lines = pieces.into_iter().map(|[a, b]| Line::boundary(a, b));
         lines.collect()
+    }
+
+    /// The constraint lines divided at places on them; on a torus their images as far as there are
+    /// cells.
+    fn line_pieces(&self, domain: &Domain, mut on: Vec<(usize, DVec2)>) -> Vec<[DVec2; 2]> {
+        let segments = domain.line_segments();
+        let Some(side) = domain.period() else {
+            return divided(segments, &on);
+        };
+        for (segment, place) in &mut on {
+            let [a, b] = segments[*segment];
+            let home = domain.wrap(*place);
+            let images = shifts(Some(side), 2).into_iter().map(|by| home + by);
+            let off = |p: &DVec2| closest_on_segment(*p, a, b).distance(*p);
+            let nearest = images.min_by(|p, q| off(p).total_cmp(&off(q)));
+            *place = nearest.unwrap_or(home);
+        }
+        let pieces = divided(segments, &on);
+        let start = (DVec2::ZERO, DVec2::splat(side));
+        let cells = self.particles.iter();
+        let (lo, hi) = cells.fold(start, |(lo, hi), p| (lo.min(p.centre), hi.max(p.centre)));
+        let far = (hi.max_element() / side).ceil() as i32 + 1;
+        let mut all = Vec::new();
+        for by in shifts(Some(side), far) {
+            let images = pieces.iter().map(|piece| piece.map(|p| p + by));
+            all.extend(
+                images.filter(|[a, b]| a.min(*b).cmple(hi).all() && a.max(*b).cmpge(lo).all()),
+            );
+        }
+        all
     }
 
     /// The sides of the band's polygons and of the ghosts'. A side between a cell and a ghost

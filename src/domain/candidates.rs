@@ -1,5 +1,6 @@
 //! The segment nearest to a point, by a grid of those that can be it.
 
+use crate::order::lesser;
 use glam::DVec2;
 
 /// The point of the segment a to b nearest to p.
@@ -27,14 +28,15 @@ pub(super) struct CandidateGrid {
     step: f64,
     columns: usize,
     rows: usize,
-    start: Vec<u32>,
+    /// For each square, from where to where its segments stand in `list`.
+    spans: Vec<(u32, u32)>,
     list: Vec<u32>,
     all: Vec<u32>,
 }
 
 /// Squares along the longer side of the box around the outline.
 const SQUARES: f64 = 64.0;
-/// Squares along the side of a block, for which segments are sorted out first.
+/// Squares along the side of a block, for which segments are sorted out first; a power of two.
 const BLOCK: usize = 8;
 
 impl CandidateGrid {
@@ -57,7 +59,7 @@ impl CandidateGrid {
             step,
             columns,
             rows,
-            start: vec![0],
+            spans: Vec::new(),
             list: Vec::new(),
             all,
         };
@@ -67,25 +69,37 @@ impl CandidateGrid {
 
     /// Blocks of squares first, so that each square tries few segments.
     fn fill(&mut self, segments: &[[DVec2; 2]]) {
-        let mut lists = vec![Vec::new(); self.columns * self.rows];
+        self.spans = vec![(0, 0); self.columns * self.rows];
         for top in (0..self.rows).step_by(BLOCK) {
             for left in (0..self.columns).step_by(BLOCK) {
-                let corner = DVec2::new(left as f64, top as f64);
-                let middle = self.origin + self.step * (corner + DVec2::splat(BLOCK as f64 / 2.0));
-                let block = nearest_to(segments, &self.all, middle, BLOCK as f64 * self.step);
-                for row in top..(top + BLOCK).min(self.rows) {
-                    for column in left..(left + BLOCK).min(self.columns) {
-                        let at = DVec2::new(column as f64 + 0.5, row as f64 + 0.5);
-                        let middle = self.origin + self.step * at;
-                        lists[row * self.columns + column] =
-                            nearest_to(segments, &block, middle, self.step);
-                    }
-                }
+                self.divide(segments, (left, top), BLOCK, &self.all.clone());
             }
         }
-        for list in lists {
-            self.list.extend(list);
-            self.start.push(self.list.len() as u32);
+    }
+
+    /// Sorts out the segments for a block of squares, then for its quarters.
+    fn divide(
+        &mut self,
+        segments: &[[DVec2; 2]],
+        (left, top): (usize, usize),
+        side: usize,
+        among: &[u32],
+    ) {
+        if left >= self.columns || top >= self.rows {
+            return;
+        }
+        let corner = DVec2::new(left as f64, top as f64);
+        let middle = self.origin + self.step * (corner + DVec2::splat(side as f64 / 2.0));
+        let near = nearest_to(segments, among, middle, side as f64 * self.step);
+        if side == 1 {
+            let first = self.list.len() as u32;
+            self.list.extend(near);
+            self.spans[top * self.columns + left] = (first, self.list.len() as u32);
+            return;
+        }
+        let half = side / 2;
+        for (x, y) in [(0, 0), (half, 0), (0, half), (half, half)] {
+            self.divide(segments, (left + x, top + y), half, &near);
         }
     }
 
@@ -109,23 +123,29 @@ impl CandidateGrid {
             return &self.all;
         }
         let square = at.y as usize * self.columns + at.x as usize;
-        &self.list[self.start[square] as usize..self.start[square + 1] as usize]
+        let (from, to) = self.spans[square];
+        &self.list[from as usize..to as usize]
     }
 }
 
 /// Those of the segments in `among` that can be the nearest to a point of a square with this middle
 /// and side.
 fn nearest_to(segments: &[[DVec2; 2]], among: &[u32], middle: DVec2, side: f64) -> Vec<u32> {
-    let distance: Vec<f64> = among
+    let mut least = f64::INFINITY;
+    let squares: Vec<f64> = among
         .iter()
         .map(|&i| {
             let [a, b] = segments[i as usize];
-            closest_on_segment(middle, a, b).distance(middle)
+            let square = closest_on_segment(middle, a, b).distance_squared(middle);
+            least = lesser(least, square);
+            square
         })
         .collect();
-    let least = distance.iter().fold(f64::INFINITY, |m, &d| m.min(d));
     // From the middle to a corner and back is a diagonal.
-    let reach = least + 1.415 * side;
-    let near = among.iter().zip(distance).filter(|&(_, d)| d <= reach);
+    let reach = least.sqrt() + 1.415 * side;
+    let near = among
+        .iter()
+        .zip(squares)
+        .filter(|&(_, d)| d <= reach * reach);
     near.map(|(&i, _)| i).collect()
 }

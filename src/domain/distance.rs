@@ -1,7 +1,7 @@
 //! Inside test and exact nearest boundary point, by a grid of candidate segments.
 
 use super::candidates::CandidateGrid;
-use super::lines::Network;
+use super::lines::{Network, shifts};
 use super::{Outline, signed_area};
 use glam::DVec2;
 
@@ -101,6 +101,18 @@ impl Domain {
         let q = p - (p / side).floor() * side;
         // A number a little below 0 rounds up to the side itself.
         DVec2::select(q.cmpge(DVec2::splat(side)), DVec2::ZERO, q)
+    }
+
+    /// The ways to those images of a box that reach into the picture; without a period only that to
+    /// itself.
+    pub(crate) fn images(&self, lo: DVec2, hi: DVec2) -> Vec<DVec2> {
+        let mut ways = shifts(self.period, 2);
+        if let Some(side) = self.period {
+            ways.retain(|&by| {
+                (lo + by).cmple(DVec2::splat(side)).all() && (hi + by).cmpge(DVec2::ZERO).all()
+            });
+        }
+        ways
     }
 
     /// What lies inside of the constraint lines: each a run of points, closed where the first is

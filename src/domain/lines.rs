@@ -129,7 +129,7 @@ pub(super) fn images(domain: &Domain, segments: &[[DVec2; 2]], far: i32) -> Vec<
 }
 
 /// The shifts to the pictures around, none first.
-pub(super) fn shifts(period: Option<f64>, far: i32) -> Vec<DVec2> {
+pub(crate) fn shifts(period: Option<f64>, far: i32) -> Vec<DVec2> {
     let mut shifts = vec![DVec2::ZERO];
     if let Some(side) = period {
         for y in -far..=far {

@@ -1,7 +1,6 @@
 //! Which segments pass near a place: squares with lists.
 
 use super::closest_on_segment;
-use crate::order;
 use glam::DVec2;
 
 /// Squares over a box, each with the segments within a reach of any of its points.
@@ -53,9 +52,6 @@ impl Squares {
                 }
             }
         }
-        order::sort(&mut entries, |&(square, index)| {
-            (order::pair(square, index), 0)
-        });
         self.start = vec![0; self.columns * self.rows + 1];
         for &(square, _) in &entries {
             self.start[square as usize + 1] += 1;
@@ -63,7 +59,14 @@ impl Squares {
         for k in 1..self.start.len() {
             self.start[k] += self.start[k - 1];
         }
-        self.list = entries.into_iter().map(|(_, index)| index).collect();
+        // The segments come in their order, so they stand in it in every square.
+        let mut free = self.start.clone();
+        self.list = vec![0; entries.len()];
+        for (square, index) in entries {
+            let at = &mut free[square as usize];
+            self.list[*at as usize] = index;
+            *at += 1;
+        }
     }
 
     fn square(&self, square: usize) -> &[u32] {

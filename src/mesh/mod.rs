@@ -7,6 +7,7 @@ mod metric;
 mod patch;
 mod quads;
 mod relax;
+pub(crate) mod torus;
 mod triangles;
 
 pub use metric::Metric;
@@ -94,6 +95,8 @@ pub struct Mesh {
     pub vertices: Vec<DVec2>,
     /// Elements, each with at least three different vertices.
     pub faces: Vec<Face>,
+    /// On a torus the last vertices are images: for each of them the vertex that it is an image of.
+    pub images: Vec<u32>,
 }
 
 /// A triangle whose height is less than this share of its longest side is a sliver of the rim.
@@ -122,7 +125,13 @@ impl Mesh {
     /// The mesh of the cells' centres within the outline: elements whose middle lies outside,
     /// slivers along the rim, and triangles that lie between the outermost cells and the wall they
     /// stand at, are left out.
+    ///
+    /// On a torus every element is there once, and images follow the centres where elements reach
+    /// over a seam: the mesh closes over the seams. Lone triangles stay as they are.
     pub fn build(domain: &Domain, particles: &[Particle]) -> Self {
+        if let Some(side) = domain.period() {
+            return Self::over_seams(domain, side, particles);
+        }
         let mut nodes: Vec<Node> = particles.iter().map(Node::of).collect();
         let vertices: Vec<DVec2> = particles.iter().map(|p| p.centre).collect();
         let mut triangles = Triangles::new(&nodes);
@@ -131,12 +140,10 @@ impl Mesh {
         triangles.stretch(&nodes, keep);
         triangles.retain(|t| {
             let [a, b, c] = t.map(|k| vertices[k as usize]);
-            domain.nearest((a + b + c) / 3.0).distance > 0.0
-                && ![[a, b], [b, c], [c, a]]
-                    .iter()
-                    .any(|&[p, q]| domain.crosses_line(p.lerp(q, SHRINK), q.lerp(p, SHRINK)))
+            domain.nearest((a + b + c) / 3.0).distance > 0.0 && !is_cut(domain, [a, b, c])
         });
         let mut made = quads::pair(&nodes, &triangles, keep);
+        made.leave_out(|face| is_sliver(face, &nodes));
         join_lone(&mut nodes, &mut made, |k| particles[k].fixed, keep);
         let vertices: Vec<DVec2> = nodes.iter().map(|n| n.at).collect();
         let mut faces = made.faces;
@@ -149,7 +156,11 @@ impl Mesh {
                 && !is_sliver(face, &nodes)
                 && !(face.sides == 3 && depth < at_wall(face, particles))
         });
-        Self { vertices, faces }
+        Self {
+            vertices,
+            faces,
+            images: Vec::new(),
+        }
     }
 
     /// The mesh of all points over their convex hull. Edges for which `keep` holds are never
@@ -158,8 +169,11 @@ impl Mesh {
         let mut triangles = Triangles::new(nodes);
         triangles.stretch(nodes, &keep);
         let faces = quads::pair(nodes, &triangles, &keep).faces;
-        let vertices = nodes.iter().map(|n| n.at).collect();
-        Self { vertices, faces }
+        Self {
+            vertices: nodes.iter().map(|n| n.at).collect(),
+            faces,
+            images: Vec::new(),
+        }
     }
 
     /// For every vertex the elements around it in order, where they close a full turn; empty for
@@ -201,6 +215,13 @@ fn join_lone(
         patch::better(nodes, made, worst, few, &keep);
         relax::relax(nodes, &made.faces, &free);
     }
+}
+
+/// Does a constraint line cross a side of the triangle?
+fn is_cut(domain: &Domain, [a, b, c]: [DVec2; 3]) -> bool {
+    [[a, b], [b, c], [c, a]]
+        .iter()
+        .any(|&[p, q]| domain.crosses_line(p.lerp(q, SHRINK), q.lerp(p, SHRINK)))
 }
 
 /// Do both cells stand on a constraint line, and what is between them, too?

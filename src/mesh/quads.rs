@@ -16,6 +16,26 @@ pub(super) struct Faces {
     pub beside: Vec<[u32; 4]>,
 }
 
+impl Faces {
+    /// Takes elements out; in their places are some without sides.
+    pub fn leave_out(&mut self, bad: impl Fn(&Face) -> bool) {
+        for (f, face) in self.faces.iter_mut().enumerate() {
+            if !bad(face) {
+                continue;
+            }
+            face.sides = 0;
+            let around = std::mem::replace(&mut self.beside[f], [NONE; 4]);
+            for other in around.into_iter().filter(|&other| other != NONE) {
+                for side in &mut self.beside[other as usize] {
+                    if *side == f as u32 {
+                        *side = NONE;
+                    }
+                }
+            }
+        }
+    }
+}
+
 struct Candidate {
     score: f64,
     triangles: [u32; 2],

@@ -69,13 +69,15 @@ struct Edge {
 }
 
 impl MeshMetrics {
-    /// Works them out. The mesh's vertices are the particles' centres, in the same order.
+    /// Works them out. The mesh's vertices are the particles' centres, in the same order, then images.
     pub fn new(domain: &Domain, particles: &[Particle], mesh: &Mesh) -> Self {
         let polygon = |face: &Face| -> Vec<DVec2> {
             let places = face.nodes().iter().map(|&k| mesh.vertices[k as usize]);
             let first = places.clone().next().unwrap_or_default();
-            // On a torus an element lies where its first node does.
-            places.map(|p| first + domain.shortest(p - first)).collect()
+            // On a torus an element without images lies where its first node does.
+            let near = |p: DVec2| first + domain.shortest(p - first);
+            let whole = !mesh.images.is_empty();
+            places.map(|p| if whole { p } else { near(p) }).collect()
         };
         let polygons: Vec<Vec<DVec2>> = mesh.faces.iter().map(polygon).collect();
         let (mut area, mut jacobian, mut quality) =
@@ -143,12 +145,20 @@ fn triangle_quality(corners: &[DVec2]) -> f64 {
     4.0 * 3.0_f64.sqrt() * signed_area(corners).abs() / squares.max(1e-12)
 }
 
+/// The vertex itself, or the one that it is an image of.
+fn real(mesh: &Mesh, k: u32) -> u32 {
+    let first = mesh.vertices.len() - mesh.images.len();
+    let image = (k as usize).checked_sub(first);
+    image.map_or(k, |image| mesh.images[image])
+}
+
+/// The edges; on a torus each once, ends at images stand for what those are images of.
 fn edges(mesh: &Mesh) -> Vec<Edge> {
     let mut sides: Vec<([u32; 2], bool)> = Vec::new();
     for face in &mesh.faces {
         let nodes = face.nodes();
         for (k, &a) in nodes.iter().enumerate() {
-            let b = nodes[(k + 1) % nodes.len()];
+            let [a, b] = [a, nodes[(k + 1) % nodes.len()]].map(|k| real(mesh, k));
             sides.push(([a.min(b), a.max(b)], nodes.len() == 4));
         }
     }
@@ -169,7 +179,8 @@ fn valence(mesh: &Mesh, edges: &[Edge], particles: &[Particle]) -> (Histogram, O
     let mut inside = vec![true; mesh.vertices.len()];
     for edge in edges {
         for k in edge.nodes.map(|k| k as usize) {
-            at[k] += 1;
+            // On a torus of a few cells two edges can have the same ends.
+            at[k] += edge.faces.div_ceil(2);
             inside[k] &= edge.faces > 1;
         }
     }

@@ -27,7 +27,7 @@ pub(super) fn stream(
     let honeycomb = along_most(domain, fields);
     if let Some(p) = deepest(domain)
         && fields.kind(p) == Kind::Circle
-        && crowd.gap(p, FRONT_GAP) >= FRONT_GAP
+        && crowd.is_free(p, FRONT_GAP)
     {
         std::mem::swap(&mut rows, &mut queue);
         queue.push_back(crowd.cells.len());
@@ -46,9 +46,7 @@ pub(super) fn stream(
             }
             for p in slots(centre, shape, fields) {
                 let p = domain.wrap(p);
-                if crowd.gap(p, FRONT_GAP) >= FRONT_GAP
-                    && has_room(p, fields, domain, facing, params.edge)
-                {
+                if crowd.is_free(p, FRONT_GAP) && has_room(p, fields, domain, facing, params.edge) {
                     queue.push_back(crowd.cells.len());
                     crowd.push(p);
                 }
@@ -65,9 +63,7 @@ pub(super) fn stream(
             }
             left -= 1;
             let p = lo + (hi - lo) * DVec2::new(random.unit(), random.unit());
-            if crowd.gap(p, SEED_GAP) >= SEED_GAP
-                && has_room(p, fields, domain, facing, params.edge)
-            {
+            if crowd.is_free(p, SEED_GAP) && has_room(p, fields, domain, facing, params.edge) {
                 break Some(p);
             }
         };

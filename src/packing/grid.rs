@@ -84,29 +84,38 @@ impl Grid {
         self.head[bucket] = (self.next.len() - 1) as u32;
     }
 
-    /// The same as [`Grid::near`] for the images of the place on a torus of this side, too.
-    pub fn near_images(
+    /// Calls `visit` with the number of every point that may lie within `radius` of `p` or of its
+    /// images on a torus of this side, until it says true; then true.
+    pub fn any_near(
         &self,
         period: Option<f64>,
         p: DVec2,
         radius: f64,
-        mut visit: impl FnMut(usize),
-    ) {
-        images(period, p, radius).for_each(|image| self.near(image, radius, &mut visit));
+        mut visit: impl FnMut(usize) -> bool,
+    ) -> bool {
+        images(period, p, radius).any(|image| {
+            let (x0, y0) = self.place(image - DVec2::splat(radius));
+            let (x1, y1) = self.place(image + DVec2::splat(radius));
+            for y in y0..=y1 {
+                for &first in &self.head[y * self.columns + x0..=y * self.columns + x1] {
+                    let mut k = first;
+                    while k != NONE {
+                        if visit(k as usize) {
+                            return true;
+                        }
+                        k = self.next[k as usize];
+                    }
+                }
+            }
+            false
+        })
     }
 
     /// Calls `visit` with the number of every point that may lie within `radius` of `p`.
     pub fn near(&self, p: DVec2, radius: f64, mut visit: impl FnMut(usize)) {
-        let (x0, y0) = self.place(p - DVec2::splat(radius));
-        let (x1, y1) = self.place(p + DVec2::splat(radius));
-        for y in y0..=y1 {
-            for x in x0..=x1 {
-                let mut k = self.head[y * self.columns + x];
-                while k != NONE {
-                    visit(k as usize);
-                    k = self.next[k as usize];
-                }
-            }
-        }
+        self.any_near(None, p, radius, |k| {
+            visit(k);
+            false
+        });
     }
 }

@@ -5,11 +5,11 @@
 use super::force::{Pair, SQUARE_REACH};
 use super::grid::{Grid, images};
 use super::shape::Shape;
-use super::wall::{keep_inside, wall_force};
-use super::{Body, Integrator};
+use super::wall::{keep_inside, stays_clear, wall_force};
+use super::{Body, Integrator, Particle};
 use crate::domain::{Domain, Facing, Foot};
 use crate::field::{Fields, Kind};
-use crate::order;
+use crate::order::greater;
 use glam::DVec2;
 
 /// Viscous damping c. A honeycomb of circles has more faults to heal than rows and columns: circles
@@ -31,17 +31,62 @@ const LONGEST_MOVE: f64 = 0.25;
 /// when a cell has moved half as far.
 const SKIN: f64 = 0.25;
 
+/// A move of less than this share of its size is none: a cell rests while neither it nor any of its
+/// neighbours moves. The force it is left with is far below the one at which a run ends.
+const fn least_move(kind: Kind) -> f64 {
+    if matches!(kind, Kind::Circle) {
+        0.0
+    } else {
+        REST
+    }
+}
+/// See [`least_move`].
+const REST: f64 = 0.002;
+
 /// The neighbour list and the forces.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Motion {
     /// For body i the later neighbours are `list[start[i]..start[i + 1]]`.
     start: Vec<u32>,
     list: Vec<u32>,
+    /// Which bodies do not rest.
+    awake: Vec<bool>,
     forces: Vec<DVec2>,
+    /// How far from the walls they were, at least, when the step began.
+    clear: Vec<f64>,
     /// Where the bodies were when the list was made.
     made_at: Vec<DVec2>,
     slack: f64,
     feet: Vec<Foot>,
+    gauges: Vec<Gauge>,
+}
+
+/// What pairs ask most often, close together in memory.
+#[derive(Clone, Copy, Debug)]
+struct Gauge {
+    centre: DVec2,
+    axis: DVec2,
+    size: f64,
+    /// Two cells farther apart than the sum of this do not touch.
+    reach: f64,
+    is_square: bool,
+}
+
+impl Gauge {
+    fn of(particle: &Particle) -> Self {
+        let stretched = particle.kind.is_stretched();
+        Self {
+            centre: particle.centre,
+            axis: particle.axis,
+            size: particle.size,
+            reach: if stretched {
+                f64::INFINITY
+            } else {
+                SQUARE_REACH * 0.5 * particle.size
+            },
+            is_square: particle.kind == Kind::Square,
+        }
+    }
 }
 
 /// What one step needs to know of its surroundings.
@@ -86,11 +131,11 @@ impl Motion {
         self.slack = slack / root;
         let reach = SQUARE_REACH * longest + slack;
         let grid = Grid::new(lo, hi, reach / 2.0);
-        let place = |b: &Body| (grid.bucket(b.particle.centre) as u64, b.particle.id.into());
-        order::sort(bodies, place);
+        let firsts = sort_by_bucket(bodies, &grid);
         self.made_at = bodies.iter().map(|b| b.particle.centre).collect();
         self.forces.resize(bodies.len(), DVec2::ZERO);
-        self.collect_pairs(bodies, domain, &grid, (reach, slack));
+        self.clear.resize(bodies.len(), 0.0);
+        self.collect_pairs(bodies, domain, (&grid, &firsts), (reach, slack));
     }
 
     /// The bodies are in the order of the grid's buckets, so those of a run of buckets are a run of
@@ -99,16 +144,9 @@ impl Motion {
         &mut self,
         bodies: &[Body],
         domain: &Domain,
-        grid: &Grid,
+        (grid, firsts): (&Grid, &[usize]),
         (reach, slack): (f64, f64),
     ) {
-        let mut firsts = vec![0; grid.buckets() + 1];
-        for body in bodies {
-            firsts[grid.bucket(body.particle.centre) + 1] += 1;
-        }
-        for k in 1..firsts.len() {
-            firsts[k] += firsts[k - 1];
-        }
         self.list.clear();
         self.start.clear();
         self.start.push(0);
@@ -169,25 +207,57 @@ impl Motion {
         }
     }
 
-    fn evaluate(&mut self, bodies: &[Body], around: Surroundings) {
+    /// Wakes the bodies that have moved, and their neighbours.
+    fn wake(&mut self, bodies: &[Body]) {
+        self.awake.clear();
+        self.awake.extend(bodies.iter().map(|b| b.stirred));
+        for (i, body) in bodies.iter().enumerate() {
+            for &j in &self.list[self.start[i] as usize..self.start[i + 1] as usize] {
+                self.awake[i] |= bodies[j as usize].stirred;
+                self.awake[j as usize] |= body.stirred;
+            }
+        }
+        for (awake, body) in self.awake.iter_mut().zip(bodies) {
+            *awake &= !body.particle.fixed;
+        }
+    }
+
+    /// The forces on those that are awake.
+    fn evaluate(&mut self, bodies: &[Body], around: Surroundings, first: bool) {
         self.forces.fill(DVec2::ZERO);
-        for i in 0..bodies.len() {
-            let a = bodies[i].particle;
+        self.gauges.clear();
+        self.gauges
+            .extend(bodies.iter().map(|b| Gauge::of(&b.particle)));
+        for (i, body) in bodies.iter().enumerate() {
+            let (a, a_awake) = (self.gauges[i], self.awake[i]);
             let mut total = DVec2::ZERO;
-            for k in self.start[i] as usize..self.start[i + 1] as usize {
-                let j = self.list[k] as usize;
-                let b = &bodies[j].particle;
-                let r = around.domain.shortest(b.centre - a.centre);
-                let reach = SQUARE_REACH * 0.5 * (a.size + b.size);
-                let is_stretched = a.kind.is_stretched() || b.kind.is_stretched();
-                if !is_stretched && r.length_squared() >= reach * reach {
+            for &j in &self.list[self.start[i] as usize..self.start[i + 1] as usize] {
+                let j = j as usize;
+                let b = &self.gauges[j];
+                if !(a_awake || self.awake[j]) {
                     continue;
                 }
-                let force = Pair::new(&a, b).force(r);
+                let r = around.domain.shortest(b.centre - a.centre);
+                let reach = a.reach + b.reach;
+                if r.length_squared() >= reach * reach {
+                    continue;
+                }
+                let force = if a.is_square && b.is_square {
+                    Pair::squares((a.axis, b.axis), (a.size, b.size)).force(r)
+                } else {
+                    Pair::new(&body.particle, &bodies[j].particle).force(r)
+                };
                 self.forces[j] += force;
                 total -= force;
             }
-            self.forces[i] += total + wall_force(&bodies[i], around.facing, &mut self.feet);
+            if a_awake {
+                let (force, distance) = wall_force(body, around.facing, &mut self.feet);
+                total += force;
+                if first {
+                    self.clear[i] = distance;
+                }
+            }
+            self.forces[i] += total;
         }
     }
 
@@ -199,29 +269,39 @@ impl Motion {
         integrator: Integrator,
         pace: f64,
     ) -> (f64, f64) {
-        self.evaluate(bodies, around);
+        self.wake(bodies);
+        self.evaluate(bodies, around, true);
         let mut largest_force = 0.0_f64;
-        for (body, force) in bodies.iter().zip(&self.forces) {
-            if !body.particle.fixed {
-                largest_force = largest_force.max(force.length() / body.particle.size);
+        for (i, body) in bodies.iter().enumerate() {
+            if self.awake[i] {
+                let force = self.forces[i].length() / body.particle.size;
+                largest_force = greater(largest_force, force);
             }
         }
         let moves = match integrator {
             Integrator::SemiImplicit => self.semi_implicit(bodies, pace),
             Integrator::RungeKutta => self.runge_kutta(bodies, around, pace),
         };
+        let domain = around.domain;
+        let plain = domain.period().is_none() && domain.lines().is_empty();
         let mut largest_move = 0.0_f64;
-        for (body, by) in bodies.iter_mut().zip(moves) {
-            if body.particle.fixed {
+        for (i, (body, by)) in bodies.iter_mut().zip(moves).enumerate() {
+            if !self.awake[i] {
+                body.velocity = DVec2::ZERO;
+                body.stirred = false;
                 continue;
             }
             let before = body.particle.centre;
             let shape = Shape::of(&body.particle);
             let by = by.clamp_length_max(LONGEST_MOVE * body.particle.size);
-            let centre = keep_inside(before, before + by, shape, around);
+            let mut centre = before + by;
+            if !(plain && stays_clear(self.clear[i], by.length(), shape.length())) {
+                centre = keep_inside(before, centre, shape, around);
+            }
             body.place(centre, around.fields);
-            largest_move =
-                largest_move.max(around.domain.shortest(centre - before).length() / shape.size);
+            let moved = domain.shortest(centre - before).length() / shape.size;
+            body.stirred = moved > least_move(body.particle.kind);
+            largest_move = greater(largest_move, moved);
         }
         (largest_move, largest_force)
     }
@@ -247,11 +327,11 @@ impl Motion {
         let mut sums = vec![(DVec2::ZERO, DVec2::ZERO); bodies.len()];
         for (stage, weight) in [1.0, 2.0, 2.0, 1.0].into_iter().enumerate() {
             if stage > 0 {
-                self.evaluate(bodies, around);
+                self.evaluate(bodies, around, false);
             }
             let ahead = if stage == 2 { h } else { 0.5 * h };
             for (i, body) in bodies.iter_mut().enumerate() {
-                if body.particle.fixed {
+                if !self.awake[i] {
                     continue;
                 }
                 let (slope, pull) = (
@@ -274,4 +354,32 @@ impl Motion {
         })
         .collect()
     }
+}
+
+/// Puts bodies in the order of the buckets they lie in, in a bucket by their ids. Answers where the
+/// bodies of each bucket begin.
+fn sort_by_bucket(bodies: &mut [Body], grid: &Grid) -> Vec<usize> {
+    let buckets: Vec<usize> = bodies
+        .iter()
+        .map(|b| grid.bucket(b.particle.centre))
+        .collect();
+    let mut firsts = vec![0; grid.buckets() + 1];
+    for &bucket in &buckets {
+        firsts[bucket + 1] += 1;
+    }
+    for k in 1..firsts.len() {
+        firsts[k] += firsts[k - 1];
+    }
+    let mut free = firsts.clone();
+    let old = bodies.to_vec();
+    for (body, bucket) in old.into_iter().zip(buckets) {
+        let mut k = free[bucket];
+        free[bucket] += 1;
+        while k > firsts[bucket] && bodies[k - 1].particle.id > body.particle.id {
+            bodies[k] = bodies[k - 1];
+            k -= 1;
+        }
+        bodies[k] = body;
+    }
+    firsts
 }

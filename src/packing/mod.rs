@@ -178,6 +178,8 @@ struct Body {
     velocity: DVec2,
     /// This cell's size over what the size field asks for.
     factor: f64,
+    /// It has moved in the last step, or is new.
+    stirred: bool,
 }
 
 impl Body {
@@ -248,6 +250,7 @@ impl Packing {
             particle,
             velocity: DVec2::ZERO,
             factor: 1.0,
+            stirred: true,
         });
     }
 
@@ -346,6 +349,10 @@ impl Packing {
         let changed = removed > 0 || !change.add.is_empty();
         if changed {
             self.motion.forget();
+        }
+        if removed > 0 {
+            // Who stood beside them?
+            self.bodies.iter_mut().for_each(|body| body.stirred = true);
         }
         changed
     }

@@ -77,19 +77,15 @@ impl<'a> Crowd<'a> {
         self.longest = self.longest.max(shape.length());
     }
 
-    /// The distance to the nearest cell in stable distances, or `enough` where none is nearer.
-    pub fn gap(&self, p: DVec2, enough: f64) -> f64 {
+    /// Is every cell at least `gap` stable distances away from this place?
+    pub fn is_free(&self, p: DVec2, gap: f64) -> bool {
         let shape = Shape::gauge(self.fields, p);
-        let mut least = enough;
-        let reach = enough * 0.5 * (shape.length() + self.longest);
+        let reach = gap * 0.5 * (shape.length() + self.longest);
         let (domain, grid) = (self.domain, &self.grid);
-        grid.near_images(domain.period(), p, reach, |k| {
-            let w = shape.closeness(&self.shapes[k], domain.shortest(self.cells[k] - p));
-            if w < least && !domain.crosses_line(p, self.cells[k]) {
-                least = w;
-            }
-        });
-        least
+        !grid.any_near(domain.period(), p, reach, |k| {
+            let r = domain.shortest(self.cells[k] - p);
+            shape.is_closer(&self.shapes[k], r, gap) && !domain.crosses_line(p, self.cells[k])
+        })
     }
 }
 
@@ -157,8 +153,7 @@ fn quadtree(crowd: &mut Crowd, domain: &Domain, fields: &Fields, facing: &Facing
             for (x, y) in [(half, half), (0.0, half), (half, 0.0), (0.0, 0.0)] {
                 open.push((corner + DVec2::new(x, y), half));
             }
-        } else if crowd.gap(middle, LEAF_GAP) >= LEAF_GAP
-            && has_room(middle, fields, domain, facing, edge)
+        } else if crowd.is_free(middle, LEAF_GAP) && has_room(middle, fields, domain, facing, edge)
         {
             crowd.push(middle);
         }

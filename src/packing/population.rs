@@ -11,7 +11,7 @@ use super::shape::Shape;
 use super::{Body, Edge, PackingParams, Population};
 use crate::domain::{Domain, Facing};
 use crate::field::{Fields, Kind};
-use crate::order;
+use crate::order::{self, lesser};
 use glam::DVec2;
 
 /// A cell goes where its nearest neighbour is nearer than the first, in stable distances; one comes
@@ -81,10 +81,10 @@ pub(super) fn change(
             let place = domain.wrap(place);
             let shape = Shape::gauge(fields, place);
             let (_, room) = limits(shape.kind());
-            let free = census.gap(place, &shape, usize::MAX) >= room
+            let free = census.is_free(place, &shape, room)
                 && add
                     .iter()
-                    .all(|&other| shape.closeness(&shape, domain.shortest(other - place)) >= room);
+                    .all(|&other| !shape.is_closer(&shape, domain.shortest(other - place), room));
             if free
                 && has_room(place, fields, domain, facing, params.edge)
                 && clear_of_walls(place, &shape, facing, params.edge)
@@ -108,21 +108,38 @@ fn clear_of_walls(place: DVec2, shape: &Shape, facing: &Facing, edge: Edge) -> b
 impl Census<'_> {
     /// The smallest w between a body and the others (2 where none is near).
     fn nearest(&self, i: usize) -> f64 {
-        self.gap(self.bodies[i].particle.centre, &self.shapes[i], i)
-    }
-
-    fn gap(&self, at: DVec2, shape: &Shape, but: usize) -> f64 {
+        let (at, shape) = (self.bodies[i].particle.centre, &self.shapes[i]);
         let mut least = 2.0_f64;
-        let reach = 0.5 * (shape.length() + self.longest);
-        let domain = self.domain;
-        self.grid.near_images(domain.period(), at, reach, |k| {
-            let other = self.bodies[k].particle.centre;
-            let w = shape.closeness(&self.shapes[k], domain.shortest(other - at));
-            if w < least && k != but && !domain.crosses_line(at, other) {
-                least = w;
+        self.any_near(at, shape, 1.0, |k, r| {
+            if k != i {
+                least = lesser(least, shape.closeness(&self.shapes[k], r));
             }
+            false
         });
         least
+    }
+
+    /// Is every body at least `room` stable distances away from this place?
+    fn is_free(&self, at: DVec2, shape: &Shape, room: f64) -> bool {
+        !self.any_near(at, shape, room, |k, r| {
+            shape.is_closer(&self.shapes[k], r, room)
+        })
+    }
+
+    /// Does it hold for any body that may be nearer than `w` stable distances, with no wall between?
+    fn any_near(
+        &self,
+        at: DVec2,
+        shape: &Shape,
+        w: f64,
+        mut test: impl FnMut(usize, DVec2) -> bool,
+    ) -> bool {
+        let (domain, period) = (self.domain, self.domain.period());
+        let reach = w * 0.5 * (shape.length() + self.longest);
+        self.grid.any_near(period, at, reach, |k| {
+            let other = self.bodies[k].particle.centre;
+            !domain.crosses_line(at, other) && test(k, domain.shortest(other - at))
+        })
     }
 
     /// The tightest first, and no two neighbours in one look.
@@ -139,13 +156,10 @@ impl Census<'_> {
         let mut count = 0;
         for i in tight {
             let (centre, shape) = (self.bodies[i].particle.centre, &self.shapes[i]);
-            let mut beside = false;
             let (period, reach) = (self.domain.period(), 1.5 * self.longest);
-            self.grid.near_images(period, centre, reach, |k| {
-                let r = self
-                    .domain
-                    .shortest(self.bodies[k].particle.centre - centre);
-                beside |= remove[k] && shape.closeness(shape, r) < 1.5;
+            let beside = self.grid.any_near(period, centre, reach, |k| {
+                let r = self.bodies[k].particle.centre - centre;
+                remove[k] && shape.is_closer(shape, self.domain.shortest(r), 1.5)
             });
             if !beside && count < most {
                 remove[i] = true;

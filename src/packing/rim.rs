@@ -110,7 +110,7 @@ pub(super) fn boundary_cells(
     let spaced = spaced(&line, fields, 0.0);
     for &(p, _) in &spaced[..spaced.len() - usize::from(closed)] {
         let clear = || is_clear(p, BOUNDARY_CLEARANCE * depth, fields, domain);
-        if (fixed || clear()) && crowd.gap(p, BOUNDARY_GAP) >= BOUNDARY_GAP {
+        if (fixed || clear()) && crowd.is_free(p, BOUNDARY_GAP) {
             crowd.push(p);
         }
     }
@@ -122,7 +122,7 @@ fn narrow_cells(crowd: &mut Crowd, piece: &Piece, fields: &Fields, domain: &Doma
         let inward = along.perp();
         let most = DEPTHS[0] * Shape::gauge(fields, p).extent(inward);
         let p = p + inward * domain.medial_depth(p, inward, most);
-        if domain.contains(p) && crowd.gap(p, BOUNDARY_GAP) >= BOUNDARY_GAP {
+        if domain.contains(p) && crowd.is_free(p, BOUNDARY_GAP) {
             crowd.push(p);
         }
     }

@@ -176,6 +176,15 @@ impl Shape {
             || self.closeness(other, r) * stable < reach * stable + slack
     }
 
+    /// Is their distance less than `w` of their stable one?
+    pub fn is_closer(&self, other: &Shape, r: DVec2, w: f64) -> bool {
+        if self.root == 1.0 && other.root == 1.0 {
+            let reach = w * (0.5 * (self.size + other.size));
+            return r.length_squared() < reach * reach;
+        }
+        self.closeness(other, r) < w
+    }
+
     /// The distance of two cells over their stable one: w of eq. (2), by effective distances (Itoh,
     /// Miyata, Shimada 2003, section 5.1): the stable distance is the sum of the two lengths that
     /// the cells' ellipses cut out of the line between the centres.

@@ -19,20 +19,26 @@ pub(super) fn reach(length: f64) -> f64 {
     0.5 * std::f64::consts::SQRT_2 * length * CUT
 }
 
-/// The force of all walls on a cell.
-pub(super) fn wall_force(body: &Body, facing: &Facing, feet: &mut Vec<Foot>) -> DVec2 {
+/// The force of all walls on a cell, and how far away they are at least.
+pub(super) fn wall_force(body: &Body, facing: &Facing, feet: &mut Vec<Foot>) -> (DVec2, f64) {
     let centre = body.particle.centre;
-    if body.particle.fixed || !facing.is_near(centre) {
-        return DVec2::ZERO;
-    }
     let shape = Shape::of(&body.particle);
-    facing.feet(centre, reach(shape.length()), feet);
+    let reach = reach(shape.length());
+    if !facing.is_near(centre) {
+        return (DVec2::ZERO, reach);
+    }
+    facing.feet(centre, reach, feet);
     let mut force = DVec2::ZERO;
     for foot in feet.iter() {
         let half = shape.half_extent(foot.inward);
         force += foot.inward * (STIFFNESS * 2.0 * half * bubble_force(foot.distance / half));
     }
-    force
+    (force, feet.first().map_or(reach, |foot| foot.distance))
+}
+
+/// Does a cell of this length stay clear of walls at least this far away when it moves by `by`?
+pub(super) fn stays_clear(distance: f64, by: f64, length: f64) -> bool {
+    distance - by > CLOSEST * length
 }
 
 /// Puts a centre that has moved too near to the boundary or a constraint line, or beyond it, back to

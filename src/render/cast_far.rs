@@ -18,8 +18,11 @@ const AFTER: usize = 2;
 pub struct Sweep {
     /// Where the line before is met, in pixels along it, -1..1.
     shift: f32,
+    /// The end of a line is followed by its beginning.
+    tile: bool,
     fall: Rims<f32>,
-    /// Greater of surface and shadow along the line before, its ends repeated.
+    /// Greater of surface and shadow along the line before, its ends repeated, or
+    /// on a tile the other end.
     before: Rims<Vec<f32>>,
     now: Rims<Vec<f32>>,
 }
@@ -46,6 +49,7 @@ impl Sweep {
             lit: line(),
         };
         let sweep = Self {
+            tile: false,
             shift: (-across * step).clamp(-1.0, 1.0) as f32,
             fall: Rims {
                 dark: fall(elevation + HALF_DISC),
@@ -55,6 +59,14 @@ impl Sweep {
             now: lines(),
         };
         (sweep, Course::new(columns, along < 0.0, 0..side))
+    }
+
+    /// Lines run on from their end to their beginning from here on. Gives the number of lines that
+    /// shadows of this height reach over.
+    pub fn wrap(&mut self, height: f32) -> usize {
+        self.tile = true;
+        // Numbers too large become the greatest there is.
+        (height / self.fall.lit) as usize + 2
     }
 
     /// The next line: its heights, and what is seen of the lamp.
@@ -84,9 +96,15 @@ impl Sweep {
         }
         std::mem::swap(&mut self.before, &mut self.now);
         for line in [&mut self.before.dark, &mut self.before.lit] {
-            line[BEFORE - 1] = line[BEFORE];
             let last = line[BEFORE + n - 1];
-            line[BEFORE + n..].fill(last);
+            line[BEFORE - 1] = if self.tile { last } else { line[BEFORE] };
+            for k in 0..AFTER {
+                line[BEFORE + n + k] = if self.tile {
+                    line[BEFORE + k % n]
+                } else {
+                    last
+                };
+            }
         }
     }
 }

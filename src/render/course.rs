@@ -26,6 +26,17 @@ impl Course {
         }
     }
 
+    /// The last `lines` of its lines, none taken.
+    pub fn last(&self, lines: usize) -> Self {
+        let left = &self.left;
+        let last = if self.backwards {
+            left.start..left.start + lines
+        } else {
+            left.end - lines..left.end
+        };
+        Self::new(self.columns, self.backwards, last)
+    }
+
     /// Is no line taken yet?
     pub fn is_fresh(&self) -> bool {
         self.fresh

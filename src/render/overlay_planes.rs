@@ -1,5 +1,6 @@
 //! The data planes as pictures: heights in grey, normals as colours, ids as distinct colours.
 
+use super::shader::beside;
 use crate::texture::{GROUND, Planes};
 
 /// The lowest and the highest value of the bump plane; (0, 0) where there is none.
@@ -42,10 +43,14 @@ pub fn normals(planes: &Planes) -> Vec<u8> {
 pub fn normal(planes: &Planes, x: usize, y: usize) -> [f32; 3] {
     let side = planes.side;
     let bump = |x: usize, y: usize| planes.bump[y * side + x];
-    let (left, right) = (x.saturating_sub(1), (x + 1).min(side - 1));
-    let (above, below) = (y.saturating_sub(1), (y + 1).min(side - 1));
-    let dx = (bump(right, y) - bump(left, y)) / (right - left).max(1) as f32;
-    let dy = (bump(x, below) - bump(x, above)) / (below - above).max(1) as f32;
+    let [[left, right], [above, below]] = [x, y].map(|k| beside(k, side, planes.tile));
+    // At the edges of a picture that does not repeat one of the two is missing.
+    let steps = |k: usize| match planes.tile || (k > 0 && k + 1 < side) {
+        true => 2.0,
+        false => 1.0,
+    };
+    let dx = (bump(right, y) - bump(left, y)) / steps(x);
+    let dy = (bump(x, below) - bump(x, above)) / steps(y);
     let scale = 1.0 / (dx * dx + dy * dy + 1.0).sqrt();
     [-dx * scale, -dy * scale, scale]
 }
@@ -89,6 +94,7 @@ mod tests {
             optics: vec![0; n],
             id: (0..n as u32).collect(),
             openness: vec![255; n],
+            tile: false,
         }
     }
 

@@ -38,7 +38,7 @@ pub fn stress(domain: &Domain, particles: &[Particle]) -> Vec<Stress> {
         let (e, f) = particle.half_axes();
         let mut depth = 0.0_f64;
         around.clear();
-        grid.near_images(domain.period(), centre, reach, |k| {
+        grid.any_near(domain.period(), centre, reach, |k| {
             let other = &particles[k];
             let r = domain.shortest(other.centre - centre);
             if k != own && !domain.crosses_line(centre, other.centre) {
@@ -48,6 +48,7 @@ pub fn stress(domain: &Domain, particles: &[Particle]) -> Vec<Stress> {
                 let q = DVec2::new(r.dot(e) / e.length_squared(), r.dot(f) / f.length_squared());
                 around.push(q / stable);
             }
+            false
         });
         let count = if particle.kind.has_corners() {
             SIDES

@@ -121,7 +121,7 @@ impl Shader {
             self.finishes = optics.iter().map(finish).collect();
         }
         if !self.shaded {
-            self.shaded = self.shadows.advance(&planes.bump, rows);
+            self.shaded = self.shadows.advance(planes, rows);
             return false;
         }
         let end = self.side.min(self.row.saturating_add(rows));
@@ -140,10 +140,9 @@ impl Shader {
     fn shade_row(&mut self, planes: &Planes, y: usize) {
         let side = self.side;
         let row = |y: usize| &planes.bump[y * side..][..side];
-        slopes(
-            [row(y.saturating_sub(1)), row(y), row((y + 1).min(side - 1))],
-            &mut self.line.slope,
-        );
+        let [above, below] = beside(y, side, planes.tile);
+        let rows = [row(above), row(y), row(below)];
+        slopes(rows, planes.tile, &mut self.line.slope);
         match self.params.light {
             Light::Parallel { azimuth, elevation } => {
                 let flat = libm::cos(elevation);
@@ -235,10 +234,19 @@ fn near(p: [f32; 3], lamp: [f32; 3]) -> ([f32; 3], f32) {
     (d.map(|v| v * inverse), strength)
 }
 
+/// The pixels before and after one of `n`; at the ends itself, or on a tile that at the other end.
+pub(super) fn beside(k: usize, n: usize, tile: bool) -> [usize; 2] {
+    if tile {
+        [(k + n - 1) % n, (k + 1) % n]
+    } else {
+        [k.saturating_sub(1), (k + 1).min(n - 1)]
+    }
+}
+
 /// Rise of the surface to the right and downwards, per pixel, from the rows above, here and below.
 /// The rows beside count too (Sobel's weights 1, 2, 1, sharpened to 1, 4, 1), or rims show the pixels'
 /// steps.
-fn slopes(rows: [&[f32]; 3], slopes: &mut [Vec<f32>; 2]) {
+fn slopes(rows: [&[f32]; 3], tile: bool, slopes: &mut [Vec<f32>; 2]) {
     let [up, row, down] = rows;
     let n = row.len();
     let [across, fall] = slopes.each_mut().map(|slope| &mut slope[..n]);
@@ -250,8 +258,8 @@ fn slopes(rows: [&[f32]; 3], slopes: &mut [Vec<f32>; 2]) {
             (along(left) + 4.0 * along(x) + along(right)) * (1.0 / 12.0),
         )
     };
-    let edges = [[0, 0, 1.min(n - 1)], [n.saturating_sub(2), n - 1, n - 1]];
-    for [left, x, right] in edges {
+    for x in [0, n - 1] {
+        let [left, right] = beside(x, n, tile);
         (across[x], fall[x]) = at([left, x, right]);
     }
     for x in 1..n - 1 {

@@ -3,17 +3,26 @@
 //! What casts a shadow is carried from line to line of pixels away from the light: rows, or columns
 //! where the light comes more from the side. The lamp has an extent: its upper and lower rim cast a
 //! shadow each, and the penumbra lies between the two.
+//!
+//! On a tile the shadows of a parallel light come in again at the other edge: the lines from which they
+//! reach so far are crossed before the first one. Under a point light no picture can repeat, and nothing
+//! beyond its edges throws a shadow.
 
 use super::Light;
 use super::cast_far::Sweep;
 use super::cast_near::Fan;
 use super::course::{Course, Strip};
+use crate::order::{greater, lesser};
+use crate::texture::Planes;
 
 /// Shadows lower than this above the surface are not dark yet, in pixels.
 const SOFT: f32 = 0.22;
 
 /// A height where there is no shadow. Not the lowest number: sums and products stay finite.
 pub(super) const NOWHERE: f32 = -1e30;
+
+/// Shadows are followed back at most through so many pictures of a tile.
+const FARTHEST: usize = 4;
 
 /// The lamp's visible part at each pixel, in the making.
 pub struct Shadows {
@@ -24,6 +33,7 @@ pub struct Shadows {
     /// Runs of lines still to be done, the next one last.
     courses: Vec<Course>,
     strip: Strip,
+    begun: bool,
 }
 
 /// What carries the shadows of a kind of light.
@@ -42,6 +52,7 @@ impl Shadows {
             caster,
             courses,
             strip: Strip::default(),
+            begun: false,
         }
     }
 
@@ -49,10 +60,15 @@ impl Shadows {
     pub fn restart(&mut self, light: Light) {
         (self.caster, self.courses) = cast_by(light, self.side);
         self.lit.fill(255);
+        self.begun = false;
     }
 
     /// Carries the shadows on by about `lines` lines; true when all are done.
-    pub fn advance(&mut self, bump: &[f32], lines: usize) -> bool {
+    pub fn advance(&mut self, planes: &Planes, lines: usize) -> bool {
+        let bump = &planes.bump;
+        if !std::mem::replace(&mut self.begun, true) && planes.tile {
+            self.wrap(bump);
+        }
         let mut done = 0;
         while let Some(course) = self.courses.last_mut() {
             if done >= lines {
@@ -76,6 +92,25 @@ impl Shadows {
     /// The plane so far.
     pub fn lit(&self) -> &[u8] {
         &self.lit
+    }
+
+    /// Lets the shadows of a parallel light come in from the pictures around.
+    fn wrap(&mut self, bump: &[f32]) {
+        let (Caster::Far(sweep), [course]) = (&mut self.caster, &self.courses[..]) else {
+            return;
+        };
+        let mut range = (f32::MAX, f32::MIN);
+        for &height in bump {
+            range = (lesser(range.0, height), greater(range.1, height));
+        }
+        let mut before = sweep.wrap(range.1 - range.0).min(FARTHEST * self.side);
+        // The nearest lines come last, so they are pushed first.
+        let course = course.clone();
+        while before > 0 {
+            let lines = before.min(self.side);
+            self.courses.push(course.last(lines));
+            before -= lines;
+        }
     }
 
     /// The lines of `span`, in the order of the course.

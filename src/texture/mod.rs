@@ -34,6 +34,8 @@ pub struct Planes {
     pub id: Vec<u32>,
     /// Ambient light that reaches the point past its surroundings, 255 = all of it.
     pub openness: Vec<u8>,
+    /// They repeat: what lies beyond an edge of the picture is beyond the other.
+    pub tile: bool,
 }
 
 impl Planes {
@@ -47,6 +49,7 @@ impl Planes {
             optics: vec![0; n],
             id: vec![GROUND; n],
             openness: vec![255; n],
+            tile: false,
         }
     }
 

@@ -91,7 +91,10 @@ impl Painter {
         let pixels = params.side * params.side;
         Self {
             palette: stone_palette,
-            planes: Planes::new(params.side),
+            planes: Planes {
+                tile: params.tile,
+                ..Planes::new(params.side)
+            },
             bed: Bed::new(
                 ground(params.ground),
                 level as f32,

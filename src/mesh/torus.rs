@@ -1,0 +1,146 @@
+//! The mesh of the periodic picture: it is made with images of the cells around the picture.
+//!
+//! Places are rounded to the grain, in which a picture's side is a whole number: an image is then
+//! exactly one side away, and what lies on the two sides of a seam agrees to the last bit.
+
+use super::{Face, Mesh, Node, Triangles, is_cut, lies_on_line, quads};
+use crate::domain::{Domain, shifts};
+use crate::order;
+use crate::packing::Particle;
+use crate::planar::on_grain;
+use glam::DVec2;
+
+/// Images are made so many sizes around the picture. Pairs of triangles are chosen one after the
+/// other, so that far from the picture other ones may be chosen; should that reach as far as the
+/// seams, more images are taken.
+pub(crate) const MARGINS: [f64; 2] = [5.0, 12.0];
+
+/// Images farther than this many pictures away are not made.
+const FARTHEST: f64 = 8.0;
+
+/// The cells with their places on the grain, then their images up to `margin` sizes around the
+/// picture; and for each the number of the cell that it is, or is an image of. All are moved a
+/// little, by less than a thousandth of a picture unit and each by its id: on an even lattice it
+/// would be for chance to choose a diagonal, once here and once at the image.
+pub(crate) fn spread(side: f64, particles: &[Particle], margin: f64) -> (Vec<Particle>, Vec<u32>) {
+    let largest = particles.iter().fold(0.0_f64, |m, p| m.max(p.size));
+    let margin = (margin * largest).min(FARTHEST * side);
+    let mut all: Vec<Particle> = particles.to_vec();
+    for p in &mut all {
+        let noise = p.id.wrapping_mul(0x9e37_79b1);
+        let step = |shift: u32| f64::from((noise >> shift) & 127) - 63.0;
+        p.centre = on_grain(p.centre) + DVec2::new(step(25), step(18)) / 131_072.0;
+    }
+    let count = all.len() as u32;
+    let mut of: Vec<u32> = (0..count).collect();
+    let (lo, hi) = (DVec2::splat(-margin), DVec2::splat(side + margin));
+    for &shift in &shifts(Some(side), (margin / side).ceil() as i32)[1..] {
+        for k in 0..count {
+            let mut image = all[k as usize];
+            image.centre += shift;
+            if image.centre.cmpge(lo).all() && image.centre.cmple(hi).all() {
+                all.push(image);
+                of.push(k);
+            }
+        }
+    }
+    (all, of)
+}
+
+/// Do the rings close up over the seams: has every side of one the same side of another, run the
+/// other way?
+pub(crate) fn closes(domain: &Domain, rings: &[Vec<DVec2>]) -> bool {
+    let key = |p: DVec2| (order::rank(p.x), order::rank(p.y));
+    // Every side by its start in the picture and the way to its end; adding 0 makes of -0 a 0.
+    let mut sides: Vec<[DVec2; 2]> = Vec::new();
+    for ring in rings {
+        let next = ring.iter().cycle().skip(1);
+        sides.extend(
+            ring.iter()
+                .zip(next)
+                .map(|(&a, &b)| [domain.wrap(a), b - a + 0.0]),
+        );
+    }
+    order::sort(&mut sides, |s| key(s[1]));
+    order::sort(&mut sides, |s| key(s[0]));
+    let name = |s: &[DVec2; 2]| (key(s[0]), key(s[1]));
+    rings.iter().all(|ring| ring.len() >= 3)
+        && sides.windows(2).all(|w| name(&w[0]) != name(&w[1]))
+        && sides.iter().all(|&[a, by]| {
+            let back = name(&[domain.wrap(a + by), 0.0 - by]);
+            sides.binary_search_by_key(&back, name).is_ok()
+        })
+}
+
+impl Mesh {
+    /// See [`Mesh::build`]. Elements that do not agree over the seams even with more images give way
+    /// to lone triangles, which depend on nothing but their own corners.
+    pub(super) fn over_seams(domain: &Domain, side: f64, particles: &[Particle]) -> Self {
+        let mut particles = particles.to_vec();
+        for p in &mut particles {
+            p.centre = domain.wrap(p.centre);
+        }
+        let mut margins = MARGINS.into_iter();
+        loop {
+            let margin = margins.next();
+            let (all, of) = spread(side, &particles, margin.unwrap_or(MARGINS[0]));
+            let mut nodes: Vec<Node> = all.iter().map(Node::of).collect();
+            if margin.is_none() {
+                nodes.iter_mut().for_each(|node| node.corners = false);
+            }
+            let places = |k: &[u32]| -> Vec<DVec2> {
+                let place = |&k: &u32| all[k as usize].centre;
+                k.iter().map(place).collect()
+            };
+            // Of the images of an element that one is taken whose first node is in the picture.
+            let is_home = |nodes: &[u32]| {
+                let first = nodes.iter().copied().min_by_key(|&k| {
+                    let p = all[k as usize].centre;
+                    (of[k as usize], order::rank(p.y), order::rank(p.x))
+                });
+                first.is_some_and(|k| (k as usize) < particles.len())
+            };
+            let keep = |side: [u32; 2]| lies_on_line(domain, side.map(|k| &all[k as usize]));
+            let mut triangles = Triangles::new(&nodes);
+            triangles.stretch(&nodes, keep);
+            let is_cut = |t: &[u32; 3]| is_cut(domain, t.map(|k| all[k as usize].centre));
+            let cut = triangles.nodes.iter().filter(|t| is_home(*t) && is_cut(t));
+            let mut rings: Vec<Vec<DVec2>> = cut.map(|t| places(t)).collect();
+            triangles.retain(|t| !is_cut(t));
+            let mut faces = quads::pair(&nodes, &triangles, keep).faces;
+            faces.retain(|face| is_home(face.nodes()));
+            rings.extend(faces.iter().map(|face| places(face.nodes())));
+            if margin.is_none() || closes(domain, &rings) {
+                return Self::with_images(&particles, (&all, &of), faces);
+            }
+        }
+    }
+
+    /// These elements, with those images only that they have.
+    fn with_images(
+        particles: &[Particle],
+        (all, of): (&[Particle], &[u32]),
+        mut faces: Vec<Face>,
+    ) -> Self {
+        let mut mesh = Self {
+            vertices: particles.iter().map(|p| p.centre).collect(),
+            ..Self::default()
+        };
+        let mut name: Vec<Option<u32>> = (0..all.len() as u32)
+            .map(|k| ((k as usize) < particles.len()).then_some(k))
+            .collect();
+        for face in &mut faces {
+            for k in &mut face.nodes[..usize::from(face.sides)] {
+                let (image, real) = (*k as usize, of[*k as usize]);
+                *k = *name[image].get_or_insert_with(|| {
+                    let by = all[image].centre - all[real as usize].centre;
+                    mesh.vertices.push(particles[real as usize].centre + by);
+                    mesh.images.push(real);
+                    mesh.vertices.len() as u32 - 1
+                });
+            }
+        }
+        mesh.faces = faces;
+        mesh
+    }
+}

@@ -1,0 +1,226 @@
+//! Tiles: meshes, planes and pictures of the periodic picture run on over its edges.
+#![cfg(not(target_arch = "wasm32"))]
+
+use bubblestone::domain::{Domain, signed_area};
+use bubblestone::mesh::Mesh;
+use bubblestone::metrics::Metrics;
+use bubblestone::random::{Purpose, Random};
+use bubblestone::recipe::Recipe;
+use bubblestone::render::{Light, ShadeParams, Shader};
+use bubblestone::studio::Studio;
+use bubblestone::texture::{Planes, optics_table};
+use std::collections::HashMap;
+
+const SIDE: usize = 192;
+
+/// All kinds, fields that turn and grow, sizes that vary.
+const LINKS: [&str; 5] = [
+    "kind=square&dir=constant&angle=20&vs=0.15",
+    "kind=circle&vs=0.1",
+    "kind=ellipse&ca=2&dir=strokes&strokes=0.1,0.2,0.6,0.3;0.9,0.5,0.5,0.9",
+    "kind=rectangle&ca=1.6&dir=circular&vs=0.1",
+    "kind=square&dir=constant&lines=-0.1,0.3,0.4,0.5,1.2,0.8",
+];
+
+fn finished(link: &str) -> Studio {
+    let link = format!("size={SIDE}&tile=1&cs=17&{link}");
+    let (recipe, notices) = Recipe::from_link(&link);
+    assert!(notices.is_empty(), "{link}: {notices:?}");
+    let mut studio = Studio::new(recipe);
+    assert_eq!(studio.finish(&mut || 0.0), Ok(()), "{link}");
+    studio
+}
+
+/// Every side of every element is, up to whole pictures, the side of another one.
+fn assert_closed(domain: &Domain, mesh: &Mesh, what: &str) {
+    let first = mesh.vertices.len() - mesh.images.len();
+    let real = |k: u32| {
+        (k as usize)
+            .checked_sub(first)
+            .map_or(k, |k| mesh.images[k])
+    };
+    let place = |k: u32| mesh.vertices[k as usize];
+    let mut sides = HashMap::new();
+    let mut area = 0.0;
+    for face in &mesh.faces {
+        let nodes = face.nodes();
+        let ring: Vec<_> = nodes.iter().map(|&k| place(k)).collect();
+        assert!(signed_area(&ring) > 0.0, "{what}");
+        area += signed_area(&ring);
+        for (k, &a) in nodes.iter().enumerate() {
+            let b = nodes[(k + 1) % nodes.len()];
+            let shift = |k: u32| ((place(k) - place(real(k))) / SIDE as f64).round();
+            let way = shift(b) - shift(a);
+            let by = (way.x as i32, way.y as i32);
+            *sides.entry((real(a), real(b), by)).or_insert(0) += 1;
+        }
+    }
+    for (&(a, b, by), &count) in &sides {
+        assert_eq!(count, 1, "{what}: {a} {b}");
+        assert!(
+            sides.contains_key(&(b, a, (-by.0, -by.1))),
+            "{what}: {a} {b}"
+        );
+    }
+    assert!((area / domain.area() - 1.0).abs() < 1e-9, "{what}: {area}");
+    for (&k, &at) in mesh.images.iter().zip(&mesh.vertices[first..]) {
+        assert!(domain.shortest(at - place(k)).length() < 1e-9, "{what}");
+    }
+}
+
+#[test]
+fn meshes_close_over_the_seams() {
+    for link in &LINKS[..4] {
+        let studio = finished(link);
+        let made = (studio.domain(), studio.mesh(), studio.packing());
+        let (Some(domain), Some(mesh), Some(packing)) = made else {
+            panic!("{link}");
+        };
+        let particles = packing.particles();
+        assert_eq!(mesh.vertices.len() - mesh.images.len(), particles.len());
+        assert_closed(domain, mesh, link);
+        let fields = studio.fields().unwrap();
+        let figures = Metrics::new(domain, fields, &particles, mesh, studio.cells());
+        for cover in [figures.mesh.cover, figures.cells.cover] {
+            assert!((cover.coverage - 1.0).abs() < 1e-5, "{link}: {cover:?}");
+            assert!(cover.overlap + cover.outside < 1e-5, "{link}: {cover:?}");
+        }
+        let nodes: usize = figures.mesh.valence.iter().sum();
+        assert_eq!(nodes, particles.len(), "{link}");
+    }
+}
+
+/// A few cells only: they are their own neighbours, over several seams at once.
+#[test]
+fn meshes_of_few_cells_close_over_the_seams() {
+    let domain = Domain::torus(SIDE as f64, &[]);
+    let studio = finished(LINKS[0]);
+    let model = studio.packing().unwrap().particles()[0];
+    let mut random = Random::new(8, Purpose::Noise, 0);
+    for count in 1..30 {
+        let particles: Vec<_> = (0..count)
+            .map(|id| {
+                let at = glam::DVec2::new(random.unit(), random.unit());
+                let (centre, size) = (at * SIDE as f64, SIDE as f64 / f64::from(count).sqrt());
+                bubblestone::packing::Particle {
+                    id,
+                    centre,
+                    size,
+                    ..model
+                }
+            })
+            .collect();
+        assert_closed(
+            &domain,
+            &Mesh::build(&domain, &particles),
+            &format!("{count}"),
+        );
+    }
+}
+
+fn shaded(planes: &Planes, light: Light) -> Vec<u8> {
+    let table = optics_table("granite", "sand");
+    let params = ShadeParams {
+        light,
+        ..ShadeParams::default()
+    };
+    let mut shader = Shader::new(&params, planes.side);
+    while !shader.advance(planes, &table, 16) {}
+    shader.rgba().to_vec()
+}
+
+/// Where pixel `k` comes from when the picture is moved.
+fn from(k: usize, [x, y]: [usize; 2]) -> usize {
+    (k / SIDE + y) % SIDE * SIDE + (k % SIDE + x) % SIDE
+}
+
+fn moved<T: Copy>(plane: &[T], by: [usize; 2]) -> Vec<T> {
+    (0..plane.len()).map(|k| plane[from(k, by)]).collect()
+}
+
+/// Shading does not know where the picture's edges are: that of moved planes is the moved one.
+#[test]
+fn shading_of_a_tile_has_no_edges() {
+    let studio = finished("kind=square&dir=constant&vs=0.2&hs=30");
+    let planes = studio.planes().unwrap();
+    assert!(planes.tile);
+    for by in [[96, 96], [1, 0], [0, 1], [37, 150]] {
+        let mut other = planes.clone();
+        other.bump = moved(&planes.bump, by);
+        other.colour = moved(&planes.colour, by);
+        other.optics = moved(&planes.optics, by);
+        other.openness = moved(&planes.openness, by);
+        for (azimuth, elevation) in [(225, 40), (10, 20), (100, 5), (290, 8), (180, 5), (45, 70)] {
+            let light = Light::Parallel {
+                azimuth: f64::from(azimuth).to_radians(),
+                elevation: f64::from(elevation).to_radians(),
+            };
+            let (here, there) = (shaded(planes, light), shaded(&other, light));
+            let pixel = |k: usize| &here[4 * k..4 * k + 4];
+            for k in 0..SIDE * SIDE {
+                let (a, b) = (pixel(from(k, by)), &there[4 * k..4 * k + 4]);
+                let far = a.iter().zip(b).map(|(a, b)| a.abs_diff(*b)).max();
+                assert!(
+                    far <= Some(1),
+                    "{by:?} {azimuth} {elevation}: {k} {a:?} {b:?}"
+                );
+            }
+        }
+        // The same planes without repeating: the edges show.
+        other.tile = false;
+        let single = Planes {
+            tile: false,
+            ..planes.clone()
+        };
+        let light = ShadeParams::default().light;
+        let (here, there) = (shaded(&single, light), shaded(&other, light));
+        let unlike = |k: &usize| here[4 * from(*k, by)] != there[4 * k];
+        assert!((0..SIDE * SIDE).filter(unlike).count() > 20);
+    }
+}
+
+/// The steps of a plane from each column to the next, the last to the first.
+fn steps(step: impl Fn(usize, usize) -> f64) -> Vec<f64> {
+    let line = |x: usize| {
+        let at = |y: usize| (y * SIDE + x, y * SIDE + (x + 1) % SIDE);
+        (0..SIDE).map(|y| step(at(y).0, at(y).1)).sum::<f64>()
+    };
+    (0..SIDE).map(line).collect()
+}
+
+/// Over the seams planes and picture change as they do elsewhere, and stones go on.
+#[test]
+fn planes_and_pictures_run_on_over_the_seams() {
+    for link in LINKS {
+        let mut studio = finished(link);
+        let planes = studio.planes().unwrap().clone();
+        let picture = studio.view(bubblestone::studio::View::Picture).to_vec();
+        let down = |k: usize| k % SIDE * SIDE + k / SIDE;
+        for upright in [true, false] {
+            let at = |k: usize| if upright { k } else { down(k) };
+            let id = |a: usize, b: usize| f64::from(u8::from(planes.id[at(a)] != planes.id[at(b)]));
+            let height =
+                |a: usize, b: usize| f64::from((planes.bump[at(a)] - planes.bump[at(b)]).abs());
+            let open = |a: usize, b: usize| {
+                f64::from(planes.openness[at(a)].abs_diff(planes.openness[at(b)]))
+            };
+            let light =
+                |a: usize, b: usize| f64::from(picture[4 * at(a)].abs_diff(picture[4 * at(b)]));
+            let all: [(&str, Vec<f64>); 4] = [
+                ("id", steps(id)),
+                ("height", steps(height)),
+                ("openness", steps(open)),
+                ("light", steps(light)),
+            ];
+            for (what, mut steps) in all {
+                let seam = steps.pop().unwrap();
+                let most = steps.iter().copied().fold(0.0, f64::max);
+                let mean = steps.iter().sum::<f64>() / steps.len() as f64;
+                assert!(
+                    seam < most.max(1.5 * mean),
+                    "{link}: {what} {seam} of {mean}, {most}"
+                );
+            }
+        }
+    }
+}
