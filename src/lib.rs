@@ -27,6 +27,7 @@
 //! ```
 
 pub mod cells;
+mod decimal;
 pub mod domain;
 pub mod export;
 pub mod field;

@@ -13,7 +13,7 @@ pub(crate) fn sort<T>(items: &mut [T], key: impl Fn(&T) -> Key) {
         return;
     }
     let mut order: Vec<(Key, u32)> = items.iter().map(key).zip(0..).collect();
-    order.sort_unstable();
+    sort_keys(&mut order);
     // Cycle by cycle: place k takes the item at order[k].
     for first in 0..items.len() {
         let mut k = first;
@@ -27,6 +27,12 @@ pub(crate) fn sort<T>(items: &mut [T], key: impl Fn(&T) -> Key) {
             k = from;
         }
     }
+}
+
+/// Not inlined: the sort of a few keys is, with every call, otherwise.
+#[inline(never)]
+fn sort_keys(keys: &mut [(Key, u32)]) {
+    keys.sort_unstable();
 }
 
 /// A number in the order of [`f64::total_cmp`].
@@ -55,6 +61,13 @@ pub(crate) fn greater<T: PartialOrd>(a: T, b: T) -> T {
 #[inline(always)]
 pub(crate) fn lesser<T: PartialOrd>(a: T, b: T) -> T {
     if b < a { b } else { a }
+}
+
+/// The number, or the limit that it is beyond. `f64::clamp` has the limits in a message of its own,
+/// with all that writes numbers.
+#[inline(always)]
+pub(crate) fn within(x: f64, least: f64, most: f64) -> f64 {
+    lesser(greater(x, least), most)
 }
 
 #[cfg(test)]

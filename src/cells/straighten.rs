@@ -236,7 +236,7 @@ impl Rings {
             }
         }
         if least < most {
-            wanted.clamp(least, most)
+            order::within(wanted, least, most)
         } else {
             0.0
         }

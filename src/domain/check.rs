@@ -3,6 +3,7 @@
 
 use super::crossing::{Contact, first_contact};
 use super::{Outline, signed_area};
+use crate::decimal;
 use glam::DVec2;
 use robust::{Coord, orient2d};
 use std::fmt;
@@ -98,15 +99,21 @@ struct Place(DVec2);
 
 impl fmt::Display for Place {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        // Adding 0 makes of -0 a 0.
-        let tenth = |x: f64| (x * 10.0).round() / 10.0 + 0.0;
-        // Far away in the wrong units an exponent is easier to read than 300 digits.
-        if self.0.abs().max_element() < 1e6 {
-            write!(f, "({}, {})", tenth(self.0.x), tenth(self.0.y))
-        } else {
-            write!(f, "({:.1e}, {:.1e})", self.0.x, self.0.y)
-        }
+        // Far away in the wrong units there are no tenths. Adding 0 makes of -0 a 0.
+        let tenth = |x: f64| {
+            if x.abs() < 1e6 {
+                (x * 10.0).round() / 10.0 + 0.0
+            } else {
+                x
+            }
+        };
+        let [x, y] = [self.0.x, self.0.y].map(|x| decimal::text(tenth(x)));
+        write!(f, "({x}, {y})")
     }
+}
+
+fn thousandths(x: f64) -> String {
+    decimal::text((x * 1000.0).round() / 1000.0)
 }
 
 impl fmt::Display for OutlineError {
@@ -157,11 +164,11 @@ impl fmt::Display for OutlineError {
             }
             TooSmall(ring, p, area, least) => write!(
                 f,
-                "{} at {} is too small: its area is {:.3} square pixels, \
-                 at least {least:.3} is needed.",
+                "{} at {} is too small: its area is {} square pixels, at least {} is needed.",
                 ring.first(),
                 Place(p),
-                area
+                thousandths(area),
+                thousandths(least)
             ),
             HoleOutside(ring, p) => {
                 let ring = ring.first();

@@ -7,6 +7,7 @@ use super::symmetry::representation;
 use super::{ASPECT_RANGE, Direction, FieldParams, Fields, Layer, SIZE_RANGE};
 use super::{scalar, torus};
 use crate::domain::Domain;
+use crate::order;
 use glam::DVec2;
 
 /// A node lies so many gaps between its neighbours of the pass before away from all that bends the
@@ -42,7 +43,7 @@ impl FieldBuilder {
     /// Lays the background grid over the outline and a margin of one large cell around it.
     pub fn new(domain: &Domain, mut params: FieldParams) -> Self {
         let period = domain.period();
-        let step = (params.size / 2.0).clamp(params.side / 128.0, params.side / 64.0);
+        let step = order::within(params.size / 2.0, params.side / 128.0, params.side / 64.0);
         let grid = match period {
             Some(side) => Grid::torus(side, step),
             None => Grid::over(domain.bounds(), step),

@@ -17,6 +17,7 @@ mod wall;
 
 pub(crate) use grid::Grid;
 
+use crate::decimal;
 use crate::domain::{Domain, Facing};
 use crate::field::{Fields, Kind};
 use crate::order;
@@ -215,9 +216,11 @@ impl Packing {
         let expected = domain.area() / (size * size);
         if expected > TUNING.most_cells {
             return Err(format!(
-                "About {expected:.0} cells of size {size} fit into this outline; at most {} are \
-                 packed. Choose larger cells.",
-                TUNING.most_cells
+                "About {} cells of size {} fit into this outline; at most {} are packed. Choose larger \
+                 cells.",
+                decimal::text(expected.round()),
+                decimal::text(size),
+                decimal::text(TUNING.most_cells)
             ));
         }
         let facing = Facing::new(

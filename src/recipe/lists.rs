@@ -4,6 +4,8 @@
 
 use super::rows::{self, Form, POINTS, STEPS};
 use super::{Key, Recipe, poly};
+use crate::decimal;
+use crate::order;
 use glam::DVec2;
 
 /// Most rows of a list.
@@ -79,9 +81,10 @@ impl Item {
                 // The limits themselves may lie between two of the numbers that a link can hold.
                 let within = |x: f64, min: f64, max: f64| x > min - 1e-3 && x < max + 1e-3;
                 if !within(radius, RADIUS.0, RADIUS.1) {
-                    let (min, max) = RADIUS;
+                    let (min, max) = (decimal::text(RADIUS.0), decimal::text(RADIUS.1));
                     Some(format!("must have a radius from {min} to {max} sides"))
                 } else if !within(value, min, max) {
+                    let (min, max) = (decimal::text(min), decimal::text(max));
                     Some(format!("must have a value from {min} to {max}"))
                 } else {
                     None
@@ -183,7 +186,7 @@ impl Recipe {
         };
         let spot = |row: &Vec<i64>| {
             let number = |k: usize| row[k] as f64;
-            let value = (number(3) / VALUE).clamp(min, max);
+            let value = order::within(number(3) / VALUE, min, max);
             [number(0) * unit, number(1) * unit, number(2) * unit, value]
         };
         self.rows(key).iter().map(spot).collect()

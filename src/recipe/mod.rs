@@ -3,7 +3,6 @@
 //! Everything that comes from outside passes here: a [`Recipe`] only ever holds values within their
 //! limits and a polygon that [`Outline::check`] accepts. What did not fit is told in sentences.
 
-mod decimal;
 mod link;
 mod lists;
 mod parameter;

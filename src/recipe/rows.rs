@@ -9,7 +9,7 @@
 //!
 //! Rows may also be given in decimal numbers, with commas between them and semicolons between rows.
 
-use super::decimal;
+use crate::decimal;
 
 /// Grid steps along the picture's side; a power of two, so that the scaling is exact.
 pub const STEPS: f64 = 32768.0;

@@ -1,7 +1,9 @@
 //! Values as text: reading one parameter with a sentence where it does not fit, and writing it.
 
-use super::{Key, Kind, POLYGON, Parameter, Recipe, SCHEMA, decimal, poly};
+use super::{Key, Kind, POLYGON, Parameter, Recipe, SCHEMA, poly};
+use crate::decimal;
 use crate::domain::Outline;
+use crate::order;
 
 /// What became of a text that was meant as a value; see [`Recipe::set`].
 type Taken = Result<Option<String>, String>;
@@ -70,7 +72,7 @@ impl Recipe {
     /// The value of a key as the link writes it.
     pub(super) fn text(&self, key: Key) -> String {
         match key.parameter().kind {
-            Kind::Number | Kind::Int => number_text(self.number(key)),
+            Kind::Number | Kind::Int => decimal::text(self.number(key)),
             Kind::Choice => self.choice(key).to_owned(),
             Kind::Text if key != Key::Poly => self.list_text(key),
             Kind::Text => self
@@ -113,12 +115,12 @@ impl Recipe {
         } else {
             given
         };
-        let value = whole.clamp(min, max);
+        let value = order::within(whole, min, max);
         let allowed = self.allowed(key);
         let old_side = self.side();
         self.put(key, value);
         let mut notice = (value != given).then(|| {
-            let (what, given, kept) = (name(row), quote(text), number_text(value));
+            let (what, given, kept) = (name(row), quote(text), decimal::text(value));
             format!("{what} must be {allowed}; {given} was given, kept {kept}.")
         });
         if key == Key::Size {
@@ -144,11 +146,11 @@ impl Recipe {
         };
         let mut words = format!(
             "a {whole}number from {} to {}{unit}",
-            number_text(min),
-            number_text(max)
+            decimal::text(min),
+            decimal::text(max)
         );
         if key == Key::Cs {
-            words += &format!(" in a picture of {} px", number_text(self.side()));
+            words += &format!(" in a picture of {} px", decimal::text(self.side()));
         }
         words
     }
@@ -165,11 +167,11 @@ impl Recipe {
     /// Brings what depends on the picture's side back into its limits.
     pub(super) fn settle(&mut self) -> Option<String> {
         let (given, (min, max)) = (self.number(Key::Cs), self.limits(Key::Cs));
-        let value = given.clamp(min, max);
+        let value = order::within(given, min, max);
         (value != given).then(|| {
             let (allowed, what) = (self.allowed(Key::Cs), name(Key::Cs.parameter()));
             self.put(Key::Cs, value);
-            let (given, kept) = (number_text(given), number_text(value));
+            let (given, kept) = (decimal::text(given), decimal::text(value));
             format!("{what} must be {allowed}; {given} was given, kept {kept}.")
         })
     }
@@ -212,16 +214,6 @@ impl Recipe {
             Ok(notices) => Ok(Some(notices.join(" "))),
             Err(sentence) => Err(format!("{sentence} Kept {kept}.")),
         }
-    }
-}
-
-/// The shortest decimal text that reads back as the same bits.
-pub(super) fn number_text(value: f64) -> String {
-    let (plain, power) = (format!("{value}"), format!("{value:e}"));
-    if power.len() + 2 < plain.len() {
-        power
-    } else {
-        plain
     }
 }
 

@@ -6,7 +6,7 @@
 
 use super::course::Course;
 use super::shadow::{NOWHERE, seen};
-use crate::order::greater;
+use crate::order::{greater, within};
 
 /// Half the angle under which the lamp is seen, in radians: more than the sun's, as in haze.
 const HALF_DISC: f64 = 0.055;
@@ -42,7 +42,7 @@ impl Sweep {
         let (along, across) = if columns { (x, y) } else { (y, x) };
         let step = 1.0 / along.abs();
         let steepest = std::f64::consts::FRAC_PI_2 - 1e-3;
-        let fall = |angle: f64| (libm::tan(angle.clamp(0.01, steepest)) * step) as f32;
+        let fall = |angle: f64| (libm::tan(within(angle, 0.01, steepest)) * step) as f32;
         let line = || vec![NOWHERE; BEFORE + side + AFTER];
         let lines = || Rims {
             dark: line(),

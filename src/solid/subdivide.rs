@@ -174,7 +174,7 @@ impl Rows {
                     dense[column as usize] += weight * inner;
                 }
             }
-            touched.sort_unstable();
+            order::sort(&mut touched, |&c| (c.into(), 0));
             let sums = touched.iter().map(|&c| (c, dense[c as usize]));
             product.push(sums);
             for column in touched.drain(..) {
