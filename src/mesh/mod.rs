@@ -144,7 +144,10 @@ impl Mesh {
         });
         let mut made = quads::pair(&nodes, &triangles, keep);
         made.leave_out(|face| is_sliver(face, &nodes));
-        join_lone(&mut nodes, &mut made, |k| particles[k].fixed, keep);
+        // Of cells that stand at the walls it is no mesh of the outline, only a picture of the rows.
+        if particles.iter().any(|p| p.fixed) {
+            join_lone(&mut nodes, &mut made, |k| particles[k].fixed, keep);
+        }
         let vertices: Vec<DVec2> = nodes.iter().map(|n| n.at).collect();
         let mut faces = made.faces;
         faces.retain(|face| {
