@@ -3,10 +3,12 @@
 
 mod across;
 mod arrangement;
+mod dual;
 mod fitted;
 mod ghosts;
 mod packed;
 mod rings;
+mod seams;
 mod straighten;
 mod torus;
 mod voronoi;

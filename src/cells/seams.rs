@@ -1,0 +1,137 @@
+//! Cells of the torus, which meet over the seams.
+
+use super::Cell;
+use super::dual::{Dual, On, node, without_rim};
+use crate::domain::Domain;
+use crate::mesh::torus::{MARGINS, closes, spread};
+use crate::mesh::{Mesh, Node};
+use crate::order;
+use crate::packing::Particle;
+use crate::planar::on_grain;
+use glam::DVec2;
+
+/// Corners that are as near to each other as this (picture units) are one: a place where a side
+/// crosses a line is rounded here and at its image, each on its own.
+const SAME: f64 = 4.0 / 65536.0;
+
+impl Dual {
+    /// On the torus. Pairs of triangles are chosen one after the other, so that far from the picture
+    /// other ones may be chosen; should that reach as far as the seams, more images are taken, and in
+    /// the end lone triangles, which depend on nothing but their own corners.
+    pub fn over_seams(
+        domain: &Domain,
+        side: f64,
+        mut particles: Vec<Particle>,
+        plain: bool,
+    ) -> Self {
+        for p in &mut particles {
+            p.centre = domain.wrap(p.centre);
+        }
+        let mut margins = MARGINS.into_iter();
+        loop {
+            let margin = margins.next();
+            let (all, _) = spread(side, &particles, margin.unwrap_or(MARGINS[0]));
+            let mut nodes: Vec<Node> = all.iter().map(|p| node(p, plain)).collect();
+            if margin.is_none() {
+                nodes.iter_mut().for_each(|node| node.corners = false);
+            }
+            let mesh = Mesh::whole(&nodes, |_| plain);
+            let mut dual = Self::of(Vec::new(), &mesh, plain);
+            for face in &mesh.faces {
+                dual.push(dual.middle(&mesh, face), false, On::Nothing);
+            }
+            let rings: Vec<Vec<DVec2>> = (0..particles.len()).map(|k| dual.ring(k)).collect();
+            if margin.is_none() || closes(domain, &rings) {
+                dual.particles = particles;
+                return dual;
+            }
+        }
+    }
+
+    /// The cells of a torus with constraint lines, where they agree over the seams: all images are cut
+    /// by the lines, then those in the picture are taken. As above, lone triangles are the last resort.
+    pub fn beside_lines(domain: &Domain, particles: &[Particle]) -> Option<Vec<Cell>> {
+        let side = domain.period().filter(|_| !domain.lines().is_empty())?;
+        let mut particles = particles.to_vec();
+        for p in &mut particles {
+            p.centre = domain.wrap(p.centre);
+        }
+        let tries = MARGINS.map(|margin| (margin, true)).into_iter();
+        tries
+            .chain([(MARGINS[0], false)])
+            .find_map(|(margin, pairs)| {
+                let (all, of) = spread(side, &particles, margin);
+                // Where they really are, of the same images.
+                let placed = all.iter().zip(&of).map(|(p, &k)| {
+                    let (real, near) = (&particles[k as usize], &all[k as usize]);
+                    let centre = real.centre + (p.centre - near.centre);
+                    Particle { centre, ..*p }
+                });
+                // Of two in one region the first by its id has it, here as at the images.
+                let in_order = |mut particles: Vec<Particle>| {
+                    order::sort(&mut particles, |p| (p.id.into(), 0));
+                    without_rim(particles)
+                };
+                let (cells, rim) = in_order(placed.collect());
+                let (first, last) = in_order(all);
+                let mut nodes: Vec<Node> = first.iter().chain(&last).map(Node::of).collect();
+                nodes.iter_mut().for_each(|node| node.corners &= pairs);
+                let mesh = Mesh::whole(&nodes, |_| false);
+                let mut dual = Self::of(cells, &mesh, false);
+                dual.put_middles(domain, &mesh, rim.len());
+                dual.divide(domain, &mesh);
+                let mut cells = dual.cells(domain);
+                cells.retain(|cell| domain.wrap(cell.centre) == cell.centre);
+                // Places where sides cross lines agree with their images but for rounding.
+                for cell in &mut cells {
+                    cell.ring.iter_mut().for_each(|p| *p = on_grain(*p));
+                }
+                weld(domain, &mut cells);
+                for cell in &mut cells {
+                    without_spikes(&mut cell.ring);
+                }
+                cells.retain(|cell| cell.ring.len() >= 3);
+                let rings: Vec<Vec<DVec2>> = cells.iter().map(|cell| cell.ring.clone()).collect();
+                closes(domain, &rings).then_some(cells)
+            })
+    }
+}
+
+/// Makes one corner of those that nearly coincide, over the seams, too.
+fn weld(domain: &Domain, cells: &mut [Cell]) {
+    let mut corners: Vec<(DVec2, u32, u32)> = Vec::new();
+    for (index, cell) in cells.iter().enumerate() {
+        for (place, &p) in cell.ring.iter().enumerate() {
+            corners.push((domain.wrap(p), index as u32, place as u32));
+        }
+    }
+    order::sort(&mut corners, |c| (order::rank(c.0.x), order::rank(c.0.y)));
+    let mut first = 0;
+    for k in 0..corners.len() {
+        let (p, index, place) = corners[k];
+        while p.x - corners[first].0.x > SAME {
+            first += 1;
+        }
+        let near = |c: &&(DVec2, u32, u32)| (c.0.y - p.y).abs() <= SAME;
+        if let Some(&(q, ..)) = corners[first..k].iter().find(near) {
+            corners[k].0 = q;
+            cells[index as usize].ring[place as usize] += q - p;
+        }
+    }
+}
+
+/// Takes repeated points out of a ring, and ways to a point and straight back.
+fn without_spikes(ring: &mut Vec<DVec2>) {
+    let mut k = 0;
+    while k < ring.len() && ring.len() >= 3 {
+        let n = ring.len();
+        let (next, after) = ((k + 1) % n, (k + 2) % n);
+        if ring[k] == ring[next] || ring[k] == ring[after] {
+            ring.remove(next);
+            // What is now beside it may be the same.
+            k = 0;
+        } else {
+            k += 1;
+        }
+    }
+}
