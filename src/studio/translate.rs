@@ -45,10 +45,22 @@ pub(super) fn domain(recipe: &Recipe, outline: &Outline) -> Domain {
     }
 }
 
+/// The aspect ratio that cells of a kind are packed with for one of `ca`. The cells of ellipses are
+/// hexagons: by their second moments they are as long as the ellipses, by the box around them 0.87
+/// times. This is between.
+fn drawn(kind: Kind, ca: f64) -> f64 {
+    if kind == Kind::Ellipse {
+        1.0 + 1.06 * (ca - 1.0)
+    } else {
+        ca
+    }
+}
+
 /// The kind of the cells and their aspect ratio.
 pub(super) fn kind(recipe: &Recipe) -> (Kind, f64) {
     let kind = Kind::from_word(recipe.choice(Key::Kind)).unwrap_or_default();
-    (kind, recipe.number(Key::Ca))
+    let ca = recipe.number(Key::Ca);
+    (kind, drawn(kind, ca))
 }
 
 pub(super) fn fields(recipe: &Recipe, domain: &Domain) -> FieldParams {
@@ -76,6 +88,10 @@ pub(super) fn fields(recipe: &Recipe, domain: &Domain) -> FieldParams {
         spots.into_iter().map(spot).collect()
     };
     let (kind, aspect) = kind(recipe);
+    let mut aspect_spots = recipe.aspect_spots();
+    for [.., ratio] in &mut aspect_spots {
+        *ratio = drawn(kind, *ratio);
+    }
     FieldParams {
         direction,
         angle: angle.to_radians(),
@@ -88,7 +104,7 @@ pub(super) fn fields(recipe: &Recipe, domain: &Domain) -> FieldParams {
         kinds: kinds(recipe, domain, kind),
         aspect,
         aspect_rim: rim(Key::Cb, Key::Cd),
-        aspect_spots: spots(recipe.aspect_spots()),
+        aspect_spots: spots(aspect_spots),
         size: number(Key::Cs),
         linear: DVec2::new(number(Key::Gx), number(Key::Gy)),
         radial: number(Key::Gr),
