@@ -1,4 +1,5 @@
-//! Bubblestone packs square particles into any outline and turns the packing into a pavement.
+//! Bubblestone packs squares, rectangles, circles or ellipses into any outline and turns the packing
+//! into a pavement.
 //!
 //! The way of the data, one module each: a [`recipe`] names an outline ([`domain`]) and fields of
 //! size and direction ([`field`]); particles pack it ([`packing`]); their centres become a [`mesh`],
