@@ -3,7 +3,7 @@
 use super::Cell;
 use super::dual::{Dual, On, node, without_rim};
 use crate::domain::Domain;
-use crate::mesh::torus::{MARGINS, closes, spread};
+use crate::mesh::torus::{LONE, TRIES, closes, spread};
 use crate::mesh::{Mesh, Node};
 use crate::order;
 use crate::packing::Particle;
@@ -27,21 +27,19 @@ impl Dual {
         for p in &mut particles {
             p.centre = domain.wrap(p.centre);
         }
-        let mut margins = MARGINS.into_iter();
+        let mut tries = TRIES.into_iter();
         loop {
-            let margin = margins.next();
-            let (all, _) = spread(side, &particles, margin.unwrap_or(MARGINS[0]));
+            let (margin, pairs) = tries.next().unwrap_or(LONE);
+            let (all, _) = spread(side, &particles, margin);
             let mut nodes: Vec<Node> = all.iter().map(|p| node(p, plain)).collect();
-            if margin.is_none() {
-                nodes.iter_mut().for_each(|node| node.corners = false);
-            }
+            nodes.iter_mut().for_each(|node| node.corners &= pairs);
             let mesh = Mesh::whole(&nodes, |_| plain);
             let mut dual = Self::of(Vec::new(), &mesh, plain);
             for face in &mesh.faces {
                 dual.push(dual.middle(&mesh, face), false, On::Nothing);
             }
             let rings: Vec<Vec<DVec2>> = (0..particles.len()).map(|k| dual.ring(k)).collect();
-            if margin.is_none() || closes(domain, &rings) {
+            if !pairs || closes(domain, &rings) {
                 dual.particles = particles;
                 return dual;
             }
@@ -56,44 +54,41 @@ impl Dual {
         for p in &mut particles {
             p.centre = domain.wrap(p.centre);
         }
-        let tries = MARGINS.map(|margin| (margin, true)).into_iter();
-        tries
-            .chain([(MARGINS[0], false)])
-            .find_map(|(margin, pairs)| {
-                let (all, of) = spread(side, &particles, margin);
-                // Where they really are, of the same images.
-                let placed = all.iter().zip(&of).map(|(p, &k)| {
-                    let (real, near) = (&particles[k as usize], &all[k as usize]);
-                    let centre = real.centre + (p.centre - near.centre);
-                    Particle { centre, ..*p }
-                });
-                // Of two in one region the first by its id has it, here as at the images.
-                let in_order = |mut particles: Vec<Particle>| {
-                    order::sort(&mut particles, |p| (p.id.into(), 0));
-                    without_rim(particles)
-                };
-                let (cells, rim) = in_order(placed.collect());
-                let (first, last) = in_order(all);
-                let mut nodes: Vec<Node> = first.iter().chain(&last).map(Node::of).collect();
-                nodes.iter_mut().for_each(|node| node.corners &= pairs);
-                let mesh = Mesh::whole(&nodes, |_| false);
-                let mut dual = Self::of(cells, &mesh, false);
-                dual.put_middles(domain, &mesh, rim.len());
-                dual.divide(domain, &mesh);
-                let mut cells = dual.cells(domain);
-                cells.retain(|cell| domain.wrap(cell.centre) == cell.centre);
-                // Places where sides cross lines agree with their images but for rounding.
-                for cell in &mut cells {
-                    cell.ring.iter_mut().for_each(|p| *p = on_grain(*p));
-                }
-                weld(domain, &mut cells);
-                for cell in &mut cells {
-                    without_spikes(&mut cell.ring);
-                }
-                cells.retain(|cell| cell.ring.len() >= 3);
-                let rings: Vec<Vec<DVec2>> = cells.iter().map(|cell| cell.ring.clone()).collect();
-                closes(domain, &rings).then_some(cells)
-            })
+        TRIES.into_iter().chain([LONE]).find_map(|(margin, pairs)| {
+            let (all, of) = spread(side, &particles, margin);
+            // Where they really are, of the same images.
+            let placed = all.iter().zip(&of).map(|(p, &k)| {
+                let (real, near) = (&particles[k as usize], &all[k as usize]);
+                let centre = real.centre + (p.centre - near.centre);
+                Particle { centre, ..*p }
+            });
+            // Of two in one region the first by its id has it, here as at the images.
+            let in_order = |mut particles: Vec<Particle>| {
+                order::sort(&mut particles, |p| (p.id.into(), 0));
+                without_rim(particles)
+            };
+            let (cells, rim) = in_order(placed.collect());
+            let (first, last) = in_order(all);
+            let mut nodes: Vec<Node> = first.iter().chain(&last).map(Node::of).collect();
+            nodes.iter_mut().for_each(|node| node.corners &= pairs);
+            let mesh = Mesh::whole(&nodes, |_| false);
+            let mut dual = Self::of(cells, &mesh, false);
+            dual.put_middles(domain, &mesh, rim.len());
+            dual.divide(domain, &mesh);
+            let mut cells = dual.cells(domain);
+            cells.retain(|cell| domain.wrap(cell.centre) == cell.centre);
+            // Places where sides cross lines agree with their images but for rounding.
+            for cell in &mut cells {
+                cell.ring.iter_mut().for_each(|p| *p = on_grain(*p));
+            }
+            weld(domain, &mut cells);
+            for cell in &mut cells {
+                without_spikes(&mut cell.ring);
+            }
+            cells.retain(|cell| cell.ring.len() >= 3);
+            let rings: Vec<Vec<DVec2>> = cells.iter().map(|cell| cell.ring.clone()).collect();
+            closes(domain, &rings).then_some(cells)
+        })
     }
 }
 

@@ -12,8 +12,10 @@ use glam::DVec2;
 
 /// Images are made so many sizes around the picture. Pairs of triangles are chosen one after the
 /// other, so that far from the picture other ones may be chosen; should that reach as far as the
-/// seams, more images are taken.
-pub(crate) const MARGINS: [f64; 2] = [5.0, 12.0];
+/// seams, more images are taken. Each with whether triangles may be paired at all.
+pub(crate) const TRIES: [(f64, bool); 2] = [(5.0, true), (12.0, true)];
+/// The last resort: lone triangles, which depend on nothing but their own corners.
+pub(crate) const LONE: (f64, bool) = (5.0, false);
 
 /// Images farther than this many pictures away are not made.
 const FARTHEST: f64 = 8.0;
@@ -74,20 +76,18 @@ pub(crate) fn closes(domain: &Domain, rings: &[Vec<DVec2>]) -> bool {
 
 impl Mesh {
     /// See [`Mesh::build`]. Elements that do not agree over the seams even with more images give way
-    /// to lone triangles, which depend on nothing but their own corners.
+    /// to lone triangles.
     pub(super) fn over_seams(domain: &Domain, side: f64, particles: &[Particle]) -> Self {
         let mut particles = particles.to_vec();
         for p in &mut particles {
             p.centre = domain.wrap(p.centre);
         }
-        let mut margins = MARGINS.into_iter();
+        let mut tries = TRIES.into_iter();
         loop {
-            let margin = margins.next();
-            let (all, of) = spread(side, &particles, margin.unwrap_or(MARGINS[0]));
+            let (margin, pairs) = tries.next().unwrap_or(LONE);
+            let (all, of) = spread(side, &particles, margin);
             let mut nodes: Vec<Node> = all.iter().map(Node::of).collect();
-            if margin.is_none() {
-                nodes.iter_mut().for_each(|node| node.corners = false);
-            }
+            nodes.iter_mut().for_each(|node| node.corners &= pairs);
             let places = |k: &[u32]| -> Vec<DVec2> {
                 let place = |&k: &u32| all[k as usize].centre;
                 k.iter().map(place).collect()
@@ -110,7 +110,7 @@ impl Mesh {
             let mut faces = quads::pair(&nodes, &triangles, keep).faces;
             faces.retain(|face| is_home(face.nodes()));
             rings.extend(faces.iter().map(|face| places(face.nodes())));
-            if margin.is_none() || closes(domain, &rings) {
+            if !pairs || closes(domain, &rings) {
                 return Self::with_images(&particles, (&all, &of), faces);
             }
         }
