@@ -4,7 +4,7 @@
 //! sentences come back instead.
 
 use crate::domain::Outline;
-use crate::recipe::{Key, Kind, PRESETS, Parameter, Preset, Recipe, SCHEMA};
+use crate::recipe::{Kind, PRESETS, Parameter, Preset, Recipe, SCHEMA};
 use crate::studio::{Studio, View};
 use glam::DVec2;
 use js_sys::{Array, Date, Float64Array, Object, Reflect, Uint32Array};
@@ -117,8 +117,7 @@ impl Bubblestone {
     /// `{ cells, steps, largestMove, energy, added, removed, converged, stones, ms }`
     pub fn status(&mut self) -> Object {
         let energy = self.studio.energy();
-        let last = self.studio.packing().map(|p| p.report());
-        let last = last.unwrap_or_default();
+        let last = self.studio.progress();
         object(&[
             ("cells", last.cells.into()),
             ("steps", last.step.into()),

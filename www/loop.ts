@@ -78,7 +78,8 @@ export class Loop {
     const working = !isEnd(before) && (!this.held || this.settling);
     const changed = working && this.engine.tick(BUDGET, this.held ? 0 : this.stepsNow());
     const stage = this.engine.stage();
-    if (isEnd(stage) || (this.held && stage === 'packing')) this.settling = false;
+    // Held, work ends where only packing steps are left: the packing's first cells may take a slice of their own.
+    if (isEnd(stage) || (this.held && stage === 'packing' && !changed)) this.settling = false;
     const due = changed && performance.now() >= this.nextDrawing;
     const draw = this.dirty || due || isEnd(stage) || (this.held && stage !== before);
     this.dirty = false;

@@ -17,7 +17,7 @@ use crate::export::{Report, StageTime};
 use crate::field::Fields;
 use crate::mesh::Mesh;
 use crate::metrics::Metrics;
-use crate::packing::Packing;
+use crate::packing::{Packing, StepReport};
 use crate::recipe::{Recipe, Stage};
 use crate::texture::Planes;
 use products::Products;
@@ -135,6 +135,12 @@ impl Studio {
         self.made.packing.as_ref()
     }
 
+    /// What the packing at work has done so far; nothing before its first cells are placed.
+    pub fn progress(&self) -> StepReport {
+        let begun = self.made.packing.as_ref().filter(|_| self.made.packing_begun);
+        begun.map(Packing::report).unwrap_or_default()
+    }
+
     /// The mesh of the last packing that ended.
     pub fn mesh(&self) -> Option<&Mesh> {
         self.made.mesh.as_ref()
@@ -199,16 +205,16 @@ impl Studio {
     /// The figures of the run so far.
     pub fn report(&mut self) -> Report {
         let energy = self.energy();
-        let last = self.made.packing.as_ref().map(Packing::report);
+        let last = self.progress();
         Report {
             link: self.recipe.link(),
             size: self.side(),
             cells: self.made.cells.len(),
-            steps: last.map_or(0, |r| r.step),
-            converged: last.is_some_and(|r| r.converged),
-            added: last.map_or(0, |r| r.added),
-            removed: last.map_or(0, |r| r.removed),
-            largest_move: last.map_or(0.0, |r| r.largest_move),
+            steps: last.step,
+            converged: last.converged,
+            added: last.added,
+            removed: last.removed,
+            largest_move: last.largest_move,
             energy,
             milliseconds: self.milliseconds(),
             height_range: self
