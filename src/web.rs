@@ -4,7 +4,7 @@
 //! sentences come back instead.
 
 use crate::domain::Outline;
-use crate::recipe::{Kind, PRESETS, Parameter, Preset, Recipe, SCHEMA};
+use crate::recipe::{Key, Kind, PRESETS, Parameter, Preset, Recipe, SCHEMA};
 use crate::studio::{Studio, View};
 use glam::DVec2;
 use js_sys::{Array, Date, Float64Array, Object, Reflect, Uint32Array};
@@ -145,6 +145,13 @@ impl Bubblestone {
         let image = ImageData::new_with_u8_clamped_array_and_sh(Clamped(frame), side, side);
         // A context that is lost draws nothing; the next frame tries again.
         let _ = image.and_then(|image| context.put_image_data(&image, 0.0, 0.0));
+    }
+
+    /// The default of a number in the recipe at hand.
+    #[wasm_bindgen(js_name = defaultOf)]
+    pub fn default_of(&self, key: &str) -> f64 {
+        let key = Key::from_word(key);
+        key.map_or(0.0, |key| self.studio.recipe().default_of(key))
     }
 
     /// Hex digest of the planes; '' until done.

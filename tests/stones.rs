@@ -321,6 +321,7 @@ proptest! {
             distortion: dr,
             bevel_horizontal: bh,
             bevel_vertical: bv,
+            skin: Default::default(),
             seed: 4,
         };
         let solid = Quarry::new().stone(&cell, &params);

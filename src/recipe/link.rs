@@ -35,10 +35,12 @@ impl Recipe {
         let pairs: Vec<(String, String)> = pairs.into_iter().flat_map(modern).collect();
 
         let mut recipe = Recipe::default();
-        // The limits of the cell size and the polygon's units hang on the picture's size.
+        // The limits of the cell size and the polygon's units hang on the picture's size, some
+        // defaults on the kind of stone.
+        let first = [Key::Size, Key::Stone].map(|key| key.parameter().key);
         for early in [true, false] {
             for (index, (key, value)) in pairs.iter().enumerate() {
-                if (key == Key::Size.parameter().key) == early {
+                if first.contains(&key.as_str()) == early {
                     let earlier = pairs[..index].iter().any(|(k, _)| k == key);
                     notices.extend(recipe.read(key, value, earlier, &pairs));
                 }

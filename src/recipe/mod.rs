@@ -94,6 +94,9 @@ impl Default for Recipe {
 /// The word for the outline that is given by its points.
 const POLYGON: &str = "polygon";
 
+/// The word for skin cells among the stones.
+const SKIN: &str = "skin";
+
 /// Finest and coarsest cells: this many along a side of the picture.
 const MOST_CELLS: f64 = 400.0;
 const FEWEST_CELLS: f64 = 2.0;
@@ -155,6 +158,21 @@ impl Recipe {
                 self.side() / FEWEST_CELLS,
             ),
             _ => (row.min, row.max),
+        }
+    }
+
+    /// Are the stones skin cells, whose numbers have defaults of their own?
+    pub fn is_skin(&self) -> bool {
+        self.choice(Key::Stone) == SKIN
+    }
+
+    /// The default of a number in this recipe (of a choice, 0: its first word). The papers measure
+    /// skin in parts of a cell and stones in pixels, so some numbers have one for each.
+    pub fn default_of(&self, key: Key) -> f64 {
+        let row = key.parameter();
+        match row.skin_default {
+            Some(own) if self.is_skin() => own,
+            _ => row.default,
         }
     }
 

@@ -56,6 +56,9 @@ pub struct Parameter {
     pub step: f64,
     /// Default of a number; the default of a choice is its first word.
     pub default: f64,
+    /// Default of a number while the stones are skin cells (`stone=skin`), where it is another:
+    /// [`super::Recipe::default_of`].
+    pub skin_default: Option<f64>,
     /// Unit, or empty.
     pub unit: &'static str,
     /// One sentence for the page.
@@ -82,6 +85,7 @@ impl Parameter {
             max: 0.0,
             step: 0.0,
             default: 0.0,
+            skin_default: None,
             unit: "",
             help: "",
             group: "",
@@ -93,6 +97,12 @@ impl Parameter {
 
     pub(super) const fn range(mut self, min: f64, max: f64, step: f64, default: f64) -> Self {
         (self.min, self.max, self.step, self.default) = (min, max, step, default);
+        self
+    }
+
+    /// Another default while the stones are skin cells.
+    pub(super) const fn for_skin(mut self, default: f64) -> Self {
+        self.skin_default = Some(default);
         self
     }
 

@@ -141,15 +141,39 @@ parameters! {
             fitted: "Fitted", packed: "As packed", voronoi: "Voronoi", lloyd: "Lloyd",
         ]).at(Cells, "Packing");
 
-    Stone: "The control mesh of a stone: round, or flat with bevelled edges.",
-        choice("stone", "Stone", choices![cobble: "Cobblestone", flag: "Flagstone"])
+    Stone: "What a cell becomes: a round stone, a flat one with bevelled edges, or a cell of skin, a prism that may lean and taper.",
+        choice("stone", "Stone", choices![cobble: "Cobblestone", flag: "Flagstone", skin: "Skin"])
             .at(Solids, "Stones");
-    Sv: "Scale of a stone's base in its cell; below 1 the joints get wider.",
-        number("sv", "Sv", "Base scale").range(0.5, 1.3, 0.01, 1.0).at(Solids, "Stones");
+    Sv: "Scale of the base in its cell; below 1 the joints get wider. Smoothing draws skin together, so it needs more.",
+        number("sv", "Sv", "Base scale").range(0.5, 3.0, 0.01, 1.0).for_skin(1.4)
+            .at(Solids, "Stones");
     Hs: "Height of the stones.",
-        number("hs", "Hs", "Height").range(1.0, 128.0, 1.0, 18.0).unit("px").at(Solids, "Stones");
+        number("hs", "Hs", "Height").range(1.0, 128.0, 1.0, 18.0).unit("px").at(Solids, "Stones")
+            .only_for(Key::Stone, &["cobble", "flag"]);
+    Sr: "Height of skin, in skin sizes: the mean distance of a cell's corners from its middle.",
+        number("sr", "Sr", "Sweep").range(0.05, 4.0, 0.05, 1.0).at(Solids, "Stones")
+            .only_for(Key::Stone, SKINS);
+    Sc: "How far the top leans along the flow, in skin sizes: scales overlap where it is large.",
+        number("sc", "Sc", "Skew").range(0.0, 4.0, 0.05, 0.0).at(Solids, "Stones")
+            .only_for(Key::Stone, SKINS);
+    Sa: "Where the top leans to, clockwise from the direction of the cells.",
+        number("sa", "", "Skew angle").range(-180.0, 180.0, 1.0, 0.0).unit("°")
+            .at(Solids, "Stones").only_with(Key::Sc);
+    Tc: "How far the top is drawn to the middle: 0 a block, 1 a thorn.",
+        number("tc", "Tc", "Taper").range(0.0, 1.0, 0.01, 0.2).at(Solids, "Stones")
+            .only_for(Key::Stone, SKINS);
+    Flat: "Makes tops flat and their sides steep: 0 a dome, 1 a plate.",
+        number("flat", "", "Flatness").range(0.0, 1.0, 0.01, 0.0).at(Solids, "Stones")
+            .only_for(Key::Stone, SKINS);
+    Keel: "Height of a ridge along the flow over the middle of each cell, in its height.",
+        number("keel", "", "Keel").range(0.0, 1.0, 0.01, 0.0).at(Solids, "Stones")
+            .only_for(Key::Stone, SKINS);
+    Rings: "Growth rings on each cell.",
+        int("rings", "", "Growth rings").range(0.0, 12.0, 1.0, 0.0).at(Solids, "Stones")
+            .only_for(Key::Stone, SKINS);
     Dr: "Random distortion of the top corners; 0 makes all stones alike.",
-        number("dr", "Dr", "Distortion").range(0.0, 1.0, 0.01, 0.3).at(Solids, "Stones");
+        number("dr", "Dr", "Distortion").range(0.0, 1.0, 0.01, 0.3).for_skin(0.05)
+            .at(Solids, "Stones");
     Rand: "Distribution of the distortion: uniform (2000) or normal (2001).",
         choice("rand", "Random numbers", choices![uniform: "Uniform", normal: "Normal"])
             .at(Solids, "Stones");
@@ -161,12 +185,12 @@ parameters! {
             .only_for(Key::Stone, &["flag"]);
 
     Fd: "Fractal dimension of the faces: near 1 smooth swells, near 2 rough grain.",
-        number("fd", "Fd", "Fractal dimension").range(1.05, 1.95, 0.01, 1.5)
+        number("fd", "Fd", "Fractal dimension").range(1.05, 1.95, 0.01, 1.5).for_skin(1.1)
             .at(Planes, "Surface");
-    Af: "Amplitude of the fractal noise.",
-        number("af", "Af", "Roughness").range(0.0, 8.0, 0.1, 2.0).unit("px")
+    Af: "Amplitude of the fractal noise: in pixels on stones, in skin sizes on skin.",
+        number("af", "Af", "Roughness").range(0.0, 8.0, 0.05, 2.0).for_skin(0.1)
             .at(Planes, "Surface");
-    Palette: "Colours and optical attributes of the stones.",
+    Palette: "Colours and optical attributes.",
         choice("palette", "Palette", choices![
             granite: "Granite", basalt: "Basalt", sandstone: "Sandstone",
             terracotta: "Terracotta", marble: "Marble mix", porphyry: "Porphyry", slate: "Slate",
@@ -214,6 +238,9 @@ parameters! {
 
 /// The kinds with an aspect ratio.
 const STRETCHED: &[&str] = &["rectangle", "ellipse"];
+
+/// The word of the stones that are skin.
+const SKINS: &[&str] = &["skin"];
 
 /// The directions about a point.
 const ABOUT: &[&str] = &["radial", "circular", "spiral"];

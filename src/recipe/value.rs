@@ -1,6 +1,6 @@
 //! Values as text: reading one parameter with a sentence where it does not fit, and writing it.
 
-use super::{Key, Kind, POLYGON, Parameter, Recipe, SCHEMA, poly};
+use super::{Key, Kind, POLYGON, Parameter, Recipe, poly};
 use crate::decimal;
 use crate::domain::Outline;
 use crate::order;
@@ -193,8 +193,28 @@ impl Recipe {
                 Err(sentence) => Err(sentence),
             };
         }
-        self.put(key, place as f64);
+        if key == Key::Stone {
+            self.set_stone(place as f64);
+        } else {
+            self.put(key, place as f64);
+        }
         Ok(None)
+    }
+
+    /// Numbers that were at their default stay at it.
+    fn set_stone(&mut self, place: f64) {
+        let untouched: Vec<Key> = Key::ALL
+            .iter()
+            .copied()
+            .filter(|&key| {
+                let own = key.parameter().skin_default.is_some();
+                own && self.number(key) == self.default_of(key)
+            })
+            .collect();
+        self.put(Key::Stone, place);
+        for key in untouched {
+            self.put(key, self.default_of(key));
+        }
     }
 
     fn set_list(&mut self, key: Key, text: &str) -> Taken {
@@ -249,6 +269,6 @@ pub(super) fn differing(recipe: &Recipe) -> impl Iterator<Item = Key> {
     Key::ALL.iter().copied().filter(|&key| match key {
         Key::Poly => recipe.choice(Key::Outline) == POLYGON,
         _ if !recipe.rows(key).is_empty() => true,
-        _ => recipe.number(key) != SCHEMA[key as usize].default,
+        _ => recipe.number(key) != recipe.default_of(key),
     })
 }

@@ -60,7 +60,7 @@ const MOST_INSET: f64 = 0.72;
 /// How deep the ground lies below the tops of stones of `size`, in picture units.
 pub fn joint_depth(params: &StoneParams, size: f64) -> f64 {
     let wanted = match params.kind {
-        StoneKind::Cobble => COBBLE_JOINT * size,
+        StoneKind::Cobble | StoneKind::Skin => COBBLE_JOINT * size,
         StoneKind::Flagstone => FLAG_JOINT * size + bevel(params.bevel_vertical, size),
     };
     wanted.min(DEEPEST * params.height)
@@ -99,7 +99,7 @@ fn profile(params: &StoneParams, size: f64) -> ([Band; RINGS], f64) {
     };
     let rounder = |round: f64, band: Band| Band { round, ..band };
     match params.kind {
-        StoneKind::Cobble => (
+        StoneKind::Cobble | StoneKind::Skin => (
             [
                 band(0.0, 0.0, 0.0),
                 band(top - depth, 0.0, 0.7),
@@ -197,7 +197,7 @@ fn stations(plan: &Footprint, params: &StoneParams, id: u32) -> Vec<Station> {
     let mut lifts: Vec<f64> = (0..n).map(|_| random.signed()).collect();
     even_out(corners, &mut [&mut factors, &mut lifts]);
     let spread = match params.kind {
-        StoneKind::Cobble => COBBLE_CORNER * plan.size,
+        StoneKind::Cobble | StoneKind::Skin => COBBLE_CORNER * plan.size,
         StoneKind::Flagstone => bevel(params.bevel_horizontal, plan.size).max(0.01 * plan.size),
     };
     let mut stations = Vec::with_capacity(3 * n);

@@ -21,6 +21,8 @@ pub enum StoneKind {
     Cobble,
     /// A flat top with bevelled edges.
     Flagstone,
+    /// A prism that may lean and taper: a scale, a plate or a thorn of a skin.
+    Skin,
 }
 
 /// The distribution of the random number in the displacement of top corners.
@@ -50,8 +52,44 @@ pub struct StoneParams {
     pub bevel_horizontal: f64,
     /// Vertical bevel of a flagstone, 0..1 of half its size (Bv).
     pub bevel_vertical: f64,
+    /// What is skin's own.
+    pub skin: SkinParams,
     /// Seed of the displacement.
     pub seed: u64,
+}
+
+/// The shape of a cell of skin; lengths are parts of the cell's skin size, the mean distance of its
+/// corners from its middle (Itoh, Miyata, Shimada 2003, section 6.1).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SkinParams {
+    /// Height of the swept prism (Sr).
+    pub sweep: f64,
+    /// How far the top is displaced along the flow (Sc).
+    pub skew: f64,
+    /// From the flow to where the top is displaced, clockwise, in radians.
+    pub skew_angle: f64,
+    /// How far the top corners are displaced to the middle, 0..1 (Tc).
+    pub taper: f64,
+    /// How flat tops are, 0..1.
+    pub flatness: f64,
+    /// Height of the ridge along the flow, in the prism's height, 0..1.
+    pub keel: f64,
+    /// Number of growth rings.
+    pub rings: u32,
+}
+
+impl Default for SkinParams {
+    fn default() -> Self {
+        Self {
+            sweep: 1.0,
+            skew: 0.0,
+            skew_angle: 0.0,
+            taper: 0.2,
+            flatness: 0.0,
+            keel: 0.0,
+            rings: 0,
+        }
+    }
 }
 
 impl Default for StoneParams {
@@ -64,6 +102,7 @@ impl Default for StoneParams {
             spread: Spread::Uniform,
             bevel_horizontal: 0.2,
             bevel_vertical: 0.2,
+            skin: SkinParams::default(),
             seed: 1,
         }
     }

@@ -137,7 +137,11 @@ impl Studio {
 
     /// What the packing at work has done so far; nothing before its first cells are placed.
     pub fn progress(&self) -> StepReport {
-        let begun = self.made.packing.as_ref().filter(|_| self.made.packing_begun);
+        let begun = self
+            .made
+            .packing
+            .as_ref()
+            .filter(|_| self.made.packing_begun);
         begun.map(Packing::report).unwrap_or_default()
     }
 

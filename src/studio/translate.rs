@@ -6,7 +6,7 @@ use crate::field::{Direction, FieldParams, Kind, Rim, Spot};
 use crate::packing::{Edge, Integrator, PackingParams, Population, Start};
 use crate::recipe::{Key, Recipe};
 use crate::render::{Light, ShadeParams};
-use crate::solid::{Spread, StoneKind, StoneParams};
+use crate::solid::{SkinParams, Spread, StoneKind, StoneParams};
 use crate::texture::{Optics, TextureParams, optics_table};
 use glam::DVec2;
 
@@ -181,6 +181,7 @@ fn stone(recipe: &Recipe) -> StoneParams {
     StoneParams {
         kind: match recipe.choice(Key::Stone) {
             "flag" => StoneKind::Flagstone,
+            "skin" => StoneKind::Skin,
             _ => StoneKind::Cobble,
         },
         height: recipe.number(Key::Hs),
@@ -192,6 +193,15 @@ fn stone(recipe: &Recipe) -> StoneParams {
         },
         bevel_horizontal: recipe.number(Key::Bh),
         bevel_vertical: recipe.number(Key::Bv),
+        skin: SkinParams {
+            sweep: recipe.number(Key::Sr),
+            skew: recipe.number(Key::Sc),
+            skew_angle: recipe.number(Key::Sa).to_radians(),
+            taper: recipe.number(Key::Tc),
+            flatness: recipe.number(Key::Flat),
+            keel: recipe.number(Key::Keel),
+            rings: recipe.number(Key::Rings) as u32,
+        },
         seed: seed(recipe),
     }
 }
