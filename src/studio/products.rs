@@ -9,11 +9,13 @@ use crate::packing::Packing;
 use crate::recipe::{Recipe, Stage};
 use crate::render::Shader;
 use crate::solid::Quarry;
-use crate::texture::{Painter, Planes};
+use crate::texture::{Coat, Coats, Painter, Planes};
 use glam::DVec2;
 
 /// Rows of the picture in one slice of the stages that go by rows.
 const ROWS: usize = 16;
+/// Cells whose coats are made in one slice.
+const COATS: usize = 512;
 
 /// The finished products of the stages, and those in the making.
 pub(super) struct Products {
@@ -29,6 +31,9 @@ pub(super) struct Products {
     fitting: Option<Fitting>,
     pub cells: Vec<Cell>,
     quarry: Quarry,
+    dresser: Option<Coats>,
+    /// What the cells wear by rule; none while other cells form.
+    pub coats: Vec<Coat>,
     pub painter: Option<Painter>,
     /// Is the ground laid in the pass at work?
     pub bedded: bool,
@@ -59,6 +64,8 @@ impl Products {
             fitting: None,
             cells: Vec::new(),
             quarry: Quarry::new(),
+            dresser: None,
+            coats: Vec::new(),
             painter: None,
             bedded: false,
             stones: 0,
@@ -88,6 +95,9 @@ impl Products {
         if from < Stage::Planes {
             self.painter = None;
             self.bedded = false;
+        }
+        if from <= Stage::Cells {
+            self.coats.clear();
         }
         if from <= Stage::Packing {
             self.packing_begun = false;
@@ -193,12 +203,23 @@ impl Products {
 
     fn slice_solids(&mut self, recipe: &Recipe) -> Result<bool, String> {
         let Some(painter) = &mut self.painter else {
-            self.painter = Some(Painter::new(translate::texture(recipe)));
+            let params = translate::texture(recipe);
+            self.painter = Some(Painter::new(params));
+            self.dresser = Some(Coats::new(&params));
             self.bedded = false;
             self.stones = 0;
             self.pass += 1;
             return Ok(false);
         };
+        if let Some(dresser) = &mut self.dresser {
+            let domain = self.domain.as_ref().ok_or(MISSING)?;
+            if dresser.advance(domain, &self.cells, COATS) {
+                let coats = self.dresser.take().map(|d| d.finish(domain, &self.cells));
+                self.coats = coats.unwrap_or_default();
+                painter.dress(&self.coats);
+            }
+            return Ok(false);
+        }
         if !self.bedded {
             self.bedded = painter.prepare(ROWS);
             return Ok(false);
@@ -212,7 +233,8 @@ impl Products {
 
     fn slice_planes(&mut self) -> Result<bool, String> {
         let painter = self.painter.as_mut().ok_or(MISSING)?;
-        if !painter.finish(ROWS) {
+        let domain = self.domain.as_ref().ok_or(MISSING)?;
+        if !painter.weather(domain, ROWS) || !painter.finish(ROWS) {
             return Ok(false);
         }
         self.planes = self.painter.take().map(Painter::into_planes);
