@@ -1,4 +1,5 @@
-//! What is done to a refined cell of skin: its profile, and fractal noise on its triangles.
+//! What is done to a refined cell of skin: flat faces, keel, growth rings, and fractal noise on its
+//! triangles.
 //!
 //! Itoh, Miyata, Shimada (2003), section 6.3; Fournier, Fussell, Carpenter (1982), Computer Rendering
 //! of Stochastic Models: each subdivision puts a vertex in the middle of each edge, which takes the
@@ -15,21 +16,38 @@ use glam::{DVec2, Vec3};
 
 /// Deviation of the noise at the distance of a skin size, of its amplitude.
 const DEVIATION: f64 = 0.5;
-/// Exponent of the sides of the flattest tops.
-const STEEPEST: f32 = 7.0;
 /// Depth of growth rings, in skin sizes.
 const RING_DEPTH: f32 = 0.05;
 /// Part of the half width that a keel takes.
 const KEEL_WIDTH: f32 = 0.85;
 
-/// The profile: flat tops, a keel along the flow, growth rings. `radii` are those of the vertices.
+/// Draws refined vertices back to where they were on the faces of the control mesh, by so much of the
+/// way: 1 gives the prism itself, with its flat top, its edges and corners.
+pub(super) fn flatten(vertices: &mut [Vec3], stencil: &Stencil, control: &[Vec3], flatness: f64) {
+    if flatness <= 0.0 {
+        return;
+    }
+    let share = flatness as f32;
+    let mut flat = control.to_vec();
+    flat.reserve(stencil.len());
+    for edges in stencil.levels() {
+        for &[a, b] in edges {
+            flat.push((flat[a as usize] + flat[b as usize]) * 0.5);
+        }
+    }
+    for (v, flat) in vertices.iter_mut().zip(flat) {
+        *v += (flat - *v) * share;
+    }
+}
+
+/// What stands on the surface: a keel along the flow, growth rings. `radii` are those of the vertices.
 pub(super) fn shape(
     vertices: &mut [Vec3],
     radii: &[f32],
     (prism, centre, flow): (&Prism, DVec2, DVec2),
     params: &SkinParams,
 ) {
-    if params.flatness == 0.0 && params.keel == 0.0 && params.rings == 0 {
+    if params.keel == 0.0 && params.rings == 0 {
         return;
     }
     let across = turned(flow, params.skew_angle).perp().as_vec2();
@@ -39,17 +57,11 @@ pub(super) fn shape(
         .iter()
         .map(|b| (b.as_vec2() - centre).dot(across).abs());
     let half = greater(extent.fold(0.0, f32::max) * KEEL_WIDTH, 1e-3);
-    let peak = vertices.iter().map(|v| v.z).fold(1e-3, f32::max);
-    let exponent = 1.0 + (STEEPEST - 1.0) * params.flatness as f32;
     let keel = (params.keel * params.sweep * prism.skin_size) as f32;
     let rings = params.rings as f32;
     let depth = RING_DEPTH * prism.skin_size as f32;
     for (v, &radius) in vertices.iter_mut().zip(radii) {
         let mut z = v.z;
-        if params.flatness > 0.0 {
-            let below = greater(1.0 - z / peak, 0.0);
-            z = peak * (1.0 - libm::powf(below, exponent));
-        }
         // Nothing is left of the rest down at the base.
         let upper = greater(lesser(2.0 - radius, 1.0), 0.0);
         if keel > 0.0 {

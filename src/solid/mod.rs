@@ -74,7 +74,7 @@ pub struct SkinParams {
     pub skew_angle: f64,
     /// How far the top corners are displaced to the middle, 0..1 (Tc).
     pub taper: f64,
-    /// How flat tops are, 0..1.
+    /// From faces that subdivision has made round (0) to those of the prism itself (1).
     pub flatness: f64,
     /// Height of the ridge along the flow, in the prism's height, 0..1.
     pub keel: f64,

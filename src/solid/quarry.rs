@@ -121,11 +121,13 @@ impl Quarry {
         let (flow, id) = (cell.axis, cell.id);
         let corners = plan.corners.len();
         let prism = Prism::over(plan, flow, params, id);
-        let control = prism::triangle_count(corners);
-        let levels = levels(control, SKIN_TRIANGLES * prism.area());
+        let coarse = prism::triangle_count(corners);
+        let levels = levels(coarse, SKIN_TRIANGLES * prism.area());
         let pattern = self.pattern(true, corners, levels);
-        let mut vertices = pattern.stencil.apply(&prism.points());
         let (stencil, radii) = (&pattern.stencil, &pattern.radii);
+        let control = prism.points();
+        let mut vertices = stencil.apply(&control);
+        hide::flatten(&mut vertices, stencil, &control, params.skin.flatness);
         let place = (&prism, plan.centre, flow);
         hide::shape(&mut vertices, radii, place, &params.skin);
         let size = prism.skin_size;
