@@ -16,7 +16,7 @@ use super::weather::{Weather, WeatherParams};
 use crate::cells::Cell;
 use crate::domain::Domain;
 use crate::order::{greater, lesser};
-use crate::solid::{Quarry, Solid, StoneKind, StoneParams, joint_depth, top};
+use crate::solid::{Quarry, Solid, StoneKind, StoneParams, joint_depth, lean, top};
 use glam::Vec3;
 
 /// What the planes are made by; the papers' symbols in brackets.
@@ -184,7 +184,10 @@ impl Painter {
             self.params.seed,
             (self.params.vary as f32, uneven),
             self.coats.get(index).copied().unwrap_or_default(),
-            self.params.colour.rim as f32,
+            (
+                self.params.colour.rim as f32,
+                lean(cell, &self.params.stone),
+            ),
         );
         self.place(&skin, &solid, [0, 0], index);
         if !self.params.tile {

@@ -7,6 +7,7 @@ use super::palette::Palette;
 use crate::cells::Cell;
 use crate::order::{greater, lesser};
 use crate::random::{Purpose, Random};
+use glam::DVec2;
 
 /// Patterns shared by all stones of a seed; each stone reads them at a place of its own.
 #[derive(Clone, Debug)]
@@ -42,6 +43,8 @@ const RIM: f32 = 0.30;
 const CAVITY: f32 = 0.05;
 /// What the darkest rim or middle of a cell has lost of its light.
 const SHADED: f32 = 0.66;
+/// How far the middle of a smoothed top is off that of its base, of how far the top leans.
+const LEAN: f32 = 0.6;
 /// How long bands are for their width.
 const BAND_STRETCH: f32 = 0.16;
 
@@ -58,6 +61,7 @@ pub struct Skin {
     step: f32,
     /// How far the rim is darkened, below 0 the middle.
     rim: f32,
+    lean: [f32; 2],
     /// For each side of the cell the way to it, over its squared length; none where nothing asks.
     sides: Vec<[f32; 2]>,
     /// Index into the optics table.
@@ -66,14 +70,15 @@ pub struct Skin {
 
 impl Skin {
     /// Draws the attributes of a cell's stone. `vary` scales what differs in tone, `uneven` (0..1)
-    /// what differs in the way stones are laid; `rim` darkens the rim, below 0 the middle.
+    /// what differs in the way stones are laid. `rim` darkens the rim, below 0 the middle, of a top
+    /// that is off its base by `lean`.
     pub fn new(
         palette: &Palette,
         cell: &Cell,
         seed: u64,
         (vary, uneven): (f32, f32),
         coat: Coat,
-        rim: f32,
+        (rim, lean): (f32, DVec2),
     ) -> Self {
         let mut random = attributes(seed, cell.id);
         let base = draw_colour(palette, &mut random, vary, coat);
@@ -83,7 +88,7 @@ impl Skin {
         let step = signed() * uneven * 0.035 * cell.size as f32;
         let offset = [signed() * 900.0, signed() * 900.0];
         let bits = random.bits();
-        let axis = cell.axis.try_normalize().unwrap_or(glam::DVec2::X);
+        let axis = cell.axis.try_normalize().unwrap_or(DVec2::X);
         Self {
             base,
             centre: [cell.centre.x as f32, cell.centre.y as f32],
@@ -94,6 +99,7 @@ impl Skin {
             tilt,
             step,
             rim,
+            lean: [LEAN * lean.x as f32, LEAN * lean.y as f32],
             sides: if rim == 0.0 { Vec::new() } else { sides(cell) },
             optics,
         }
@@ -151,6 +157,7 @@ impl Skin {
 
     /// How much darker a place of the cell is, by its way from the middle.
     fn shade(&self, [dx, dy]: [f32; 2]) -> f32 {
+        let (dx, dy) = (dx - self.lean[0], dy - self.lean[1]);
         let reach = |s: &[f32; 2]| s[0] * dx + s[1] * dy;
         let out = self.sides.iter().map(reach).fold(0.0, greater);
         let step = |from: f32, to: f32| smooth(f64::from((out - from) / (to - from))) as f32;
@@ -189,14 +196,10 @@ impl Skin {
 /// way from the centre it is 1 on the side.
 fn sides(cell: &Cell) -> Vec<[f32; 2]> {
     let next = cell.ring.iter().cycle().skip(1);
-    let side = |(&a, &b): (&glam::DVec2, &glam::DVec2)| {
+    let side = |(&a, &b): (&DVec2, &DVec2)| {
         let out = -(b - a).perp();
         let far = out.dot(a - cell.centre);
-        let way = if far > 1e-9 {
-            out / far
-        } else {
-            glam::DVec2::ZERO
-        };
+        let way = if far > 1e-9 { out / far } else { DVec2::ZERO };
         [way.x as f32, way.y as f32]
     };
     cell.ring.iter().zip(next).map(side).collect()

@@ -208,8 +208,8 @@ impl Weather {
             colour = colour.map(|v| (grey + (v - grey) * (1.0 + 0.3 * soaked)) * dark);
             optics += ROWS * (u8::from(soaked > 0.33) + u8::from(soaked > 0.7));
             // Around the pavement water runs off.
-            let away = soft(-distance / self.size);
-            let surface = self.level + self.depth * (0.85 * wet - 0.5 - 0.3 * away);
+            let away = soft(0.5 - 2.0 * distance / self.size);
+            let surface = self.level + self.depth * (0.85 * wet - 0.5 - 0.6 * away);
             let deep = surface - height;
             if deep > 0.0 {
                 let clear = lesser(deep, 1.0);
