@@ -172,7 +172,10 @@ impl Coats {
         if let Some(reaction) = self.reaction.take() {
             self.values = reaction.finish();
         }
-        if matches!(self.colour.pattern, Pattern::Turing | Pattern::Size) {
+        if matches!(
+            self.colour.pattern,
+            Pattern::Turing | Pattern::Size | Pattern::Blotches
+        ) {
             spread_evenly(&mut self.values);
         }
         let coat = |(k, cell): (usize, &Cell)| Coat {
@@ -209,11 +212,7 @@ impl Coats {
                 triangle(bent)
             }
             Pattern::Spots | Pattern::Rosettes => self.spot(p, period),
-            // Of deviation 1 at the scale, about normal: the slope of its distribution spreads it.
-            Pattern::Blotches => {
-                let value = self.swell(p, period, 1.0) + 0.5 * self.swell(p, period, 2.3);
-                order::within(0.5 + 0.38 * value, 0.0, 1.0)
-            }
+            Pattern::Blotches => self.swell(p, period, 1.0) + 0.5 * self.swell(p, period, 2.3),
             Pattern::Size => signed_area(&cell.ring),
             Pattern::Boundary => near(domain.nearest(p).distance.abs()),
             Pattern::Lines => domain.nearest_line(p).map_or(0.0, |n| near(n.distance)),

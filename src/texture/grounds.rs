@@ -13,7 +13,7 @@ pub const GROUNDS: &[Ground] = &[
         swell: 0.16,
         pebbles: 0.24,
         pebble: [150, 142, 130],
-        dirt: [138, 124, 102],
+        dirt: [120, 106, 86],
         optics: EARTH,
     },
     Ground {
@@ -35,7 +35,7 @@ pub const GROUNDS: &[Ground] = &[
         swell: 0.05,
         pebbles: 0.05,
         pebble: [140, 136, 128],
-        dirt: [124, 112, 94],
+        dirt: [102, 92, 78],
         optics: EARTH,
     },
     Ground {
@@ -68,7 +68,7 @@ pub const GROUNDS: &[Ground] = &[
         swell: 0.06,
         pebbles: 0.92,
         pebble: [146, 140, 132],
-        dirt: [118, 106, 90],
+        dirt: [104, 93, 78],
         optics: EARTH,
     },
     // Its colours are those of the palette's flesh.

@@ -123,7 +123,7 @@ impl Gloss {
             Gloss::Own => return own,
             Gloss::Matt => [1.0, 0.2, 0.0, 0.6, 0.0],
             Gloss::Glossy => [0.97, 1.5, 0.15, 1.6, 8.0],
-            Gloss::Wet => [0.93, 1.4, 0.42, 2.0, 40.0],
+            Gloss::Wet => [0.92, 1.4, 0.55, 1.2, 22.0],
         };
         Optics {
             ambient: own.ambient,

@@ -226,7 +226,8 @@ fn thinned(domain: &Domain, places: &[DVec2], links: &[Vec<u32>]) -> (Vec<u32>, 
             let far = domain
                 .shortest(places[j as usize] - places[k])
                 .length_squared();
-            if own[j as usize] != NONE && far < nearest {
+            // Of two as near the first, whatever rounding says.
+            if own[j as usize] != NONE && far < 0.99 * nearest {
                 nearest = far;
                 parents[k] = own[j as usize];
             }

@@ -8,7 +8,7 @@ use super::ground::Bed;
 use super::optics::{DIRT, FINISHES, MOSS, ROWS, WATER};
 use super::{GROUND, Planes};
 use crate::domain::Domain;
-use crate::order::{greater, lesser};
+use crate::order::{self, greater, lesser};
 use glam::DVec2;
 
 /// How much of each, 0..1.
@@ -34,16 +34,19 @@ impl WeatherParams {
 const STEP: usize = 8;
 /// Half the width of the means around a pixel, in cell sizes: of what feet round, and of what makes
 /// a hollow.
-const REACH: [f64; 2] = [0.13, 0.5];
+const REACH: [f64; 2] = [0.1, 0.5];
 /// How trodden a tile is, which has no middle.
 const EVERYWHERE: f32 = 0.75;
 /// What wear takes off at most, of the joints' depth.
-const LOSS: f32 = 0.22;
+const LOSS: f32 = 0.44;
+/// How far below and above that the edge it leaves is rounded, and how deep it rubs off what is rough.
+const EDGE: f32 = 0.22;
+const RUB: f32 = 0.06;
 /// Thickness of moss and of dirt, of the joints' depth.
 const PAD: f32 = 0.13;
 const SILT: f32 = 0.06;
 /// Colours of moss: in the shade and in the light.
-const GREENS: [[f32; 3]; 2] = [[54.0, 66.0, 30.0], [110.0, 116.0, 52.0]];
+const GREENS: [[f32; 3]; 2] = [[54.0, 66.0, 30.0], [102.0, 108.0, 53.0]];
 /// What still water shows of the sky, and how much.
 const SKY: [f32; 3] = [126.0, 138.0, 148.0];
 const MIRROR: f32 = 0.42;
@@ -162,11 +165,17 @@ impl Weather {
         // 1/2 on level ground, towards 1 in joints and towards 0 on tops.
         let hollow = (0.5 + (wide - height) / self.depth).clamp(0.0, 1.0);
         if wear > 0.0 && stone {
+            let worn = lesser(wear * trodden * (1.0 + 0.35 * broad), 1.0);
             let stand = (height - self.level) / self.depth;
-            let worn = wear * trodden * (1.0 + 0.35 * broad) * soft(2.0 * stand - 0.5);
-            let worn = lesser(worn, 1.0);
-            let flat = lesser(near, height + 0.06 * self.depth);
-            height += (flat - height) * worn - LOSS * self.depth * worn * worn;
+            let rub = RUB * self.depth;
+            let flat = order::within(near, height - rub, height + rub);
+            height += (flat - height) * worn * soft(3.0 * stand - 1.0);
+            // Tops are cut off, with a soft edge.
+            let stand = (height - self.level) / self.depth;
+            let ceiling = 1.0 + EDGE - (LOSS + EDGE) * worn;
+            let over = greater(EDGE - (stand - ceiling).abs(), 0.0);
+            let cut = lesser(stand, ceiling) - over * over / (4.0 * EDGE);
+            height += (cut - stand) * self.depth * lesser(4.0 * worn, 1.0);
             if worn > 0.3 {
                 optics = (optics + 1 + u8::from(worn > 0.6)).min(FINISHES as u8);
             }
@@ -175,7 +184,7 @@ impl Weather {
         }
         let mut soaks = !stone;
         if dirt > 0.0 {
-            let lies = hollow + 0.10 * broad + 0.04 * fine - 1.08 + 1.0 * dirt;
+            let lies = hollow + 0.10 * broad + 0.04 * fine - 0.96 + dirt;
             let cover = (0.35 + 0.6 * dirt) * soft(1.9 * lies);
             let grain = 1.0 + 0.06 * fine + 0.05 * broad;
             mix(&mut colour, bed.dirt().map(|v| v * grain), cover);
