@@ -283,8 +283,8 @@ fn noise_on_a_flat_cell_has_its_dimension() {
                 for y in 40..250 - lag {
                     for x in 40..250 - lag {
                         let here = noise(x, y);
-                        sum +=
-                            (here - noise(x + lag, y)).powi(2) + (here - noise(x, y + lag)).powi(2);
+                        let (across, down) = (here - noise(x + lag, y), here - noise(x, y + lag));
+                        sum += across * across + down * down;
                     }
                 }
                 sum / ((210 - lag) * (210 - lag)) as f64
