@@ -47,6 +47,10 @@ pub struct Stencil {
     starts: Vec<u32>,
     columns: Vec<u32>,
     weights: Vec<f32>,
+    /// Level after level, the ends of the edges whose middles became vertices.
+    parents: Vec<[u32; 2]>,
+    /// Up to where in `parents` each level goes.
+    ends: Vec<usize>,
     /// The refined triangles, to be shared by all solids made with this stencil.
     pub triangles: Rc<[[u32; 3]]>,
 }
@@ -56,8 +60,11 @@ impl Stencil {
     pub fn new(vertices: usize, triangles: &[[u32; 3]], levels: u32) -> Self {
         let mut rows = Rows::identity(vertices);
         let mut triangles = triangles.to_vec();
+        let (mut parents, mut ends) = (Vec::new(), Vec::new());
         for _ in 0..levels {
             let edges = edges(&triangles);
+            parents.extend(edges.iter().map(|edge| edge.ends));
+            ends.push(parents.len());
             let step = step(rows.len(), &edges);
             triangles = split(rows.len(), &triangles, &edges);
             rows = step.times(&rows, vertices);
@@ -67,6 +74,8 @@ impl Stencil {
             weights: rows.weights.iter().map(|&w| w as f32).collect(),
             starts: rows.starts,
             columns: rows.columns,
+            parents,
+            ends,
             triangles: triangles.into(),
         }
     }
@@ -84,6 +93,15 @@ impl Stencil {
     /// Whether the refined mesh has no vertex.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
+    }
+
+    /// Level after level, the new vertices by the ends of the edges that they divide. They follow the
+    /// unrefined mesh's vertices in this order.
+    pub fn levels(&self) -> impl Iterator<Item = &[[u32; 2]]> + '_ {
+        let starts = [0].into_iter().chain(self.ends.iter().copied());
+        starts
+            .zip(&self.ends)
+            .map(|(start, &end)| &self.parents[start..end])
     }
 
     /// The columns and weights that make refined vertex `i`; the weights sum to 1.

@@ -13,7 +13,7 @@ use super::skin::{Patterns, Skin};
 use super::{Optics, Planes, optics_table};
 use crate::cells::Cell;
 use crate::order::{greater, lesser};
-use crate::solid::{Quarry, Solid, StoneParams, joint_depth};
+use crate::solid::{Quarry, Solid, StoneKind, StoneParams, joint_depth, top};
 use glam::Vec3;
 
 /// What the planes are made by; the papers' symbols in brackets.
@@ -75,6 +75,8 @@ pub struct Painter {
     raster: Raster,
     /// Samples a stone has already taken at each pixel, and how many the stone named in `id` has.
     taken: Vec<u16>,
+    /// The height of each taken sample.
+    surface: Vec<[f32; PER_PIXEL]>,
     share: Vec<u8>,
     level: f32,
     depth: f32,
@@ -87,7 +89,7 @@ impl Painter {
     pub fn new(params: TextureParams) -> Self {
         let stone_palette = palette(params.palette);
         let depth = joint_depth(&params.stone, params.size) * FILL;
-        let level = params.stone.height - depth;
+        let level = top(&params.stone, params.size) - depth;
         let pixels = params.side * params.side;
         Self {
             palette: stone_palette,
@@ -106,10 +108,15 @@ impl Painter {
             occlusion: Occlusion::new(params.size, params.tile),
             raster: Raster::default(),
             taken: vec![0; pixels],
+            surface: vec![[0.0; PER_PIXEL]; pixels],
             share: vec![0; pixels],
             level: level as f32,
             depth: depth as f32,
-            relief: (params.amplitude * RELIEF) as f32 * stone_palette.relief,
+            // Skin brings its noise along.
+            relief: match params.stone.kind {
+                StoneKind::Skin => 0.0,
+                _ => (params.amplitude * RELIEF) as f32 * stone_palette.relief,
+            },
             laid: 0,
             params,
         }
@@ -216,7 +223,7 @@ impl Painter {
         let rough = skin.relief(&self.patterns, own_place[0], own_place[1]);
         let raise = self.relief * rough + skin.lift(own_place[0], own_place[1]);
         let soil = self.bed.height(x, y);
-        let (fresh, won) = self.claim(i, heights, raise, soil);
+        let (fresh, won, lost) = self.claim(i, heights, raise, soil);
         if fresh.count + won.count == 0 {
             return;
         }
@@ -232,26 +239,27 @@ impl Painter {
         );
         let each = 1.0 / PER_PIXEL as f32;
         let (new, taken_over) = (f32::from(fresh.count), f32::from(won.count));
-        let before = self.planes.bump[i];
-        self.planes.bump[i] =
-            before + (fresh.sum - soil * new) * each + (won.sum - before * taken_over) * each;
+        self.planes.bump[i] += (fresh.sum - soil * new) * each + (won.sum - lost) * each;
         let old = self.planes.colour[i].map(f32::from);
         self.planes.colour[i] = bytes(std::array::from_fn(|k| {
             let gain = (colour[k] - dust[k]) * new + (colour[k] - old[k]) * taken_over;
             old[k] + gain * each
         }));
+        self.share[i] = self.share[i].saturating_sub(won.count);
         self.name(i, fresh.count + won.count, id, skin.optics);
     }
 
-    /// The samples that this stone gets at a pixel: from the ground, and from lower stones.
+    /// The samples that this stone gets at a pixel: from the ground, and from lower stones, with the
+    /// sum of the heights that those had there.
     fn claim(
         &mut self,
         i: usize,
         heights: [f32; PER_PIXEL],
         raise: f32,
         soil: f32,
-    ) -> (Part, Part) {
-        let (mut fresh, mut won) = (Part::default(), Part::default());
+    ) -> (Part, Part, f32) {
+        let (mut fresh, mut won, mut lost) = (Part::default(), Part::default(), 0.0);
+        let surface = &mut self.surface[i];
         for (k, &height) in heights.iter().enumerate() {
             let height = height + raise;
             if height <= soil {
@@ -259,12 +267,15 @@ impl Painter {
             }
             if self.taken[i] & (1 << k) == 0 {
                 self.taken[i] |= 1 << k;
+                surface[k] = height;
                 fresh.add(height);
-            } else if height > self.planes.bump[i] {
+            } else if height > surface[k] {
+                lost += surface[k];
+                surface[k] = height;
                 won.add(height);
             }
         }
-        (fresh, won)
+        (fresh, won, lost)
     }
 
     /// A pixel belongs to whoever has most of its samples; to the stone that came first, of equals,
