@@ -44,13 +44,17 @@ export class App {
     this.editing = new Editing(this.engine, () => this.changed());
     this.controls = new Controls(this.engine.schema, {
       get: (key) => this.engine.get(key),
+      defaultOf: (parameter) => this.engine.defaultOf(parameter),
       change: (key, text) => this.change(key, text),
       edit: (key) => this.editing.toggle(key),
       kinds: () => this.editing.sorts.kinds(),
     });
     const outline = new OutlineTools(this.engine, this.controls, this.editing);
     this.editing.shown = () => outline.show();
-    this.presets = new Presets(this.engine.presets, (preset) => this.choose(preset));
+    this.presets = new Presets(this.engine.presets, {
+      chosen: (preset) => this.choose(preset),
+      moved: () => (this.thumbs as Thumbs | undefined)?.wake(),
+    });
     this.thumbs = new Thumbs(this.presets.thumbs, () => this.stage === 'done' || this.loop.paused);
     this.transport = this.makeTransport();
     this.bind();

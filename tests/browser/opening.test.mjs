@@ -100,16 +100,21 @@ test('presets open with their figures and become pictures in the rail', async ()
   const { page, problems, close } = await site.newPage(SMALL);
   await digest(page);
   const presets = await page.evaluate(() => window.bubblestone.presets);
-  assert.equal((await page.$$('.rail button')).length, presets.length);
-  const withSeconds = presets.find((preset) => preset.packingSeconds !== null);
-  assert.ok(withSeconds, 'no preset has the seconds of the paper');
-  await page.click(`[data-preset="${withSeconds.name}"]`);
-  await digest(page);
-  await frames(page, 2);
-  const caption = await page.$eval('#caption', (text) => text.textContent);
-  assert.ok(caption.includes(String(withSeconds.packingSeconds)), caption);
-  assert.match(caption, /here [\d.]+ s/);
-  assert.equal(await page.evaluate(() => window.bubblestone.link()), withSeconds.link);
+  assert.equal((await page.$$('[data-preset]')).length, presets.length);
+  const machines = new Map(presets.filter(({ timing }) => timing).map((preset) => [preset.timing.machine, preset]));
+  assert.equal(machines.size, 2, 'pavements and skins were measured on different machines');
+  for (const [machine, { name, group, timing, link }] of machines) {
+    await page.$$eval('.rail h2 button', (all, title) => all.find((heading) => heading.textContent === title).click(), group);
+    await page.click(`[data-preset="${name}"]`);
+    await digest(page);
+    await frames(page, 2);
+    const caption = await page.$eval('#caption', (text) => text.textContent);
+    const [first, second] = timing.parts.map(({ seconds }) => seconds);
+    assert.ok(caption.includes(`in the paper ${first} s and ${second} s, here `), caption);
+    assert.match(caption, /here [\d.]+ s and [\d.]+ s\.$/);
+    assert.ok((await page.$eval('#caption .seconds', (text) => text.title)).includes(machine));
+    assert.equal(await page.evaluate(() => window.bubblestone.link()), link);
+  }
   await page.waitForSelector('.rail canvas[data-painted]', { timeout: 60_000 });
   assert.deepEqual(problems, []);
   await close();

@@ -35,7 +35,7 @@ macro_rules! paper {
         Preset {
             name: $name,
             title: concat!("Fig. ", $first, " / ", $second),
-            group: "Paper: pavements",
+            group: "Papers: stone",
             figure: concat!("Fig. ", $first, " of 2000, Fig. ", $second, " of 2001"),
             note: $note,
             link: $link,

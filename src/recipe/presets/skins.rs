@@ -33,7 +33,7 @@ macro_rules! paper {
         Preset {
             name: $name,
             title: concat!("Fig. ", $figure),
-            group: "Paper: skins",
+            group: "Paper: skin",
             figure: concat!("Fig. ", $figure, " of 2003"),
             note: $note,
             link: $link,
@@ -47,8 +47,8 @@ macro_rules! paper {
 macro_rules! fig14 {
     ($change:literal) => {
         concat!(
-            "v=1&outline=polygon&poly=w0wB-oBlqB4sEnT-6F2nCu0F0wDm8FisEo8Fm-D8oG23BqqH-P4sHhVqqHjeqvF__vBAqvB9xG0iBjlI9fr0GtmCnlGrtD1wF9zDtrFx7Cj3F_9Bv5FxEpvG4OrhF&kind=ellipse",
-            $change, "&cs=17&dir=strokes&strokes=-oB-oBlK2wLy5E0wLqhHk8KsmD05M9xCi3O.umjBju9Bt9B2nKq4F0wLoqIklM0nCi3OlzB05M&stone=skin&dr=0&palette=mossy&ground=dark")
+            "v=1&outline=polygon&poly=q41BrvEvmB8oH9Wk3IiuB-_F6sC2wFogDo8Fi4C8oG8rB0-GwNu4H_YumKrgBwrI5j1BAi3BjuJqvBnhLjOhgHpvBx5FtuC1wFr1CtrF1mCtrFjwBllGatrJyPx9H&kind=ellipse",
+            $change, "&cs=17&dir=strokes&strokes=-oBrvErQgpR62D0wL6jFk8Ku9B05MrmDsvU.iutB3-oCt9BggQ86D0wLq4FklMs5Bi3Or5B-xS&start=quadtree&stone=skin&dr=0&palette=mossy&ground=dark")
     };
 }
 
@@ -57,7 +57,7 @@ macro_rules! fig14 {
 macro_rules! fig15 {
     ($change:literal) => {
         concat!(
-            "v=1&outline=polygon&poly=4eggQqpB3vE4gC5_D-sDhhD8sFp2Bw5GvXigHrO4lH9P4sH5GqxGwMwvF8cq0EkwBoqD82CkwB6qEmGsxFjD6jGmGs9GhD6vH5hB02G_kCyxF3jDs4EtqE04Dh_F4yC_lH6yBpqHqev0HgTn5HzBxqG7lBvkE9xC_1Cr2D_5B7zEnc58FNv6GkDhvGtIv3F7EnsF&kind=ellipse&cs=20&dir=strokes&strokes=AyiOq_E-hCyjH84CwjHgyBolG9MolGxzB-7G7uCkgJ99Dk3Jl5E-7G_tD.___ByiuB29E8uCkiHoqDymH08BgzG5Jm3Gv3BmlHviDk3I9vF8kJp7GouG39E&stone=skin&sr=2",
+            "v=1&outline=polygon&poly=-oB-oR4mBtyEm8BlpE8pDvpDwuFp6B-7Gzag8GtR61GhTg2G5Jy6FsIs4EyXq9D6pB-6CguC4vBq8D2NghFA45FhD6_GxQ04H5pB8_GlkCq4Fr9Cq_Ej9Du_D9mF26CzmG66B7vG6iBjjHgRrsH5G7_F9oB76D1vCtuCzxD12BzwExfz9FxHr8G5BrsGzHzqF5B56E&kind=ellipse&cs=20&dir=strokes&strokes=AyiOq_E-hCyjH84CwjHgyBolG9MolGxzB-7G7uCkgJ99Dk3Jl5E-7G_tD.___ByiuB29E8uCkiHoqDymH08BgzG5Jm3Gv3BmlHviDk3I9vF8kJp7GouG39E&start=quadtree&stone=skin&sr=2",
             $change, "&tc=0.8&af=0.2&palette=slate&ground=dark")
     };
 }
@@ -67,7 +67,7 @@ macro_rules! fig15 {
 macro_rules! fig16 {
     ($change:literal) => {
         concat!(
-            "v=1&outline=polygon&poly=058B4eickhF8M45GpvB8hHxrC2gHtmD46F7xC81F1CmsG0rBstG0-Ci3G25C6jFnq4BAurB5jFg7Bh3G2nCnxGmzBpoGvLz5E9xBx5Ez-C_hG15Cz3G3VnqIoB_2G&kind=rectangle&cs=20&dir=strokes&strokes=u9B4ewUohPq4F05Mu9BmzJ76Dy5MtmD86L.oz5Bvi-B-oB86L76DyiOp4F0wL-oBy5Mq4F86L&stone=skin&sv=1.3",
+            "v=1&outline=polygon&poly=058BrmDic2jH8Mq8IpvBoqHxrCq4GtmD46F7xC81F7D4jG6sB61G8oD05I-jDsmHlz5BA81BrmHglCz5I8oC15GgyB7_FvLz5E9xBx5Ez-Cx5F15ChgH3V5sKoBx5I&kind=rectangle&cs=20&dir=strokes&strokes=u9BrmDwUsmTq4F05Mu9BmzJ76Dy5M76DggQ.2n6B3smC-oBggQ76DyiOp4F0wL-oBy5M6sGggQ&stone=skin&sv=1.3",
             $change, "&palette=sandstone&ground=dark")
     };
 }
@@ -103,14 +103,14 @@ pub(super) const PRESETS: &[Preset] = &[
         fig16!("&tc=0.5"), None),
     paper!("skin17-a", "17 (a)",
         "A back: rows of plates between two lines, flanks of overlapping scales.",
-        "v=1&outline=polygon&poly=mz5B4eojBw9H2uBkqK6zBi-JqoBsoJgHy7GlRg-F5zBi3GzyB6jFp41BAsP5jFkFh3GziB_9FpvBx7G9xBroJ_fh-J0ZpqK6jBp9H&lines=41XA5aigHjO-_ImqBggIm8BggIo8BggImqBggIjO-_I7aigH.4-I___B7aigHjO-_ImqBggIo8BggIm8BggImqBggIjO-_I5aigH&kind=ellipse&parts=gggBgggBC&cs=24&gb=0.65&gd=0.4&dir=strokes&strokes=smD4et9B0nS-xCumT-xCy5MvU86L.86zBvi-B-xC0nSk8CumTlKy5MtmD86L&stone=skin&sv=3&sc=2&tc=0.7&palette=porphyry&ground=dark", None),
+        "v=1&outline=polygon&poly=mz5B5sGojBqzL2uB8_N6zB6sKqoB05IuI6sGzS4sGh-B6sK58B05I7j1BAsPz5IkF5sKziB3sGpvB5sGlzBz5I3e5sK8jBhgOiuBjzL&lines=41X31H5a-6KjO66MmqBsvIm8B0wHu9B0wHgpBsvIrY66MhlB-6K.mzJvrvC7a-6KjO66MmqBsvIo8B0wHu9B0wH-oBsvIrY66MhlB-6K&kind=ellipse&parts=gggBgggBC&cs=30&gb=0.65&gd=0.4&dir=strokes&strokes=86D5sG9xCmzZ-xCumT-xCy5MvUumT.86zBz5sC-xCmzZk8CumTlKy5M76DumT&start=quadtree&stone=skin&sv=3&sc=2&tc=0.7&palette=porphyry&ground=dark", None),
     paper!("skin17-b", "17 (b)",
         "A belly: plates across between two lines, hexagons beside them.",
-        "v=1&outline=polygon&poly=4e4ewi-BAAwi-Bvi-BA&lines=w0QAt0BigH_xB-_IzCggIkXggI8sBggIw5BggI6jC-_Ii3BigH.2na___Bu0BigHgyB-_I0CggIjXggI7sBggIv5BggI5jC-_Ih3BigH&kind=ellipse&parts=gggBgggBC&cs=20&dir=constant&strokes=AvU05Mm8CsmT2esmT1e05Ml8C.___B05c05Mk8CsmT4esmT3e05Mj8C.___B05c05Mk8CsmT4esmT3e05Mj8C&reach=1&stone=skin&sr=0.8&palette=limestone&ground=dark", timing(32.0, 4.8)),
+        "v=1&outline=polygon&poly=rmDrmD4smCAA4smC3smCA&lines=-oR76Dz-Bw9In8Bs9K7D6nIsYm4HurBm4H-6B6nIiuCs9KqhCw9I.4-Y31nC0-Bw9Io8Bs9K8D6nIrYm4HzrBm4H36B6nIhuCs9KphCw9I&kind=ellipse&parts=gggBgggBC&cs=20&dir=constant&strokes=AvU05Mm8CsmT2esmT1e05Ml8C.___B05c05Mk8CsmT4esmT3e05Mj8C.___B05c05Mk8CsmT4esmT3e05Mj8C&reach=1&stone=skin&sr=0.8&palette=limestone&ground=dark", timing(32.0, 4.8)),
     paper!("skin17-c", "17 (c)",
         "A face: rings of plates around the eye, a line for the mouth.",
-        "v=1&outline=polygon&poly=4e4ewi-BAAwi-Bvi-BA.g5fjylBriBpmBtzBrZ58BhJ58BiJtzBsZriBqmBjMitBkMgtBsiBqmBuzBuZ68BgJ68B_IuzBtZsiBpmBiM_sB&lines=svkBm8ajN0lC1lB8-B_6B4xBjqC-fpyCiLpyChLlqC9f96B3xB1lB7-BjNzlCkN1lC2lB7-B-6B3xBmqC9fqyChLqyCiLkqC-fg7B4xB2lB8-BkN2lC.whKA3O05DrrBwzDhmC6nDl9Cu2CrvDshCj8DqoB7iE4N7iE3Nj8DpoBrvDrhCl9Ct2ChmC5nDtrBvzD1Oz5D2O15DurBvzDimC5nDm9Ct2CsvDphCk8DroB8iE1N8iE2Nk8DsoBsvDqhCm9Cu2CimC6nDsrBwzD4O25D.pugBilc-oGhuBkuI5jBkuImqB66I2nBqhKhuBk8Hp4B&kind=ellipse&parts=klcgggBC.A41HC&cs=19&dir=strokes&stone=skin&sv=1.6&sr=2&dr=0.1&palette=mossy&ground=dark", timing(16.0, 4.0)),
+        "v=1&outline=polygon&poly=rmDrmD4smCAA4smC3smCA.k-jBn3pBriBpmBtzBrZ58BhJ58BiJtzBsZriBqmBjMitBkMgtBsiBqmBuzBuZ68BgJ68B_IuzBtZsiBpmBiM_sB&lines=svkBm8ajN0lC1lB8-B_6B4xBjqC-fpyCiLpyChLlqC9f96B3xB1lB7-BjNzlCkN1lC2lB7-B-6B3xBmqC9fqyChLqyCiLkqC-fg7B4xB2lB8-BkN2lC.whKA3O05DrrBwzDhmC6nDl9Cu2CrvDshCj8DqoB7iE4N7iE3Nj8DpoBrvDrhCl9Ct2ChmC5nDtrBvzD1Oz5D2O15DurBvzDimC5nDm9Ct2CsvDphCk8DroB8iE1N8iE2Nk8DsoBsvDqhCm9Cu2CimC6nDsrBwzD4O25D.pugBilc-oGhuBkuI5jBqmIsrB0iJwmB4-Lp4By5JxiC&kind=ellipse&parts=klcgggBC.A41HC&cs=19&dir=strokes&start=quadtree&stone=skin&sv=1.6&sr=2&dr=0.1&palette=mossy&ground=dark", timing(16.0, 4.0)),
     paper!("skin17-d", "17 (d)",
         "A tail: rectangles only, five lines across.",
-        "v=1&outline=polygon&poly=058B4erP2wGzZywIziBm-HnvB6hIrhC6hI_tCm-HllDywIjzC2wGjudApqC1wGv5CxwI5jCl-Hh3B5hI9f5hIvdl-Hj3BxwIpvB1wG&lines=A41HggQm8CggQ2eggQ1eggQl8C.___BiuNggQm8CggQ4eggQ3eggQl8C.___B05MggQm8CggQ2eggQ1eggQl8C.___BklMggQm8CggQ2eggQ1eggQl8C.___B2nKggQk8CggQ4eggQ3eggQj8C&kind=rectangle&cs=20&gy=-0.3&dir=strokes&stone=skin&tc=0.1&dr=0&palette=basalt&ground=dark", timing(10.0, 3.9)),
+        "v=1&outline=polygon&poly=iu9BrmDxZozI7jBkzK5jBsmIhuB05H1-B05H1wCsmI15DkzKznDozIj8aA5-CnzI_tDjzKtmCrmIt0Bz5H3ez5H1ermIphCjzKx5BnzI&lines=A41HggQm8CggQ2eggQ1eggQl8C.___BiuNggQm8CggQ4eggQ3eggQl8C.___B05MggQm8CggQ2eggQ1eggQl8C.___BklMggQm8CggQ2eggQ1eggQl8C.___B2nKggQk8CggQ4eggQ3eggQj8C&kind=rectangle&cs=20&gy=-0.3&dir=strokes&stone=skin&tc=0.1&dr=0&palette=basalt&ground=dark", timing(10.0, 3.9)),
 ];
