@@ -79,11 +79,11 @@ pub(super) fn shape(
     }
 }
 
-/// Adds noise of the amplitude `Af` (in skin sizes) to the heights of refined vertices.
+/// Adds noise on the first `levels` levels, of the amplitude Af, to the heights of refined vertices.
 pub(super) fn roughen(
     vertices: &mut [Vec3],
     radii: &[f32],
-    stencil: &Stencil,
+    (stencil, levels): (&Stencil, u32),
     (skin_size, id): (f64, u32),
     params: &StoneParams,
 ) {
@@ -99,9 +99,14 @@ pub(super) fn roughen(
     let mut random = Random::new(params.seed, Purpose::Noise, u64::from(id));
     let mut noise = vec![0.0f32; stencil.sources()];
     noise.reserve(stencil.len());
-    for edges in stencil.levels() {
+    for (level, edges) in stencil.levels().enumerate() {
         amplitude *= fall;
-        let scale = (amplitude / f64::from(1u32 << 31)) as f32;
+        let seen = (level as u32) < levels;
+        let scale = if seen {
+            (amplitude / f64::from(1u32 << 31)) as f32
+        } else {
+            0.0
+        };
         for pair in edges.chunks(2) {
             let bits = random.bits();
             for (k, &[a, b]) in pair.iter().enumerate() {

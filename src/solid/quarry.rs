@@ -50,6 +50,8 @@ struct Pattern {
 pub struct Quarry {
     /// By corners, then level; stones first, then skin.
     patterns: Vec<Option<Rc<Pattern>>>,
+    /// Loop steps more than a picture needs.
+    finer: u32,
 }
 
 const SLOTS: usize = (MOST_CORNERS + 1) * (MOST_LEVELS as usize + 1);
@@ -57,8 +59,14 @@ const SLOTS: usize = (MOST_CORNERS + 1) * (MOST_LEVELS as usize + 1);
 impl Quarry {
     /// A quarry that has made no stone yet.
     pub fn new() -> Self {
+        Self::finer(0)
+    }
+
+    /// A quarry whose skin has so many Loop steps more than a picture needs.
+    pub fn finer(steps: u32) -> Self {
         Self {
             patterns: vec![None; 2 * SLOTS],
+            finer: steps,
         }
     }
 
@@ -66,22 +74,23 @@ impl Quarry {
         let slot = corners * (MOST_LEVELS as usize + 1) + levels as usize;
         let slot = slot + if skin { SLOTS } else { 0 };
         if self.patterns.len() <= slot {
-            *self = Self::new();
+            *self = Self::finer(self.finer);
         }
         let made = || {
-            let (points, triangles) = if skin {
-                (prism::point_count(corners), prism::triangles(corners))
-            } else {
-                (control::point_count(corners), control::triangles(corners))
-            };
-            let stencil = Stencil::new(points, &triangles, levels);
-            let radii = if skin {
+            Rc::new(if skin {
+                let triangles = prism::triangles(corners);
+                let points = prism::point_count(corners);
+                let stencil = Stencil::to_limit(points, &triangles, levels);
                 let refined = stencil.apply(&prism::radii(corners));
-                refined.iter().map(|r| r.x).collect()
+                let radii = refined.iter().map(|r| r.x).collect();
+                Pattern { stencil, radii }
             } else {
-                Vec::new()
-            };
-            Rc::new(Pattern { stencil, radii })
+                let triangles = control::triangles(corners);
+                let points = control::point_count(corners);
+                let stencil = Stencil::new(points, &triangles, levels);
+                let radii = Vec::new();
+                Pattern { stencil, radii }
+            })
         };
         self.patterns[slot].get_or_insert_with(made).clone()
     }
@@ -122,8 +131,9 @@ impl Quarry {
         let corners = plan.corners.len();
         let prism = Prism::over(plan, flow, params, id);
         let coarse = prism::triangle_count(corners);
-        let levels = levels(coarse, SKIN_TRIANGLES * prism.area());
-        let pattern = self.pattern(true, corners, levels);
+        let needed = levels(coarse, SKIN_TRIANGLES * prism.area());
+        let finer = (needed + self.finer).min(MOST_LEVELS);
+        let pattern = self.pattern(true, corners, finer);
         let (stencil, radii) = (&pattern.stencil, &pattern.radii);
         let control = prism.points();
         let mut vertices = stencil.apply(&control);
@@ -131,7 +141,7 @@ impl Quarry {
         let place = (&prism, plan.centre, flow);
         hide::shape(&mut vertices, radii, place, &params.skin);
         let size = prism.skin_size;
-        hide::roughen(&mut vertices, radii, stencil, (size, id), params);
+        hide::roughen(&mut vertices, radii, (stencil, needed), (size, id), params);
         Solid {
             vertices,
             triangles: stencil.triangles.clone(),

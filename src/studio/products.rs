@@ -31,9 +31,9 @@ pub(super) struct Products {
     fitting: Option<Fitting>,
     pub cells: Vec<Cell>,
     /// The cells in which the flow has one sense, while there is skin.
-    scales: Vec<Cell>,
+    pub scales: Vec<Cell>,
     graph: Option<Graph>,
-    quarry: Quarry,
+    pub quarry: Quarry,
     pub painter: Option<Painter>,
     /// Is the ground laid in the pass at work?
     pub bedded: bool,

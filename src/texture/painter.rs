@@ -64,6 +64,10 @@ const RELIEF: f64 = 0.3;
 /// Ground stays below the stones' tops by at least this part of the joint.
 const FILL: f64 = 0.9;
 
+/// Two stones whose heights differ by less, in pixels, share a sample's colour: otherwise a hair would
+/// decide.
+const EVEN: f32 = 0.3;
+
 /// Makes the data planes, one cell at a time.
 pub struct Painter {
     params: TextureParams,
@@ -223,12 +227,13 @@ impl Painter {
         let rough = skin.relief(&self.patterns, own_place[0], own_place[1]);
         let raise = self.relief * rough + skin.lift(own_place[0], own_place[1]);
         let soil = self.bed.height(x, y);
-        let (fresh, won, lost) = self.claim(i, heights, raise, soil);
-        if fresh.count + won.count == 0 {
+        let claim = self.claim(i, heights, raise, soil);
+        let count = claim.fresh + claim.won;
+        if claim.fresh == 0 && claim.share == 0.0 {
             return;
         }
         let dust = self.bed.colour(x, y);
-        let own = (fresh.sum + won.sum) / f32::from(fresh.count + won.count);
+        let own = claim.sum / claim.weight;
         let stand = (own - self.level) / self.depth;
         let colour = skin.colour(
             self.palette,
@@ -238,27 +243,20 @@ impl Painter {
             (stand, dust),
         );
         let each = 1.0 / PER_PIXEL as f32;
-        let (new, taken_over) = (f32::from(fresh.count), f32::from(won.count));
-        self.planes.bump[i] += (fresh.sum - soil * new) * each + (won.sum - lost) * each;
+        let new = f32::from(claim.fresh);
+        self.planes.bump[i] += (claim.risen - soil * new) * each + claim.gained * each;
         let old = self.planes.colour[i].map(f32::from);
         self.planes.colour[i] = bytes(std::array::from_fn(|k| {
-            let gain = (colour[k] - dust[k]) * new + (colour[k] - old[k]) * taken_over;
+            let gain = (colour[k] - dust[k]) * new + (colour[k] - old[k]) * claim.share;
             old[k] + gain * each
         }));
-        self.share[i] = self.share[i].saturating_sub(won.count);
-        self.name(i, fresh.count + won.count, id, skin.optics);
+        self.share[i] = self.share[i].saturating_sub(claim.won);
+        self.name(i, count, id, skin.optics);
     }
 
-    /// The samples that this stone gets at a pixel: from the ground, and from lower stones, with the
-    /// sum of the heights that those had there.
-    fn claim(
-        &mut self,
-        i: usize,
-        heights: [f32; PER_PIXEL],
-        raise: f32,
-        soil: f32,
-    ) -> (Part, Part, f32) {
-        let (mut fresh, mut won, mut lost) = (Part::default(), Part::default(), 0.0);
+    /// What this stone gets of the samples of a pixel.
+    fn claim(&mut self, i: usize, heights: [f32; PER_PIXEL], raise: f32, soil: f32) -> Claim {
+        let mut claim = Claim::default();
         let surface = &mut self.surface[i];
         for (k, &height) in heights.iter().enumerate() {
             let height = height + raise;
@@ -268,14 +266,24 @@ impl Painter {
             if self.taken[i] & (1 << k) == 0 {
                 self.taken[i] |= 1 << k;
                 surface[k] = height;
-                fresh.add(height);
-            } else if height > surface[k] {
-                lost += surface[k];
+                claim.fresh += 1;
+                claim.risen += height;
+                claim.add(height, 1.0);
+                continue;
+            }
+            let above = height - surface[k];
+            if above > -0.5 * EVEN {
+                let share = lesser(above * (1.0 / EVEN) + 0.5, 1.0);
+                claim.share += share;
+                claim.add(height, share);
+            }
+            if above > 0.0 {
                 surface[k] = height;
-                won.add(height);
+                claim.won += 1;
+                claim.gained += above;
             }
         }
-        (fresh, won, lost)
+        claim
     }
 
     /// A pixel belongs to whoever has most of its samples; to the stone that came first, of equals,
@@ -309,17 +317,26 @@ fn images(vertices: &[Vec3], side: i32) -> Vec<[i32; 2]> {
     images
 }
 
-/// Samples of a pixel: how many, and the sum of their heights.
+/// What a stone gets of the samples of a pixel.
 #[derive(Clone, Copy, Default)]
-struct Part {
-    count: u8,
+struct Claim {
+    /// Samples that were the ground's, and the sum of the heights there.
+    fresh: u8,
+    risen: f32,
+    /// Samples at which it is higher than stones before it, and by how much together.
+    won: u8,
+    gained: f32,
+    /// Its share in the colour of samples that other stones have, too.
+    share: f32,
+    /// The sum of its heights where it is seen, each as much as it is seen, and how much that is.
     sum: f32,
+    weight: f32,
 }
 
-impl Part {
-    fn add(&mut self, height: f32) {
-        self.count += 1;
-        self.sum += height;
+impl Claim {
+    fn add(&mut self, height: f32, share: f32) {
+        self.sum += height * share;
+        self.weight += share;
     }
 }
 
