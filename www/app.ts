@@ -60,7 +60,6 @@ export class App {
     this.bind();
     notice('link', ...this.engine.notices());
     this.recognise();
-    this.editing.follow();
     this.changed();
   }
 
@@ -130,6 +129,7 @@ export class App {
   }
 
   private choose(preset: Preset): void {
+    this.editing.end();
     this.open(preset.link, true);
     this.preset = { shown: preset, link: this.engine.link() };
     this.pause(false);

@@ -35,11 +35,12 @@ export class Presets {
       list.addEventListener('scroll', needs.moved, { passive: true });
       const heading = make('button', { type: 'button', 'aria-controls': id }, title);
       const group = { heading, list };
-      heading.addEventListener('click', () => this.unfold(list.hidden ? group : undefined));
+      heading.addEventListener('click', () => this.unfold(group));
       this.groups.push(group);
       rail.append(make('h2', {}, heading), list);
     }
-    this.unfold(this.groups[0]);
+    const [first] = this.groups;
+    if (first) this.unfold(first);
   }
 
   /** Marks the preset that is shown, and brings it to sight when it is another one than before. */
@@ -53,7 +54,7 @@ export class Presets {
     if (button) this.reveal(button);
   }
 
-  private unfold(group: Group | undefined): void {
+  private unfold(group: Group): void {
     for (const each of this.groups) {
       each.list.hidden = each !== group;
       each.heading.setAttribute('aria-expanded', String(each === group));

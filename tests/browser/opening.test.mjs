@@ -120,6 +120,33 @@ test('presets open with their figures and become pictures in the rail', async ()
   await close();
 });
 
+test('one group of presets is unfolded, with the preset that is shown in sight', async () => {
+  const { page, problems, close } = await site.newPage(SMALL);
+  await digest(page);
+  const presets = await page.evaluate(() => window.bubblestone.presets.map(({ name, group, link }) => ({ name, group, link })));
+  const groups = [...new Set(presets.map(({ group }) => group))];
+  assert.deepEqual(await page.$$eval('.rail h2 button', (all) => all.map((heading) => heading.textContent)), groups);
+  const open = () => page.$$eval('.rail h2 [aria-expanded=true]', (all) => all.map((heading) => heading.textContent));
+  assert.deepEqual(await open(), [groups[0]]);
+  for (const title of groups) {
+    await page.$$eval('.rail h2 button', (all, text) => all.find((heading) => heading.textContent === text).click(), title);
+    assert.deepEqual(await open(), [title]);
+    const shown = await page.$$eval('[data-preset]', (all) => all.filter((button) => button.offsetParent).map((button) => button.dataset.preset));
+    assert.deepEqual(shown, presets.filter(({ group }) => group === title).map(({ name }) => name));
+  }
+  const last = presets.filter(({ group }) => group === groups[0]).at(-1);
+  await page.evaluate((fragment) => (location.hash = fragment), last.link);
+  await page.waitForSelector(`[data-preset="${last.name}"][aria-current]`, { timeout: 20_000 });
+  assert.deepEqual(await open(), [groups[0]]);
+  const inSight = await page.$eval('.rail [aria-current]', (button) => {
+    const [box, frame] = [button.getBoundingClientRect(), button.closest('ul').getBoundingClientRect()];
+    return box.height > 0 && box.top >= frame.top - 1 && box.bottom <= frame.bottom + 1;
+  });
+  assert.ok(inSight, 'the preset that is shown is out of sight');
+  assert.deepEqual(problems, []);
+  await close();
+});
+
 test('who asks for less motion gets the finished picture only', async () => {
   const { page, close } = await site.newPage('', {
     before: (fresh) => fresh.emulateMediaFeatures([{ name: 'prefers-reduced-motion', value: 'reduce' }]),
