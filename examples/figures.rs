@@ -70,9 +70,9 @@ mod figures {
     fn print_row(preset: &Preset, studio: &mut Studio) {
         let report = studio.report();
         print!("{:<12}{:>7}{:>7}", preset.name, report.cells, report.steps);
-        for k in 0..2 {
+        for (k, &plain) in PARTS.iter().enumerate() {
             let part = preset.timing.map(|timing| timing.parts[k]);
-            let stages = part.map_or(PARTS[k], |part| part.stages);
+            let stages = part.map_or(plain, |part| part.stages);
             let is_of = |t: &&StageTime| stages.iter().any(|s| s.word() == t.stage);
             let ours: f64 = report.milliseconds.iter().filter(is_of).map(|t| t.ms).sum();
             let paper = part.map_or("-".into(), |part| part.seconds.to_string());

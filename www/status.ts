@@ -55,7 +55,7 @@ export class StatusLine {
   /** What is shown (of drawings, `note`), and where the papers print how long they took, their seconds beside ours. */
   name(note: string, preset: Preset | undefined, changed: boolean, stage: string, status: Status): void {
     if (note) return say(this.caption, note);
-    if (!preset) return say(this.caption, 'A pavement of your own.');
+    if (!preset) return say(this.caption, 'A recipe of your own.');
     const title = `${changed ? 'After ' : ''}${preset.figure || preset.title}${changed || !preset.note ? '.' : ':'}`;
     const parts = [make('strong', {}, title), ...(preset.note && !changed ? [` ${preset.note}`] : [])];
     if (preset.timing && !changed) {
@@ -63,7 +63,7 @@ export class StatusLine {
       const what = capital(timed.map(({ name }) => name).join(' and '));
       const theirs = timed.map((part) => `${part.seconds} s`).join(' and ');
       const ours = stage === 'done' ? `here ${timed.map((part) => ourSeconds(part.stages, status)).join(' and ')}.` : 'here …';
-      parts.push(make('span', { class: 'seconds', title: `${what}. The paper: ${machine}` }, `${what}: in the paper ${theirs}, ${ours}`));
+      parts.push(make('span', { class: 'seconds', title: `${what}. The paper: ${machine}` }, `${what}: paper ${theirs}, ${ours}`));
     }
     const text = parts.map((part) => (typeof part === 'string' ? part : part.textContent)).join('');
     if (this.caption.textContent !== text) this.caption.replaceChildren(...parts);

@@ -110,7 +110,7 @@ test('presets open with their figures and become pictures in the rail', async ()
     await frames(page, 2);
     const caption = await page.$eval('#caption', (text) => text.textContent);
     const [first, second] = timing.parts.map(({ seconds }) => seconds);
-    assert.ok(caption.includes(`in the paper ${first} s and ${second} s, here `), caption);
+    assert.ok(caption.includes(`paper ${first} s and ${second} s, here `), caption);
     assert.match(caption, /here [\d.]+ s and [\d.]+ s\.$/);
     assert.ok((await page.$eval('#caption .seconds', (text) => text.title)).includes(machine));
     assert.equal(await page.evaluate(() => window.bubblestone.link()), link);
