@@ -13,7 +13,7 @@ mod subdivide;
 
 pub use flow::oriented;
 pub use footprint::{Footprint, MOST_CORNERS};
-pub use prism::Prism;
+pub use prism::{Prism, lean};
 pub use quarry::{MOST_LEVELS, Quarry, Solid};
 pub use subdivide::{Stencil, TriangleMesh, beta, loop_subdivide};
 

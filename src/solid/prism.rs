@@ -12,7 +12,8 @@
 //! ```
 
 use super::footprint::Footprint;
-use super::{Spread, StoneParams};
+use super::{Spread, StoneKind, StoneParams};
+use crate::cells::Cell;
 use crate::order;
 use crate::random::{Purpose, Random};
 use glam::{DVec2, DVec3, Vec3};
@@ -98,6 +99,16 @@ impl Prism {
             })
             .sum()
     }
+}
+
+/// How far the top of a cell's skin leans from its base; nothing of stones.
+pub fn lean(cell: &Cell, params: &StoneParams) -> DVec2 {
+    if params.kind != StoneKind::Skin {
+        return DVec2::ZERO;
+    }
+    let reach: f64 = cell.ring.iter().map(|&p| (p - cell.centre).length()).sum();
+    let skin_size = reach / cell.ring.len().max(1) as f64;
+    turned(cell.axis, params.skin.skew_angle) * params.skin.skew * skin_size
 }
 
 /// Moves corners that point inwards out to the line between those beside them.

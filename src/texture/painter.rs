@@ -5,15 +5,18 @@
 //! surface wins, as in a depth buffer. A pixel has nine samples: its height and colour are blended by
 //! how many of them each stone and the ground have, which keeps rims smooth.
 
+use super::Planes;
+use super::coat::{Coat, ColourParams};
 use super::ground::Bed;
 use super::occlusion::Occlusion;
 use super::palette::{Palette, ground, palette};
 use super::scan::{Raster, SAMPLES};
 use super::skin::{Patterns, Skin};
-use super::{Optics, Planes, optics_table};
+use super::weather::{Weather, WeatherParams};
 use crate::cells::Cell;
+use crate::domain::Domain;
 use crate::order::{greater, lesser};
-use crate::solid::{Quarry, Solid, StoneKind, StoneParams, joint_depth, top};
+use crate::solid::{Quarry, Solid, StoneKind, StoneParams, joint_depth, lean, top};
 use glam::Vec3;
 
 /// What the planes are made by; the papers' symbols in brackets.
@@ -37,6 +40,10 @@ pub struct TextureParams {
     pub ground: &'static str,
     /// Variation of tone between stones: 0 none, 1 as the palette has it.
     pub vary: f64,
+    /// Colours by rule.
+    pub colour: ColourParams,
+    /// Wear, dirt, moss and wet.
+    pub weather: WeatherParams,
     /// The planes repeat without a seam: what reaches over an edge comes in at the other.
     pub tile: bool,
 }
@@ -53,6 +60,8 @@ impl Default for TextureParams {
             palette: "granite",
             ground: "sand",
             vary: 1.0,
+            colour: ColourParams::default(),
+            weather: WeatherParams::default(),
             tile: false,
         }
     }
@@ -75,6 +84,8 @@ pub struct Painter {
     planes: Planes,
     bed: Bed,
     patterns: Patterns,
+    coats: Vec<Coat>,
+    weather: Weather,
     occlusion: Occlusion,
     raster: Raster,
     /// Samples a stone has already taken at each pixel, and how many the stone named in `id` has.
@@ -102,13 +113,21 @@ impl Painter {
                 ..Planes::new(params.side)
             },
             bed: Bed::new(
-                ground(params.ground),
+                ground(params.ground, stone_palette),
                 level as f32,
                 depth as f32,
                 params.seed,
                 params.tile.then_some(params.side),
             ),
             patterns: Patterns::new(params.seed, params.size, params.dimension),
+            coats: Vec::new(),
+            weather: Weather::new(
+                params.weather,
+                params.side,
+                params.size,
+                level as f32,
+                depth as f32,
+            ),
             occlusion: Occlusion::new(params.size, params.tile),
             raster: Raster::default(),
             taken: vec![0; pixels],
@@ -145,6 +164,12 @@ impl Painter {
         end == side
     }
 
+    /// What cells wear by rule, by their index; to be told before they are painted. Those that are
+    /// not in the list are plain.
+    pub fn dress(&mut self, coats: &[Coat]) {
+        self.coats = coats.to_vec();
+    }
+
     /// Puts the stone of a cell into the planes, under the id `index` + 1.
     pub fn paint(&mut self, quarry: &mut Quarry, cell: &Cell, index: usize) {
         self.prepare(usize::MAX);
@@ -157,8 +182,12 @@ impl Painter {
             self.palette,
             cell,
             self.params.seed,
-            self.params.vary as f32,
-            uneven,
+            (self.params.vary as f32, uneven),
+            self.coats.get(index).copied().unwrap_or_default(),
+            (
+                self.params.colour.rim as f32,
+                lean(cell, &self.params.stone),
+            ),
         );
         self.place(&skin, &solid, [0, 0], index);
         if !self.params.tile {
@@ -192,6 +221,14 @@ impl Painter {
         self.raster = raster;
     }
 
+    /// Lets the weather do its work on the finished stones, about `rows` rows of it; true when done.
+    /// To be done before [`Painter::finish`], or not at all.
+    pub fn weather(&mut self, domain: &Domain, rows: usize) -> bool {
+        self.prepare(usize::MAX);
+        self.weather
+            .advance(&mut self.planes, &self.bed, domain, rows)
+    }
+
     /// Computes what follows from the finished bump plane (the openness), `rows` rows of it; true
     /// when done.
     pub fn finish(&mut self, rows: usize) -> bool {
@@ -202,11 +239,6 @@ impl Painter {
     /// The planes as they are by now.
     pub fn planes(&self) -> &Planes {
         &self.planes
-    }
-
-    /// The table that the optics plane indexes.
-    pub fn optics(&self) -> Vec<Optics> {
-        optics_table(self.params.palette, self.params.ground)
     }
 
     /// The planes, to keep.
