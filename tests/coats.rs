@@ -198,7 +198,8 @@ fn reactions_make_marks_of_the_scale() {
         };
         let found = coats(&domain, &cells, colour, 999);
         let middle = mean(found.iter().map(|c| c.mark));
-        let variance = mean(found.iter().map(|c| (c.mark - middle as f32).powi(2)));
+        let off = |c: &Coat| c.mark - middle as f32;
+        let variance = mean(found.iter().map(|c| off(c) * off(c)));
         assert!(variance > 0.12, "{count}: {variance}");
         // Two borders a wave along the rows; a labyrinth's stripes are met at all angles.
         let differs = |k: usize| {

@@ -179,7 +179,7 @@ pub(super) fn scatter(recipe: &Recipe, count: usize) -> Option<ScatterParams> {
     })
 }
 
-fn stone(recipe: &Recipe) -> StoneParams {
+pub(super) fn stone(recipe: &Recipe) -> StoneParams {
     StoneParams {
         kind: match recipe.choice(Key::Stone) {
             "flag" => StoneKind::Flagstone,

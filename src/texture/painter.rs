@@ -75,7 +75,7 @@ const FILL: f64 = 0.9;
 
 /// Two stones whose heights differ by less, in pixels, share a sample's colour: otherwise a hair would
 /// decide.
-const EVEN: f32 = 0.3;
+const EVEN: f32 = 0.5;
 
 /// Makes the data planes, one cell at a time.
 pub struct Painter {
@@ -96,6 +96,8 @@ pub struct Painter {
     level: f32,
     depth: f32,
     relief: f32,
+    /// Share of a stone in a sample for each pixel that it stands above the ground.
+    firm: f32,
     laid: usize,
 }
 
@@ -139,6 +141,10 @@ impl Painter {
             relief: match params.stone.kind {
                 StoneKind::Skin => 0.0,
                 _ => (params.amplitude * RELIEF) as f32 * stone_palette.relief,
+            },
+            firm: match params.stone.kind {
+                StoneKind::Skin => 1.0 / EVEN,
+                _ => f32::INFINITY,
             },
             laid: 0,
             params,
@@ -279,7 +285,7 @@ impl Painter {
         self.planes.bump[i] += (claim.risen - soil * new) * each + claim.gained * each;
         let old = self.planes.colour[i].map(f32::from);
         self.planes.colour[i] = bytes(std::array::from_fn(|k| {
-            let gain = (colour[k] - dust[k]) * new + (colour[k] - old[k]) * claim.share;
+            let gain = (colour[k] - dust[k]) * claim.bare + (colour[k] - old[k]) * claim.share;
             old[k] + gain * each
         }));
         self.share[i] = self.share[i].saturating_sub(claim.won);
@@ -300,7 +306,9 @@ impl Painter {
                 surface[k] = height;
                 claim.fresh += 1;
                 claim.risen += height;
-                claim.add(height, 1.0);
+                let share = lesser((height - soil) * self.firm, 1.0);
+                claim.bare += share;
+                claim.add(height, share);
                 continue;
             }
             let above = height - surface[k];
@@ -352,9 +360,10 @@ fn images(vertices: &[Vec3], side: i32) -> Vec<[i32; 2]> {
 /// What a stone gets of the samples of a pixel.
 #[derive(Clone, Copy, Default)]
 struct Claim {
-    /// Samples that were the ground's, and the sum of the heights there.
+    /// Samples that were the ground's, the sum of the heights there, and its share in their colour.
     fresh: u8,
     risen: f32,
+    bare: f32,
     /// Samples at which it is higher than stones before it, and by how much together.
     won: u8,
     gained: f32,

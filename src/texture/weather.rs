@@ -103,8 +103,9 @@ impl Weather {
             for (mean, row) in self.means.iter_mut().zip(&mut means) {
                 mean.row(y, planes.tile, row);
             }
-            for x in 0..side {
-                self.pixel(planes, bed, [x, y], [means[0][x], means[1][x]]);
+            let [near, wide] = &means;
+            for (x, (&near, &wide)) in near.iter().zip(wide).enumerate() {
+                self.pixel(planes, bed, [x, y], [near, wide]);
             }
         }
         self.row = end;
