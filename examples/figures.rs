@@ -18,7 +18,8 @@ fn main() -> std::process::ExitCode {
 #[cfg(not(target_arch = "wasm32"))]
 mod figures {
     use super::native;
-    use bubblestone::recipe::{PRESETS, Preset, Recipe};
+    use bubblestone::export::StageTime;
+    use bubblestone::recipe::{PRESETS, Preset, Recipe, Stage};
     use bubblestone::studio::Studio;
     use std::path::Path;
 
@@ -26,6 +27,8 @@ mod figures {
     const SMALL: usize = 256;
     const GAP: usize = 8;
     const COLUMNS: usize = 4;
+    /// How the work is divided where no paper does.
+    const PARTS: [&[Stage]; 2] = [Stage::ALL.split_at(3).0, Stage::ALL.split_at(3).1];
     const PAPER: [u8; 3] = [38, 34, 30];
 
     pub fn run() -> Result<(), String> {
@@ -41,7 +44,7 @@ mod figures {
         let out = Path::new(out);
         println!(
             "{:<12}{:>7}{:>7}{:>16}{:>9}{:>16}{:>9}  figure",
-            "preset", "cells", "steps", "packing: paper", "ours s", "texture: paper", "ours s"
+            "preset", "cells", "steps", "cells: paper", "ours s", "texture: paper", "ours s"
         );
         let mut sheet = Sheet::new(PRESETS.len());
         for (k, preset) in PRESETS.iter().enumerate() {
@@ -63,24 +66,19 @@ mod figures {
         Ok(studio.picture().unwrap_or_default().to_vec())
     }
 
-    /// Outline, fields and packing are the papers' packing, all the rest is texture; as on the page.
+    /// The work is divided as the paper divides it, as on the page.
     fn print_row(preset: &Preset, studio: &mut Studio) {
         let report = studio.report();
-        let ms: Vec<f64> = report.milliseconds.iter().map(|t| t.ms).collect();
-        let (packing, texture) = ms.split_at(3);
-        let seconds = |ms: &[f64]| ms.iter().sum::<f64>() / 1e3;
-        let paper = |s: Option<f64>| s.map_or("-".into(), |s| s.to_string());
-        println!(
-            "{:<12}{:>7}{:>7}{:>16}{:>9.3}{:>16}{:>9.3}  {}",
-            preset.name,
-            report.cells,
-            report.steps,
-            paper(preset.packing_seconds),
-            seconds(packing),
-            paper(preset.texture_seconds),
-            seconds(texture),
-            preset.figure
-        );
+        print!("{:<12}{:>7}{:>7}", preset.name, report.cells, report.steps);
+        for (k, &plain) in PARTS.iter().enumerate() {
+            let part = preset.timing.map(|timing| timing.parts[k]);
+            let stages = part.map_or(plain, |part| part.stages);
+            let is_of = |t: &&StageTime| stages.iter().any(|s| s.word() == t.stage);
+            let ours: f64 = report.milliseconds.iter().filter(is_of).map(|t| t.ms).sum();
+            let paper = part.map_or("-".into(), |part| part.seconds.to_string());
+            print!("{paper:>16}{:>9.3}", ours / 1e3);
+        }
+        println!("  {}", preset.figure);
     }
 
     /// All pictures side by side.

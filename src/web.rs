@@ -4,7 +4,7 @@
 //! sentences come back instead.
 
 use crate::domain::Outline;
-use crate::recipe::{Key, Kind, PRESETS, Parameter, Preset, Recipe, SCHEMA};
+use crate::recipe::{Key, Kind, PRESETS, Parameter, Part, Preset, Recipe, SCHEMA, Timing};
 use crate::studio::{Studio, View};
 use glam::DVec2;
 #[cfg(feature = "bench")]
@@ -298,7 +298,7 @@ pub fn presets() -> Array {
 }
 
 fn preset_object(p: &Preset) -> Object {
-    let seconds = |s: Option<f64>| s.map_or(JsValue::NULL, JsValue::from);
+    let timing = p.timing.as_ref().map(timing_object);
     object(&[
         ("name", p.name.into()),
         ("title", p.title.into()),
@@ -306,9 +306,25 @@ fn preset_object(p: &Preset) -> Object {
         ("figure", p.figure.into()),
         ("note", p.note.into()),
         ("link", p.link.into()),
-        ("packingSeconds", seconds(p.packing_seconds)),
-        ("textureSeconds", seconds(p.texture_seconds)),
+        ("timing", timing.map_or(JsValue::NULL, JsValue::from)),
     ])
+}
+
+fn timing_object(timing: &Timing) -> Object {
+    let part = |part: &Part| {
+        let stages: Array = part
+            .stages
+            .iter()
+            .map(|s| JsValue::from(s.word()))
+            .collect();
+        object(&[
+            ("name", part.name.into()),
+            ("stages", stages.into()),
+            ("seconds", part.seconds.into()),
+        ])
+    };
+    let parts: Array = timing.parts.iter().map(part).collect();
+    object(&[("machine", timing.machine.into()), ("parts", parts.into())])
 }
 
 /// A seed for the dice: any whole number below 2^32.

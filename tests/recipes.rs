@@ -57,13 +57,15 @@ fn presets_are_canonical() {
     let mut names: Vec<&str> = PRESETS.iter().map(|p| p.name).collect();
     names.sort_unstable();
     assert!(names.windows(2).all(|w| w[0] != w[1]));
-    assert_eq!(PRESETS.iter().filter(|p| !p.figure.is_empty()).count(), 14);
+    assert_eq!(PRESETS.iter().filter(|p| !p.figure.is_empty()).count(), 27);
     for preset in PRESETS {
         let (recipe, notices) = Recipe::from_link(preset.link);
         valid(&recipe);
         assert_eq!((recipe.link().as_str(), notices), (preset.link, vec![]));
-        assert_eq!(preset.packing_seconds.is_some(), !preset.figure.is_empty());
+        assert!(preset.timing.is_none() || !preset.figure.is_empty());
     }
+    let timed = PRESETS.iter().filter(|p| p.timing.is_some()).count();
+    assert_eq!(timed, 14 + 6);
 }
 
 /// Table 1 of the papers, in the order Cs, Vs, Hs, Sv, Dr, Fd, Af.
@@ -105,6 +107,83 @@ fn presets_of_the_papers_have_the_parameters_of_table_1() {
             "{name}"
         );
         assert_eq!(recipe.number(Key::Size), 512.0, "{name}");
+    }
+}
+
+/// Table 1 of the paper on skins, in the order Ca, Sv, Sr, Sc, Tc, Dr, Fd, Af, and the seconds of its
+/// Table 2.
+#[test]
+fn presets_of_the_skins_have_the_parameters_of_table_1() {
+    let table = [
+        (
+            "14-a",
+            [1.5, 1.4, 1.0, 0.0, 0.2, 0.0, 1.1, 0.1],
+            Some([31.0, 5.3]),
+        ),
+        (
+            "14-b",
+            [2.0, 1.4, 1.0, 0.0, 0.2, 0.0, 1.1, 0.1],
+            Some([34.0, 4.2]),
+        ),
+        (
+            "14-c",
+            [3.0, 1.4, 1.0, 0.0, 0.2, 0.0, 1.1, 0.1],
+            Some([32.0, 3.8]),
+        ),
+        ("15-a", [2.0, 1.4, 2.0, 0.0, 0.8, 0.05, 1.1, 0.2], None),
+        ("15-b", [2.0, 1.4, 2.0, 2.0, 0.8, 0.05, 1.1, 0.2], None),
+        ("15-c", [2.0, 1.4, 2.0, 3.0, 0.8, 0.05, 1.1, 0.2], None),
+        ("16-a", [2.0, 1.3, 1.0, 0.0, 0.0, 0.05, 1.1, 0.1], None),
+        ("16-b", [2.0, 1.3, 1.0, 0.0, 0.2, 0.05, 1.1, 0.1], None),
+        ("16-c", [2.0, 1.3, 1.0, 0.0, 0.5, 0.05, 1.1, 0.1], None),
+        ("17-a", [2.0, 3.0, 1.0, 2.0, 0.7, 0.05, 1.1, 0.1], None),
+        (
+            "17-b",
+            [2.0, 1.4, 0.8, 0.0, 0.2, 0.05, 1.1, 0.1],
+            Some([32.0, 4.8]),
+        ),
+        (
+            "17-c",
+            [2.0, 1.6, 2.0, 0.0, 0.2, 0.1, 1.1, 0.1],
+            Some([16.0, 4.0]),
+        ),
+        (
+            "17-d",
+            [2.0, 1.4, 1.0, 0.0, 0.1, 0.0, 1.1, 0.1],
+            Some([10.0, 3.9]),
+        ),
+    ];
+    let keys = [
+        Key::Ca,
+        Key::Sv,
+        Key::Sr,
+        Key::Sc,
+        Key::Tc,
+        Key::Dr,
+        Key::Fd,
+        Key::Af,
+    ];
+    for (row, numbers, seconds) in table {
+        let name = format!("skin{row}");
+        let preset = PRESETS.iter().find(|p| p.name == name).expect(row);
+        let recipe = preset.recipe();
+        assert_eq!(keys.map(|key| recipe.number(key)), numbers, "{name}");
+        assert!(recipe.is_skin(), "{name}");
+        assert_eq!(recipe.number(Key::Size), 512.0, "{name}");
+        let timed = preset
+            .timing
+            .map(|timing| timing.parts.map(|part| part.seconds));
+        assert_eq!(timed, seconds, "{name}");
+        let kind = recipe.choice(Key::Kind);
+        assert!(
+            ["ellipse", "rectangle"].contains(&kind),
+            "{name}: Ca has no effect on {kind}"
+        );
+        // Restriction lines in all of figure 17, both arrangements in one texture in (a) to (c).
+        let seventeenth = row.starts_with("17");
+        assert_eq!(!recipe.lines().is_empty(), seventeenth, "{name}");
+        let mixed = recipe.part_kinds().iter().any(|&(_, other)| other != kind);
+        assert_eq!(mixed, seventeenth && row != "17-d", "{name}");
     }
 }
 

@@ -44,19 +44,22 @@ export class App {
     this.editing = new Editing(this.engine, () => this.changed());
     this.controls = new Controls(this.engine.schema, {
       get: (key) => this.engine.get(key),
+      defaultOf: (parameter) => this.engine.defaultOf(parameter),
       change: (key, text) => this.change(key, text),
       edit: (key) => this.editing.toggle(key),
       kinds: () => this.editing.sorts.kinds(),
     });
     const outline = new OutlineTools(this.engine, this.controls, this.editing);
     this.editing.shown = () => outline.show();
-    this.presets = new Presets(this.engine.presets, (preset) => this.choose(preset));
+    this.presets = new Presets(this.engine.presets, {
+      chosen: (preset) => this.choose(preset),
+      moved: () => (this.thumbs as Thumbs | undefined)?.wake(),
+    });
     this.thumbs = new Thumbs(this.presets.thumbs, () => this.stage === 'done' || this.loop.paused);
     this.transport = this.makeTransport();
     this.bind();
     notice('link', ...this.engine.notices());
     this.recognise();
-    this.editing.follow();
     this.changed();
   }
 
@@ -126,6 +129,7 @@ export class App {
   }
 
   private choose(preset: Preset): void {
+    this.editing.end();
     this.open(preset.link, true);
     this.preset = { shown: preset, link: this.engine.link() };
     this.pause(false);

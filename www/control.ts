@@ -13,8 +13,8 @@ const PLACES = 1000;
 export interface Control {
   readonly parameter: Parameter;
   readonly element: HTMLElement;
-  /** Shows the value that the engine holds. */
-  show(value: string): void;
+  /** Shows the value that the engine holds, and what the default is now. */
+  show(value: string, standard: string): void;
 }
 
 /** `change` gets the new text; `last` is false while a slider is still on its way. */
@@ -22,7 +22,7 @@ export type Change = (key: string, text: string, last: boolean) => void;
 
 interface Parts {
   inputs: HTMLElement[];
-  show: (value: string) => void;
+  show: (value: string, standard: string) => void;
 }
 
 /** `edit` opens what is edited over the canvas. */
@@ -33,13 +33,13 @@ export function makeControl(parameter: Parameter, change: Change, edit: (key: st
   const name = make(numeric || inputs[0]?.tagName === 'SELECT' ? 'label' : 'span', { class: 'name', id: `${id}-name` }, parameter.name);
   if (name instanceof HTMLLabelElement) name.htmlFor = id;
   if (parameter.symbol) name.append(' ', symbol(parameter.symbol));
-  const reset = make('button', { type: 'button', class: 'reset', title: `Back to ${shown(parameter, parameter.default)}` });
-  reset.setAttribute('aria-label', `Reset ${parameter.name} to ${shown(parameter, parameter.default)}`);
+  const reset = make('button', { type: 'button', class: 'reset' });
   const help = make('span', { class: 'said', id: `${id}-help` }, parameter.help);
   const element = make('div', { class: `control ${parameter.kind}`, 'data-key': parameter.key, title: parameter.help });
   element.append(name, reset, ...inputs, help);
 
-  const back = (): void => change(parameter.key, parameter.default, true);
+  let known: string | undefined;
+  const back = (): void => change(parameter.key, known ?? parameter.default, true);
   reset.addEventListener('click', () => {
     back();
     element.querySelector<HTMLElement>('input, select, .wide')?.focus();
@@ -53,17 +53,21 @@ export function makeControl(parameter: Parameter, change: Change, edit: (key: st
   return {
     parameter,
     element,
-    show: (value) => {
-      element.toggleAttribute('data-changed', differs(parameter, value));
-      show(value);
+    show: (value, standard) => {
+      element.toggleAttribute('data-changed', differs(parameter, value, standard));
+      if (standard !== known) {
+        known = standard;
+        reset.title = `Back to ${shown(parameter, standard)}`;
+        reset.setAttribute('aria-label', `Reset ${parameter.name} to ${shown(parameter, standard)}`);
+      }
+      show(value, standard);
     },
   };
 }
 
 /** Whether a value is not the default, however the number is written. */
-export function differs(parameter: Parameter, value: string): boolean {
-  const numeric = parameter.kind === 'number' || parameter.kind === 'int';
-  return numeric ? Number(value) !== Number(parameter.default) : value !== parameter.default;
+export function differs({ kind }: Parameter, value: string, standard: string): boolean {
+  return kind === 'number' || kind === 'int' ? Number(value) !== Number(standard) : value !== standard;
 }
 
 function waysOf(parameter: Parameter, id: string, change: Change, edit: (key: string) => void): Parts {
@@ -103,7 +107,6 @@ function numberAndSlider(parameter: Parameter, id: string, change: Change): Part
   });
   const origin = String(toPlace(parameter, Math.max(min, 0)));
   slider.style.setProperty('--origin', isLogarithmic(parameter) ? '0' : origin);
-  slider.style.setProperty('--default', String(toPlace(parameter, Number(parameter.default))));
   const value = make('span', { class: 'value' }, box, make('span', { class: 'unit', id: `${id}-unit` }, unit));
   const now = (): number => fromPlace(parameter, Number(slider.value) / PLACES);
 
@@ -118,7 +121,8 @@ function numberAndSlider(parameter: Parameter, id: string, change: Change): Part
   });
   return {
     inputs: [value, slider],
-    show: (text) => {
+    show: (text, standard) => {
+      slider.style.setProperty('--default', String(toPlace(parameter, Number(standard))));
       const place = toPlace(parameter, Number(text));
       // The number on its way is left alone; the slider under the finger as well, where it says the same.
       if (box.value !== text) box.value = text;

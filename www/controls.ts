@@ -7,7 +7,7 @@ import type { Parameter } from './types';
 const ELSEWHERE = new Set(['seed', 'poly']);
 
 /** Groups that stand open at first where there is room; on a phone only the first of them does. */
-const OPEN_AT_FIRST = ['Outline', 'Cells', 'Size', 'Direction', 'Stones'];
+const OPEN_AT_FIRST = ['Outline', 'Cells', 'Size', 'Direction', 'Relief'];
 
 interface Group {
   readonly details: HTMLDetailsElement;
@@ -17,6 +17,8 @@ interface Group {
 
 export interface ControlNeeds {
   get: (key: string) => string;
+  /** The default in the recipe at hand. */
+  defaultOf: (parameter: Parameter) => string;
   change: Change;
   /** Opens a list over the canvas. */
   edit: (key: string) => void;
@@ -27,13 +29,11 @@ export interface ControlNeeds {
 export class Controls {
   private readonly groups = new Map<string, Group>();
   private readonly schema: Parameter[];
-  private readonly get: (key: string) => string;
-  private readonly kinds: () => string[];
+  private readonly needs: ControlNeeds;
 
   constructor(schema: Parameter[], needs: ControlNeeds) {
     this.schema = schema;
-    this.get = needs.get;
-    this.kinds = needs.kinds;
+    this.needs = needs;
     const form = byIdAs('controls', HTMLFormElement);
     form.replaceChildren();
     form.addEventListener('submit', (event) => event.preventDefault());
@@ -57,10 +57,11 @@ export class Controls {
       let changed = 0;
       for (const control of controls) {
         const { parameter, element } = control;
-        const value = this.get(parameter.key);
-        control.show(value);
+        const value = this.needs.get(parameter.key);
+        const standard = this.needs.defaultOf(parameter);
+        control.show(value, standard);
         element.hidden = !this.applies(parameter);
-        if (!element.hidden && differs(parameter, value)) changed += 1;
+        if (!element.hidden && differs(parameter, value, standard)) changed += 1;
       }
       say(badge, changed ? `${changed} changed` : '');
       details.hidden = controls.every(({ element }) => element.hidden);
@@ -70,10 +71,12 @@ export class Controls {
   /** Whether a parameter does anything, as the schema's rule and that of the parameter it names say. */
   private applies({ shownFor: rule }: Parameter): boolean {
     if (!rule) return true;
-    const values = rule.key === 'kind' ? this.kinds() : [this.get(rule.key)];
+    const values = rule.key === 'kind' ? this.needs.kinds() : [this.needs.get(rule.key)];
     const other = this.schema.find(({ key }) => key === rule.key);
-    const fits = values.some((value) => (rule.words.length ? rule.words.includes(value) : other !== undefined && differs(other, value)));
-    return fits && (other === undefined || this.applies(other));
+    if (!other) return false;
+    const standard = this.needs.defaultOf(other);
+    const fits = values.some((value) => (rule.words.length ? rule.words.includes(value) : differs(other, value, standard)));
+    return fits && this.applies(other);
   }
 
   private group(name: string, form: HTMLFormElement): Group {

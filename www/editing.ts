@@ -53,12 +53,16 @@ export class Editing {
     this.shown();
   }
 
-  /** Another recipe came by other ways: handles on what it has of the same sort, and on any free outline. */
+  /** Another recipe came by other ways: what is edited goes on with what it has of the same sort. */
   follow(): void {
-    const free = this.engine.get('outline') === 'polygon';
-    const word = this.word ?? 'outline';
-    if (word === 'outline' ? free : this.engine.get(word) !== '') this.begin(word);
+    const word = this.word;
+    if (word === undefined) return;
+    if (word === 'outline' ? this.engine.get('outline') === 'polygon' : this.engine.get(word) !== '') this.begin(word);
     else this.editor.close();
+  }
+
+  end(): void {
+    this.editor.close();
   }
 
   /** Gives an outline to the engine; false where it was refused. */

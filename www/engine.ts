@@ -88,6 +88,12 @@ export class Engine {
     return this.ask((core) => core.get(key), '');
   }
 
+  /** A parameter's default in the recipe at hand: that of some numbers depends on the kind of stone. */
+  defaultOf({ key, kind, default: plain }: Parameter): string {
+    if (kind !== 'number' && kind !== 'int') return plain;
+    return this.ask((core) => String(core.defaultOf(key)), plain);
+  }
+
   /** Works for about `budget` milliseconds; true when what is shown may have changed. */
   tick(budget: number, steps: number): boolean {
     return this.ask((core) => core.tick(budget, steps), false);

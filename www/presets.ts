@@ -5,31 +5,74 @@ import type { Preset } from './types';
 /** Sides of the small pictures, in their own pixels. */
 export const THUMB = 144;
 
+interface Group {
+  readonly heading: HTMLButtonElement;
+  readonly list: HTMLUListElement;
+}
+
+export interface PresetNeeds {
+  chosen: (preset: Preset) => void;
+  /** Other small pictures have come to sight. */
+  moved: () => void;
+}
+
+/** One group of presets is unfolded at a time. */
 export class Presets {
+  private readonly groups: Group[] = [];
   private readonly buttons = new Map<string, HTMLButtonElement>();
+  private marked: string | undefined;
   readonly thumbs: { preset: Preset; canvas: HTMLCanvasElement }[] = [];
 
-  constructor(presets: Preset[], chosen: (preset: Preset) => void) {
+  constructor(presets: Preset[], private readonly needs: PresetNeeds) {
     const rail = byId('rail');
     rail.replaceChildren();
     for (const title of new Set(presets.map(({ group }) => group))) {
-      const list = make('ul');
+      const id = `presets-${this.groups.length}`;
+      const list = make('ul', { id, 'aria-label': title });
       for (const preset of presets) {
-        if (preset.group === title) list.append(make('li', {}, this.button(preset, chosen)));
+        if (preset.group === title) list.append(make('li', {}, this.button(preset)));
       }
-      rail.append(make('h2', {}, title), list);
+      list.addEventListener('scroll', needs.moved, { passive: true });
+      const heading = make('button', { type: 'button', 'aria-controls': id }, title);
+      const group = { heading, list };
+      heading.addEventListener('click', () => this.unfold(group));
+      this.groups.push(group);
+      rail.append(make('h2', {}, heading), list);
     }
+    const [first] = this.groups;
+    if (first) this.unfold(first);
   }
 
-  /** Marks the preset that is shown. */
+  /** Marks the preset that is shown, and brings it to sight when it is another one than before. */
   mark(name: string | undefined): void {
     for (const [key, button] of this.buttons) {
       if (key === name) button.setAttribute('aria-current', 'true');
       else button.removeAttribute('aria-current');
     }
+    const button = name !== undefined && name !== this.marked && this.buttons.get(name);
+    this.marked = name;
+    if (button) this.reveal(button);
   }
 
-  private button(preset: Preset, chosen: (preset: Preset) => void): HTMLButtonElement {
+  private unfold(group: Group): void {
+    for (const each of this.groups) {
+      each.list.hidden = each !== group;
+      each.heading.setAttribute('aria-expanded', String(each === group));
+    }
+    this.needs.moved();
+  }
+
+  /** Only the list is scrolled, never the page. */
+  private reveal(button: HTMLButtonElement): void {
+    const group = this.groups.find(({ list }) => list.contains(button));
+    if (!group) return;
+    if (group.list.hidden) this.unfold(group);
+    const [box, frame] = [button.getBoundingClientRect(), group.list.getBoundingClientRect()];
+    if (box.top < frame.top || box.bottom > frame.bottom) group.list.scrollTop += box.top - frame.top - (frame.height - box.height) / 2;
+    if (box.left < frame.left || box.right > frame.right) group.list.scrollLeft += box.left - frame.left - (frame.width - box.width) / 2;
+  }
+
+  private button(preset: Preset): HTMLButtonElement {
     const canvas = make('canvas', { width: String(THUMB), height: String(THUMB), 'aria-hidden': 'true' });
     const button = make(
       'button',
@@ -38,7 +81,7 @@ export class Presets {
       make('span', {}, preset.figure ? short(preset.figure) : preset.title),
     );
     if (preset.figure) button.setAttribute('aria-label', preset.figure);
-    button.addEventListener('click', () => chosen(preset));
+    button.addEventListener('click', () => this.needs.chosen(preset));
     this.buttons.set(preset.name, button);
     this.thumbs.push({ preset, canvas });
     return button;

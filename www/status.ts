@@ -55,19 +55,15 @@ export class StatusLine {
   /** What is shown (of drawings, `note`), and where the papers print how long they took, their seconds beside ours. */
   name(note: string, preset: Preset | undefined, changed: boolean, stage: string, status: Status): void {
     if (note) return say(this.caption, note);
-    if (!preset) return say(this.caption, 'A pavement of your own.');
+    if (!preset) return say(this.caption, 'A recipe of your own.');
     const title = `${changed ? 'After ' : ''}${preset.figure || preset.title}${changed || !preset.note ? '.' : ':'}`;
     const parts = [make('strong', {}, title), ...(preset.note && !changed ? [` ${preset.note}`] : [])];
-    if (preset.packingSeconds !== null && preset.textureSeconds !== null && !changed) {
-      const { packing, texture } = ourSeconds(status);
-      const ours = stage === 'done' ? `here ${packing} s and ${texture} s.` : 'here …';
-      parts.push(
-        make(
-          'span',
-          { class: 'seconds', title: 'Packing and texture. The paper: Pentium II, 300 MHz' },
-          `Packing and texture: in the paper ${preset.packingSeconds} s and ${preset.textureSeconds} s, ${ours}`,
-        ),
-      );
+    if (preset.timing && !changed) {
+      const { machine, parts: timed } = preset.timing;
+      const what = capital(timed.map(({ name }) => name).join(' and '));
+      const theirs = timed.map((part) => `${part.seconds} s`).join(' and ');
+      const ours = stage === 'done' ? `here ${timed.map((part) => ourSeconds(part.stages, status)).join(' and ')}.` : 'here …';
+      parts.push(make('span', { class: 'seconds', title: `${what}. The paper: ${machine}` }, `${what}: paper ${theirs}, ${ours}`));
     }
     const text = parts.map((part) => (typeof part === 'string' ? part : part.textContent)).join('');
     if (this.caption.textContent !== text) this.caption.replaceChildren(...parts);
@@ -83,16 +79,12 @@ function milliseconds(spent: number): string {
   return spent < 9.95 ? spent.toFixed(1) : spent.toFixed(0);
 }
 
-/** Two digits that count, of which the papers print one or two as well. */
-function seconds(milliseconds: number): string {
-  return milliseconds < 1 ? 'below 0.001' : String(Number((milliseconds / 1000).toPrecision(2)));
+function capital(words: string): string {
+  return words.charAt(0).toUpperCase() + words.slice(1);
 }
 
-/** Seconds of packing and of making the texture, divided as the papers do. */
-function ourSeconds(status: Status): { packing: string; texture: string } {
-  const sum = (...words: string[]): string => seconds(words.reduce((total, word) => total + (status.ms[word] ?? 0), 0));
-  return {
-    packing: sum('domain', 'fields', 'packing'),
-    texture: sum('mesh', 'cells', 'solids', 'planes', 'shading'),
-  };
+/** The time of some stages with two digits that count, of which the papers print one or two as well. */
+function ourSeconds(stages: string[], status: Status): string {
+  const spent = stages.reduce((total, word) => total + (status.ms[word] ?? 0), 0);
+  return `${spent < 1 ? 'below 0.001' : Number((spent / 1000).toPrecision(2))} s`;
 }

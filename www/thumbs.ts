@@ -4,10 +4,14 @@
  */
 import { make } from './dom';
 import { Engine } from './engine';
+import { isEnd } from './loop';
 import type { Preset } from './types';
 
 /** Lengths of the recipe that shrink with the picture. */
 const LENGTHS = ['cs', 'hs', 'af'];
+
+/** Lengths that skin measures in parts of a cell. */
+const OF_CELLS = ['af'];
 
 /** Side at which the small pictures are made, in pixels. */
 const SIDE = 160;
@@ -15,51 +19,71 @@ const SIDE = 160;
 /** Milliseconds of work in one idle slice. */
 const SLICE = 6;
 
+interface Thumb {
+  readonly preset: Preset;
+  readonly canvas: HTMLCanvasElement;
+}
+
 export class Thumbs {
-  private readonly queue: { preset: Preset; canvas: HTMLCanvasElement }[];
+  private readonly queue: Set<Thumb>;
   private readonly resting: () => boolean;
-  private engine: Engine | undefined;
+  private work: { thumb: Thumb; engine: Engine } | undefined;
   private waiting = false;
 
   /** `resting` tells whether the main engine has nothing to do. */
-  constructor(queue: { preset: Preset; canvas: HTMLCanvasElement }[], resting: () => boolean) {
-    this.queue = [...queue];
+  constructor(thumbs: Thumb[], resting: () => boolean) {
+    this.queue = new Set(thumbs);
     this.resting = resting;
   }
 
   /** Goes on with the next one when the browser has time. */
   wake(): void {
-    if (this.waiting || !this.queue.length) return;
+    if (this.waiting || !(this.work ?? this.next())) return;
     this.waiting = true;
     whenIdle(() => {
       this.waiting = false;
       if (document.hidden || !this.resting()) return;
-      this.work();
+      this.go();
       this.wake();
     });
   }
 
-  private work(): void {
-    const next = this.queue[0];
-    if (!next) return;
-    this.engine ??= this.begin(next.preset);
-    this.engine.tick(SLICE, 100_000);
-    if (!this.engine.alive) return;
-    if (this.engine.stage() !== 'done') return;
-    paint(this.engine, next.canvas);
-    this.queue.shift();
-    this.engine.free();
-    this.engine = undefined;
+  /** The first one in sight, or else the first of the group that is unfolded: none is made for nobody. */
+  private next(): Thumb | undefined {
+    const shown = [...this.queue].filter(({ canvas }) => canvas.offsetParent);
+    return shown.find(({ canvas }) => inSight(canvas)) ?? shown[0];
+  }
+
+  private go(): void {
+    const thumb = this.work?.thumb ?? this.next();
+    if (!thumb) return;
+    const { engine } = (this.work ??= { thumb, engine: this.begin(thumb.preset) });
+    engine.tick(SLICE, 100_000);
+    const stage = engine.stage();
+    if (!isEnd(stage)) return;
+    if (stage === 'done') paint(engine, thumb.canvas);
+    this.queue.delete(thumb);
+    engine.free();
+    this.work = undefined;
   }
 
   /** A preset whose small picture fails only stays without one: its own run will say why. */
   private begin(preset: Preset): Engine {
-    const engine = new Engine(preset.link, () => this.queue.splice(0));
+    const engine = new Engine(preset.link, () => this.queue.clear());
     const scale = SIDE / engine.side();
-    for (const key of LENGTHS) engine.set(key, String(Number(engine.get(key)) * scale));
+    const skin = engine.get('stone') === 'skin';
+    for (const key of LENGTHS) {
+      if (!skin || !OF_CELLS.includes(key)) engine.set(key, String(Number(engine.get(key)) * scale));
+    }
     engine.set('size', String(SIDE));
     return engine;
   }
+}
+
+function inSight(canvas: HTMLCanvasElement): boolean {
+  const box = canvas.getBoundingClientRect();
+  const frame = canvas.closest('ul')?.getBoundingClientRect() ?? box;
+  return box.bottom > frame.top && box.top < frame.bottom && box.right > frame.left && box.left < frame.right;
 }
 
 /** Safari has no idle callbacks. */

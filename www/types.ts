@@ -29,9 +29,15 @@ export interface Preset {
   figure: string;
   note: string;
   link: string;
-  /** The paper's seconds, where it prints any. */
-  packingSeconds: number | null;
-  textureSeconds: number | null;
+  /** How long it took in the paper, where that is printed. */
+  timing: Timing | null;
+}
+
+export interface Timing {
+  /** What it was measured on. */
+  machine: string;
+  /** The paper's parts of the work, and the stages here that do the same. */
+  parts: { name: string; stages: string[]; seconds: number }[];
 }
 
 export interface Status {
@@ -82,7 +88,7 @@ export const STAGES: readonly { word: string; label: string }[] = [
   { word: 'packing', label: 'Packing' },
   { word: 'mesh', label: 'Mesh' },
   { word: 'cells', label: 'Cells' },
-  { word: 'solids', label: 'Stones' },
+  { word: 'solids', label: 'Relief' },
   { word: 'planes', label: 'Surface' },
   { word: 'shading', label: 'Light' },
 ];

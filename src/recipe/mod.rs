@@ -15,7 +15,7 @@ mod value;
 pub use link::VERSION;
 pub use lists::{MAX_ROW_POINTS, MAX_ROWS};
 pub use parameter::{Choice, Kind, Parameter};
-pub use presets::{PRESETS, Preset};
+pub use presets::{PRESETS, Part, Preset, Timing};
 pub use schema::{Key, SCHEMA};
 
 use crate::domain::Outline;

@@ -142,49 +142,49 @@ parameters! {
         ]).at(Cells, "Packing");
 
     Stone: "What a cell becomes: a round stone, a flat one with bevelled edges, or a cell of skin, a prism that may lean and taper.",
-        choice("stone", "Stone", choices![cobble: "Cobblestone", flag: "Flagstone", skin: "Skin"])
-            .at(Solids, "Stones");
+        choice("stone", "Form", choices![cobble: "Cobblestone", flag: "Flagstone", skin: "Skin"])
+            .at(Solids, "Relief");
     Sv: "Scale of the base in its cell; below 1 the joints get wider. Smoothing draws skin together, so it needs more.",
         number("sv", "Sv", "Base scale").range(0.5, 3.0, 0.01, 1.0).for_skin(1.4)
-            .at(Solids, "Stones");
+            .at(Solids, "Relief");
     Hs: "Height of the stones.",
-        number("hs", "Hs", "Height").range(1.0, 128.0, 1.0, 18.0).unit("px").at(Solids, "Stones")
+        number("hs", "Hs", "Height").range(1.0, 128.0, 1.0, 18.0).unit("px").at(Solids, "Relief")
             .only_for(Key::Stone, &["cobble", "flag"]);
     Sr: "Height of skin, in skin sizes: the mean distance of a cell's corners from its middle.",
-        number("sr", "Sr", "Sweep").range(0.05, 4.0, 0.05, 1.0).at(Solids, "Stones")
+        number("sr", "Sr", "Sweep").range(0.05, 4.0, 0.05, 1.0).at(Solids, "Relief")
             .only_for(Key::Stone, SKINS);
     Sc: "How far the top leans along the flow, in skin sizes: scales overlap where it is large.",
-        number("sc", "Sc", "Skew").range(0.0, 4.0, 0.05, 0.0).at(Solids, "Stones")
+        number("sc", "Sc", "Skew").range(0.0, 4.0, 0.05, 0.0).at(Solids, "Relief")
             .only_for(Key::Stone, SKINS);
     Tilt: "How much the top rises along the flow: scales lie like tiles on a roof.",
-        number("tilt", "", "Tilt").range(0.0, 1.0, 0.01, 0.0).at(Solids, "Stones")
+        number("tilt", "", "Tilt").range(0.0, 1.0, 0.01, 0.0).at(Solids, "Relief")
             .only_for(Key::Stone, SKINS);
     Sa: "Where the top leans and rises to, clockwise from the direction of the cells.",
         number("sa", "", "Flow angle").range(-180.0, 180.0, 1.0, 0.0).unit("°")
-            .at(Solids, "Stones").only_for(Key::Stone, SKINS);
+            .at(Solids, "Relief").only_for(Key::Stone, SKINS);
     Tc: "How far the top is drawn to the middle: 0 a block, 1 a thorn.",
-        number("tc", "Tc", "Taper").range(0.0, 1.0, 0.01, 0.2).at(Solids, "Stones")
+        number("tc", "Tc", "Taper").range(0.0, 1.0, 0.01, 0.2).at(Solids, "Relief")
             .only_for(Key::Stone, SKINS);
     Flat: "How much is kept of the prism under the smooth surface: 0 a dome, 1 a plate with edges.",
-        number("flat", "", "Flatness").range(0.0, 1.0, 0.01, 0.0).at(Solids, "Stones")
+        number("flat", "", "Flatness").range(0.0, 1.0, 0.01, 0.0).at(Solids, "Relief")
             .only_for(Key::Stone, SKINS);
     Keel: "Height of a ridge along the flow over the middle of each cell, in cell heights.",
-        number("keel", "", "Keel").range(0.0, 1.0, 0.01, 0.0).at(Solids, "Stones")
+        number("keel", "", "Keel").range(0.0, 1.0, 0.01, 0.0).at(Solids, "Relief")
             .only_for(Key::Stone, SKINS);
     Rings: "Growth rings on each cell.",
-        int("rings", "", "Growth rings").range(0.0, 12.0, 1.0, 0.0).at(Solids, "Stones")
+        int("rings", "", "Growth rings").range(0.0, 12.0, 1.0, 0.0).at(Solids, "Relief")
             .only_for(Key::Stone, SKINS);
     Dr: "Random distortion of the top corners; 0 makes all stones alike.",
         number("dr", "Dr", "Distortion").range(0.0, 1.0, 0.01, 0.3).for_skin(0.05)
-            .at(Solids, "Stones");
+            .at(Solids, "Relief");
     Rand: "Distribution of the distortion: uniform (2000) or normal (2001).",
         choice("rand", "Random numbers", choices![uniform: "Uniform", normal: "Normal"])
-            .at(Solids, "Stones");
+            .at(Solids, "Relief");
     Bh: "How far from a corner the horizontal bevel begins.",
-        number("bh", "Bh", "Bevel, horizontal").range(0.0, 1.0, 0.01, 0.2).at(Solids, "Stones")
+        number("bh", "Bh", "Bevel, horizontal").range(0.0, 1.0, 0.01, 0.2).at(Solids, "Relief")
             .only_for(Key::Stone, &["flag"]);
     Bv: "How far below the top the vertical bevel begins.",
-        number("bv", "Bv", "Bevel, vertical").range(0.0, 1.0, 0.01, 0.2).at(Solids, "Stones")
+        number("bv", "Bv", "Bevel, vertical").range(0.0, 1.0, 0.01, 0.2).at(Solids, "Relief")
             .only_for(Key::Stone, &["flag"]);
 
     Fd: "Fractal dimension of the faces: near 1 smooth swells, near 2 rough grain.",

@@ -25,6 +25,7 @@ const NEEDS = {
   ends: 'kind=rectangle&outline=road_straight',
   ba: 'belly=0.7',
   reach: 'dir=constant&strokes=0.1,0.1,0.6,0.9',
+  sa: 'stone=skin&sc=1.5',
 };
 
 // Values that are sure to differ, where half the way to the end is not.
@@ -111,6 +112,61 @@ test('a double click or the reset button goes back to the default', async () => 
   await page.$eval('[data-key=dr] .reset', (button) => button.click());
   assert.equal(await isDefault(), true);
   assert.equal(await page.$eval('[data-key=dr] .reset', (button) => getComputedStyle(button).visibility), 'hidden');
+  await close();
+});
+
+/** What the control of a number shows and offers. */
+function told(page, key) {
+  return page.$eval(`[data-key=${key}]`, (control) => ({
+    value: control.querySelector('[type=number]').value,
+    changed: control.hasAttribute('data-changed'),
+    notch: Number(control.querySelector('[type=range]').style.getPropertyValue('--default')),
+    reset: control.querySelector('.reset').title,
+    label: control.querySelector('.reset').getAttribute('aria-label'),
+  }));
+}
+
+test('untouched numbers go over to the defaults of skin and back with the stone', async () => {
+  const { page, problems, close } = await site.newPage(SMALL);
+  await digest(page);
+  const link = () => page.evaluate(() => window.bubblestone.link());
+  const plain = await link();
+  const stones = { sv: '1', dr: '0.3', fd: '1.5', af: '2' };
+  const skin = { sv: '1.4', dr: '0.05', fd: '1.1', af: '0.1' };
+  const shows = async (standards) => {
+    for (const [key, standard] of Object.entries(standards)) {
+      const { value, changed, reset, label, notch } = await told(page, key);
+      assert.deepEqual([value, changed], [standard, false], key);
+      assert.match(reset, new RegExp(`^Back to ${standard}( px)?$`));
+      assert.match(label, new RegExp(` to ${standard}( px)?$`));
+      const { min, max } = await page.evaluate((name) => window.bubblestone.schema.find((row) => row.key === name), key);
+      assert.ok(Math.abs(notch - (Number(standard) - min) / (max - min)) < 1e-6, `${key}: the notch is at ${notch}`);
+    }
+  };
+  await shows(stones);
+  await set(page, 'stone', 'skin');
+  await shows(skin);
+  assert.equal(await link(), `${plain}&stone=skin`);
+  await set(page, 'stone', 'flag');
+  await shows(stones);
+  await set(page, 'dr', '0.2');
+  await set(page, 'stone', 'skin');
+  assert.equal(await get(page, 'dr'), '0.2');
+  assert.equal((await told(page, 'dr')).changed, true);
+  await set(page, 'stone', 'cobble');
+  assert.equal(await link(), `${plain}&dr=0.2`);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('resets of skin go back to the defaults of skin', async () => {
+  const { page, close } = await site.newPage(`${SMALL}&stone=skin&sv=1&af=2`);
+  await digest(page);
+  assert.deepEqual([(await told(page, 'sv')).changed, (await told(page, 'af')).changed, (await told(page, 'dr')).changed], [true, true, false]);
+  await page.$eval('[data-key=sv] .reset', (button) => button.click());
+  await page.$eval('[data-key=af] [type=range]', (range) => range.dispatchEvent(new MouseEvent('dblclick', { bubbles: true })));
+  assert.deepEqual([await get(page, 'sv'), await get(page, 'af')], ['1.4', '0.1']);
+  assert.doesNotMatch(await page.evaluate(() => window.bubblestone.link()), /sv=|af=/);
   await close();
 });
 

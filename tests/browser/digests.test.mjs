@@ -29,7 +29,7 @@ test('every preset has the same planes in the browser as natively', async () => 
     found.push([name, await digest(page)]);
   }
   assert.deepEqual(found, golden);
-  assert.equal((await page.$$('.rail button')).length, golden.length);
+  assert.equal((await page.$$('[data-preset]')).length, golden.length);
   assert.deepEqual(problems, []);
   await close();
 });

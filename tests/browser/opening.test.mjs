@@ -100,17 +100,49 @@ test('presets open with their figures and become pictures in the rail', async ()
   const { page, problems, close } = await site.newPage(SMALL);
   await digest(page);
   const presets = await page.evaluate(() => window.bubblestone.presets);
-  assert.equal((await page.$$('.rail button')).length, presets.length);
-  const withSeconds = presets.find((preset) => preset.packingSeconds !== null);
-  assert.ok(withSeconds, 'no preset has the seconds of the paper');
-  await page.click(`[data-preset="${withSeconds.name}"]`);
-  await digest(page);
-  await frames(page, 2);
-  const caption = await page.$eval('#caption', (text) => text.textContent);
-  assert.ok(caption.includes(String(withSeconds.packingSeconds)), caption);
-  assert.match(caption, /here [\d.]+ s/);
-  assert.equal(await page.evaluate(() => window.bubblestone.link()), withSeconds.link);
+  assert.equal((await page.$$('[data-preset]')).length, presets.length);
+  const machines = new Map(presets.filter(({ timing }) => timing).map((preset) => [preset.timing.machine, preset]));
+  assert.equal(machines.size, 2, 'pavements and skins were measured on different machines');
+  for (const [machine, { name, group, timing, link }] of machines) {
+    await page.$$eval('.rail h2 button', (all, title) => all.find((heading) => heading.textContent === title).click(), group);
+    await page.click(`[data-preset="${name}"]`);
+    await digest(page);
+    await frames(page, 2);
+    const caption = await page.$eval('#caption', (text) => text.textContent);
+    const [first, second] = timing.parts.map(({ seconds }) => seconds);
+    assert.ok(caption.includes(`paper ${first} s and ${second} s, here `), caption);
+    assert.match(caption, /here [\d.]+ s and [\d.]+ s\.$/);
+    assert.ok((await page.$eval('#caption .seconds', (text) => text.title)).includes(machine));
+    assert.equal(await page.evaluate(() => window.bubblestone.link()), link);
+  }
   await page.waitForSelector('.rail canvas[data-painted]', { timeout: 60_000 });
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('one group of presets is unfolded, with the preset that is shown in sight', async () => {
+  const { page, problems, close } = await site.newPage(SMALL);
+  await digest(page);
+  const presets = await page.evaluate(() => window.bubblestone.presets.map(({ name, group, link }) => ({ name, group, link })));
+  const groups = [...new Set(presets.map(({ group }) => group))];
+  assert.deepEqual(await page.$$eval('.rail h2 button', (all) => all.map((heading) => heading.textContent)), groups);
+  const open = () => page.$$eval('.rail h2 [aria-expanded=true]', (all) => all.map((heading) => heading.textContent));
+  assert.deepEqual(await open(), [groups[0]]);
+  for (const title of groups) {
+    await page.$$eval('.rail h2 button', (all, text) => all.find((heading) => heading.textContent === text).click(), title);
+    assert.deepEqual(await open(), [title]);
+    const shown = await page.$$eval('[data-preset]', (all) => all.filter((button) => button.offsetParent).map((button) => button.dataset.preset));
+    assert.deepEqual(shown, presets.filter(({ group }) => group === title).map(({ name }) => name));
+  }
+  const last = presets.filter(({ group }) => group === groups[0]).at(-1);
+  await page.evaluate((fragment) => (location.hash = fragment), last.link);
+  await page.waitForSelector(`[data-preset="${last.name}"][aria-current]`, { timeout: 20_000 });
+  assert.deepEqual(await open(), [groups[0]]);
+  const inSight = await page.$eval('.rail [aria-current]', (button) => {
+    const [box, frame] = [button.getBoundingClientRect(), button.closest('ul').getBoundingClientRect()];
+    return box.height > 0 && box.top >= frame.top - 1 && box.bottom <= frame.bottom + 1;
+  });
+  assert.ok(inSight, 'the preset that is shown is out of sight');
   assert.deepEqual(problems, []);
   await close();
 });

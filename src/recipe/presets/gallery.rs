@@ -1,0 +1,5 @@
+//! Skins of animals.
+
+use super::Preset;
+
+pub(super) const PRESETS: &[Preset] = &[];

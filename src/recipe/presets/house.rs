@@ -1,0 +1,36 @@
+//! Pavements of the house.
+
+use super::{Preset, free};
+
+const PAVEMENTS: &str = "Pavements";
+
+#[rustfmt::skip]
+pub(super) const PRESETS: &[Preset] = &[
+    free(PAVEMENTS, "ring", "Granite ring",
+        "Where every visit begins: cobbles run round and round.",
+        ""),
+    free(PAVEMENTS, "piazza", "Sandstone piazza",
+        "Flagstones part around flower beds in the evening sun.",
+        "v=1&outline=plaza&cs=27&vs=0.06&stone=flag&sv=0.98&hs=12&dr=0.14&fd=1.35&af=1.3&palette=sandstone&ground=mortar&az=205&el=30"),
+    free(PAVEMENTS, "serpentine", "Basalt serpentine",
+        "Small dark setts follow five bends.",
+        "v=1&outline=road_s&ow=1.45&on=5&cs=11&hs=9&dr=0.35&fd=1.4&af=1.1&palette=basalt"),
+    free(PAVEMENTS, "star", "Terracotta star",
+        "Tiles with eight tips, laid in mortar.",
+        "v=1&outline=star&ow=1.5&on=8&cs=19&stone=flag&sv=0.96&hs=9&dr=0.08&bh=0.14&fd=1.3&af=0.8&palette=terracotta&vary=1.3&ground=mortar&el=50"),
+    free(PAVEMENTS, "spiral", "Marble spiral",
+        "White, rose and green pebbles wind inwards on sand.",
+        "v=1&outline=road_spiral&ow=1.5&cs=15&vs=0.18&sv=0.96&hs=14&dr=0.22&fd=1.2&af=0.4&palette=marble&vary=1.2"),
+    free(PAVEMENTS, "lane", "Mossy lane",
+        "Old stones through a garden, late in the day.",
+        "v=1&outline=road_s&ow=1.25&cs=26&vs=0.15&dr=0.4&palette=mossy&ground=moss&az=240&el=36"),
+    free(PAVEMENTS, "ripples", "Porphyry ripples",
+        "Stones grow from the middle of the crossing outwards.",
+        "v=1&outline=crossing&ow=1.3&cs=17&gr=0.7&hs=15&dr=0.4&palette=porphyry&ground=soil"),
+    free(PAVEMENTS, "fountain", "Fountain court",
+        "Marble setts make room for a basin.",
+        "v=1&outline=plaza&ow=0.8&on=1&cs=16&vs=0.05&hs=12&dr=0.25&af=1&palette=marble&ground=soil"),
+    free(PAVEMENTS, "lantern", "Lantern at the fork",
+        "Basalt at night: one lamp, long shadows.",
+        "v=1&outline=y_fork&ow=1.25&cs=20&dr=0.4&palette=basalt&ground=dark&light=point&lx=0.5&ly=0.42&lz=0.16&amb=0.5&diff=1.3&spec=1.5"),
+];

@@ -1,0 +1,51 @@
+//! Each kind of cell and of field, and other ways to cells for comparison.
+
+use super::{Preset, free};
+
+const KINDS: &str = "Kinds, fields";
+
+#[rustfmt::skip]
+pub(super) const PRESETS: &[Preset] = &[
+    free(KINDS, "bubbles", "Bubble mesh",
+        "Circles settle like soap bubbles, six around each.",
+        "v=1&outline=plaza&ow=0.9&on=1&kind=circle&cs=22&hs=14&dr=0.18&palette=marble&vary=1.3&ground=soil"),
+    free(KINDS, "scales", "Ellipses on a curve",
+        "Cells twice as long as wide swim along the bends.",
+        "v=1&outline=road_s&ow=1.6&kind=ellipse&cs=18&hs=14&dr=0.15&fd=1.2&af=0.8&palette=slate&ground=dark&spec=1.3"),
+    free(KINDS, "bricks", "Bricks round a ring",
+        "Rectangles in courses, as long as two are wide.",
+        "v=1&kind=rectangle&cs=20&stone=flag&sv=0.97&hs=9&dr=0.1&bh=0.12&fd=1.35&af=1.2&palette=terracotta&vary=1.3&ground=mortar&el=48"),
+    free(KINDS, "whirl", "Spiral of squares",
+        "All rows leave the middle at the same angle.",
+        "v=1&outline=square&cs=17&gr=0.4&dir=spiral&fa=60&hs=10&dr=0.2&palette=porphyry"),
+    free(KINDS, "rosette", "Rosette",
+        "Two circles are constraint lines: rows follow them on both sides.",
+        "v=1&outline=square&lines=05sBgggBnKk7Cpe02C3wB0tC9gC-gCztC4wBz2Cqej7CoKj7CnKz2CpeztC3wB9gC9gC3wBztCpez2CnKj7CoKj7Cqez2C4wBztC-gC9gC0tC3wB02Cpek7CnKk7CoK02Cqe0tC4wB-gC-gC4wB0tCqe02CoKk7C.0wLAzJ05Dvc62D1uB6wD7_BooDnvC68C58CovCnoD8_B5wD2uB52Dwcz5D0Jz5DzJ52Dvc5wD1uBnoD7_B58CnvCnvC58C7_BnoD1uB5wDvc52DzJz5D0Jz5Dwc52D2uB5wD8_BnoDovC58C68CnvCooD7_B6wD1uB62Dvc05DzJ05D0J62Dwc6wD2uBooD8_B68CovCovC68C8_BooD2uB6wDwc62D0J05D&cs=15&stone=flag&hs=8&dr=0.1&bh=0.14&palette=sandstone&ground=mortar"),
+    free(KINDS, "courses", "Honeycomb, courses",
+        "Lines cut the square in three; each part has a kind of its own.",
+        "v=1&outline=square&lines=AihX86DwtBqhHu-BohH-MqhHtqBohHnuCohHluCqhHtqBohH-MqhHu-B86DwtB.___Bg9R86DwtBqhHu-BohH-MqhHtqBohHluCohHnuCqhHtqBohH-MqhHu-B86DwtB&kind=circle&parts=gggBgggBC&cs=18&dir=strokes&seed=4&hs=12&dr=0.2&palette=marble&ground=soil"),
+    free(KINDS, "eye", "Graded circles",
+        "The nearer to a wall, the smaller.",
+        "v=1&outline=plaza&on=1&kind=circle&cs=22&gb=0.4&gd=0.2&hs=12"),
+    free(KINDS, "craters", "Size spots",
+        "Two soft spots of small cells among large ones.",
+        "v=1&outline=square&kind=circle&cs=30&spots=6jVohXq4VmT.2nas4Vw0QmT&hs=16&dr=0.2&palette=basalt&ground=gravel"),
+    free(KINDS, "reptile", "Strokes and a spot",
+        "Rows follow a painted stroke; in a spot cells are longer.",
+        "v=1&outline=square&kind=ellipse&ca=1.8&stretch=gggB05c6sW6sG&cs=20&gb=0.6&gd=0.3&dir=strokes&strokes=mzJ058B6sG5sWggQlzJggQnzJ6sG__P&hs=11&dr=0.15&fd=1.2&af=0.8&palette=mossy&ground=dark"),
+    free(KINDS, "starfish", "Ellipses in a star",
+        "Two-fold directions meet in singular points: look at the fields.",
+        "v=1&outline=star&ow=1.4&on=7&kind=ellipse&cs=17&hs=12&dr=0.15&palette=limestone&ground=dark"),
+    free(KINDS, "tile", "Seamless tile",
+        "The picture repeats without a seam, to all sides.",
+        "v=1&tile=1&kind=ellipse&cs=25&dir=strokes&strokes=AgggB6sGswE6sGq5C4sGA6sGp5C6sGrwE6sGrwE6sGp5C4sGA6sGq5C6sGswE&reach=0.3&hs=14&dr=0.2&palette=marble&vary=1.2&ground=dark"),
+    free(KINDS, "voronoi", "Voronoi",
+        "To compare: the cells of random points, as many as circles would be packed.",
+        "v=1&outline=plaza&cs=24&cells=voronoi&sv=0.98&hs=12&palette=limestone&ground=soil"),
+    free(KINDS, "lloyd", "Lloyd",
+        "The same, evened out by fifty rounds of Lloyd’s relaxation.",
+        "v=1&outline=plaza&cs=24&cells=lloyd&sv=0.98&hs=12&palette=limestone&ground=soil"),
+    free(KINDS, "packed", "Bubbles, the same",
+        "As many packed circles: even cells along every wall.",
+        "v=1&outline=plaza&kind=circle&cs=24&sv=0.98&hs=12&palette=limestone&ground=soil"),
+];
