@@ -28,7 +28,7 @@ pub(super) struct Products {
     scatter: Option<Scatter>,
     fitting: Option<Fitting>,
     pub cells: Vec<Cell>,
-    quarry: Quarry,
+    pub quarry: Quarry,
     pub painter: Option<Painter>,
     /// Is the ground laid in the pass at work?
     pub bedded: bool,

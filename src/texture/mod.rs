@@ -8,6 +8,7 @@ mod painter;
 mod palette;
 mod scan;
 mod skin;
+mod surface;
 
 pub use noise::Tile;
 pub use painter::{Painter, TextureParams};
@@ -15,6 +16,7 @@ pub use palette::{
     FINISHES, GROUNDS, Ground, Optics, PALETTES, Palette, ground, optics_table, palette,
 };
 pub use skin::stone_colour;
+pub use surface::{Surface, Surfaces};
 
 /// Id of the ground in [`Planes::id`]; a stone has its cell's index + 1.
 pub const GROUND: u32 = 0;

@@ -109,7 +109,7 @@ impl Painter {
             share: vec![0; pixels],
             level: level as f32,
             depth: depth as f32,
-            relief: (params.amplitude * RELIEF) as f32 * stone_palette.relief,
+            relief: relief(&params),
             laid: 0,
             params,
         }
@@ -141,14 +141,7 @@ impl Painter {
         if solid.vertices.is_empty() {
             return;
         }
-        let uneven = (self.params.stone.distortion / 0.3).min(1.0) as f32;
-        let skin = Skin::new(
-            self.palette,
-            cell,
-            self.params.seed,
-            self.params.vary as f32,
-            uneven,
-        );
+        let skin = skin(&self.params, cell);
         self.place(&skin, &solid, [0, 0], index);
         if !self.params.tile {
             return;
@@ -276,6 +269,18 @@ impl Painter {
             self.planes.optics[i] = optics;
         }
     }
+}
+
+/// Deviation of the relief that is added to stones, in picture units.
+pub(super) fn relief(params: &TextureParams) -> f32 {
+    (params.amplitude * RELIEF) as f32 * palette(params.palette).relief
+}
+
+/// The face of a cell's stone.
+pub(super) fn skin(params: &TextureParams, cell: &Cell) -> Skin {
+    let uneven = (params.stone.distortion / 0.3).min(1.0) as f32;
+    let stone_palette = palette(params.palette);
+    Skin::new(stone_palette, cell, params.seed, params.vary as f32, uneven)
 }
 
 /// The ways to the other pictures in which an image of a stone reaches into this one.

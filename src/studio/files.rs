@@ -1,0 +1,80 @@
+//! What can be taken out of a finished studio: maps, and the mesh of all cells.
+
+use super::{Studio, translate};
+use crate::export::{Map, MapKind, MeshFile, MeshFormat, maps};
+use crate::recipe::Stage;
+
+/// Said where the picture is still in the making.
+const NOT_YET: &str =
+    "Maps and meshes are made of the finished picture: save them when it is done.";
+
+/// Cells that are added to a mesh file between two looks at the clock.
+const CELLS: usize = 4;
+
+/// A mesh file in the making.
+pub(super) struct Saving {
+    file: MeshFile,
+    format: MeshFormat,
+    /// State of the work that it is made of.
+    stamp: u64,
+}
+
+impl Studio {
+    /// A map of the finished picture's planes.
+    ///
+    /// # Errors
+    /// A sentence where the picture is not finished.
+    pub fn map(&self, kind: MapKind) -> Result<Map, String> {
+        let planes = self.made.planes.as_ref().filter(|_| self.done());
+        let planes = planes.ok_or(NOT_YET)?;
+        let optics = translate::optics(&self.working);
+        let shininess = translate::shading(&self.working).shininess;
+        Ok(maps::map(kind, planes, &optics, shininess))
+    }
+
+    /// Works for about `budget` milliseconds by `clock` on the file of all cells' surfaces: `None`
+    /// while there is more to do, then the file in parts, one after the other. Begins anew where
+    /// the pavement or the format is another one than the last time.
+    ///
+    /// # Errors
+    /// A sentence where the picture is not finished.
+    pub fn mesh_file(
+        &mut self,
+        format: MeshFormat,
+        clock: &mut dyn FnMut() -> f64,
+        budget: f64,
+    ) -> Result<Option<Vec<Vec<u8>>>, String> {
+        let begin = clock();
+        let stamp = self.changes[..=Stage::Planes as usize].iter().sum();
+        let fits = |s: &Saving| (s.format, s.stamp) == (format, stamp);
+        let kept = self.saving.take().filter(fits);
+        let planes = self
+            .made
+            .planes
+            .as_ref()
+            .filter(|_| self.at == super::Position::Done);
+        let planes = planes.ok_or(NOT_YET)?;
+        let params = translate::texture(&self.working);
+        let mut saving = kept.unwrap_or_else(|| Saving {
+            file: MeshFile::new(format, params, &translate::optics(&self.working)),
+            format,
+            stamp,
+        });
+        let cells = &self.made.cells;
+        loop {
+            for _ in 0..CELLS {
+                let Some(cell) = cells.get(saving.file.cells()) else {
+                    return Ok(Some(saving.file.finish()));
+                };
+                let solid = self.made.quarry.stone(cell, &params.stone);
+                saving.file.add(&solid, cell, planes);
+            }
+            // Not `>=`: a clock that fails must not make this endless.
+            let inside = clock() - begin < budget;
+            if !inside {
+                self.saving = Some(saving);
+                return Ok(None);
+            }
+        }
+    }
+}
