@@ -120,7 +120,7 @@ fn a_surface_stands_as_its_planes_show_it() {
         }
     }
     let mean = off / f64::from(count);
-    assert!(count > 1000 && mean < 0.3, "{mean} off on average");
+    assert!(count > 300 && mean < 0.3, "{mean} off on average");
 }
 
 #[test]
@@ -218,7 +218,7 @@ fn a_glb_file_has_the_triangles_of_the_obj_file() {
 fn slices_do_not_matter_and_changes_begin_anew() {
     let mut studio = finished(LINK);
     let whole = file(&mut studio, MeshFormat::Glb);
-    let mut slice = |studio: &mut Studio| studio.mesh_file(MeshFormat::Glb, &mut || 0.0, 0.0);
+    let slice = |studio: &mut Studio| studio.mesh_file(MeshFormat::Glb, &mut || 0.0, 0.0);
     let mut slices = 0;
     let cut = loop {
         slices += 1;

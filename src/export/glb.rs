@@ -5,6 +5,7 @@
 
 use super::surface::Frame;
 use crate::decimal;
+use crate::order::{greater, lesser};
 use crate::render::decoded;
 use crate::texture::Surface;
 
@@ -14,6 +15,11 @@ const STRIDE: usize = 32;
 const NORMAL: usize = 12;
 const COLOUR: usize = 24;
 
+/// The signs of the format and of its two chunks.
+const GLTF: u32 = u32::from_le_bytes(*b"glTF");
+const JSON: u32 = u32::from_le_bytes(*b"JSON");
+const BIN: u32 = u32::from_le_bytes(*b"BIN\0");
+
 /// A GLB file in the making.
 pub(super) struct Glb {
     roughness: f32,
@@ -21,13 +27,13 @@ pub(super) struct Glb {
     indices: Vec<u8>,
     low: [f32; 3],
     high: [f32; 3],
-    linear: [u16; 256],
+    linear: [u32; 256],
 }
 
 impl Glb {
     /// A file of a surface that is rough by so much, 0..1.
     pub fn new(roughness: f32) -> Self {
-        let linear = |v| (decoded(v as f64 / 255.0) * 65535.0 + 0.5) as u16;
+        let linear = |v| (decoded(v as f64 / 255.0) * 65535.0 + 0.5) as u32;
         Self {
             roughness,
             vertices: Vec::new(),
@@ -48,22 +54,23 @@ impl Glb {
         for (k, &p) in surface.positions.iter().enumerate() {
             let at = frame.place(p);
             for (k, &v) in at.iter().enumerate() {
-                self.low[k] = crate::order::lesser(self.low[k], v);
-                self.high[k] = crate::order::greater(self.high[k], v);
+                self.low[k] = lesser(self.low[k], v);
+                self.high[k] = greater(self.high[k], v);
             }
+            let [x, y, z] = at.map(f32::to_bits);
+            let [u, v, w] = frame.direction(surface.normals[k]).map(f32::to_bits);
             let [r, g, b] = surface.colours[k].map(|c| self.linear[usize::from(c)]);
-            let floats = [at, frame.direction(surface.normals[k])];
-            for v in floats.as_flattened() {
-                self.vertices.extend_from_slice(&v.to_le_bytes());
-            }
-            for v in [r, g, b, u16::MAX] {
-                self.vertices.extend_from_slice(&v.to_le_bytes());
-            }
+            let (red_green, blue_alpha) = (g << 16 | r, 0xFFFF_0000 | b);
+            put(
+                &mut self.vertices,
+                &[x, y, z, u, v, w, red_green, blue_alpha],
+            );
         }
         for &triangle in &surface.triangles {
-            for k in frame.turned(triangle) {
-                self.indices.extend_from_slice(&(first + k).to_le_bytes());
-            }
+            put(
+                &mut self.indices,
+                &frame.turned(triangle).map(|k| first + k),
+            );
         }
     }
 
@@ -74,21 +81,13 @@ impl Glb {
             json.push(b' ');
         }
         let binary = self.vertices.len() + self.indices.len();
-        let mut head = Vec::new();
-        let mut words = |words: &[u32]| {
-            words
-                .iter()
-                .for_each(|w| head.extend_from_slice(&w.to_le_bytes()));
-        };
         let chunks = if binary > 0 { 8 + binary } else { 0 };
-        words(&[0x4654_6C67, 2, (12 + 8 + json.len() + chunks) as u32]);
-        words(&[json.len() as u32, 0x4E4F_534A]);
+        let total = 12 + 8 + json.len() + chunks;
+        let mut head = Vec::new();
+        put(&mut head, &[GLTF, 2, total as u32, json.len() as u32, JSON]);
         head.append(&mut json);
         if binary > 0 {
-            let words = [binary as u32, 0x004E_4942];
-            words
-                .iter()
-                .for_each(|w| head.extend_from_slice(&w.to_le_bytes()));
+            put(&mut head, &[binary as u32, BIN]);
         }
         vec![head, self.vertices, self.indices]
     }
@@ -143,5 +142,12 @@ impl Glb {
             "}]}",
         ]
         .concat()
+    }
+}
+
+/// Adds words, the lowest byte first.
+fn put(out: &mut Vec<u8>, words: &[u32]) {
+    for word in words {
+        out.extend_from_slice(&word.to_le_bytes());
     }
 }

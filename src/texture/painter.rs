@@ -276,7 +276,8 @@ pub(super) fn relief(params: &TextureParams) -> f32 {
     (params.amplitude * RELIEF) as f32 * palette(params.palette).relief
 }
 
-/// The face of a cell's stone.
+/// The face of a cell's stone. Not inlined: its draws are long.
+#[inline(never)]
 pub(super) fn skin(params: &TextureParams, cell: &Cell) -> Skin {
     let uneven = (params.stone.distortion / 0.3).min(1.0) as f32;
     let stone_palette = palette(params.palette);

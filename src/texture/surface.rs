@@ -97,10 +97,16 @@ impl Surfaces {
     fn raise(&self, skin: &Skin, x: f32, y: f32) -> f32 {
         let (ix, iy) = (floor(x), floor(y));
         let (tx, ty) = (x - ix as f32, y - iy as f32);
-        let at = |x: i32, y: i32| self.relief * skin.relief(&self.patterns, x, y) + skin.lift(x, y);
-        let upper = at(ix, iy) * (1.0 - tx) + at(ix + 1, iy) * tx;
-        let lower = at(ix, iy + 1) * (1.0 - tx) + at(ix + 1, iy + 1) * tx;
-        upper * (1.0 - ty) + lower * ty
+        let mut sum = 0.0;
+        for k in 0..4 {
+            let (right, below) = (k & 1, k >> 1);
+            let across = if right == 1 { tx } else { 1.0 - tx };
+            let down = if below == 1 { ty } else { 1.0 - ty };
+            let (x, y) = (ix + right, iy + below);
+            let relief = self.relief * skin.relief(&self.patterns, x, y);
+            sum += across * down * (relief + skin.lift(x, y));
+        }
+        sum
     }
 }
 
