@@ -6,7 +6,7 @@ mod quarry;
 
 use bubblestone::export::{MapKind, MeshFormat, maps};
 use bubblestone::recipe::Recipe;
-use bubblestone::solid::{Quarry, StoneKind, StoneParams};
+use bubblestone::solid::{Quarry, SkinParams, StoneKind, StoneParams};
 use bubblestone::studio::Studio;
 use bubblestone::texture::{Planes, Surfaces, TextureParams};
 use glam::Vec3;
@@ -67,9 +67,12 @@ proptest! {
         scale in 0.5..1.3f64,
         distortion in 0.0..1.0f64,
         amplitude in 0.0..30.0f64,
+        lean in (0.0..1.5f64, 0.0..1.0f64, 0.0..1.0f64),
     ) {
         let cell = star(corners, 22.0, rough, id);
-        let stone = StoneParams { kind, scale, distortion, ..StoneParams::default() };
+        let (skew, taper, keel) = lean;
+        let skin = SkinParams { skew, taper, keel, ..SkinParams::default() };
+        let stone = StoneParams { kind, scale, distortion, skin, ..StoneParams::default() };
         let params = TextureParams { stone, amplitude, ..small() };
         let solid = Quarry::new().stone(&cell, &stone);
         prop_assume!(!solid.vertices.is_empty());

@@ -6,6 +6,7 @@ mod arrangement;
 mod dual;
 mod fitted;
 mod ghosts;
+mod graph;
 mod packed;
 mod rings;
 mod seams;
@@ -14,6 +15,7 @@ mod torus;
 mod voronoi;
 
 pub use fitted::{Fitting, fitted};
+pub use graph::{Graph, graph};
 pub use packed::packed;
 pub use voronoi::{Scatter, ScatterParams};
 

@@ -56,6 +56,16 @@ impl Particle {
         (e * root, e.perp() / root)
     }
 
+    /// Its longer side.
+    pub(crate) fn length(&self) -> f64 {
+        Shape::of(self).length()
+    }
+
+    /// The distance to another cell, `way` off, in stable distances of the two.
+    pub(crate) fn closeness(&self, other: &Particle, way: DVec2) -> f64 {
+        Shape::of(self).closeness(&Shape::of(other), way)
+    }
+
     /// Where neighbours of the same kind and size touch it: at its four edges, or six around.
     pub(crate) fn places(&self) -> impl Iterator<Item = DVec2> {
         let (centre, size) = (self.centre, self.size);

@@ -162,7 +162,7 @@ parameters! {
     Tc: "How far the top is drawn to the middle: 0 a block, 1 a thorn.",
         number("tc", "Tc", "Taper").range(0.0, 1.0, 0.01, 0.2).at(Solids, "Stones")
             .only_for(Key::Stone, SKINS);
-    Flat: "Makes tops flat and their sides steep: 0 a dome, 1 a plate.",
+    Flat: "How much is kept of the prism under the smooth surface: 0 a dome, 1 a plate with edges.",
         number("flat", "", "Flatness").range(0.0, 1.0, 0.01, 0.0).at(Solids, "Stones")
             .only_for(Key::Stone, SKINS);
     Keel: "Height of a ridge along the flow over the middle of each cell, in its height.",

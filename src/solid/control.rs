@@ -58,10 +58,10 @@ const CROWDED: f64 = 0.8;
 const MOST_INSET: f64 = 0.72;
 
 /// How deep the ground lies below the tops of stones of `size`, in picture units.
-pub fn joint_depth(params: &StoneParams, size: f64) -> f64 {
+pub(super) fn joint_depth(params: &StoneParams, size: f64) -> f64 {
     let wanted = match params.kind {
-        StoneKind::Cobble | StoneKind::Skin => COBBLE_JOINT * size,
         StoneKind::Flagstone => FLAG_JOINT * size + bevel(params.bevel_vertical, size),
+        _ => COBBLE_JOINT * size,
     };
     wanted.min(DEEPEST * params.height)
 }
@@ -99,16 +99,6 @@ fn profile(params: &StoneParams, size: f64) -> ([Band; RINGS], f64) {
     };
     let rounder = |round: f64, band: Band| Band { round, ..band };
     match params.kind {
-        StoneKind::Cobble | StoneKind::Skin => (
-            [
-                band(0.0, 0.0, 0.0),
-                band(top - depth, 0.0, 0.7),
-                band(top - 0.28 * depth, 0.02 * size, 0.9),
-                rounder(0.2, band(top - 0.03 * depth, 0.13 * size, 1.0)),
-                rounder(0.8, band(top, 0.27 * size, 1.0)),
-            ],
-            DOME * depth,
-        ),
         StoneKind::Flagstone => {
             let down = bevel(params.bevel_vertical, size).min(0.85 * top);
             let across = bevel(params.bevel_horizontal, size);
@@ -123,6 +113,16 @@ fn profile(params: &StoneParams, size: f64) -> ([Band; RINGS], f64) {
                 0.0,
             )
         }
+        _ => (
+            [
+                band(0.0, 0.0, 0.0),
+                band(top - depth, 0.0, 0.7),
+                band(top - 0.28 * depth, 0.02 * size, 0.9),
+                rounder(0.2, band(top - 0.03 * depth, 0.13 * size, 1.0)),
+                rounder(0.8, band(top, 0.27 * size, 1.0)),
+            ],
+            DOME * depth,
+        ),
     }
 }
 
@@ -197,8 +197,8 @@ fn stations(plan: &Footprint, params: &StoneParams, id: u32) -> Vec<Station> {
     let mut lifts: Vec<f64> = (0..n).map(|_| random.signed()).collect();
     even_out(corners, &mut [&mut factors, &mut lifts]);
     let spread = match params.kind {
-        StoneKind::Cobble | StoneKind::Skin => COBBLE_CORNER * plan.size,
         StoneKind::Flagstone => bevel(params.bevel_horizontal, plan.size).max(0.01 * plan.size),
+        _ => COBBLE_CORNER * plan.size,
     };
     let mut stations = Vec::with_capacity(3 * n);
     for i in 0..n {

@@ -4,12 +4,16 @@
 //! above the base level.
 
 mod control;
+mod flow;
 mod footprint;
+mod hide;
+mod prism;
 mod quarry;
 mod subdivide;
 
-pub use control::joint_depth;
+pub use flow::oriented;
 pub use footprint::{Footprint, MOST_CORNERS};
+pub use prism::Prism;
 pub use quarry::{MOST_LEVELS, Quarry, Solid};
 pub use subdivide::{Stencil, TriangleMesh, beta, loop_subdivide};
 
@@ -70,12 +74,16 @@ pub struct SkinParams {
     pub skew_angle: f64,
     /// How far the top corners are displaced to the middle, 0..1 (Tc).
     pub taper: f64,
-    /// How flat tops are, 0..1.
+    /// From faces that subdivision has made round (0) to those of the prism itself (1).
     pub flatness: f64,
     /// Height of the ridge along the flow, in the prism's height, 0..1.
     pub keel: f64,
     /// Number of growth rings.
     pub rings: u32,
+    /// Fractal dimension of the noise, 1..2 (Fd); that of stones is added to the planes.
+    pub dimension: f64,
+    /// Amplitude of the noise (Af).
+    pub amplitude: f64,
 }
 
 impl Default for SkinParams {
@@ -88,6 +96,8 @@ impl Default for SkinParams {
             flatness: 0.0,
             keel: 0.0,
             rings: 0,
+            dimension: 1.1,
+            amplitude: 0.1,
         }
     }
 }
@@ -105,5 +115,26 @@ impl Default for StoneParams {
             skin: SkinParams::default(),
             seed: 1,
         }
+    }
+}
+
+/// Height of a cell's middle over its mean size, of the skin size of a hexagon or a square of area 1.
+const SKIN_SIZE: f64 = 0.66;
+/// Where the ground lies under skin, of its height.
+const SKIN_GROUND: f64 = 0.1;
+
+/// How high the tops of stones of `size` are, in picture units above the base level.
+pub fn top(params: &StoneParams, size: f64) -> f64 {
+    match params.kind {
+        StoneKind::Skin => SKIN_SIZE * size * params.skin.sweep,
+        _ => params.height,
+    }
+}
+
+/// How deep the ground lies below the tops of stones of `size`, in picture units.
+pub fn joint_depth(params: &StoneParams, size: f64) -> f64 {
+    match params.kind {
+        StoneKind::Skin => (1.0 - SKIN_GROUND) * top(params, size),
+        _ => control::joint_depth(params, size),
     }
 }

@@ -1,18 +1,23 @@
 //! Stones in number: the weights of each connectivity are worked out once and kept.
 
-use super::control;
 use super::footprint::{Footprint, MOST_CORNERS};
 use super::subdivide::Stencil;
-use super::{StoneParams, TriangleMesh};
+use super::{Prism, StoneKind, StoneParams, TriangleMesh};
+use super::{control, hide, prism};
 use crate::cells::Cell;
 use glam::{DVec2, Vec3};
 use std::rc::Rc;
 
 /// At most so many Loop steps.
-pub const MOST_LEVELS: u32 = 5;
+pub const MOST_LEVELS: u32 = 8;
 
 /// Triangles of a stone for a pixel of its area; nearly half of them stand in its walls.
-const TRIANGLES_PER_PIXEL: f64 = 1.2;
+const STONE_TRIANGLES: f64 = 1.2;
+/// Loop steps of a stone at most: its control mesh is fine.
+const STONE_LEVELS: u32 = 5;
+/// Triangles of a cell of skin for a pixel of its prism's surface, at least. Finer ones change
+/// nothing that can be seen.
+const SKIN_TRIANGLES: f64 = 1.5;
 
 /// A stone: its surface from the base up, open below.
 #[derive(Clone, Debug)]
@@ -32,52 +37,111 @@ impl Solid {
     }
 }
 
+/// The refinement of one connectivity.
+#[derive(Debug)]
+struct Pattern {
+    stencil: Stencil,
+    /// Of skin, how far from the middle each vertex is: see [`prism::radii`].
+    radii: Vec<f32>,
+}
+
 /// Makes stones, and keeps the subdivision weights of each number of corners and level.
 #[derive(Debug, Default)]
 pub struct Quarry {
-    /// By corners, then level.
-    stencils: Vec<Option<Rc<Stencil>>>,
+    /// By corners, then level; stones first, then skin.
+    patterns: Vec<Option<Rc<Pattern>>>,
+    /// Loop steps more than a picture needs.
+    finer: u32,
 }
+
+const SLOTS: usize = (MOST_CORNERS + 1) * (MOST_LEVELS as usize + 1);
 
 impl Quarry {
     /// A quarry that has made no stone yet.
     pub fn new() -> Self {
+        Self::finer(0)
+    }
+
+    /// A quarry whose skin has so many Loop steps more than a picture needs.
+    pub fn finer(steps: u32) -> Self {
         Self {
-            stencils: vec![None; (MOST_CORNERS + 1) * (MOST_LEVELS as usize + 1)],
+            patterns: vec![None; 2 * SLOTS],
+            finer: steps,
         }
     }
 
-    /// The weights of `levels` Loop steps on the control mesh of a stone with `corners` corners.
-    pub fn stencil(&mut self, corners: usize, levels: u32) -> Rc<Stencil> {
-        let (corners, levels) = (corners.clamp(3, MOST_CORNERS), levels.min(MOST_LEVELS));
+    fn pattern(&mut self, skin: bool, corners: usize, levels: u32) -> Rc<Pattern> {
         let slot = corners * (MOST_LEVELS as usize + 1) + levels as usize;
-        if self.stencils.len() <= slot {
-            *self = Self::new();
+        let slot = slot + if skin { SLOTS } else { 0 };
+        if self.patterns.len() <= slot {
+            *self = Self::finer(self.finer);
         }
         let made = || {
-            let triangles = control::triangles(corners);
-            Rc::new(Stencil::new(
-                control::point_count(corners),
-                &triangles,
-                levels,
-            ))
+            Rc::new(if skin {
+                let triangles = prism::triangles(corners);
+                let points = prism::point_count(corners);
+                let stencil = Stencil::to_limit(points, &triangles, levels);
+                let refined = stencil.apply(&prism::radii(corners));
+                let radii = refined.iter().map(|r| r.x).collect();
+                Pattern { stencil, radii }
+            } else {
+                let triangles = control::triangles(corners);
+                let points = control::point_count(corners);
+                let stencil = Stencil::new(points, &triangles, levels);
+                let radii = Vec::new();
+                Pattern { stencil, radii }
+            })
         };
-        self.stencils[slot].get_or_insert_with(made).clone()
+        self.patterns[slot].get_or_insert_with(made).clone()
     }
 
-    /// The stone of a cell, empty where the cell has no area to speak of. It lies inside the cell's
-    /// ring, or inside the ring enlarged by the scale where that is above 1.
+    /// The stone of a cell, empty where the cell has no area to speak of. Stones lie inside the
+    /// cell's ring, or inside the ring enlarged by the scale where that is above 1. Skin leans along
+    /// the cell's axis: see [`super::oriented`].
     pub fn stone(&mut self, cell: &Cell, params: &StoneParams) -> Solid {
         let Some(plan) = Footprint::new(&cell.ring, cell.centre) else {
             return Solid::empty();
         };
-        let points = control::points(&plan, params, cell.id);
-        let levels = levels(&plan, params.scale);
-        let stencil = self.stencil(plan.corners.len(), levels);
-        let mut vertices = stencil.apply(&points);
-        if !plan.convex {
-            keep_in(&plan, params, &mut vertices);
+        match params.kind {
+            StoneKind::Skin => self.skin(&plan, params, cell),
+            _ => self.hewn(&plan, params, cell.id),
         }
+    }
+
+    fn hewn(&mut self, plan: &Footprint, params: &StoneParams, id: u32) -> Solid {
+        let corners = plan.corners.len();
+        let points = control::points(plan, params, id);
+        let area = plan.size * plan.size * params.scale * params.scale;
+        let wanted = STONE_TRIANGLES * area;
+        let levels = levels(control::triangle_count(corners), wanted).min(STONE_LEVELS);
+        let pattern = self.pattern(false, corners, levels);
+        let mut vertices = pattern.stencil.apply(&points);
+        if !plan.convex {
+            keep_in(plan, params, &mut vertices);
+        }
+        Solid {
+            vertices,
+            triangles: pattern.stencil.triangles.clone(),
+        }
+    }
+
+    /// Itoh, Miyata, Shimada (2003), section 6: prism, subdivision, noise.
+    fn skin(&mut self, plan: &Footprint, params: &StoneParams, cell: &Cell) -> Solid {
+        let (flow, id) = (cell.axis, cell.id);
+        let corners = plan.corners.len();
+        let prism = Prism::over(plan, flow, params, id);
+        let coarse = prism::triangle_count(corners);
+        let needed = levels(coarse, SKIN_TRIANGLES * prism.area());
+        let finer = (needed + self.finer).min(MOST_LEVELS);
+        let pattern = self.pattern(true, corners, finer);
+        let (stencil, radii) = (&pattern.stencil, &pattern.radii);
+        let control = prism.points();
+        let mut vertices = stencil.apply(&control);
+        hide::flatten(&mut vertices, stencil, &control, params.skin.flatness);
+        let place = (&prism, plan.centre, flow);
+        hide::shape(&mut vertices, radii, place, &params.skin);
+        let size = prism.skin_size;
+        hide::roughen(&mut vertices, radii, (stencil, needed), (size, id), params);
         Solid {
             vertices,
             triangles: stencil.triangles.clone(),
@@ -87,9 +151,16 @@ impl Quarry {
     /// The control mesh a stone is refined from; None where the cell has no area to speak of.
     pub fn control_mesh(cell: &Cell, params: &StoneParams) -> Option<TriangleMesh> {
         let plan = Footprint::new(&cell.ring, cell.centre)?;
-        Some(TriangleMesh {
-            vertices: control::points(&plan, params, cell.id),
-            triangles: control::triangles(plan.corners.len()),
+        let corners = plan.corners.len();
+        Some(match params.kind {
+            StoneKind::Skin => TriangleMesh {
+                vertices: Prism::over(&plan, cell.axis, params, cell.id).points(),
+                triangles: prism::triangles(corners),
+            },
+            _ => TriangleMesh {
+                vertices: control::points(&plan, params, cell.id),
+                triangles: control::triangles(corners),
+            },
         })
     }
 }
@@ -103,10 +174,9 @@ fn keep_in(plan: &Footprint, params: &StoneParams, vertices: &mut [Vec3]) {
     }
 }
 
-/// Steps until a triangle has about a pixel's area.
-fn levels(plan: &Footprint, scale: f64) -> u32 {
-    let wanted = TRIANGLES_PER_PIXEL * plan.size * plan.size * scale * scale;
-    let mut triangles = control::triangle_count(plan.corners.len()) as f64;
+/// Loop steps until `triangles` have become as many as are wanted.
+fn levels(triangles: usize, wanted: f64) -> u32 {
+    let mut triangles = triangles as f64;
     let mut levels = 0;
     while triangles < wanted && levels < MOST_LEVELS {
         triangles *= 4.0;

@@ -47,6 +47,10 @@ pub struct Stencil {
     starts: Vec<u32>,
     columns: Vec<u32>,
     weights: Vec<f32>,
+    /// Level after level, the ends of the edges whose middles became vertices.
+    parents: Vec<[u32; 2]>,
+    /// Up to where in `parents` each level goes.
+    ends: Vec<usize>,
     /// The refined triangles, to be shared by all solids made with this stencil.
     pub triangles: Rc<[[u32; 3]]>,
 }
@@ -54,12 +58,30 @@ pub struct Stencil {
 impl Stencil {
     /// The weights of `levels` Loop steps on a mesh of `vertices` vertices.
     pub fn new(vertices: usize, triangles: &[[u32; 3]], levels: u32) -> Self {
+        Self::made(vertices, triangles, levels, false)
+    }
+
+    /// The same with every refined vertex moved to where further steps would lead it, so that the
+    /// refined mesh lies on the limit surface and finer ones hardly differ.
+    pub fn to_limit(vertices: usize, triangles: &[[u32; 3]], levels: u32) -> Self {
+        Self::made(vertices, triangles, levels, true)
+    }
+
+    fn made(vertices: usize, triangles: &[[u32; 3]], levels: u32, limit: bool) -> Self {
         let mut rows = Rows::identity(vertices);
         let mut triangles = triangles.to_vec();
+        let (mut parents, mut ends) = (Vec::new(), Vec::new());
         for _ in 0..levels {
             let edges = edges(&triangles);
+            parents.extend(edges.iter().map(|edge| edge.ends));
+            ends.push(parents.len());
             let step = step(rows.len(), &edges);
             triangles = split(rows.len(), &triangles, &edges);
+            rows = step.times(&rows, vertices);
+        }
+        if limit {
+            let mut step = Rows::empty();
+            push_vertices(rows.len(), &edges(&triangles), limit_share, &mut step);
             rows = step.times(&rows, vertices);
         }
         Self {
@@ -67,6 +89,8 @@ impl Stencil {
             weights: rows.weights.iter().map(|&w| w as f32).collect(),
             starts: rows.starts,
             columns: rows.columns,
+            parents,
+            ends,
             triangles: triangles.into(),
         }
     }
@@ -84,6 +108,15 @@ impl Stencil {
     /// Whether the refined mesh has no vertex.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
+    }
+
+    /// Level after level, the new vertices by the ends of the edges that they divide. They follow the
+    /// unrefined mesh's vertices in this order.
+    pub fn levels(&self) -> impl Iterator<Item = &[[u32; 2]]> + '_ {
+        let starts = [0].into_iter().chain(self.ends.iter().copied());
+        starts
+            .zip(&self.ends)
+            .map(|(start, &end)| &self.parents[start..end])
     }
 
     /// The columns and weights that make refined vertex `i`; the weights sum to 1.
@@ -216,7 +249,7 @@ fn edges(triangles: &[[u32; 3]]) -> Vec<Edge> {
 /// The matrix of one step: the old vertices first, then one per edge in the order of their ends.
 fn step(vertices: usize, edges: &[Edge]) -> Rows {
     let mut rows = Rows::empty();
-    push_vertices(vertices, edges, &mut rows);
+    push_vertices(vertices, edges, step_share, &mut rows);
     for Edge { ends, opposite } in edges {
         let [a, b] = *ends;
         match *opposite {
@@ -227,7 +260,22 @@ fn step(vertices: usize, edges: &[Edge]) -> Rows {
     rows
 }
 
-fn push_vertices(vertices: usize, edges: &[Edge], rows: &mut Rows) {
+/// What a step takes of each of `n` neighbours of a vertex, of which those on the boundary alone count
+/// where `rim` are.
+fn step_share(n: usize, rim: usize) -> f64 {
+    if rim == 0 { beta(n) } else { 0.25 / rim as f64 }
+}
+
+/// What all steps together take of them, in the end.
+fn limit_share(n: usize, rim: usize) -> f64 {
+    if rim == 0 {
+        1.0 / (n as f64 + 0.375 / beta(n))
+    } else {
+        1.0 / (3.0 * rim as f64)
+    }
+}
+
+fn push_vertices(vertices: usize, edges: &[Edge], share: fn(usize, usize) -> f64, rows: &mut Rows) {
     // (vertex, neighbour, whether on the boundary), vertex after vertex.
     let mut spokes: Vec<(u32, u32, bool)> = edges
         .iter()
@@ -242,11 +290,7 @@ fn push_vertices(vertices: usize, edges: &[Edge], rows: &mut Rows) {
         let count = spokes[at..].iter().take_while(|s| s.0 == vertex).count();
         let own = &spokes[at..at + count];
         let rim = own.iter().filter(|s| s.2).count();
-        let share = if rim == 0 {
-            beta(count)
-        } else {
-            0.25 / rim as f64
-        };
+        let share = share(count, rim);
         let neighbours = own.iter().filter(|s| rim == 0 || s.2);
         let kept = 1.0 - share * neighbours.clone().count() as f64;
         rows.push(neighbours.map(|s| (s.1, share)).chain([(vertex, kept)]));
@@ -308,8 +352,11 @@ mod tests {
             let g = 1.0 / (f64::from(n) + 0.375 / beta(n as usize));
             let ring: Vec3 = mesh.vertices[2..].iter().sum();
             let limit = mesh.vertices[0] * (1.0 - f64::from(n) * g) as f32 + ring * g as f32;
-            let reached = repeated(mesh, 7).vertices[0];
+            let reached = repeated(mesh.clone(), 7).vertices[0];
             assert!((limit - reached).length() < 2e-3, "{n}: {limit} {reached}");
+            let stencil = Stencil::to_limit(mesh.vertices.len(), &mesh.triangles, 2);
+            let at_once = stencil.apply(&mesh.vertices)[0];
+            assert!((limit - at_once).length() < 1e-5, "{n}: {limit} {at_once}");
         }
     }
 

@@ -3,13 +3,11 @@
 use super::{Studio, translate};
 use crate::export::{Map, MapKind, MeshFile, MeshFormat, maps};
 use crate::recipe::Stage;
+use crate::solid::Quarry;
 
 /// Said where the picture is still in the making.
 const NOT_YET: &str =
     "Maps and meshes are made of the finished picture: save them when it is done.";
-
-/// Cells that are added to a mesh file between two looks at the clock.
-const CELLS: usize = 4;
 
 /// A mesh file in the making.
 pub(super) struct Saving {
@@ -44,37 +42,49 @@ impl Studio {
         clock: &mut dyn FnMut() -> f64,
         budget: f64,
     ) -> Result<Option<Vec<Vec<u8>>>, String> {
-        let begin = clock();
+        if !self.done() {
+            return Err(NOT_YET.to_owned());
+        }
         let stamp = self.changes[..=Stage::Planes as usize].iter().sum();
         let fits = |s: &Saving| (s.format, s.stamp) == (format, stamp);
         let kept = self.saving.take().filter(fits);
-        let planes = self
-            .made
-            .planes
-            .as_ref()
-            .filter(|_| self.at == super::Position::Done);
-        let planes = planes.ok_or(NOT_YET)?;
         let params = translate::texture(&self.working);
         let mut saving = kept.unwrap_or_else(|| Saving {
             file: MeshFile::new(format, params, &translate::optics(&self.working)),
             format,
             stamp,
         });
-        let cells = &self.made.cells;
-        loop {
-            for _ in 0..CELLS {
-                let Some(cell) = cells.get(saving.file.cells()) else {
-                    return Ok(Some(saving.file.finish()));
-                };
-                let solid = self.made.quarry.stone(cell, &params.stone);
-                saving.file.add(&solid, cell, planes);
-            }
+        let mut quarry = std::mem::take(&mut self.made.quarry);
+        let all = self.add_cells(&mut saving.file, &mut quarry, clock, budget);
+        self.made.quarry = quarry;
+        if all {
+            return Ok(Some(saving.file.finish()));
+        }
+        self.saving = Some(saving);
+        Ok(None)
+    }
+
+    /// Adds cells for about `budget` milliseconds; true when all are in.
+    fn add_cells(
+        &self,
+        file: &mut MeshFile,
+        quarry: &mut Quarry,
+        clock: &mut dyn FnMut() -> f64,
+        budget: f64,
+    ) -> bool {
+        let stone = translate::texture(&self.working).stone;
+        let Some(planes) = &self.made.planes else {
+            return true;
+        };
+        let begin = clock();
+        while let Some(cell) = self.scales().get(file.cells()) {
+            file.add(&quarry.stone(cell, &stone), cell, planes);
             // Not `>=`: a clock that fails must not make this endless.
             let inside = clock() - begin < budget;
             if !inside {
-                self.saving = Some(saving);
-                return Ok(None);
+                return false;
             }
         }
+        true
     }
 }

@@ -20,6 +20,7 @@ use crate::mesh::Mesh;
 use crate::metrics::Metrics;
 use crate::packing::{Packing, StepReport};
 use crate::recipe::{Recipe, Stage};
+use crate::solid::Quarry;
 use crate::texture::Planes;
 use products::Products;
 use view::Gallery;
@@ -84,6 +85,11 @@ impl Studio {
             gallery: Gallery::default(),
             saving: None,
         }
+    }
+
+    /// From the next pass on, skin has so many Loop steps more than a picture needs.
+    pub fn refine(&mut self, steps: u32) {
+        self.made.quarry = Quarry::finer(steps);
     }
 
     /// The latest recipe asked for.
@@ -157,6 +163,15 @@ impl Studio {
     /// The cells of the last packing that ended.
     pub fn cells(&self) -> &[Cell] {
         &self.made.cells
+    }
+
+    /// The cells that stones are made of: of skin, those in which the axes have one sense.
+    pub fn scales(&self) -> &[Cell] {
+        if self.made.scales.is_empty() {
+            &self.made.cells
+        } else {
+            &self.made.scales
+        }
     }
 
     /// Stones painted so far in the pass at work, or in the last one.

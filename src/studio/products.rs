@@ -1,19 +1,21 @@
 //! What each stage has made, and one slice of each stage's work.
 
 use super::translate;
-use crate::cells::{self, Cell, Fitting, Scatter};
+use crate::cells::{self, Cell, Fitting, Graph, Scatter};
 use crate::domain::{Domain, Outline};
 use crate::field::{FieldBuilder, Fields};
 use crate::mesh::Mesh;
 use crate::packing::Packing;
 use crate::recipe::{Recipe, Stage};
 use crate::render::Shader;
-use crate::solid::Quarry;
+use crate::solid::{Quarry, oriented};
 use crate::texture::{Painter, Planes};
 use glam::DVec2;
 
 /// Rows of the picture in one slice of the stages that go by rows.
 const ROWS: usize = 16;
+/// Cells whose neighbours are found in one slice.
+const CELLS: usize = 500;
 
 /// The finished products of the stages, and those in the making.
 pub(super) struct Products {
@@ -28,6 +30,9 @@ pub(super) struct Products {
     scatter: Option<Scatter>,
     fitting: Option<Fitting>,
     pub cells: Vec<Cell>,
+    /// The cells in which the flow has one sense, while there is skin.
+    pub scales: Vec<Cell>,
+    graph: Option<Graph>,
     pub quarry: Quarry,
     pub painter: Option<Painter>,
     /// Is the ground laid in the pass at work?
@@ -58,6 +63,8 @@ impl Products {
             scatter: None,
             fitting: None,
             cells: Vec::new(),
+            scales: Vec::new(),
+            graph: None,
             quarry: Quarry::new(),
             painter: None,
             bedded: false,
@@ -84,6 +91,7 @@ impl Products {
         self.builder = None;
         self.scatter = None;
         self.fitting = None;
+        self.graph = None;
         self.lit_anew = true;
         if from < Stage::Planes {
             self.painter = None;
@@ -166,6 +174,7 @@ impl Products {
             return Err(NO_CELLS.into());
         }
         self.cells = cells;
+        self.scales.clear();
         Ok(true)
     }
 
@@ -191,7 +200,26 @@ impl Products {
         Ok(false)
     }
 
+    /// One slice of finding one sense for the flow; true when there is nothing left to find.
+    fn slice_flow(&mut self) -> Result<bool, String> {
+        if !self.scales.is_empty() {
+            return Ok(true);
+        }
+        let domain = self.domain.as_ref().ok_or(MISSING)?;
+        let graph = self
+            .graph
+            .get_or_insert_with(|| Graph::new(domain, &self.cells));
+        if graph.advance(domain, CELLS) {
+            let links = self.graph.take().map_or(Vec::new(), Graph::finish);
+            self.scales = oriented(&self.cells, &links);
+        }
+        Ok(false)
+    }
+
     fn slice_solids(&mut self, recipe: &Recipe) -> Result<bool, String> {
+        if recipe.is_skin() && !self.slice_flow()? {
+            return Ok(false);
+        }
         let Some(painter) = &mut self.painter else {
             self.painter = Some(Painter::new(translate::texture(recipe)));
             self.bedded = false;
@@ -203,11 +231,15 @@ impl Products {
             self.bedded = painter.prepare(ROWS);
             return Ok(false);
         }
-        if let Some(cell) = self.cells.get(self.stones) {
+        let cells = match recipe.is_skin() {
+            true => &self.scales,
+            false => &self.cells,
+        };
+        if let Some(cell) = cells.get(self.stones) {
             painter.paint(&mut self.quarry, cell, self.stones);
             self.stones += 1;
         }
-        Ok(self.stones >= self.cells.len())
+        Ok(self.stones >= cells.len())
     }
 
     fn slice_planes(&mut self) -> Result<bool, String> {

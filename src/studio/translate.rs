@@ -201,6 +201,8 @@ fn stone(recipe: &Recipe) -> StoneParams {
             flatness: recipe.number(Key::Flat),
             keel: recipe.number(Key::Keel),
             rings: recipe.number(Key::Rings) as u32,
+            dimension: recipe.number(Key::Fd),
+            amplitude: recipe.number(Key::Af),
         },
         seed: seed(recipe),
     }

@@ -13,7 +13,7 @@ use super::skin::{Patterns, Skin};
 use super::{Optics, Planes, optics_table};
 use crate::cells::Cell;
 use crate::order::{greater, lesser};
-use crate::solid::{Quarry, Solid, StoneParams, joint_depth};
+use crate::solid::{Quarry, Solid, StoneKind, StoneParams, joint_depth, top};
 use glam::Vec3;
 
 /// What the planes are made by; the papers' symbols in brackets.
@@ -64,6 +64,10 @@ const RELIEF: f64 = 0.3;
 /// Ground stays below the stones' tops by at least this part of the joint.
 const FILL: f64 = 0.9;
 
+/// Two stones whose heights differ by less, in pixels, share a sample's colour: otherwise a hair would
+/// decide.
+const EVEN: f32 = 0.3;
+
 /// Makes the data planes, one cell at a time.
 pub struct Painter {
     params: TextureParams,
@@ -75,6 +79,8 @@ pub struct Painter {
     raster: Raster,
     /// Samples a stone has already taken at each pixel, and how many the stone named in `id` has.
     taken: Vec<u16>,
+    /// The height of each taken sample.
+    surface: Vec<[f32; PER_PIXEL]>,
     share: Vec<u8>,
     level: f32,
     depth: f32,
@@ -87,7 +93,7 @@ impl Painter {
     pub fn new(params: TextureParams) -> Self {
         let stone_palette = palette(params.palette);
         let depth = joint_depth(&params.stone, params.size) * FILL;
-        let level = params.stone.height - depth;
+        let level = top(&params.stone, params.size) - depth;
         let pixels = params.side * params.side;
         Self {
             palette: stone_palette,
@@ -106,6 +112,7 @@ impl Painter {
             occlusion: Occlusion::new(params.size, params.tile),
             raster: Raster::default(),
             taken: vec![0; pixels],
+            surface: vec![[0.0; PER_PIXEL]; pixels],
             share: vec![0; pixels],
             level: level as f32,
             depth: depth as f32,
@@ -209,12 +216,13 @@ impl Painter {
         let rough = skin.relief(&self.patterns, own_place[0], own_place[1]);
         let raise = self.relief * rough + skin.lift(own_place[0], own_place[1]);
         let soil = self.bed.height(x, y);
-        let (fresh, won) = self.claim(i, heights, raise, soil);
-        if fresh.count + won.count == 0 {
+        let claim = self.claim(i, heights, raise, soil);
+        let count = claim.fresh + claim.won;
+        if claim.fresh == 0 && claim.share == 0.0 {
             return;
         }
         let dust = self.bed.colour(x, y);
-        let own = (fresh.sum + won.sum) / f32::from(fresh.count + won.count);
+        let own = claim.sum / claim.weight;
         let stand = (own - self.level) / self.depth;
         let colour = skin.colour(
             self.palette,
@@ -224,27 +232,21 @@ impl Painter {
             (stand, dust),
         );
         let each = 1.0 / PER_PIXEL as f32;
-        let (new, taken_over) = (f32::from(fresh.count), f32::from(won.count));
-        let before = self.planes.bump[i];
-        self.planes.bump[i] =
-            before + (fresh.sum - soil * new) * each + (won.sum - before * taken_over) * each;
+        let new = f32::from(claim.fresh);
+        self.planes.bump[i] += (claim.risen - soil * new) * each + claim.gained * each;
         let old = self.planes.colour[i].map(f32::from);
         self.planes.colour[i] = bytes(std::array::from_fn(|k| {
-            let gain = (colour[k] - dust[k]) * new + (colour[k] - old[k]) * taken_over;
+            let gain = (colour[k] - dust[k]) * new + (colour[k] - old[k]) * claim.share;
             old[k] + gain * each
         }));
-        self.name(i, fresh.count + won.count, id, skin.optics);
+        self.share[i] = self.share[i].saturating_sub(claim.won);
+        self.name(i, count, id, skin.optics);
     }
 
-    /// The samples that this stone gets at a pixel: from the ground, and from lower stones.
-    fn claim(
-        &mut self,
-        i: usize,
-        heights: [f32; PER_PIXEL],
-        raise: f32,
-        soil: f32,
-    ) -> (Part, Part) {
-        let (mut fresh, mut won) = (Part::default(), Part::default());
+    /// What this stone gets of the samples of a pixel.
+    fn claim(&mut self, i: usize, heights: [f32; PER_PIXEL], raise: f32, soil: f32) -> Claim {
+        let mut claim = Claim::default();
+        let surface = &mut self.surface[i];
         for (k, &height) in heights.iter().enumerate() {
             let height = height + raise;
             if height <= soil {
@@ -252,12 +254,25 @@ impl Painter {
             }
             if self.taken[i] & (1 << k) == 0 {
                 self.taken[i] |= 1 << k;
-                fresh.add(height);
-            } else if height > self.planes.bump[i] {
-                won.add(height);
+                surface[k] = height;
+                claim.fresh += 1;
+                claim.risen += height;
+                claim.add(height, 1.0);
+                continue;
+            }
+            let above = height - surface[k];
+            if above > -0.5 * EVEN {
+                let share = lesser(above * (1.0 / EVEN) + 0.5, 1.0);
+                claim.share += share;
+                claim.add(height, share);
+            }
+            if above > 0.0 {
+                surface[k] = height;
+                claim.won += 1;
+                claim.gained += above;
             }
         }
-        (fresh, won)
+        claim
     }
 
     /// A pixel belongs to whoever has most of its samples; to the stone that came first, of equals,
@@ -271,9 +286,12 @@ impl Painter {
     }
 }
 
-/// Deviation of the relief that is added to stones, in picture units.
+/// Deviation of the relief that is added to stones, in picture units; skin brings its noise along.
 pub(super) fn relief(params: &TextureParams) -> f32 {
-    (params.amplitude * RELIEF) as f32 * palette(params.palette).relief
+    match params.stone.kind {
+        StoneKind::Skin => 0.0,
+        _ => (params.amplitude * RELIEF) as f32 * palette(params.palette).relief,
+    }
 }
 
 /// The face of a cell's stone. Not inlined: its draws are long.
@@ -304,17 +322,26 @@ fn images(vertices: &[Vec3], side: i32) -> Vec<[i32; 2]> {
     images
 }
 
-/// Samples of a pixel: how many, and the sum of their heights.
+/// What a stone gets of the samples of a pixel.
 #[derive(Clone, Copy, Default)]
-struct Part {
-    count: u8,
+struct Claim {
+    /// Samples that were the ground's, and the sum of the heights there.
+    fresh: u8,
+    risen: f32,
+    /// Samples at which it is higher than stones before it, and by how much together.
+    won: u8,
+    gained: f32,
+    /// Its share in the colour of samples that other stones have, too.
+    share: f32,
+    /// The sum of its heights where it is seen, each as much as it is seen, and how much that is.
     sum: f32,
+    weight: f32,
 }
 
-impl Part {
-    fn add(&mut self, height: f32) {
-        self.count += 1;
-        self.sum += height;
+impl Claim {
+    fn add(&mut self, height: f32, share: f32) {
+        self.sum += height * share;
+        self.weight += share;
     }
 }
 

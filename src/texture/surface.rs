@@ -9,7 +9,7 @@ use super::skin::{Patterns, Skin};
 use super::{Planes, TextureParams};
 use crate::cells::Cell;
 use crate::order::{greater, lesser};
-use crate::solid::{Solid, StoneKind};
+use crate::solid::Solid;
 use glam::Vec3;
 use std::rc::Rc;
 
@@ -57,10 +57,7 @@ impl Surfaces {
         }
         let rim = self.rim(solid);
         let mut positions = solid.vertices.clone();
-        // Noise on skin is the solid's own.
-        if self.params.stone.kind != StoneKind::Skin {
-            self.roughen(&skin(&self.params, cell), &mut positions);
-        }
+        self.roughen(&skin(&self.params, cell), &mut positions);
         let normals = normals(&positions, &solid.triangles);
         let colours = colours(&positions, &solid.triangles, index as u32 + 1, planes);
         let mut surface = Surface {

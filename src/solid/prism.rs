@@ -1,0 +1,170 @@
+//! The prism that a cell of skin begins with.
+//!
+//! Itoh, Miyata, Shimada (2003), Generation of Organic Textures with Controlled Anisotropy and
+//! Directionality via Packing Rectangular and Elliptical Cells, section 6.1: the cell's polygon is
+//! scaled by Sv and swept by SkinSize x Sr; the corners of the top are displaced at random within
+//! SkinSize x Dr, by Sc along the flow, and by Tc (w - v) to the middle w from the corner v of the
+//! base. The flow's length is the skin size, so Sc counts in skin sizes as Sr does.
+//!
+//! ```text
+//!    base: n points      top: n points      the top's middle
+//!    2 n triangles around the sides, n over the top; the base is open
+//! ```
+
+use super::footprint::Footprint;
+use super::{Spread, StoneParams};
+use crate::order;
+use crate::random::{Purpose, Random};
+use glam::{DVec2, DVec3, Vec3};
+use std::f64::consts::{PI, TAU};
+
+/// Normal random numbers are cut here, so that no cell is torn.
+const MOST_NORMAL: f64 = 2.5;
+
+/// No corner is farther from the middle than so many times their mean.
+const FARTHEST: f64 = 2.0;
+
+/// A prism in picture units, y down, z up from the base level.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Prism {
+    /// The scaled corners of the cell's polygon, clockwise on screen.
+    pub base: Vec<DVec2>,
+    /// One corner for each of the base.
+    pub top: Vec<DVec3>,
+    /// The middle of the top's corners.
+    pub middle: DVec3,
+    /// Mean distance of the cell's corners from its middle.
+    pub skin_size: f64,
+}
+
+impl Prism {
+    /// The prism over a polygon with the middle `w`. `flow` is the unit vector of the direction that
+    /// skewed tops lean to, or zero: then they do not lean. `id` draws the random numbers.
+    pub fn new(polygon: &[DVec2], w: DVec2, flow: DVec2, params: &StoneParams, id: u32) -> Self {
+        let skin = &params.skin;
+        let n = polygon.len().max(1) as f64;
+        let skin_size = polygon.iter().map(|&p| (p - w).length()).sum::<f64>() / n;
+        let base: Vec<DVec2> = polygon
+            .iter()
+            .map(|&p| w + (p - w) * params.scale)
+            .collect();
+        let lean = turned(flow, skin.skew_angle) * skin.skew * skin_size;
+        let mut random = Random::new(params.seed, Purpose::Distortion, u64::from(id));
+        let top: Vec<DVec3> = base
+            .iter()
+            .map(|&v| {
+                let swept = v.extend(skin_size * skin.sweep);
+                let distorted = swept + displacement(params, &mut random) * skin_size;
+                distorted + (lean + (w - v) * skin.taper).extend(0.0)
+            })
+            .collect();
+        let middle = top.iter().sum::<DVec3>() / n;
+        Self {
+            base,
+            top,
+            middle,
+            skin_size,
+        }
+    }
+
+    /// The prism over a footprint. Where the footprint is not convex, or has a tip far out, it stands
+    /// over what is near it and is: skin may overlap, but not be torn.
+    pub(super) fn over(plan: &Footprint, flow: DVec2, params: &StoneParams, id: u32) -> Self {
+        let (w, n) = (plan.centre, plan.corners.len() as f64);
+        let mean = plan.corners.iter().map(|&p| (p - w).length()).sum::<f64>() / n;
+        let near = |&p: &DVec2| w + (p - w).clamp_length_max(FARTHEST * mean);
+        let mut corners: Vec<DVec2> = plan.corners.iter().map(near).collect();
+        fill_in(&mut corners);
+        Self::new(&corners, w, flow, params, id)
+    }
+
+    /// The points of the control mesh, in the order of [`triangles`].
+    pub(super) fn points(&self) -> Vec<Vec3> {
+        let base = self.base.iter().map(|b| b.extend(0.0).as_vec3());
+        let top = self.top.iter().map(|t| t.as_vec3());
+        base.chain(top).chain([self.middle.as_vec3()]).collect()
+    }
+
+    /// The area of its sides and its top, in square picture units.
+    pub(super) fn area(&self) -> f64 {
+        let n = self.base.len();
+        let triangle = |a: DVec3, b: DVec3, c: DVec3| (b - a).cross(c - a).length() / 2.0;
+        (0..n)
+            .map(|i| {
+                let j = (i + 1) % n;
+                let (a, b) = (self.base[i].extend(0.0), self.base[j].extend(0.0));
+                let (c, d) = (self.top[i], self.top[j]);
+                triangle(a, b, c) + triangle(b, d, c) + triangle(c, d, self.middle)
+            })
+            .sum()
+    }
+}
+
+/// Moves corners that point inwards out to the line between those beside them.
+fn fill_in(corners: &mut [DVec2]) {
+    let n = corners.len();
+    for _ in 0..n {
+        for i in 0..n {
+            let (a, b) = (corners[(i + n - 1) % n], corners[(i + 1) % n]);
+            let (side, arm) = (b - a, corners[i] - a);
+            if side.perp_dot(arm) > 0.0 && side != DVec2::ZERO {
+                let t = order::within(side.dot(arm) / side.length_squared(), 0.1, 0.9);
+                corners[i] = a + side * t;
+            }
+        }
+    }
+}
+
+/// A random way to go, within a ball of the radius Dr.
+fn displacement(params: &StoneParams, random: &mut Random) -> DVec3 {
+    let amount = match params.spread {
+        Spread::Uniform => random.unit(),
+        Spread::Normal => random.normal().abs().min(MOST_NORMAL) / 2.0,
+    };
+    // Uniform on the sphere (Archimedes).
+    let (z, angle) = (random.signed(), TAU * random.unit());
+    let flat = (1.0 - z * z).max(0.0).sqrt();
+    let way = DVec3::new(flat * libm::cos(angle), flat * libm::sin(angle), z);
+    way * params.distortion * amount
+}
+
+/// A vector turned clockwise on screen.
+pub(super) fn turned(v: DVec2, angle: f64) -> DVec2 {
+    // A whole number of half turns keeps symmetric flows exact.
+    if angle == 0.0 {
+        return v;
+    }
+    if angle.abs() == PI {
+        return -v;
+    }
+    DVec2::new(libm::cos(angle), libm::sin(angle)).rotate(v)
+}
+
+/// How many points a control mesh of `n` corners has.
+pub(super) fn point_count(n: usize) -> usize {
+    2 * n + 1
+}
+
+/// How many triangles [`triangles`] gives for `n` corners.
+pub(super) fn triangle_count(n: usize) -> usize {
+    3 * n
+}
+
+/// The triangles of the control mesh, seen from above clockwise on screen.
+pub(super) fn triangles(n: usize) -> Vec<[u32; 3]> {
+    let at = |ring: usize, i: usize| (ring * n + i % n) as u32;
+    let mut triangles = Vec::with_capacity(3 * n);
+    for i in 0..n {
+        let [a, b, c, d] = [at(0, i), at(0, i + 1), at(1, i), at(1, i + 1)];
+        triangles.extend([[a, b, c], [b, d, c]]);
+    }
+    triangles.extend((0..n).map(|i| [at(1, i), at(1, i + 1), 2 * n as u32]));
+    triangles
+}
+
+/// How far from the middle the points of the control mesh are: 0 the middle, 1 the top's corners, 2
+/// the base's. Refined as the points are, it tells where on a cell a vertex is.
+pub(super) fn radii(n: usize) -> Vec<Vec3> {
+    let radius = |i: usize| Vec3::splat(2.0 - (i / n) as f32);
+    (0..point_count(n)).map(radius).collect()
+}
