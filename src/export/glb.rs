@@ -12,8 +12,25 @@ use crate::texture::Surface;
 /// Bytes of a vertex.
 const STRIDE: usize = 32;
 /// Where its normal and its colour begin.
-const NORMAL: usize = 12;
-const COLOUR: usize = 24;
+const NORMAL: f64 = 12.0;
+const COLOUR: f64 = 24.0;
+
+/// What describes the binary; numbers come in the place of each @.
+const TEMPLATE: &str = concat!(
+    r#"{"asset":{"version":"2.0","generator":"Bubblestone"},"scene":0,"scenes":[{"nodes":[0]}],"#,
+    r#""nodes":[{"mesh":0,"name":"Bubblestone"}],"meshes":[{"primitives":[{"attributes":"#,
+    r#"{"POSITION":0,"NORMAL":1,"COLOR_0":2},"indices":3,"material":0}]}],"materials":"#,
+    r#"[{"pbrMetallicRoughness":{"metallicFactor":0,"roughnessFactor":@}}],"#,
+    r#""buffers":[{"byteLength":@}],"bufferViews":["#,
+    r#"{"buffer":0,"byteLength":@,"byteStride":@,"target":34962},"#,
+    r#"{"buffer":0,"byteOffset":@,"byteLength":@,"target":34963}],"accessors":["#,
+    r#"{"bufferView":0,"componentType":5126,"type":"VEC3","count":@,"min":[@,@,@],"max":[@,@,@]},"#,
+    r#"{"bufferView":0,"byteOffset":@,"componentType":5126,"type":"VEC3","count":@},"#,
+    r#"{"bufferView":0,"byteOffset":@,"componentType":5123,"normalized":true,"type":"VEC4","count":@},"#,
+    r#"{"bufferView":1,"componentType":5125,"type":"SCALAR","count":@}]}"#,
+);
+/// Where there is no cell.
+const EMPTY: &str = r#"{"asset":{"version":"2.0","generator":"Bubblestone"}}"#;
 
 /// The signs of the format and of its two chunks.
 const GLTF: u32 = u32::from_le_bytes(*b"glTF");
@@ -93,61 +110,70 @@ impl Glb {
     }
 
     fn json(&self) -> String {
-        const HEAD: &str = r#"{"asset":{"version":"2.0","generator":"Bubblestone"},"scene":0"#;
         if self.vertices.is_empty() {
-            return [HEAD, r#","scenes":[{"name":"empty"}]}"#].concat();
+            return EMPTY.to_owned();
         }
-        let number = |x: f32| decimal::text(f64::from(x));
-        let triple =
-            |[x, y, z]: [f32; 3]| ["[", &number(x), ",", &number(y), ",", &number(z), "]"].concat();
-        let vertices = self.vertices.len().to_string();
-        let indices = self.indices.len().to_string();
-        let binary = (self.vertices.len() + self.indices.len()).to_string();
-        let (count, corners) = (
-            self.count().to_string(),
-            (self.indices.len() / 4).to_string(),
-        );
-        [
-            HEAD,
-            r#","scenes":[{"nodes":[0]}],"nodes":[{"mesh":0,"name":"Bubblestone"}],"#,
-            r#""meshes":[{"primitives":[{"attributes":{"POSITION":0,"NORMAL":1,"COLOR_0":2},"indices":3,"material":0}]}],"#,
-            r#""materials":[{"pbrMetallicRoughness":{"metallicFactor":0,"roughnessFactor":"#,
-            &number(self.roughness),
-            r#"}}],"buffers":[{"byteLength":"#,
-            &binary,
-            r#"}],"bufferViews":[{"buffer":0,"byteLength":"#,
-            &vertices,
-            r#","byteStride":"#,
-            &STRIDE.to_string(),
-            r#","target":34962},{"buffer":0,"byteOffset":"#,
-            &vertices,
-            r#","byteLength":"#,
-            &indices,
-            r#","target":34963}],"accessors":[{"bufferView":0,"componentType":5126,"type":"VEC3","count":"#,
-            &count,
-            r#","min":"#,
-            &triple(self.low),
-            r#","max":"#,
-            &triple(self.high),
-            r#"},{"bufferView":0,"byteOffset":"#,
-            &NORMAL.to_string(),
-            r#","componentType":5126,"type":"VEC3","count":"#,
-            &count,
-            r#"},{"bufferView":0,"byteOffset":"#,
-            &COLOUR.to_string(),
-            r#","componentType":5123,"normalized":true,"type":"VEC4","count":"#,
-            &count,
-            r#"},{"bufferView":1,"componentType":5125,"type":"SCALAR","count":"#,
-            &corners,
-            "}]}",
-        ]
-        .concat()
+        let [vertices, indices] = [&self.vertices, &self.indices].map(|part| part.len() as f64);
+        let count = f64::from(self.count());
+        let [low, high] = [self.low, self.high].map(|corner| corner.map(f64::from));
+        let numbers = [
+            &[f64::from(self.roughness), vertices + indices],
+            &[vertices, STRIDE as f64, vertices, indices, count][..],
+            &low,
+            &high,
+            &[NORMAL, count, COLOUR, count, indices / 4.0],
+        ];
+        let mut numbers = numbers.concat().into_iter();
+        let mut json = String::new();
+        for piece in TEMPLATE.split('@') {
+            json += piece;
+            json += &numbers.next().map_or(String::new(), number);
+        }
+        json
+    }
+}
+
+/// Counts without an exponent: not all readers take 2e7 for a whole number.
+fn number(x: f64) -> String {
+    let whole = x as u64;
+    if whole as f64 == x {
+        whole.to_string()
+    } else {
+        decimal::text(x)
     }
 }
 
 /// Adds words, the lowest byte first.
+#[inline(never)]
 fn put(out: &mut Vec<u8>, words: &[u32]) {
     for word in words {
         out.extend_from_slice(&word.to_le_bytes());
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn counts_are_written_as_such() {
+        for (x, wanted) in [
+            (0.0, "0"),
+            (12e6, "12000000"),
+            (-0.5, "-0.5"),
+            (1e-9, "1e-9"),
+        ] {
+            assert_eq!(number(x), wanted);
+        }
+    }
+
+    #[test]
+    fn without_cells_there_is_a_file() {
+        let glb = Glb::new(0.5).finish().concat();
+        assert_eq!(
+            u32::from_le_bytes([glb[8], glb[9], glb[10], glb[11]]),
+            glb.len() as u32
+        );
+        assert_eq!(glb.len() % 4, 0);
     }
 }

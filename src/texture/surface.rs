@@ -132,25 +132,32 @@ impl Surface {
 
 /// The sides that belong to one triangle only, in its direction.
 fn open_sides(triangles: &[[u32; 3]], vertices: usize) -> Vec<[u32; 2]> {
-    let sides = || {
-        triangles
-            .iter()
-            .flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]])
-    };
+    let corners = triangles.as_flattened();
+    // Corner k of the list and the next one of its triangle.
+    let side = |k: usize| [corners[k], corners[if k % 3 == 2 { k - 2 } else { k + 1 }]];
     // The ends of the sides from each vertex, those from vertex k at starts[k] .. starts[k + 1].
     let mut starts = vec![0usize; vertices + 1];
-    sides().for_each(|[a, _]| starts[a as usize + 1] += 1);
+    for &a in corners {
+        starts[a as usize + 1] += 1;
+    }
     for k in 0..vertices {
         starts[k + 1] += starts[k];
     }
-    let mut ends = vec![0; 3 * triangles.len()];
+    let mut ends = vec![0; corners.len()];
     let mut next = starts.clone();
-    for [a, b] in sides() {
+    for k in 0..corners.len() {
+        let [a, b] = side(k);
         ends[next[a as usize]] = b;
         next[a as usize] += 1;
     }
-    let from = |k: u32| &ends[starts[k as usize]..starts[k as usize + 1]];
-    sides().filter(|&[a, b]| !from(b).contains(&a)).collect()
+    let mut open = Vec::new();
+    for [a, b] in (0..corners.len()).map(side) {
+        let b_to = starts[b as usize]..starts[b as usize + 1];
+        if !ends[b_to].contains(&a) {
+            open.push([a, b]);
+        }
+    }
+    open
 }
 
 /// Means of the normals of the triangles around each vertex, by their areas.
@@ -172,25 +179,29 @@ fn normals(positions: &[Vec3], triangles: &[[u32; 3]]) -> Vec<Vec3> {
 /// under other stones go on in the colour that is nearest along the surface.
 fn colours(positions: &[Vec3], triangles: &[[u32; 3]], id: u32, planes: &Planes) -> Vec<[u8; 3]> {
     let side = planes.side as i32;
-    let pixel = |p: &Vec3| {
-        let at = [p.x, p.y].map(|v| match planes.tile {
-            true => floor(v).rem_euclid(side),
-            false => floor(v),
-        });
-        let inside = at.iter().all(|v| (0..side).contains(v));
-        let at = (at[1].max(0) * side + at[0].max(0)) as usize;
-        (inside && planes.id[at] == id).then(|| planes.colour[at])
-    };
-    let mut seen: Vec<Option<[u8; 3]>> = positions.iter().map(pixel).collect();
+    let mut seen: Vec<Option<[u8; 3]>> = vec![None; positions.len()];
+    for (colour, p) in seen.iter_mut().zip(positions) {
+        let (mut x, mut y) = (floor(p.x), floor(p.y));
+        if planes.tile {
+            (x, y) = (x.rem_euclid(side), y.rem_euclid(side));
+        }
+        let at = (y * side + x) as usize;
+        let inside = x >= 0 && y >= 0 && x < side && y < side;
+        if inside && planes.id[at] == id {
+            *colour = Some(planes.colour[at]);
+        }
+    }
     let mut spreads = true;
     while spreads {
         spreads = false;
-        for triangle in triangles {
-            let corners = triangle.map(|k| k as usize);
-            let colour = corners.iter().find_map(|&k| seen[k]);
-            for k in corners.into_iter().filter(|_| colour.is_some()) {
-                spreads |= seen[k].is_none();
-                seen[k] = seen[k].or(colour);
+        for &[a, b, c] in triangles {
+            let [a, b, c] = [a as usize, b as usize, c as usize];
+            let colour = seen[a].or(seen[b]).or(seen[c]);
+            for k in [a, b, c] {
+                if seen[k].is_none() && colour.is_some() {
+                    seen[k] = colour;
+                    spreads = true;
+                }
             }
         }
     }
