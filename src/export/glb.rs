@@ -94,7 +94,7 @@ impl Glb {
     /// The file, part after part.
     pub fn finish(self) -> Vec<Vec<u8>> {
         let mut json = self.json().into_bytes();
-        while json.len() % 4 > 0 {
+        while !json.len().is_multiple_of(4) {
             json.push(b' ');
         }
         let binary = self.vertices.len() + self.indices.len();

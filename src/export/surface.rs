@@ -54,7 +54,7 @@ impl Frame {
 
 enum Body {
     Obj(Obj),
-    Glb(Glb),
+    Glb(Box<Glb>),
 }
 
 /// A mesh file in the making.
@@ -75,7 +75,7 @@ impl MeshFile {
             surfaces: Surfaces::new(params),
             body: match format {
                 MeshFormat::Obj => Body::Obj(Obj::new()),
-                MeshFormat::Glb => Body::Glb(Glb::new(mean_roughness(optics))),
+                MeshFormat::Glb => Body::Glb(Box::new(Glb::new(mean_roughness(optics)))),
             },
             cells: 0,
         }

@@ -35,7 +35,13 @@ pub struct Surfaces {
     patterns: Patterns,
     relief: f32,
     /// The open sides of the triangles seen so far; solids of one connectivity share theirs.
-    rims: Vec<(Rc<[[u32; 3]]>, Rc<[[u32; 2]]>)>,
+    rims: Vec<Rim>,
+}
+
+/// The open sides of a connectivity.
+struct Rim {
+    of: Rc<[[u32; 3]]>,
+    sides: Rc<[[u32; 2]]>,
 }
 
 impl Surfaces {
@@ -71,13 +77,16 @@ impl Surfaces {
     }
 
     fn rim(&mut self, solid: &Solid) -> Rc<[[u32; 2]]> {
-        let known = |(of, _): &&(Rc<[[u32; 3]]>, _)| Rc::ptr_eq(of, &solid.triangles);
-        if let Some((_, rim)) = self.rims.iter().find(known) {
-            return rim.clone();
+        let of = &solid.triangles;
+        if let Some(rim) = self.rims.iter().find(|rim| Rc::ptr_eq(&rim.of, of)) {
+            return rim.sides.clone();
         }
-        let rim: Rc<[[u32; 2]]> = open_sides(&solid.triangles, solid.vertices.len()).into();
-        self.rims.push((solid.triangles.clone(), rim.clone()));
-        rim
+        let sides: Rc<[[u32; 2]]> = open_sides(of, solid.vertices.len()).into();
+        self.rims.push(Rim {
+            of: of.clone(),
+            sides: sides.clone(),
+        });
+        sides
     }
 
     /// Adds what the painter adds to each pixel of a stone.

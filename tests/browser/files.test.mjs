@@ -55,7 +55,7 @@ async function saved(page, button) {
 }
 
 test('the mesh is a valid GLB file and an OBJ file of as many triangles', async () => {
-  const { page, problems, external, close } = await opened(`${SMALL}&seed=7&outline=star`);
+  const { page, problems, external, close } = await opened(`${SMALL}&seed=7&outline=star&stone=skin&sc=0.5`);
   await digest(page);
   const glb = await saved(page, '#save-glb');
   assert.equal(glb.name, 'bubblestone-star-7.glb');
