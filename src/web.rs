@@ -166,8 +166,8 @@ impl Bubblestone {
     }
 
     /// Works for about `budget` milliseconds on the file of all cells' surfaces ('glb' or 'obj'):
-    /// undefined while there is more to do, then the file in parts, a list of bytes each; or the
-    /// sentence that says why there is none.
+    /// `{ begun, parts, done }`, the next parts of the file as bytes, whether it begins with them, and
+    /// whether it ends; or the sentence that says why there is none.
     #[wasm_bindgen(js_name = meshFile)]
     pub fn mesh_file(&mut self, ending: &str, budget: f64) -> JsValue {
         let Some(&(format, _)) = MeshFormat::ALL.iter().find(|(_, word)| *word == ending) else {
@@ -175,10 +175,14 @@ impl Bubblestone {
         };
         let clock = &self.clock;
         match self.studio.mesh_file(format, &mut || clock.now(), budget) {
-            Ok(None) => JsValue::UNDEFINED,
-            Ok(Some(parts)) => {
-                let parts = parts.iter().map(|part| Uint8Array::from(&part[..]));
-                parts.collect::<Array>().into()
+            Ok(slice) => {
+                let parts = slice.parts.iter().map(|part| Uint8Array::from(&part[..]));
+                object(&[
+                    ("begun", slice.begun.into()),
+                    ("parts", parts.collect::<Array>().into()),
+                    ("done", slice.done.into()),
+                ])
+                .into()
             }
             Err(sentence) => sentence.into(),
         }

@@ -28,7 +28,7 @@ fn finished(link: &str) -> Studio {
 
 fn file(studio: &mut Studio, format: MeshFormat) -> Vec<u8> {
     let made = studio.mesh_file(format, &mut || 0.0, f64::INFINITY);
-    made.expect("a finished picture").expect("a file").concat()
+    made.expect("a finished picture").parts.concat()
 }
 
 /// Every side belongs to two triangles, once in each direction.
@@ -224,29 +224,32 @@ fn a_glb_file_has_the_triangles_of_the_obj_file() {
 #[test]
 fn slices_do_not_matter_and_changes_begin_anew() {
     let mut studio = finished(LINK);
-    let whole = file(&mut studio, MeshFormat::Glb);
-    let slice = |studio: &mut Studio| studio.mesh_file(MeshFormat::Glb, &mut || 0.0, 0.0);
-    let mut slices = 0;
-    let cut = loop {
-        slices += 1;
-        if let Some(parts) = slice(&mut studio).unwrap() {
-            break parts.concat();
+    for (format, word) in MeshFormat::ALL {
+        let whole = file(&mut studio, format);
+        let slice = |studio: &mut Studio| studio.mesh_file(format, &mut || 0.0, 0.0);
+        let (mut cut, mut slices, mut done) = (Vec::new(), 0, false);
+        while !done {
+            let next = slice(&mut studio).unwrap();
+            assert_eq!(next.begun, slices == 0, "{word}");
+            cut.extend(next.parts.concat());
+            (slices, done) = (slices + 1, next.done);
         }
-    };
-    assert!(slices > 3 && cut == whole);
+        assert!(slices > 3 && cut == whole, "{word}");
 
-    assert_eq!(slice(&mut studio), Ok(None));
-    let (recipe, _) = Recipe::from_link(&format!("{LINK}&palette=basalt"));
-    studio.set_recipe(recipe);
-    assert!(slice(&mut studio).is_err_and(|sentence| sentence.ends_with('.')));
-    assert!(
-        studio
-            .map(MapKind::Id)
-            .is_err_and(|sentence| sentence.ends_with('.'))
-    );
-    studio.finish(&mut || 0.0).unwrap();
-    let other = file(&mut studio, MeshFormat::Glb);
-    assert!(other.len() == whole.len() && other != whole);
+        assert!(slice(&mut studio).is_ok_and(|next| next.begun && !next.done));
+        let before = studio.recipe().clone();
+        let (recipe, _) = Recipe::from_link(&format!("{LINK}&palette=basalt"));
+        studio.set_recipe(recipe);
+        let sentence = slice(&mut studio).unwrap_err();
+        assert!(sentence.ends_with('.') && studio.map(MapKind::Id) == Err(sentence));
+        studio.finish(&mut || 0.0).unwrap();
+        assert!(slice(&mut studio).is_ok_and(|next| next.begun));
+        let other = file(&mut studio, format);
+        assert!(other != whole, "{word}");
+        studio.set_recipe(before);
+        studio.finish(&mut || 0.0).unwrap();
+        assert_eq!(file(&mut studio, format), whole, "{word}");
+    }
 }
 
 /// Planes that begin at another place of the tile.

@@ -147,11 +147,16 @@ fn maps_and_meshes_come_as_bytes() {
     let bytes: Uint8Array = property(&map, "bytes").unchecked_into();
     assert_eq!(bytes.length(), 2 * 160 * 160);
     for ending in ["glb", "obj"] {
-        let mut parts = JsValue::UNDEFINED;
-        while parts.is_undefined() {
-            parts = page.mesh_file(ending, 1.0);
+        let mut parts = Vec::new();
+        let mut done = false;
+        while !done {
+            let slice = page.mesh_file(ending, 1.0);
+            assert_eq!(property(&slice, "begun"), parts.is_empty().into());
+            parts.push(JsValue::NULL);
+            parts.extend(property(&slice, "parts").unchecked_into::<Array>().iter());
+            done = property(&slice, "done").is_truthy();
         }
-        let parts: Vec<JsValue> = parts.unchecked_into::<Array>().iter().collect();
+        parts.retain(|part| !part.is_null());
         let length = |part: &JsValue| part.unchecked_ref::<Uint8Array>().length();
         assert!(parts.iter().map(length).sum::<u32>() > 100_000, "{ending}");
     }

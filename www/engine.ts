@@ -3,7 +3,7 @@
  * calls answer with harmless values instead of failing again.
  */
 import init, { Bubblestone, presets, random_seed, schema } from '../pkg/bubblestone.js';
-import type { Parameter, PixelMap, Point, Preset, Ring, Status } from './types';
+import type { MeshSlice, Parameter, PixelMap, Point, Preset, Ring, Status } from './types';
 
 /** The schema gives the defaults of numbers as numbers. */
 type RawParameter = Omit<Parameter, 'default'> & { default: string | number };
@@ -130,9 +130,9 @@ export class Engine {
     return this.ask((core) => core.map(word) as PixelMap | string, NO_FILE);
   }
 
-  /** Works on a mesh file for about `budget` milliseconds: nothing yet, its parts, or why there is none. */
-  meshFile(ending: string, budget: number): BlobPart[] | string | undefined {
-    return this.ask((core) => core.meshFile(ending, budget) as BlobPart[] | string | undefined, NO_FILE);
+  /** Works on a mesh file for about `budget` milliseconds, or says why there is none. */
+  meshFile(ending: string, budget: number): MeshSlice | string {
+    return this.ask((core) => core.meshFile(ending, budget) as MeshSlice | string, NO_FILE);
   }
 
   /** What making the pavement took and gave, as JSON. */

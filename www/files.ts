@@ -53,10 +53,12 @@ export class Files {
   }
 
   private async mesh(ending: string, type: string): Promise<Blob> {
+    let parts: BlobPart[] = [];
     for (;;) {
-      const made = this.engine.meshFile(ending, BUDGET);
-      if (typeof made === 'string') throw new Error(made);
-      if (made) return new Blob(made, { type });
+      const slice = this.engine.meshFile(ending, BUDGET);
+      if (typeof slice === 'string') throw new Error(slice);
+      parts = slice.begun ? slice.parts : parts.concat(slice.parts);
+      if (slice.done) return new Blob(parts, { type });
       await new Promise((resolve) => setTimeout(resolve));
     }
   }

@@ -57,6 +57,14 @@ export interface PixelMap {
   bytes: Uint8Array;
 }
 
+/** What a slice of work gave of a mesh file. */
+export interface MeshSlice {
+  /** The file begins with these parts: those before are of another one. */
+  begun: boolean;
+  parts: BlobPart[];
+  done: boolean;
+}
+
 /** Rings of an outline in picture units, y down, the outer ring first; not closed. */
 export type Point = [number, number];
 export type Ring = Point[];

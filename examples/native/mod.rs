@@ -165,12 +165,8 @@ fn write_map(studio: &Studio, kind: MapKind, dir: &Path) -> Result<(), String> {
 /// Writes the surface of all cells as surface.obj and surface.glb.
 pub fn write_meshes(studio: &mut Studio, dir: &Path) -> Result<(), String> {
     for (format, word) in MeshFormat::ALL {
-        let parts = studio.mesh_file(format, &mut || 0.0, f64::INFINITY)?;
-        write(
-            dir,
-            &format!("surface.{word}"),
-            &parts.unwrap_or_default().concat(),
-        )?;
+        let file = studio.mesh_file(format, &mut || 0.0, f64::INFINITY)?;
+        write(dir, &format!("surface.{word}"), &file.parts.concat())?;
     }
     Ok(())
 }

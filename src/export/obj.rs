@@ -62,7 +62,12 @@ impl Obj {
         }
     }
 
-    /// The file, part after part.
+    /// The parts finished since the last call.
+    pub fn take(&mut self) -> Vec<Vec<u8>> {
+        std::mem::take(&mut self.parts)
+    }
+
+    /// The rest of the file, part after part.
     pub fn finish(mut self) -> Vec<Vec<u8>> {
         self.parts.push(self.part);
         self.parts

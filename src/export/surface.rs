@@ -98,7 +98,15 @@ impl MeshFile {
         self.cells += 1;
     }
 
-    /// The file in parts, one after the other.
+    /// The next parts of the file, as far as they are known before the last cell is.
+    pub fn take(&mut self) -> Vec<Vec<u8>> {
+        match &mut self.body {
+            Body::Obj(obj) => obj.take(),
+            Body::Glb(_) => Vec::new(),
+        }
+    }
+
+    /// The rest of the file in parts, one after the other.
     pub fn finish(self) -> Vec<Vec<u8>> {
         match self.body {
             Body::Obj(obj) => obj.finish(),

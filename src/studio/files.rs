@@ -9,6 +9,17 @@ use crate::solid::Quarry;
 const NOT_YET: &str =
     "Maps and meshes are made of the finished picture: save them when it is done.";
 
+/// What one slice of work gave of a mesh file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MeshSlice {
+    /// The file begins with these parts: those of calls before are of another one.
+    pub begun: bool,
+    /// The next parts of the file, one after the other.
+    pub parts: Vec<Vec<u8>>,
+    /// The file ends with them.
+    pub done: bool,
+}
+
 /// A mesh file in the making.
 pub(super) struct Saving {
     file: MeshFile,
@@ -30,9 +41,8 @@ impl Studio {
         Ok(maps::map(kind, planes, &optics, shininess))
     }
 
-    /// Works for about `budget` milliseconds by `clock` on the file of all cells' surfaces: `None`
-    /// while there is more to do, then the file in parts, one after the other. Begins anew where
-    /// the pavement or the format is another one than the last time.
+    /// Works for about `budget` milliseconds by `clock` on the file of all cells' surfaces. Begins
+    /// anew where the pavement or the format is another one than the last time.
     ///
     /// # Errors
     /// A sentence where the picture is not finished.
@@ -41,13 +51,14 @@ impl Studio {
         format: MeshFormat,
         clock: &mut dyn FnMut() -> f64,
         budget: f64,
-    ) -> Result<Option<Vec<Vec<u8>>>, String> {
-        if !self.done() {
-            return Err(NOT_YET.to_owned());
-        }
+    ) -> Result<MeshSlice, String> {
         let stamp = self.changes[..=Stage::Planes as usize].iter().sum();
         let fits = |s: &Saving| (s.format, s.stamp) == (format, stamp);
         let kept = self.saving.take().filter(fits);
+        if !self.done() {
+            return Err(NOT_YET.to_owned());
+        }
+        let begun = kept.is_none();
         let params = translate::texture(&self.working);
         let mut saving = kept.unwrap_or_else(|| Saving {
             file: MeshFile::new(format, params, &translate::optics(&self.working)),
@@ -55,13 +66,15 @@ impl Studio {
             stamp,
         });
         let mut quarry = std::mem::take(&mut self.made.quarry);
-        let all = self.add_cells(&mut saving.file, &mut quarry, clock, budget);
+        let done = self.add_cells(&mut saving.file, &mut quarry, clock, budget);
         self.made.quarry = quarry;
-        if all {
-            return Ok(Some(saving.file.finish()));
+        let mut parts = saving.file.take();
+        if done {
+            parts.extend(saving.file.finish());
+        } else {
+            self.saving = Some(saving);
         }
-        self.saving = Some(saving);
-        Ok(None)
+        Ok(MeshSlice { begun, parts, done })
     }
 
     /// Adds cells for about `budget` milliseconds; true when all are in.

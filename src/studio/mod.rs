@@ -10,6 +10,7 @@ mod products;
 mod translate;
 mod view;
 
+pub use files::MeshSlice;
 pub use view::View;
 
 use crate::cells::Cell;
