@@ -2,10 +2,13 @@
 //! clock; each is the shortest of several runs, which other programs have disturbed least.
 
 use bubblestone::domain::{Domain, Outline};
+use bubblestone::export::StageTime;
 use bubblestone::field::{FieldBuilder, FieldParams, Fields};
 use bubblestone::packing::{Edge, Integrator, Packing, PackingParams, Population, Start};
 use bubblestone::recipe::Recipe;
 use bubblestone::solid::Stencil;
+#[cfg(target_arch = "wasm32")]
+use bubblestone::solid::{Quarry, TriangleMesh};
 use bubblestone::studio::Studio;
 use glam::{DVec2, Vec3};
 
@@ -26,6 +29,9 @@ pub const STONES: usize = 500;
 /// Loop steps on each stone: 24 triangles become 1,536.
 pub const LEVELS: u32 = 3;
 
+/// The parameters of fig. 14 (a) of Itoh, Miyata, Shimada (2003), on a square.
+const SKIN: &str = "outline=square&kind=ellipse&ca=1.5&stone=skin&tc=0.2&dr=0";
+
 /// All measurements.
 pub fn run(clock: Clock) -> Vec<Timing> {
     let mut timings = Vec::new();
@@ -40,6 +46,7 @@ pub fn run(clock: Clock) -> Vec<Timing> {
         whole_way("ring", &ring(), cells, clock, &mut timings);
     }
     timings.push(subdivision(clock));
+    timings.push(skin(clock));
     stages(clock, &mut timings);
     for light in ["parallel", "point"] {
         timings.push(moved_light(light, clock));
@@ -205,6 +212,46 @@ fn subdivision(clock: Clock) -> Timing {
     });
     Timing {
         name: format!("subdivision, {STONES} stones, {LEVELS} times"),
+        ms: shortest(times),
+    }
+}
+
+/// What is subdivided elsewhere to compare: the prism of a cell of skin of six corners, and the times
+/// and the number of them that make as many triangles as the cells of [`SKIN`] have.
+#[cfg(target_arch = "wasm32")]
+pub fn skin_mesh() -> (TriangleMesh, u32, usize) {
+    const STEPS: u32 = 4;
+    let mut studio = Studio::new(Recipe::from_link(SKIN).0);
+    // Without cells there is nothing to count.
+    let _ = studio.finish(&mut || 0.0);
+    let mut quarry = Quarry::new();
+    let params = studio.stone_params();
+    let cells = studio.scales();
+    let triangles: usize = cells
+        .iter()
+        .map(|cell| quarry.stone(cell, &params).triangles.len())
+        .sum();
+    let six = cells.iter().find_map(|cell| {
+        Quarry::control_mesh(cell, &params).filter(|mesh| mesh.triangles.len() == 18)
+    });
+    let mesh = six.unwrap_or_default();
+    let each = mesh.triangles.len().max(1) << (2 * STEPS);
+    (mesh, STEPS, triangles.div_ceil(each))
+}
+
+/// The whole skin of [`SKIN`]: prisms, subdivision, noise, planes.
+fn skin(clock: Clock) -> Timing {
+    let recipe = Recipe::from_link(SKIN).0;
+    let times = (0..5).map(|_| {
+        let mut studio = Studio::new(recipe.clone());
+        // A run that fails shows as missing time.
+        let _ = studio.finish(clock);
+        let stages = studio.milliseconds();
+        let of_skin = |t: &&StageTime| ["solids", "planes"].contains(&t.stage);
+        stages.iter().filter(of_skin).map(|t| t.ms).sum()
+    });
+    Timing {
+        name: "skin of fig. 14 (a)".to_owned(),
         ms: shortest(times),
     }
 }

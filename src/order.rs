@@ -66,7 +66,7 @@ pub(crate) fn lesser<T: PartialOrd>(a: T, b: T) -> T {
 /// The number, or the limit that it is beyond. `f64::clamp` has the limits in a message of its own,
 /// with all that writes numbers.
 #[inline(always)]
-pub(crate) fn within(x: f64, least: f64, most: f64) -> f64 {
+pub(crate) fn within<T: PartialOrd>(x: T, least: T, most: T) -> T {
     lesser(greater(x, least), most)
 }
 

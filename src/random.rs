@@ -24,6 +24,8 @@ pub enum Purpose {
     Ground = 6,
     /// Points scattered over the outline.
     Scatter = 7,
+    /// Which cells are marked.
+    Pattern = 8,
 }
 
 /// A stream of random numbers.

@@ -8,6 +8,8 @@ use crate::export::{MapKind, MeshFormat};
 use crate::recipe::{Key, Kind, PRESETS, Parameter, Preset, Recipe, SCHEMA};
 use crate::studio::{Studio, View};
 use glam::DVec2;
+#[cfg(feature = "bench")]
+use glam::Vec3;
 use js_sys::{Array, Date, Float64Array, Object, Reflect, Uint8Array, Uint32Array};
 use wasm_bindgen::prelude::*;
 use wasm_bindgen::{Clamped, JsCast};
@@ -417,12 +419,27 @@ pub fn bench() -> Array {
 pub fn bench_mesh() -> Object {
     use crate::suite::{LEVELS, STONES, control_mesh};
     let (points, triangles) = control_mesh();
+    mesh_object(&points, &triangles, STONES, LEVELS)
+}
+
+/// The same of the skin.
+#[cfg(feature = "bench")]
+#[wasm_bindgen]
+pub fn bench_skin() -> Object {
+    let (mesh, levels, stones) = crate::suite::skin_mesh();
+    mesh_object(&mesh.vertices, &mesh.triangles, stones, levels)
+}
+
+#[cfg(feature = "bench")]
+fn mesh_object(points: &[Vec3], triangles: &[[u32; 3]], stones: usize, levels: u32) -> Object {
     let points: Vec<f32> = points.iter().flat_map(|p| p.to_array()).collect();
-    let triangles: Vec<u32> = triangles.into_iter().flatten().collect();
     object(&[
         ("points", js_sys::Float32Array::from(&points[..]).into()),
-        ("triangles", Uint32Array::from(&triangles[..]).into()),
-        ("stones", STONES.into()),
-        ("levels", LEVELS.into()),
+        (
+            "triangles",
+            Uint32Array::from(triangles.as_flattened()).into(),
+        ),
+        ("stones", stones.into()),
+        ("levels", levels.into()),
     ])
 }

@@ -141,7 +141,12 @@ fn bad_links_are_mended_and_told() {
         (
             "stone=brick",
             "",
-            &["(stone)", "cobble or flag", "\"brick\"", "kept cobble"],
+            &[
+                "(stone)",
+                "cobble, flag or skin",
+                "\"brick\"",
+                "kept cobble",
+            ],
         ),
         (
             "kind=hexagon",

@@ -3,12 +3,12 @@
 mod quarry;
 
 use bubblestone::render::{Light, ShadeParams, Shader};
-use bubblestone::texture::{Planes, optics_table};
+use bubblestone::texture::{Gloss, Planes, optics_table};
 use quarry::{SIDE, painted, pavement, small};
 use std::f64::consts::TAU;
 
 fn shaded(planes: &Planes, params: &ShadeParams, rows: usize) -> Vec<u8> {
-    let table = optics_table("granite", "sand");
+    let table = optics_table("granite", "sand", Gloss::Own);
     let mut shader = Shader::new(params, planes.side);
     let mut calls = 0;
     while !shader.advance(planes, &table, rows) {
@@ -94,7 +94,7 @@ fn slices_do_not_change_the_picture() {
 #[test]
 fn a_restarted_shader_forgets_the_light_before() {
     let planes = painted(small(), &pavement(16.0));
-    let table = optics_table("granite", "sand");
+    let table = optics_table("granite", "sand", Gloss::Own);
     let low = Light::Parallel {
         azimuth: 1.0,
         elevation: 0.2,

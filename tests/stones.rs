@@ -5,7 +5,7 @@ mod quarry;
 use bubblestone::cells::Cell;
 use bubblestone::field::Kind;
 use bubblestone::solid::{Quarry, Solid, Spread, StoneKind, StoneParams, joint_depth};
-use bubblestone::texture::{GROUND, GROUNDS, PALETTES, TextureParams, optics_table};
+use bubblestone::texture::{GROUND, GROUNDS, Gloss, PALETTES, TextureParams, optics_table};
 use glam::{DVec2, Vec3};
 use proptest::prelude::*;
 use quarry::{SIDE, cell, painted, pavement, small, star};
@@ -254,7 +254,7 @@ fn every_palette_on_every_ground_gives_stones_of_many_tones() {
             tones.dedup();
             assert!(tones.len() >= 6, "{} on {}", palette.name, ground.name);
         }
-        assert_eq!(optics_table(palette.name, "sand").len(), 4);
+        assert_eq!(optics_table(palette.name, "sand", Gloss::Own).len(), 19);
     }
 }
 

@@ -8,7 +8,7 @@ use bubblestone::random::{Purpose, Random};
 use bubblestone::recipe::Recipe;
 use bubblestone::render::{Light, ShadeParams, Shader};
 use bubblestone::studio::Studio;
-use bubblestone::texture::{Planes, optics_table};
+use bubblestone::texture::{Gloss, Planes, optics_table};
 use std::collections::HashMap;
 
 const SIDE: usize = 192;
@@ -119,7 +119,7 @@ fn meshes_of_few_cells_close_over_the_seams() {
 }
 
 fn shaded(planes: &Planes, light: Light) -> Vec<u8> {
-    let table = optics_table("granite", "sand");
+    let table = optics_table("granite", "sand", Gloss::Own);
     let params = ShadeParams {
         light,
         ..ShadeParams::default()

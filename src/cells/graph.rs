@@ -33,7 +33,10 @@ pub fn graph(domain: &Domain, cells: &[Cell]) -> Vec<Vec<u32>> {
 impl Graph {
     /// Neighbours to be found by [`Graph::advance`].
     pub fn new(domain: &Domain, cells: &[Cell]) -> Self {
-        let shapes: Vec<Particle> = cells.iter().map(particle).collect();
+        let mut shapes: Vec<Particle> = cells.iter().map(particle).collect();
+        for shape in &mut shapes {
+            shape.centre = domain.wrap(shape.centre);
+        }
         let (mut lo, mut hi) = domain.bounds();
         let mut length = 0.0;
         for shape in &shapes {

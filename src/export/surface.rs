@@ -10,7 +10,7 @@ use super::maps::roughness;
 use super::obj::Obj;
 use crate::cells::Cell;
 use crate::solid::Solid;
-use crate::texture::{Optics, Planes, Surfaces, TextureParams};
+use crate::texture::{FINISHES, Optics, Planes, Surfaces, TextureParams};
 use glam::Vec3;
 
 /// A kind of mesh file.
@@ -115,9 +115,9 @@ impl MeshFile {
     }
 }
 
-/// Of the stones' finishes, which come after the ground's.
+/// Of the stones' dry finishes, which come after the ground's.
 fn mean_roughness(optics: &[Optics]) -> f32 {
-    let stones = optics.get(1..).unwrap_or_default();
+    let stones = optics.get(1..=FINISHES).unwrap_or_default();
     let sum: f32 = stones
         .iter()
         .map(|o| roughness(f64::from(o.shininess)))

@@ -156,16 +156,19 @@ parameters! {
     Sc: "How far the top leans along the flow, in skin sizes: scales overlap where it is large.",
         number("sc", "Sc", "Skew").range(0.0, 4.0, 0.05, 0.0).at(Solids, "Stones")
             .only_for(Key::Stone, SKINS);
-    Sa: "Where the top leans to, clockwise from the direction of the cells.",
-        number("sa", "", "Skew angle").range(-180.0, 180.0, 1.0, 0.0).unit("°")
-            .at(Solids, "Stones").only_with(Key::Sc);
+    Tilt: "How much the top rises along the flow: scales lie like tiles on a roof.",
+        number("tilt", "", "Tilt").range(0.0, 1.0, 0.01, 0.0).at(Solids, "Stones")
+            .only_for(Key::Stone, SKINS);
+    Sa: "Where the top leans and rises to, clockwise from the direction of the cells.",
+        number("sa", "", "Flow angle").range(-180.0, 180.0, 1.0, 0.0).unit("°")
+            .at(Solids, "Stones").only_for(Key::Stone, SKINS);
     Tc: "How far the top is drawn to the middle: 0 a block, 1 a thorn.",
         number("tc", "Tc", "Taper").range(0.0, 1.0, 0.01, 0.2).at(Solids, "Stones")
             .only_for(Key::Stone, SKINS);
     Flat: "How much is kept of the prism under the smooth surface: 0 a dome, 1 a plate with edges.",
         number("flat", "", "Flatness").range(0.0, 1.0, 0.01, 0.0).at(Solids, "Stones")
             .only_for(Key::Stone, SKINS);
-    Keel: "Height of a ridge along the flow over the middle of each cell, in its height.",
+    Keel: "Height of a ridge along the flow over the middle of each cell, in cell heights.",
         number("keel", "", "Keel").range(0.0, 1.0, 0.01, 0.0).at(Solids, "Stones")
             .only_for(Key::Stone, SKINS);
     Rings: "Growth rings on each cell.",
@@ -195,14 +198,59 @@ parameters! {
             granite: "Granite", basalt: "Basalt", sandstone: "Sandstone",
             terracotta: "Terracotta", marble: "Marble mix", porphyry: "Porphyry", slate: "Slate",
             mossy: "Mossy granite", limestone: "Limestone",
+            crocodile: "Crocodile", lizard: "Lizard", snake: "Snake", coral: "Coral snake",
+            fish: "Fish", koi: "Koi", tortoise: "Tortoise", armadillo: "Armadillo",
+            pangolin: "Pangolin", desert: "Thorny devil", cone: "Pine cone", dragon: "Dragon",
         ]).at(Planes, "Surface");
     Vary: "Variation of tone from stone to stone.",
         number("vary", "", "Tone variation").range(0.0, 2.0, 0.05, 1.0).at(Planes, "Surface");
     Ground: "What lies between the stones.",
         choice("ground", "Ground", choices![
             sand: "Sand", soil: "Soil", mortar: "Mortar", dark: "Dark earth",
-            moss: "Moss", gravel: "Gravel",
+            moss: "Moss", gravel: "Gravel", hide: "Bare hide",
         ]).at(Planes, "Surface");
+    Gloss: "How stones or scales shine.",
+        choice("gloss", "Gloss", choices![
+            own: "As they are", matt: "Matt", glossy: "Glossy", wet: "Wet",
+        ]).at(Shading, "Surface");
+
+    Pattern: "The rule by which cells have the palette's mark colour.",
+        choice("pattern", "Pattern", choices![
+            none: "None", bands: "Bands", spots: "Spots", rosettes: "Rosettes",
+            blotches: "Blotches", turing: "Reaction-diffusion", size: "By size",
+            boundary: "Near the boundary", lines: "Near lines", direction: "By direction",
+        ]).at(Planes, "Colour");
+    Pn: "From one mark to the next, or how far marks reach, in picture sides.",
+        number("pn", "", "Pattern scale").range(0.02, 1.0, 0.01, 0.12).at(Planes, "Colour")
+            .only_for(Key::Pattern, SCALED);
+    Pa: "Across bands, or where marked cells point, clockwise from the x axis.",
+        number("pa", "", "Pattern angle").range(-180.0, 180.0, 1.0, 0.0).unit("°")
+            .at(Planes, "Colour").only_for(Key::Pattern, &["bands", "direction"]);
+    Ps: "Of the border between marked cells and others: 0 soft, 1 sharp.",
+        number("ps", "", "Pattern sharpness").range(0.0, 1.0, 0.05, 0.7).at(Planes, "Colour")
+            .only_for(Key::Pattern, PATTERNS);
+    Pc: "Share of the cells that are marked.",
+        number("pc", "", "Pattern share").range(0.05, 0.95, 0.01, 0.5).at(Planes, "Colour")
+            .only_for(Key::Pattern, PATTERNS);
+    Pm: "How much of the mark's colour marked cells have.",
+        number("pm", "", "Pattern strength").range(0.0, 1.0, 0.05, 1.0).at(Planes, "Colour")
+            .only_for(Key::Pattern, PATTERNS);
+    Rim: "Darkens the rim of each cell; below 0 its middle.",
+        number("rim", "", "Dark rims").range(-1.0, 1.0, 0.05, 0.0).at(Planes, "Colour");
+    Belly: "How much of the palette's belly colour there is on one side of the picture.",
+        number("belly", "", "Belly").range(0.0, 1.0, 0.05, 0.0).at(Planes, "Colour");
+    Ba: "Where the belly is, clockwise from the x axis.",
+        number("ba", "", "Belly angle").range(-180.0, 180.0, 1.0, 90.0).unit("°")
+            .at(Planes, "Colour").only_with(Key::Belly);
+
+    Wear: "Lowers, rounds and polishes what feet tread on, most of all along the middle of the way.",
+        number("wear", "", "Wear").range(0.0, 1.0, 0.05, 0.0).at(Planes, "Weather");
+    Moss: "Lets moss grow, in the joints first.",
+        number("moss", "", "Moss").range(0.0, 1.0, 0.05, 0.0).at(Planes, "Weather");
+    Dirt: "Brings dust and mud into hollows.",
+        number("dirt", "", "Dirt").range(0.0, 1.0, 0.05, 0.0).at(Planes, "Weather");
+    Wet: "Makes all damp, then wet, with puddles in the joints at last.",
+        number("wet", "", "Wet").range(0.0, 1.0, 0.05, 0.0).at(Planes, "Weather");
 
     Light: "Rays from one side, or from a lamp at a place.",
         choice("light", "Light", choices![parallel: "Parallel", point: "Point"])
@@ -241,6 +289,22 @@ const STRETCHED: &[&str] = &["rectangle", "ellipse"];
 
 /// The word of the stones that are skin.
 const SKINS: &[&str] = &["skin"];
+
+/// The patterns, and those that have a scale.
+const PATTERNS: &[&str] = &[
+    "bands",
+    "spots",
+    "rosettes",
+    "blotches",
+    "turing",
+    "size",
+    "boundary",
+    "lines",
+    "direction",
+];
+const SCALED: &[&str] = &[
+    "bands", "spots", "rosettes", "blotches", "turing", "boundary", "lines",
+];
 
 /// The directions about a point.
 const ABOUT: &[&str] = &["radial", "circular", "spiral"];

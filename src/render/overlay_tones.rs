@@ -1,7 +1,9 @@
 //! The colours of the drawings: earth and stones before there are any, and the paper of figures.
 
 use super::overlay::{Paper, Tint, blend, lit};
-use crate::texture::{Ground, Palette, TextureParams, ground, palette, stone_colour};
+use crate::cells::Cell;
+use crate::order;
+use crate::texture::{Coat, Ground, Palette, TextureParams, ground, palette, stone_colour};
 
 /// What figures (mesh, direction field) are drawn on.
 pub const SHEET: Paper = Paper {
@@ -20,29 +22,44 @@ const BED_LIGHT: f32 = 0.78;
 const CALM: f32 = 0.10;
 
 /// The tones of one recipe's pavement.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Tones {
     /// The ground that will lie there, not laid yet.
     pub paper: Paper,
     palette: &'static Palette,
     seed: u64,
     vary: f32,
+    /// What cells wear by rule, in the order of their ids.
+    coats: Vec<(u32, Coat)>,
 }
 
 impl Tones {
     /// The tones of the pavement that these parameters make.
     pub fn new(params: &TextureParams) -> Self {
+        let palette = palette(params.palette);
         Self {
-            paper: earth(ground(params.ground)),
-            palette: palette(params.palette),
+            paper: earth(&ground(params.ground, palette)),
+            palette,
             seed: params.seed,
             vary: params.vary as f32,
+            coats: Vec::new(),
         }
+    }
+
+    /// The same with what the cells wear by rule, once that is known.
+    pub fn wearing(mut self, cells: &[Cell], coats: &[Coat]) -> Self {
+        let named = cells.iter().map(|cell| cell.id).zip(coats.iter().copied());
+        self.coats = named.collect();
+        order::sort(&mut self.coats, |&(id, _)| (id.into(), 0));
+        self
     }
 
     /// The tone of the stone that the cell `id` will become.
     pub fn stone(&self, id: u32) -> Tint {
-        let [r, g, b] = stone_colour(self.palette, id, self.seed, self.vary);
+        let place = self.coats.partition_point(|&(other, _)| other < id);
+        let worn = self.coats.get(place).filter(|&&(other, _)| other == id);
+        let coat = worn.map_or(Coat::default(), |&(_, coat)| coat);
+        let [r, g, b] = stone_colour(self.palette, id, self.seed, self.vary, coat);
         lit([r / 255.0, g / 255.0, b / 255.0, 1.0], STONE_LIGHT)
     }
 }
@@ -77,7 +94,7 @@ mod tests {
     #[test]
     fn every_ground_tells_bed_line_and_surround_apart() {
         for ground in GROUNDS {
-            let paper = earth(ground);
+            let paper = earth(&crate::texture::ground(ground.name, palette("")));
             let (around, bed, line) = (light(paper.surround), light(paper.bed), light(paper.line));
             assert!(bed < around, "{}", ground.name);
             assert!((line - around).abs() > 0.1, "{}", ground.name);

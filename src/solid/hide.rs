@@ -16,6 +16,9 @@ use glam::{DVec2, Vec3};
 
 /// Deviation of the noise at the distance of a skin size, of its amplitude.
 const DEVIATION: f64 = 0.5;
+/// How much stronger the last level is for the roughest noise. A pixel averages over some vertices:
+/// without this a surface would be smoother, by up to 0.15 of the dimension, than asked for.
+const LAST: f64 = 2.0;
 /// Depth of growth rings, in skin sizes.
 const RING_DEPTH: f32 = 0.05;
 /// Part of the half width that a keel takes.
@@ -92,21 +95,24 @@ pub(super) fn roughen(
     }
     let hurst = (2.0 - params.skin.dimension).clamp(0.0, 1.0);
     let fall = libm::exp2(-hurst);
-    // What is missing of the variance after averaging (Fournier et al.); uniform numbers of
-    // deviation 1.
-    let own = (1.0 - libm::exp2(2.0 * hurst - 2.0)).max(0.0).sqrt() * 3.0f64.sqrt();
-    let mut amplitude = params.skin.amplitude * skin_size * DEVIATION * own;
+    // Uniform numbers of deviation 1. The corners begin with noise, too: without it a surface of low
+    // dimension would miss its widest waves, and be too rough for what it has.
+    let mut amplitude = params.skin.amplitude * skin_size * DEVIATION * 3.0f64.sqrt();
     let mut random = Random::new(params.seed, Purpose::Noise, u64::from(id));
-    let mut noise = vec![0.0f32; stencil.sources()];
+    let corner = |_| (amplitude * random.signed()) as f32;
+    let mut noise: Vec<f32> = (0..stencil.sources()).map(corner).collect();
     noise.reserve(stencil.len());
-    for (level, edges) in stencil.levels().enumerate() {
+    // What is missing of the variance after averaging: of the two numbers that differ along an edge,
+    // one is new on the halves of old edges and both between them, so one and a half on average.
+    amplitude *= ((1.0 - libm::exp2(2.0 * hurst - 2.0)).max(0.0) * 2.0 / 1.5).sqrt();
+    for (level, edges) in (1..=levels).zip(stencil.levels()) {
         amplitude *= fall;
-        let seen = (level as u32) < levels;
-        let scale = if seen {
-            (amplitude / f64::from(1u32 << 31)) as f32
+        let last = if level == levels {
+            LAST * (1.0 - hurst)
         } else {
             0.0
         };
+        let scale = (amplitude * (1.0 + last) / f64::from(1u32 << 31)) as f32;
         for pair in edges.chunks(2) {
             let bits = random.bits();
             for (k, &[a, b]) in pair.iter().enumerate() {
@@ -115,6 +121,9 @@ pub(super) fn roughen(
                 noise.push(mean + scale * draw);
             }
         }
+    }
+    for &[a, b] in stencil.levels().skip(levels as usize).flatten() {
+        noise.push((noise[a as usize] + noise[b as usize]) * 0.5);
     }
     for ((v, noise), &radius) in vertices.iter_mut().zip(noise).zip(radii) {
         // The base stays in its plane.

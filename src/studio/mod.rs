@@ -21,7 +21,7 @@ use crate::mesh::Mesh;
 use crate::metrics::Metrics;
 use crate::packing::{Packing, StepReport};
 use crate::recipe::{Recipe, Stage};
-use crate::solid::Quarry;
+use crate::solid::{Quarry, StoneParams};
 use crate::texture::Planes;
 use products::Products;
 use view::Gallery;
@@ -173,6 +173,11 @@ impl Studio {
         } else {
             &self.made.scales
         }
+    }
+
+    /// What the stones are made by.
+    pub fn stone_params(&self) -> StoneParams {
+        translate::stone(&self.working)
     }
 
     /// Stones painted so far in the pass at work, or in the last one.

@@ -9,12 +9,12 @@ use crate::packing::Packing;
 use crate::recipe::{Recipe, Stage};
 use crate::render::Shader;
 use crate::solid::{Quarry, oriented};
-use crate::texture::{Painter, Planes};
+use crate::texture::{Coat, Coats, Painter, Planes};
 use glam::DVec2;
 
 /// Rows of the picture in one slice of the stages that go by rows.
 const ROWS: usize = 16;
-/// Cells whose neighbours are found in one slice.
+/// Cells whose neighbours are found, or whose coats are made, in one slice.
 const CELLS: usize = 500;
 
 /// The finished products of the stages, and those in the making.
@@ -34,6 +34,9 @@ pub(super) struct Products {
     pub scales: Vec<Cell>,
     graph: Option<Graph>,
     pub quarry: Quarry,
+    dresser: Option<Coats>,
+    /// What the cells wear by rule; none while other cells form.
+    pub coats: Vec<Coat>,
     pub painter: Option<Painter>,
     /// Is the ground laid in the pass at work?
     pub bedded: bool,
@@ -66,6 +69,8 @@ impl Products {
             scales: Vec::new(),
             graph: None,
             quarry: Quarry::new(),
+            dresser: None,
+            coats: Vec::new(),
             painter: None,
             bedded: false,
             stones: 0,
@@ -96,6 +101,9 @@ impl Products {
         if from < Stage::Planes {
             self.painter = None;
             self.bedded = false;
+        }
+        if from <= Stage::Cells {
+            self.coats.clear();
         }
         if from <= Stage::Packing {
             self.packing_begun = false;
@@ -221,12 +229,23 @@ impl Products {
             return Ok(false);
         }
         let Some(painter) = &mut self.painter else {
-            self.painter = Some(Painter::new(translate::texture(recipe)));
+            let params = translate::texture(recipe);
+            self.painter = Some(Painter::new(params));
+            self.dresser = Some(Coats::new(&params));
             self.bedded = false;
             self.stones = 0;
             self.pass += 1;
             return Ok(false);
         };
+        if let Some(dresser) = &mut self.dresser {
+            let domain = self.domain.as_ref().ok_or(MISSING)?;
+            if dresser.advance(domain, &self.cells, CELLS) {
+                let coats = self.dresser.take().map(|d| d.finish(domain, &self.cells));
+                self.coats = coats.unwrap_or_default();
+                painter.dress(&self.coats);
+            }
+            return Ok(false);
+        }
         if !self.bedded {
             self.bedded = painter.prepare(ROWS);
             return Ok(false);
@@ -244,7 +263,8 @@ impl Products {
 
     fn slice_planes(&mut self) -> Result<bool, String> {
         let painter = self.painter.as_mut().ok_or(MISSING)?;
-        if !painter.finish(ROWS) {
+        let domain = self.domain.as_ref().ok_or(MISSING)?;
+        if !painter.weather(domain, ROWS) || !painter.finish(ROWS) {
             return Ok(false);
         }
         self.planes = self.painter.take().map(Painter::into_planes);

@@ -7,7 +7,9 @@ use crate::packing::{Edge, Integrator, PackingParams, Population, Start};
 use crate::recipe::{Key, Recipe};
 use crate::render::{Light, ShadeParams};
 use crate::solid::{SkinParams, Spread, StoneKind, StoneParams};
-use crate::texture::{Optics, TextureParams, optics_table};
+use crate::texture::{
+    ColourParams, Gloss, Optics, Pattern, TextureParams, WeatherParams, optics_table,
+};
 use glam::DVec2;
 
 /// Rounds of Lloyd's relaxation: after these it hardly gets better.
@@ -177,7 +179,7 @@ pub(super) fn scatter(recipe: &Recipe, count: usize) -> Option<ScatterParams> {
     })
 }
 
-fn stone(recipe: &Recipe) -> StoneParams {
+pub(super) fn stone(recipe: &Recipe) -> StoneParams {
     StoneParams {
         kind: match recipe.choice(Key::Stone) {
             "flag" => StoneKind::Flagstone,
@@ -197,6 +199,7 @@ fn stone(recipe: &Recipe) -> StoneParams {
             sweep: recipe.number(Key::Sr),
             skew: recipe.number(Key::Sc),
             skew_angle: recipe.number(Key::Sa).to_radians(),
+            tilt: recipe.number(Key::Tilt),
             taper: recipe.number(Key::Tc),
             flatness: recipe.number(Key::Flat),
             keel: recipe.number(Key::Keel),
@@ -219,13 +222,38 @@ pub(super) fn texture(recipe: &Recipe) -> TextureParams {
         palette: recipe.choice(Key::Palette),
         ground: recipe.choice(Key::Ground),
         vary: recipe.number(Key::Vary),
+        colour: colour(recipe),
+        weather: WeatherParams {
+            wear: recipe.number(Key::Wear),
+            moss: recipe.number(Key::Moss),
+            dirt: recipe.number(Key::Dirt),
+            wet: recipe.number(Key::Wet),
+        },
         tile: recipe.is_tile(),
+    }
+}
+
+fn colour(recipe: &Recipe) -> ColourParams {
+    ColourParams {
+        pattern: Pattern::of_word(recipe.choice(Key::Pattern)),
+        scale: recipe.number(Key::Pn) * recipe.side(),
+        angle: recipe.number(Key::Pa).to_radians(),
+        sharpness: recipe.number(Key::Ps),
+        share: recipe.number(Key::Pc),
+        amount: recipe.number(Key::Pm),
+        rim: recipe.number(Key::Rim),
+        belly: recipe.number(Key::Belly),
+        belly_angle: recipe.number(Key::Ba).to_radians(),
     }
 }
 
 /// The table that the optics plane indexes.
 pub(super) fn optics(recipe: &Recipe) -> Vec<Optics> {
-    optics_table(recipe.choice(Key::Palette), recipe.choice(Key::Ground))
+    optics_table(
+        recipe.choice(Key::Palette),
+        recipe.choice(Key::Ground),
+        Gloss::of_word(recipe.choice(Key::Gloss)),
+    )
 }
 
 pub(super) fn shading(recipe: &Recipe) -> ShadeParams {

@@ -172,7 +172,8 @@ impl Studio {
     }
 
     fn tones(&self) -> Tones {
-        Tones::new(&translate::texture(&self.working))
+        let made = &self.made;
+        Tones::new(&translate::texture(&self.working)).wearing(&made.cells, &made.coats)
     }
 
     fn on_paper(&self, paper: &Paper, draw: impl FnOnce(&mut Board)) -> Board {

@@ -20,7 +20,7 @@ const STAND: f32 = 0.55;
 /// Height and colour of the ground at any pixel, the same whenever asked.
 #[derive(Clone, Debug)]
 pub struct Bed {
-    ground: &'static Ground,
+    ground: Ground,
     level: f32,
     depth: f32,
     seed: u64,
@@ -37,13 +37,7 @@ pub struct Bed {
 impl Bed {
     /// Ground at `level`, its unevenness a part of the joints' `depth`; to be made by
     /// [`Bed::advance`]. With a `period` it repeats after so many pixels.
-    pub fn new(
-        ground: &'static Ground,
-        level: f32,
-        depth: f32,
-        seed: u64,
-        period: Option<usize>,
-    ) -> Self {
+    pub fn new(ground: Ground, level: f32, depth: f32, seed: u64, period: Option<usize>) -> Self {
         Self {
             ground,
             level,
@@ -97,6 +91,26 @@ impl Bed {
     /// Red, green and blue, 0..255.
     pub fn colour(&self, x: i32, y: i32) -> [f32; 3] {
         self.colours[self.place(x, y)]
+    }
+
+    /// The noise of swells and patches at any pixel: deviation about 1.
+    pub fn broad(&self, x: i32, y: i32) -> f32 {
+        self.noise(0, x, y)
+    }
+
+    /// The noise of grains at any pixel: deviation about 1.
+    pub fn fine(&self, x: i32, y: i32) -> f32 {
+        self.noise(1, x, y)
+    }
+
+    fn noise(&self, which: usize, x: i32, y: i32) -> f32 {
+        let at = self.place(x, y);
+        self.tiles[which].at((at % SIDE) as i32, (at / SIDE) as i32)
+    }
+
+    /// What is carried from it into hollows: red, green and blue, 0..255.
+    pub fn dirt(&self) -> [f32; 3] {
+        self.ground.dirt.map(f32::from)
     }
 
     /// Where in the tile a pixel is: tiles are stretched to a whole number in a period.

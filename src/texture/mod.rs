@@ -1,22 +1,31 @@
 //! The data planes of the texture (Miyata, Itoh, Shimada 2000, section 3.2), and how stones are put
 //! into them.
 
+mod coat;
 mod ground;
+mod grounds;
+mod hides;
 mod noise;
 mod occlusion;
+mod optics;
 mod painter;
 mod palette;
+mod reaction;
 mod scan;
 mod skin;
+mod stones;
 mod surface;
+mod weather;
 
+pub use coat::{Coat, Coats, ColourParams, Pattern};
+pub use grounds::GROUNDS;
 pub use noise::Tile;
+pub use optics::{FINISHES, Gloss, Optics, optics_table};
 pub use painter::{Painter, TextureParams};
-pub use palette::{
-    FINISHES, GROUNDS, Ground, Optics, PALETTES, Palette, ground, optics_table, palette,
-};
+pub use palette::{Ground, PALETTES, Palette, ground, palette};
 pub use skin::stone_colour;
 pub use surface::{Surface, Surfaces};
+pub use weather::WeatherParams;
 
 /// Id of the ground in [`Planes::id`]; a stone has its cell's index + 1.
 pub const GROUND: u32 = 0;

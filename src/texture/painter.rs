@@ -5,15 +5,18 @@
 //! surface wins, as in a depth buffer. A pixel has nine samples: its height and colour are blended by
 //! how many of them each stone and the ground have, which keeps rims smooth.
 
+use super::Planes;
+use super::coat::{Coat, ColourParams};
 use super::ground::Bed;
 use super::occlusion::Occlusion;
 use super::palette::{Palette, ground, palette};
 use super::scan::{Raster, SAMPLES};
 use super::skin::{Patterns, Skin};
-use super::{Optics, Planes, optics_table};
+use super::weather::{Weather, WeatherParams};
 use crate::cells::Cell;
+use crate::domain::Domain;
 use crate::order::{greater, lesser};
-use crate::solid::{Quarry, Solid, StoneKind, StoneParams, joint_depth, top};
+use crate::solid::{Quarry, Solid, StoneKind, StoneParams, joint_depth, lean, top};
 use glam::Vec3;
 
 /// What the planes are made by; the papers' symbols in brackets.
@@ -37,6 +40,10 @@ pub struct TextureParams {
     pub ground: &'static str,
     /// Variation of tone between stones: 0 none, 1 as the palette has it.
     pub vary: f64,
+    /// Colours by rule.
+    pub colour: ColourParams,
+    /// Wear, dirt, moss and wet.
+    pub weather: WeatherParams,
     /// The planes repeat without a seam: what reaches over an edge comes in at the other.
     pub tile: bool,
 }
@@ -53,6 +60,8 @@ impl Default for TextureParams {
             palette: "granite",
             ground: "sand",
             vary: 1.0,
+            colour: ColourParams::default(),
+            weather: WeatherParams::default(),
             tile: false,
         }
     }
@@ -66,7 +75,7 @@ const FILL: f64 = 0.9;
 
 /// Two stones whose heights differ by less, in pixels, share a sample's colour: otherwise a hair would
 /// decide.
-const EVEN: f32 = 0.3;
+const EVEN: f32 = 0.5;
 
 /// Makes the data planes, one cell at a time.
 pub struct Painter {
@@ -75,6 +84,8 @@ pub struct Painter {
     planes: Planes,
     bed: Bed,
     patterns: Patterns,
+    coats: Vec<Coat>,
+    weather: Weather,
     occlusion: Occlusion,
     raster: Raster,
     /// Samples a stone has already taken at each pixel, and how many the stone named in `id` has.
@@ -85,6 +96,8 @@ pub struct Painter {
     level: f32,
     depth: f32,
     relief: f32,
+    /// Share of a stone in a sample for each pixel that it stands above the ground.
+    firm: f32,
     laid: usize,
 }
 
@@ -102,13 +115,21 @@ impl Painter {
                 ..Planes::new(params.side)
             },
             bed: Bed::new(
-                ground(params.ground),
+                ground(params.ground, stone_palette),
                 level as f32,
                 depth as f32,
                 params.seed,
                 params.tile.then_some(params.side),
             ),
             patterns: Patterns::new(params.seed, params.size, params.dimension),
+            coats: Vec::new(),
+            weather: Weather::new(
+                params.weather,
+                params.side,
+                params.size,
+                level as f32,
+                depth as f32,
+            ),
             occlusion: Occlusion::new(params.size, params.tile),
             raster: Raster::default(),
             taken: vec![0; pixels],
@@ -117,6 +138,10 @@ impl Painter {
             level: level as f32,
             depth: depth as f32,
             relief: relief(&params),
+            firm: match params.stone.kind {
+                StoneKind::Skin => 1.0 / EVEN,
+                _ => f32::INFINITY,
+            },
             laid: 0,
             params,
         }
@@ -141,6 +166,12 @@ impl Painter {
         end == side
     }
 
+    /// What cells wear by rule, by their index; to be told before they are painted. Those that are
+    /// not in the list are plain.
+    pub fn dress(&mut self, coats: &[Coat]) {
+        self.coats = coats.to_vec();
+    }
+
     /// Puts the stone of a cell into the planes, under the id `index` + 1.
     pub fn paint(&mut self, quarry: &mut Quarry, cell: &Cell, index: usize) {
         self.prepare(usize::MAX);
@@ -148,7 +179,8 @@ impl Painter {
         if solid.vertices.is_empty() {
             return;
         }
-        let skin = skin(&self.params, cell);
+        let coat = self.coats.get(index).copied().unwrap_or_default();
+        let skin = skin(&self.params, cell, coat);
         self.place(&skin, &solid, [0, 0], index);
         if !self.params.tile {
             return;
@@ -181,6 +213,14 @@ impl Painter {
         self.raster = raster;
     }
 
+    /// Lets the weather do its work on the finished stones, about `rows` rows of it; true when done.
+    /// To be done before [`Painter::finish`], or not at all.
+    pub fn weather(&mut self, domain: &Domain, rows: usize) -> bool {
+        self.prepare(usize::MAX);
+        self.weather
+            .advance(&mut self.planes, &self.bed, domain, rows)
+    }
+
     /// Computes what follows from the finished bump plane (the openness), `rows` rows of it; true
     /// when done.
     pub fn finish(&mut self, rows: usize) -> bool {
@@ -191,11 +231,6 @@ impl Painter {
     /// The planes as they are by now.
     pub fn planes(&self) -> &Planes {
         &self.planes
-    }
-
-    /// The table that the optics plane indexes.
-    pub fn optics(&self) -> Vec<Optics> {
-        optics_table(self.params.palette, self.params.ground)
     }
 
     /// The planes, to keep.
@@ -236,7 +271,7 @@ impl Painter {
         self.planes.bump[i] += (claim.risen - soil * new) * each + claim.gained * each;
         let old = self.planes.colour[i].map(f32::from);
         self.planes.colour[i] = bytes(std::array::from_fn(|k| {
-            let gain = (colour[k] - dust[k]) * new + (colour[k] - old[k]) * claim.share;
+            let gain = (colour[k] - dust[k]) * claim.bare + (colour[k] - old[k]) * claim.share;
             old[k] + gain * each
         }));
         self.share[i] = self.share[i].saturating_sub(claim.won);
@@ -257,7 +292,9 @@ impl Painter {
                 surface[k] = height;
                 claim.fresh += 1;
                 claim.risen += height;
-                claim.add(height, 1.0);
+                let share = lesser((height - soil) * self.firm, 1.0);
+                claim.bare += share;
+                claim.add(height, share);
                 continue;
             }
             let above = height - surface[k];
@@ -296,10 +333,16 @@ pub(super) fn relief(params: &TextureParams) -> f32 {
 
 /// The face of a cell's stone. Not inlined: its draws are long.
 #[inline(never)]
-pub(super) fn skin(params: &TextureParams, cell: &Cell) -> Skin {
+pub(super) fn skin(params: &TextureParams, cell: &Cell, coat: Coat) -> Skin {
     let uneven = (params.stone.distortion / 0.3).min(1.0) as f32;
-    let stone_palette = palette(params.palette);
-    Skin::new(stone_palette, cell, params.seed, params.vary as f32, uneven)
+    Skin::new(
+        palette(params.palette),
+        cell,
+        params.seed,
+        (params.vary as f32, uneven),
+        coat,
+        (params.colour.rim as f32, lean(cell, &params.stone)),
+    )
 }
 
 /// The ways to the other pictures in which an image of a stone reaches into this one.
@@ -325,9 +368,10 @@ fn images(vertices: &[Vec3], side: i32) -> Vec<[i32; 2]> {
 /// What a stone gets of the samples of a pixel.
 #[derive(Clone, Copy, Default)]
 struct Claim {
-    /// Samples that were the ground's, and the sum of the heights there.
+    /// Samples that were the ground's, the sum of the heights there, and its share in their colour.
     fresh: u8,
     risen: f32,
+    bare: f32,
     /// Samples at which it is higher than stones before it, and by how much together.
     won: u8,
     gained: f32,

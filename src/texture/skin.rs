@@ -1,10 +1,13 @@
 //! The face of one stone: what its id draws from the palette, and its colour at every pixel.
 
+use super::coat::{Coat, smooth};
 use super::noise::Tile;
-use super::palette::{FINISHES, Palette};
+use super::optics::FINISHES;
+use super::palette::Palette;
 use crate::cells::Cell;
 use crate::order::{greater, lesser};
 use crate::random::{Purpose, Random};
+use glam::DVec2;
 
 /// Patterns shared by all stones of a seed; each stone reads them at a place of its own.
 #[derive(Clone, Debug)]
@@ -38,6 +41,10 @@ const DUST: f32 = 0.55;
 const RIM: f32 = 0.30;
 /// Lightness of hollows and heights of the relief.
 const CAVITY: f32 = 0.05;
+/// What the darkest rim or middle of a cell has lost of its light.
+const SHADED: f32 = 0.66;
+/// How far the middle of a smoothed top is off that of its base, of how far the top leans.
+const LEAN: f32 = 0.6;
 /// How long bands are for their width.
 const BAND_STRETCH: f32 = 0.16;
 
@@ -52,23 +59,36 @@ pub struct Skin {
     turn: u64,
     tilt: [f32; 2],
     step: f32,
+    /// How far the rim is darkened, below 0 the middle.
+    rim: f32,
+    lean: [f32; 2],
+    /// For each side of the cell the way to it, over its squared length; none where nothing asks.
+    sides: Vec<[f32; 2]>,
     /// Index into the optics table.
     pub optics: u8,
 }
 
 impl Skin {
     /// Draws the attributes of a cell's stone. `vary` scales what differs in tone, `uneven` (0..1)
-    /// what differs in the way stones are laid.
-    pub fn new(palette: &Palette, cell: &Cell, seed: u64, vary: f32, uneven: f32) -> Self {
+    /// what differs in the way stones are laid. `rim` darkens the rim, below 0 the middle, of a top
+    /// that is off its base by `lean`.
+    pub fn new(
+        palette: &Palette,
+        cell: &Cell,
+        seed: u64,
+        (vary, uneven): (f32, f32),
+        coat: Coat,
+        (rim, lean): (f32, DVec2),
+    ) -> Self {
         let mut random = attributes(seed, cell.id);
-        let base = draw_colour(palette, &mut random, vary);
+        let base = draw_colour(palette, &mut random, vary, coat);
         let optics = 1 + random.below(FINISHES) as u8;
         let mut signed = || random.signed() as f32;
         let tilt = [signed() * uneven * 0.03, signed() * uneven * 0.03];
         let step = signed() * uneven * 0.035 * cell.size as f32;
         let offset = [signed() * 900.0, signed() * 900.0];
         let bits = random.bits();
-        let axis = cell.axis.try_normalize().unwrap_or(glam::DVec2::X);
+        let axis = cell.axis.try_normalize().unwrap_or(DVec2::X);
         Self {
             base,
             centre: [cell.centre.x as f32, cell.centre.y as f32],
@@ -78,6 +98,9 @@ impl Skin {
             turn: bits & 7,
             tilt,
             step,
+            rim,
+            lean: [LEAN * lean.x as f32, LEAN * lean.y as f32],
+            sides: if rim == 0.0 { Vec::new() } else { sides(cell) },
             optics,
         }
     }
@@ -119,6 +142,9 @@ impl Skin {
         }
         let rim = (1.0 - height).clamp(0.0, 1.0);
         light *= 1.0 - RIM * rim * rim.sqrt();
+        if self.rim != 0.0 {
+            light *= 1.0 - SHADED * self.shade([dx, dy]);
+        }
         let second = self.second_share(palette, patterns, (u, v), rim);
         let dust_share = (1.0 - height / DUST_HEIGHT).clamp(0.0, 1.0);
         let dust_share = DUST * dust_share * dust_share * (1.0 + 0.5 * blotch).clamp(0.3, 1.5);
@@ -127,6 +153,19 @@ impl Skin {
             let own = own * light;
             (own + (dust[k] * 0.85 - own) * dust_share).clamp(0.0, 255.0)
         })
+    }
+
+    /// How much darker a place of the cell is, by its way from the middle.
+    fn shade(&self, [dx, dy]: [f32; 2]) -> f32 {
+        let (dx, dy) = (dx - self.lean[0], dy - self.lean[1]);
+        let reach = |s: &[f32; 2]| s[0] * dx + s[1] * dy;
+        let out = self.sides.iter().map(reach).fold(0.0, greater);
+        let step = |from: f32, to: f32| smooth(f64::from((out - from) / (to - from))) as f32;
+        if self.rim > 0.0 {
+            self.rim * step(0.45, 1.0)
+        } else {
+            -self.rim * (1.0 - step(0.1, 0.85))
+        }
     }
 
     /// Share of the palette's second colour: veins are the zero lines of a noise, patches its hills.
@@ -153,10 +192,23 @@ impl Skin {
     }
 }
 
+/// For each side of a cell the way from its centre straight to it, over its squared length: times a
+/// way from the centre it is 1 on the side.
+fn sides(cell: &Cell) -> Vec<[f32; 2]> {
+    let next = cell.ring.iter().cycle().skip(1);
+    let side = |(&a, &b): (&DVec2, &DVec2)| {
+        let out = -(b - a).perp();
+        let far = out.dot(a - cell.centre);
+        let way = if far > 1e-9 { out / far } else { DVec2::ZERO };
+        [way.x as f32, way.y as f32]
+    };
+    cell.ring.iter().zip(next).map(side).collect()
+}
+
 /// The colour of the stone of the cell `id`, without its patterns: red, green, blue, 0..255 for sensible
-/// palettes. `vary` scales what differs between stones.
-pub fn stone_colour(palette: &Palette, id: u32, seed: u64, vary: f32) -> [f32; 3] {
-    draw_colour(palette, &mut attributes(seed, id), vary)
+/// palettes. `vary` scales what differs between stones, `coat` is what the cell wears by rule.
+pub fn stone_colour(palette: &Palette, id: u32, seed: u64, vary: f32, coat: Coat) -> [f32; 3] {
+    draw_colour(palette, &mut attributes(seed, id), vary, coat)
 }
 
 /// The stream that a stone's attributes are drawn from, its colour first.
@@ -164,14 +216,16 @@ fn attributes(seed: u64, id: u32) -> Random {
     Random::new(seed, Purpose::Attribute, u64::from(id))
 }
 
-fn draw_colour(palette: &Palette, random: &mut Random, vary: f32) -> [f32; 3] {
+fn draw_colour(palette: &Palette, random: &mut Random, vary: f32, coat: Coat) -> [f32; 3] {
     let pick = palette.bases[random.below(palette.bases.len())];
     let tone = 1.0 + palette.tone * vary * spread(random);
     let tint = palette.tint * vary * spread(random);
     let warm = [1.0 + tint, 1.0, 1.0 - tint];
     let mean = mean_colour(palette);
     std::array::from_fn(|k| {
-        let own = mean[k] + (f32::from(pick[k]) - mean[k]) * vary.min(1.5);
+        let mut own = mean[k] + (f32::from(pick[k]) - mean[k]) * vary.min(1.5);
+        own += (f32::from(palette.mark[k]) - own) * coat.mark;
+        own += (f32::from(palette.belly[k]) - own) * coat.belly;
         own * tone * warm[k]
     })
 }

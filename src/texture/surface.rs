@@ -6,7 +6,7 @@
 use super::noise::floor;
 use super::painter::{relief, skin};
 use super::skin::{Patterns, Skin};
-use super::{Planes, TextureParams};
+use super::{Coat, Planes, TextureParams};
 use crate::cells::Cell;
 use crate::order::{greater, lesser};
 use crate::solid::Solid;
@@ -63,7 +63,8 @@ impl Surfaces {
         }
         let rim = self.rim(solid);
         let mut positions = solid.vertices.clone();
-        self.roughen(&skin(&self.params, cell), &mut positions);
+        let skin = skin(&self.params, cell, Coat::default());
+        self.roughen(&skin, &mut positions);
         let normals = normals(&positions, &solid.triangles);
         let colours = colours(&positions, &solid.triangles, index as u32 + 1, planes);
         let mut surface = Surface {

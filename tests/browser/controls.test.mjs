@@ -23,6 +23,7 @@ const NEEDS = {
   cd: 'kind=rectangle&cb=2',
   gd: 'gb=2',
   ends: 'kind=rectangle&outline=road_straight',
+  ba: 'belly=0.7',
   reach: 'dir=constant&strokes=0.1,0.1,0.6,0.9',
 };
 
