@@ -44,7 +44,6 @@ impl Bubblestone {
     /// fit is told by `notices`.
     #[wasm_bindgen(constructor)]
     pub fn new(link: &str) -> Bubblestone {
-        console_error_panic_hook::set_once();
         let (recipe, notices) = Recipe::from_link(link);
         Self {
             studio: Studio::new(recipe),

@@ -1,8 +1,11 @@
-// Takes out of a WebAssembly module what it never runs but the linker has to keep: tiny-skia picks the steps of its
+// Takes out of a WebAssembly module what it never runs but the linker has to keep. tiny-skia picks the steps of its
 // drawing from tables, so that all blend modes, gradients and image filters are linked in, twice, where only plain
-// colours are laid over each other.
+// colours are laid over each other. And each of a thousand checks that never fail carries what a panic would say:
+// here it stops the module without words, and the page answers with the link; the native program, which computes the
+// same bits, tells the place.
 import binaryen from 'binaryen';
 import { readFileSync, writeFileSync } from 'node:fs';
+import { eraseLocations } from './locations.mjs';
 import { say } from './run.mjs';
 
 /** The steps of the table in `lowp` (small whole numbers) that filling a path with one colour does not take. */
@@ -20,6 +23,10 @@ const highp = `${lowp} alter_2pt_conical_compensate_focal alter_2pt_conical_unsw
   xy_to_2pt_conical_smaller xy_to_2pt_conical_strip xy_to_2pt_conical_well_behaved xy_to_unit_angle`;
 
 const steps = new Set([...named('lowp', lowp), ...named('highp', highp)]);
+
+/** Functions that never return: they word a panic. */
+const panics =
+  /^<?(core|alloc|std|arrayvec)::.*\b(panic\w*|\w+_fail|\w+_fail_rt|\w+_failed|\w+_failed_inner|extend_panic|handle_(alloc_)?error|capacity_overflow)(::<.*>)?$/;
 
 /**
  * @param {string} table
@@ -39,24 +46,33 @@ const features =
   Features.MutableGlobals | Features.ReferenceTypes | Features.CallIndirectOverlong | Features.Multivalue;
 
 /**
- * Empties the functions that never run: called all the same, they would stop the module as a panic does. What only
- * they called goes with them.
+ * Empties the functions that never run: called all the same, they stop the module. What only they called goes with them.
  * @param {string} file a module with the names of its functions; it is replaced
  */
 export function trim(file) {
-  const module = binaryen.readBinary(readFileSync(file));
+  const bytes = readFileSync(file);
+  const places = eraseLocations(bytes);
+  const module = binaryen.readBinary(bytes);
   module.setFeatures(features);
-  let count = 0;
+  let [drawing, wording] = [0, 0];
   for (let k = 0; k < module.getNumFunctions(); k++) {
     const reference = module.getFunctionByIndex(k);
     const { name, module: importedFrom } = binaryen.getFunctionInfo(reference);
+    if (importedFrom) continue;
     // Compilers add a hash to the name, to the crate's or at the end.
     const plain = name.replace(/\[[0-9a-f]+\]/g, '').replace(/::h[0-9a-f]{16}$/, '');
-    if (importedFrom || !steps.has(plain)) continue;
+    const isStep = steps.has(plain);
+    if (!isStep && !panics.test(plain)) continue;
     functionOf(reference).body = module.unreachable();
-    count += 1;
+    if (isStep) drawing += 1;
+    else wording += 1;
   }
-  if (count === 0) say('No unused drawing steps were found by their names: the module is larger than it need be.');
+  if (!places || !drawing || !wording) say('Not all that never runs was found by its name: the module is larger than it need be.');
+  // Only empty functions go into their callers, where nothing has to be made ready for them any more.
+  binaryen.setAlwaysInlineMaxSize(1);
+  binaryen.setFlexibleInlineMaxSize(0);
+  binaryen.setOneCallerInlineMaxSize(0);
+  module.runPasses(['inlining', 'dce', 'vacuum', 'remove-unused-module-elements']);
   writeFileSync(file, module.emitBinary());
   module.dispose();
 }

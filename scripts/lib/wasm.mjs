@@ -11,7 +11,7 @@ export const nodeModule = join(targetDir, 'pkg-node');
 const benchModule = join(targetDir, 'pkg-bench');
 
 // What decides the module beside the code that cargo compiled.
-const recipe = ['Cargo.toml', 'Cargo.lock', 'package-lock.json', 'scripts/lib/wasm.mjs', 'scripts/lib/trim.mjs'];
+const recipe = ['Cargo.toml', 'Cargo.lock', 'package-lock.json', 'scripts/lib/wasm.mjs', 'scripts/lib/trim.mjs', 'scripts/lib/locations.mjs'];
 
 /**
  * Builds the module; answers its folder.
