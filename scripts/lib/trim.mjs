@@ -10,19 +10,26 @@ import { say } from './run.mjs';
 
 /** The steps of the table in `lowp` (small whole numbers) that filling a path with one colour does not take. */
 const lowp = `clear darken destination_atop destination_in destination_out destination_over difference
-  evenly_spaced_2_stop_gradient exclusion gradient hard_light lighten load_mask_u8 mask_u8 modulate multiply overlay
-  pad_x1 plus reflect_x1 repeat_x1 screen seed_shader source_atop source_in source_out transform xor xy_to_radius`;
+  evenly_spaced_2_stop_gradient exclusion gradient hard_light lerp_u8 lighten load_dst_u8 load_mask_u8 mask_u8
+  modulate move_destination_to_source move_source_to_destination multiply overlay pad_x1 plus premultiply reflect_x1
+  repeat_x1 scale_u8 screen seed_shader source_atop source_in source_out store_u8 transform xor xy_to_radius`;
 
 /** Those of the table in `highp` (floats): a plain colour never takes that table. */
 const highp = `${lowp} alter_2pt_conical_compensate_focal alter_2pt_conical_unswap apply_concentric_scale_bias
   apply_vector_mask bicubic bilinear clamp_0 clamp_a color color_burn color_dodge gamma_compress_2 gamma_compress_22
   gamma_compress_srgb gamma_expand_2 gamma_expand_22 gamma_expand_dst_2 gamma_expand_dst_22 gamma_expand_dst_srgb
-  gamma_expand_srgb gather hue lerp_1_float lerp_u8 load_dst load_dst_u8 luminosity mask_2pt_conical_degenerates
-  mask_2pt_conical_nan negate_x premultiply reflect repeat saturation scale_1_float scale_u8 soft_light source_over
-  source_over_rgba store store_u8 uniform_color xy_to_2pt_conical_focal_on_circle xy_to_2pt_conical_greater
-  xy_to_2pt_conical_smaller xy_to_2pt_conical_strip xy_to_2pt_conical_well_behaved xy_to_unit_angle`;
+  gamma_expand_srgb gather hue lerp_1_float load_dst luminosity mask_2pt_conical_degenerates mask_2pt_conical_nan
+  negate_x reflect repeat saturation scale_1_float soft_light source_over source_over_rgba start store uniform_color
+  xy_to_2pt_conical_focal_on_circle xy_to_2pt_conical_greater xy_to_2pt_conical_smaller xy_to_2pt_conical_strip
+  xy_to_2pt_conical_well_behaved xy_to_unit_angle`;
 
 const steps = new Set([...named('lowp', lowp), ...named('highp', highp)]);
+
+/** Curves and gradients: paths are polygons of one colour. */
+const curves = /^<?tiny_skia(_path)?::.*(cubic|quad|gradient)/i;
+
+/** Values written for debugging: only what words a panic asks for them. */
+const debugging = /^<.* as core::fmt::Debug>::fmt$/;
 
 /** Functions that never return: they word a panic. */
 const panics =
@@ -61,10 +68,10 @@ export function trim(file) {
     if (importedFrom) continue;
     // Compilers add a hash to the name, to the crate's or at the end.
     const plain = name.replace(/\[[0-9a-f]+\]/g, '').replace(/::h[0-9a-f]{16}$/, '');
-    const isStep = steps.has(plain);
-    if (!isStep && !panics.test(plain)) continue;
+    const draws = steps.has(plain) || curves.test(plain);
+    if (!draws && !panics.test(plain) && !debugging.test(plain)) continue;
     functionOf(reference).body = module.unreachable();
-    if (isStep) drawing += 1;
+    if (draws) drawing += 1;
     else wording += 1;
   }
   if (!places || !drawing || !wording) say('Not all that never runs was found by its name: the module is larger than it need be.');

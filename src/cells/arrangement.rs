@@ -14,7 +14,6 @@ use crate::packing::Particle;
 use crate::planar::{self, Delaunay, position};
 use glam::DVec2;
 use spade::Triangulation as _;
-use std::collections::BTreeMap;
 
 /// A region without a centre as large as this (in squared sizes) and as compact as `COMPACT`
 /// becomes a cell of its own.
@@ -281,7 +280,7 @@ impl Arrangement {
     /// The borders between different joined regions as (region, other, length), both ways; with
     /// `all`, also those with the outside and across constraint lines.
     fn borders(&self, all: bool) -> Vec<(u32, u32, f64)> {
-        let mut lengths: BTreeMap<(u32, u32), f64> = BTreeMap::new();
+        let mut borders: Vec<(u32, u32, f64)> = Vec::new();
         for (t, across) in self.across.iter().enumerate() {
             let here = self.root_of(t);
             if self.regions[here as usize].owner == Owner::Outside {
@@ -296,11 +295,19 @@ impl Arrangement {
                     other.is_none() || self.regions[there as usize].owner == Owner::Outside;
                 if there != here && (all || !outside) {
                     let (a, b) = (self.corners[t][k], self.corners[t][(k + 1) % 3]);
-                    *lengths.entry((here, there)).or_default() += a.distance(b);
+                    borders.push((here, there, a.distance(b)));
                 }
             }
         }
-        lengths.into_iter().map(|((a, b), l)| (a, b, l)).collect()
+        order::sort(&mut borders, |b| (order::pair(b.0, b.1), 0));
+        borders.dedup_by(|next, whole| {
+            let same = (next.0, next.1) == (whole.0, whole.1);
+            if same {
+                whole.2 += next.2;
+            }
+            same
+        });
+        borders
     }
 
     /// Joins every region for which `lost` holds to the cell it shares its longest border with;
@@ -336,7 +343,7 @@ impl Arrangement {
     /// along the triangles' edges, into pieces that do not.
     fn split_around_holes(&mut self) {
         // Each cut takes at least one hole from a region.
-        let mut outlines: Vec<(u32, Vec<[DVec2; 2]>)> = self.edges().into_iter().collect();
+        let mut outlines: Vec<(u32, Vec<[DVec2; 2]>)> = (0..).zip(self.edges()).collect();
         while let Some((region, edges)) = outlines.pop() {
             let rings = rings(edges);
             let Some(hole) = rings.iter().find(|ring| signed_area(ring) < 0.0) else {
@@ -348,12 +355,9 @@ impl Arrangement {
             let across = (outer / count as f64 - middle).normalize_or(DVec2::X);
             let pieces = self.cut(region, middle, across);
             if pieces.len() > 1 {
-                let edges = self.edges();
-                outlines.extend(
-                    pieces
-                        .into_iter()
-                        .filter_map(|r| Some((r, edges.get(&r)?.clone()))),
-                );
+                let mut edges = self.edges();
+                let taken = |r: u32| (r, std::mem::take(&mut edges[r as usize]));
+                outlines.extend(pieces.into_iter().map(taken));
             }
         }
     }
@@ -409,9 +413,9 @@ impl Arrangement {
         (first..self.regions.len() as u32).collect()
     }
 
-    /// For every region of a cell the edges around it, its inside at their hand.
-    fn edges(&self) -> BTreeMap<u32, Vec<[DVec2; 2]>> {
-        let mut edges: BTreeMap<u32, Vec<[DVec2; 2]>> = BTreeMap::new();
+    /// For every region the edges around it, its inside at their hand; none where it is no cell.
+    fn edges(&self) -> Vec<Vec<[DVec2; 2]>> {
+        let mut edges = vec![Vec::new(); self.regions.len()];
         for (t, across) in self.across.iter().enumerate() {
             let here = self.root_of(t);
             let owner = self.regions[here as usize].owner;
@@ -421,7 +425,7 @@ impl Arrangement {
             for (k, &(other, _)) in across.iter().enumerate() {
                 if other.is_none_or(|o| self.root_of(o as usize) != here) {
                     let edge = [self.corners[t][k], self.corners[t][(k + 1) % 3]];
-                    edges.entry(here).or_default().push(edge);
+                    edges[here as usize].push(edge);
                 }
             }
         }
@@ -432,14 +436,14 @@ impl Arrangement {
     pub fn cells(&self, particles: &[Particle]) -> Vec<Cell> {
         let mut nameless = NAMELESS;
         let mut cells = Vec::new();
-        for (region, edges) in self.edges() {
+        for (region, edges) in self.edges().into_iter().enumerate() {
             let largest = rings(edges)
                 .into_iter()
                 .max_by(|a, b| signed_area(a).total_cmp(&signed_area(b)));
             let Some(ring) = largest.filter(|ring| signed_area(ring) > 0.0) else {
                 continue;
             };
-            if let Owner::Particle(k) = self.regions[region as usize].owner {
+            if let Owner::Particle(k) = self.regions[region].owner {
                 cells.push(super::fitted::cell(&particles[k as usize], ring));
             } else {
                 let centre = ring.iter().sum::<DVec2>() / ring.len() as f64;
@@ -447,7 +451,7 @@ impl Arrangement {
                     id: nameless,
                     centre,
                     kind: Kind::default(),
-                    size: self.regions[region as usize].size,
+                    size: self.regions[region].size,
                     aspect: 1.0,
                     axis: DVec2::ZERO,
                     ring,

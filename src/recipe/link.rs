@@ -117,7 +117,7 @@ fn fragment(link: &str) -> &str {
         Some((_, fragment)) => fragment,
         None => match link.split_once('?') {
             Some((_, query)) => query,
-            None if link.contains("://") => "",
+            None if link.split(':').skip(1).any(|rest| rest.starts_with("//")) => "",
             None => link,
         },
     }

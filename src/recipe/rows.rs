@@ -9,6 +9,7 @@
 //!
 //! Rows may also be given in decimal numbers, with commas between them and semicolons between rows.
 
+use super::value::quote;
 use crate::decimal;
 
 /// Grid steps along the picture's side; a power of two, so that the scaling is exact.
@@ -113,7 +114,10 @@ fn numbers(text: &str) -> Result<Vec<i64>, String> {
     let (mut value, mut shift) = (0u64, 0);
     for c in text.chars() {
         let Some(code) = ALPHABET.iter().position(|&a| a as char == c) else {
-            return Err(format!("it has the character {c:?}"));
+            return Err(format!(
+                "it has the character {}",
+                quote(c.encode_utf8(&mut [0; 4]))
+            ));
         };
         if shift > 25 {
             return Err("a number is too large".to_owned());
