@@ -79,7 +79,8 @@ export function trim(file) {
   binaryen.setAlwaysInlineMaxSize(1);
   binaryen.setFlexibleInlineMaxSize(0);
   binaryen.setOneCallerInlineMaxSize(0);
-  module.runPasses(['inlining', 'dce', 'vacuum', 'remove-unused-module-elements']);
+  // What is alike has like names and packs better side by side.
+  module.runPasses(['inlining', 'dce', 'vacuum', 'remove-unused-module-elements', 'reorder-functions-by-name']);
   writeFileSync(file, module.emitBinary());
   module.dispose();
 }
