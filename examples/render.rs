@@ -1,10 +1,13 @@
 //! Renders one link to files.
 //!
-//!     cargo run --release --example render -- '<link or fragment>' [--outline FILE.json] --out DIR [--views]
+//!     cargo run --release --example render -- '<link or fragment>' [--outline FILE.json] --out DIR
+//!         [--views] [--maps] [--mesh]
 //!
 //! writes picture.png, height.png (16 bit grey), albedo.png, id.png, cells.json, mesh.json and
-//! report.json into DIR, with --views also each view of the page as view-NAME.png. Ends with code 2
-//! and one sentence where something is wrong with what it was given.
+//! report.json into DIR; with --views also each view of the page as view-NAME.png, with --maps also
+//! normal-opengl.png, normal-directx.png, roughness.png and ao.png, with --mesh the surface of all
+//! cells as surface.obj and surface.glb. Ends with code 2 and one sentence where something is wrong
+//! with what it was given.
 //!
 //! An outline file that tells its `size` is drawn in a picture of that size, or scaled to that of the
 //! link where the link names one, as on the page.
@@ -46,8 +49,15 @@ fn run() -> Result<(), String> {
     let mut clock = native::clock();
     studio.finish(&mut clock)?;
     native::write_all(&mut studio, notices, wish.out.as_ref())?;
+    let out = wish.out.as_ref();
     if wish.views {
-        native::write_views(&mut studio, wish.out.as_ref())?;
+        native::write_views(&mut studio, out)?;
+    }
+    if wish.maps {
+        native::write_maps(&studio, out)?;
+    }
+    if wish.mesh {
+        native::write_meshes(&mut studio, out)?;
     }
     Ok(())
 }
@@ -60,13 +70,15 @@ struct Wish {
     outline: Option<String>,
     out: String,
     views: bool,
+    maps: bool,
+    mesh: bool,
 }
 
 #[cfg(not(target_arch = "wasm32"))]
 impl Wish {
     fn read(mut words: impl Iterator<Item = String>) -> Result<Self, String> {
-        const USAGE: &str =
-            "Usage: render '<link or fragment>' [--outline FILE.json] --out DIR [--views].";
+        const USAGE: &str = "Usage: render '<link or fragment>' [--outline FILE.json] --out DIR \
+            [--views] [--maps] [--mesh].";
         let mut wish = Wish::default();
         let mut link = None;
         while let Some(word) = words.next() {
@@ -78,6 +90,8 @@ impl Wish {
                 "--outline" => wish.outline = Some(value("--outline")?),
                 "--out" => wish.out = value("--out")?,
                 "--views" => wish.views = true,
+                "--maps" => wish.maps = true,
+                "--mesh" => wish.mesh = true,
                 _ if word.starts_with("--") => {
                     return Err(format!("There is no option {word}. {USAGE}"));
                 }

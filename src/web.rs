@@ -4,12 +4,13 @@
 //! sentences come back instead.
 
 use crate::domain::Outline;
+use crate::export::{MapKind, MeshFormat};
 use crate::recipe::{Key, Kind, PRESETS, Parameter, Part, Preset, Recipe, SCHEMA, Timing};
 use crate::studio::{Studio, View};
 use glam::DVec2;
 #[cfg(feature = "bench")]
 use glam::Vec3;
-use js_sys::{Array, Date, Float64Array, Object, Reflect, Uint32Array};
+use js_sys::{Array, Date, Float64Array, Object, Reflect, Uint8Array, Uint32Array};
 use wasm_bindgen::prelude::*;
 use wasm_bindgen::{Clamped, JsCast};
 use web_sys::{CanvasRenderingContext2d, ImageData, Performance};
@@ -149,6 +150,53 @@ impl Bubblestone {
         let _ = image.and_then(|image| context.put_image_data(&image, 0.0, 0.0));
     }
 
+    /// `{ side, channels, bits, bytes }`: a map of the finished picture ('height', 'normal-opengl',
+    /// 'normal-directx', 'albedo', 'roughness', 'ao', 'id'), values of 16 bits with the high byte
+    /// first; or the sentence that says why there is none.
+    pub fn map(&self, word: &str) -> JsValue {
+        let kind = MapKind::of_word(word).ok_or(NO_SUCH_FILE.to_owned());
+        match kind.and_then(|kind| self.studio.map(kind)) {
+            Ok(map) => object(&[
+                ("side", (map.side as u32).into()),
+                ("channels", map.channels.into()),
+                ("bits", map.bits.into()),
+                ("bytes", Uint8Array::from(&map.bytes[..]).into()),
+            ])
+            .into(),
+            Err(sentence) => sentence.into(),
+        }
+    }
+
+    /// Works for about `budget` milliseconds on the file of all cells' surfaces ('glb' or 'obj'):
+    /// `{ begun, parts, done }`, the next parts of the file as bytes, whether it begins with them, and
+    /// whether it ends; or the sentence that says why there is none.
+    #[wasm_bindgen(js_name = meshFile)]
+    pub fn mesh_file(&mut self, ending: &str, budget: f64) -> JsValue {
+        let Some(&(format, _)) = MeshFormat::ALL.iter().find(|(_, word)| *word == ending) else {
+            return NO_SUCH_FILE.into();
+        };
+        let clock = &self.clock;
+        match self.studio.mesh_file(format, &mut || clock.now(), budget) {
+            Ok(slice) => {
+                let parts = slice.parts.iter().map(|part| Uint8Array::from(&part[..]));
+                object(&[
+                    ("begun", slice.begun.into()),
+                    ("parts", parts.collect::<Array>().into()),
+                    ("done", slice.done.into()),
+                ])
+                .into()
+            }
+            Err(sentence) => sentence.into(),
+        }
+    }
+
+    /// The fields of the native program's report.json, as text.
+    pub fn report(&mut self) -> String {
+        let mut report = self.studio.report();
+        report.notices.clone_from(&self.notices);
+        report.json()
+    }
+
     /// The default of a number in the recipe at hand.
     #[wasm_bindgen(js_name = defaultOf)]
     pub fn default_of(&self, key: &str) -> f64 {
@@ -207,6 +255,9 @@ impl Bubblestone {
         self.studio.side() as u32
     }
 }
+
+/// Said of words that name no file.
+const NO_SUCH_FILE: &str = "There is no file of that name.";
 
 /// Cuts a list of coordinates into rings.
 fn rings_of(points: &[f64], lengths: &[u32]) -> Result<Outline, String> {

@@ -108,6 +108,23 @@ fn skew_turns_with_its_angle() {
 }
 
 #[test]
+fn tilted_tops_rise_along_the_flow() {
+    let ring = polygon(8, 20.0);
+    let (w, flow) = (DVec2::splat(64.0), DVec2::Y);
+    let params = skin(
+        SkinParams {
+            tilt: 0.25,
+            ..plain()
+        },
+        1.5,
+    );
+    let prism = Prism::new(&ring, w, flow, &params, 1);
+    for (base, top) in prism.base.iter().zip(&prism.top) {
+        assert!(near(*top, base.extend(20.0 + 0.25 * (base.y - 64.0))));
+    }
+}
+
+#[test]
 fn distortion_stays_in_its_range_and_needs_a_number() {
     let ring = polygon(6, 20.0);
     let w = DVec2::splat(64.0);

@@ -2,7 +2,7 @@
 #![cfg(target_arch = "wasm32")]
 
 use bubblestone::web::{Bubblestone, digest_of_link, presets, random_seed, report_of_link, schema};
-use js_sys::{Array, Float64Array, Object, Reflect, Uint32Array};
+use js_sys::{Array, Float64Array, Object, Reflect, Uint8Array, Uint32Array};
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -133,6 +133,37 @@ fn lists_and_parts_are_asked_for() {
     let (above, below) = (page.part(80.0, 50.0), page.part(80.0, 110.0));
     assert!(above >= 0 && below >= 0 && above != below);
     assert_eq!((page.part(1.0, 1.0), page.part(f64::NAN, 0.0)), (-1, -1));
+}
+
+#[wasm_bindgen_test]
+fn maps_and_meshes_come_as_bytes() {
+    let mut page = Bubblestone::new(LINK);
+    for early in [page.map("height"), page.mesh_file("glb", 1e9)] {
+        assert!(early.as_string().unwrap().ends_with('.'));
+    }
+    run(&mut page);
+    let map = page.map("height");
+    assert_eq!((number(&map, "side"), number(&map, "bits")), (160.0, 16.0));
+    let bytes: Uint8Array = property(&map, "bytes").unchecked_into();
+    assert_eq!(bytes.length(), 2 * 160 * 160);
+    for ending in ["glb", "obj"] {
+        let mut parts = Vec::new();
+        let mut done = false;
+        while !done {
+            let slice = page.mesh_file(ending, 1.0);
+            assert_eq!(property(&slice, "begun"), parts.is_empty().into());
+            parts.push(JsValue::NULL);
+            parts.extend(property(&slice, "parts").unchecked_into::<Array>().iter());
+            done = property(&slice, "done").is_truthy();
+        }
+        parts.retain(|part| !part.is_null());
+        let length = |part: &JsValue| part.unchecked_ref::<Uint8Array>().length();
+        assert!(parts.iter().map(length).sum::<u32>() > 100_000, "{ending}");
+    }
+    for none in [page.map("nothing"), page.mesh_file("", 1.0)] {
+        assert!(none.as_string().unwrap().ends_with('.'));
+    }
+    assert!(page.report().contains("\"height_range\""));
 }
 
 #[wasm_bindgen_test]

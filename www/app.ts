@@ -3,6 +3,7 @@ import { Controls } from './controls';
 import { byId, say } from './dom';
 import { Editing } from './editing';
 import { Engine } from './engine';
+import { Files } from './files';
 import { bindKeys } from './keys';
 import { address, Link } from './link';
 import { Loop } from './loop';
@@ -57,6 +58,7 @@ export class App {
     });
     this.thumbs = new Thumbs(this.presets.thumbs, () => this.stage === 'done' || this.loop.paused);
     this.transport = this.makeTransport();
+    new Files(this.engine);
     this.bind();
     notice('link', ...this.engine.notices());
     this.recognise();

@@ -3,7 +3,7 @@
  * calls answer with harmless values instead of failing again.
  */
 import init, { Bubblestone, presets, random_seed, schema } from '../pkg/bubblestone.js';
-import type { Parameter, Point, Preset, Ring, Status } from './types';
+import type { MeshSlice, Parameter, PixelMap, Point, Preset, Ring, Status } from './types';
 
 /** The schema gives the defaults of numbers as numbers. */
 type RawParameter = Omit<Parameter, 'default'> & { default: string | number };
@@ -27,6 +27,8 @@ const NO_STATUS: Status = {
   stones: 0,
   ms: {},
 };
+
+const NO_FILE = 'The file could not be made.';
 
 /** Loads the module. Throws an Error whose message is a sentence for the visitor. */
 export async function load(): Promise<void> {
@@ -127,6 +129,21 @@ export class Engine {
 
   digest(): string {
     return this.ask((core) => core.digest(), '');
+  }
+
+  /** A map by its word, or the sentence that says why there is none. */
+  map(word: string): PixelMap | string {
+    return this.ask((core) => core.map(word) as PixelMap | string, NO_FILE);
+  }
+
+  /** Works on a mesh file for about `budget` milliseconds, or says why there is none. */
+  meshFile(ending: string, budget: number): MeshSlice | string {
+    return this.ask((core) => core.meshFile(ending, budget) as MeshSlice | string, NO_FILE);
+  }
+
+  /** What making the pavement took and gave, as JSON. */
+  report(): string {
+    return this.ask((core) => core.report(), '');
   }
 
   side(): number {

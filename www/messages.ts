@@ -2,7 +2,7 @@
 import { byId, make } from './dom';
 
 /** Notices of the same topic replace each other. */
-type Topic = 'link' | 'value' | 'outline' | 'done' | 'trouble';
+type Topic = 'link' | 'value' | 'outline' | 'done' | 'files' | 'trouble';
 
 /** Milliseconds that a passing word stays; longer texts stay until dismissed. */
 const PASSING = 4000;

@@ -54,6 +54,23 @@ export interface Status {
   ms: Record<string, number>;
 }
 
+/** A map for other programs: rows from the top, values of 16 bits with the high byte first. */
+export interface PixelMap {
+  side: number;
+  /** 1 of grey, or 3 of red, green, blue. */
+  channels: number;
+  bits: number;
+  bytes: Uint8Array;
+}
+
+/** What a slice of work gave of a mesh file. */
+export interface MeshSlice {
+  /** The file begins with these parts: those before are of another one. */
+  begun: boolean;
+  parts: BlobPart[];
+  done: boolean;
+}
+
 /** Rings of an outline in picture units, y down, the outer ring first; not closed. */
 export type Point = [number, number];
 export type Ring = Point[];

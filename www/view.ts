@@ -1,5 +1,6 @@
 /** The canvas: its size, what it shows, and saving it. */
 import { byIdAs, make } from './dom';
+import { offer } from './download';
 import type { Engine } from './engine';
 
 /** The views in the order of their keys 0 to 9, those of drawings with what they show. */
@@ -58,10 +59,7 @@ export class View {
   async save(name: string): Promise<boolean> {
     const blob = await new Promise<Blob | null>((resolve) => this.canvas.toBlob(resolve, 'image/png'));
     if (!blob) return false;
-    const url = URL.createObjectURL(blob);
-    const anchor = make('a', { href: url, download: `${name}.png` });
-    anchor.click();
-    setTimeout(() => URL.revokeObjectURL(url), 60_000);
+    offer(blob, `${name}.png`);
     return true;
   }
 }

@@ -2,10 +2,8 @@
 #![allow(dead_code)] // Each program uses its part of it.
 
 use bubblestone::domain::Outline;
-use bubblestone::export::{cells_json, mesh_json, metrics_json};
-use bubblestone::render::overlay_planes;
+use bubblestone::export::{MapKind, MeshFormat, cells_json, mesh_json, metrics_json};
 use bubblestone::studio::{Studio, View};
-use bubblestone::texture::Planes;
 use serde_json::Value;
 use std::path::Path;
 use std::process::ExitCode;
@@ -136,12 +134,39 @@ pub fn write_all(studio: &mut Studio, notices: Vec<String>, dir: &Path) -> Resul
     if let Some(picture) = studio.picture() {
         write_rgb(dir, "picture.png", side, opaque(picture))?;
     }
-    if let Some(planes) = studio.planes() {
-        let colours = planes.colour.iter().copied();
-        write_rgb(dir, "albedo.png", side, colours)?;
-        let ids = planes.id.iter().map(|&id| overlay_planes::id_colour(id));
-        write_rgb(dir, "id.png", side, ids)?;
-        write(dir, "height.png", &height_png(planes)?)?;
+    for kind in [MapKind::Height, MapKind::Albedo, MapKind::Id] {
+        write_map(studio, kind, dir)?;
+    }
+    Ok(())
+}
+
+/// Writes all maps.
+pub fn write_maps(studio: &Studio, dir: &Path) -> Result<(), String> {
+    for (kind, _) in MapKind::ALL {
+        write_map(studio, kind, dir)?;
+    }
+    Ok(())
+}
+
+fn write_map(studio: &Studio, kind: MapKind, dir: &Path) -> Result<(), String> {
+    let map = studio.map(kind)?;
+    let colour = match map.channels {
+        1 => png::ColorType::Grayscale,
+        _ => png::ColorType::Rgb,
+    };
+    let depth = match map.bits {
+        16 => png::BitDepth::Sixteen,
+        _ => png::BitDepth::Eight,
+    };
+    let png = encode((map.side, map.side), &map.bytes, colour, depth)?;
+    write(dir, &format!("{}.png", kind.word()), &png)
+}
+
+/// Writes the surface of all cells as surface.obj and surface.glb.
+pub fn write_meshes(studio: &mut Studio, dir: &Path) -> Result<(), String> {
+    for (format, word) in MeshFormat::ALL {
+        let file = studio.mesh_file(format, &mut || 0.0, f64::INFINITY)?;
+        write(dir, &format!("surface.{word}"), &file.parts.concat())?;
     }
     Ok(())
 }
@@ -182,24 +207,6 @@ pub fn write_rgb(
         png::BitDepth::Eight,
     )?;
     write(dir, name, &png)
-}
-
-/// Heights in 16 bit grey over `height_range` of the report.
-fn height_png(planes: &Planes) -> Result<Vec<u8>, String> {
-    let (lo, hi) = overlay_planes::height_range(planes);
-    let scale = if hi > lo { 65535.0 / (hi - lo) } else { 0.0 };
-    let bytes: Vec<u8> = planes
-        .bump
-        .iter()
-        .flat_map(|h| (((h - lo) * scale + 0.5) as u16).to_be_bytes())
-        .collect();
-    let size = (planes.side, planes.side);
-    encode(
-        size,
-        &bytes,
-        png::ColorType::Grayscale,
-        png::BitDepth::Sixteen,
-    )
 }
 
 fn encode(

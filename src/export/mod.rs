@@ -1,10 +1,17 @@
-//! Writers of what the stages found, as text. Numbers are the shortest decimals that read back as
-//! the same bits.
+//! Writers of what the stages found: text with numbers as the shortest decimals that read back as the
+//! same bits, maps of the planes, and files of the cells' surfaces.
 
 mod figures;
+mod fixed;
+mod glb;
 mod json;
+pub mod maps;
+mod obj;
 mod report;
+mod surface;
 
 pub use figures::metrics_json;
 pub use json::{cells_json, mesh_json, text};
+pub use maps::{Map, MapKind};
 pub use report::{Report, StageTime};
+pub use surface::{MeshFile, MeshFormat};

@@ -156,16 +156,19 @@ parameters! {
     Sc: "How far the top leans along the flow, in skin sizes: scales overlap where it is large.",
         number("sc", "Sc", "Skew").range(0.0, 4.0, 0.05, 0.0).at(Solids, "Relief")
             .only_for(Key::Stone, SKINS);
-    Sa: "Where the top leans to, clockwise from the direction of the cells.",
-        number("sa", "", "Skew angle").range(-180.0, 180.0, 1.0, 0.0).unit("°")
-            .at(Solids, "Relief").only_with(Key::Sc);
+    Tilt: "How much the top rises along the flow: scales lie like tiles on a roof.",
+        number("tilt", "", "Tilt").range(0.0, 1.0, 0.01, 0.0).at(Solids, "Relief")
+            .only_for(Key::Stone, SKINS);
+    Sa: "Where the top leans and rises to, clockwise from the direction of the cells.",
+        number("sa", "", "Flow angle").range(-180.0, 180.0, 1.0, 0.0).unit("°")
+            .at(Solids, "Relief").only_for(Key::Stone, SKINS);
     Tc: "How far the top is drawn to the middle: 0 a block, 1 a thorn.",
         number("tc", "Tc", "Taper").range(0.0, 1.0, 0.01, 0.2).at(Solids, "Relief")
             .only_for(Key::Stone, SKINS);
     Flat: "How much is kept of the prism under the smooth surface: 0 a dome, 1 a plate with edges.",
         number("flat", "", "Flatness").range(0.0, 1.0, 0.01, 0.0).at(Solids, "Relief")
             .only_for(Key::Stone, SKINS);
-    Keel: "Height of a ridge along the flow over the middle of each cell, in its height.",
+    Keel: "Height of a ridge along the flow over the middle of each cell, in cell heights.",
         number("keel", "", "Keel").range(0.0, 1.0, 0.01, 0.0).at(Solids, "Relief")
             .only_for(Key::Stone, SKINS);
     Rings: "Growth rings on each cell.",

@@ -16,6 +16,8 @@ mod shadow;
 mod tone;
 
 pub use shader::Shader;
+pub(crate) use shader::row_slopes;
+pub(crate) use tone::decoded;
 
 /// The lamp.
 #[derive(Clone, Copy, Debug, PartialEq)]

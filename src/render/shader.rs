@@ -138,11 +138,7 @@ impl Shader {
     }
 
     fn shade_row(&mut self, planes: &Planes, y: usize) {
-        let side = self.side;
-        let row = |y: usize| &planes.bump[y * side..][..side];
-        let [above, below] = beside(y, side, planes.tile);
-        let rows = [row(above), row(y), row(below)];
-        slopes(rows, planes.tile, &mut self.line.slope);
+        row_slopes(planes, y, &mut self.line.slope);
         match self.params.light {
             Light::Parallel { azimuth, elevation } => {
                 let flat = libm::cos(elevation);
@@ -241,6 +237,15 @@ pub(super) fn beside(k: usize, n: usize, tile: bool) -> [usize; 2] {
     } else {
         [k.saturating_sub(1), (k + 1).min(n - 1)]
     }
+}
+
+/// Rise of the surface to the right and downwards along a row of the bump plane, per pixel; the two
+/// lists are as long as the row.
+pub(crate) fn row_slopes(planes: &Planes, y: usize, to: &mut [Vec<f32>; 2]) {
+    let side = planes.side;
+    let row = |y: usize| &planes.bump[y * side..][..side];
+    let [above, below] = beside(y, side, planes.tile);
+    slopes([row(above), row(y), row(below)], planes.tile, to);
 }
 
 /// Rise of the surface to the right and downwards, per pixel, from the rows above, here and below.

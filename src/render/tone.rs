@@ -39,7 +39,8 @@ impl Tone {
     }
 }
 
-fn decoded(v: f64) -> f64 {
+/// Linear light of a screen value, both 0..1.
+pub(crate) fn decoded(v: f64) -> f64 {
     if v <= 0.04045 {
         v / 12.92
     } else {

@@ -72,6 +72,8 @@ pub struct SkinParams {
     pub skew: f64,
     /// From the flow to where the top is displaced, clockwise, in radians.
     pub skew_angle: f64,
+    /// Rise of the top along the flow, for each unit of length.
+    pub tilt: f64,
     /// How far the top corners are displaced to the middle, 0..1 (Tc).
     pub taper: f64,
     /// From faces that subdivision has made round (0) to those of the prism itself (1).
@@ -92,6 +94,7 @@ impl Default for SkinParams {
             sweep: 1.0,
             skew: 0.0,
             skew_angle: 0.0,
+            tilt: 0.0,
             taper: 0.2,
             flatness: 0.0,
             keel: 0.0,

@@ -4,7 +4,8 @@
 //! Directionality via Packing Rectangular and Elliptical Cells, section 6.1: the cell's polygon is
 //! scaled by Sv and swept by SkinSize x Sr; the corners of the top are displaced at random within
 //! SkinSize x Dr, by Sc along the flow, and by Tc (w - v) to the middle w from the corner v of the
-//! base. The flow's length is the skin size, so Sc counts in skin sizes as Sr does.
+//! base. The flow's length is the skin size, so Sc counts in skin sizes as Sr does. A tilt of the top is
+//! ours: tops that only lean lie in one plane, and tiles of a roof do not.
 //!
 //! ```text
 //!    base: n points      top: n points      the top's middle
@@ -49,12 +50,14 @@ impl Prism {
             .iter()
             .map(|&p| w + (p - w) * params.scale)
             .collect();
-        let lean = turned(flow, skin.skew_angle) * skin.skew * skin_size;
+        let way = turned(flow, skin.skew_angle);
+        let lean = way * skin.skew * skin_size;
         let mut random = Random::new(params.seed, Purpose::Distortion, u64::from(id));
         let top: Vec<DVec3> = base
             .iter()
             .map(|&v| {
-                let swept = v.extend(skin_size * skin.sweep);
+                let height = skin_size * skin.sweep + skin.tilt * (v - w).dot(way);
+                let swept = v.extend(height.max(0.0));
                 let distorted = swept + displacement(params, &mut random) * skin_size;
                 distorted + (lean + (w - v) * skin.taper).extend(0.0)
             })

@@ -4,11 +4,13 @@
 //! the first stale stage for about the time given; what is finished stays until its successor is
 //! finished, too. No result depends on how the work was cut into slices or on the clock.
 
+mod files;
 mod flow;
 mod products;
 mod translate;
 mod view;
 
+pub use files::MeshSlice;
 pub use view::View;
 
 use crate::cells::Cell;
@@ -43,6 +45,8 @@ pub struct Studio {
     /// Counts changes by stage, for the views.
     changes: [u64; STAGES],
     gallery: Gallery,
+    /// The mesh file in the making.
+    saving: Option<files::Saving>,
 }
 
 /// Where the work stands.
@@ -80,6 +84,7 @@ impl Studio {
             last_shading: f64::INFINITY,
             changes: [0; STAGES],
             gallery: Gallery::default(),
+            saving: None,
         }
     }
 

@@ -199,6 +199,7 @@ pub(super) fn stone(recipe: &Recipe) -> StoneParams {
             sweep: recipe.number(Key::Sr),
             skew: recipe.number(Key::Sc),
             skew_angle: recipe.number(Key::Sa).to_radians(),
+            tilt: recipe.number(Key::Tilt),
             taper: recipe.number(Key::Tc),
             flatness: recipe.number(Key::Flat),
             keel: recipe.number(Key::Keel),

@@ -14,6 +14,7 @@ mod reaction;
 mod scan;
 mod skin;
 mod stones;
+mod surface;
 mod weather;
 
 pub use coat::{Coat, Coats, ColourParams, Pattern};
@@ -23,6 +24,7 @@ pub use optics::{FINISHES, Gloss, Optics, optics_table};
 pub use painter::{Painter, TextureParams};
 pub use palette::{Ground, PALETTES, Palette, ground, palette};
 pub use skin::stone_colour;
+pub use surface::{Surface, Surfaces};
 pub use weather::WeatherParams;
 
 /// Id of the ground in [`Planes::id`]; a stone has its cell's index + 1.

@@ -108,7 +108,7 @@ impl Tile {
 }
 
 /// `f32::floor` is a call where the target has no rounding instruction.
-fn floor(v: f32) -> i32 {
+pub(super) fn floor(v: f32) -> i32 {
     let whole = v as i32;
     whole - i32::from((whole as f32) > v)
 }

@@ -137,11 +137,7 @@ impl Painter {
             share: vec![0; pixels],
             level: level as f32,
             depth: depth as f32,
-            // Skin brings its noise along.
-            relief: match params.stone.kind {
-                StoneKind::Skin => 0.0,
-                _ => (params.amplitude * RELIEF) as f32 * stone_palette.relief,
-            },
+            relief: relief(&params),
             firm: match params.stone.kind {
                 StoneKind::Skin => 1.0 / EVEN,
                 _ => f32::INFINITY,
@@ -183,18 +179,8 @@ impl Painter {
         if solid.vertices.is_empty() {
             return;
         }
-        let uneven = (self.params.stone.distortion / 0.3).min(1.0) as f32;
-        let skin = Skin::new(
-            self.palette,
-            cell,
-            self.params.seed,
-            (self.params.vary as f32, uneven),
-            self.coats.get(index).copied().unwrap_or_default(),
-            (
-                self.params.colour.rim as f32,
-                lean(cell, &self.params.stone),
-            ),
-        );
+        let coat = self.coats.get(index).copied().unwrap_or_default();
+        let skin = skin(&self.params, cell, coat);
         self.place(&skin, &solid, [0, 0], index);
         if !self.params.tile {
             return;
@@ -335,6 +321,28 @@ impl Painter {
             self.planes.optics[i] = optics;
         }
     }
+}
+
+/// Deviation of the relief that is added to stones, in picture units; skin brings its noise along.
+pub(super) fn relief(params: &TextureParams) -> f32 {
+    match params.stone.kind {
+        StoneKind::Skin => 0.0,
+        _ => (params.amplitude * RELIEF) as f32 * palette(params.palette).relief,
+    }
+}
+
+/// The face of a cell's stone. Not inlined: its draws are long.
+#[inline(never)]
+pub(super) fn skin(params: &TextureParams, cell: &Cell, coat: Coat) -> Skin {
+    let uneven = (params.stone.distortion / 0.3).min(1.0) as f32;
+    Skin::new(
+        palette(params.palette),
+        cell,
+        params.seed,
+        (params.vary as f32, uneven),
+        coat,
+        (params.colour.rim as f32, lean(cell, &params.stone)),
+    )
 }
 
 /// The ways to the other pictures in which an image of a stone reaches into this one.

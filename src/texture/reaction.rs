@@ -49,6 +49,7 @@ pub(super) struct Reaction {
     u: Vec<f64>,
     v: Vec<f64>,
     next: Vec<f64>,
+    flow: Vec<f64>,
     /// Steps left on the graph at work, the last of `levels`.
     left: usize,
 }
@@ -92,6 +93,7 @@ impl Reaction {
             u: ids.iter().map(start).collect(),
             v: vec![0.0; ids.len()],
             next: Vec::new(),
+            flow: Vec::new(),
             left: lesser(GROWTHS / (GROWTH * rate), MOST_STEPS) as usize,
         }
     }
@@ -131,10 +133,9 @@ impl Reaction {
         }
         std::mem::swap(u, &mut self.next);
         // `next` holds the activator before the step.
-        let mut flow = Vec::new();
-        level.flow(v, &mut flow);
+        level.flow(v, &mut self.flow);
         for (k, b) in v.iter_mut().enumerate() {
-            *b += SPREAD * flow[k] + rate * (3.0 * self.next[k] - 2.0 * *b);
+            *b += SPREAD * self.flow[k] + rate * (3.0 * self.next[k] - 2.0 * *b);
         }
         self.left -= 1;
     }

@@ -1,0 +1,58 @@
+//! Numbers of a fixed count of decimals, as text, in number.
+
+/// Adds a number below a million in size with at most so many decimals, without zeros at the end.
+pub(super) fn push(out: &mut Vec<u8>, x: f32, decimals: u32) {
+    let scale = 10u64.pow(decimals);
+    let whole = (f64::from(x).abs() * scale as f64 + 0.5) as u64;
+    if x < 0.0 && whole > 0 {
+        out.push(b'-');
+    }
+    push_whole(out, whole / scale);
+    let (mut rest, mut unit) = (whole % scale, scale);
+    if rest > 0 {
+        out.push(b'.');
+    }
+    while rest > 0 {
+        unit /= 10;
+        out.push(b'0' + (rest / unit) as u8);
+        rest %= unit;
+    }
+}
+
+/// Adds a whole number.
+#[inline(never)]
+pub(super) fn push_whole(out: &mut Vec<u8>, mut x: u64) {
+    let start = out.len();
+    loop {
+        out.push(b'0' + (x % 10) as u8);
+        x /= 10;
+        if x == 0 {
+            break;
+        }
+    }
+    out[start..].reverse();
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_rounded() {
+        for (x, wanted) in [
+            (0.0, "0"),
+            (-0.0, "0"),
+            (-1e-7, "0"),
+            (0.5, "0.5"),
+            (-0.0625, "-0.063"),
+            (0.9996, "1"),
+            (12.305, "12.305"),
+            (99999.5, "99999.5"),
+            (f32::NAN, "0"),
+        ] {
+            let mut out = Vec::new();
+            push(&mut out, x, 3);
+            assert_eq!(String::from_utf8_lossy(&out), wanted);
+        }
+    }
+}

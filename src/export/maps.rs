@@ -1,0 +1,209 @@
+//! The data planes as the maps that other programs light surfaces by. On tiles they repeat to the
+//! pixel.
+
+use crate::render::overlay_planes::height_range;
+use crate::render::row_slopes;
+use crate::texture::{Optics, Planes};
+
+/// A map, `side` x `side` pixels, row after row from the top.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Map {
+    /// Pixels along a side.
+    pub side: usize,
+    /// 1 of grey, or 3 of red, green, blue.
+    pub channels: u8,
+    /// 8 or 16 for each channel.
+    pub bits: u8,
+    /// The values, those of 16 bits with the high byte first, as in PNG.
+    pub bytes: Vec<u8>,
+}
+
+/// What a map tells.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MapKind {
+    /// Height: grey of 16 bits, from the lowest (0) to the highest (65535) value of the bump plane,
+    /// which [`super::Report::height_range`] tells.
+    Height,
+    /// Normals with green up the picture, as OpenGL has them: x, y, z from -1..1 to 0..255.
+    NormalOpengl,
+    /// Normals with green down the picture, as DirectX has them.
+    NormalDirectx,
+    /// Colour before light, sRGB.
+    Albedo,
+    /// See [`roughness`]: grey, not sRGB.
+    Roughness,
+    /// Ambient light that reaches the point: grey, 255 = all of it, not sRGB.
+    Occlusion,
+    /// A colour for each cell that no other has, black for the ground: see [`id_colour`].
+    Id,
+}
+
+impl MapKind {
+    /// All maps with their words, which are the names of their files.
+    pub const ALL: [(MapKind, &'static str); 7] = [
+        (MapKind::Height, "height"),
+        (MapKind::NormalOpengl, "normal-opengl"),
+        (MapKind::NormalDirectx, "normal-directx"),
+        (MapKind::Albedo, "albedo"),
+        (MapKind::Roughness, "roughness"),
+        (MapKind::Occlusion, "ao"),
+        (MapKind::Id, "id"),
+    ];
+
+    /// The map's word.
+    pub fn word(self) -> &'static str {
+        let found = Self::ALL.iter().find(|(kind, _)| *kind == self);
+        found.map_or("", |(_, word)| word)
+    }
+
+    /// The map of a word.
+    pub fn of_word(word: &str) -> Option<MapKind> {
+        let found = Self::ALL.iter().find(|(_, w)| *w == word);
+        found.map(|&(kind, _)| kind)
+    }
+}
+
+/// Roughness, 0..1, of a highlight with Phong's exponent.
+///
+/// The width of Beckmann's (and nearly of the GGX) distribution that equals cos^n is
+/// sqrt(2 / (n + 2)): Walter, Marschner, Li, Torrance (2007), Microfacet Models for Refraction through
+/// Rough Surfaces, section 5.2. The roughness of today's maps is the root of that width: Burley
+/// (2012), Physically Based Shading at Disney; Karis (2013), Real Shading in Unreal Engine 4.
+pub fn roughness(shininess: f64) -> f32 {
+    (2.0 / (shininess.max(0.0) + 2.0)).sqrt().sqrt() as f32
+}
+
+/// Red, green, blue of an id of the id plane: 0 for the ground, else the cell's place in the list of
+/// cells + 1. An odd factor makes other colours of all ids below 2^24, far from each other for
+/// neighbouring ones.
+pub fn id_colour(id: u32) -> [u8; 3] {
+    let [_, r, g, b] = id.wrapping_mul(0x009E_3779).to_be_bytes();
+    [r, g, b]
+}
+
+/// Makes a map of finished planes. `optics` is the table that their optics plane indexes,
+/// `shininess` the factor of its exponents.
+pub fn map(kind: MapKind, planes: &Planes, optics: &[Optics], shininess: f64) -> Map {
+    let (channels, bits, bytes) = match kind {
+        MapKind::Height => (1, 16, heights(planes)),
+        MapKind::NormalOpengl => (3, 8, normals(planes, -1.0)),
+        MapKind::NormalDirectx => (3, 8, normals(planes, 1.0)),
+        MapKind::Albedo => (3, 8, planes.colour.as_flattened().to_vec()),
+        MapKind::Roughness => {
+            let grey = |o: &Optics| roughness(f64::from(o.shininess) * shininess);
+            let greys: Vec<u8> = optics.iter().map(|o| byte(255.0 * grey(o))).collect();
+            let at = |&k: &u8| greys.get(usize::from(k)).copied().unwrap_or(255);
+            (1, 8, planes.optics.iter().map(at).collect())
+        }
+        MapKind::Occlusion => (1, 8, planes.openness.clone()),
+        MapKind::Id => (
+            3,
+            8,
+            planes.id.iter().flat_map(|&id| id_colour(id)).collect(),
+        ),
+    };
+    Map {
+        side: planes.side,
+        channels,
+        bits,
+        bytes,
+    }
+}
+
+fn heights(planes: &Planes) -> Vec<u8> {
+    let (low, high) = height_range(planes);
+    let scale = if high > low {
+        65535.0 / (high - low)
+    } else {
+        0.0
+    };
+    let grey = |h: &f32| (((h - low) * scale + 0.5) as u16).to_be_bytes();
+    planes.bump.iter().flat_map(grey).collect()
+}
+
+/// `green` is the direction of green: 1 down the picture, -1 up.
+fn normals(planes: &Planes, green: f32) -> Vec<u8> {
+    let side = planes.side;
+    let mut slopes = [vec![0.0; side], vec![0.0; side]];
+    let mut bytes = Vec::with_capacity(3 * side * side);
+    for y in 0..side {
+        row_slopes(planes, y, &mut slopes);
+        for (&across, &down) in slopes[0].iter().zip(&slopes[1]) {
+            let upright = 1.0 / (1.0 + across * across + down * down).sqrt();
+            let normal = [-across * upright, -green * down * upright, upright];
+            bytes.extend(normal.map(|v| byte(127.5 + 127.5 * v)));
+        }
+    }
+    bytes
+}
+
+fn byte(v: f32) -> u8 {
+    (v + 0.5) as u8
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Rises to the right by 1 and downwards by 2 a pixel.
+    fn slope() -> Planes {
+        let mut planes = Planes::new(8);
+        for at in 0..64 {
+            planes.bump[at] = (at % 8 + 2 * (at / 8)) as f32;
+            planes.optics[at] = (at % 2) as u8;
+        }
+        planes
+    }
+
+    fn made(kind: MapKind) -> Map {
+        let exponent = |shininess| Optics {
+            ambient: 1.0,
+            diffuse: 1.0,
+            specular: 0.0,
+            shininess,
+        };
+        map(kind, &slope(), &[exponent(0.0), exponent(15.0)], 2.0)
+    }
+
+    #[test]
+    fn normals_lean_against_the_slope() {
+        let upright = 1.0 / 6.0f32.sqrt();
+        let wanted = |green: f32| {
+            [-upright, green * 2.0 * upright, upright].map(|v| (128.0 + 127.5 * v) as u8)
+        };
+        for (kind, green) in [(MapKind::NormalOpengl, 1.0), (MapKind::NormalDirectx, -1.0)] {
+            assert_eq!(made(kind).bytes[3 * 27..][..3], wanted(green), "{kind:?}");
+        }
+    }
+
+    #[test]
+    fn heights_use_all_of_16_bits() {
+        let map = made(MapKind::Height);
+        assert_eq!((map.channels, map.bits, map.bytes.len()), (1, 16, 128));
+        assert_eq!(
+            (&map.bytes[..2], &map.bytes[126..]),
+            (&[0, 0][..], &[255, 255][..])
+        );
+    }
+
+    #[test]
+    fn shinier_is_less_rough() {
+        assert_eq!(made(MapKind::Roughness).bytes[..2], [255, 128]);
+        assert!((0..200).all(|n| roughness(n.into()) > roughness((n + 1).into())));
+    }
+
+    #[test]
+    fn ids_have_colours_of_their_own() {
+        let mut seen = vec![false; 1 << 24];
+        for id in 0..1 << 24 {
+            let [r, g, b] = id_colour(id).map(usize::from);
+            let place = &mut seen[r << 16 | g << 8 | b];
+            assert!(!std::mem::replace(place, true), "{id}");
+        }
+        let far = |a: u32, b: u32| {
+            let (a, b) = (id_colour(a), id_colour(b));
+            (0..3).map(|k| a[k].abs_diff(b[k])).max()
+        };
+        assert!((0..5000).all(|id| (1..4).all(|step| far(id, id + step) > Some(16))));
+    }
+}

@@ -1,0 +1,8 @@
+/** Hands bytes to the visitor as a file. */
+import { make } from './dom';
+
+export function offer(blob: Blob, name: string): void {
+  const url = URL.createObjectURL(blob);
+  make('a', { href: url, download: name }).click();
+  setTimeout(() => URL.revokeObjectURL(url), 60_000);
+}
