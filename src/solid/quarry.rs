@@ -17,7 +17,7 @@ const STONE_TRIANGLES: f64 = 1.2;
 const STONE_LEVELS: u32 = 5;
 /// Triangles of a cell of skin for a pixel of its prism's surface, at least. Finer ones change
 /// nothing that can be seen.
-const SKIN_TRIANGLES: f64 = 1.5;
+const SKIN_TRIANGLES: f64 = 0.9;
 
 /// A stone: its surface from the base up, open below.
 #[derive(Clone, Debug)]
