@@ -326,7 +326,7 @@ fn noise_on_a_flat_cell_has_its_dimension() {
 /// The packing of fig. 14 (a) on a square.
 const FIGURE: &str = "outline=square&kind=ellipse&ca=1.5&stone=skin&tc=0.2&dr=0";
 
-fn finished(link: &str, finer: u32) -> Studio {
+fn finished(link: &str, finer: i32) -> Studio {
     let mut studio = Studio::new(Recipe::from_link(link).0);
     studio.refine(finer);
     studio.finish(&mut || 0.0).expect("a picture");
