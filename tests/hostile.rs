@@ -115,7 +115,8 @@ fn assert_fills(studio: &Studio) {
     }
     let sum: f64 = studio.cells().iter().map(|c| signed_area(&c.ring)).sum();
     let area = studio.domain().unwrap().area();
-    assert!((sum / area - 1.0).abs() < 1e-6, "{sum} of {area}");
+    // Corners lie on a grain, which counts in outlines of a few pixels.
+    assert!((sum - area).abs() < 1e-6 * area + 1e-4, "{sum} of {area}");
 }
 
 /// Everything of a finished pavement is finite and in its place.

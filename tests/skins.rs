@@ -3,7 +3,7 @@
 
 use bubblestone::cells::Cell;
 use bubblestone::field::Kind;
-use bubblestone::recipe::Recipe;
+use bubblestone::recipe::{PRESETS, Recipe};
 use bubblestone::solid::{Prism, Quarry, SkinParams, StoneKind, StoneParams};
 use bubblestone::studio::Studio;
 use bubblestone::texture::{GROUND, Painter, Planes, TextureParams};
@@ -326,7 +326,7 @@ fn noise_on_a_flat_cell_has_its_dimension() {
 /// The packing of fig. 14 (a) on a square.
 const FIGURE: &str = "outline=square&kind=ellipse&ca=1.5&stone=skin&tc=0.2&dr=0";
 
-fn finished(link: &str, finer: u32) -> Studio {
+fn finished(link: &str, finer: i32) -> Studio {
     let mut studio = Studio::new(Recipe::from_link(link).0);
     studio.refine(finer);
     studio.finish(&mut || 0.0).expect("a picture");
@@ -391,4 +391,46 @@ fn scales_on_a_tile_repeat_without_a_seam() {
     );
     let parted = |y: usize| planes.id[y * side] == planes.id[y * side + side - 1];
     assert!((0..side).filter(|&y| parted(y)).count() > side / 3);
+}
+
+/// A pixel within one stone that is another's or the ground's and lies below all around it.
+fn cracks(planes: &Planes) -> usize {
+    let side = planes.side;
+    let mut count = 0;
+    for y in 1..side - 1 {
+        for x in 1..side - 1 {
+            let i = y * side + x;
+            let around = [
+                i - side - 1,
+                i - side,
+                i - side + 1,
+                i - 1,
+                i + 1,
+                i + side - 1,
+                i + side,
+                i + side + 1,
+            ];
+            let id = planes.id[around[0]];
+            let within = id != GROUND && around.iter().all(|&k| planes.id[k] == id);
+            let below = around
+                .iter()
+                .all(|&k| planes.bump[k] > planes.bump[i] + 0.5);
+            if within && planes.id[i] != id && below {
+                count += 1;
+            }
+        }
+    }
+    count
+}
+
+#[test]
+fn no_preset_has_a_crack_in_its_skin() {
+    for preset in PRESETS.iter().filter(|p| p.recipe().is_skin()) {
+        let studio = finished(preset.link, 0);
+        let planes = studio.planes().expect("planes");
+        assert_eq!(cracks(planes), 0, "{}", preset.name);
+        assert!(planes.bump.iter().all(|h| h.is_finite()));
+        let stones = planes.id.iter().filter(|&&id| id != GROUND).count();
+        assert!(stones * 3 > planes.id.len(), "{}: {stones}", preset.name);
+    }
 }

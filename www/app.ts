@@ -213,7 +213,7 @@ export class App {
     this.stage = stage;
     document.documentElement.dataset['stage'] = stage;
     const { cells, steps } = this.engine.status();
-    say(byId('live'), stage === 'done' ? `The pavement is done: ${cells} cells after ${steps} steps.` : '');
+    say(byId('live'), stage === 'done' ? `The picture is done: ${cells} cells after ${steps} steps.` : '');
   }
 
   private async copy(): Promise<void> {

@@ -1,4 +1,4 @@
-//! Packs square cells into the outline by the forces between them.
+//! Packs cells of all kinds into the outline by the forces between them.
 //!
 //! Miyata, Itoh, Shimada (2000), section 4, in its order: cells along the boundary and inside it
 //! (`placement`), forces between neighbours (`force`) and from the walls (`wall`), the equation of

@@ -2,7 +2,8 @@
 //!
 //! Miyata, Itoh, Shimada (2000), section 4.3; the rule with the smallest w is that of Itoh, Miyata,
 //! Shimada (2003), section 5.1. Attraction keeps the smallest w near 1 beside the largest gaps, so
-//! by default a cell's four edges are tested for an empty place instead.
+//! by default the places around a cell, four of squares and six of round cells, are tested for an empty
+//! one instead.
 
 use super::front::slots;
 use super::grid::Grid;

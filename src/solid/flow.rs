@@ -3,7 +3,8 @@
 //! Itoh, Miyata, Shimada (2003), section 6.1, take a flow vector as given. A direction field has no
 //! sense: of squares four directions are alike, of other cells two. Neighbours that agree best are
 //! joined first, each in the sense that the other has; what is left is how a whole joined group is
-//! turned, and most of its cells keep the sense they came with.
+//! turned, and most of its cells keep the sense they came with. Across a point that the field turns
+//! about two cells may agree in the wrong sense; those beside both do not, so they are asked, too.
 
 use crate::cells::Cell;
 use crate::order;
@@ -19,8 +20,13 @@ pub fn oriented(cells: &[Cell], links: &[Vec<u32>]) -> Vec<Cell> {
     let mut pairs: Vec<(usize, usize, f64)> = Vec::new();
     for (i, list) in links.iter().enumerate() {
         for j in list.iter().map(|&j| j as usize).filter(|&j| j > i) {
-            let agreement = best_turn(&cells[i], &cells[j], 0, 1).1;
-            pairs.push((i, j, agreement));
+            let agreement = |a: usize, b: usize| best_turn(&cells[a], &cells[b], 0, 1).1;
+            let mut least = agreement(i, j);
+            for k in list.iter().filter(|k| links[j].contains(k)) {
+                let k = *k as usize;
+                least = least.min(agreement(i, k)).min(agreement(j, k));
+            }
+            pairs.push((i, j, least));
         }
     }
     order::sort(&mut pairs, |&(i, j, agreement)| {

@@ -1,7 +1,7 @@
-//! From cells to stones: one refined triangle mesh per cell.
+//! From cells to stones and scales: one refined triangle mesh per cell.
 //!
-//! Miyata, Itoh, Shimada (2000), sections 5.1 and 5.2. Lengths are picture units, y down, heights
-//! above the base level.
+//! Stones: Miyata, Itoh, Shimada (2000), sections 5.1 and 5.2; skin: Itoh, Miyata, Shimada (2003),
+//! section 6. Lengths are picture units, y down, heights above the base level.
 
 mod control;
 mod flow;

@@ -17,7 +17,7 @@ const STONE_TRIANGLES: f64 = 1.2;
 const STONE_LEVELS: u32 = 5;
 /// Triangles of a cell of skin for a pixel of its prism's surface, at least. Finer ones change
 /// nothing that can be seen.
-const SKIN_TRIANGLES: f64 = 1.5;
+const SKIN_TRIANGLES: f64 = 0.9;
 
 /// A stone: its surface from the base up, open below.
 #[derive(Clone, Debug)]
@@ -50,8 +50,8 @@ struct Pattern {
 pub struct Quarry {
     /// By corners, then level; stones first, then skin.
     patterns: Vec<Option<Rc<Pattern>>>,
-    /// Loop steps more than a picture needs.
-    finer: u32,
+    /// Loop steps of skin more than a picture needs, or fewer.
+    finer: i32,
 }
 
 const SLOTS: usize = (MOST_CORNERS + 1) * (MOST_LEVELS as usize + 1);
@@ -62,8 +62,8 @@ impl Quarry {
         Self::finer(0)
     }
 
-    /// A quarry whose skin has so many Loop steps more than a picture needs.
-    pub fn finer(steps: u32) -> Self {
+    /// A quarry whose skin has so many Loop steps more than a picture needs, or below 0 fewer.
+    pub fn finer(steps: i32) -> Self {
         Self {
             patterns: vec![None; 2 * SLOTS],
             finer: steps,
@@ -132,7 +132,7 @@ impl Quarry {
         let prism = Prism::over(plan, flow, params, id);
         let coarse = prism::triangle_count(corners);
         let needed = levels(coarse, SKIN_TRIANGLES * prism.area());
-        let finer = (needed + self.finer).min(MOST_LEVELS);
+        let finer = needed.saturating_add_signed(self.finer).min(MOST_LEVELS);
         let pattern = self.pattern(true, corners, finer);
         let (stencil, radii) = (&pattern.stencil, &pattern.radii);
         let control = prism.points();

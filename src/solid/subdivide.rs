@@ -9,7 +9,6 @@
 //! level is a sparse matrix, several levels are the product of theirs, and meshes of one connectivity
 //! share it: see [`Stencil`].
 
-use crate::order;
 use glam::Vec3;
 use std::rc::Rc;
 
@@ -72,8 +71,8 @@ impl Stencil {
         let mut triangles = triangles.to_vec();
         let (mut parents, mut ends) = (Vec::new(), Vec::new());
         for _ in 0..levels {
-            let edges = edges(&triangles);
-            parents.extend(edges.iter().map(|edge| edge.ends));
+            let edges = Edges::new(rows.len(), &triangles);
+            parents.extend(edges.list.iter().map(|edge| edge.ends));
             ends.push(parents.len());
             let step = step(rows.len(), &edges);
             triangles = split(rows.len(), &triangles, &edges);
@@ -81,7 +80,8 @@ impl Stencil {
         }
         if limit {
             let mut step = Rows::empty();
-            push_vertices(rows.len(), &edges(&triangles), limit_share, &mut step);
+            let edges = Edges::new(rows.len(), &triangles);
+            push_vertices(rows.len(), &edges, limit_share, &mut step);
             rows = step.times(&rows, vertices);
         }
         Self {
@@ -192,27 +192,27 @@ impl Rows {
         columns.zip(self.weights[span].iter().copied())
     }
 
-    /// The product with a matrix of `columns` columns. Sums go into a dense row that is emptied after
-    /// use, so no map is needed.
+    /// The product with a matrix of `columns` columns, which are few: sums go into a dense row that is
+    /// emptied after use.
     fn times(&self, other: &Rows, columns: usize) -> Rows {
         let mut dense = vec![0.0f64; columns];
-        let mut touched: Vec<u32> = Vec::new();
         let mut product = Rows::empty();
+        product.starts.reserve(self.len());
+        product.columns.reserve(self.len() * columns / 2);
+        product.weights.reserve(self.len() * columns / 2);
         for i in 0..self.len() {
             for (source, weight) in self.row(i) {
                 for (column, inner) in other.row(source as usize) {
-                    if dense[column as usize] == 0.0 {
-                        touched.push(column);
-                    }
                     dense[column as usize] += weight * inner;
                 }
             }
-            order::sort(&mut touched, |&c| (c.into(), 0));
-            let sums = touched.iter().map(|&c| (c, dense[c as usize]));
-            product.push(sums);
-            for column in touched.drain(..) {
-                dense[column as usize] = 0.0;
+            for (column, sum) in (0..).zip(&mut dense) {
+                if *sum != 0.0 {
+                    product.columns.push(column);
+                    product.weights.push(std::mem::take(sum));
+                }
             }
+            product.starts.push(product.columns.len() as u32);
         }
         product
     }
@@ -224,33 +224,88 @@ struct Edge {
     opposite: Option<[u32; 2]>,
 }
 
-fn ordered(a: u32, b: u32) -> [u32; 2] {
-    if a < b { [a, b] } else { [b, a] }
+/// The edges of a mesh in the order of their ends.
+struct Edges {
+    list: Vec<Edge>,
+    /// Those whose first end is vertex v begin at `starts[v]`.
+    starts: Vec<u32>,
 }
 
-fn edges(triangles: &[[u32; 3]]) -> Vec<Edge> {
-    let mut sides: Vec<([u32; 2], u32)> = triangles
-        .iter()
-        .flat_map(|&[a, b, c]| [(ordered(a, b), c), (ordered(b, c), a), (ordered(c, a), b)])
-        .collect();
-    order::sort(&mut sides, |&([a, b], c)| (order::pair(a, b), c.into()));
-    sides
-        .chunk_by(|x, y| x.0 == y.0)
-        .map(|same| Edge {
-            ends: same[0].0,
-            opposite: match same {
-                [c, d] => Some([c.1, d.1]),
-                _ => None,
-            },
-        })
-        .collect()
+/// From counts to where each begins, with the end of the last one.
+fn starts(counts: impl Iterator<Item = u32>) -> Vec<u32> {
+    let mut sum = 0;
+    let mut starts = vec![0];
+    starts.extend(counts.map(|count| {
+        sum += count;
+        sum
+    }));
+    starts
+}
+
+impl Edges {
+    /// Of a mesh of `vertices` vertices. Sorted by first ends in one pass: meshes are large, and few
+    /// edges begin at a vertex.
+    fn new(vertices: usize, triangles: &[[u32; 3]]) -> Self {
+        let sides = |&[a, b, c]: &[u32; 3]| [[a, b, c], [b, c, a], [c, a, b]];
+        let mut counts = vec![0; vertices];
+        for [a, b, _] in triangles.iter().flat_map(sides) {
+            counts[a.min(b) as usize] += 1;
+        }
+        let firsts = starts(counts.into_iter());
+        let mut free = firsts.clone();
+        let mut others = vec![(0, 0); 3 * triangles.len()];
+        for [a, b, opposite] in triangles.iter().flat_map(sides) {
+            let at = &mut free[a.min(b) as usize];
+            others[*at as usize] = (a.max(b), opposite);
+            *at += 1;
+        }
+        let mut list = Vec::with_capacity(others.len() / 2 + 1);
+        let mut begun = Vec::with_capacity(vertices + 1);
+        for (first, span) in (0..).zip(firsts.windows(2)) {
+            begun.push(list.len() as u32);
+            let own = &mut others[span[0] as usize..span[1] as usize];
+            by_insertion(own);
+            list.extend(own.chunk_by(|x, y| x.0 == y.0).map(|same| Edge {
+                ends: [first, same[0].0],
+                opposite: match same {
+                    [c, d] => Some([c.1, d.1]),
+                    _ => None,
+                },
+            }));
+        }
+        begun.push(list.len() as u32);
+        Self {
+            list,
+            starts: begun,
+        }
+    }
+
+    /// The place of the edge between two vertices.
+    fn place(&self, a: u32, b: u32) -> usize {
+        let (first, second) = (a.min(b), a.max(b));
+        let mut at = self.starts[first as usize] as usize;
+        while self.list[at].ends[1] != second {
+            at += 1;
+        }
+        at
+    }
+}
+
+fn by_insertion(few: &mut [(u32, u32)]) {
+    for k in 1..few.len() {
+        let mut at = k;
+        while at > 0 && few[at] < few[at - 1] {
+            few.swap(at, at - 1);
+            at -= 1;
+        }
+    }
 }
 
 /// The matrix of one step: the old vertices first, then one per edge in the order of their ends.
-fn step(vertices: usize, edges: &[Edge]) -> Rows {
+fn step(vertices: usize, edges: &Edges) -> Rows {
     let mut rows = Rows::empty();
     push_vertices(vertices, edges, step_share, &mut rows);
-    for Edge { ends, opposite } in edges {
+    for Edge { ends, opposite } in &edges.list {
         let [a, b] = *ends;
         match *opposite {
             Some([c, d]) => rows.push([(a, 0.375), (b, 0.375), (c, 0.125), (d, 0.125)]),
@@ -275,42 +330,42 @@ fn limit_share(n: usize, rim: usize) -> f64 {
     }
 }
 
-fn push_vertices(vertices: usize, edges: &[Edge], share: fn(usize, usize) -> f64, rows: &mut Rows) {
-    // (vertex, neighbour, whether on the boundary), vertex after vertex.
-    let mut spokes: Vec<(u32, u32, bool)> = edges
-        .iter()
-        .flat_map(|edge| {
-            let ([a, b], rim) = (edge.ends, edge.opposite.is_none());
-            [(a, b, rim), (b, a, rim)]
-        })
-        .collect();
-    order::sort(&mut spokes, |&(a, b, rim)| (order::pair(a, b), rim.into()));
-    let mut at = 0;
-    for vertex in 0..vertices as u32 {
-        let count = spokes[at..].iter().take_while(|s| s.0 == vertex).count();
-        let own = &spokes[at..at + count];
-        let rim = own.iter().filter(|s| s.2).count();
-        let share = share(count, rim);
-        let neighbours = own.iter().filter(|s| rim == 0 || s.2);
+fn push_vertices(vertices: usize, edges: &Edges, share: fn(usize, usize) -> f64, rows: &mut Rows) {
+    let mut counts = vec![0; vertices];
+    for [a, b] in edges.list.iter().map(|edge| edge.ends) {
+        counts[a as usize] += 1;
+        counts[b as usize] += 1;
+    }
+    let firsts = starts(counts.into_iter());
+    let mut free = firsts.clone();
+    // Of each vertex its neighbours, which come in rising order, and whether on the boundary.
+    let mut spokes = vec![(0, false); 2 * edges.list.len()];
+    for edge in &edges.list {
+        let [a, b] = edge.ends;
+        for (from, to) in [(a, b), (b, a)] {
+            let at = &mut free[from as usize];
+            spokes[*at as usize] = (to, edge.opposite.is_none());
+            *at += 1;
+        }
+    }
+    for (vertex, span) in (0..).zip(firsts.windows(2)) {
+        let own = &spokes[span[0] as usize..span[1] as usize];
+        let rim = own.iter().filter(|s| s.1).count();
+        let share = share(own.len(), rim);
+        let neighbours = own.iter().filter(|s| rim == 0 || s.1);
         let kept = 1.0 - share * neighbours.clone().count() as f64;
-        rows.push(neighbours.map(|s| (s.1, share)).chain([(vertex, kept)]));
-        at += count;
+        rows.push(neighbours.map(|s| (s.0, share)).chain([(vertex, kept)]));
     }
 }
 
-fn split(vertices: usize, triangles: &[[u32; 3]], edges: &[Edge]) -> Vec<[u32; 3]> {
-    let middle = |a: u32, b: u32| {
-        let ends = ordered(a, b);
-        let at = edges.partition_point(|edge| edge.ends < ends);
-        (vertices + at) as u32
-    };
-    triangles
-        .iter()
-        .flat_map(|&[a, b, c]| {
-            let (ab, bc, ca) = (middle(a, b), middle(b, c), middle(c, a));
-            [[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]]
-        })
-        .collect()
+fn split(vertices: usize, triangles: &[[u32; 3]], edges: &Edges) -> Vec<[u32; 3]> {
+    let middle = |a: u32, b: u32| (vertices + edges.place(a, b)) as u32;
+    let mut fine = Vec::with_capacity(4 * triangles.len());
+    for &[a, b, c] in triangles {
+        let (ab, bc, ca) = (middle(a, b), middle(b, c), middle(c, a));
+        fine.extend([[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]]);
+    }
+    fine
 }
 
 #[cfg(test)]
@@ -399,7 +454,8 @@ mod tests {
     #[test]
     fn closed_meshes_stay_closed() {
         let mesh = repeated(pyramid(5), 2);
-        assert!(edges(&mesh.triangles).iter().all(|e| e.opposite.is_some()));
+        let edges = Edges::new(mesh.vertices.len(), &mesh.triangles);
+        assert!(edges.list.iter().all(|e| e.opposite.is_some()));
         let (v, t) = (mesh.vertices.len(), mesh.triangles.len());
         assert_eq!(v + t - 3 * t / 2, 2, "Euler");
     }

@@ -9,6 +9,10 @@ use crate::solid::Quarry;
 const NOT_YET: &str =
     "Maps and meshes are made of the finished picture: save them when it is done.";
 
+/// Loop steps of skin in a file, beyond those of the picture: its triangles are still about a pixel
+/// large, and a file is a quarter as long.
+const MESH_STEPS: i32 = -1;
+
 /// What one slice of work gave of a mesh file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MeshSlice {
@@ -23,6 +27,7 @@ pub struct MeshSlice {
 /// A mesh file in the making.
 pub(super) struct Saving {
     file: MeshFile,
+    quarry: Quarry,
     format: MeshFormat,
     /// State of the work that it is made of.
     stamp: u64,
@@ -62,12 +67,11 @@ impl Studio {
         let params = translate::texture(&self.working);
         let mut saving = kept.unwrap_or_else(|| Saving {
             file: MeshFile::new(format, params, &translate::optics(&self.working)),
+            quarry: Quarry::finer(MESH_STEPS),
             format,
             stamp,
         });
-        let mut quarry = std::mem::take(&mut self.made.quarry);
-        let done = self.add_cells(&mut saving.file, &mut quarry, clock, budget);
-        self.made.quarry = quarry;
+        let done = self.add_cells(&mut saving.file, &mut saving.quarry, clock, budget);
         let mut parts = saving.file.take();
         if done {
             parts.extend(saving.file.finish());

@@ -88,8 +88,9 @@ impl Studio {
         }
     }
 
-    /// From the next pass on, skin has so many Loop steps more than a picture needs.
-    pub fn refine(&mut self, steps: u32) {
+    /// From the next pass on, skin has so many Loop steps more than a picture needs, or
+    /// below 0 fewer.
+    pub fn refine(&mut self, steps: i32) {
         self.made.quarry = Quarry::finer(steps);
     }
 

@@ -17,7 +17,7 @@ use crate::cells::Cell;
 use crate::domain::Domain;
 use crate::order::{greater, lesser};
 use crate::solid::{Quarry, Solid, StoneKind, StoneParams, joint_depth, lean, top};
-use glam::Vec3;
+use glam::{DVec2, Vec3};
 
 /// What the planes are made by; the papers' symbols in brackets.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -175,6 +175,9 @@ impl Painter {
     /// Puts the stone of a cell into the planes, under the id `index` + 1.
     pub fn paint(&mut self, quarry: &mut Quarry, cell: &Cell, index: usize) {
         self.prepare(usize::MAX);
+        if !self.params.tile && self.is_beyond(cell) {
+            return;
+        }
         let mut solid = quarry.stone(cell, &self.params.stone);
         if solid.vertices.is_empty() {
             return;
@@ -195,6 +198,20 @@ impl Painter {
             at = to;
             self.place(&skin, &solid, at, index);
         }
+    }
+
+    /// Whether nothing of a cell's stone can be in the picture.
+    fn is_beyond(&self, cell: &Cell) -> bool {
+        let (mut low, mut high) = (DVec2::MAX, DVec2::MIN);
+        for &p in &cell.ring {
+            (low, high) = (low.min(p), high.max(p));
+        }
+        let stone = &self.params.stone;
+        // A prism's corners are displaced by its scale, its skew, its distortion.
+        let reach = 1.0 + stone.scale + stone.skin.skew + stone.distortion;
+        let reach = reach * (high - low).max_element();
+        let side = self.params.side as f64;
+        (low - reach).max_element() > side || (high + reach).min_element() < 0.0
     }
 
     /// Puts a stone that was moved by whole pixels into the planes: it looks as where it came from.

@@ -1,5 +1,45 @@
-//! Skins of animals.
+//! Skins of animals, and of what grows or is told of like them.
 
-use super::Preset;
+use super::{Preset, free};
 
-pub(super) const PRESETS: &[Preset] = &[];
+const GALLERY: &str = "Gallery";
+
+#[rustfmt::skip]
+pub(super) const PRESETS: &[Preset] = &[
+    free(GALLERY, "crocodile-back", "Crocodile, back",
+        "Keeled plates in rows down the spine, rounder ones towards the flanks.",
+        "v=1&outline=polygon&poly=5sG31H05sCAAwrvCz5sCA&lines=64L3-IqrEsvUtSsvUvzEsvUr7BsvU.6ipBv9xCorEsvUtSsvUtzEsvUr7BsvU&kind=circle&parts=smjBgggBC&ca=1.2&cs=28&spots=gggBgggBsmzB05C&dir=strokes&strokes=o_e3-IorEsvUtSsvUtzEsvUt7BsvU&reach=1&seed=5&stone=skin&sv=1.3&sr=0.5&sc=0.4&tilt=0.2&tc=0.3&flat=0.25&keel=0.9&dr=0.1&fd=1.3&af=0.04&palette=crocodile&vary=1.2&ground=hide&pattern=blotches&pn=0.35&pm=0.5&dirt=0.15&el=34&amb=1.6&diff=1.7&spec=2&occl=0.7"),
+    free(GALLERY, "crocodile-belly", "Crocodile, belly",
+        "Beads of the flank pass into smooth square plates, as tanners like them.",
+        "v=1&outline=polygon&poly=5sG31H05sCAAwrvCz5sCA&lines=k7O31Ho-C86TgtB86T_sB86Tn-C86T&kind=rectangle&parts=smDgggBE&ca=1.3&cs=34&gx=0.1&dir=strokes&angle=90&strokes=k7e31Ho-C86TgtB86T_sB86Tn-C86T&reach=1&seed=2&stone=skin&sv=1.18&sr=0.35&sa=90&tc=0.15&flat=0.35&af=0.02&palette=crocodile&vary=0.6&ground=hide&belly=1&ba=0&amb=1.1&occl=0.6"),
+    free(GALLERY, "lizard", "Green lizard",
+        "Small beads, marked by a reaction and diffusion from scale to scale.",
+        "v=1&tile=1&kind=circle&cs=13&gy=0.3&vs=0.12&seed=2&stone=skin&sv=1.25&sr=0.8&tc=0.3&af=0.04&palette=lizard&ground=hide&pattern=turing&pn=0.15&ps=0.9&pc=0.36"),
+    free(GALLERY, "snake", "Snake",
+        "Narrow keeled scales lie over each other under a coat of rosettes.",
+        "v=1&tile=1&kind=ellipse&cs=18&dir=constant&angle=90&stone=skin&sv=1.45&sr=0.7&sc=0.9&tilt=0.12&tc=0.4&keel=0.35&af=0.03&palette=snake&ground=hide&pattern=rosettes&pn=0.25&ps=0.8&el=38"),
+    free(GALLERY, "fish", "Fish",
+        "Round silvery scales lie like tiles on a roof, darker on the back, pale on the belly.",
+        "v=1&tile=1&kind=ellipse&ca=1.25&cs=36&dir=constant&angle=90&stone=skin&sv=1.8&sr=0.8&sc=1.8&tilt=0.15&sa=-90&tc=0.5&af=0.02&palette=fish&vary=0.7&ground=hide&gloss=glossy&rim=0.15&belly=0.7&el=36"),
+    free(GALLERY, "koi", "Koi",
+        "The same scales in white and orange.",
+        "v=1&tile=1&kind=ellipse&ca=1.25&cs=30&dir=constant&angle=90&stone=skin&sv=1.8&sr=0.8&sc=2&tilt=0.1&sa=-90&tc=0.5&af=0.02&palette=koi&vary=0.5&ground=hide&gloss=wet&pattern=blotches&pn=0.5&ps=0.75&pc=0.4&rim=0.2&el=35"),
+    free(GALLERY, "tortoise", "Tortoise",
+        "Vertebral, costal and marginal shields with their growth rings: lines make the three rows.",
+        "v=1&outline=polygon&poly=m86BgggBhrBkvJ54DuyIt-Fi5GzvHqtEnqIkvBnqIjvBzvHptEt-Fh5G54DtyIhrBjvJirBjvJ64DtyIu-Fh5G0vHptEoqIjvBoqIkvB0vHqtEu-Fi5G64DuyI&lines=050BgggB5gB-9Hl-CqjHtzEq2Fr6F2yD5sG-oB5sG9oBr6F1yDtzEp2Fl-CpjH5gB99H6gB99Hm-CpjHuzEp2Fs6F1yD6sG9oB6sG-oBs6F2yDuzEq2Fm-CqjH6gB-9H.1wbpsYA04wB.kuNz4wBA04wB&kind=ellipse&parts=q4FgggBC&ca=1.25&cs=98&gb=0.8&gd=0.1&dir=strokes&strokes=873BgggBr7Bi4K7lF8kJ31H0kG7kJyjC7kJxjC31HzkG7lF7kJr5Bh4Ks5Bh4K8lF7kJ41HzkG8kJxjC8kJyjC41H0kG8lF8kJs7Bi4K&reach=0.06&seed=5&stone=skin&sv=1.25&sr=0.35&tc=0.35&flat=0.5&rings=6&af=0.03&palette=tortoise&rim=0.6&light=point&lx=0.3&lz=0.5"),
+    free(GALLERY, "armadillo", "Armadillo",
+        "Bands of bony plates move on bare skin, between two shields of rosettes.",
+        "v=1&outline=polygon&poly=31H31HwrvCAAwrvCvrvCA.-xC9n1B8xS_1C-xS7kB-xS8kB8xSg2CA7kB7xS_1C9xS7kB9xS8kB7xSg2C.Ak5G8xS_1C-xS7kB-xS8kB8xSg2CA7kB7xS_1C9xS7kB9xS8kB7xSg2C.Ai5G8xS_1C-xS7kB-xS8kB8xSg2CA5kB7xSh2C9xS7kB9xS8kB7xSi2C.Ai5G8xS_1C-xS7kB-xS8kB8xSg2CA7kB7xS_1C9xS7kB9xS8kB7xSg2C.Ak5G8xSh2C-xS7kB-xS8kB8xSi2CA7kB7xSh2C9xS5kB9xS6kB7xSi2C.Ai5G8xS_1C-xS7kB-xS8kB8xSg2CA7kB7xS_1C9xS7kB9xS8kB7xSg2C.Ak5G8xSh2C-xS5kB-xS6kB8xSi2CA7kB7xS_1C9xS7kB9xS8kB7xSg2C&lines=31H29M86T_1C86T7kB86T8kB86Tg2C.vrvC64rB86T_1C86T7kB86T8kB86Tg2C&kind=rectangle&parts=gggBAE.AsmjCE&ca=2.2&cs=22&dir=constant&angle=90&seed=3&stone=skin&sv=1.25&sr=0.5&sc=0.6&tilt=0.15&tc=0.3&flat=0.2&fd=1.4&af=0.08&palette=armadillo&vary=0.5&ground=hide&dirt=0.3"),
+    free(GALLERY, "thorny-devil", "Thorny devil",
+        "Each thorn stands in a ring of beads: a line around it leaves room for one cell.",
+        "v=1&lines=g_LohP_zC5vC0azuD0uD5iB-zC8vCzayuDxuD6iB.mpcj8K4eg2Cr5B2nCj8CpO3eh2Cs5BznCk8CqO.0vP-yWtoDp5BhC52DsmDt9BwoDq5BgC62DrmDu9B.9xazwDg_DsQivB40D3rCqkD_-DrQhvB30D4rCpkD.jlUq3Rj8CjE_qB7vCkxB7vCm8CkEgrB8vClxB8vC.63nB88DvhCysD_-DhCt9BxuDyhCxsD--DiCu9ByuD.rlfmxJ-mBxsD0wDvU4pCi4C9mBysDzwDwU3pCh4C.suoBs6FlxB_zCkvB9zCogDAkxB-zChvBg0CngDA&tile=1&kind=circle&cs=19&spots=05M0wLyiGggG.mzZ5jF07EggG.-oRu0Q4qGggG.1-Y-6Di3GggG.phX0wL07EggG.8jlB6sGi3GggG.51X2-IyiGggG.6smB86D6jFggG&vs=0.2&stone=skin&sr=1.8&tc=0.8&dr=0.1&fd=1.3&af=0.03&palette=desert&ground=hide&pattern=blotches&pn=0.5&ps=0.85&rim=0.4&amb=1.3&diff=1.3"),
+    free(GALLERY, "pinecone", "Pine cone",
+        "Scales grow outwards and lie over each other, away from the middle.",
+        "v=1&outline=polygon&poly=5sG5sG05sCAA05sCz5sCA&kind=ellipse&ca=1.3&cs=32&gr=0.7&dir=circular&stone=skin&sv=1.55&sr=0.9&sc=1.5&tilt=0.1&sa=-90&tc=0.5&keel=0.4&fd=1.4&af=0.06&palette=cone&ground=hide&el=34&amb=1.1&diff=1.3"),
+    free(GALLERY, "dragon", "Dragon",
+        "Keeled scales follow the bend of a neck, from crimson to gold.",
+        "v=1&outline=polygon&poly=76D31Hi3uCAA0wrCh3uCA&kind=ellipse&ca=1.3&cs=36&gx=0.3&dir=strokes&strokes=5sGggwBumTt9BsmTl8KggQ__PmzJlzZ&reach=1&seed=2&stone=skin&sv=1.6&sr=0.85&sc=1.6&tilt=0.18&sa=90&tc=0.5&keel=0.5&fd=1.3&af=0.03&palette=dragon&ground=hide&gloss=glossy&rim=-0.6&belly=0.7&ba=45&az=230&el=25&amb=1.3&diff=1.4&spec=1.2"),
+    free(GALLERY, "gila", "Gila monster",
+        "Beads of bone in a labyrinth of coral and black.",
+        "v=1&tile=1&kind=circle&cs=13&vs=0.12&stone=skin&sv=1.25&sr=0.8&tc=0.3&af=0.05&palette=coral&ground=hide&pattern=turing&pn=0.17&ps=0.9&pc=0.55"),
+];
