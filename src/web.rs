@@ -44,6 +44,9 @@ impl Bubblestone {
     /// fit is told by `notices`.
     #[wasm_bindgen(constructor)]
     pub fn new(link: &str) -> Bubblestone {
+        // The page's own module has no words for a panic: see scripts/lib/trim.mjs.
+        #[cfg(debug_assertions)]
+        console_error_panic_hook::set_once();
         let (recipe, notices) = Recipe::from_link(link);
         Self {
             studio: Studio::new(recipe),
