@@ -154,7 +154,7 @@ fn bad_links_are_mended_and_told() {
             &["(kind)", "circle or ellipse", "\"hexagon\"", "kept square"],
         ),
         ("tile=yes", "", &["(tile)", "0 or 1", "\"yes\"", "kept 0"]),
-        ("lines=!", "", &["(lines)", "'!'", "kept what was there"]),
+        ("lines=!", "", &["(lines)", "\"!\"", "kept what was there"]),
         (
             "lines=0.1,0.2",
             "",
@@ -232,7 +232,7 @@ fn bad_links_are_mended_and_told() {
             "",
             &["(poly)", "too large", "kept outline=annulus"],
         ),
-        ("poly=!", "", &["(poly)", "'!'", "kept outline=annulus"]),
+        ("poly=!", "", &["(poly)", "\"!\"", "kept outline=annulus"]),
         (
             "outline=polygon&poly=AA",
             "",
