@@ -1,24 +1,17 @@
 //! Colours by rule: each rule says what its name says.
 #![cfg(not(target_arch = "wasm32"))]
 
+mod finished;
+
 use bubblestone::cells::Cell;
 use bubblestone::domain::Domain;
 use bubblestone::field::Kind;
-use bubblestone::recipe::Recipe;
-use bubblestone::studio::Studio;
 use bubblestone::texture::{Coat, Coats, ColourParams, Pattern, TextureParams};
+use finished::finished;
 use glam::DVec2;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
 const SIDE: f64 = 240.0;
-
-fn finished(link: &str) -> Studio {
-    let (recipe, notices) = Recipe::from_link(link);
-    assert!(notices.is_empty(), "{link}: {notices:?}");
-    let mut studio = Studio::new(recipe);
-    assert_eq!(studio.finish(&mut || 0.0), Ok(()), "{link}");
-    studio
-}
 
 /// Square cells in rows over the picture.
 fn rows(count: usize) -> Vec<Cell> {

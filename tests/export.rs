@@ -2,6 +2,7 @@
 //! readers, and maps.
 #![cfg(not(target_arch = "wasm32"))]
 
+mod finished;
 mod quarry;
 
 use bubblestone::export::{MapKind, MeshFormat, maps};
@@ -9,6 +10,7 @@ use bubblestone::recipe::Recipe;
 use bubblestone::solid::{Quarry, SkinParams, StoneKind, StoneParams};
 use bubblestone::studio::Studio;
 use bubblestone::texture::{Gloss, Planes, Surfaces, TextureParams};
+use finished::finished;
 use glam::Vec3;
 use proptest::prelude::*;
 use quarry::{painted, small, star};
@@ -17,14 +19,6 @@ use std::collections::HashSet;
 const LINK: &str = "size=160&outline=annulus&cs=14";
 /// Scales that lie over each other.
 const SKIN: &str = "size=160&outline=annulus&cs=20&stone=skin&sc=0.7&dir=boundary";
-
-fn finished(link: &str) -> Studio {
-    let (recipe, notices) = Recipe::from_link(link);
-    assert!(notices.is_empty(), "{link}: {notices:?}");
-    let mut studio = Studio::new(recipe);
-    assert_eq!(studio.finish(&mut || 0.0), Ok(()), "{link}");
-    studio
-}
 
 fn file(studio: &mut Studio, format: MeshFormat) -> Vec<u8> {
     let made = studio.mesh_file(format, &mut || 0.0, f64::INFINITY);

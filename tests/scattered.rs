@@ -1,22 +1,16 @@
 //! Voronoi cells of scattered points, plain and evened out: they fill the outline, and are what they
 //! are called.
 
+mod finished;
+
 use bubblestone::cells::{Cell, Scatter, ScatterParams};
 use bubblestone::domain::{Domain, signed_area};
 use bubblestone::field::{FieldBuilder, FieldParams};
-use bubblestone::recipe::Recipe;
 use bubblestone::studio::Studio;
+use finished::finished;
 use glam::DVec2;
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
-
-fn finished(link: &str) -> Studio {
-    let (recipe, notices) = Recipe::from_link(link);
-    assert!(notices.is_empty(), "{link}: {notices:?}");
-    let mut studio = Studio::new(recipe);
-    assert_eq!(studio.finish(&mut || 0.0), Ok(()), "{link}");
-    studio
-}
 
 fn centroid(ring: &[DVec2]) -> DVec2 {
     let mut sum = DVec2::ZERO;

@@ -1,11 +1,12 @@
 //! Tiles: meshes, planes and pictures of the periodic picture run on over its edges.
 #![cfg(not(target_arch = "wasm32"))]
 
+mod finished;
+
 use bubblestone::domain::{Domain, signed_area};
 use bubblestone::mesh::Mesh;
 use bubblestone::metrics::Metrics;
 use bubblestone::random::{Purpose, Random};
-use bubblestone::recipe::Recipe;
 use bubblestone::render::{Light, ShadeParams, Shader};
 use bubblestone::studio::Studio;
 use bubblestone::texture::{Gloss, Planes, optics_table};
@@ -23,12 +24,7 @@ const LINKS: [&str; 5] = [
 ];
 
 fn finished(link: &str) -> Studio {
-    let link = format!("size={SIDE}&tile=1&cs=17&{link}");
-    let (recipe, notices) = Recipe::from_link(&link);
-    assert!(notices.is_empty(), "{link}: {notices:?}");
-    let mut studio = Studio::new(recipe);
-    assert_eq!(studio.finish(&mut || 0.0), Ok(()), "{link}");
-    studio
+    finished::finished(&format!("size={SIDE}&tile=1&cs=17&{link}"))
 }
 
 /// Every side of every element is, up to whole pictures, the side of another one.

@@ -1,7 +1,8 @@
 //! Wear, dirt, moss and wet: where they are, and what they do there.
 #![cfg(not(target_arch = "wasm32"))]
 
-use bubblestone::recipe::Recipe;
+mod finished;
+
 use bubblestone::studio::Studio;
 use bubblestone::texture::{GROUND, Gloss, Planes, optics_table};
 use glam::DVec2;
@@ -10,11 +11,7 @@ const SIDE: usize = 256;
 const BASE: &str = "size=256&outline=road_straight&ow=1.6&cs=20";
 
 fn finished(more: &str) -> Studio {
-    let (recipe, notices) = Recipe::from_link(&format!("{BASE}{more}"));
-    assert!(notices.is_empty(), "{more}: {notices:?}");
-    let mut studio = Studio::new(recipe);
-    assert_eq!(studio.finish(&mut || 0.0), Ok(()), "{more}");
-    studio
+    finished::finished(&format!("{BASE}{more}"))
 }
 
 fn planes(more: &str) -> Planes {
