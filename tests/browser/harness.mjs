@@ -20,6 +20,7 @@ const dist = fileURLToPath(new URL('../../dist/', import.meta.url));
 const folder = '/any/folder/';
 
 const contentTypes = {
+  '.avif': 'image/avif',
   '.css': 'text/css',
   '.html': 'text/html; charset=utf-8',
   '.js': 'text/javascript',
