@@ -3,8 +3,8 @@ import { byId, make } from './dom';
 import type { Preset } from './types';
 import { groupIn } from './words';
 
-/** Sides of the small pictures, in their own pixels. */
-export const THUMB = 144;
+/** Sides of the small pictures (thumbs/NAME.avif, made by the build) on the page, in its pixels. */
+const THUMB = '72';
 
 interface Group {
   readonly heading: HTMLButtonElement;
@@ -16,8 +16,14 @@ export class Presets {
   private readonly groups: Group[] = [];
   private readonly buttons = new Map<string, HTMLButtonElement>();
   private marked: string | undefined;
-  readonly thumbs: { preset: Preset; canvas: HTMLCanvasElement }[] = [];
-
+  /** Browsers' own lazy loading fetches far more of a list than is to be seen. */
+  private readonly inSight = new IntersectionObserver((entries) => {
+    for (const { isIntersecting, target } of entries) {
+      if (!isIntersecting || !(target instanceof HTMLImageElement)) continue;
+      target.src = `thumbs/${target.dataset['name'] ?? ''}.avif`;
+      this.inSight.unobserve(target);
+    }
+  });
   constructor(presets: Preset[], private readonly chosen: (preset: Preset) => void) {
     const rail = byId('rail');
     rail.replaceChildren();
@@ -66,17 +72,17 @@ export class Presets {
   }
 
   private button(preset: Preset): HTMLButtonElement {
-    const canvas = make('canvas', { width: String(THUMB), height: String(THUMB), 'aria-hidden': 'true' });
+    const picture = make('img', { decoding: 'async', width: THUMB, height: THUMB, alt: '', 'data-name': preset.name });
+    this.inSight.observe(picture);
     const button = make(
       'button',
       { type: 'button', title: preset.note ? `${preset.figure || preset.title}: ${preset.note}` : preset.title, 'data-preset': preset.name },
-      canvas,
+      picture,
       make('span', {}, preset.figure ? short(preset.figure) : preset.title),
     );
     if (preset.figure) button.setAttribute('aria-label', preset.figure);
     button.addEventListener('click', () => this.chosen(preset));
     this.buttons.set(preset.name, button);
-    this.thumbs.push({ preset, canvas });
     return button;
   }
 }
