@@ -3,7 +3,7 @@
  * calls answer with harmless values instead of failing again.
  */
 import init, { Bubblestone, presets, random_seed, schema } from '../pkg/bubblestone.js';
-import type { MeshSlice, Parameter, PixelMap, Point, Preset, Ring, Status } from './types';
+import type { Histograms, MeshSlice, Parameter, PixelMap, Point, Preset, Probe, Ring, Series, Status } from './types';
 import { parameterIn, presetIn, sentenceIn, t } from './words';
 
 /** The schema gives the defaults of numbers as numbers. */
@@ -122,8 +122,30 @@ export class Engine {
     return this.ask((core) => core.status() as Status, NO_STATUS);
   }
 
+  /** Draws a view: words joined by '+', at most one of a base, any of overlays; see `draw` of the module. */
   draw(context: CanvasRenderingContext2D, view: string): void {
     this.ask((core) => core.draw(context, view), undefined);
+  }
+
+  /** The cell at a place in picture units. */
+  probe([x, y]: Point): Probe | undefined {
+    return this.ask((core) => core.probe(x, y) as Probe | undefined, undefined);
+  }
+
+  /** How the packing went so far. */
+  series(): Series {
+    const none = { step: new Float64Array(), energy: new Float64Array(), move: new Float64Array() };
+    return this.ask((core) => core.series() as Series, none);
+  }
+
+  histograms(): Histograms {
+    const none = { from: 0, to: 0, counts: new Uint32Array() };
+    return this.ask((core) => core.histograms() as Histograms, { size: none, angle: none });
+  }
+
+  /** The cells as a standalone SVG file; '' before there are any. */
+  svg(): string {
+    return this.ask((core) => core.svg(), '');
   }
 
   digest(): string {

@@ -6,12 +6,16 @@
 
 mod files;
 mod flow;
+mod look;
+mod over;
+mod probe;
 mod products;
 mod translate;
 mod view;
 
 pub use files::MeshSlice;
-pub use view::View;
+pub use look::{Base, Overlay, View};
+pub use probe::{Histogram, Polygon, Probe};
 
 use crate::cells::Cell;
 use crate::domain::{Domain, Outline};
@@ -47,6 +51,7 @@ pub struct Studio {
     gallery: Gallery,
     /// The mesh file in the making.
     saving: Option<files::Saving>,
+    boxes: probe::Boxes,
 }
 
 /// Where the work stands.
@@ -85,6 +90,7 @@ impl Studio {
             changes: [0; STAGES],
             gallery: Gallery::default(),
             saving: None,
+            boxes: probe::Boxes::default(),
         }
     }
 
