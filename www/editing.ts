@@ -25,6 +25,10 @@ export class Editing {
       choose: (word) => this.begin(word),
       fresh: (sort, figures, at) => this.sorts.fresh(sort, figures, at),
       change: (sort, figures) => this.take(sort, figures),
+      live: (on) => {
+        engine.live(on);
+        if (!on) this.changed();
+      },
       closed: () => this.shown(),
     });
   }

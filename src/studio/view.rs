@@ -105,6 +105,7 @@ impl Studio {
         gallery.frame = Some(match view {
             View::Auto | View::Picture => return self.unfold(view, gallery),
             View::Packed => self.packed(),
+            View::Cells | View::Mesh if self.draft().is_some() => self.packed(),
             View::Cells => {
                 let tones = self.tones();
                 self.on_paper(&tones.paper, |board| {
@@ -119,7 +120,8 @@ impl Studio {
                 self.lines(board);
             }),
             View::Direction => self.on_paper(&SHEET, |board| {
-                if let (Some(domain), Some(fields)) = (&made.domain, &made.fields) {
+                let shown = self.shown();
+                if let (Some(domain), Some(fields)) = (shown.domain, shown.fields) {
                     overlay_field::direction(board, domain, fields, self.side() as f64);
                 }
             }),
@@ -151,6 +153,10 @@ impl Studio {
     fn unfold(&self, view: View, gallery: &mut Gallery) {
         let made = &self.made;
         let side = self.side();
+        if view == View::Auto && self.draft().is_some() {
+            gallery.frame = Some(self.packed());
+            return;
+        }
         let picture = made.picture.len() == 4 * side * side;
         let settled = !made.forming || matches!(self.at, Position::Failed(..));
         if picture && (settled || view == View::Picture) {
@@ -171,7 +177,10 @@ impl Studio {
         }
     }
 
-    fn tones(&self) -> Tones {
+    pub(super) fn tones(&self) -> Tones {
+        if let Some(draft) = self.draft() {
+            return draft.tones.clone();
+        }
         let made = &self.made;
         Tones::new(&translate::texture(&self.working)).wearing(&made.cells, &made.coats)
     }
@@ -191,12 +200,12 @@ impl Studio {
             let all = [DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y].map(|p| side * p);
             board.fill(&[&all], paper.bed, 0.0);
         } else {
-            board.outline(&self.rings(), paper);
+            board.outline(&self.shown().rings, paper);
         }
     }
 
     fn lines(&self, board: &mut Board) {
-        if let Some(domain) = &self.made.domain {
+        if let Some(domain) = self.shown().domain {
             overlay_stages::lines(board, domain, self.side() as f64);
         }
     }
@@ -206,7 +215,8 @@ impl Studio {
     }
 
     fn packed(&self) -> Board {
-        let (Some(packing), Some(domain)) = (&self.made.packing, &self.made.domain) else {
+        let shown = self.shown();
+        let (Some(packing), Some(domain)) = (shown.packing, shown.domain) else {
             return self.bare();
         };
         let tones = self.tones();
