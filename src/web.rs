@@ -105,6 +105,13 @@ impl Bubblestone {
         self.studio.step(&mut || clock.now());
     }
 
+    /// While live, the cells flow after each change of outline, fields or packing; the end of it
+    /// makes the packing again from its own start: the link's.
+    #[wasm_bindgen(js_name = setLive)]
+    pub fn set_live(&mut self, on: bool) {
+        self.studio.set_live(on);
+    }
+
     /// All stages again, from the same recipe.
     pub fn restart(&mut self) {
         self.studio.restart();

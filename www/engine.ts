@@ -100,6 +100,11 @@ export class Engine {
     return this.ask((core) => core.tick(budget, steps), false);
   }
 
+  /** While live, the cells flow after each change; the end of it makes them anew, as the link asks. */
+  live(on: boolean): void {
+    this.ask((core) => core.setLive(on), undefined);
+  }
+
   step(): void {
     this.ask((core) => core.step(), undefined);
   }
