@@ -5,7 +5,7 @@ export interface Foreign {
   units: Record<string, string>;
   /** Groups of parameters and of presets. */
   groups: Record<string, string>;
-  /** By the preset's name. */
+  /** By the preset's name; those of the papers' figures have these for titles. */
   presets: Record<string, { title: string; note: string }>;
   /** The papers' figures that a preset names. */
   figure(text: string): string;
