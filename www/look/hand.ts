@@ -1,0 +1,18 @@
+/** What pointers and arrow keys do on the picture while nothing is drawn. */
+import type { View } from '../view';
+import type { Work } from '../work';
+import { Glass } from './glass';
+import { Telling } from './telling';
+import '../styles/look.css';
+
+export class Hand {
+  readonly glass: Glass;
+
+  constructor(work: Work, view: View) {
+    const telling = new Telling(work, view, {
+      busy: () => this.glass.busy,
+      reveal: (place) => this.glass.reveal(place),
+    });
+    this.glass = new Glass(work.store, () => telling.moved());
+  }
+}
