@@ -41,13 +41,10 @@ fn outlines() -> Vec<(String, Domain)> {
         .map(|file| {
             let text = std::fs::read_to_string(&file).unwrap();
             let value: serde_json::Value = serde_json::from_str(&text).unwrap();
+            let rings = |name: &str| value[name].as_array().unwrap().iter().map(ring);
             let outline = Outline {
-                outer: ring(&value["outer"]),
-                holes: value["holes"]
-                    .as_array()
-                    .unwrap()
-                    .iter()
-                    .map(ring)
+                rings: std::iter::once(ring(&value["outer"]))
+                    .chain(rings("holes"))
                     .collect(),
                 ..Outline::default()
             };

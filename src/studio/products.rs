@@ -84,10 +84,7 @@ impl Products {
     }
 
     pub fn rings(&self) -> Vec<&[DVec2]> {
-        let holes = self.outline.holes.iter().map(Vec::as_slice);
-        std::iter::once(self.outline.outer.as_slice())
-            .chain(holes)
-            .collect()
+        self.outline.rings.iter().map(Vec::as_slice).collect()
     }
 
     /// Drops the half-done work of a stage and of those after it. What is finished stays to be
