@@ -1,13 +1,13 @@
 //! Renders one link to files.
 //!
 //!     cargo run --release --example render -- '<link or fragment>' [--outline FILE.json] --out DIR
-//!         [--views] [--maps] [--mesh]
+//!         [--views] [--maps] [--mesh] [--svg]
 //!
 //! writes picture.png, height.png (16 bit grey), albedo.png, id.png, cells.json, mesh.json and
-//! report.json into DIR; with --views also each view of the page as view-NAME.png, with --maps also
-//! normal-opengl.png, normal-directx.png, roughness.png and ao.png, with --mesh the surface of all
-//! cells as surface.obj and surface.glb. Ends with code 2 and one sentence where something is wrong
-//! with what it was given.
+//! report.json into DIR; with --views also each view of the page and mixtures of them as
+//! view-NAME.png, with --maps also normal-opengl.png, normal-directx.png, roughness.png and ao.png, with
+//! --mesh the surface of all cells as surface.obj and surface.glb, with --svg their outlines as
+//! cells.svg. Ends with code 2 and one sentence where something is wrong with what it was given.
 //!
 //! An outline file that tells its `size` is drawn in a picture of that size, or scaled to that of the
 //! link where the link names one, as on the page.
@@ -59,6 +59,9 @@ fn run() -> Result<(), String> {
     if wish.mesh {
         native::write_meshes(&mut studio, out)?;
     }
+    if wish.svg {
+        native::write_svg(&studio, out)?;
+    }
     Ok(())
 }
 
@@ -72,13 +75,14 @@ struct Wish {
     views: bool,
     maps: bool,
     mesh: bool,
+    svg: bool,
 }
 
 #[cfg(not(target_arch = "wasm32"))]
 impl Wish {
     fn read(mut words: impl Iterator<Item = String>) -> Result<Self, String> {
         const USAGE: &str = "Usage: render '<link or fragment>' [--outline FILE.json] --out DIR \
-            [--views] [--maps] [--mesh].";
+            [--views] [--maps] [--mesh] [--svg].";
         let mut wish = Wish::default();
         let mut link = None;
         while let Some(word) = words.next() {
@@ -92,6 +96,7 @@ impl Wish {
                 "--views" => wish.views = true,
                 "--maps" => wish.maps = true,
                 "--mesh" => wish.mesh = true,
+                "--svg" => wish.svg = true,
                 _ if word.starts_with("--") => {
                     return Err(format!("There is no option {word}. {USAGE}"));
                 }

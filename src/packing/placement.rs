@@ -23,8 +23,23 @@ pub(super) fn place(
     facing: &Facing,
     params: &PackingParams,
 ) -> Vec<(DVec2, bool)> {
-    let mut crowd = Crowd::new(domain, fields);
     let fixed = params.edge == Edge::On;
+    let mut crowd = along_boundary(domain, fields, fixed);
+    let on_boundary = crowd.cells.len();
+    match params.start {
+        Start::Stream => stream(&mut crowd, domain, fields, facing, params),
+        Start::Quadtree => quadtree(&mut crowd, domain, fields, facing, params.edge),
+    }
+    crowd.settle_all();
+    let cells = crowd.cells.into_iter().enumerate();
+    cells
+        .map(|(k, centre)| (centre, fixed && k < on_boundary))
+        .collect()
+}
+
+/// The cells along the rings and the constraint lines.
+fn along_boundary<'a>(domain: &'a Domain, fields: &'a Fields, fixed: bool) -> Crowd<'a> {
+    let mut crowd = Crowd::new(domain, fields);
     for island in domain.islands() {
         for piece in island.rings().iter().flat_map(|ring| pieces(ring, true)) {
             boundary_cells(&mut crowd, &piece, fields, island, fixed);
@@ -36,16 +51,12 @@ pub(super) fn place(
             boundary_cells(&mut crowd, &piece, fields, island, fixed);
         }
     }
-    let on_boundary = crowd.cells.len();
-    match params.start {
-        Start::Stream => stream(&mut crowd, domain, fields, facing, params),
-        Start::Quadtree => quadtree(&mut crowd, domain, fields, facing, params.edge),
-    }
-    crowd.settle_all();
-    let cells = crowd.cells.into_iter().enumerate();
-    cells
-        .map(|(k, centre)| (centre, fixed && k < on_boundary))
-        .collect()
+    crowd
+}
+
+/// The centres of the cells that are fixed on the boundary.
+pub(super) fn on_boundary(domain: &Domain, fields: &Fields) -> Vec<DVec2> {
+    along_boundary(domain, fields, true).cells
 }
 
 /// Cells so far, with the grid to find them.
@@ -81,15 +92,8 @@ impl<'a> Crowd<'a> {
 
     /// Puts a cell into the middle of each island that has none.
     pub fn settle_all(&mut self) {
-        let islands = self.domain.islands();
-        let mut settled = vec![false; islands.len()];
-        for &cell in &self.cells {
-            settled[self.domain.island(cell)] = true;
-        }
-        for (island, settled) in islands.iter().zip(settled) {
-            if let (false, Some(p)) = (settled, island.deepest()) {
-                self.push(p);
-            }
+        for p in self.domain.empty_middles(&self.cells) {
+            self.push(p);
         }
     }
 

@@ -10,7 +10,6 @@ use crate::recipe::{Recipe, Stage};
 use crate::render::Shader;
 use crate::solid::{Quarry, oriented};
 use crate::texture::{Coat, Coats, Painter, Planes};
-use glam::DVec2;
 
 /// Rows of the picture in one slice of the stages that go by rows.
 const ROWS: usize = 16;
@@ -81,10 +80,6 @@ impl Products {
             pass: 0,
             forming: true,
         }
-    }
-
-    pub fn rings(&self) -> Vec<&[DVec2]> {
-        self.outline.rings.iter().map(Vec::as_slice).collect()
     }
 
     /// Drops the half-done work of a stage and of those after it. What is finished stays to be
