@@ -1,6 +1,7 @@
 /** The rail of presets: the house's own and the papers' figures, each a small picture. */
 import { byId, make } from './dom';
 import type { Preset } from './types';
+import { groupIn } from './words';
 
 /** Sides of the small pictures (thumbs/NAME.avif, made by the build) on the page, in its pixels. */
 const THUMB = '72';
@@ -8,12 +9,6 @@ const THUMB = '72';
 interface Group {
   readonly heading: HTMLButtonElement;
   readonly list: HTMLUListElement;
-}
-
-export interface PresetNeeds {
-  chosen: (preset: Preset) => void;
-  /** Other small pictures have come to sight. */
-  moved: () => void;
 }
 
 /** One group of presets is unfolded at a time. */
@@ -29,20 +24,17 @@ export class Presets {
       this.inSight.unobserve(target);
     }
   });
-  /** Nothing: the small pictures come by themselves. */
-  readonly thumbs: never[] = [];
 
-  constructor(presets: Preset[], private readonly needs: PresetNeeds) {
+  constructor(presets: Preset[], private readonly chosen: (preset: Preset) => void) {
     const rail = byId('rail');
     rail.replaceChildren();
     for (const title of new Set(presets.map(({ group }) => group))) {
       const id = `presets-${this.groups.length}`;
-      const list = make('ul', { id, 'aria-label': title });
+      const list = make('ul', { id, 'aria-label': groupIn(title) });
       for (const preset of presets) {
         if (preset.group === title) list.append(make('li', {}, this.button(preset)));
       }
-      list.addEventListener('scroll', needs.moved, { passive: true });
-      const heading = make('button', { type: 'button', 'aria-controls': id }, title);
+      const heading = make('button', { type: 'button', 'aria-controls': id }, groupIn(title));
       const group = { heading, list };
       heading.addEventListener('click', () => this.unfold(group));
       this.groups.push(group);
@@ -68,7 +60,6 @@ export class Presets {
       each.list.hidden = each !== group;
       each.heading.setAttribute('aria-expanded', String(each === group));
     }
-    this.needs.moved();
   }
 
   /** Only the list is scrolled, never the page. */
@@ -91,7 +82,7 @@ export class Presets {
       make('span', {}, preset.figure ? short(preset.figure) : preset.title),
     );
     if (preset.figure) button.setAttribute('aria-label', preset.figure);
-    button.addEventListener('click', () => this.needs.chosen(preset));
+    button.addEventListener('click', () => this.chosen(preset));
     this.buttons.set(preset.name, button);
     return button;
   }

@@ -98,14 +98,5 @@ export interface Sort {
   value?: { label: string; min: number; max: number; first: number; words?: string[]; shown(value: number): string } | undefined;
 }
 
-/** The stages in their order, with the page's words for them. */
-export const STAGES: readonly { word: string; label: string }[] = [
-  { word: 'domain', label: 'Outline' },
-  { word: 'fields', label: 'Fields' },
-  { word: 'packing', label: 'Packing' },
-  { word: 'mesh', label: 'Mesh' },
-  { word: 'cells', label: 'Cells' },
-  { word: 'solids', label: 'Relief' },
-  { word: 'planes', label: 'Surface' },
-  { word: 'shading', label: 'Light' },
-];
+/** The stages in their order. */
+export const STAGES = ['domain', 'fields', 'packing', 'mesh', 'cells', 'solids', 'planes', 'shading'] as const;
