@@ -3,7 +3,7 @@
  * calls answer with harmless values instead of failing again.
  */
 import init, { Bubblestone, presets, random_seed, schema } from '../pkg/bubblestone.js';
-import type { MeshSlice, Parameter, PixelMap, Point, Preset, Ring, Status } from './types';
+import type { MeshSlice, Parameter, PictureSlice, PixelMap, Point, Preset, Ring, Status } from './types';
 
 /** The schema gives the defaults of numbers as numbers. */
 type RawParameter = Omit<Parameter, 'default'> & { default: string | number };
@@ -139,6 +139,21 @@ export class Engine {
   /** Works on a mesh file for about `budget` milliseconds, or says why there is none. */
   meshFile(ending: string, budget: number): MeshSlice | string {
     return this.ask((core) => core.meshFile(ending, budget) as MeshSlice | string, NO_FILE);
+  }
+
+  /** Works on the picture at 1 to 4 times its side for about `budget` milliseconds, or says why there is none. */
+  pictureFile(scale: number, budget: number): PictureSlice | string {
+    return this.ask((core) => core.pictureFile(scale, budget) as PictureSlice | string, NO_FILE);
+  }
+
+  /** A map, as `map` gives it, of the picture that `pictureFile` finished last. */
+  biggerMap(word: string): PixelMap | string {
+    return this.ask((core) => core.biggerMap(word) as PixelMap | string, NO_FILE);
+  }
+
+  /** Stops a file in the making, and frees what it held: to be called after every `pictureFile` that ends. */
+  stopFile(): void {
+    this.ask((core) => core.stopFile(), undefined);
   }
 
   /** What making the pavement took and gave, as JSON. */

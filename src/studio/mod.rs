@@ -4,12 +4,14 @@
 //! the first stale stage for about the time given; what is finished stays until its successor is
 //! finished, too. No result depends on how the work was cut into slices or on the clock.
 
+mod bigger;
 mod files;
 mod flow;
 mod products;
 mod translate;
 mod view;
 
+pub use bigger::{MOST_PIXELS, PictureSlice};
 pub use files::MeshSlice;
 pub use view::View;
 
@@ -47,6 +49,8 @@ pub struct Studio {
     gallery: Gallery,
     /// The mesh file in the making.
     saving: Option<files::Saving>,
+    /// The bigger picture in the making, or its planes.
+    bigger: Option<bigger::Bigger>,
 }
 
 /// Where the work stands.
@@ -85,6 +89,7 @@ impl Studio {
             changes: [0; STAGES],
             gallery: Gallery::default(),
             saving: None,
+            bigger: None,
         }
     }
 
