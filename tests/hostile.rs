@@ -9,7 +9,7 @@ mod common;
 use bubblestone::domain::{Outline, signed_area};
 use bubblestone::random::{Purpose, Random};
 use bubblestone::recipe::{Key, Kind, Recipe, SCHEMA};
-use bubblestone::studio::{Studio, View};
+use bubblestone::studio::{Base, Overlay, Studio, View};
 use common::{star, valid};
 use glam::DVec2;
 #[cfg(target_arch = "wasm32")]
@@ -163,13 +163,22 @@ fn sound(studio: &mut Studio) {
     let count = studio.cells().len() as u32;
     assert!(planes.id.iter().all(|&id| id <= count));
     assert!(studio.picture().unwrap().chunks(4).all(|p| p[3] == 255));
-    for (view, word) in View::ALL {
+    for word in every_view() {
         assert_eq!(
-            studio.view(view).len(),
+            studio.view(View::of_words(&word)).len(),
             4 * studio.side() * studio.side(),
             "{word}"
         );
     }
+}
+
+/// Every base, and every overlay alone and with all others over the picture.
+fn every_view() -> Vec<String> {
+    let overlays = Overlay::ALL.map(|(_, word)| word);
+    let bases = Base::ALL.iter().map(|(_, word)| *word);
+    let mut words: Vec<String> = bases.chain(overlays).map(String::from).collect();
+    words.push(format!("picture+{}", overlays.join("+")));
+    words
 }
 
 #[test]

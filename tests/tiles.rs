@@ -190,7 +190,9 @@ fn planes_and_pictures_run_on_over_the_seams() {
     for link in LINKS {
         let mut studio = finished(link);
         let planes = studio.planes().unwrap().clone();
-        let picture = studio.view(bubblestone::studio::View::Picture).to_vec();
+        let picture = studio
+            .view(bubblestone::studio::View::of_words("picture"))
+            .to_vec();
         let down = |k: usize| k % SIDE * SIDE + k / SIDE;
         for upright in [true, false] {
             let at = |k: usize| if upright { k } else { down(k) };

@@ -3,7 +3,7 @@
 
 use bubblestone::domain::Outline;
 use bubblestone::export::{Map, MapKind, MeshFormat, cells_json, mesh_json, metrics_json};
-use bubblestone::studio::{Studio, View};
+use bubblestone::studio::{Base, Overlay, Studio, View};
 use serde_json::Value;
 use std::path::Path;
 use std::process::ExitCode;
@@ -195,14 +195,37 @@ pub fn write_meshes(studio: &mut Studio, dir: &Path) -> Result<(), String> {
     Ok(())
 }
 
-/// Writes every view of the page.
+/// Views with several overlays that are written along with the single ones.
+const MIXED: [&str; 4] = [
+    "picture+cells+mesh",
+    "picture+size+direction+singularities",
+    "picture+energy+forces",
+    "cells+anisotropy+singularities",
+];
+
+/// Writes every base, every overlay alone and over the picture, and some together.
 pub fn write_views(studio: &mut Studio, dir: &Path) -> Result<(), String> {
-    let side = studio.side();
-    for (view, word) in View::ALL {
-        let frame = studio.view(view);
-        write_rgb(dir, &format!("view-{word}.png"), side, opaque(frame))?;
+    let mut words: Vec<String> = Base::ALL.iter().map(|(_, word)| (*word).into()).collect();
+    for (_, word) in Overlay::ALL {
+        words.extend([word.into(), format!("picture+{word}")]);
+    }
+    words.extend(MIXED.map(String::from));
+    for word in words {
+        write_view(studio, &word, dir)?;
     }
     Ok(())
+}
+
+/// Writes one view.
+pub fn write_view(studio: &mut Studio, words: &str, dir: &Path) -> Result<(), String> {
+    let side = studio.side();
+    let frame = studio.view(View::of_words(words));
+    write_rgb(dir, &format!("view-{words}.png"), side, opaque(frame))
+}
+
+/// Writes the cells as cells.svg.
+pub fn write_svg(studio: &Studio, dir: &Path) -> Result<(), String> {
+    write(dir, "cells.svg", studio.svg().as_bytes())
 }
 
 fn write(dir: &Path, name: &str, bytes: &[u8]) -> Result<(), String> {

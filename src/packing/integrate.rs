@@ -181,30 +181,12 @@ impl Motion {
     }
 
     /// The pairs that may touch, each once.
-    fn pairs<'a>(&'a self, bodies: &'a [Body]) -> impl Iterator<Item = (usize, usize)> + 'a {
+    pub fn pairs<'a>(&'a self, bodies: &'a [Body]) -> impl Iterator<Item = (usize, usize)> + 'a {
         (0..bodies.len()).flat_map(|i| {
             self.list[self.start[i] as usize..self.start[i + 1] as usize]
                 .iter()
                 .map(move |&j| (i, j as usize))
         })
-    }
-
-    /// See [`super::Packing::energy`].
-    pub fn energy(&self, bodies: &[Body], domain: &Domain) -> f64 {
-        let mut sum = 0.0;
-        let mut stiffness = 0.0;
-        for (i, j) in self.pairs(bodies) {
-            let (a, b) = (&bodies[i].particle, &bodies[j].particle);
-            sum += Pair::new(a, b).potential(domain.shortest(b.centre - a.centre));
-        }
-        for body in bodies {
-            stiffness += body.particle.size * body.particle.size / bodies.len() as f64;
-        }
-        if bodies.is_empty() {
-            0.0
-        } else {
-            sum / stiffness
-        }
     }
 
     /// Wakes the bodies that have moved, and their neighbours.

@@ -23,8 +23,22 @@ pub(super) fn place(
     facing: &Facing,
     params: &PackingParams,
 ) -> Vec<(DVec2, bool)> {
-    let mut crowd = Crowd::new(domain, fields);
     let fixed = params.edge == Edge::On;
+    let mut crowd = along_boundary(domain, fields, fixed);
+    let on_boundary = crowd.cells.len();
+    match params.start {
+        Start::Stream => stream(&mut crowd, domain, fields, facing, params),
+        Start::Quadtree => quadtree(&mut crowd, domain, fields, facing, params.edge),
+    }
+    let cells = crowd.cells.into_iter().enumerate();
+    cells
+        .map(|(k, centre)| (centre, fixed && k < on_boundary))
+        .collect()
+}
+
+/// The cells along the rings and the constraint lines.
+fn along_boundary<'a>(domain: &'a Domain, fields: &'a Fields, fixed: bool) -> Crowd<'a> {
+    let mut crowd = Crowd::new(domain, fields);
     for ring in domain.rings() {
         for piece in pieces(ring, true) {
             boundary_cells(&mut crowd, &piece, fields, domain, fixed);
@@ -35,15 +49,12 @@ pub(super) fn place(
             boundary_cells(&mut crowd, &piece, fields, domain, fixed);
         }
     }
-    let on_boundary = crowd.cells.len();
-    match params.start {
-        Start::Stream => stream(&mut crowd, domain, fields, facing, params),
-        Start::Quadtree => quadtree(&mut crowd, domain, fields, facing, params.edge),
-    }
-    let cells = crowd.cells.into_iter().enumerate();
-    cells
-        .map(|(k, centre)| (centre, fixed && k < on_boundary))
-        .collect()
+    crowd
+}
+
+/// The centres of the cells that are fixed on the boundary.
+pub(super) fn on_boundary(domain: &Domain, fields: &Fields) -> Vec<DVec2> {
+    along_boundary(domain, fields, true).cells
 }
 
 /// Cells so far, with the grid to find them.
