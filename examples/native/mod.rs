@@ -2,7 +2,7 @@
 #![allow(dead_code)] // Each program uses its part of it.
 
 use bubblestone::domain::Outline;
-use bubblestone::export::{MapKind, MeshFormat, cells_json, mesh_json, metrics_json};
+use bubblestone::export::{Map, MapKind, MeshFormat, cells_json, mesh_json, metrics_json};
 use bubblestone::studio::{Base, Overlay, Studio, View};
 use serde_json::Value;
 use std::path::Path;
@@ -150,8 +150,32 @@ pub fn write_maps(studio: &Studio, dir: &Path) -> Result<(), String> {
     Ok(())
 }
 
+/// Writes the picture with more pixels, and with `maps` all maps of it.
+pub fn write_bigger(
+    studio: &mut Studio,
+    scale: usize,
+    maps: bool,
+    dir: &Path,
+) -> Result<(), String> {
+    let made = studio.picture_file(scale, &mut || 0.0, f64::INFINITY)?;
+    let colours = made.rows.chunks_exact(3).map(|p| [p[0], p[1], p[2]]);
+    write_rgb(dir, &format!("picture-{scale}x.png"), made.side, colours)?;
+    for (kind, word) in MapKind::ALL.into_iter().filter(|_| maps) {
+        write_png(
+            dir,
+            &format!("{word}-{scale}x.png"),
+            &studio.bigger_map(kind)?,
+        )?;
+    }
+    studio.stop_file();
+    Ok(())
+}
+
 fn write_map(studio: &Studio, kind: MapKind, dir: &Path) -> Result<(), String> {
-    let map = studio.map(kind)?;
+    write_png(dir, &format!("{}.png", kind.word()), &studio.map(kind)?)
+}
+
+fn write_png(dir: &Path, name: &str, map: &Map) -> Result<(), String> {
     let colour = match map.channels {
         1 => png::ColorType::Grayscale,
         _ => png::ColorType::Rgb,
@@ -161,7 +185,7 @@ fn write_map(studio: &Studio, kind: MapKind, dir: &Path) -> Result<(), String> {
         _ => png::BitDepth::Eight,
     };
     let png = encode((map.side, map.side), &map.bytes, colour, depth)?;
-    write(dir, &format!("{}.png", kind.word()), &png)
+    write(dir, name, &png)
 }
 
 /// Writes the surface of all cells as surface.obj and surface.glb.

@@ -98,7 +98,7 @@ pub fn anisotropy(board: &mut Board, domain: &Domain, fields: &Fields, side: f64
     }
     let longest = shapes.iter().map(|s| s.aspect).fold(1.0, f64::max);
     let ring = |shape: &Particle| {
-        let size = 0.92 * step / longest.sqrt().max(1.2);
+        let size = 0.80 * step / longest.sqrt().max(1.2);
         Particle { size, ..*shape }.ring(1.0, 24)
     };
     let rings: Vec<Vec<DVec2>> = shapes.iter().map(ring).collect();
@@ -106,7 +106,7 @@ pub fn anisotropy(board: &mut Board, domain: &Domain, fields: &Fields, side: f64
     let longer: Vec<f32> = shapes.iter().map(longer).collect();
     in_steps(board, &rings, &longer, 8, |t| {
         let [r, g, b, _] = blend(EVEN, STRETCHED, t);
-        [r, g, b, 0.45 + 0.3 * t]
+        [r, g, b, 0.16 + 0.55 * t]
     });
     outlines(board, &rings, EVEN, (side / 460.0).clamp(0.9, 3.0));
 }

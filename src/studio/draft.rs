@@ -149,7 +149,6 @@ pub(super) struct Shown<'a> {
     pub packing: Option<&'a Packing>,
 }
 
-/// The rings of an outline.
-pub(super) fn rings(outline: &Outline) -> Vec<&[DVec2]> {
+fn rings(outline: &Outline) -> Vec<&[DVec2]> {
     outline.rings.iter().map(Vec::as_slice).collect()
 }
