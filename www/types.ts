@@ -117,6 +117,19 @@ export interface MeshSlice {
   done: boolean;
 }
 
+/** What a slice of work gave of a bigger picture. */
+export interface PictureSlice {
+  /** The picture begins with these rows: those before are of another one. */
+  begun: boolean;
+  done: boolean;
+  /** How much of the work is done, about, 0..1. */
+  progress: number;
+  /** Pixels along the picture's side. */
+  side: number;
+  /** Red, green, blue of the next pixels: whole rows from the top, mostly none yet. */
+  rows: Uint8Array;
+}
+
 /** Rings of an outline in picture units, y down, the outer ring first; not closed. */
 export type Point = [number, number];
 export type Ring = Point[];

@@ -151,7 +151,7 @@ impl Motion {
         self.start.clear();
         self.start.push(0);
         let period = domain.period();
-        let plain = period.is_none() && domain.lines().is_empty();
+        let plain = period.is_none() && domain.lines().is_empty() && domain.islands().len() == 1;
         for (i, body) in bodies.iter().enumerate() {
             let centre = body.particle.centre;
             let shape = Shape::of(&body.particle);
@@ -177,6 +177,7 @@ impl Motion {
         let (a, b) = (&body.particle, &other.particle);
         let half = domain.period().map_or(f64::INFINITY, |side| 0.5 * side);
         r.abs().max_element() <= half
+            && !domain.is_gap_between(a.centre, b.centre)
             && (a.fixed || b.fixed || !domain.crosses_line(a.centre, b.centre))
     }
 

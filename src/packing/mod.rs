@@ -5,6 +5,7 @@
 //! motion (`integrate`), population control (`population`). A [`Packing`] advances one step at a
 //! time; nothing in it knows of time or frames.
 
+mod carry;
 pub mod force;
 mod front;
 mod grid;

@@ -79,6 +79,7 @@ impl Studio {
             Base::Auto | Base::Picture => return self.unfold(base, gallery),
             Base::Paper => self.on_paper(&SHEET, |_| {}),
             Base::Packed => self.packed(),
+            Base::Cells | Base::Mesh if self.draft().is_some() => self.packed(),
             Base::Cells => {
                 let tones = self.tones();
                 self.on_paper(&tones.paper, |board| {
@@ -93,7 +94,8 @@ impl Studio {
                 self.lines(board);
             }),
             Base::Direction => self.on_paper(&SHEET, |board| {
-                if let (Some(domain), Some(fields)) = (&made.domain, &made.fields) {
+                let shown = self.shown();
+                if let (Some(domain), Some(fields)) = (shown.domain, shown.fields) {
                     overlay_field::direction(board, domain, fields, self.side() as f64);
                 }
             }),
@@ -141,6 +143,10 @@ impl Studio {
     fn unfold(&self, base: Base, gallery: &mut Gallery) {
         let made = &self.made;
         let side = self.side();
+        if base == Base::Auto && self.draft().is_some() {
+            gallery.frame = Some(self.packed());
+            return;
+        }
         let picture = made.picture.len() == 4 * side * side;
         let settled = !made.forming || matches!(self.at, Position::Failed(..));
         if picture && (settled || base == Base::Picture) {
@@ -162,6 +168,9 @@ impl Studio {
     }
 
     pub(super) fn tones(&self) -> Tones {
+        if let Some(draft) = self.draft() {
+            return draft.tones.clone();
+        }
         let made = &self.made;
         Tones::new(&translate::texture(&self.working)).wearing(&made.cells, &made.coats)
     }
@@ -181,12 +190,12 @@ impl Studio {
             let all = [DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y].map(|p| side * p);
             board.fill(&[&all], paper.bed, 0.0);
         } else {
-            board.outline(&self.rings(), paper);
+            board.outline(&self.shown().rings, paper);
         }
     }
 
     fn lines(&self, board: &mut Board) {
-        if let Some(domain) = &self.made.domain {
+        if let Some(domain) = self.shown().domain {
             overlay_stages::lines(board, domain, self.side() as f64);
         }
     }
@@ -196,7 +205,8 @@ impl Studio {
     }
 
     fn packed(&self) -> Board {
-        let (Some(packing), Some(domain)) = (&self.made.packing, &self.made.domain) else {
+        let shown = self.shown();
+        let (Some(packing), Some(domain)) = (shown.packing, shown.domain) else {
             return self.bare();
         };
         let tones = self.tones();
