@@ -5,6 +5,7 @@
 //! fill the outline without gap or overlap whatever its shape.
 
 use super::dual::Dual;
+use super::making::{Made, Making};
 use super::straighten::Straightening;
 use super::{Cell, torus};
 use crate::domain::Domain;
@@ -31,6 +32,7 @@ pub struct Fitting {
 enum Next {
     Dual(Vec<Particle>),
     Voronoi(Vec<Particle>),
+    Making(Making),
     Band(Dual),
     Corners,
     Rounds(Straightening),
@@ -64,14 +66,16 @@ impl Fitting {
             Next::Dual(particles) | Next::Voronoi(particles) if particles.is_empty() => {
                 Next::Nothing
             }
-            Next::Dual(particles) => match Dual::beside_lines(domain, &particles) {
-                Some(cells) => {
+            Next::Dual(particles) => Next::Making(Making::new(domain, particles, false)),
+            Next::Voronoi(particles) => Next::Making(Making::new(domain, particles, true)),
+            Next::Making(mut making) => match making.advance(domain) {
+                Some(Made::Cells(cells)) => {
                     self.cells = cells;
                     Next::Corners
                 }
-                None => Next::Band(Dual::new(domain, particles, false)),
+                Some(Made::Dual(dual)) => Next::Band(dual),
+                None => Next::Making(making),
             },
-            Next::Voronoi(particles) => Next::Band(Dual::new(domain, particles, true)),
             Next::Band(dual) => {
                 self.cells = dual.cells(domain);
                 if dual.plain {

@@ -17,7 +17,8 @@ use crate::order;
 use crate::packing::Particle;
 use glam::DVec2;
 use quads::Faces;
-use triangles::{NONE, Triangles};
+use triangles::NONE;
+pub(crate) use triangles::Weave;
 
 /// A point to be joined into a mesh.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -129,12 +130,18 @@ impl Mesh {
     /// On a torus every element is there once, and images follow the centres where elements reach
     /// over a seam: the mesh closes over the seams. Lone triangles stay as they are.
     pub fn build(domain: &Domain, particles: &[Particle]) -> Self {
-        if let Some(side) = domain.period() {
-            return Self::over_seams(domain, side, particles);
+        let mut meshing = Meshing::new(domain, particles.to_vec());
+        loop {
+            if let Some(mesh) = meshing.advance(domain) {
+                return mesh;
+            }
         }
-        let mut nodes: Vec<Node> = particles.iter().map(Node::of).collect();
+    }
+
+    /// The mesh of a plain outline, of the particles' triangles.
+    fn within(domain: &Domain, particles: &[Particle], weave: Weave) -> Self {
+        let (mut nodes, mut triangles) = weave.finish();
         let vertices: Vec<DVec2> = particles.iter().map(|p| p.centre).collect();
-        let mut triangles = Triangles::new(&nodes);
         // Sides from cell to cell along a constraint line are not dissolved.
         let keep = |side: [u32; 2]| lies_on_line(domain, side.map(|k| &particles[k as usize]));
         triangles.stretch(&nodes, keep);
@@ -168,10 +175,10 @@ impl Mesh {
 
     /// The mesh of all points over their convex hull. Edges for which `keep` holds are never
     /// dissolved into a quadrilateral. Points that coincide with an earlier one get no element.
-    pub(crate) fn whole(nodes: &[Node], keep: impl Fn([u32; 2]) -> bool) -> Self {
-        let mut triangles = Triangles::new(nodes);
-        triangles.stretch(nodes, &keep);
-        let faces = quads::pair(nodes, &triangles, &keep).faces;
+    pub(crate) fn whole(weave: Weave, keep: impl Fn([u32; 2]) -> bool) -> Self {
+        let (nodes, mut triangles) = weave.finish();
+        triangles.stretch(&nodes, &keep);
+        let faces = quads::pair(&nodes, &triangles, &keep).faces;
         Self {
             vertices: nodes.iter().map(|n| n.at).collect(),
             faces,
@@ -183,6 +190,53 @@ impl Mesh {
     /// vertices on the rim of the mesh.
     pub(crate) fn fans(&self) -> Fans {
         Fans::new(self)
+    }
+}
+
+/// A mesh in the making.
+pub struct Meshing {
+    particles: Vec<Particle>,
+    /// On a torus, at which try it is.
+    seams: Option<torus::Seams>,
+    weave: Option<Weave>,
+}
+
+impl Meshing {
+    /// Of these cells, nothing made yet: see [`Mesh::build`].
+    pub fn new(domain: &Domain, mut particles: Vec<Particle>) -> Self {
+        let seams = domain.period().map(|side| {
+            for p in &mut particles {
+                p.centre = domain.wrap(p.centre);
+            }
+            torus::Seams::new(side)
+        });
+        Self {
+            particles,
+            seams,
+            weave: None,
+        }
+    }
+
+    /// One slice of the work; the mesh with the last one.
+    pub fn advance(&mut self, domain: &Domain) -> Option<Mesh> {
+        let mut weave = self.weave.take().unwrap_or_else(|| {
+            Weave::new(match &mut self.seams {
+                Some(seams) => seams.nodes(&self.particles),
+                None => self.particles.iter().map(Node::of).collect(),
+            })
+        });
+        if !weave.advance() {
+            self.weave = Some(weave);
+            return None;
+        }
+        self.finish(domain, weave)
+    }
+
+    fn finish(&mut self, domain: &Domain, weave: Weave) -> Option<Mesh> {
+        match &mut self.seams {
+            Some(seams) => seams.mesh(domain, &self.particles, weave),
+            None => Some(Mesh::within(domain, &self.particles, weave)),
+        }
     }
 }
 
@@ -263,7 +317,7 @@ fn is_sliver(face: &Face, nodes: &[Node]) -> bool {
 /// Delaunay triangles, each of positive shoelace area, in an order that depends on the points only.
 pub(crate) fn triangulate(points: &[DVec2]) -> Vec<[u32; 3]> {
     let nodes: Vec<Node> = points.iter().copied().map(Node::plain).collect();
-    Triangles::new(&nodes).nodes
+    Weave::new(nodes).finish().1.nodes
 }
 
 /// The elements around each vertex.
