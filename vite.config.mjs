@@ -1,12 +1,42 @@
+import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 
 const here = (/** @type {string} */ path) => fileURLToPath(new URL(path, import.meta.url));
 
+/** @param {string} text */
+const escaped = (text) => text.replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('"', '&quot;');
+
+/**
+ * Writes the English words into the page: `data-t="key title=other"` names an element's text and its
+ * attributes. Other languages are filled in by www/words.ts.
+ */
+const words = {
+  name: 'words',
+  transformIndexHtml: {
+    order: /** @type {const} */ ('pre'),
+    handler: (/** @type {string} */ html) => {
+      const { page } = JSON.parse(readFileSync(here('www/strings/en.json'), 'utf8'));
+      const word = (/** @type {string} */ key) => {
+        if (!(key in page)) throw new Error(`www/strings/en.json has no words for the page's “${key}”.`);
+        return escaped(page[key]);
+      };
+      return html.replace(/data-t="([^"]*)"([^>]*>)/g, (_, /** @type {string} */ keys, /** @type {string} */ rest) => {
+        const parts = keys.split(' ').map((part) => part.split('='));
+        const attributes = parts.filter(([, key]) => key).map(([name, key]) => ` ${name}="${word(key)}"`);
+        const text = parts.filter(([, key]) => !key).map(([key]) => word(key));
+        return `data-t="${keys}"${attributes.join('')}${rest}${text.join('')}`;
+      });
+    },
+  },
+};
+
 export default defineConfig({
   root: here('www'),
   // Relative, so that the site works from any folder of any host.
   base: './',
+  plugins: [words],
+  json: { namedExports: true },
   build: {
     outDir: here('dist'),
     emptyOutDir: true,

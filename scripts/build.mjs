@@ -2,6 +2,7 @@
 import { start } from './lib/run.mjs';
 import * as setup from './lib/setup.mjs';
 import { buildSite } from './lib/site.mjs';
+import { buildThumbs } from './lib/thumbs.mjs';
 import { buildWasm } from './lib/wasm.mjs';
 
 await start(async () => {
@@ -10,5 +11,6 @@ await start(async () => {
   const env = setup.wasmRust();
   setup.wasmTools();
   await buildWasm('web', env);
+  await buildThumbs();
   await buildSite();
 });

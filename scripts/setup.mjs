@@ -8,6 +8,7 @@ await start(() => {
   setup.rustLinters();
   setup.wasmClippy(setup.wasmRust());
   setup.wasmTools();
-  setup.browser();
+  setup.browser('chromium');
+  setup.browser('firefox');
   console.log('\nAll is set up.');
 });

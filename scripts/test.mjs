@@ -5,6 +5,7 @@ import { ask, root, run, say, start } from './lib/run.mjs';
 import { nativeEnv, wasmTarget } from './lib/rust.mjs';
 import * as setup from './lib/setup.mjs';
 import { buildSite } from './lib/site.mjs';
+import { buildThumbs } from './lib/thumbs.mjs';
 import { buildWasm } from './lib/wasm.mjs';
 
 /** @type {{ name: string, seconds: number }[]} */
@@ -12,17 +13,19 @@ const done = [];
 
 await start(async () => {
   try {
-    const { native, wasm, chromium, hasWasmClippy } = await step('set-up', setUp);
+    const { native, wasm, programs, hasWasmClippy } = await step('set-up', setUp);
     await step('cargo fmt', () => run('cargo', ['fmt', '--check'], { env: native, otherwise: 'Run `cargo fmt`.' }));
     await step('clippy, native', () => clippy(['--all-targets'], native));
     await step('clippy, wasm32', () => wasmLint(wasm, hasWasmClippy));
     await step('cargo test', () => run('cargo', ['test'], { env: native }));
     await step('wasm-pack test', () => wasmTest(wasm));
     await step('wasm build', () => buildWasm('web', wasm));
+    await step('thumbnails', buildThumbs);
     await step('types', types);
     await step('lint', () => tool('eslint', 'bin/eslint.js', ['--max-warnings', '0', '.']));
     await step('page build', buildSite);
-    await step('browser tests', () => browserTests(chromium));
+    await step('tests in Chromium', () => browserTests('chromium', programs));
+    await step('tests in Firefox', () => browserTests('firefox', programs));
     console.log('\nAll tests passed.');
   } finally {
     for (const { name, seconds } of done) console.log(`${seconds.toFixed(1).padStart(8)} s  ${name}`);
@@ -52,7 +55,7 @@ function setUp() {
   const wasm = setup.wasmRust();
   const hasWasmClippy = setup.wasmClippy(wasm);
   setup.wasmTools();
-  const chromium = setup.browser();
+  const programs = { CHROME_PATH: setup.browser('chromium'), FIREFOX_PATH: setup.browser('firefox') };
   const native = nativeEnv();
   // wasm-pack first builds with the profile dev and then tests with the profile test: alike, they build once.
   for (const profile of ['DEV', 'TEST']) {
@@ -60,8 +63,8 @@ function setUp() {
     wasm[`CARGO_PROFILE_${profile}_DEBUG`] = '0';
   }
   console.log(`Native: ${ask('rustc', ['--version'], native)}. WebAssembly: ${ask('rustc', ['--version'], wasm)}.`);
-  console.log(`Browser: ${chromium}.`);
-  return { native, wasm, chromium, hasWasmClippy };
+  console.log(`Browsers: ${Object.values(programs).join(', ')}.`);
+  return { native, wasm, programs, hasWasmClippy };
 }
 
 /** @param {string[]} what @param {NodeJS.ProcessEnv} env */
@@ -97,13 +100,13 @@ function tool(name, program, args) {
   run(process.execPath, [join(root, 'node_modules', name, program), ...args]);
 }
 
-/** @param {string} chromium */
-function browserTests(chromium) {
+/** @param {import('./lib/browser.mjs').Kind} kind @param {NodeJS.ProcessEnv} programs */
+function browserTests(kind, programs) {
   const folder = join(root, 'tests', 'browser');
   const files = readdirSync(folder)
     .filter((file) => file.endsWith('.test.mjs'))
     .sort()
     .map((file) => join(folder, file));
-  const env = { ...process.env, CHROME_PATH: chromium };
+  const env = { ...process.env, ...programs, BROWSER: kind };
   run(process.execPath, ['--test', '--test-concurrency=2', '--test-reporter=spec', ...files], { env });
 }

@@ -93,7 +93,7 @@ fn what_stays_is_what_the_link_gives() {
                     studio.progress()
                 );
                 assert!(studio.energy().is_finite());
-                studio.view(View::Auto);
+                studio.view(View::of_words("auto"));
             }
         }
         assert_eq!(studio.recipe().link(), last.link());
@@ -143,18 +143,18 @@ fn the_draft_is_seen_until_the_new_packing_has_ended() {
     let last = dragged(&first, 1.0);
     let mut studio = finished(&first);
     let mut clock = clock();
-    let picture = studio.view(View::Auto).to_vec();
+    let picture = studio.view(View::of_words("auto")).to_vec();
     studio.set_live(true);
     studio.set_recipe(last.clone());
     while studio.tick(&mut clock, 8.0, 0) {}
-    let draft = studio.view(View::Auto).to_vec();
+    let draft = studio.view(View::of_words("auto")).to_vec();
     assert_ne!(draft, picture);
     studio.set_live(false);
     while ["domain", "fields", "packing"].contains(&studio.stage()) {
-        assert_eq!(studio.view(View::Auto), draft);
+        assert_eq!(studio.view(View::of_words("auto")), draft);
         studio.tick(&mut clock, 0.0, 1);
     }
-    assert_ne!(studio.view(View::Auto), draft);
+    assert_ne!(studio.view(View::of_words("auto")), draft);
     // Held, the packing that begins is shown instead.
     let mut held = finished(&first);
     held.set_live(true);
@@ -165,7 +165,10 @@ fn the_draft_is_seen_until_the_new_packing_has_ended() {
     assert_eq!((held.stage(), held.progress().step), ("packing", 0));
     let mut plain = Studio::new(held.recipe().clone());
     while plain.tick(&mut clock, 8.0, 0) {}
-    assert_eq!(held.view(View::Packed), plain.view(View::Packed));
+    assert_eq!(
+        held.view(View::of_words("packed")),
+        plain.view(View::of_words("packed"))
+    );
 }
 
 #[test]

@@ -1,68 +1,78 @@
 /** The wiring: what happens when something on the page is changed, and what is shown of it. */
 import { Controls } from './controls';
-import { byId, say } from './dom';
+import { byId, byIdAs, make, say } from './dom';
 import { Editing } from './editing';
 import { Engine } from './engine';
 import { Files } from './files';
-import { bindKeys } from './keys';
-import { address, Link } from './link';
+import { History } from './history';
+import { bindKeys, listenToKeys } from './keys';
+import { address, fragment, Link } from './link';
 import { Loop } from './loop';
-import { alertOf, clear, notice, passing } from './messages';
+import { lastWork, remember } from './memory';
+import { alertOf, clear, notice, offerOf, passing } from './messages';
 import { OutlineTools } from './outline-tools';
 import { Presets } from './presets';
 import { scriptFace, type ScriptFace } from './scripts';
 import { StatusLine } from './status';
-import { Thumbs } from './thumbs';
+import { Store, type State } from './store';
 import { Transport } from './transport';
 import { tellCrash } from './trouble';
-import type { Preset } from './types';
 import { View, VIEWS } from './view';
+import { LANGUAGES, language, speak, t } from './words';
+import { presetOf, Work } from './work';
 
 export class App {
   private readonly engine: Engine;
+  private readonly store: Store;
+  private readonly work: Work;
+  private readonly history: History;
   private readonly loop: Loop;
   private readonly link: Link;
   private readonly view: View;
-  private readonly controls: Controls;
-  private readonly presets: Presets;
-  private readonly thumbs: Thumbs;
   private readonly transport: Transport;
   private readonly status = new StatusLine();
   private readonly editing: Editing;
   private readonly face: ScriptFace;
-  /** The preset that was opened last, and the link that it gave. */
-  private preset: { shown: Preset; link: string } | undefined;
   /** Visitors who asked for less motion see no cells move until they choose a speed. */
   private still = matchMedia('(prefers-reduced-motion: reduce)').matches;
-  private stage = '';
 
-  constructor(link: string) {
-    this.engine = new Engine(link, (error, last) => this.crashed(error, last));
+  constructor() {
+    const asked = fragment();
+    const last = lastWork();
+    this.engine = new Engine(asked === '' && last?.own ? last.recipe : asked, (error, link) => this.crashed(error, link));
     this.face = scriptFace(this.engine);
+    this.store = new Store(this.first(asked));
+    this.work = new Work(this.engine, this.store);
+    this.history = new History(this.store);
     this.loop = new Loop(this.engine, (stage, changed) => this.drawn(stage, changed));
-    this.view = new View(this.engine, () => this.loop.redraw());
-    this.link = new Link((fragment) => this.open(fragment, false));
-    this.editing = new Editing(this.engine, () => this.changed());
-    this.controls = new Controls(this.engine.schema, {
+    this.view = new View(this.engine, this.store);
+    this.link = new Link((link) => {
+      this.work.open(link);
+      this.link.write(this.store.state.recipe);
+    });
+    this.editing = new Editing(this.work);
+    const controls = new Controls(this.engine.schema, {
       get: (key) => this.engine.get(key),
       defaultOf: (parameter) => this.engine.defaultOf(parameter),
-      change: (key, text) => this.change(key, text),
+      change: (key, text, done) => this.change(key, text, done),
       edit: (key) => this.editing.toggle(key),
       kinds: () => this.editing.sorts.kinds(),
     });
-    const outline = new OutlineTools(this.engine, this.controls, this.editing);
-    this.editing.shown = () => outline.show();
-    this.presets = new Presets(this.engine.presets, {
-      chosen: (preset) => this.choose(preset),
-      moved: () => (this.thumbs as Thumbs | undefined)?.wake(),
+    new OutlineTools(this.work, controls, this.editing);
+    const presets = new Presets(this.engine.presets, (preset) => {
+      this.editing.end();
+      this.link.next = 'push';
+      this.work.open(preset.link);
+      this.store.update({ paused: false });
     });
-    this.thumbs = new Thumbs(this.presets.thumbs, () => this.stage === 'done' || this.loop.paused);
     this.transport = this.makeTransport();
     new Files(this.engine);
+    this.follow(controls, presets);
     this.bind();
     notice('link', ...this.engine.notices());
-    this.recognise();
-    this.changed();
+    if (last && asked !== '' && last.own && last.recipe !== this.store.state.recipe) this.tellReplaced();
+    remember(this.store);
+    this.loop.changed();
   }
 
   /** What scripts may use. */
@@ -70,133 +80,156 @@ export class App {
     return this.face.face;
   }
 
+  /** The state that the page begins with: the last work's history goes on, whatever is opened now. */
+  private first(asked: string): State {
+    const last = lastWork();
+    const recipe = this.engine.link();
+    const same = last?.recipe === recipe;
+    return {
+      recipe,
+      held: false,
+      past: last ? (same ? last.past : [...last.past, last.recipe]) : [],
+      future: last && same ? last.future : [],
+      preset: presetOf(this.engine.presets, recipe),
+      own: same && last.own && (asked === '' || asked === recipe),
+      stored: false,
+      pace: 1,
+      paused: false,
+      view: 'auto',
+      overlays: [],
+      repeat: 1,
+      editing: undefined,
+      stage: '',
+    };
+  }
+
+  /** recipe -> studio -> view: what follows which part of the state. */
+  private follow(controls: Controls, presets: Presets): void {
+    const { store } = this;
+    const showHistory = ({ past, future, stored, own }: State): void => {
+      byIdAs('undo', HTMLButtonElement).disabled = past.length === 0;
+      byIdAs('redo', HTMLButtonElement).disabled = future.length === 0;
+      say(byId('stored'), stored && own ? t('stored') : '');
+    };
+    const showRecipe = ({ recipe, preset }: State): void => {
+      this.link.write(recipe);
+      controls.refresh();
+      presets.mark(preset?.recipe === recipe ? preset.shown.name : undefined);
+    };
+    const showTransport = ({ paused, pace }: State): void => {
+      if (this.loop.paused !== paused) this.loop.paused = paused;
+      this.loop.stepsPerFrame = pace;
+      this.transport.show(paused, pace, this.engine.get('seed'));
+    };
+    store.on(['recipe'], (now) => {
+      showRecipe(now);
+      showTransport(now);
+      this.editing.follow();
+      this.loop.changed();
+    });
+    store.on(['past', 'future', 'stored', 'own'], showHistory);
+    store.on(['paused', 'pace'], showTransport);
+    store.on(['held'], () => this.loop.changed());
+    store.on(['view', 'overlays'], () => this.loop.redraw());
+    showRecipe(store.state);
+    showTransport(store.state);
+    showHistory(store.state);
+  }
+
   private makeTransport(): Transport {
+    const { store } = this;
     const transport = new Transport({
-      toggle: () => this.pause(!this.loop.paused),
+      toggle: () => store.update({ paused: !store.state.paused }),
       step: () => this.step(),
       restart: () => {
         this.engine.restart();
         this.loop.changed();
       },
-      speed: (stepsPerFrame) => {
+      speed: (pace) => {
         this.still = false;
-        this.loop.stepsPerFrame = stepsPerFrame;
+        store.update({ pace });
       },
-      seed: (text) => this.change('seed', text),
+      seed: (text) => this.work.set('seed', text),
       dice: () => {
-        this.engine.set('seed', String(this.engine.randomSeed()));
-        this.changed(true);
+        this.link.next = 'push';
+        this.work.set('seed', String(this.engine.randomSeed()));
       },
       copy: () => void this.copy(),
       save: () => void this.save(),
     });
-    if (this.still) this.loop.stepsPerFrame = transport.fastest();
+    if (this.still) store.update({ pace: transport.fastest() });
     return transport;
   }
 
   private bind(): void {
     const press = (id: string) => () => byId(id).click();
-    bindKeys({
-      ' ': press('play'),
-      s: press('step'),
-      '.': press('step'),
-      r: press('restart'),
-      d: press('dice'),
-      c: press('copy'),
-      e: () => this.editing.toggle(),
-      '?': press('about-button'),
-      ...Object.fromEntries(VIEWS.map(({ word }, index) => [String(index), () => (this.view.word = word)])),
-    });
+    bindKeys(
+      { keys: [' '], shown: ['Space'], word: 'key_play', act: press('play') },
+      { keys: ['s', '.'], word: 'key_step', act: press('step'), repeats: true },
+      { keys: ['r'], word: 'key_restart', act: press('restart') },
+      { keys: ['d'], word: 'key_dice', act: press('dice') },
+      { keys: ['ctrl+z'], shown: ['Ctrl+Z'], word: 'key_undo', act: press('undo'), repeats: true },
+      { keys: ['ctrl+shift+z', 'ctrl+y'], shown: ['Ctrl+Shift+Z', 'Ctrl+Y'], word: 'key_redo', act: press('redo'), repeats: true },
+      { keys: ['c'], word: 'key_copy', act: press('copy') },
+      { keys: VIEWS.map((_, index) => String(index)), shown: ['0', '–', '9'], word: 'key_view', act: (key) => this.store.update({ view: VIEWS[Number(key)]?.word ?? 'auto' }) },
+      { keys: ['e'], word: 'key_edit', act: () => this.editing.toggle() },
+    );
+    listenToKeys();
+    byId('undo').addEventListener('click', () => this.history.undo());
+    byId('redo').addEventListener('click', () => this.history.redo());
     byId('about-button').addEventListener('click', () => {
       byId('about').scrollIntoView({ behavior: this.still ? 'auto' : 'smooth' });
       byId('about').focus({ preventScroll: true });
     });
+    const select = byIdAs('language', HTMLSelectElement);
+    select.replaceChildren(...LANGUAGES.map(([code, name]) => make('option', { value: code, lang: code }, name)));
+    select.value = language();
+    select.addEventListener('change', () => speak(select.value));
   }
 
   /** May come at any time, even while the engine is being made. */
   private crashed(error: unknown, link: string): void {
-    this.stage = 'error';
+    (this.store as Store | undefined)?.update({ stage: 'error' });
     document.documentElement.dataset['stage'] = 'error';
     (this.face as ScriptFace | undefined)?.failed();
     tellCrash(error, link);
   }
 
   /** A control was moved. */
-  private change(key: string, text: string): void {
+  private change(key: string, text: string, done: boolean): void {
     if (key === 'outline' && text === 'polygon') return this.editing.begin('outline');
-    const sentence = this.engine.set(key, text);
-    notice('value', ...(sentence ? [sentence] : []));
-    if (key === 'outline' || key === 'tile' || key === this.editing.word) this.editing.follow();
-    this.changed();
+    this.work.set(key, text, !done);
   }
 
-  private choose(preset: Preset): void {
-    this.editing.end();
-    this.open(preset.link, true);
-    this.preset = { shown: preset, link: this.engine.link() };
-    this.pause(false);
-    this.changed();
-  }
-
-  private open(fragment: string, push: boolean): void {
-    notice('link', ...this.engine.open(fragment));
-    clear('value');
-    clear('outline');
-    this.recognise();
-    this.editing.follow();
-    this.changed(push);
-  }
-
-  /** Finds the preset that the recipe in use is. */
-  private recognise(): void {
-    const link = this.engine.link();
-    const shown = this.engine.presets.find((preset) => preset.link.replace(/^#/, '') === link);
-    if (shown) this.preset = { shown, link };
-  }
-
-  /** Shows what the engine holds after any change, and lets it work on. */
-  private changed(push = false): void {
-    const link = this.engine.link();
-    if (push) this.link.push(link);
-    else this.link.replace(link);
-    this.controls.refresh();
-    this.editing.shown();
-    this.presets.mark(this.preset?.link === link ? this.preset.shown.name : undefined);
-    this.showTransport();
-    this.loop.changed();
-  }
-
-  private pause(paused: boolean): void {
-    this.loop.paused = paused;
-    this.showTransport();
-  }
-
-  private showTransport(): void {
-    this.transport.show(this.loop.paused, this.engine.get('seed'));
+  /** A link was opened over work of the visitor's own: that is one step back. */
+  private tellReplaced(): void {
+    const back = make('button', { type: 'button' }, t('replaced_back'));
+    back.addEventListener('click', () => {
+      clear('replaced');
+      this.history.undo();
+    });
+    offerOf('replaced', t('replaced'), back);
   }
 
   private step(): void {
-    this.pause(true);
+    this.store.update({ paused: true });
     const before = this.engine.status().steps;
     this.engine.step();
-    if (this.engine.status().steps === before && this.engine.alive) {
-      passing('done', 'The packing has settled: restart it (R) to step through it again.');
-    }
+    if (this.engine.status().steps === before && this.engine.alive) passing('done', t('settled'));
     this.loop.redraw();
   }
 
   /** After each frame in which something was done. */
   private drawn(stage: string, changed: boolean): void {
     if (!this.engine.alive) return;
-    if (changed && (!this.still || stage === 'done' || this.loop.paused)) this.view.draw();
+    const { paused, preset, recipe } = this.store.state;
+    if (changed && (!this.still || stage === 'done' || paused)) this.view.draw();
     const status = this.engine.status();
     this.status.show(stage, status);
-    this.status.name(this.view.note, this.preset?.shown, this.preset?.link !== this.engine.link(), stage, status);
+    this.status.name(this.view.note, preset?.shown, preset?.recipe !== recipe, stage, status);
     this.report(stage);
     if (stage === 'error') this.stuck();
-    if (stage !== 'done') return;
-    this.face.done();
-    this.thumbs.wake();
+    if (stage === 'done') this.face.done();
   }
 
   /** This recipe gives no pavement; another one may. */
@@ -208,28 +241,29 @@ export class App {
 
   /** Names the stage at work to scripts, and the end of the work to listeners. */
   private report(stage: string): void {
-    if (stage === this.stage) return;
-    if (this.stage === 'error') clear('trouble');
-    this.stage = stage;
+    const before = this.store.state.stage;
+    if (stage === before) return;
+    if (before === 'error') clear('trouble');
+    this.store.update({ stage });
     document.documentElement.dataset['stage'] = stage;
     const { cells, steps } = this.engine.status();
-    say(byId('live'), stage === 'done' ? `The picture is done: ${cells} cells after ${steps} steps.` : '');
+    say(byId('live'), stage === 'done' ? t('done', { cells, steps }) : '');
   }
 
   private async copy(): Promise<void> {
     const link = this.engine.link();
-    this.link.replace(link);
     try {
       await navigator.clipboard.writeText(address(link));
-      passing('done', 'The link is copied.');
+      passing('done', t('copied'));
     } catch {
-      notice('done', `The browser does not let a page copy. This is the link: ${address(link)}`);
+      notice('done', t('not_copied', { link: address(link) }));
     }
   }
 
   private async save(): Promise<void> {
-    const name = ['bubblestone', this.view.word === 'auto' ? 'picture' : this.view.word, this.engine.get('outline'), this.engine.get('seed')];
+    const view = this.store.state.view;
+    const name = ['bubblestone', view === 'auto' ? 'picture' : view, this.engine.get('outline'), this.engine.get('seed')];
     const saved = await this.view.save(name.join('-'));
-    if (!saved) notice('done', 'The browser could not make a PNG file of the picture.');
+    if (!saved) notice('done', t('not_saved'));
   }
 }

@@ -2,6 +2,7 @@
 import { make, say, symbol } from './dom';
 import { fromPlace, isLogarithmic, onStep, stepOf, toPlace } from './scale';
 import type { Parameter } from './types';
+import { t } from './words';
 
 /** Choices stand side by side where their labels, with some letters' room around each, have no more letters than this. */
 const SEGMENT_LETTERS = 38;
@@ -57,8 +58,8 @@ export function makeControl(parameter: Parameter, change: Change, edit: (key: st
       element.toggleAttribute('data-changed', differs(parameter, value, standard));
       if (standard !== known) {
         known = standard;
-        reset.title = `Back to ${shown(parameter, standard)}`;
-        reset.setAttribute('aria-label', `Reset ${parameter.name} to ${shown(parameter, standard)}`);
+        reset.title = t('reset_title', { value: shown(parameter, standard) });
+        reset.setAttribute('aria-label', t('reset', { name: parameter.name, value: shown(parameter, standard) }));
       }
       show(value, standard);
     },
@@ -73,16 +74,21 @@ export function differs({ kind }: Parameter, value: string, standard: string): b
 function waysOf(parameter: Parameter, id: string, change: Change, edit: (key: string) => void): Parts {
   if (parameter.kind === 'text') return drawnList(parameter, id, edit);
   if (parameter.kind === 'choice') {
-    const letters = parameter.choices.reduce((sum, { label }) => sum + label.length + SEGMENT_ROOM, 0);
+    const letters = parameter.choices.reduce((sum, { label }) => sum + width(label) + SEGMENT_ROOM, 0);
     return letters > SEGMENT_LETTERS ? list(parameter, id, change) : segments(parameter, id, change);
   }
   return parameter.kind === 'flag' ? tick(parameter, id, change) : numberAndSlider(parameter, id, change);
 }
 
+/** Letters, of which those of Chinese origin are twice as wide. */
+function width(label: string): number {
+  return label.length + (label.match(/[\u3000-\u9fff]/g)?.length ?? 0);
+}
+
 /** How a value reads in a sentence. */
 function shown(parameter: Parameter, value: string): string {
   const choice = parameter.choices.find(({ word }) => word === value);
-  if (parameter.kind === 'text') return 'none';
+  if (parameter.kind === 'text') return t('none');
   return choice?.label ?? `${value}${parameter.unit && ` ${parameter.unit}`}`;
 }
 
@@ -196,7 +202,7 @@ function drawnList(parameter: Parameter, id: string, edit: (key: string) => void
   return {
     inputs: [button],
     // Dots divide the rows of a list.
-    show: (value) => say(button, value ? `Edit ${value.split('.').length}…` : 'Add…'),
+    show: (value) => say(button, value ? t('list_edit', { n: value.split('.').length }) : t('list_add')),
   };
 }
 

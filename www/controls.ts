@@ -2,6 +2,7 @@
 import { differs, makeControl, type Change, type Control } from './control';
 import { byId, byIdAs, make, say } from './dom';
 import type { Parameter } from './types';
+import { groupIn, t } from './words';
 
 /** Parameters that have their own place on the page. */
 const ELSEWHERE = new Set(['seed', 'poly']);
@@ -63,7 +64,7 @@ export class Controls {
         element.hidden = !this.applies(parameter);
         if (!element.hidden && differs(parameter, value, standard)) changed += 1;
       }
-      say(badge, changed ? `${changed} changed` : '');
+      say(badge, changed ? t('changed', { n: changed }) : '');
       details.hidden = controls.every(({ element }) => element.hidden);
     }
   }
@@ -83,7 +84,7 @@ export class Controls {
     const known = this.groups.get(name);
     if (known) return known;
     const badge = make('span', { class: 'badge' });
-    const details = make('details', { class: 'group' }, make('summary', {}, make('span', {}, name), badge));
+    const details = make('details', { class: 'group' }, make('summary', {}, make('span', {}, groupIn(name)), badge));
     const narrow = matchMedia('(max-width: 60rem)').matches;
     details.open = narrow ? this.groups.size === 0 : OPEN_AT_FIRST.includes(name);
     const group = { details, badge, controls: [] };

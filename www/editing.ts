@@ -5,21 +5,28 @@ import type { Engine } from './engine';
 import { alertOf, notice } from './messages';
 import { Sorts } from './sorts';
 import type { Figure, Ring, Sort } from './types';
+import type { Work } from './work';
 
 export class Editing {
   readonly sorts: Sorts;
+  private readonly work: Work;
   private readonly engine: Engine;
-  private readonly changed: () => void;
   private readonly editor: Editor;
   private last = 'outline';
-  /** Called when editing begins, changes what it edits, or ends. */
-  shown: () => void = () => undefined;
+  /** What the recipe said of it when the handles were last the same. */
+  private known = '';
+  /** The recipe is changed from here. */
+  private writing = false;
+  /** Points are in the hand. */
+  private held = false;
 
-  constructor(engine: Engine, changed: () => void) {
+  constructor(work: Work) {
+    this.work = work;
+    const { engine } = work;
     this.engine = engine;
-    this.changed = changed;
     this.sorts = new Sorts(engine);
-    this.editor = new Editor(byId('editor'), byId('editor-bar'), {
+    const layer = byId('editor');
+    this.editor = new Editor(layer, byId('editor-bar'), {
       side: () => engine.side(),
       sorts: () => this.sorts.now(),
       choose: (word) => this.begin(word),
@@ -27,9 +34,10 @@ export class Editing {
       change: (sort, figures) => this.take(sort, figures),
       live: (on) => {
         engine.live(on);
-        if (!on) this.changed();
+        this.held = on;
+        work.store.update({ held: on });
       },
-      closed: () => this.shown(),
+      closed: () => work.store.update({ editing: undefined }),
     });
   }
 
@@ -53,16 +61,22 @@ export class Editing {
     this.last = sort.word;
     const figures = this.sorts.read(sort);
     if (sort.form === 'ring' && this.engine.get('outline') !== 'polygon') this.takeRings(figures.map(({ points }) => points));
+    this.known = this.text(sort.word);
     this.editor.open(sort, figures);
-    this.shown();
+    this.work.store.update({ editing: sort.word });
   }
 
-  /** Another recipe came by other ways: what is edited goes on with what it has of the same sort. */
+  /** The recipe changed: where that came by other ways, what is edited goes on with what it has of the same sort. */
   follow(): void {
     const word = this.word;
-    if (word === undefined) return;
+    if (word === undefined || this.writing || this.text(word) === this.known) return;
     if (word === 'outline' ? this.engine.get('outline') === 'polygon' : this.engine.get(word) !== '') this.begin(word);
     else this.editor.close();
+  }
+
+  /** What the recipe says of what is edited. */
+  private text(word: string): string {
+    return word === 'outline' ? this.engine.get('outline') + this.engine.get('poly') : this.engine.get(word);
   }
 
   end(): void {
@@ -71,20 +85,28 @@ export class Editing {
 
   /** Gives an outline to the engine; false where it was refused. */
   takeRings(rings: Ring[]): boolean {
-    const { refused, sentence } = this.engine.setOutline(rings);
-    return this.told(refused, sentence, 'The last good outline stays.');
+    return this.change('outline', () => {
+      const { refused, sentence } = this.work.outline(rings, this.held);
+      return { refused, sentence, kept: 'The last good outline stays.' };
+    });
   }
 
   private take(sort: Sort, figures: Figure[]): boolean {
     if (sort.form === 'ring') return this.takeRings(figures.map(({ points }) => points));
-    const sentence = this.sorts.write(sort, figures);
-    return this.told(sentence !== '', sentence, '');
+    return this.change(sort.word, () => {
+      const sentence = this.work.write(sort.word, this.sorts.text(sort, figures), this.held);
+      return { refused: sentence !== '', sentence, kept: '' };
+    });
   }
 
-  private told(refused: boolean, sentence: string, kept: string): boolean {
+  /** A change from here, which the handles need not follow. */
+  private change(word: string, act: () => { refused: boolean; sentence: string; kept: string }): boolean {
+    this.writing = true;
+    const { refused, sentence, kept } = act();
+    this.writing = false;
+    this.known = this.text(word);
     if (refused) alertOf('outline', `${sentence} ${kept}`.trim());
     else notice('outline', ...(sentence ? [sentence] : []));
-    this.changed();
     return !refused;
   }
 }

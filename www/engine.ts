@@ -3,7 +3,8 @@
  * calls answer with harmless values instead of failing again.
  */
 import init, { Bubblestone, presets, random_seed, schema } from '../pkg/bubblestone.js';
-import type { MeshSlice, Parameter, PixelMap, Point, Preset, Ring, Status } from './types';
+import type { Histograms, MeshSlice, Parameter, PictureSlice, PixelMap, Point, Preset, Probe, Ring, Series, Status } from './types';
+import { parameterIn, presetIn, sentenceIn, t } from './words';
 
 /** The schema gives the defaults of numbers as numbers. */
 type RawParameter = Omit<Parameter, 'default'> & { default: string | number };
@@ -28,20 +29,18 @@ const NO_STATUS: Status = {
   ms: {},
 };
 
-const NO_FILE = 'The file could not be made.';
-
 /** Loads the module. Throws an Error whose message is a sentence for the visitor. */
 export async function load(): Promise<void> {
   if (typeof WebAssembly !== 'object') {
-    throw new Error('This browser has no WebAssembly, which Bubblestone needs. Any browser since about 2021 will do.');
+    throw new Error(t('no_wasm'));
   }
   try {
     await init();
   } catch (error) {
     if (error instanceof WebAssembly.CompileError) {
-      throw new Error('This browser is too old for the WebAssembly of Bubblestone. Please update it (Safari: 16.4 or later).', { cause: error });
+      throw new Error(t('old_wasm'), { cause: error });
     }
-    throw new Error('The WebAssembly part of Bubblestone could not be loaded. Please check the connection and load the page again.', { cause: error });
+    throw new Error(t('lost_wasm'), { cause: error });
   }
 }
 
@@ -57,8 +56,8 @@ export class Engine {
   constructor(link: string, crashed: (error: unknown, link: string) => void) {
     this.crashed = crashed;
     this.lastLink = link.replace(/^#/, '');
-    this.schema = this.guard(() => (schema() as RawParameter[]).map((row) => ({ ...row, default: String(row.default) })), []);
-    this.presets = this.guard(() => presets() as Preset[], []);
+    this.schema = this.guard(() => (schema() as RawParameter[]).map((row) => parameterIn({ ...row, default: String(row.default) })), []);
+    this.presets = this.guard(() => (presets() as Preset[]).map(presetIn), []);
     this.core = this.guard(() => new Bubblestone(link), undefined);
   }
 
@@ -68,11 +67,11 @@ export class Engine {
 
   open(link: string): string[] {
     this.lastLink = link.replace(/^#/, '');
-    return this.ask((core) => core.open(link), []);
+    return this.ask((core) => core.open(link), []).map(sentenceIn);
   }
 
   notices(): string[] {
-    return this.ask((core) => core.notices(), []);
+    return this.ask((core) => core.notices(), []).map(sentenceIn);
   }
 
   /** The link's fragment, without '#'. */
@@ -83,7 +82,7 @@ export class Engine {
 
   /** '' or a sentence about what was clamped or refused. */
   set(key: string, text: string): string {
-    return this.ask((core) => core.set(key, text), '');
+    return sentenceIn(this.ask((core) => core.set(key, text), ''));
   }
 
   get(key: string): string {
@@ -121,15 +120,37 @@ export class Engine {
 
   /** Why the stage is 'error'; '' while all is well. */
   problem(): string {
-    return this.ask((core) => core.problem(), '');
+    return sentenceIn(this.ask((core) => core.problem(), ''));
   }
 
   status(): Status {
     return this.ask((core) => core.status() as Status, NO_STATUS);
   }
 
+  /** Draws a view: words joined by '+', at most one of a base, any of overlays; see `draw` of the module. */
   draw(context: CanvasRenderingContext2D, view: string): void {
     this.ask((core) => core.draw(context, view), undefined);
+  }
+
+  /** The cell at a place in picture units. */
+  probe([x, y]: Point): Probe | undefined {
+    return this.ask((core) => core.probe(x, y) as Probe | undefined, undefined);
+  }
+
+  /** How the packing went so far. */
+  series(): Series {
+    const none = { step: new Float64Array(), energy: new Float64Array(), move: new Float64Array() };
+    return this.ask((core) => core.series() as Series, none);
+  }
+
+  histograms(): Histograms {
+    const none = { from: 0, to: 0, counts: new Uint32Array() };
+    return this.ask((core) => core.histograms() as Histograms, { size: none, angle: none });
+  }
+
+  /** The cells as a standalone SVG file; '' before there are any. */
+  svg(): string {
+    return this.ask((core) => core.svg(), '');
   }
 
   digest(): string {
@@ -138,12 +159,27 @@ export class Engine {
 
   /** A map by its word, or the sentence that says why there is none. */
   map(word: string): PixelMap | string {
-    return this.ask((core) => core.map(word) as PixelMap | string, NO_FILE);
+    return this.ask((core) => core.map(word) as PixelMap | string, t('no_file'));
   }
 
   /** Works on a mesh file for about `budget` milliseconds, or says why there is none. */
   meshFile(ending: string, budget: number): MeshSlice | string {
-    return this.ask((core) => core.meshFile(ending, budget) as MeshSlice | string, NO_FILE);
+    return this.ask((core) => core.meshFile(ending, budget) as MeshSlice | string, t('no_file'));
+  }
+
+  /** Works on the picture at 1 to 4 times its side for about `budget` milliseconds, or says why there is none. */
+  pictureFile(scale: number, budget: number): PictureSlice | string {
+    return this.ask((core) => core.pictureFile(scale, budget) as PictureSlice | string, t('no_file'));
+  }
+
+  /** A map, as `map` gives it, of the picture that `pictureFile` finished last. */
+  biggerMap(word: string): PixelMap | string {
+    return this.ask((core) => core.biggerMap(word) as PixelMap | string, t('no_file'));
+  }
+
+  /** Stops a file in the making, and frees what it held: to be called after every `pictureFile` that ends. */
+  stopFile(): void {
+    this.ask((core) => core.stopFile(), undefined);
   }
 
   /** What making the pavement took and gave, as JSON. */
@@ -159,7 +195,7 @@ export class Engine {
     const points = new Float64Array(rings.flat(2));
     const lengths = new Uint32Array(rings.map((ring) => ring.length));
     const before = this.get('poly');
-    const sentence = this.ask((core) => core.setOutline(points, lengths), '');
+    const sentence = sentenceIn(this.ask((core) => core.setOutline(points, lengths), ''));
     const same = this.get('outline') !== 'polygon' || this.get('poly') === before;
     return { refused: sentence !== '' && same, sentence };
   }

@@ -1,16 +1,66 @@
-/** Keys that work anywhere on the page, except where the element in focus needs them itself. */
+/** Keys that work anywhere on the page, except where the element in focus needs them itself, and the list of them. */
+import { byId, byIdAs, make } from './dom';
+import { t, type Word } from './words';
 
-/** What a key does, by `KeyboardEvent.key` in lower case. */
-export type Bindings = Record<string, () => void>;
+export interface Binding {
+  /** By `KeyboardEvent.key` in lower case, with `ctrl+` and `shift+` before it; of Ctrl and Cmd either does. */
+  keys: string[];
+  /** How the list shows them, where not just in capitals. */
+  shown?: string[];
+  /** What they do, for the list. */
+  word: Word;
+  act: (key: string) => void;
+  /** Holding the key down acts again and again. */
+  repeats?: boolean;
+}
 
-export function bindKeys(bindings: Bindings): void {
+const bindings: Binding[] = [];
+
+/** Keys from now on, and in the list in this order. */
+export function bindKeys(...more: Binding[]): void {
+  bindings.push(...more);
+}
+
+/** The keys that mean something only while points are edited; they are told in the same list. */
+const AT_POINTS: readonly [shown: string[], word: Word][] = [
+  [['← ↑ → ↓'], 'key_move'],
+  [['Shift'], 'key_far'],
+  [['Ctrl'], 'key_whole'],
+  [['Insert'], 'key_insert'],
+  [['Delete'], 'key_delete'],
+  [['Esc'], 'key_escape'],
+];
+
+/** Listens from now on, and shows the list under `?` and its button. */
+export function listenToKeys(): void {
   document.addEventListener('keydown', (event) => {
-    if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
-    const act = bindings[event.key.toLowerCase()];
-    if (!act || (event.target instanceof Element && needs(event.target, event.key))) return;
+    if (event.defaultPrevented || event.altKey) return;
+    const combined = `${event.ctrlKey || event.metaKey ? 'ctrl+' : ''}${event.shiftKey && event.key.length > 1 ? 'shift+' : ''}${shifted(event)}`;
+    const binding = bindings.find(({ keys }) => keys.includes(combined));
+    if (!binding || (event.target instanceof Element && needs(event.target, event.key))) return;
+    if (document.querySelector('dialog[open]')) return;
     event.preventDefault();
-    if (!event.repeat || event.key === '.' || event.key.toLowerCase() === 's') act();
+    if (!event.repeat || binding.repeats) binding.act(event.key.toLowerCase());
   });
+  const dialog = byIdAs('keys', HTMLDialogElement);
+  const show = (): void => {
+    const row = (shown: string[], word: Word): HTMLElement =>
+      make('div', {}, make('dt', {}, ...shown.flatMap((key, k) => [...(k ? [' '] : []), make('kbd', {}, key)])), make('dd', {}, t(word)));
+    byId('keys-list').replaceChildren(
+      ...bindings.map(({ keys, shown, word }) => row(shown ?? keys.map((key) => key.toUpperCase()), word)),
+      ...AT_POINTS.map(([shown, word]) => row([...shown], word)),
+    );
+    dialog.showModal();
+  };
+  bindKeys({ keys: ['?'], word: 'key_keys', act: show });
+  byId('keys-button').addEventListener('click', show);
+  dialog.addEventListener('click', ({ target }) => target === dialog && dialog.close());
+}
+
+/** Letters are bound with `shift+` only together with Ctrl; signs such as `?` need Shift anyway. */
+function shifted({ key, ctrlKey, metaKey, shiftKey }: KeyboardEvent): string {
+  const letter = key.toLowerCase();
+  return shiftKey && letter.length === 1 && (ctrlKey || metaKey) ? `shift+${letter}` : letter;
 }
 
 /** Whether this element makes something of this key. */

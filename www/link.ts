@@ -4,6 +4,8 @@
 const THROTTLE = 500;
 
 export class Link {
+  /** How the next state is written: as a new entry, so that the browser's Back button leads to the one before, or in place of it. */
+  next: 'push' | 'replace' = 'replace';
   private written = fragment();
   private waiting: string | undefined;
   private timer = 0;
@@ -22,25 +24,31 @@ export class Link {
     addEventListener('pagehide', () => this.flush());
   }
 
-  /** Writes the state into the address, soon. */
-  replace(state: string): void {
+  /** Writes the state into the address: soon, or as a new entry at once. */
+  write(state: string): void {
+    const how = this.next;
+    this.next = 'replace';
+    if (how === 'push') this.push(state);
+    else this.replace(state);
+  }
+
+  private replace(state: string): void {
     if (state === (this.waiting ?? this.written)) return;
     this.waiting = state;
     if (this.timer) return;
     this.timer = window.setTimeout(() => this.flush(), Math.max(0, this.last + THROTTLE - performance.now()));
   }
 
-  /** Writes the state as a new entry, so that the browser's Back button leads to the one before. */
-  push(state: string): void {
+  private push(state: string): void {
     this.flush();
     if (state === this.written) return;
-    this.write(state, 'pushState');
+    this.enter(state, 'pushState');
   }
 
   private flush(): void {
     const state = this.waiting;
     this.forget();
-    if (state !== undefined && state !== this.written) this.write(state, 'replaceState');
+    if (state !== undefined && state !== this.written) this.enter(state, 'replaceState');
   }
 
   private forget(): void {
@@ -49,7 +57,7 @@ export class Link {
     this.waiting = undefined;
   }
 
-  private write(state: string, how: 'pushState' | 'replaceState'): void {
+  private enter(state: string, how: 'pushState' | 'replaceState'): void {
     this.written = state;
     this.last = performance.now();
     history[how](null, '', address(state));

@@ -1,13 +1,13 @@
 /** Starts the page. */
 import { App } from './app';
 import { load } from './engine';
-import { fragment } from './link';
 import { alertOf } from './messages';
+import { takeLanguage } from './words';
 
 async function start(): Promise<void> {
   try {
-    await load();
-    window.bubblestone = new App(fragment()).scripts();
+    await Promise.all([load(), takeLanguage()]);
+    window.bubblestone = new App().scripts();
   } catch (error) {
     document.documentElement.dataset['stage'] = 'error';
     alertOf('trouble', error instanceof Error ? error.message : String(error));

@@ -1,8 +1,9 @@
 /** Words to the visitor over the canvas: notices that may go, and errors that stay until dismissed. */
 import { byId, make } from './dom';
+import { t } from './words';
 
 /** Notices of the same topic replace each other. */
-type Topic = 'link' | 'value' | 'outline' | 'done' | 'files' | 'trouble';
+type Topic = 'link' | 'value' | 'outline' | 'done' | 'files' | 'replaced' | 'offline' | 'trouble';
 
 /** Milliseconds that a passing word stays; longer texts stay until dismissed. */
 const PASSING = 4000;
@@ -13,6 +14,11 @@ const notices = byId('notices');
 /** One or more sentences about something that needs no action. */
 export function notice(topic: Topic, ...sentences: string[]): void {
   put(notices, topic, sentences);
+}
+
+/** Something that may be taken back or followed; `actions` are offered below the sentence. */
+export function offerOf(topic: Topic, sentence: string, ...actions: HTMLElement[]): void {
+  put(notices, topic, [sentence])?.append(make('div', { class: 'actions' }, ...actions));
 }
 
 /** A word that goes by itself. */
@@ -35,11 +41,11 @@ export function clear(topic: Topic): void {
 function put(place: HTMLElement, topic: Topic, sentences: string[]): HTMLElement | undefined {
   clear(topic);
   if (!sentences.length) return undefined;
-  const close = make('button', { type: 'button', class: 'close', 'aria-label': 'Dismiss', title: 'Dismiss' }, '×');
+  const close = make('button', { type: 'button', class: 'close', 'aria-label': t('dismiss'), title: t('dismiss') }, '×');
   const text =
     sentences.length === 1
       ? make('p', {}, sentences[0] ?? '')
-      : make('div', {}, make('p', {}, `${sentences.length} things to know:`), make('ul', {}, ...sentences.map((sentence) => make('li', {}, sentence))));
+      : make('div', {}, make('p', {}, t('things', { n: sentences.length })), make('ul', {}, ...sentences.map((sentence) => make('li', {}, sentence))));
   const note = make('div', { class: 'message', 'data-topic': topic }, text, close);
   close.addEventListener('click', () => note.remove());
   place.append(note);

@@ -3,6 +3,7 @@ import type { Controls } from './controls';
 import { byId, make, say } from './dom';
 import type { Editing } from './editing';
 import type { Engine } from './engine';
+import type { Work } from './work';
 import { alertOf } from './messages';
 import { readOutline } from './outline-file';
 
@@ -12,7 +13,7 @@ export class OutlineTools {
   private readonly edit = make('button', { type: 'button', class: 'wide', id: 'edit-outline', 'aria-keyshortcuts': 'E' });
   private readonly file = make('input', { type: 'file', accept: '.json,application/json', 'aria-label': 'Outline file' });
 
-  constructor(engine: Engine, controls: Controls, editing: Editing) {
+  constructor({ engine, store }: Work, controls: Controls, editing: Editing) {
     this.engine = engine;
     this.editing = editing;
     this.edit.addEventListener('click', () => {
@@ -29,6 +30,7 @@ export class OutlineTools {
     });
     controls.append('Outline', make('div', { class: 'tools' }, this.edit, load, this.file));
     this.dropOn(byId('sheet'));
+    store.on(['editing', 'recipe'], () => this.show());
     this.show();
   }
 

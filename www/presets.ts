@@ -1,19 +1,14 @@
 /** The rail of presets: the house's own and the papers' figures, each a small picture. */
 import { byId, make } from './dom';
 import type { Preset } from './types';
+import { groupIn } from './words';
 
-/** Sides of the small pictures, in their own pixels. */
-export const THUMB = 144;
+/** Sides of the small pictures (thumbs/NAME.avif, made by the build) on the page, in its pixels. */
+const THUMB = '72';
 
 interface Group {
   readonly heading: HTMLButtonElement;
   readonly list: HTMLUListElement;
-}
-
-export interface PresetNeeds {
-  chosen: (preset: Preset) => void;
-  /** Other small pictures have come to sight. */
-  moved: () => void;
 }
 
 /** One group of presets is unfolded at a time. */
@@ -21,19 +16,25 @@ export class Presets {
   private readonly groups: Group[] = [];
   private readonly buttons = new Map<string, HTMLButtonElement>();
   private marked: string | undefined;
-  readonly thumbs: { preset: Preset; canvas: HTMLCanvasElement }[] = [];
+  /** Browsers' own lazy loading fetches far more of a list than is to be seen. */
+  private readonly inSight = new IntersectionObserver((entries) => {
+    for (const { isIntersecting, target } of entries) {
+      if (!isIntersecting || !(target instanceof HTMLImageElement)) continue;
+      target.src = `thumbs/${target.dataset['name'] ?? ''}.avif`;
+      this.inSight.unobserve(target);
+    }
+  });
 
-  constructor(presets: Preset[], private readonly needs: PresetNeeds) {
+  constructor(presets: Preset[], private readonly chosen: (preset: Preset) => void) {
     const rail = byId('rail');
     rail.replaceChildren();
     for (const title of new Set(presets.map(({ group }) => group))) {
       const id = `presets-${this.groups.length}`;
-      const list = make('ul', { id, 'aria-label': title });
+      const list = make('ul', { id, 'aria-label': groupIn(title) });
       for (const preset of presets) {
         if (preset.group === title) list.append(make('li', {}, this.button(preset)));
       }
-      list.addEventListener('scroll', needs.moved, { passive: true });
-      const heading = make('button', { type: 'button', 'aria-controls': id }, title);
+      const heading = make('button', { type: 'button', 'aria-controls': id }, groupIn(title));
       const group = { heading, list };
       heading.addEventListener('click', () => this.unfold(group));
       this.groups.push(group);
@@ -59,7 +60,6 @@ export class Presets {
       each.list.hidden = each !== group;
       each.heading.setAttribute('aria-expanded', String(each === group));
     }
-    this.needs.moved();
   }
 
   /** Only the list is scrolled, never the page. */
@@ -73,17 +73,17 @@ export class Presets {
   }
 
   private button(preset: Preset): HTMLButtonElement {
-    const canvas = make('canvas', { width: String(THUMB), height: String(THUMB), 'aria-hidden': 'true' });
+    const picture = make('img', { decoding: 'async', width: THUMB, height: THUMB, alt: '', 'data-name': preset.name });
+    this.inSight.observe(picture);
     const button = make(
       'button',
       { type: 'button', title: preset.note ? `${preset.figure || preset.title}: ${preset.note}` : preset.title, 'data-preset': preset.name },
-      canvas,
+      picture,
       make('span', {}, preset.figure ? short(preset.figure) : preset.title),
     );
     if (preset.figure) button.setAttribute('aria-label', preset.figure);
-    button.addEventListener('click', () => this.needs.chosen(preset));
+    button.addEventListener('click', () => this.chosen(preset));
     this.buttons.set(preset.name, button);
-    this.thumbs.push({ preset, canvas });
     return button;
   }
 }

@@ -90,8 +90,8 @@ export class Sorts {
     });
   }
 
-  /** Writes figures of a list; '' or the sentence that says why they cannot be taken. */
-  write({ word, form }: Sort, figures: Figure[]): string {
+  /** Figures of a list as the recipe's text. */
+  text({ form }: Sort, figures: Figure[]): string {
     const side = this.engine.side();
     const rows = figures.map(({ points, value }) => {
       const [middle, end] = points;
@@ -99,7 +99,7 @@ export class Sorts {
       const places = points.flatMap(([x, y]) => [x / side, y / side]);
       return form === 'seed' ? [...places, value] : places;
     });
-    return this.engine.set(word, rows.map((row) => row.map((number) => number.toFixed(6)).join(',')).join(';'));
+    return rows.map((row) => row.map((number) => number.toFixed(6)).join(',')).join(';');
   }
 
   /** A new figure inside the outline and away from the others; a part's seed where it was asked for. */

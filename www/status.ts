@@ -1,14 +1,9 @@
 /** The state of the work: the stages with their milliseconds, the counts, and the caption. */
 import { byId, make, say } from './dom';
 import { STAGES, type Preset, type Status } from './types';
+import { sentenceIn, t } from './words';
 
 const COUNTS = ['cells', 'steps', 'move', 'added'] as const;
-const COUNT_LABELS: Record<(typeof COUNTS)[number], [label: string, help: string]> = {
-  cells: ['Cells', 'Cells in the packing'],
-  steps: ['Steps', 'Packing steps taken'],
-  move: ['Largest move', 'In the last step, in cell sizes'],
-  added: ['Added, removed', 'Cells added to the first placement, and taken away, so far'],
-};
 
 export class StatusLine {
   private readonly stages = new Map<string, { item: HTMLElement; time: HTMLElement }>();
@@ -18,25 +13,24 @@ export class StatusLine {
   constructor() {
     const pipeline = byId('pipeline');
     pipeline.replaceChildren();
-    for (const { word, label } of STAGES) {
+    for (const word of STAGES) {
       const time = make('span', { class: 'time' }, '–');
-      const item = make('li', { 'data-word': word }, make('span', { class: 'word' }, label), time);
+      const item = make('li', { 'data-word': word }, make('span', { class: 'word' }, t(`stage_${word}`)), time);
       this.stages.set(word, { item, time });
       pipeline.append(item);
     }
     const list = byId('counts');
     list.replaceChildren();
     for (const count of COUNTS) {
-      const [label, help] = COUNT_LABELS[count];
-      const value = make('dd', { id: `count-${count}` }, '–');
-      list.append(make('div', { title: help }, make('dt', {}, label), value));
+            const value = make('dd', { id: `count-${count}` }, '–');
+      list.append(make('div', { title: t(`count_${count}_title`) }, make('dt', {}, t(`count_${count}`)), value));
       this.counts.set(count, value);
     }
   }
 
   show(stage: string, status: Status): void {
-    const at = STAGES.findIndex(({ word }) => word === stage);
-    STAGES.forEach(({ word }, index) => {
+    const at = STAGES.findIndex((word) => word === stage);
+    STAGES.forEach((word, index) => {
       const parts = this.stages.get(word);
       if (!parts) return;
       const state = stage === 'done' || index < at ? 'done' : index === at ? 'now' : 'next';
@@ -55,15 +49,16 @@ export class StatusLine {
   /** What is shown (of drawings, `note`), and where the papers print how long they took, their seconds beside ours. */
   name(note: string, preset: Preset | undefined, changed: boolean, stage: string, status: Status): void {
     if (note) return say(this.caption, note);
-    if (!preset) return say(this.caption, 'A recipe of your own.');
-    const title = `${changed ? 'After ' : ''}${preset.figure || preset.title}${changed || !preset.note ? '.' : ':'}`;
-    const parts = [make('strong', {}, title), ...(preset.note && !changed ? [` ${preset.note}`] : [])];
-    if (preset.timing && !changed) {
+    if (!preset) return say(this.caption, t('own_recipe'));
+    const name = preset.figure || preset.title;
+    if (changed) return say(this.caption, t('after', { name }));
+    const parts = [make('strong', {}, preset.note ? t('titled', { name }) : t('titled_only', { name })), ...(preset.note ? [` ${preset.note}`] : [])];
+    if (preset.timing) {
       const { machine, parts: timed } = preset.timing;
-      const what = capital(timed.map(({ name }) => name).join(' and '));
-      const theirs = timed.map((part) => `${part.seconds} s`).join(' and ');
-      const ours = stage === 'done' ? `here ${timed.map((part) => ourSeconds(part.stages, status)).join(' and ')}.` : 'here …';
-      parts.push(make('span', { class: 'seconds', title: `${what}. The paper: ${machine}` }, `${what}: paper ${theirs}, ${ours}`));
+      const what = capital(timed.map(({ name }) => sentenceIn(name)).join(t('and')));
+      const theirs = timed.map((part) => `${part.seconds} s`).join(t('and'));
+      const ours = stage === 'done' ? timed.map((part) => ourSeconds(part.stages, status)).join(t('and')) : '…';
+      parts.push(make('span', { class: 'seconds', title: t('timing_title', { what, machine }) }, t(stage === 'done' ? 'timing' : 'timing_open', { what, theirs, ours })));
     }
     const text = parts.map((part) => (typeof part === 'string' ? part : part.textContent)).join('');
     if (this.caption.textContent !== text) this.caption.replaceChildren(...parts);
@@ -86,5 +81,5 @@ function capital(words: string): string {
 /** The time of some stages with two digits that count, of which the papers print one or two as well. */
 function ourSeconds(stages: string[], status: Status): string {
   const spent = stages.reduce((total, word) => total + (status.ms[word] ?? 0), 0);
-  return `${spent < 1 ? 'below 0.001' : Number((spent / 1000).toPrecision(2))} s`;
+  return `${spent < 1 ? t('below') : Number((spent / 1000).toPrecision(2))} s`;
 }

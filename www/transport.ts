@@ -1,5 +1,6 @@
 /** The buttons under the canvas: play and pause, step, restart, speed, seed. */
 import { byId, byIdAs, say } from './dom';
+import { t } from './words';
 
 export interface TransportNeeds {
   toggle(): void;
@@ -33,17 +34,15 @@ export class Transport {
     for (const radio of this.speeds) radio.addEventListener('change', () => needs.speed(Number(radio.value)));
   }
 
-  show(paused: boolean, seed: string): void {
+  show(paused: boolean, pace: number, seed: string): void {
     this.play.toggleAttribute('data-paused', paused);
-    say(byId('play-word'), paused ? 'Play' : 'Pause');
+    say(byId('play-word'), t(paused ? 'play' : 'pause'));
+    for (const radio of this.speeds) radio.checked = Number(radio.value) === pace;
     if (document.activeElement !== this.seed || this.seed.value === '') this.seed.value = seed;
   }
 
   /** Full speed, without the slow forming. */
   fastest(): number {
-    const radio = this.speeds[this.speeds.length - 1];
-    if (!radio) return 1;
-    radio.checked = true;
-    return Number(radio.value);
+    return Number(this.speeds.at(-1)?.value ?? 1);
   }
 }

@@ -2,16 +2,17 @@
 import { make } from './dom';
 import { address, reopen } from './link';
 import { alertOf } from './messages';
+import { t } from './words';
 
 /** Says it in words, with a link to the same recipe and a button that starts afresh. */
 export function tellCrash(error: unknown, link: string): void {
   console.error(error);
-  const again = make('a', { href: address(link) }, 'Open the same recipe again');
+  const again = make('a', { href: address(link) }, t('crash_again'));
   again.addEventListener('click', (event) => {
     event.preventDefault();
     reopen(link);
   });
-  const afresh = make('button', { type: 'button' }, 'Start afresh');
+  const afresh = make('button', { type: 'button' }, t('crash_afresh'));
   afresh.addEventListener('click', () => reopen(''));
-  alertOf('trouble', 'Something broke inside Bubblestone. This is our mistake, not yours, and the recipe is not lost.', again, afresh);
+  alertOf('trouble', t('crash'), again, afresh);
 }

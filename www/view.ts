@@ -2,48 +2,45 @@
 import { byIdAs, make } from './dom';
 import { offer } from './download';
 import type { Engine } from './engine';
+import type { Store } from './store';
+import { t } from './words';
 
-/** The views in the order of their keys 0 to 9, those of drawings with what they show. */
-export const VIEWS: readonly { word: string; label: string; note?: string }[] = [
-  { word: 'auto', label: 'As it forms' },
-  { word: 'picture', label: 'Picture' },
-  { word: 'packed', label: 'Packing', note: 'The cells as they are packed: warmer where neighbours press into them, bluer where there is room beside them.' },
-  { word: 'cells', label: 'Cells', note: 'One polygon for each cell; together they fill the outline.' },
-  { word: 'mesh', label: 'Mesh', note: 'The mesh that joins neighbours: quadrilaterals for cells with corners, triangles for round ones; lone triangles in orange.' },
-  { word: 'direction', label: 'Fields', note: 'Directions (crosses as long as cells), lines, strokes in green, spots as rings; points where rows meet, with their index.' },
-  { word: 'height', label: 'Height' },
-  { word: 'normals', label: 'Normals' },
-  { word: 'ids', label: 'Cell ids' },
-  { word: 'potential', label: 'Potential', note: 'What a neighbour feels around one cell: it rolls off the red hill and comes to rest in the blue, where dots are.' },
-];
+/** The views in the order of their keys 0 to 9, and whether there is a sentence about what they show. */
+export const VIEWS = [
+  { word: 'auto', note: undefined },
+  { word: 'picture', note: undefined },
+  { word: 'packed', note: 'note_packed' },
+  { word: 'cells', note: 'note_cells' },
+  { word: 'mesh', note: 'note_mesh' },
+  { word: 'direction', note: 'note_direction' },
+  { word: 'height', note: undefined },
+  { word: 'normals', note: undefined },
+  { word: 'ids', note: undefined },
+  { word: 'potential', note: 'note_potential' },
+] as const;
 
 export class View {
   readonly canvas = byIdAs('canvas', HTMLCanvasElement);
   private readonly select = byIdAs('view', HTMLSelectElement);
   private readonly context: CanvasRenderingContext2D;
   private readonly engine: Engine;
+  private readonly store: Store;
 
-  constructor(engine: Engine, changed: () => void) {
+  constructor(engine: Engine, store: Store) {
     this.engine = engine;
+    this.store = store;
     const context = this.canvas.getContext('2d');
     if (!context) throw new Error('This browser gives no canvas to draw on.');
     this.context = context;
-    this.select.replaceChildren(...VIEWS.map(({ word, label }) => make('option', { value: word }, label)));
-    this.select.addEventListener('change', changed);
-  }
-
-  get word(): string {
-    return this.select.value;
-  }
-
-  set word(word: string) {
-    this.select.value = word;
-    this.select.dispatchEvent(new Event('change'));
+    this.select.replaceChildren(...VIEWS.map(({ word }) => make('option', { value: word }, t(`view_${word}`))));
+    this.select.addEventListener('change', () => store.update({ view: this.select.value }));
+    store.on(['view'], ({ view }) => (this.select.value = view));
   }
 
   /** What a drawing shows, in a sentence; '' for pictures. */
   get note(): string {
-    return VIEWS.find(({ word }) => word === this.word)?.note ?? '';
+    const note = VIEWS.find(({ word }) => word === this.store.state.view)?.note;
+    return note ? t(note) : '';
   }
 
   draw(): void {
@@ -52,7 +49,8 @@ export class View {
       this.canvas.width = side;
       this.canvas.height = side;
     }
-    this.engine.draw(this.context, this.word);
+    const { view, overlays } = this.store.state;
+    this.engine.draw(this.context, [view, ...overlays].join('+'));
   }
 
   /** Hands what is shown to the visitor as a PNG file; false where the browser cannot. */

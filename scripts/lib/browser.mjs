@@ -1,15 +1,33 @@
-// Finding a Chromium.
+// Finding the browsers that the tests drive.
 import { isProgram, which } from './run.mjs';
 
-const names = ['chromium', 'chromium-browser', 'google-chrome', 'google-chrome-stable', 'chrome'];
-const places = [
-  '/Applications/Google Chrome.app/Contents/MacOS/Google Chrome',
-  '/Applications/Chromium.app/Contents/MacOS/Chromium',
-];
+/** @typedef {'chromium' | 'firefox'} Kind */
 
-/** The program of a Chromium: the one that CHROME_PATH names, or one found; undefined where there is none. */
-export function findBrowser() {
-  const named = process.env.CHROME_PATH;
+/** What to look for, where, and the Debian packages that bring it. */
+export const browsers = {
+  chromium: {
+    title: 'Chromium (or Google Chrome)',
+    variable: 'CHROME_PATH',
+    names: ['chromium', 'chromium-browser', 'google-chrome', 'google-chrome-stable', 'chrome'],
+    places: ['/Applications/Google Chrome.app/Contents/MacOS/Google Chrome', '/Applications/Chromium.app/Contents/MacOS/Chromium'],
+    packages: ['chromium', 'fonts-liberation', 'fonts-ipafont-gothic'],
+  },
+  firefox: {
+    title: 'Firefox',
+    variable: 'FIREFOX_PATH',
+    names: ['firefox-esr', 'firefox'],
+    places: ['/Applications/Firefox.app/Contents/MacOS/firefox'],
+    packages: ['firefox-esr', 'fonts-liberation', 'fonts-ipafont-gothic'],
+  },
+};
+
+/**
+ * The program of a browser: the one that its variable names, or one found; undefined where there is none.
+ * @param {Kind} kind
+ */
+export function findBrowser(kind) {
+  const { variable, names, places } = browsers[kind];
+  const named = process.env[variable];
   if (named) return isProgram(named) ? named : undefined;
   return names.map((name) => which(name)).find(Boolean) ?? places.find(isProgram);
 }

@@ -5,7 +5,7 @@ import { existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, 
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import * as apt from './apt.mjs';
-import { findBrowser } from './browser.mjs';
+import { browsers, findBrowser } from './browser.mjs';
 import { ask, isProgram, root, run, say, Stop, tryRun, which } from './run.mjs';
 import {
   cargoBin,
@@ -193,17 +193,15 @@ function clippyMatches(env) {
   return clippy !== undefined && clippy === rustc;
 }
 
-/** A browser for the tests. @returns {string} its program */
-export function browser() {
-  const found = findBrowser();
+/** A browser for the tests. @param {import('./browser.mjs').Kind} kind @returns {string} its program */
+export function browser(kind) {
+  const { title, variable, packages } = browsers[kind];
+  const found = findBrowser(kind);
   if (found) return found;
-  if (process.env.CHROME_PATH) {
-    throw new Stop(`CHROME_PATH names ${process.env.CHROME_PATH}, which is not a program: name Chromium's, or unset it.`);
-  }
-  if (apt.canInstall()) apt.install(['chromium', 'fonts-liberation']);
-  const installed = findBrowser();
-  if (!installed) {
-    throw new Stop('No browser for the tests: install Chromium (or Google Chrome), or name its program in CHROME_PATH.');
-  }
+  const named = process.env[variable];
+  if (named) throw new Stop(`${variable} names ${named}, which is not a program: name that of ${title}, or unset it.`);
+  if (apt.canInstall()) apt.install(packages);
+  const installed = findBrowser(kind);
+  if (!installed) throw new Stop(`The tests need ${title}: install it, or name its program in ${variable}.`);
   return installed;
 }

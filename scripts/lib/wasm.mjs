@@ -1,7 +1,7 @@
 // The WebAssembly module, built by wasm-pack for the page or for Node, and skipped where nothing has changed.
-import { createHash } from 'node:crypto';
 import { existsSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
+import { digest } from './digest.mjs';
 import { root, run, say, Stop } from './run.mjs';
 import { targetDir, wasmTarget, wasmTargetDir } from './rust.mjs';
 
@@ -46,11 +46,4 @@ function optimizing() {
   const [, words] = /^wasm-opt = \[([^\]]*)\]/m.exec(readFileSync(join(root, 'Cargo.toml'), 'utf8')) ?? [];
   if (words === undefined) throw new Stop('Cargo.toml has no words for wasm-opt.');
   return [...words.matchAll(/"([^"]+)"/g)].map(([, word]) => word);
-}
-
-/** @param {string[]} files */
-function digest(files) {
-  const hash = createHash('sha256');
-  for (const file of files) hash.update(readFileSync(file));
-  return hash.digest('hex');
 }

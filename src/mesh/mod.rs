@@ -138,7 +138,7 @@ impl Mesh {
         }
     }
 
-    /// The mesh of a plain outline, of the particles' triangles.
+    /// The mesh of one island, of the particles' triangles.
     fn within(domain: &Domain, particles: &[Particle], weave: Weave) -> Self {
         let (mut nodes, mut triangles) = weave.finish();
         let vertices: Vec<DVec2> = particles.iter().map(|p| p.centre).collect();
@@ -198,6 +198,11 @@ pub struct Meshing {
     particles: Vec<Particle>,
     /// On a torus, at which try it is.
     seams: Option<torus::Seams>,
+    /// Elsewhere the island at work, and the numbers of its cells.
+    island: usize,
+    names: Vec<usize>,
+    /// The meshes of the islands so far, side by side; the vertices keep the order of the centres.
+    whole: Mesh,
     weave: Option<Weave>,
 }
 
@@ -210,33 +215,57 @@ impl Meshing {
             }
             torus::Seams::new(side)
         });
+        let whole = Mesh {
+            vertices: particles.iter().map(|p| p.centre).collect(),
+            ..Mesh::default()
+        };
         Self {
             particles,
             seams,
+            island: 0,
+            names: Vec::new(),
+            whole,
             weave: None,
         }
     }
 
     /// One slice of the work; the mesh with the last one.
     pub fn advance(&mut self, domain: &Domain) -> Option<Mesh> {
-        let mut weave = self.weave.take().unwrap_or_else(|| {
-            Weave::new(match &mut self.seams {
-                Some(seams) => seams.nodes(&self.particles),
-                None => self.particles.iter().map(Node::of).collect(),
-            })
-        });
+        let mut weave = match self.weave.take() {
+            Some(weave) => weave,
+            None => Weave::new(self.nodes(domain)),
+        };
         if !weave.advance() {
             self.weave = Some(weave);
             return None;
         }
-        self.finish(domain, weave)
+        if let Some(seams) = &self.seams {
+            return seams.mesh(domain, &self.particles, weave);
+        }
+        let own: Vec<Particle> = self.names.iter().map(|&k| self.particles[k]).collect();
+        let mut mesh = Mesh::within(&domain.islands()[self.island], &own, weave);
+        for (&name, vertex) in self.names.iter().zip(mesh.vertices) {
+            self.whole.vertices[name] = vertex;
+        }
+        for node in mesh.faces.iter_mut().flat_map(|face| &mut face.nodes) {
+            // A triangle's fourth number is none.
+            *node = self.names.get(*node as usize).map_or(0, |&k| k as u32);
+        }
+        self.whole.faces.extend(mesh.faces);
+        self.island += 1;
+        (self.island == domain.islands().len()).then(|| std::mem::take(&mut self.whole))
     }
 
-    fn finish(&mut self, domain: &Domain, weave: Weave) -> Option<Mesh> {
-        match &mut self.seams {
-            Some(seams) => seams.mesh(domain, &self.particles, weave),
-            None => Some(Mesh::within(domain, &self.particles, weave)),
+    /// Those of the next try, or of the next island.
+    fn nodes(&mut self, domain: &Domain) -> Vec<Node> {
+        if let Some(seams) = &mut self.seams {
+            return seams.nodes(&self.particles);
         }
+        let particles = &self.particles;
+        let here = |&k: &usize| domain.island(particles[k].centre) == self.island;
+        self.names = (0..particles.len()).filter(here).collect();
+        let own = self.names.iter().map(|&k| Node::of(&particles[k]));
+        own.collect()
     }
 }
 

@@ -4,15 +4,21 @@
 //! the first stale stage for about the time given; what is finished stays until its successor is
 //! finished, too. No result depends on how the work was cut into slices or on the clock.
 
+mod bigger;
 mod draft;
 mod files;
 mod flow;
+mod look;
+mod over;
+mod probe;
 mod products;
 mod translate;
 mod view;
 
+pub use bigger::{MOST_PIXELS, PictureSlice};
 pub use files::MeshSlice;
-pub use view::View;
+pub use look::{Base, Overlay, View};
+pub use probe::{Histogram, Polygon, Probe};
 
 use crate::cells::Cell;
 use crate::domain::{Domain, Outline};
@@ -52,6 +58,9 @@ pub struct Studio {
     draft: Option<Draft>,
     /// The mesh file in the making.
     saving: Option<files::Saving>,
+    /// The bigger picture in the making, or its planes.
+    bigger: Option<bigger::Bigger>,
+    boxes: probe::Boxes,
 }
 
 /// Where the work stands.
@@ -92,6 +101,8 @@ impl Studio {
             live: false,
             draft: None,
             saving: None,
+            bigger: None,
+            boxes: probe::Boxes::default(),
         }
     }
 

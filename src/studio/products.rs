@@ -280,7 +280,7 @@ impl Products {
         let kept = self.shader.take().filter(|s| s.side() == planes.side);
         let shader = self
             .shader
-            .insert(kept.unwrap_or_else(|| Shader::new(&params, planes.side)));
+            .insert(kept.unwrap_or_else(|| Shader::new(&params, planes.side, planes.fine)));
         if std::mem::take(&mut self.lit_anew) {
             shader.restart(&params);
         }

@@ -1,18 +1,15 @@
-// A real Chromium on the built site, for the tests beside this file.
+// A real browser on the built site, for the tests beside this file.
 //
 //   const site = await open();
 //   const { page, problems } = await site.newPage('#seed=7');
 //   ...
 //   assert.deepEqual(problems, []);
 //   await site.close();
-import { mkdtempSync, rmSync } from 'node:fs';
 import { readFile } from 'node:fs/promises';
 import { createServer } from 'node:http';
-import { tmpdir } from 'node:os';
 import { extname, join, normalize } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import puppeteer from 'puppeteer-core';
-import { findBrowser } from '../../scripts/lib/browser.mjs';
+import { allowClipboard, blankPage, kind, launch } from './browsers.mjs';
 
 const dist = fileURLToPath(new URL('../../dist/', import.meta.url));
 
@@ -20,6 +17,7 @@ const dist = fileURLToPath(new URL('../../dist/', import.meta.url));
 const folder = '/any/folder/';
 
 const contentTypes = {
+  '.avif': 'image/avif',
   '.css': 'text/css',
   '.html': 'text/html; charset=utf-8',
   '.js': 'text/javascript',
@@ -29,35 +27,24 @@ const contentTypes = {
   '.wasm': 'application/wasm',
 };
 
-const chromiumFlags = [
-  '--no-sandbox',
-  '--disable-gpu',
-  '--disable-quic',
-  '--no-first-run',
-  '--disable-background-networking',
-  '--disable-component-update',
-  '--disable-sync',
-  // Pages of a test go on painting while another page is in front.
-  '--disable-background-timer-throttling',
-  '--disable-backgrounding-occluded-windows',
-  '--disable-renderer-backgrounding',
-];
-
 /**
  * Serves dist/ and starts a browser with an empty profile.
  * @param {{ flags?: string[] }} [options] more flags for Chromium
  */
 export async function open({ flags = [] } = {}) {
   const server = await serve();
-  const profile = mkdtempSync(join(tmpdir(), 'bubblestone-browser-'));
-  const browser = await launch(profile, flags).catch((error) => {
-    server.close();
-    throw error;
-  });
   const { port } = /** @type {import('node:net').AddressInfo} */ (server.address());
   const origin = `http://127.0.0.1:${port}`;
+  /** Chromium is one for all; Firefox is another one for each system. @type {Map<string, ReturnType<typeof launch>>} */
+  const launched = new Map();
+  /** @param {import('./browsers.mjs').System} system */
+  const browserFor = async (system) => {
+    const key = kind === 'firefox' ? JSON.stringify(system) : '';
+    const browser = launched.get(key) ?? launch(system, flags);
+    launched.set(key, browser);
+    return (await browser).browser;
+  };
   return {
-    browser,
     origin,
     /** The page's address. */
     address: origin + folder,
@@ -66,12 +53,17 @@ export async function open({ flags = [] } = {}) {
      * @param {string} [fragment] such as `#seed=7`
      * @param {PageOptions} [options]
      */
-    newPage: (fragment = '', options = {}) => newPage(browser, origin, fragment, options),
+    newPage: async (fragment = '', options = {}) => {
+      const { dark = false, still = false, viewport } = options;
+      const system = { dark, still, touch: viewport?.hasTouch ?? false };
+      return newPage(await browserFor(system), system, origin, fragment, options);
+    },
+    /** @param {import('puppeteer-core').Page} page */
+    allowClipboard: (page) => allowClipboard(page, origin),
     close: async () => {
-      await browser.close();
+      for (const browser of launched.values()) await (await browser).close();
       server.closeAllConnections();
       server.close();
-      rmSync(profile, { recursive: true, force: true, maxRetries: 5 });
     },
   };
 }
@@ -80,18 +72,19 @@ export async function open({ flags = [] } = {}) {
  * @typedef {object} PageOptions
  * @property {import('puppeteer-core').Viewport} [viewport]
  * @property {boolean} [dark] whether the system asks for a dark page
+ * @property {boolean} [still] whether the system asks for less motion
  * @property {(page: import('puppeteer-core').Page) => Promise<unknown>} [before] runs before the page is opened
  */
 
 /**
  * @param {import('puppeteer-core').Browser} browser
+ * @param {import('./browsers.mjs').System} system
  * @param {string} origin
  * @param {string} fragment
  * @param {PageOptions} options
  */
-async function newPage(browser, origin, fragment, { viewport = { width: 1280, height: 800 }, dark, before }) {
-  const context = await browser.createBrowserContext();
-  const page = await context.newPage();
+async function newPage(browser, system, origin, fragment, { viewport = { width: 1280, height: 800 }, before }) {
+  const { page, close } = await blankPage(browser, system);
   /** Errors on the console, uncaught errors, failed requests. @type {string[]} */
   const problems = [];
   /** Requests to anything but the site itself. @type {string[]} */
@@ -106,25 +99,9 @@ async function newPage(browser, origin, fragment, { viewport = { width: 1280, he
     if (!url.startsWith(`${origin}/`) && !/^(data|blob|about):/.test(url)) external.push(url);
   });
   await page.setViewport(viewport);
-  if (dark !== undefined) {
-    await page.emulateMediaFeatures([{ name: 'prefers-color-scheme', value: dark ? 'dark' : 'light' }]);
-  }
   await before?.(page);
   await page.goto(origin + folder + fragment, { waitUntil: 'load' });
-  return { page, problems, external, close: () => context.close() };
-}
-
-/** @param {string} profile @param {string[]} flags */
-async function launch(profile, flags) {
-  const executablePath = findBrowser();
-  if (!executablePath) throw new Error('No Chromium: name its program in CHROME_PATH.');
-  return puppeteer.launch({
-    executablePath,
-    userDataDir: profile,
-    args: [...chromiumFlags, ...flags],
-    protocolTimeout: 240_000,
-    timeout: 120_000,
-  });
+  return { page, problems, external, close };
 }
 
 /** A static host of dist/ on a free port. @returns {Promise<import('node:http').Server>} */

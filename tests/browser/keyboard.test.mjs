@@ -36,7 +36,7 @@ test('the keyboard alone pauses, steps, and moves a slider', async () => {
   const { page, problems, close } = await site.newPage(SMALL);
   await digest(page);
   await tabTo(page, '#play', 12);
-  await page.keyboard.press('Space');
+  await page.keyboard.press(' ');
   assert.equal(await page.$eval('#play', (button) => button.textContent.trim()), 'Play');
   await tabTo(page, '#restart', 4);
   await page.keyboard.press('Enter');
@@ -61,7 +61,7 @@ test('the keyboard alone pauses, steps, and moves a slider', async () => {
 test('single keys work anywhere but where they are text', async () => {
   const { page, close } = await site.newPage(SMALL);
   await digest(page);
-  await page.keyboard.press('Space');
+  await page.keyboard.press(' ');
   assert.equal(await page.$eval('#play', (button) => button.textContent.trim()), 'Play');
   await page.keyboard.press('r');
   await page.waitForFunction(() => document.documentElement.dataset.stage === 'packing', { timeout: 20_000 });

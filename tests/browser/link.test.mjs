@@ -15,7 +15,7 @@ after(() => site?.close());
 test('a copied link, reopened, gives the same planes and the same picture', async () => {
   const { page, problems, close } = await site.newPage(SMALL);
   await digest(page);
-  await page.browserContext().overridePermissions(site.origin, ['clipboard-read', 'clipboard-write', 'clipboard-sanitized-write']);
+  await site.allowClipboard(page);
   await set(page, 'palette', 'terracotta');
   await set(page, 'stone', 'flag');
   await set(page, 'dr', '0.55');

@@ -1,0 +1,10 @@
+// What files hold, as one short text.
+import { createHash } from 'node:crypto';
+import { readFileSync } from 'node:fs';
+
+/** @param {string[]} files */
+export function digest(files) {
+  const hash = createHash('sha256');
+  for (const file of files) hash.update(readFileSync(file));
+  return hash.digest('hex');
+}

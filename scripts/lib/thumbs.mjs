@@ -1,0 +1,89 @@
+// The small pictures of the presets in www/public/thumbs/: each is the preset's own picture, drawn by the page's
+// module at its full size and scaled down; skipped where neither module nor presets have changed.
+import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { digest } from './digest.mjs';
+import { root, say, Stop } from './run.mjs';
+import { pageModule } from './wasm.mjs';
+
+/** Where they are. */
+const thumbs = join(root, 'www', 'public', 'thumbs');
+
+/** Sides in pixels: the page shows them half as large, so that they are sharp on a screen of twice the density. */
+const side = 144;
+
+/** About 1.6 kB each. More effort than 3 takes ten times as long for no smaller files. */
+const coding = { quality: 33, effort: 3 };
+
+/** Milliseconds and packing steps of one slice of work: all at once. */
+const all = /** @type {const} */ ([1e9, 1e9]);
+
+/** Makes them where they are not up to date. */
+export async function buildThumbs() {
+  const module = join(pageModule, 'bubblestone_bg.wasm');
+  const stamp = join(pageModule, '.thumbs-made-from');
+  const source = digest([module, join(root, 'scripts', 'lib', 'thumbs.mjs'), join(root, 'package-lock.json')]);
+  if (existsSync(thumbs) && existsSync(stamp) && readFileSync(stamp, 'utf8') === source) return;
+  say('Making the small pictures of the presets');
+  for (const old of [stamp, thumbs]) rmSync(old, { recursive: true, force: true });
+  mkdirSync(thumbs, { recursive: true });
+  const begin = performance.now();
+  // Only here: this file is read before the npm packages are installed.
+  const { default: sharp } = await import('sharp');
+  const { initSync, presets, Bubblestone } = await import(pathToFileURL(join(pageModule, 'bubblestone.js')).href);
+  initSync({ module: readFileSync(module) });
+  /** @type {{ name: string, link: string }[]} */
+  const list = presets();
+  // The picture of one is encoded while the next one is drawn.
+  const files = list.map(({ name, link }) => {
+    const { data, width, height } = picture(new Bubblestone(link), name);
+    return sharp(data, { raw: { width, height, channels: 4 } })
+      .removeAlpha()
+      .resize(side, side, { kernel: 'lanczos3' })
+      .avif(coding)
+      .toFile(join(thumbs, `${name}.avif`));
+  });
+  const bytes = (await Promise.all(files)).reduce((sum, { size }) => sum + size, 0);
+  const seconds = (performance.now() - begin) / 1000;
+  console.log(`${list.length} of ${(bytes / 1000 / list.length).toFixed(1)} kB each, in ${seconds.toFixed(0)} s`);
+  writeFileSync(stamp, source);
+}
+
+/** @typedef {{ data: Uint8ClampedArray<ArrayBuffer>, width: number, height: number }} Pixels */
+
+/**
+ * @param {any} studio that has a preset's recipe
+ * @param {string} name of the preset
+ * @returns {Pixels} its finished picture
+ */
+function picture(studio, name) {
+  while (studio.stage() !== 'done') {
+    if (studio.stage() === 'error') throw new Stop(`The preset ${name} gives no picture: ${studio.problem()}`);
+    studio.tick(...all);
+  }
+  const canvas = new Canvas();
+  studio.draw(canvas, 'picture');
+  studio.free();
+  return canvas.pixels;
+}
+
+/** What the module needs of a canvas. */
+class Canvas {
+  pixels = { data: new Uint8ClampedArray(), width: 0, height: 0 };
+
+  /** @param {Pixels} pixels */
+  putImageData(pixels) {
+    this.pixels = pixels;
+  }
+}
+
+/** The browser's class of this name; the module hands over a view of its own memory, which does not stay. */
+globalThis.ImageData ??= /** @type {any} */ (
+  class {
+    /** @param {Uint8ClampedArray} data @param {number} width @param {number} height */
+    constructor(data, width, height) {
+      Object.assign(this, { data: data.slice(), width, height });
+    }
+  }
+);

@@ -1,0 +1,99 @@
+// The browsers that the tests drive, and what each of them wants said in its own way. BROWSER=firefox names Firefox.
+import { mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import puppeteer from 'puppeteer-core';
+import { browsers, findBrowser } from '../../scripts/lib/browser.mjs';
+
+/** @typedef {import('puppeteer-core').Browser} Browser */
+/** @typedef {import('puppeteer-core').Page} Page */
+
+/**
+ * What the system asks of pages.
+ * @typedef {object} System
+ * @property {boolean} [dark] dark pages
+ * @property {boolean} [still] less motion
+ * @property {boolean} [touch] all is done by fingers
+ */
+
+/** The browser in use. @type {'chromium' | 'firefox'} */
+export const kind = process.env.BROWSER === 'firefox' ? 'firefox' : 'chromium';
+
+const chromiumFlags = [
+  '--no-sandbox',
+  '--disable-gpu',
+  '--disable-quic',
+  '--no-first-run',
+  '--disable-background-networking',
+  '--disable-component-update',
+  '--disable-sync',
+  // Pages of a test go on painting while another page is in front.
+  '--disable-background-timer-throttling',
+  '--disable-backgrounding-occluded-windows',
+  '--disable-renderer-backgrounding',
+];
+
+/** Firefox has preferences for what Chromium is told page by page. @param {System} system */
+const firefoxPreferences = ({ dark, still, touch }) => ({
+  'ui.systemUsesDarkTheme': dark ? 1 : 0,
+  'ui.prefersReducedMotion': still ? 1 : 0,
+  // 1 is a coarse pointer; 6 a fine one that hovers.
+  'ui.primaryPointerCapabilities': touch ? 1 : 6,
+  'ui.allPointerCapabilities': touch ? 1 : 6,
+  // Those of a phone take no room.
+  'ui.useOverlayScrollbars': touch ? 1 : 0,
+  'dom.events.testing.asyncClipboard': true,
+});
+
+/**
+ * Starts a browser with an empty profile.
+ * @param {System} system only Firefox has to know it by now
+ * @param {string[]} [flags] more of them, for Chromium
+ * @returns {Promise<{ browser: Browser, close: () => Promise<void> }>}
+ */
+export async function launch(system, flags = []) {
+  const executablePath = findBrowser(kind);
+  if (!executablePath) throw new Error(`No ${browsers[kind].title}: name its program in ${browsers[kind].variable}.`);
+  const profile = mkdtempSync(join(tmpdir(), 'bubblestone-browser-'));
+  const remove = () => rmSync(profile, { recursive: true, force: true, maxRetries: 5 });
+  const browser = await puppeteer
+    .launch({
+      browser: kind === 'firefox' ? 'firefox' : 'chrome',
+      executablePath,
+      userDataDir: profile,
+      protocolTimeout: 240_000,
+      timeout: 120_000,
+      ...(kind === 'firefox' ? { extraPrefsFirefox: firefoxPreferences(system) } : { args: [...chromiumFlags, ...flags] }),
+    })
+    .catch((error) => {
+      remove();
+      throw error;
+    });
+  return {
+    browser,
+    close: async () => {
+      await browser.close();
+      remove();
+    },
+  };
+}
+
+/** A page of its own context. @param {Browser} browser @param {System} system */
+export async function blankPage(browser, { dark, still }) {
+  const context = await browser.createBrowserContext();
+  // In Firefox a tab behind another one rests.
+  const page = await context.newPage(kind === 'firefox' ? { type: 'window' } : undefined);
+  if (kind === 'chromium') {
+    await page.emulateMediaFeatures([
+      { name: 'prefers-color-scheme', value: dark ? 'dark' : 'light' },
+      { name: 'prefers-reduced-motion', value: still ? 'reduce' : 'no-preference' },
+    ]);
+  }
+  return { page, close: () => context.close() };
+}
+
+/** Lets a page read the clipboard; Firefox lets all of them. @param {Page} page @param {string} origin */
+export async function allowClipboard(page, origin) {
+  if (kind === 'firefox') return;
+  await page.browserContext().overridePermissions(origin, ['clipboard-read', 'clipboard-write', 'clipboard-sanitized-write']);
+}

@@ -1,0 +1,14 @@
+/** What a language other than English says for the words that come from the module. */
+export interface Foreign {
+  /** By the parameter's key. */
+  parameters: Record<string, { name: string; help: string; choices?: Record<string, string> }>;
+  units: Record<string, string>;
+  /** Groups of parameters and of presets. */
+  groups: Record<string, string>;
+  /** By the preset's name; those of the papers' figures have these for titles. */
+  presets: Record<string, { title: string; note: string }>;
+  /** The papers' figures that a preset names. */
+  figure(text: string): string;
+  /** One or more sentences of the module. */
+  sentence(text: string): string;
+}

@@ -1,0 +1,81 @@
+/** The page's words in the visitor's language. All of them stand in strings/; English is at hand, others come when asked for. */
+import { choiceOf, choose } from './memory';
+import { words as english } from './strings/en.json';
+import type { Foreign } from './strings/foreign';
+import type { Parameter, Preset } from './types';
+
+export type Word = keyof typeof english;
+
+/** The languages with their own names. */
+export const LANGUAGES: readonly [code: string, name: string][] = [
+  ['en', 'English'],
+  ['ja', '日本語'],
+];
+
+let words: Record<Word, string> = english;
+let foreign: Foreign | undefined;
+
+/** The code of the language in use. */
+export function language(): string {
+  return document.documentElement.lang;
+}
+
+/** The words of a key, with `{name}` replaced by values. */
+export function t(key: Word, values: Record<string, string | number> = {}): string {
+  return words[key].replace(/\{(\w+)\}/g, (whole, name: string) => String(values[name] ?? whole));
+}
+
+/** Takes the language that was chosen here before, or the first one of the browser's that the page has. */
+export async function takeLanguage(): Promise<void> {
+  const wanted = [choiceOf('language'), ...navigator.languages].map((code) => code?.slice(0, 2));
+  if (wanted.find((code) => LANGUAGES.some(([known]) => known === code)) !== 'ja') return;
+  const japanese = await import('./strings/ja');
+  words = japanese.words;
+  foreign = japanese.foreign;
+  document.documentElement.lang = 'ja';
+  for (const element of document.querySelectorAll<HTMLElement>('[data-t]')) fill(element, japanese.page);
+}
+
+/** Loads the page anew in another language; the work stays. */
+export function speak(code: string): void {
+  choose('language', code);
+  location.reload();
+}
+
+/** `data-t="key title=other"`: the element's text, then attributes. */
+function fill(element: HTMLElement, page: Record<string, string>): void {
+  for (const part of (element.dataset['t'] ?? '').split(' ')) {
+    const [name = '', key] = part.split('=');
+    if (key === undefined) element.textContent = page[name] ?? '';
+    else element.setAttribute(name, page[key] ?? '');
+  }
+}
+
+/** A parameter with its names and help in the language in use. */
+export function parameterIn(parameter: Parameter): Parameter {
+  const own = foreign?.parameters[parameter.key];
+  if (!foreign || !own) return parameter;
+  return {
+    ...parameter,
+    name: own.name,
+    help: own.help,
+    unit: foreign.units[parameter.unit] ?? parameter.unit,
+    choices: parameter.choices.map((choice) => ({ ...choice, label: own.choices?.[choice.word] ?? choice.label })),
+  };
+}
+
+/** A group's title in the language in use. */
+export function groupIn(group: string): string {
+  return foreign?.groups[group] ?? group;
+}
+
+/** A preset with its title and note in the language in use. */
+export function presetIn(preset: Preset): Preset {
+  const own = foreign?.presets[preset.name];
+  return foreign && own ? { ...preset, title: own.title || foreign.figure(preset.figure), note: own.note, figure: foreign.figure(preset.figure) } : preset;
+}
+
+/** Sentences of the module's in the language in use. */
+export function sentenceIn(sentence: string): string {
+  return foreign && sentence ? foreign.sentence(sentence) : sentence;
+}

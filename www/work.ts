@@ -1,0 +1,58 @@
+/** The recipe in the store, which the engine follows: everything that changes it goes this way. */
+import type { Engine } from './engine';
+import { clear, notice } from './messages';
+import type { State, Store } from './store';
+import type { Preset, Ring } from './types';
+
+export class Work {
+  readonly engine: Engine;
+  readonly store: Store;
+
+  constructor(engine: Engine, store: Store) {
+    this.engine = engine;
+    this.store = store;
+    store.on(['recipe'], ({ recipe }) => {
+      if (engine.link() !== recipe) engine.open(recipe);
+    });
+  }
+
+  /** A parameter's new value; `held` while a slider is still on its way. */
+  set(key: string, text: string, held = false): void {
+    const sentence = this.engine.set(key, text);
+    notice('value', ...(sentence ? [sentence] : []));
+    this.changed(held);
+  }
+
+  /** The same without a word to the visitor: answers the sentence, '' where all is well. */
+  write(key: string, text: string, held = false): string {
+    const sentence = this.engine.set(key, text);
+    this.changed(held);
+    return sentence;
+  }
+
+  /** Rings of a free outline: whether they were refused, and what is to be said. */
+  outline(rings: Ring[], held = false): { refused: boolean; sentence: string } {
+    const answer = this.engine.setOutline(rings);
+    this.changed(held);
+    return answer;
+  }
+
+  /** A whole other recipe; a link's mistakes are told. */
+  open(link: string, own = false): void {
+    notice('link', ...this.engine.open(link));
+    clear('value');
+    clear('outline');
+    const recipe = this.engine.link();
+    this.store.update({ recipe, held: false, own, preset: presetOf(this.engine.presets, recipe) ?? this.store.state.preset });
+  }
+
+  private changed(held: boolean): void {
+    this.store.update({ recipe: this.engine.link(), held, own: true });
+  }
+}
+
+/** The preset that a recipe is. */
+export function presetOf(presets: Preset[], recipe: string): State['preset'] {
+  const found = presets.find(({ link }) => link.replace(/^#/, '') === recipe);
+  return found && { shown: found, recipe };
+}
