@@ -169,8 +169,8 @@ impl Studio {
                 At::Ground => painter.prepare(ROWS),
                 At::Stones => {
                     if let Some(cell) = self.scales().get(bigger.stones) {
-                        painter.paint(&mut bigger.quarry, cell, bigger.stones);
-                        bigger.stones += 1;
+                        let done = painter.paint_slice(&mut bigger.quarry, cell, bigger.stones);
+                        bigger.stones += usize::from(done);
                         false
                     } else {
                         (bigger.bands, bigger.stones) = (bigger.bands + 1, 0);
