@@ -26,6 +26,8 @@ export function makeViewBox(work: Work, view: View): void {
   byId('zoom-fit').addEventListener('click', zoom(0));
   const sheet = byId('sheet');
   for (const sign of ['pointerover', 'pointerdown', 'focusin']) sheet.addEventListener(sign, () => hand(), { once: true, passive: true });
+  // The first tap comes before what answers it.
+  sheet.addEventListener('click', (event) => hand((it) => it.telling.tap(event)));
   // Two fingers zoom the picture, not the page.
   sheet.addEventListener('touchstart', (event) => event.touches.length > 1 && event.cancelable && event.preventDefault(), { passive: false });
 

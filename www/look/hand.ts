@@ -7,12 +7,13 @@ import '../styles/look.css';
 
 export class Hand {
   readonly glass: Glass;
+  readonly telling: Telling;
 
   constructor(work: Work, view: View) {
-    const telling = new Telling(work, view, {
+    this.telling = new Telling(work, view, {
       busy: () => this.glass.busy,
       reveal: (place) => this.glass.reveal(place),
     });
-    this.glass = new Glass(work.store, () => telling.moved());
+    this.glass = new Glass(work.store, () => this.telling.moved());
   }
 }

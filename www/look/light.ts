@@ -33,7 +33,7 @@ export class LightOnCanvas {
   private readonly line = document.createElementNS(SVG, 'line');
   private readonly horizon = document.createElementNS(SVG, 'circle');
   private readonly sun = handle('sun', 'sun_place');
-  private readonly foot = handle('foot', 'lamp_place');
+  private readonly foot = handle('lamp', 'lamp_place');
   private readonly bulb = handle('bulb', 'lamp_height');
   private readonly choice: HTMLElement;
   private readonly kinds: [string, HTMLInputElement][];

@@ -111,8 +111,13 @@ function axes(word: Word, log: boolean): uPlot.Axis[] {
   const plain = { stroke: colour('--soft'), font: '11px system-ui, sans-serif', ticks: { stroke: colour('--line'), size: 4, width: 1 }, grid: { stroke: colour('--line'), width: 1 } };
   return [
     { ...plain, size: 22, gap: 2, grid: { show: false }, label: t(word), labelSize: 14, labelFont: '11px system-ui, sans-serif', labelGap: 0 },
-    { ...plain, size: 44, gap: 4, space: 26, ...(log ? { values: (_: uPlot, marks: number[]) => marks.map((v) => (Number.isInteger(Math.log10(v)) ? String(Number(v.toPrecision(1))) : '')) } : { values: (_: uPlot, marks: number[]) => marks.map(short) }) },
+    { ...plain, size: 44, gap: 4, space: 18, values: (_, marks) => marks.map((mark: number | null) => (mark === null ? '' : short(mark))), ...(log ? { filter: decades, grid: { ...plain.grid, filter: decades }, ticks: { ...plain.ticks, filter: decades } } : {}) },
   ];
+}
+
+/** Of a logarithmic scale only the powers of ten. */
+function decades(_: uPlot, marks: number[]): (number | null)[] {
+  return marks.map((mark) => (Math.abs(Math.log10(mark) - Math.round(Math.log10(mark))) < 1e-9 ? mark : null));
 }
 
 const still = { cursor: { show: false }, legend: { show: false }, height: HEIGHT, padding: [6, 8, 0, 0] as uPlot.Padding };
@@ -159,6 +164,6 @@ function counted({ from, to, counts }: Histogram, word: 'plot_size_said' | 'plot
 /** Three digits that count. */
 function short(value: number): string {
   const size = Math.abs(value);
-  if (size >= 1e4) return `${Number((value / 1000).toPrecision(3))}k`;
-  return String(Number(value.toPrecision(3)));
+  if (size >= 1e4) return `${short(value / 1000)}k`;
+  return String(Number(value.toPrecision(3))).replace('-', '−');
 }

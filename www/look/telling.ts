@@ -54,7 +54,6 @@ export class Telling {
     this.sheet.append(this.card);
     this.sheet.addEventListener('pointermove', (event) => event.pointerType === 'mouse' && this.over(event));
     this.sheet.addEventListener('pointerleave', (event) => event.pointerType === 'mouse' && this.hide());
-    this.sheet.addEventListener('click', (event) => this.tap(event));
     this.layer.addEventListener('keydown', (event) => this.key(event));
     this.layer.addEventListener('blur', () => this.hide());
     view.drawn(() => this.place && this.tell());
@@ -94,7 +93,7 @@ export class Telling {
   }
 
   /** A finger's tap, or a click. */
-  private tap(event: MouseEvent): void {
+  tap(event: MouseEvent): void {
     if (this.rests || !(event.target instanceof Node) || !this.layer.contains(event.target)) return;
     this.pointer = { x: event.clientX, y: event.clientY };
     this.toPointer();
