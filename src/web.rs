@@ -4,9 +4,10 @@
 //! sentences come back instead.
 
 use crate::domain::Outline;
-use crate::export::{MapKind, MeshFormat};
+use crate::export::{Map, MapKind, MeshFormat};
+use crate::packing::Sample;
 use crate::recipe::{Key, Kind, PRESETS, Parameter, Part, Preset, Recipe, SCHEMA, Timing};
-use crate::studio::{Studio, View};
+use crate::studio::{Histogram, Probe, Studio, View};
 use glam::DVec2;
 #[cfg(feature = "bench")]
 use glam::Vec3;
@@ -104,6 +105,13 @@ impl Bubblestone {
         self.studio.step(&mut || clock.now());
     }
 
+    /// While live, the cells flow after each change of outline, fields or packing; the end of it
+    /// makes the packing again from its own start: the link's.
+    #[wasm_bindgen(js_name = setLive)]
+    pub fn set_live(&mut self, on: bool) {
+        self.studio.set_live(on);
+    }
+
     /// All stages again, from the same recipe.
     pub fn restart(&mut self) {
         self.studio.restart();
@@ -142,31 +150,63 @@ impl Bubblestone {
         object(&entries)
     }
 
-    /// Draws a view ('auto', 'picture', 'packed', 'cells', 'mesh', 'direction', 'height',
-    /// 'normals', 'ids', 'potential'; anything else is 'auto') at the context's upper left corner.
+    /// Draws a view at the context's upper left corner: words joined by '+', at most one of what lies
+    /// at the bottom ('auto', 'picture', 'paper', 'height', 'normals', 'albedo', 'roughness', 'ao',
+    /// 'ids', 'potential') and any of what is drawn over it ('size', 'packed', 'energy', 'cells',
+    /// 'mesh', 'anisotropy', 'direction', 'forces', 'singularities'; alone they stand on paper). Words
+    /// that name nothing are passed over.
     pub fn draw(&mut self, context: &CanvasRenderingContext2d, view: &str) {
         let side = self.studio.side() as u32;
-        let frame = self.studio.view(View::of_word(view).unwrap_or(View::Auto));
+        let frame = self.studio.view(View::of_words(view));
         let image = ImageData::new_with_u8_clamped_array_and_sh(Clamped(frame), side, side);
         // A context that is lost draws nothing; the next frame tries again.
         let _ = image.and_then(|image| context.put_image_data(&image, 0.0, 0.0));
+    }
+
+    /// The cell at a place in picture units: undefined where there is none, or `{ cell, x, y, kind,
+    /// size, wanted, aspect, angle, off, outline, area, sides, neighbours }`, lengths in picture units,
+    /// angles in degrees with y down. `angle` and `off` are null of circles; `area`, `sides` and
+    /// `neighbours` are null while the cells are packed.
+    pub fn probe(&mut self, x: f64, y: f64) -> JsValue {
+        let probe = self.studio.probe(x, y);
+        probe.map_or(JsValue::UNDEFINED, |probe| probe_object(&probe).into())
+    }
+
+    /// `{ step, energy, move }`: how the packing went so far, three lists of the same length.
+    pub fn series(&self) -> Object {
+        let rows = self.studio.samples();
+        let column = |value: fn(&Sample) -> f64| {
+            let column: Vec<f64> = rows.iter().map(value).collect();
+            Float64Array::from(&column[..]).into()
+        };
+        object(&[
+            ("step", column(|row| row.step.into())),
+            ("energy", column(|row| row.energy)),
+            ("move", column(|row| row.largest_move)),
+        ])
+    }
+
+    /// `{ size, angle }`, each `{ from, to, counts }`: how many cells have a size so many times the
+    /// wanted one, and how many stand so many degrees off the direction field.
+    pub fn histograms(&mut self) -> Object {
+        let [size, angle] = self.studio.histograms();
+        let histogram = |Histogram { from, to, counts }: Histogram| -> JsValue {
+            let counts = Uint32Array::from(&counts[..]).into();
+            object(&[("from", from.into()), ("to", to.into()), ("counts", counts)]).into()
+        };
+        object(&[("size", histogram(size)), ("angle", histogram(angle))])
+    }
+
+    /// The cells as a standalone SVG file; '' before there are any.
+    pub fn svg(&self) -> String {
+        self.studio.svg()
     }
 
     /// `{ side, channels, bits, bytes }`: a map of the finished picture ('height', 'normal-opengl',
     /// 'normal-directx', 'albedo', 'roughness', 'ao', 'id'), values of 16 bits with the high byte
     /// first; or the sentence that says why there is none.
     pub fn map(&self, word: &str) -> JsValue {
-        let kind = MapKind::of_word(word).ok_or(NO_SUCH_FILE.to_owned());
-        match kind.and_then(|kind| self.studio.map(kind)) {
-            Ok(map) => object(&[
-                ("side", (map.side as u32).into()),
-                ("channels", map.channels.into()),
-                ("bits", map.bits.into()),
-                ("bytes", Uint8Array::from(&map.bytes[..]).into()),
-            ])
-            .into(),
-            Err(sentence) => sentence.into(),
-        }
+        map_object(word, |kind| self.studio.map(kind))
     }
 
     /// Works for about `budget` milliseconds on the file of all cells' surfaces ('glb' or 'obj'):
@@ -192,6 +232,40 @@ impl Bubblestone {
         }
     }
 
+    /// Works for about `budget` milliseconds on the finished picture at `scale` (1 to 4) times its side:
+    /// `{ begun, done, progress, side, rows }`, where `rows` are red, green, blue of the next whole rows,
+    /// mostly none yet; or the sentence that says why there is none. `stopFile` frees what it holds.
+    #[wasm_bindgen(js_name = pictureFile)]
+    pub fn picture_file(&mut self, scale: u32, budget: f64) -> JsValue {
+        let clock = &self.clock;
+        let made = self
+            .studio
+            .picture_file(scale as usize, &mut || clock.now(), budget);
+        match made {
+            Ok(slice) => object(&[
+                ("begun", slice.begun.into()),
+                ("done", slice.done.into()),
+                ("progress", slice.progress.into()),
+                ("side", (slice.side as u32).into()),
+                ("rows", Uint8Array::from(&slice.rows[..]).into()),
+            ])
+            .into(),
+            Err(sentence) => sentence.into(),
+        }
+    }
+
+    /// As `map`, of the picture that `pictureFile` finished last.
+    #[wasm_bindgen(js_name = biggerMap)]
+    pub fn bigger_map(&self, word: &str) -> JsValue {
+        map_object(word, |kind| self.studio.bigger_map(kind))
+    }
+
+    /// Stops `meshFile` or `pictureFile` and frees what they hold.
+    #[wasm_bindgen(js_name = stopFile)]
+    pub fn stop_file(&mut self) {
+        self.studio.stop_file();
+    }
+
     /// The fields of the native program's report.json, as text.
     pub fn report(&mut self) -> String {
         let mut report = self.studio.report();
@@ -211,7 +285,7 @@ impl Bubblestone {
         self.studio.digest()
     }
 
-    /// Makes a free polygon of rings (x, y, x, y, ...; the first is the outer one) the outline:
+    /// Makes a free polygon of rings (x, y, x, y, ...; in any order) the outline:
     /// '' or the sentence that says what is wrong with it; then the last good outline stays.
     #[wasm_bindgen(js_name = setOutline)]
     pub fn set_outline(&mut self, points: &[f64], ring_lengths: &[u32]) -> String {
@@ -258,8 +332,43 @@ impl Bubblestone {
     }
 }
 
+fn probe_object(probe: &Probe) -> Object {
+    let number = |x: Option<f64>| x.map_or(JsValue::NULL, JsValue::from);
+    let outline: Vec<f64> = probe.outline.iter().flat_map(|p| [p.x, p.y]).collect();
+    let polygon = probe.polygon;
+    object(&[
+        ("cell", probe.cell.into()),
+        ("x", probe.centre.x.into()),
+        ("y", probe.centre.y.into()),
+        ("kind", probe.kind.word().into()),
+        ("size", probe.size.into()),
+        ("wanted", probe.wanted.into()),
+        ("aspect", probe.aspect.into()),
+        ("angle", number(probe.angle)),
+        ("off", number(probe.off)),
+        ("outline", Float64Array::from(&outline[..]).into()),
+        ("area", number(polygon.map(|p| p.area))),
+        ("sides", number(polygon.map(|p| p.sides as f64))),
+        ("neighbours", number(polygon.map(|p| p.neighbours as f64))),
+    ])
+}
+
 /// Said of words that name no file.
 const NO_SUCH_FILE: &str = "There is no file of that name.";
+
+fn map_object(word: &str, made: impl Fn(MapKind) -> Result<Map, String>) -> JsValue {
+    let kind = MapKind::of_word(word).ok_or(NO_SUCH_FILE.to_owned());
+    match kind.and_then(made) {
+        Ok(map) => object(&[
+            ("side", (map.side as u32).into()),
+            ("channels", map.channels.into()),
+            ("bits", map.bits.into()),
+            ("bytes", Uint8Array::from(&map.bytes[..]).into()),
+        ])
+        .into(),
+        Err(sentence) => sentence.into(),
+    }
+}
 
 /// Cuts a list of coordinates into rings.
 fn rings_of(points: &[f64], lengths: &[u32]) -> Result<Outline, String> {
@@ -278,10 +387,8 @@ fn rings_of(points: &[f64], lengths: &[u32]) -> Result<Outline, String> {
         rings.push(rest);
         rest = after;
     }
-    let outer = rings.remove(0);
     Ok(Outline {
-        outer,
-        holes: rings,
+        rings,
         ..Outline::default()
     })
 }

@@ -9,7 +9,7 @@ mod common;
 use bubblestone::domain::{Outline, signed_area};
 use bubblestone::random::{Purpose, Random};
 use bubblestone::recipe::{Key, Kind, Recipe, SCHEMA};
-use bubblestone::studio::{Studio, View};
+use bubblestone::studio::{Base, Overlay, Studio, View};
 use common::{star, valid};
 use glam::DVec2;
 #[cfg(target_arch = "wasm32")]
@@ -97,13 +97,25 @@ fn polygon(random: &mut Random, side: f64) -> Outline {
     let middle = DVec2::splat(side / 2.0);
     let shrunk =
         |ring: &[DVec2], by: f64| ring.iter().map(|&p| middle + (p - middle) * by).collect();
-    let holes = match random.below(3) {
-        0 => vec![shrunk(&outer, scale * [0.1, 0.5, 0.9][random.below(3)])],
-        _ => vec![],
-    };
+    let mut rings: Vec<Vec<DVec2>> = vec![shrunk(&outer, scale)];
+    if random.below(3) == 0 {
+        rings.push(shrunk(&outer, scale * [0.1, 0.5, 0.9][random.below(3)]));
+    }
+    // Sometimes islands beside it, or within it, or over it: then it is none.
+    if random.below(3) == 0 {
+        let (by, to) = (
+            [0.05, 0.3, 1.0][random.below(3)],
+            DVec2::new(random.unit(), random.unit()),
+        );
+        let moved = |ring: &Vec<DVec2>| -> Vec<DVec2> {
+            let small: Vec<DVec2> = shrunk(ring, by);
+            small.iter().map(|&p| p + (to - 0.5) * side).collect()
+        };
+        let copies: Vec<Vec<DVec2>> = rings.iter().map(moved).collect();
+        rings.extend(copies);
+    }
     Outline {
-        outer: shrunk(&outer, scale),
-        holes,
+        rings,
         ..Outline::default()
     }
 }
@@ -163,13 +175,22 @@ fn sound(studio: &mut Studio) {
     let count = studio.cells().len() as u32;
     assert!(planes.id.iter().all(|&id| id <= count));
     assert!(studio.picture().unwrap().chunks(4).all(|p| p[3] == 255));
-    for (view, word) in View::ALL {
+    for word in every_view() {
         assert_eq!(
-            studio.view(view).len(),
+            studio.view(View::of_words(&word)).len(),
             4 * studio.side() * studio.side(),
             "{word}"
         );
     }
+}
+
+/// Every base, and every overlay alone and with all others over the picture.
+fn every_view() -> Vec<String> {
+    let overlays = Overlay::ALL.map(|(_, word)| word);
+    let bases = Base::ALL.iter().map(|(_, word)| *word);
+    let mut words: Vec<String> = bases.chain(overlays).map(String::from).collect();
+    words.push(format!("picture+{}", overlays.join("+")));
+    words
 }
 
 #[test]

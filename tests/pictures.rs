@@ -8,7 +8,7 @@
 #![cfg(not(target_arch = "wasm32"))]
 
 use bubblestone::recipe::Recipe;
-use bubblestone::studio::{Studio, View};
+use bubblestone::studio::{Base, Studio};
 use std::fs::{self, File};
 use std::io::BufReader;
 use std::path::{Path, PathBuf};
@@ -120,9 +120,9 @@ fn pavements_look_as_they_did() {
 #[test]
 fn views_look_as_they_did() {
     let mut studio = studio("size=128&outline=plaza&on=1&cs=14&gx=0.4&hs=10&palette=marble");
-    for (view, word) in View::ALL {
-        if view != View::Auto {
-            check(&format!("view-{word}"), studio.view(view));
+    for (base, word) in Base::ALL {
+        if base != Base::Auto {
+            check(&format!("view-{word}"), studio.view(base.into()));
         }
     }
 }

@@ -4,7 +4,7 @@
 use bubblestone::domain::Outline;
 use bubblestone::random::{Purpose, Random};
 use bubblestone::recipe::{PRESETS, Recipe};
-use bubblestone::studio::{Studio, View};
+use bubblestone::studio::{Base, Overlay, Studio, View};
 use glam::DVec2;
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
@@ -56,7 +56,7 @@ fn slices_do_not_matter() {
             ticks += 1;
             // To look, and to ask for figures, changes nothing either.
             if ticks % 5 == 0 {
-                studio.view(View::Auto);
+                studio.view(View::of_words("auto"));
                 assert!(studio.energy().is_finite());
             }
         }
@@ -155,7 +155,7 @@ fn the_latest_recipe_wins() {
             wanted = with(&wanted, key, texts[random.below(2)]);
             studio.set_recipe(wanted.clone());
             let length = 4 * studio.side() * studio.side();
-            assert_eq!(studio.view(View::Auto).len(), length);
+            assert_eq!(studio.view(View::of_words("auto")).len(), length);
         }
         run_on(&mut studio);
         assert_eq!(
@@ -177,9 +177,11 @@ fn every_view_is_whole_at_every_moment() {
     loop {
         if studio.stage() != last {
             last = studio.stage().to_string();
-            for (view, word) in View::ALL {
-                assert_eq!(View::of_word(word), Some(view));
-                let frame = studio.view(view);
+            let overlays = Overlay::ALL.map(|(_, word)| word);
+            let all = format!("auto+{}", overlays.join("+"));
+            let bases = Base::ALL.iter().map(|(_, word)| *word);
+            for word in bases.chain(overlays).chain([&all[..]]) {
+                let frame = studio.view(View::of_words(word));
                 assert_eq!(frame.len(), 4 * 160 * 160, "{word} at {last}");
                 assert!(frame.chunks(4).all(|p| p[3] == 255), "{word} at {last}");
             }
@@ -190,7 +192,7 @@ fn every_view_is_whole_at_every_moment() {
     }
     assert_eq!(last, "done");
     let picture = studio.picture().unwrap().to_vec();
-    assert_eq!(studio.view(View::Auto), picture);
+    assert_eq!(studio.view(View::of_words("auto")), picture);
 }
 
 #[test]
@@ -201,10 +203,10 @@ fn the_old_picture_stays_until_the_new_one_is_there() {
         let old = studio.picture().unwrap().to_vec();
         studio.set_recipe(with(&recipe(LINK), key, text));
         while !studio.done() {
-            assert!(studio.view(View::Auto) == old, "{key}");
+            assert!(studio.view(View::of_words("auto")) == old, "{key}");
             studio.tick(&mut clock, 0.0, 1);
         }
-        assert!(studio.view(View::Auto) != old, "{key}");
+        assert!(studio.view(View::of_words("auto")) != old, "{key}");
     }
 }
 
@@ -212,20 +214,19 @@ fn the_old_picture_stays_until_the_new_one_is_there() {
 fn an_exact_outline_is_used_as_it_is() {
     let p = |x: f64, y: f64| DVec2::new(x, y);
     let outline = Outline {
-        outer: vec![
+        rings: vec![vec![
             p(10.1, 10.2),
             p(140.3, 12.4),
             p(120.5, 149.6),
             p(15.7, 130.8),
-        ],
-        holes: vec![],
+        ]],
         ..Outline::default()
     };
     let made = Studio::with_outline(recipe("size=160&cs=14"), &outline);
     let (mut studio, notices) = made.map_err(|e| panic!("{e}")).unwrap();
     assert!(notices.is_empty());
     run_on(&mut studio);
-    assert_eq!(studio.rings(), [&outline.outer[..]]);
+    assert_eq!(studio.rings(), [&outline.rings[0][..]]);
 }
 
 #[test]
@@ -235,8 +236,7 @@ fn bad_outlines_get_a_sentence() {
     let nan = vec![p(10., 10.), p(f64::NAN, 10.), p(100., 100.)];
     for outer in [bow_tie, nan, vec![], vec![p(1., 1.), p(2., 2.)]] {
         let outline = Outline {
-            outer,
-            holes: vec![],
+            rings: vec![outer],
             ..Outline::default()
         };
         let sentence = Studio::with_outline(recipe(""), &outline).err().unwrap();
@@ -253,8 +253,7 @@ fn coarse_cells_in_small_outlines_do_no_harm() {
     let p = |x: f64, y: f64| DVec2::new(x, y);
     for reach in [12.0, 40.0, 150.0] {
         let outline = Outline {
-            outer: vec![p(4., 4.), p(4. + reach, 5.), p(5., 4. + reach)],
-            holes: vec![],
+            rings: vec![vec![p(4., 4.), p(4. + reach, 5.), p(5., 4. + reach)]],
             ..Outline::default()
         };
         for link in ["size=160&cs=80", "size=160&cs=80&edge=on", "size=160&cs=2"] {
@@ -269,7 +268,7 @@ fn coarse_cells_in_small_outlines_do_no_harm() {
                         (studio.stage(), studio.problem()),
                         ("error", Some(&sentence[..]))
                     );
-                    studio.view(View::Auto);
+                    studio.view(View::of_words("auto"));
                     studio.set_recipe(recipe("size=160&cs=4"));
                     assert_ne!(studio.stage(), "error");
                 }

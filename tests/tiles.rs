@@ -120,7 +120,7 @@ fn shaded(planes: &Planes, light: Light) -> Vec<u8> {
         light,
         ..ShadeParams::default()
     };
-    let mut shader = Shader::new(&params, planes.side);
+    let mut shader = Shader::new(&params, planes.side, 1);
     while !shader.advance(planes, &table, 16) {}
     shader.rgba().to_vec()
 }
@@ -190,7 +190,9 @@ fn planes_and_pictures_run_on_over_the_seams() {
     for link in LINKS {
         let mut studio = finished(link);
         let planes = studio.planes().unwrap().clone();
-        let picture = studio.view(bubblestone::studio::View::Picture).to_vec();
+        let picture = studio
+            .view(bubblestone::studio::View::of_words("picture"))
+            .to_vec();
         let down = |k: usize| k % SIDE * SIDE + k / SIDE;
         for upright in [true, false] {
             let at = |k: usize| if upright { k } else { down(k) };

@@ -7,12 +7,12 @@ use bubblestone::studio::{Studio, View};
 const SIDE: usize = 160;
 
 /// A view of a recipe in a small picture, finished.
-fn view(link: &str, view: View) -> Vec<u8> {
+fn view(link: &str, words: &str) -> Vec<u8> {
     let (recipe, notices) = Recipe::from_link(&format!("size={SIDE}&cs=14&{link}"));
     assert!(notices.is_empty(), "{notices:?}");
     let mut studio = Studio::new(recipe);
     assert_eq!(studio.finish(&mut || 0.0), Ok(()));
-    studio.view(view).to_vec()
+    studio.view(View::of_words(words)).to_vec()
 }
 
 fn pixel(rgba: &[u8], x: usize, y: usize) -> [i32; 3] {
@@ -41,7 +41,7 @@ const KINDS: [&str; 4] = ["square", "rectangle", "circle", "ellipse"];
 
 #[test]
 fn every_kind_has_a_potential_of_its_own() {
-    let views = KINDS.map(|kind| view(&format!("kind={kind}"), View::Potential));
+    let views = KINDS.map(|kind| view(&format!("kind={kind}"), "potential"));
     let half = SIDE / 2;
     for (k, rgba) in views.iter().enumerate() {
         assert!(warmth(rgba, half, half) > 60, "{}: no hill", KINDS[k]);
@@ -77,8 +77,8 @@ fn squares_have_wells_at_their_edges_and_circles_all_around() {
         // Beside the white lines and dots.
         (80..95).map(|r| ray(f64::from(r) / 100.0)).min().unwrap()
     };
-    let square = view("kind=square", View::Potential);
-    let circle = view("kind=circle", View::Potential);
+    let square = view("kind=square", "potential");
+    let circle = view("kind=circle", "potential");
     assert!(along(&square, 8.0) < -20, "{}", along(&square, 8.0));
     assert!(along(&square, 98.0) < -20);
     assert!(along(&square, 45.0) > 0);
@@ -90,7 +90,7 @@ fn squares_have_wells_at_their_edges_and_circles_all_around() {
 #[test]
 fn a_longer_cell_has_a_longer_ring() {
     let wide = |ca: &str| {
-        let rgba = view(&format!("kind=ellipse&ca={ca}"), View::Potential);
+        let rgba = view(&format!("kind=ellipse&ca={ca}"), "potential");
         (0..SIDE)
             .filter(|&y| warmth(&rgba, SIDE / 2, y) < -10)
             .count()
@@ -100,7 +100,7 @@ fn a_longer_cell_has_a_longer_ring() {
 
 #[test]
 fn packed_cells_are_drawn_in_their_shapes() {
-    let views = KINDS.map(|kind| view(&format!("outline=square&kind={kind}"), View::Packed));
+    let views = KINDS.map(|kind| view(&format!("outline=square&kind={kind}"), "packed"));
     for (k, rgba) in views.iter().enumerate() {
         for other in &views[..k] {
             assert!(differing(rgba, other) > 2000);
@@ -110,19 +110,19 @@ fn packed_cells_are_drawn_in_their_shapes() {
 
 #[test]
 fn the_fields_show_what_shapes_them() {
-    let plain = view("outline=square", View::Direction);
+    let plain = view("outline=square", "direction");
     for more in [
         "lines=0.2,0.5,0.8,0.5",
         "strokes=0.2,0.3,0.8,0.6",
         "spots=0.5,0.5,0.3,0.5",
     ] {
-        let rgba = view(&format!("outline=square&{more}"), View::Direction);
+        let rgba = view(&format!("outline=square&{more}"), "direction");
         assert!(differing(&plain, &rgba) > 150, "{more}");
     }
-    let stretched = view("outline=square&kind=ellipse", View::Direction);
+    let stretched = view("outline=square&kind=ellipse", "direction");
     let spot = view(
         "outline=square&kind=ellipse&stretch=0.5,0.5,0.3,4",
-        View::Direction,
+        "direction",
     );
     assert!(differing(&stretched, &spot) > 150);
 }
@@ -130,7 +130,7 @@ fn the_fields_show_what_shapes_them() {
 #[test]
 fn singular_points_are_marked_by_their_sign() {
     let half = SIDE / 2;
-    let round = view("outline=square&dir=circular", View::Direction);
+    let round = view("outline=square&dir=circular", "direction");
     assert!(
         warmth(&round, half, half) > 80,
         "{:?}",
@@ -138,7 +138,7 @@ fn singular_points_are_marked_by_their_sign() {
     );
     // Around a stroke that turns back, rows turn against the way round.
     let cold = |link: &str| {
-        let rgba = view(link, View::Direction);
+        let rgba = view(link, "direction");
         (0..SIDE * SIDE)
             .filter(|&k| warmth(&rgba, k % SIDE, k / SIDE) < -60)
             .count()
@@ -150,7 +150,7 @@ fn singular_points_are_marked_by_their_sign() {
 #[test]
 fn lone_triangles_stand_out_only_among_cells_with_corners() {
     let warm = |link: &str| {
-        let rgba = view(link, View::Mesh);
+        let rgba = view(link, "mesh");
         (0..SIDE * SIDE)
             .filter(|&k| warmth(&rgba, k % SIDE, k / SIDE) > 70)
             .count()
@@ -161,7 +161,7 @@ fn lone_triangles_stand_out_only_among_cells_with_corners() {
 
 #[test]
 fn a_tile_has_no_outline_and_no_seam() {
-    let rgba = view("tile=1&kind=circle&palette=marble", View::Packed);
+    let rgba = view("tile=1&kind=circle&palette=marble", "packed");
     let apart = |x: usize, y: usize, u: usize, v: usize| {
         let (a, b) = (pixel(&rgba, x, y), pixel(&rgba, u, v));
         (0..3).map(|c| (a[c] - b[c]).abs()).sum::<i32>()

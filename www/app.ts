@@ -129,6 +129,7 @@ export class App {
     });
     store.on(['past', 'future', 'stored', 'own'], showHistory);
     store.on(['paused', 'pace'], showTransport);
+    store.on(['held'], () => this.loop.changed());
     store.on(['view', 'overlays'], () => this.loop.redraw());
     showRecipe(store.state);
     showTransport(store.state);

@@ -17,7 +17,7 @@ export class Editing {
   private known = '';
   /** The recipe is changed from here. */
   private writing = false;
-  /** A pointer is down on the points. */
+  /** Points are in the hand. */
   private held = false;
 
   constructor(work: Work) {
@@ -26,19 +26,17 @@ export class Editing {
     this.engine = engine;
     this.sorts = new Sorts(engine);
     const layer = byId('editor');
-    layer.addEventListener('pointerdown', () => (this.held = true));
-    for (const end of ['pointerup', 'pointercancel', 'lostpointercapture']) {
-      layer.addEventListener(end, () => {
-        this.held = false;
-        work.letGo();
-      });
-    }
     this.editor = new Editor(layer, byId('editor-bar'), {
       side: () => engine.side(),
       sorts: () => this.sorts.now(),
       choose: (word) => this.begin(word),
       fresh: (sort, figures, at) => this.sorts.fresh(sort, figures, at),
       change: (sort, figures) => this.take(sort, figures),
+      live: (on) => {
+        engine.live(on);
+        this.held = on;
+        work.store.update({ held: on });
+      },
       closed: () => work.store.update({ editing: undefined }),
     });
   }

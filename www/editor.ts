@@ -25,6 +25,8 @@ export interface EditorNeeds {
   fresh(sort: Sort, figures: Figure[], at?: Point): Figure | undefined;
   /** Takes the figures over, or says why it cannot and answers false. */
   change(sort: Sort, figures: Figure[]): boolean;
+  /** A drag begins or ends. */
+  live(on: boolean): void;
   closed(): void;
 }
 
@@ -40,6 +42,7 @@ export class Editor {
   private frame = 0;
   /** Where the pointer that drags a whole figure was last. */
   private held: Point | undefined;
+  private dragging = false;
 
   /** The layer lies over the canvas; the bar takes the buttons for the marked point. */
   constructor(layer: HTMLElement, bar: HTMLElement, needs: EditorNeeds) {
@@ -72,6 +75,7 @@ export class Editor {
 
   /** Shows handles on these figures. */
   open(sort: Sort, figures: Figure[]): void {
+    this.drop();
     this.sort = sort;
     this.figures = figures;
     this.marked = { figure: 0, index: 0 };
@@ -98,12 +102,14 @@ export class Editor {
 
   close(): void {
     if (this.layer.hidden) return;
+    this.drop();
     this.layer.hidden = true;
     this.bar.hide();
     this.needs.closed();
   }
 
   private rebuild(): void {
+    this.drop();
     this.handles.replaceChildren();
     this.lines.replaceChildren(...['edge', ...this.figures.map(() => 'grip')].map(path));
     this.figures.forEach(({ points }, figure) => {
@@ -122,8 +128,11 @@ export class Editor {
       this.mark(place);
     });
     handle.addEventListener('pointermove', (event) => {
-      if (handle.hasPointerCapture(event.pointerId)) this.move(place, this.at(event));
+      if (!handle.hasPointerCapture(event.pointerId)) return;
+      this.drag();
+      this.move(place, this.at(event));
     });
+    handle.addEventListener('lostpointercapture', () => this.drop());
     return handle;
   }
 
@@ -140,10 +149,27 @@ export class Editor {
     });
     grip.addEventListener('pointermove', (event) => {
       if (!this.held || !grip.hasPointerCapture(event.pointerId)) return;
+      this.drag();
       const [x, y] = this.at(event);
       this.shift(figure, [x - this.held[0], y - this.held[1]]);
       this.held = [x, y];
     });
+    grip.addEventListener('lostpointercapture', () => this.drop());
+  }
+
+  /** The pointer that holds a point has moved. */
+  private drag(): void {
+    if (this.dragging) return;
+    this.dragging = true;
+    this.needs.live(true);
+  }
+
+  /** The pointer let go: by rising, by being cancelled, or as what it held is gone. */
+  private drop(): void {
+    if (!this.dragging) return;
+    this.dragging = false;
+    if (this.frame) this.hand();
+    this.needs.live(false);
   }
 
   /** Puts lines, handles and buttons where the points are. */
@@ -308,14 +334,16 @@ export class Editor {
   /** Hands the figures over once a frame; bad ones stay drawn here, so that they can be mended. */
   private changed(): void {
     this.place();
-    if (this.frame) return;
-    this.frame = requestAnimationFrame(() => {
-      this.frame = 0;
-      if (!this.sort) return;
-      this.layer.classList.toggle('bad', !this.needs.change(this.sort, this.figures));
-      // Other sorts may do something now.
-      this.place();
-    });
+    this.frame ||= requestAnimationFrame(() => this.hand());
+  }
+
+  private hand(): void {
+    cancelAnimationFrame(this.frame);
+    this.frame = 0;
+    if (!this.sort) return;
+    this.layer.classList.toggle('bad', !this.needs.change(this.sort, this.figures));
+    // Other sorts may do something now.
+    this.place();
   }
 }
 

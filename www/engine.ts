@@ -3,7 +3,7 @@
  * calls answer with harmless values instead of failing again.
  */
 import init, { Bubblestone, presets, random_seed, schema } from '../pkg/bubblestone.js';
-import type { MeshSlice, Parameter, PixelMap, Point, Preset, Ring, Status } from './types';
+import type { Histograms, MeshSlice, Parameter, PictureSlice, PixelMap, Point, Preset, Probe, Ring, Series, Status } from './types';
 import { parameterIn, presetIn, sentenceIn, t } from './words';
 
 /** The schema gives the defaults of numbers as numbers. */
@@ -100,6 +100,11 @@ export class Engine {
     return this.ask((core) => core.tick(budget, steps), false);
   }
 
+  /** While live, the cells flow after each change; the end of it makes them anew, as the link asks. */
+  live(on: boolean): void {
+    this.ask((core) => core.setLive(on), undefined);
+  }
+
   step(): void {
     this.ask((core) => core.step(), undefined);
   }
@@ -122,8 +127,30 @@ export class Engine {
     return this.ask((core) => core.status() as Status, NO_STATUS);
   }
 
+  /** Draws a view: words joined by '+', at most one of a base, any of overlays; see `draw` of the module. */
   draw(context: CanvasRenderingContext2D, view: string): void {
     this.ask((core) => core.draw(context, view), undefined);
+  }
+
+  /** The cell at a place in picture units. */
+  probe([x, y]: Point): Probe | undefined {
+    return this.ask((core) => core.probe(x, y) as Probe | undefined, undefined);
+  }
+
+  /** How the packing went so far. */
+  series(): Series {
+    const none = { step: new Float64Array(), energy: new Float64Array(), move: new Float64Array() };
+    return this.ask((core) => core.series() as Series, none);
+  }
+
+  histograms(): Histograms {
+    const none = { from: 0, to: 0, counts: new Uint32Array() };
+    return this.ask((core) => core.histograms() as Histograms, { size: none, angle: none });
+  }
+
+  /** The cells as a standalone SVG file; '' before there are any. */
+  svg(): string {
+    return this.ask((core) => core.svg(), '');
   }
 
   digest(): string {
@@ -138,6 +165,21 @@ export class Engine {
   /** Works on a mesh file for about `budget` milliseconds, or says why there is none. */
   meshFile(ending: string, budget: number): MeshSlice | string {
     return this.ask((core) => core.meshFile(ending, budget) as MeshSlice | string, t('no_file'));
+  }
+
+  /** Works on the picture at 1 to 4 times its side for about `budget` milliseconds, or says why there is none. */
+  pictureFile(scale: number, budget: number): PictureSlice | string {
+    return this.ask((core) => core.pictureFile(scale, budget) as PictureSlice | string, t('no_file'));
+  }
+
+  /** A map, as `map` gives it, of the picture that `pictureFile` finished last. */
+  biggerMap(word: string): PixelMap | string {
+    return this.ask((core) => core.biggerMap(word) as PixelMap | string, t('no_file'));
+  }
+
+  /** Stops a file in the making, and frees what it held: to be called after every `pictureFile` that ends. */
+  stopFile(): void {
+    this.ask((core) => core.stopFile(), undefined);
   }
 
   /** What making the pavement took and gave, as JSON. */

@@ -54,6 +54,52 @@ export interface Status {
   ms: Record<string, number>;
 }
 
+/** A cell, as found at a place of the picture: lengths in picture units, angles in degrees, y down. */
+export interface Probe {
+  /** Its place in the list of cells, from 0; while they are packed, in that of the packing. */
+  cell: number;
+  x: number;
+  y: number;
+  kind: 'square' | 'rectangle' | 'circle' | 'ellipse';
+  size: number;
+  /** What the size field asks for there. */
+  wanted: number;
+  /** Length over width, at least 1. */
+  aspect: number;
+  /** 0..90 of squares, 0..180 of rectangles and ellipses; null of circles. */
+  angle: number | null;
+  /** Off the direction field: 0..45 of squares, else 0..90; null of circles. */
+  off: number | null;
+  /** Its polygon as x, y, x, y, ..., not closed; of a packed cell its shape. */
+  outline: Float64Array;
+  /** The following only once the cells have polygons. */
+  area: number | null;
+  sides: number | null;
+  /** Cells on the other side of its sides. */
+  neighbours: number | null;
+}
+
+/** How the packing went so far: lists of the same length, by rising steps. */
+export interface Series {
+  step: Float64Array;
+  energy: Float64Array;
+  /** The largest move of the step, in cell sizes. */
+  move: Float64Array;
+}
+
+/** Counts of equal classes; those beyond count in the outermost. No classes where there is nothing to count. */
+export interface Histogram {
+  from: number;
+  to: number;
+  counts: Uint32Array;
+}
+
+/** Of all cells: sizes over the wanted ones, and degrees off the direction field. */
+export interface Histograms {
+  size: Histogram;
+  angle: Histogram;
+}
+
 /** A map for other programs: rows from the top, values of 16 bits with the high byte first. */
 export interface PixelMap {
   side: number;
@@ -69,6 +115,19 @@ export interface MeshSlice {
   begun: boolean;
   parts: BlobPart[];
   done: boolean;
+}
+
+/** What a slice of work gave of a bigger picture. */
+export interface PictureSlice {
+  /** The picture begins with these rows: those before are of another one. */
+  begun: boolean;
+  done: boolean;
+  /** How much of the work is done, about, 0..1. */
+  progress: number;
+  /** Pixels along the picture's side. */
+  side: number;
+  /** Red, green, blue of the next pixels: whole rows from the top, mostly none yet. */
+  rows: Uint8Array;
 }
 
 /** Rings of an outline in picture units, y down, the outer ring first; not closed. */

@@ -46,11 +46,6 @@ export class Work {
     this.store.update({ recipe, held: false, own, preset: presetOf(this.engine.presets, recipe) ?? this.store.state.preset });
   }
 
-  /** The last change was the last of its kind: it becomes a step of the history. */
-  letGo(): void {
-    this.store.update({ held: false });
-  }
-
   private changed(held: boolean): void {
     this.store.update({ recipe: this.engine.link(), held, own: true });
   }

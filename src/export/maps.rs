@@ -18,6 +18,15 @@ pub struct Map {
     pub bytes: Vec<u8>,
 }
 
+impl Map {
+    /// A map of 8 bits as opaque RGBA, to look at.
+    pub fn rgba(&self) -> Vec<u8> {
+        let channels = usize::from(self.channels);
+        let opaque = |p: &[u8]| [p[0], p[channels / 2], p[channels - 1], 255];
+        self.bytes.chunks_exact(channels).flat_map(opaque).collect()
+    }
+}
+
 /// What a map tells.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MapKind {

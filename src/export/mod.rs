@@ -9,9 +9,11 @@ pub mod maps;
 mod obj;
 mod report;
 mod surface;
+mod svg;
 
 pub use figures::metrics_json;
 pub use json::{cells_json, mesh_json, text};
 pub use maps::{Map, MapKind};
 pub use report::{Report, StageTime};
 pub use surface::{MeshFile, MeshFormat};
+pub use svg::svg;

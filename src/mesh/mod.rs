@@ -132,6 +132,36 @@ impl Mesh {
         if let Some(side) = domain.period() {
             return Self::over_seams(domain, side, particles);
         }
+        match domain.islands() {
+            [island] => Self::of_island(island, particles),
+            islands => Self::of_islands(domain, islands, particles),
+        }
+    }
+
+    /// Those of the islands side by side; the vertices keep the order of the centres.
+    fn of_islands(domain: &Domain, islands: &[Domain], particles: &[Particle]) -> Self {
+        let mut whole = Self {
+            vertices: particles.iter().map(|p| p.centre).collect(),
+            ..Self::default()
+        };
+        for (number, island) in islands.iter().enumerate() {
+            let here = |&k: &usize| domain.island(particles[k].centre) == number;
+            let names: Vec<usize> = (0..particles.len()).filter(here).collect();
+            let own: Vec<Particle> = names.iter().map(|&k| particles[k]).collect();
+            let mut mesh = Self::of_island(island, &own);
+            for (&name, vertex) in names.iter().zip(mesh.vertices) {
+                whole.vertices[name] = vertex;
+            }
+            for node in mesh.faces.iter_mut().flat_map(|face| &mut face.nodes) {
+                // A triangle's fourth number is none.
+                *node = names.get(*node as usize).map_or(0, |&name| name as u32);
+            }
+            whole.faces.extend(mesh.faces);
+        }
+        whole
+    }
+
+    fn of_island(domain: &Domain, particles: &[Particle]) -> Self {
         let mut nodes: Vec<Node> = particles.iter().map(Node::of).collect();
         let vertices: Vec<DVec2> = particles.iter().map(|p| p.centre).collect();
         let mut triangles = Triangles::new(&nodes);

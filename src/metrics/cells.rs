@@ -4,7 +4,7 @@ use super::cover::cover;
 use super::{Cover, Histogram, MOST_SIDES, Tally, angle, median, ring_edges};
 use crate::cells::Cell;
 use crate::domain::{Domain, signed_area};
-use crate::field::Fields;
+use crate::field::{Fields, Kind};
 use glam::DVec2;
 
 /// A corner turns by more than this, degrees: so a cell cut by a curved boundary has no side for
@@ -86,12 +86,16 @@ impl CellMetrics {
 }
 
 fn asked_area(cell: &Cell) -> f64 {
-    let share = if cell.kind.has_corners() {
+    share(cell.kind) * cell.size * cell.size
+}
+
+/// The area that a cell of size 1 asks for.
+pub(super) fn share(kind: Kind) -> f64 {
+    if kind.has_corners() {
         1.0
     } else {
         3.0_f64.sqrt() / 2.0
-    };
-    share * cell.size * cell.size
+    }
 }
 
 fn edges_to_field(domain: &Domain, fields: &Fields, cell: &Cell, near: f64, tally: &mut Tally) {
@@ -124,7 +128,7 @@ fn edges_to_field(domain: &Domain, fields: &Fields, cell: &Cell, near: f64, tall
 }
 
 /// Corners that turn by more than [`CORNER`].
-fn corners(ring: &[DVec2]) -> usize {
+pub(super) fn corners(ring: &[DVec2]) -> usize {
     let edges: Vec<DVec2> = ring_edges(ring)
         .map(|[a, b]| b - a)
         .filter(|e| e.length() > 1e-9)
@@ -140,7 +144,7 @@ fn corners(ring: &[DVec2]) -> usize {
 }
 
 /// The root of the ratio of the principal second moments, and a vector along the long axis.
-fn principal_axis(ring: &[DVec2]) -> Option<(f64, DVec2)> {
+pub(super) fn principal_axis(ring: &[DVec2]) -> Option<(f64, DVec2)> {
     let origin = *ring.first()?;
     let (mut area, mut first) = (0.0, DVec2::ZERO);
     let (mut xx, mut yy, mut xy) = (0.0, 0.0, 0.0);

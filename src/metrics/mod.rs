@@ -5,10 +5,13 @@
 
 mod cells;
 mod cover;
+mod figure;
 mod mesh;
 
 pub use cells::CellMetrics;
 pub use cover::Cover;
+pub use figure::Figure;
+pub(crate) use figure::period;
 pub use mesh::{Jacobian, MeshMetrics, TriangleQuality};
 
 use crate::cells::Cell;

@@ -151,7 +151,7 @@ impl Motion {
         self.start.clear();
         self.start.push(0);
         let period = domain.period();
-        let plain = period.is_none() && domain.lines().is_empty();
+        let plain = period.is_none() && domain.lines().is_empty() && domain.islands().len() == 1;
         for (i, body) in bodies.iter().enumerate() {
             let centre = body.particle.centre;
             let shape = Shape::of(&body.particle);
@@ -177,34 +177,17 @@ impl Motion {
         let (a, b) = (&body.particle, &other.particle);
         let half = domain.period().map_or(f64::INFINITY, |side| 0.5 * side);
         r.abs().max_element() <= half
+            && !domain.is_gap_between(a.centre, b.centre)
             && (a.fixed || b.fixed || !domain.crosses_line(a.centre, b.centre))
     }
 
     /// The pairs that may touch, each once.
-    fn pairs<'a>(&'a self, bodies: &'a [Body]) -> impl Iterator<Item = (usize, usize)> + 'a {
+    pub fn pairs<'a>(&'a self, bodies: &'a [Body]) -> impl Iterator<Item = (usize, usize)> + 'a {
         (0..bodies.len()).flat_map(|i| {
             self.list[self.start[i] as usize..self.start[i + 1] as usize]
                 .iter()
                 .map(move |&j| (i, j as usize))
         })
-    }
-
-    /// See [`super::Packing::energy`].
-    pub fn energy(&self, bodies: &[Body], domain: &Domain) -> f64 {
-        let mut sum = 0.0;
-        let mut stiffness = 0.0;
-        for (i, j) in self.pairs(bodies) {
-            let (a, b) = (&bodies[i].particle, &bodies[j].particle);
-            sum += Pair::new(a, b).potential(domain.shortest(b.centre - a.centre));
-        }
-        for body in bodies {
-            stiffness += body.particle.size * body.particle.size / bodies.len() as f64;
-        }
-        if bodies.is_empty() {
-            0.0
-        } else {
-            sum / stiffness
-        }
     }
 
     /// Wakes the bodies that have moved, and their neighbours.

@@ -5,10 +5,12 @@
 //! motion (`integrate`), population control (`population`). A [`Packing`] advances one step at a
 //! time; nothing in it knows of time or frames.
 
+mod carry;
 pub mod force;
 mod front;
 mod grid;
 mod integrate;
+mod loads;
 mod placement;
 mod population;
 mod rim;
@@ -16,6 +18,7 @@ mod shape;
 mod wall;
 
 pub(crate) use grid::Grid;
+pub use loads::{Load, Sample, Stand};
 
 use crate::decimal;
 use crate::domain::{Domain, Facing};
@@ -204,6 +207,8 @@ pub struct Packing {
     report: StepReport,
     /// The step after which the population was last looked at.
     looked: u32,
+    /// How the run went.
+    samples: Vec<Sample>,
 }
 
 impl Packing {
@@ -235,6 +240,7 @@ impl Packing {
             next_id: 0,
             report: StepReport::default(),
             looked: 0,
+            samples: Vec::new(),
         };
         for (centre, fixed) in placement::place(domain, fields, &packing.facing, &params) {
             packing.add(fields, centre, fixed);
@@ -289,13 +295,6 @@ impl Packing {
         self.report.done
     }
 
-    /// The potential energy of the cells among each other (eq. 4 summed over pairs), in units of
-    /// the mean cell's k0.
-    pub fn energy(&mut self, domain: &Domain) -> f64 {
-        self.motion.refresh(&mut self.bodies, domain);
-        self.motion.energy(&self.bodies, domain)
-    }
-
     /// One step of the equation of motion and, now and then, population control.
     pub fn step(&mut self, domain: &Domain, fields: &Fields) -> StepReport {
         if self.report.done {
@@ -323,6 +322,7 @@ impl Packing {
         self.report.cells = self.bodies.len();
         self.report.converged = small && !changed;
         self.report.done = self.report.converged || step >= TUNING.most_steps;
+        self.sample(domain);
         self.report
     }
 

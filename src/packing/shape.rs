@@ -56,6 +56,19 @@ impl Particle {
         (e * root, e.perp() / root)
     }
 
+    /// How far a place, `way` off its centre, is on the way to its rim: 0 in the middle, 1 on it.
+    pub(crate) fn middle_distance(&self, way: DVec2) -> f64 {
+        let (e, f) = self.half_axes();
+        let local = DVec2::new(
+            way.dot(e) / e.length_squared(),
+            way.dot(f) / f.length_squared(),
+        );
+        match self.kind.has_corners() {
+            true => local.abs().max_element(),
+            false => local.length(),
+        }
+    }
+
     /// Its longer side.
     pub(crate) fn length(&self) -> f64 {
         Shape::of(self).length()

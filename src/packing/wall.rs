@@ -11,7 +11,7 @@ use glam::DVec2;
 const STIFFNESS: f64 = 2.0;
 
 /// A centre is never left nearer to the boundary than this share of its cell's extent.
-const CLOSEST: f64 = 0.2;
+pub(super) const CLOSEST: f64 = 0.2;
 
 /// How far from the boundary a cell of this length can feel it: a square's half diagonal times the
 /// cut.
@@ -59,7 +59,7 @@ pub(super) fn keep_inside(from: DVec2, to: DVec2, shape: Shape, around: Surround
         let depth = domain.medial_depth(near.point, near.inward, least);
         centre = near.point + near.inward * depth;
     }
-    if domain.crosses_line(from, centre) {
+    if domain.is_parted(from, centre) {
         centre = from;
     }
     if let Some(line) = domain.nearest_line(centre) {

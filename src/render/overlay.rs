@@ -21,6 +21,9 @@ pub struct Paper {
     pub line: Tint,
 }
 
+/// The rim of lines over pictures.
+pub const CASING: Tint = [0.08, 0.06, 0.05, 0.50];
+
 /// A square picture to draw on; all its pixels are opaque.
 #[derive(Clone, Debug)]
 pub struct Board {
@@ -69,13 +72,7 @@ impl Board {
     /// Draws the lines of rings, `width` pixels wide, in one colour; where lines meet or cross they
     /// are not darker.
     pub fn edges(&mut self, rings: &[&[DVec2]], tint: Tint, width: f64, round: f64) {
-        let mut lines = Vec::new();
-        for ring in rings {
-            let ring = rounded(ring, round);
-            let next = ring.iter().cycle().skip(1);
-            lines.extend(ring.iter().zip(next).map(|(&a, &b)| [a, b]));
-        }
-        self.strokes(&lines, tint, width);
+        self.strokes(&lines_of(rings, round), tint, width);
     }
 
     /// Draws separate lines of one colour, `width` pixels wide.
@@ -86,6 +83,12 @@ impl Board {
             trace(&mut builder, &bar(line, width));
         }
         self.fill_path(builder.finish(), tint);
+    }
+
+    /// Draws separate lines that stand out from whatever is below: light, with a dark rim.
+    pub fn cased(&mut self, lines: &[[DVec2; 2]], tint: Tint, width: f64) {
+        self.strokes(lines, CASING, 2.0 * width + 0.6);
+        self.strokes(lines, tint, width);
     }
 
     fn fill_path(&mut self, path: Option<Path>, tint: Tint) {
@@ -146,8 +149,19 @@ impl Board {
     }
 }
 
+/// The lines of rings.
+pub fn lines_of(rings: &[&[DVec2]], round: f64) -> Vec<[DVec2; 2]> {
+    let mut lines = Vec::new();
+    for ring in rings {
+        let ring = rounded(ring, round);
+        let next = ring.iter().cycle().skip(1);
+        lines.extend(ring.iter().zip(next).map(|(&a, &b)| [a, b]));
+    }
+    lines
+}
+
 /// The corners of a polygon that passes for a circle.
-fn round(centre: DVec2, radius: f64) -> Vec<DVec2> {
+pub fn round(centre: DVec2, radius: f64) -> Vec<DVec2> {
     let count = if radius < 12.0 { 12 } else { 64 };
     let point = |k: i32| {
         let turn = std::f64::consts::TAU * f64::from(k) / f64::from(count);

@@ -1,6 +1,6 @@
 //! The direction field with all that shapes it, and its singular points.
 
-use super::overlay::{Board, Tint};
+use super::overlay::{Board, Tint, lines_of, round};
 use super::overlay_stages::{INK, lines};
 use super::overlay_tones::SHEET;
 use crate::domain::Domain;
@@ -12,6 +12,9 @@ const NO_DIRECTION: Tint = [0.20, 0.42, 0.54, 1.0];
 /// Where rows turn as the way around does, and where they turn against it.
 const WITH: Tint = [0.78, 0.25, 0.12, 1.0];
 const AGAINST: Tint = [0.13, 0.37, 0.58, 1.0];
+const CROSS_OVER: Tint = [1.0, 0.98, 0.94, 0.95];
+const STROKE_OVER: Tint = [0.55, 0.95, 0.65, 1.0];
+const SPOT_OVER: Tint = [1.0, 0.86, 0.50, 0.95];
 const STROKE: Tint = [0.16, 0.46, 0.33, 1.0];
 const SIZE_SPOT: Tint = [0.62, 0.40, 0.08, 0.9];
 const ASPECT_SPOT: Tint = [0.45, 0.25, 0.55, 0.9];
@@ -23,9 +26,35 @@ pub fn direction(board: &mut Board, domain: &Domain, fields: &Fields, side: f64)
     let params = fields.params();
     spots(board, &params.size_spots, SIZE_SPOT, thin);
     spots(board, &params.aspect_spots, ASPECT_SPOT, thin);
-    crosses(board, domain, fields, side, thin);
+    let arms = crosses(board, domain, fields, side, (side / 30.0).max(9.0));
+    board.strokes(&arms, CROSS, thin);
     lines(board, domain, side);
     board.polylines(&params.strokes, STROKE, 2.5 * thin);
+    singularities(board, domain, fields, side);
+}
+
+/// Draws the field over a picture: the crosses, strokes, constraint lines and spots.
+pub fn direction_over(board: &mut Board, domain: &Domain, fields: &Fields, side: f64) {
+    let thin = (side / 400.0).clamp(1.0, 3.0);
+    let params = fields.params();
+    for spots in [&params.size_spots, &params.aspect_spots] {
+        for spot in spots {
+            let rim = [0.54, 1.0].map(|share| round(spot.centre, share * spot.radius));
+            board.cased(&lines_of(&[&rim[0], &rim[1]], 0.0), SPOT_OVER, thin);
+        }
+    }
+    let arms = crosses(board, domain, fields, side, (side / 23.0).max(12.0));
+    board.cased(&arms, CROSS_OVER, thin);
+    let pieces = |lines: &[Vec<DVec2>]| -> Vec<[DVec2; 2]> {
+        let pieces = lines.iter().flat_map(|line| line.windows(2));
+        pieces.map(|w| [w[0], w[1]]).collect()
+    };
+    board.cased(&pieces(domain.lines()), CROSS_OVER, 1.3 * thin);
+    board.cased(&pieces(&params.strokes), STROKE_OVER, 2.0 * thin);
+}
+
+/// Draws the singular points of the direction with their index.
+pub fn singularities(board: &mut Board, domain: &Domain, fields: &Fields, side: f64) {
     let unit = (side / 170.0).clamp(2.0, 6.0);
     let points = fields.singularities(domain);
     let middle = points.iter().map(|s| s.point.x).sum::<f64>() / points.len().max(1) as f64;
@@ -50,8 +79,14 @@ fn spots(board: &mut Board, spots: &[Spot], tint: Tint, width: f64) {
     }
 }
 
-fn crosses(board: &mut Board, domain: &Domain, fields: &Fields, side: f64, width: f64) {
-    let step = (side / 30.0).max(9.0);
+/// The arms of the crosses; where there is no direction a dot is drawn.
+fn crosses(
+    board: &mut Board,
+    domain: &Domain,
+    fields: &Fields,
+    side: f64,
+    step: f64,
+) -> Vec<[DVec2; 2]> {
     let count = (side / step) as usize;
     let margin = (side - step * count as f64) / 2.0;
     let mut arms = Vec::new();
@@ -78,7 +113,7 @@ fn crosses(board: &mut Board, domain: &Domain, fields: &Fields, side: f64, width
             arms.push([p - along, p + along]);
         }
     }
-    board.strokes(&arms, CROSS, width);
+    arms
 }
 
 /// The width of an index and its distance from the point, in units.

@@ -44,11 +44,11 @@ pub fn packed(board: &mut Board, domain: &Domain, particles: &[Particle], tones:
 }
 
 /// Lines of small cells are drawn thinner, so that they do not swallow the cells.
-fn line_width(size: f64) -> f64 {
+pub(super) fn line_width(size: f64) -> f64 {
     (size / 15.0).clamp(0.5, 1.6)
 }
 
-fn mean(values: impl ExactSizeIterator<Item = f64>) -> f64 {
+pub(super) fn mean(values: impl ExactSizeIterator<Item = f64>) -> f64 {
     let count = values.len().max(1);
     values.sum::<f64>() / count as f64
 }
@@ -70,23 +70,32 @@ pub fn cells(board: &mut Board, cells: &[Cell], tones: &Tones) {
     );
 }
 
-/// Draws the mesh. Triangles among cells with corners, which found no partner, stand out.
-pub fn mesh(board: &mut Board, mesh: &Mesh, fields: &Fields) {
-    let ring = |nodes: &[u32]| -> Vec<DVec2> {
+/// The elements of a mesh, and which of them are triangles among cells with corners.
+pub(super) fn elements(mesh: &Mesh, fields: &Fields) -> Vec<(Vec<DVec2>, bool)> {
+    let element = |nodes: &[u32]| {
         let place = |&n: &u32| mesh.vertices.get(n as usize).copied();
-        nodes.iter().filter_map(place).collect()
-    };
-    let rings: Vec<Vec<DVec2>> = mesh.faces.iter().map(|f| ring(f.nodes())).collect();
-    for ring in &rings {
+        let ring: Vec<DVec2> = nodes.iter().filter_map(place).collect();
         let middle = ring.iter().sum::<DVec2>() / ring.len().max(1) as f64;
         let is_lone = ring.len() < 4 && fields.kind(middle).has_corners();
-        let inside = if is_lone { LONE } else { FACE };
-        board.fill(&[ring], inside, 0.0);
+        (ring, is_lone)
+    };
+    mesh.faces.iter().map(|f| element(f.nodes())).collect()
+}
+
+/// The width of the lines of elements.
+pub(super) fn mesh_width(elements: &[(Vec<DVec2>, bool)]) -> f64 {
+    let first = |r: &[DVec2]| r.first().zip(r.get(1)).map_or(0.0, |(a, b)| a.distance(*b));
+    line_width(mean(elements.iter().map(|(ring, _)| first(ring))))
+}
+
+/// Draws the mesh. Triangles among cells with corners, which found no partner, stand out.
+pub fn mesh(board: &mut Board, mesh: &Mesh, fields: &Fields) {
+    let elements = elements(mesh, fields);
+    for (ring, is_lone) in &elements {
+        board.fill(&[ring], if *is_lone { LONE } else { FACE }, 0.0);
     }
-    let first = |r: &Vec<DVec2>| r.first().zip(r.get(1)).map_or(0.0, |(a, b)| a.distance(*b));
-    let width = line_width(mean(rings.iter().map(first)));
-    let rings: Vec<&[DVec2]> = rings.iter().map(Vec::as_slice).collect();
-    board.edges(&rings, INK, width, 0.0);
+    let rings: Vec<&[DVec2]> = elements.iter().map(|(ring, _)| ring.as_slice()).collect();
+    board.edges(&rings, INK, mesh_width(&elements), 0.0);
 }
 
 /// Draws the constraint lines over what stands along them.

@@ -46,15 +46,23 @@ struct Pattern {
 }
 
 /// Makes stones, and keeps the subdivision weights of each number of corners and level.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub struct Quarry {
     /// By corners, then level; stones first, then skin.
     patterns: Vec<Option<Rc<Pattern>>>,
     /// Loop steps of skin more than a picture needs, or fewer.
     finer: i32,
+    /// Pixels for each square picture unit.
+    pixels: f64,
 }
 
 const SLOTS: usize = (MOST_CORNERS + 1) * (MOST_LEVELS as usize + 1);
+
+impl Default for Quarry {
+    fn default() -> Self {
+        Self::new()
+    }
+}
 
 impl Quarry {
     /// A quarry that has made no stone yet.
@@ -67,15 +75,21 @@ impl Quarry {
         Self {
             patterns: vec![None; 2 * SLOTS],
             finer: steps,
+            pixels: 1.0,
+        }
+    }
+
+    /// A quarry for pictures with `fine` pixels for each picture unit, along a side.
+    pub fn for_pixels(fine: usize) -> Self {
+        Self {
+            pixels: (fine * fine) as f64,
+            ..Self::new()
         }
     }
 
     fn pattern(&mut self, skin: bool, corners: usize, levels: u32) -> Rc<Pattern> {
         let slot = corners * (MOST_LEVELS as usize + 1) + levels as usize;
         let slot = slot + if skin { SLOTS } else { 0 };
-        if self.patterns.len() <= slot {
-            *self = Self::finer(self.finer);
-        }
         let made = || {
             Rc::new(if skin {
                 let triangles = prism::triangles(corners);
@@ -112,7 +126,7 @@ impl Quarry {
         let corners = plan.corners.len();
         let points = control::points(plan, params, id);
         let area = plan.size * plan.size * params.scale * params.scale;
-        let wanted = STONE_TRIANGLES * area;
+        let wanted = STONE_TRIANGLES * self.pixels * area;
         let levels = levels(control::triangle_count(corners), wanted).min(STONE_LEVELS);
         let pattern = self.pattern(false, corners, levels);
         let mut vertices = pattern.stencil.apply(&points);
@@ -131,7 +145,7 @@ impl Quarry {
         let corners = plan.corners.len();
         let prism = Prism::over(plan, flow, params, id);
         let coarse = prism::triangle_count(corners);
-        let needed = levels(coarse, SKIN_TRIANGLES * prism.area());
+        let needed = levels(coarse, SKIN_TRIANGLES * self.pixels * prism.area());
         let finer = needed.saturating_add_signed(self.finer).min(MOST_LEVELS);
         let pattern = self.pattern(true, corners, finer);
         let (stencil, radii) = (&pattern.stencil, &pattern.radii);

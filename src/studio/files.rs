@@ -1,7 +1,7 @@
 //! What can be taken out of a finished studio: maps, and the mesh of all cells.
 
 use super::{Studio, translate};
-use crate::export::{Map, MapKind, MeshFile, MeshFormat, maps};
+use crate::export::{self, Map, MapKind, MeshFile, MeshFormat, maps};
 use crate::recipe::Stage;
 use crate::solid::Quarry;
 
@@ -44,6 +44,21 @@ impl Studio {
         let optics = translate::optics(&self.working);
         let shininess = translate::shading(&self.working).shininess;
         Ok(maps::map(kind, planes, &optics, shininess))
+    }
+
+    /// The cells last finished as a standalone SVG file of the picture's size; '' before there are any.
+    pub fn svg(&self) -> String {
+        let made = &self.made;
+        match &made.domain {
+            Some(domain) if !made.cells.is_empty() => export::svg(
+                self.side(),
+                domain,
+                &self.rings(),
+                &made.cells,
+                &self.tones(),
+            ),
+            _ => String::new(),
+        }
     }
 
     /// Works for about `budget` milliseconds by `clock` on the file of all cells' surfaces. Begins

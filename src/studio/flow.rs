@@ -16,7 +16,10 @@ impl Studio {
     /// recipe wins over one still at work.
     pub fn set_recipe(&mut self, recipe: Recipe) {
         self.recipe = recipe;
-        if !self.lets_finish() {
+        if !self.live || self.recipe.side() != self.working.side() {
+            self.draft = None;
+        }
+        if !self.flows() && !self.lets_finish() {
             self.take_up();
         }
     }
@@ -35,13 +38,28 @@ impl Studio {
     /// Runs all stages again, from the same recipe.
     pub fn restart(&mut self) {
         self.working = self.recipe.clone();
+        self.draft = None;
         self.begin(Stage::Domain);
     }
 
     /// Works for about `budget` milliseconds by `clock`, at least one slice, and makes at most
     /// `max_steps` steps of the packing (0 holds the packing still, the other stages go on). True
     /// when what is shown may have changed.
+    ///
+    /// While cells flow ([`Studio::set_live`]) it works on them only, whatever `max_steps` says. The
+    /// packing that takes their place is made at full pace, or shown from its start with 0 steps.
     pub fn tick(&mut self, clock: &mut dyn FnMut() -> f64, budget: f64, max_steps: u32) -> bool {
+        if self.flows() {
+            return self.flow(clock, budget);
+        }
+        if max_steps == 0 {
+            self.draft = None;
+        }
+        let max_steps = if self.draft().is_some() {
+            u32::MAX
+        } else {
+            max_steps
+        };
         let begin = clock();
         let (mut now, mut steps, mut worked) = (begin, 0, false);
         while let Position::At(stage) = self.at {
@@ -59,6 +77,7 @@ impl Studio {
                 break;
             }
         }
+        self.drop_draft();
         worked
     }
 
@@ -69,8 +88,12 @@ impl Studio {
     }
 
     /// Makes exactly one step of the packing, after what must come before it; nothing once the
-    /// packing is over.
+    /// packing is over or while cells flow.
     pub fn step(&mut self, clock: &mut dyn FnMut() -> f64) {
+        if self.flows() {
+            return;
+        }
+        self.draft = None;
         while let Position::At(stage) = self.at {
             if stage > Stage::Packing {
                 return;
@@ -89,6 +112,7 @@ impl Studio {
     /// # Errors
     /// The sentence that says why no pavement can be made.
     pub fn finish(&mut self, clock: &mut dyn FnMut() -> f64) -> Result<(), String> {
+        self.set_live(false);
         while matches!(self.at, Position::At(_)) {
             self.tick(clock, f64::INFINITY, u32::MAX);
         }
@@ -127,7 +151,7 @@ impl Studio {
     }
 
     /// Is the work so near its end that it should finish before the new recipe begins?
-    fn lets_finish(&self) -> bool {
+    pub(super) fn lets_finish(&self) -> bool {
         let Position::At(at) = self.at else {
             return false;
         };
@@ -140,7 +164,7 @@ impl Studio {
     }
 
     /// Makes the latest recipe the one at work.
-    fn take_up(&mut self) {
+    pub(super) fn take_up(&mut self) {
         let stale = self.recipe.stale_from(&self.working);
         self.working = self.recipe.clone();
         let failed = match &self.at {

@@ -4,14 +4,21 @@
 //! the first stale stage for about the time given; what is finished stays until its successor is
 //! finished, too. No result depends on how the work was cut into slices or on the clock.
 
+mod bigger;
+mod draft;
 mod files;
 mod flow;
+mod look;
+mod over;
+mod probe;
 mod products;
 mod translate;
 mod view;
 
+pub use bigger::{MOST_PIXELS, PictureSlice};
 pub use files::MeshSlice;
-pub use view::View;
+pub use look::{Base, Overlay, View};
+pub use probe::{Histogram, Polygon, Probe};
 
 use crate::cells::Cell;
 use crate::domain::{Domain, Outline};
@@ -23,6 +30,7 @@ use crate::packing::{Packing, StepReport};
 use crate::recipe::{Recipe, Stage};
 use crate::solid::{Quarry, StoneParams};
 use crate::texture::Planes;
+use draft::Draft;
 use products::Products;
 use view::Gallery;
 
@@ -45,8 +53,14 @@ pub struct Studio {
     /// Counts changes by stage, for the views.
     changes: [u64; STAGES],
     gallery: Gallery,
+    /// Do the cells flow after each change?
+    live: bool,
+    draft: Option<Draft>,
     /// The mesh file in the making.
     saving: Option<files::Saving>,
+    /// The bigger picture in the making, or its planes.
+    bigger: Option<bigger::Bigger>,
+    boxes: probe::Boxes,
 }
 
 /// Where the work stands.
@@ -84,7 +98,11 @@ impl Studio {
             last_shading: f64::INFINITY,
             changes: [0; STAGES],
             gallery: Gallery::default(),
+            live: false,
+            draft: None,
             saving: None,
+            bigger: None,
+            boxes: probe::Boxes::default(),
         }
     }
 
@@ -108,6 +126,7 @@ impl Studio {
     /// recipe ([`Studio::problem`] says why).
     pub fn stage(&self) -> &'static str {
         match &self.at {
+            _ if self.flows() => Stage::Packing.word(),
             Position::At(stage) => stage.word(),
             Position::Done => "done",
             Position::Failed(..) => "error",
@@ -116,39 +135,43 @@ impl Studio {
 
     /// Is the picture finished?
     pub fn done(&self) -> bool {
-        self.at == Position::Done
+        self.at == Position::Done && !self.flows()
     }
 
     /// Why the work stopped, in a sentence; `None` while all is well.
     pub fn problem(&self) -> Option<&str> {
         match &self.at {
-            Position::Failed(_, sentence) => Some(sentence),
+            Position::Failed(_, sentence) if !self.flows() => Some(sentence),
             _ => None,
         }
     }
 
     /// The outline in use, checked and mended: the outer ring first, then the holes.
     pub fn rings(&self) -> Vec<&[glam::DVec2]> {
-        self.made.rings()
+        self.shown().rings
     }
 
     /// The domain, once it is there.
     pub fn domain(&self) -> Option<&Domain> {
-        self.made.domain.as_ref()
+        self.shown().domain
     }
 
     /// The fields, once they are there.
     pub fn fields(&self) -> Option<&Fields> {
-        self.made.fields.as_ref()
+        self.shown().fields
     }
 
-    /// The packing at work, or the last one.
+    /// The packing at work, or the last one; while live, the one that flows.
     pub fn packing(&self) -> Option<&Packing> {
-        self.made.packing.as_ref()
+        let flowing = self.flowing().map(|draft| &draft.packing);
+        flowing.or(self.made.packing.as_ref())
     }
 
     /// What the packing at work has done so far; nothing before its first cells are placed.
     pub fn progress(&self) -> StepReport {
+        if let Some(draft) = self.flowing() {
+            return draft.packing.report();
+        }
         let begun = self
             .made
             .packing
@@ -198,14 +221,19 @@ impl Studio {
 
     /// Hex digest of the planes, empty until the work is done.
     pub fn digest(&self) -> String {
-        match (&self.at, &self.made.planes) {
-            (Position::Done, Some(planes)) => planes.digest(),
+        match &self.made.planes {
+            Some(planes) if self.done() => planes.digest(),
             _ => String::new(),
         }
     }
 
     /// The packing's potential energy, in units of a cell's; 0 before there is a packing.
     pub fn energy(&mut self) -> f64 {
+        if self.flows()
+            && let Some(draft) = &mut self.draft
+        {
+            return draft.packing.energy(&draft.domain);
+        }
         match (&mut self.made.packing, &self.made.domain) {
             (Some(packing), Some(domain)) => packing.energy(domain),
             _ => 0.0,

@@ -10,7 +10,6 @@ use crate::recipe::{Recipe, Stage};
 use crate::render::Shader;
 use crate::solid::{Quarry, oriented};
 use crate::texture::{Coat, Coats, Painter, Planes};
-use glam::DVec2;
 
 /// Rows of the picture in one slice of the stages that go by rows.
 const ROWS: usize = 16;
@@ -81,13 +80,6 @@ impl Products {
             pass: 0,
             forming: true,
         }
-    }
-
-    pub fn rings(&self) -> Vec<&[DVec2]> {
-        let holes = self.outline.holes.iter().map(Vec::as_slice);
-        std::iter::once(self.outline.outer.as_slice())
-            .chain(holes)
-            .collect()
     }
 
     /// Drops the half-done work of a stage and of those after it. What is finished stays to be
@@ -278,7 +270,7 @@ impl Products {
         let kept = self.shader.take().filter(|s| s.side() == planes.side);
         let shader = self
             .shader
-            .insert(kept.unwrap_or_else(|| Shader::new(&params, planes.side)));
+            .insert(kept.unwrap_or_else(|| Shader::new(&params, planes.side, planes.fine)));
         if std::mem::take(&mut self.lit_anew) {
             shader.restart(&params);
         }

@@ -1,68 +1,29 @@
 //! What can be looked at, as pictures of the recipe's size.
 
+use super::look::{Base, View};
 use super::{Position, Studio, translate};
 use crate::cells::Cell;
+use crate::export::{MapKind, maps};
 use crate::order;
 use crate::recipe::Stage;
 use crate::render::overlay::{Board, Paper};
 use crate::render::overlay_tones::{SHEET, Tones};
-use crate::render::{overlay_field, overlay_planes, overlay_potential, overlay_stages};
+use crate::render::{
+    overlay_field, overlay_planes, overlay_potential, overlay_size, overlay_stages,
+};
 use crate::texture::Planes;
 use glam::DVec2;
-
-/// A way to look at the work.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum View {
-    /// The packing as it forms, then the stones as they come, then the picture.
-    Auto,
-    /// The shaded picture.
-    Picture,
-    /// The packed cells in their shapes.
-    Packed,
-    /// The cells' polygons.
-    Cells,
-    /// The mesh of triangles and quadrilaterals.
-    Mesh,
-    /// The direction field, what shapes it, and its singular points.
-    Direction,
-    /// The potential around one cell of the recipe's kind.
-    Potential,
-    /// The bump plane in grey.
-    Height,
-    /// The bump plane's normals as colours.
-    Normals,
-    /// One colour per stone.
-    Ids,
-}
-
-impl View {
-    /// All views with their words.
-    pub const ALL: [(View, &'static str); 10] = [
-        (View::Auto, "auto"),
-        (View::Picture, "picture"),
-        (View::Packed, "packed"),
-        (View::Cells, "cells"),
-        (View::Mesh, "mesh"),
-        (View::Direction, "direction"),
-        (View::Height, "height"),
-        (View::Normals, "normals"),
-        (View::Ids, "ids"),
-        (View::Potential, "potential"),
-    ];
-
-    /// The view of a word.
-    pub fn of_word(word: &str) -> Option<View> {
-        let found = Self::ALL.iter().find(|(_, w)| *w == word);
-        found.map(|&(view, _)| view)
-    }
-}
 
 /// The frame last drawn, and what the next one can be made from.
 #[derive(Default)]
 pub(super) struct Gallery {
     frame: Option<Board>,
-    drawn: Option<(View, u64)>,
+    drawn: Option<(Base, u64)>,
     preview: Preview,
+    /// The frame with overlays.
+    over: Option<Board>,
+    drawn_over: Option<(View, u64)>,
+    veil: overlay_size::Veil,
 }
 
 /// Stones in a simple light over the cells, while the picture is not there.
@@ -78,20 +39,32 @@ impl Studio {
     /// The picture of a view: opaque RGBA, [`Studio::side`] pixels a side, row after row from the
     /// top. While a stage has nothing to show yet, what was there before, or the bare outline.
     pub fn view(&mut self, view: View) -> &[u8] {
-        let stamp = (view, self.changes.iter().sum());
+        let stamp: u64 = self.changes.iter().sum();
         let mut gallery = std::mem::take(&mut self.gallery);
         let side = self.side();
         gallery.frame = gallery.frame.filter(|board| board.fits(side));
-        if gallery.drawn != Some(stamp) || gallery.frame.is_none() {
-            self.draw(view, &mut gallery);
-            gallery.drawn = Some(stamp);
+        if gallery.drawn != Some((view.base, stamp)) || gallery.frame.is_none() {
+            self.draw(view.base, &mut gallery);
+            gallery.drawn = Some((view.base, stamp));
+            gallery.drawn_over = None;
+        }
+        if view.is_plain() {
+            (gallery.over, gallery.drawn_over) = (None, None);
+        } else if gallery.drawn_over != Some((view, stamp)) {
+            let mut board = gallery.frame.clone();
+            if let Some(board) = &mut board {
+                self.draw_over(view, board, &mut gallery.veil);
+            }
+            gallery.over = board;
+            gallery.drawn_over = Some((view, stamp));
         }
         self.gallery = gallery;
-        self.gallery.frame.as_ref().map_or(&[], Board::rgba)
+        let shown = self.gallery.over.as_ref().or(self.gallery.frame.as_ref());
+        shown.map_or(&[], Board::rgba)
     }
 
     /// Draws a new frame, or leaves the last one where it should stay.
-    fn draw(&self, view: View, gallery: &mut Gallery) {
+    fn draw(&self, base: Base, gallery: &mut Gallery) {
         let made = &self.made;
         let planes = self.planes_to_show();
         let of_planes = |draw: fn(&Planes) -> Vec<u8>| {
@@ -102,37 +75,56 @@ impl Studio {
             }
             board
         };
-        gallery.frame = Some(match view {
-            View::Auto | View::Picture => return self.unfold(view, gallery),
-            View::Packed => self.packed(),
-            View::Cells => {
+        gallery.frame = Some(match base {
+            Base::Auto | Base::Picture => return self.unfold(base, gallery),
+            Base::Paper => self.on_paper(&SHEET, |_| {}),
+            Base::Packed => self.packed(),
+            Base::Cells | Base::Mesh if self.draft().is_some() => self.packed(),
+            Base::Cells => {
                 let tones = self.tones();
                 self.on_paper(&tones.paper, |board| {
                     overlay_stages::cells(board, &made.cells, &tones);
                     self.lines(board);
                 })
             }
-            View::Mesh => self.on_paper(&SHEET, |board| {
+            Base::Mesh => self.on_paper(&SHEET, |board| {
                 if let (Some(mesh), Some(fields)) = (&made.mesh, &made.fields) {
                     overlay_stages::mesh(board, mesh, fields);
                 }
                 self.lines(board);
             }),
-            View::Direction => self.on_paper(&SHEET, |board| {
-                if let (Some(domain), Some(fields)) = (&made.domain, &made.fields) {
+            Base::Direction => self.on_paper(&SHEET, |board| {
+                let shown = self.shown();
+                if let (Some(domain), Some(fields)) = (shown.domain, shown.fields) {
                     overlay_field::direction(board, domain, fields, self.side() as f64);
                 }
             }),
-            View::Potential => {
+            Base::Potential => {
                 let mut board = Board::new(self.side(), SHEET.bed);
                 let (kind, aspect) = translate::kind(&self.working);
                 overlay_potential::potential(&mut board, kind, aspect, self.side() as f64);
                 board
             }
-            View::Height => of_planes(overlay_planes::height),
-            View::Normals => of_planes(overlay_planes::normals),
-            View::Ids => of_planes(overlay_planes::ids),
+            Base::Height => of_planes(overlay_planes::height),
+            Base::Normals => of_planes(overlay_planes::normals),
+            Base::Ids => of_planes(overlay_planes::ids),
+            Base::Albedo => self.map_shown(MapKind::Albedo),
+            Base::Roughness => self.map_shown(MapKind::Roughness),
+            Base::Occlusion => self.map_shown(MapKind::Occlusion),
         });
+    }
+
+    /// A map as it is handed out, of the planes there are.
+    fn map_shown(&self, kind: MapKind) -> Board {
+        let Some(planes) = self.planes_to_show() else {
+            return self.bare();
+        };
+        let mut board = Board::new(self.side(), SHEET.surround);
+        let optics = translate::optics(&self.working);
+        let shininess = translate::shading(&self.working).shininess;
+        let map = maps::map(kind, planes, &optics, shininess);
+        board.show(&map.rgba());
+        board
     }
 
     /// The planes to look at: the finished ones unless they are of another pavement.
@@ -148,12 +140,16 @@ impl Studio {
     }
 
     /// The way from the packing to the picture.
-    fn unfold(&self, view: View, gallery: &mut Gallery) {
+    fn unfold(&self, base: Base, gallery: &mut Gallery) {
         let made = &self.made;
         let side = self.side();
+        if base == Base::Auto && self.draft().is_some() {
+            gallery.frame = Some(self.packed());
+            return;
+        }
         let picture = made.picture.len() == 4 * side * side;
         let settled = !made.forming || matches!(self.at, Position::Failed(..));
-        if picture && (settled || view == View::Picture) {
+        if picture && (settled || base == Base::Picture) {
             let frame = gallery.frame.take();
             let mut board = frame.unwrap_or_else(|| Board::new(side, SHEET.surround));
             board.show(&made.picture);
@@ -171,7 +167,10 @@ impl Studio {
         }
     }
 
-    fn tones(&self) -> Tones {
+    pub(super) fn tones(&self) -> Tones {
+        if let Some(draft) = self.draft() {
+            return draft.tones.clone();
+        }
         let made = &self.made;
         Tones::new(&translate::texture(&self.working)).wearing(&made.cells, &made.coats)
     }
@@ -191,12 +190,12 @@ impl Studio {
             let all = [DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y].map(|p| side * p);
             board.fill(&[&all], paper.bed, 0.0);
         } else {
-            board.outline(&self.rings(), paper);
+            board.outline(&self.shown().rings, paper);
         }
     }
 
     fn lines(&self, board: &mut Board) {
-        if let Some(domain) = &self.made.domain {
+        if let Some(domain) = self.shown().domain {
             overlay_stages::lines(board, domain, self.side() as f64);
         }
     }
@@ -206,7 +205,8 @@ impl Studio {
     }
 
     fn packed(&self) -> Board {
-        let (Some(packing), Some(domain)) = (&self.made.packing, &self.made.domain) else {
+        let shown = self.shown();
+        let (Some(packing), Some(domain)) = (shown.packing, shown.domain) else {
             return self.bare();
         };
         let tones = self.tones();

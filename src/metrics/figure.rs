@@ -1,0 +1,69 @@
+//! The figures of one cell.
+
+use super::cells::{corners, principal_axis, share};
+use super::{angle, ring_edges};
+use crate::cells::Cell;
+use crate::domain::signed_area;
+use crate::field::Kind;
+use glam::DVec2;
+
+/// What can be told of a cell by its polygon.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Figure {
+    /// In picture units squared.
+    pub area: f64,
+    /// The size that a cell of its kind and area has, in picture units.
+    pub size: f64,
+    /// Length over width by the second moments, at least 1.
+    pub aspect: f64,
+    /// Corners that turn by more than 10 degrees.
+    pub sides: usize,
+    /// Along its rows (squares) or its long axis (rectangles and ellipses); none of circles.
+    pub axis: Option<DVec2>,
+}
+
+impl Figure {
+    /// Works them out.
+    pub fn new(cell: &Cell) -> Self {
+        let ring = &cell.ring;
+        let area = signed_area(ring).abs();
+        let moments = principal_axis(ring);
+        let axis = match cell.kind {
+            Kind::Square => square_axis(ring),
+            Kind::Circle => None,
+            Kind::Rectangle | Kind::Ellipse => moments.map(|(_, axis)| axis),
+        };
+        Self {
+            area,
+            size: (area / share(cell.kind)).sqrt(),
+            aspect: moments.map_or(1.0, |(aspect, _)| aspect),
+            sides: corners(ring),
+            axis,
+        }
+    }
+
+    /// The angle between its axis and a direction, degrees, 0..45 of squares, else 0..90; none where
+    /// one of them is missing.
+    pub fn off(&self, kind: Kind, direction: DVec2) -> Option<f64> {
+        let axis = self.axis.filter(|_| direction != DVec2::ZERO)?;
+        Some(angle(axis, direction, period(kind)))
+    }
+}
+
+/// A turn by so many degrees leaves a cell of a kind as it is.
+pub(crate) fn period(kind: Kind) -> f64 {
+    360.0 / f64::from(kind.symmetry())
+}
+
+/// The mean direction of the edges by their length, where quarter turns look alike.
+fn square_axis(ring: &[DVec2]) -> Option<DVec2> {
+    let mut sum = DVec2::ZERO;
+    for [a, b] in ring_edges(ring) {
+        let edge = b - a;
+        let twice = edge.rotate(edge);
+        let length = edge.length().max(f64::MIN_POSITIVE);
+        sum += twice.rotate(twice / length) / (length * length);
+    }
+    let turn = 0.25 * libm::atan2(sum.y, sum.x);
+    (sum != DVec2::ZERO).then(|| DVec2::new(libm::cos(turn), libm::sin(turn)))
+}

@@ -1,0 +1,71 @@
+//! Takes the cells of a packing along to another outline or to other fields: while a point is
+//! dragged, the cells flow after it. Nothing of this ever reaches a finished picture.
+
+use super::placement::on_boundary;
+use super::shape::Shape;
+use super::wall::{CLOSEST, reach};
+use super::{Body, Edge, Packing, PackingParams, Particle, Population, TUNING, greatest_length};
+use crate::domain::{Domain, Facing};
+use crate::field::Fields;
+use crate::order;
+use glam::DVec2;
+
+/// Cells farther outside than this many sizes are dropped, nearer ones moved in.
+const FAR: f64 = 1.0;
+
+impl Packing {
+    /// Goes on with the same cells in another outline, with other fields or parameters: those just
+    /// outside are moved in, those far outside dropped, cells on the boundary placed anew, and all
+    /// take size, direction and aspect ratio from the fields. The next step looks at the population,
+    /// so that new room fills and crowds thin, and as many steps are to come as at the beginning.
+    pub fn carry(&mut self, domain: &Domain, fields: &Fields, mut params: PackingParams) {
+        if params.population == Population::Off {
+            params.population = Population::Slots;
+        }
+        self.params = params;
+        self.facing = Facing::new(domain, reach(greatest_length(domain, fields, &params)));
+        let (mut held, mut free): (Vec<Body>, Vec<Body>) =
+            self.bodies.iter().partition(|body| body.particle.fixed);
+        order::sort(&mut held, |body| (body.particle.id.into(), 0));
+        free.retain_mut(|body| move_in(body, domain, fields));
+        self.bodies = free;
+        if params.edge == Edge::On {
+            // Whoever stood there keeps its name, and its colour.
+            let mut names = held.iter().map(|body| body.particle.id);
+            for centre in on_boundary(domain, fields) {
+                let name = names.next();
+                self.add(fields, centre, true);
+                if let (Some(id), Some(body)) = (name, self.bodies.last_mut()) {
+                    body.particle.id = id;
+                    self.next_id -= 1;
+                }
+            }
+        }
+        self.assign_sizes(fields);
+        self.motion.forget();
+        self.looked = 0;
+        self.report.step = TUNING.population_every;
+        self.report.cells = self.bodies.len();
+        self.report.done = self.bodies.is_empty();
+        self.report.converged = false;
+    }
+}
+
+/// Puts a free cell where it may stand; false where it is too far from there.
+fn move_in(body: &mut Body, domain: &Domain, fields: &Fields) -> bool {
+    let mut centre = domain.wrap(body.particle.centre);
+    let near = domain.nearest(centre);
+    if near.distance < -FAR * body.particle.size {
+        return false;
+    }
+    if near.distance <= 0.0 {
+        let least = CLOSEST * Shape::gauge(fields, centre).extent(near.inward);
+        let depth = domain.medial_depth(near.point, near.inward, least);
+        centre = near.point + near.inward * depth;
+    }
+    body.particle = Particle::new(body.particle.id, centre, false, fields);
+    body.velocity = DVec2::ZERO;
+    body.factor = 1.0;
+    body.stirred = true;
+    domain.contains(centre)
+}

@@ -1,0 +1,210 @@
+//! How a packing fares: its energy, what each cell bears, and how the run went.
+
+use super::force::Pair;
+use super::shape::Shape;
+use super::wall::wall_force;
+use super::{Body, Packing, Particle};
+use crate::domain::Domain;
+use crate::order;
+use glam::DVec2;
+
+/// What a cell bears.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Load {
+    /// The sum of all forces on it, in its size (of a cell held on the boundary, too).
+    pub force: DVec2,
+    /// Its half of the potentials (eq. 4) of the pairs that it is in, in its k0: below 0 where its
+    /// neighbours hold it, above where they press it.
+    pub energy: f64,
+}
+
+/// How a cell stands among its neighbours.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Stand {
+    /// The mean distance of its nearest neighbours over the stable one; 1 where it has none.
+    pub spacing: f64,
+    /// The angle between its neighbours and its axis, degrees: of cells with corners that of the rows
+    /// and columns they stand in, 0..45; of ellipses that of the long axis of their places, 0..90.
+    /// None of circles, and where there is no neighbour or no axis.
+    pub off: Option<f64>,
+}
+
+/// A row of the record of a run.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Sample {
+    /// Steps made.
+    pub step: u32,
+    /// See [`Packing::energy`].
+    pub energy: f64,
+    /// The largest move of a cell in this step, in its size.
+    pub largest_move: f64,
+}
+
+/// Of more cells than this ...
+const MANY: usize = 2000;
+/// ... the energy is worked out every so many steps.
+const STRIDE: u32 = 4;
+
+/// Neighbours in rows and columns, or the six around, are nearer than so many stable distances.
+const NEAR: f64 = 1.25;
+
+impl Packing {
+    /// The potential energy of the cells among each other (eq. 4 summed over pairs), in units of
+    /// the mean cell's k0, by the last row of the record; of cells just placed, theirs.
+    pub fn energy(&mut self, domain: &Domain) -> f64 {
+        match self.samples.last() {
+            Some(last) => last.energy,
+            None => self.sum_energy(domain),
+        }
+    }
+
+    /// How the run went, by rising steps.
+    pub fn samples(&self) -> &[Sample] {
+        &self.samples
+    }
+
+    /// Writes a row of the record where it is time to: it depends on nothing but the run.
+    pub(super) fn sample(&mut self, domain: &Domain) {
+        let report = self.report;
+        if report.cells <= MANY || report.step.is_multiple_of(STRIDE) || report.done {
+            let energy = self.sum_energy(domain);
+            self.samples.push(Sample {
+                step: report.step,
+                energy,
+                largest_move: report.largest_move,
+            });
+        }
+    }
+
+    fn sum_energy(&mut self, domain: &Domain) -> f64 {
+        let mut sum = 0.0;
+        self.each_pair(domain, |a, b, r, _| {
+            sum += Pair::new(&a.particle, &b.particle).potential(r);
+        });
+        let count = self.bodies.len().max(1) as f64;
+        let sizes = self.bodies.iter().map(|b| b.particle.size);
+        let stiffness: f64 = sizes.map(|size| size * size / count).sum();
+        sum / stiffness.max(f64::MIN_POSITIVE)
+    }
+
+    /// Calls `visit` with both bodies of each pair that may touch, the way from the first to the
+    /// second, and where they are in `bodies`.
+    fn each_pair(
+        &mut self,
+        domain: &Domain,
+        mut visit: impl FnMut(&Body, &Body, DVec2, (usize, usize)),
+    ) {
+        self.motion.refresh(&mut self.bodies, domain);
+        for (i, j) in self.motion.pairs(&self.bodies) {
+            let (a, b) = (&self.bodies[i], &self.bodies[j]);
+            let way = domain.shortest(b.particle.centre - a.particle.centre);
+            visit(a, b, way, (i, j));
+        }
+    }
+
+    /// The cells in the order of their ids, with what each bears where it is now.
+    pub fn loads(&mut self, domain: &Domain) -> Vec<(Particle, Load)> {
+        let mut loads = vec![Load::default(); self.bodies.len()];
+        self.each_pair(domain, |a, b, r, (i, j)| {
+            let pair = Pair::new(&a.particle, &b.particle);
+            let (force, energy) = (pair.force(r), 0.5 * pair.potential(r));
+            loads[i].force -= force;
+            loads[j].force += force;
+            loads[i].energy += energy;
+            loads[j].energy += energy;
+        });
+        let mut feet = Vec::new();
+        for (load, body) in loads.iter_mut().zip(&self.bodies) {
+            let size = body.particle.size;
+            load.force += wall_force(body, &self.facing, &mut feet).0;
+            load.force /= size;
+            load.energy /= size * size;
+        }
+        self.by_id(loads)
+    }
+
+    /// The cells in the order of their ids, with how each stands among its neighbours.
+    pub fn stands(&mut self, domain: &Domain) -> Vec<(Particle, Stand)> {
+        let mut around = vec![Around::default(); self.bodies.len()];
+        self.each_pair(domain, |a, b, r, (i, j)| {
+            let far = Shape::of(&a.particle).closeness(&Shape::of(&b.particle), r);
+            if far < NEAR {
+                around[i].add(&a.particle, r, far);
+                around[j].add(&b.particle, -r, far);
+            }
+        });
+        let bodies = self.bodies.iter().zip(around);
+        let stands = bodies.map(|(body, around)| around.stand(&body.particle));
+        let stands = stands.collect();
+        self.by_id(stands)
+    }
+
+    fn by_id<T>(&self, items: Vec<T>) -> Vec<(Particle, T)> {
+        let particles = self.bodies.iter().map(|b| b.particle);
+        let mut all: Vec<(Particle, T)> = particles.zip(items).collect();
+        order::sort(&mut all, |(p, _)| (p.id.into(), 0));
+        all
+    }
+
+    /// The cell whose shape holds this place, and its place among the ids in rising order; where
+    /// several do, the one whose middle is nearest by its own measure.
+    pub fn at(&self, domain: &Domain, p: DVec2) -> Option<(usize, Particle)> {
+        let mut best: Option<(f64, &Particle)> = None;
+        for body in &self.bodies {
+            let particle = &body.particle;
+            let far = particle.middle_distance(domain.shortest(p - particle.centre));
+            if best.map_or(far <= 1.0, |(least, _)| far < least) {
+                best = Some((far, particle));
+            }
+        }
+        let particle = best?.1;
+        let before = self.bodies.iter().filter(|b| b.particle.id < particle.id);
+        Some((before.count(), *particle))
+    }
+}
+
+/// The neighbours of a cell, summed.
+#[derive(Clone, Copy, Debug, Default)]
+struct Around {
+    count: f64,
+    far: f64,
+    /// Of cells with corners the fourth powers of the unit vectors to them, in the frame in which
+    /// the cell is a square; of others the squares of the ways.
+    turn: DVec2,
+}
+
+impl Around {
+    fn add(&mut self, particle: &Particle, r: DVec2, far: f64) {
+        self.count += 1.0;
+        self.far += far;
+        let axis = particle.axis;
+        let local = DVec2::new(axis.dot(r), axis.perp_dot(r));
+        let squared = |v: DVec2| v.rotate(v);
+        self.turn += if particle.kind.has_corners() {
+            let framed = local * DVec2::new(1.0, Shape::of(particle).root.powi(2));
+            squared(squared(framed.normalize_or_zero()))
+        } else {
+            squared(local)
+        };
+    }
+
+    fn stand(&self, particle: &Particle) -> Stand {
+        if self.count == 0.0 {
+            return Stand {
+                spacing: 1.0,
+                off: None,
+            };
+        }
+        let fold = if particle.kind.has_corners() {
+            4.0
+        } else {
+            2.0
+        };
+        let has_axis = particle.kind != crate::field::Kind::Circle && particle.axis != DVec2::ZERO;
+        let turn = libm::atan2(self.turn.y, self.turn.x).to_degrees().abs() / fold;
+        Stand {
+            spacing: self.far / self.count,
+            off: has_axis.then_some(turn),
+        }
+    }
+}

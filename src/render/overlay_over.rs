@@ -1,0 +1,112 @@
+//! Drawings over a picture: shapes and lines in light colours, with dark rims, each in a hue of its
+//! own, so that several can be told apart.
+
+use super::overlay::{Board, Tint, blend, lines_of};
+use super::overlay_stages::{elements, line_width, mean, mesh_width};
+use super::overlay_stress::Stress;
+use crate::cells::Cell;
+use crate::domain::Domain;
+use crate::field::Fields;
+use crate::mesh::Mesh;
+use crate::packing::Particle;
+use glam::DVec2;
+
+const PACKED: Tint = [1.0, 0.97, 0.90, 0.95];
+const FREE: Tint = [1.0, 0.97, 0.90, 1.0];
+const PRESSED: Tint = [0.92, 0.20, 0.08, 1.0];
+const ALONE: Tint = [0.16, 0.50, 0.95, 1.0];
+/// Opacity of the fillings: of cells at ease, and the most.
+const LEAST: f32 = 0.10;
+const MOST: f32 = 0.62;
+/// Steps of the fillings.
+const STEPS: usize = 5;
+
+const CELL: Tint = [1.0, 0.80, 0.25, 1.0];
+const MESH: Tint = [0.45, 0.90, 1.0, 1.0];
+const LONE: Tint = [1.0, 0.45, 0.10, 0.50];
+const STRETCHED: Tint = [0.56, 0.22, 0.85, 1.0];
+const EVEN: Tint = [0.96, 0.90, 1.0, 1.0];
+
+/// Fills rings in steps of a scale, those of one step together.
+pub(super) fn in_steps(
+    board: &mut Board,
+    rings: &[Vec<DVec2>],
+    shares: &[f32],
+    steps: usize,
+    tint: impl Fn(f32) -> Tint,
+) {
+    for step in 0..=steps {
+        let here = |share: f32| (share.clamp(0.0, 1.0) * steps as f32 + 0.5) as usize == step;
+        let some = rings.iter().zip(shares).filter(|&(_, &share)| here(share));
+        let some: Vec<&[DVec2]> = some.map(|(ring, _)| ring.as_slice()).collect();
+        board.fill(&some, tint(step as f32 / steps as f32), 0.0);
+    }
+}
+
+/// Draws packed cells as outlines, red where neighbours stand in them and blue where they are alone.
+pub fn packed(board: &mut Board, particles: &[Particle], stress: &[Stress]) {
+    let rings: Vec<Vec<DVec2>> = particles.iter().map(|p| p.ring(1.0, 16)).collect();
+    let opaque = |tint: Tint, t: f32| {
+        let [r, g, b, _] = blend(FREE, tint, 1.6 * t);
+        [r, g, b, LEAST + (MOST - LEAST) * t]
+    };
+    // From -1, all alone, to 1.
+    let lot = |s: &Stress| s.pressed - if s.pressed > 0.0 { 0.0 } else { s.alone };
+    let lots: Vec<f32> = stress.iter().map(|s| 0.5 + 0.5 * lot(s)).collect();
+    in_steps(board, &rings, &lots, 2 * STEPS, |t| match t < 0.5 {
+        true => opaque(ALONE, 1.0 - 2.0 * t),
+        false => opaque(PRESSED, 2.0 * t - 1.0),
+    });
+    let width = line_width(mean(particles.iter().map(|p| p.size)));
+    outlines(board, &rings, PACKED, width);
+}
+
+fn outlines(board: &mut Board, rings: &[Vec<DVec2>], tint: Tint, width: f64) {
+    let rings: Vec<&[DVec2]> = rings.iter().map(Vec::as_slice).collect();
+    board.cased(&lines_of(&rings, 0.0), tint, width);
+}
+
+/// Draws the cells' polygons as lines.
+pub fn cells(board: &mut Board, cells: &[Cell]) {
+    let rings: Vec<&[DVec2]> = cells.iter().map(|c| c.ring.as_slice()).collect();
+    let width = line_width(mean(cells.iter().map(|c| c.size)));
+    board.cased(&lines_of(&rings, 0.0), CELL, width);
+}
+
+/// Draws the mesh as lines; triangles among cells with corners, which found no partner, are filled.
+pub fn mesh(board: &mut Board, mesh: &Mesh, fields: &Fields) {
+    let elements = elements(mesh, fields);
+    let lone: Vec<&[DVec2]> = elements.iter().filter(|e| e.1).map(|e| &e.0[..]).collect();
+    board.fill(&lone, LONE, 0.0);
+    let rings: Vec<&[DVec2]> = elements.iter().map(|e| &e.0[..]).collect();
+    board.cased(&lines_of(&rings, 0.0), MESH, mesh_width(&elements));
+}
+
+/// Draws the aspect ratio that the field asks for as shapes of one area on a grid, deeper in colour
+/// the longer they are.
+pub fn anisotropy(board: &mut Board, domain: &Domain, fields: &Fields, side: f64) {
+    let step = (side / 20.0).max(14.0);
+    let count = (side / step) as usize;
+    let margin = (side - step * count as f64) / 2.0;
+    let mut shapes = Vec::new();
+    for k in 0..count * count {
+        let square = DVec2::new((k % count) as f64 + 0.5, (k / count) as f64 + 0.5);
+        let p = DVec2::splat(margin) + step * square;
+        if domain.nearest(p).distance > 0.2 * step {
+            shapes.push(Particle::new(0, p, false, fields));
+        }
+    }
+    let longest = shapes.iter().map(|s| s.aspect).fold(1.0, f64::max);
+    let ring = |shape: &Particle| {
+        let size = 0.80 * step / longest.sqrt().max(1.2);
+        Particle { size, ..*shape }.ring(1.0, 24)
+    };
+    let rings: Vec<Vec<DVec2>> = shapes.iter().map(ring).collect();
+    let longer = |s: &Particle| (libm::log2(s.aspect) / libm::log2(5.0)) as f32;
+    let longer: Vec<f32> = shapes.iter().map(longer).collect();
+    in_steps(board, &rings, &longer, 8, |t| {
+        let [r, g, b, _] = blend(EVEN, STRETCHED, t);
+        [r, g, b, 0.16 + 0.55 * t]
+    });
+    outlines(board, &rings, EVEN, (side / 460.0).clamp(0.9, 3.0));
+}
