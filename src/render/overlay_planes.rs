@@ -88,6 +88,7 @@ mod tests {
         let side = 8;
         let n = side * side;
         Planes {
+            fine: 1,
             side,
             bump: (0..n).map(|at| (at % side) as f32).collect(),
             colour: vec![[0; 3]; n],

@@ -124,7 +124,7 @@ impl Studio {
     /// # Errors
     /// A sentence where there is none, or of another pavement.
     pub fn bigger_map(&self, kind: MapKind) -> Result<Map, String> {
-        let stamp = self.changes.iter().sum();
+        let stamp: u64 = self.changes.iter().sum();
         let done = |b: &&Bigger| b.at == At::Done && b.stamp == stamp;
         let bigger = self.bigger.as_ref().filter(done);
         let planes = bigger.and_then(|b| b.planes.as_ref());
