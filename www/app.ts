@@ -18,6 +18,7 @@ import { Store, type State } from './store';
 import { Transport } from './transport';
 import { tellCrash } from './trouble';
 import { View, VIEWS } from './view';
+import { makeViewBox } from './viewbox';
 import { LANGUAGES, language, speak, t } from './words';
 import { presetOf, Work } from './work';
 
@@ -69,6 +70,7 @@ export class App {
     new Files(this.engine);
     this.follow(controls, presets);
     this.bind();
+    makeViewBox(this.work, this.view);
     notice('link', ...this.engine.notices());
     if (last && asked !== '' && last.own && last.recipe !== this.store.state.recipe) this.tellReplaced();
     remember(this.store);
@@ -98,6 +100,10 @@ export class App {
       view: 'auto',
       overlays: [],
       repeat: 1,
+      light: false,
+      layers: false,
+      compare: false,
+      plots: false,
       editing: undefined,
       stage: '',
     };
@@ -171,7 +177,7 @@ export class App {
       { keys: ['ctrl+z'], shown: ['Ctrl+Z'], word: 'key_undo', act: press('undo'), repeats: true },
       { keys: ['ctrl+shift+z', 'ctrl+y'], shown: ['Ctrl+Shift+Z', 'Ctrl+Y'], word: 'key_redo', act: press('redo'), repeats: true },
       { keys: ['c'], word: 'key_copy', act: press('copy') },
-      { keys: VIEWS.map((_, index) => String(index)), shown: ['0', '–', '9'], word: 'key_view', act: (key) => this.store.update({ view: VIEWS[Number(key)]?.word ?? 'auto' }) },
+      { keys: '0123456789'.split(''), shown: ['0', '–', '9'], word: 'key_view', act: (key) => this.store.update({ view: VIEWS[Number(key)] ?? 'auto' }) },
       { keys: ['e'], word: 'key_edit', act: () => this.editing.toggle() },
     );
     listenToKeys();
