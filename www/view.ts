@@ -1,6 +1,5 @@
-/** The canvas: its size, what it shows, and saving it. */
+/** The canvas: its size, and what it shows. */
 import { byIdAs, make } from './dom';
-import { offer } from './download';
 import type { Engine } from './engine';
 import type { Store } from './store';
 import { t } from './words';
@@ -51,13 +50,5 @@ export class View {
     }
     const { view, overlays } = this.store.state;
     this.engine.draw(this.context, [view, ...overlays].join('+'));
-  }
-
-  /** Hands what is shown to the visitor as a PNG file; false where the browser cannot. */
-  async save(name: string): Promise<boolean> {
-    const blob = await new Promise<Blob | null>((resolve) => this.canvas.toBlob(resolve, 'image/png'));
-    if (!blob) return false;
-    offer(blob, `${name}.png`);
-    return true;
   }
 }
