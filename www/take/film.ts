@@ -55,35 +55,35 @@ function every(rgba: Uint8Array, count: number): Uint32Array {
 
 /** A square picture made smaller: each pixel is the mean of the area it covers. */
 export function smaller(rgba: Uint8ClampedArray, from: number, to: number): Uint8Array {
-  const out = new Uint8Array(to * to * 4).fill(255);
-  const scale = from / to;
-  const rows = spans(from, to);
+  const out = new Uint8Array(to * to * 4);
+  const row = new Float32Array(from * 4);
+  const spans = Array.from({ length: to }, (_, place) => covered(place, from / to, from));
   for (let y = 0; y < to; y += 1) {
-    for (let x = 0; x < to; x += 1) {
-      let [red, green, blue] = [0, 0, 0];
-      for (const [v, tall] of rows[y] ?? []) {
-        for (const [u, wide] of rows[x] ?? []) {
-          const at = 4 * (v * from + u);
-          const weight = tall * wide;
-          red += weight * (rgba[at] ?? 0);
-          green += weight * (rgba[at + 1] ?? 0);
-          blue += weight * (rgba[at + 2] ?? 0);
-        }
+    row.fill(0);
+    for (const { at, share } of spans[y] ?? []) {
+      for (let k = 0, source = 4 * at * from; k < row.length; k += 1, source += 1) row[k] = (row[k] ?? 0) + share * (rgba[source] ?? 0);
+    }
+    for (let x = 0, place = 4 * y * to; x < to; x += 1, place += 4) {
+      // Rounded.
+      let [red, green, blue] = [0.5, 0.5, 0.5];
+      for (const { at, share } of spans[x] ?? []) {
+        red += share * (row[4 * at] ?? 0);
+        green += share * (row[4 * at + 1] ?? 0);
+        blue += share * (row[4 * at + 2] ?? 0);
       }
-      const area = scale * scale;
-      out.set([red / area + 0.5, green / area + 0.5, blue / area + 0.5], 4 * (y * to + x));
+      out[place] = red;
+      out[place + 1] = green;
+      out[place + 2] = blue;
+      out[place + 3] = 255;
     }
   }
   return out;
 }
 
-/** The places that each new one covers, and how much of them. */
-function spans(from: number, to: number): [at: number, share: number][][] {
-  const scale = from / to;
-  return Array.from({ length: to }, (_, k) => {
-    const [begin, end] = [k * scale, Math.min(from, (k + 1) * scale)];
-    const places: [number, number][] = [];
-    for (let at = Math.floor(begin); at < end; at += 1) places.push([at, Math.min(at + 1, end) - Math.max(at, begin)]);
-    return places;
-  });
+/** The places that a new one covers, and their shares of it. */
+function covered(place: number, scale: number, from: number): { at: number; share: number }[] {
+  const [begin, end] = [place * scale, Math.min(from, (place + 1) * scale)];
+  const places = [];
+  for (let at = Math.floor(begin); at < end; at += 1) places.push({ at, share: (Math.min(at + 1, end) - Math.max(at, begin)) / scale });
+  return places;
 }

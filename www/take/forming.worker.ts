@@ -20,7 +20,7 @@ const SHOWN = { first: 500, step: 70, stones: 80, last: 2500 };
 /** Making frames is this part of the work. */
 const MAKING = 0.7;
 
-const say = (said: Said): void => postMessage(said);
+const say = (said: Said): void => postMessage(said, 'file' in said ? { transfer: [said.file.buffer] } : {});
 
 addEventListener('message', ({ data }: MessageEvent<string>) => {
   film(data).then(
@@ -54,12 +54,12 @@ async function film(link: string): Promise<Uint8Array<ArrayBuffer>> {
         stride *= 2;
         packing.splice(0, packing.length, ...packing.filter((_, index) => index % 2 === 0));
       }
-    } else if (stage === 'planes' && status.stones >= placed && status.stones) {
+    } else if (stage === 'solids' && status.stones >= placed && status.stones) {
       later.push(frame(SHOWN.stones));
       placed += status.cells / STONES;
     }
     say({ progress: MAKING * progressOf(stage, status) });
-    // As little at once as there is: in packing one step, then one stone.
+    // As little at once as there is: one step of the packing, one stone.
     studio.tick(0, 1);
   }
   const frames = [...packing, ...later, frame(SHOWN.last)];

@@ -24,7 +24,7 @@ export function share(engine: Engine, store: Store, canvas: HTMLCanvasElement): 
     'share-dialog',
     t('share'),
     section(make('label', { for: 'share-link' }, t('link')), row, make('p', { class: 'take-note', id: 'share-holds' }, holds(engine, link, state)), told),
-    section(make('h3', {}, t('qr')), link.length > MOST ? make('p', { class: 'take-note', id: 'qr-long' }, t('qr_long', { n: shown(link.length), most: shown(MOST) })) : codeOf(link)),
+    section(link.length > MOST ? make('p', { class: 'take-note', id: 'qr-long' }, t('qr_long', { n: shown(link.length), most: shown(MOST) })) : codeOf(link)),
     embedding(engine.link(), t('title', { name }), told),
   );
   box.addEventListener('focus', () => box.select());
@@ -36,8 +36,8 @@ function section(...parts: HTMLElement[]): HTMLElement {
 }
 
 function codeOf(link: string): HTMLElement {
-  const place = make('div', { class: 'take-qr' });
-  place.append(qrCode(link, t('qr_label')));
+  const place = make('div', { class: 'take-qr' }, make('div', {}, make('h3', {}, t('qr')), make('p', { class: 'take-note' }, t('qr_note'))));
+  place.prepend(qrCode(link, t('qr_label')));
   return place;
 }
 
