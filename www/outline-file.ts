@@ -1,4 +1,7 @@
-/** Outlines from JSON files: `{"size": [w, h], "outer": [[x, y], ...], "holes": [[[x, y], ...], ...]}`. */
+/**
+ * Outlines from JSON files: `{"size": [w, h], "outer": [[x, y], ...], "holes": [[[x, y], ...], ...]}`, or with a list of
+ * "rings" in any order instead: what is a hole and what an island they tell themselves.
+ */
 import type { Point, Ring } from './types';
 
 /** Bytes; an outline of a thousand points has some twenty thousand. */
@@ -18,11 +21,16 @@ export function parseOutline(text: string, name: string, side: number): Ring[] {
   } catch {
     throw wrong('is not a JSON file');
   }
-  if (typeof content !== 'object' || content === null || !('outer' in content)) {
-    throw wrong('has no ring “outer”, a list of points [x, y]');
+  if (typeof content !== 'object' || content === null) throw wrong('has no ring “outer”, a list of points [x, y]');
+  const list = (value: unknown, which: string): unknown[] => {
+    if (!Array.isArray(value)) throw wrong(`has “${which}” that are not a list of rings`);
+    return value;
+  };
+  const holes = 'holes' in content ? list(content.holes, 'holes') : [];
+  const others = 'rings' in content ? list(content.rings, 'rings') : [];
+  if (!('outer' in content) && others.length === 0) {
+    throw wrong('has no ring “outer”, a list of points [x, y], and no list of “rings”');
   }
-  const holes = 'holes' in content ? content.holes : [];
-  if (!Array.isArray(holes)) throw wrong('has “holes” that are not a list of rings');
   const scale = side / extent('size' in content ? content.size : undefined, side);
   const ring = (points: unknown, which: string): Ring => {
     if (!Array.isArray(points)) throw wrong(`has ${which} that is not a list of points`);
@@ -31,7 +39,11 @@ export function parseOutline(text: string, name: string, side: number): Ring[] {
       return [point[0] * scale, point[1] * scale];
     });
   };
-  return [ring(content.outer, 'an outer ring'), ...holes.map((hole, index) => ring(hole, `a hole ${index + 1}`))];
+  return [
+    ...('outer' in content ? [ring(content.outer, 'an outer ring')] : []),
+    ...holes.map((hole, index) => ring(hole, `a hole ${index + 1}`)),
+    ...others.map((points, index) => ring(points, `a ring ${index + 1}`)),
+  ];
 }
 
 function isPoint(point: unknown): point is Point {

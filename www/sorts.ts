@@ -39,7 +39,7 @@ export class Sorts {
         figure: 'ring',
         form: 'ring',
         least: 3,
-        name: (f, index, { points }) => `Point ${index + 1} of ${points.length}, ${f === 0 ? 'outer ring' : `hole ${f}`}`,
+        name: (f, index, { points }) => `Point ${index + 1} of ${points.length}, ${f === 0 ? 'outer ring' : `ring ${f + 1}`}`,
       },
       line('lines', 'Constraint lines', 'line'),
       {

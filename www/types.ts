@@ -130,7 +130,7 @@ export interface PictureSlice {
   rows: Uint8Array;
 }
 
-/** Rings of an outline in picture units, y down, the outer ring first; not closed. */
+/** Rings of an outline in picture units, y down, an outer ring first, then islands and holes; not closed. */
 export type Point = [number, number];
 export type Ring = Point[];
 

@@ -6,6 +6,7 @@
 
 use super::arrangement::NAMELESS;
 use super::dual::Dual;
+use super::making::{Made, Making};
 use super::straighten::Straightening;
 use super::{Cell, torus};
 use crate::domain::Domain;
@@ -38,6 +39,7 @@ pub struct Fitting {
 /// What the next slice of the work begins with.
 enum Next {
     Islands(Vec<Particle>),
+    Making(usize, Making),
     Band(usize, Dual),
     Corners,
     Rounds(Straightening),
@@ -81,13 +83,7 @@ impl Fitting {
             };
         };
         let island = &domain.islands()[number];
-        if !self.plain
-            && let Some(cells) = Dual::beside_lines(island, &particles)
-        {
-            self.cells = cells;
-            return Next::Corners;
-        }
-        Next::Band(number, Dual::new(island, particles, self.plain))
+        Next::Making(number, Making::new(island, particles, self.plain))
     }
 
     /// The cells of all islands in the order of their ids; those that no particle stands for were
@@ -114,6 +110,14 @@ impl Fitting {
                 self.left.retain(|(_, particles)| !particles.is_empty());
                 self.next_island(domain)
             }
+            Next::Making(number, mut making) => match making.advance(&domain.islands()[number]) {
+                Some(Made::Cells(cells)) => {
+                    self.cells = cells;
+                    Next::Corners
+                }
+                Some(Made::Dual(dual)) => Next::Band(number, dual),
+                None => Next::Making(number, making),
+            },
             Next::Band(number, dual) => {
                 self.cells.extend(dual.cells(&domain.islands()[number]));
                 self.next_island(domain)

@@ -57,11 +57,7 @@ impl Scatter {
                 }
             }
         }
-        for (number, island) in domain.islands().iter().enumerate() {
-            if points.iter().all(|&p| domain.island(p) != number) {
-                points.extend(island.deepest());
-            }
-        }
+        points.extend(domain.empty_middles(&points));
         // Row by row, there and back: each point is found from the one before it.
         let rows = (params.count as f64).sqrt() / POINTS_ACROSS;
         order::sort(&mut points, |p| {

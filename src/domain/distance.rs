@@ -189,6 +189,17 @@ impl Domain {
         islands.map_or(0, |i| i.of[self.nearest(p).segment] as usize)
     }
 
+    /// The middle of each island that holds none of these places.
+    pub(crate) fn empty_middles(&self, places: &[DVec2]) -> Vec<DVec2> {
+        let mut empty = vec![true; self.islands().len()];
+        for &p in places {
+            empty[self.island(p)] = false;
+        }
+        let islands = self.islands().iter().zip(empty);
+        let empty = islands.filter_map(|(island, empty)| empty.then_some(island));
+        empty.filter_map(Self::deepest).collect()
+    }
+
     /// The island of a segment of the outline.
     pub(super) fn island_of(&self, segment: usize) -> u32 {
         self.islands.as_ref().map_or(0, |i| i.of[segment])

@@ -2,7 +2,7 @@
 //!
 //! Time is in units of sqrt(m d^2 / k0), so that one set of constants serves all sizes.
 
-use super::force::{Pair, SQUARE_REACH};
+use super::force::{Pair, SQUARE_REACH, force_between};
 use super::grid::{Grid, images};
 use super::shape::Shape;
 use super::wall::{keep_inside, stays_clear, wall_force};
@@ -228,7 +228,7 @@ impl Motion {
                 let force = if a.is_square && b.is_square {
                     Pair::squares((a.axis, b.axis), (a.size, b.size)).force(r)
                 } else {
-                    Pair::new(&body.particle, &bodies[j].particle).force(r)
+                    force_between(&body.particle, &bodies[j].particle, r)
                 };
                 self.forces[j] += force;
                 total -= force;

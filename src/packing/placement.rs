@@ -92,15 +92,8 @@ impl<'a> Crowd<'a> {
 
     /// Puts a cell into the middle of each island that has none.
     pub fn settle_all(&mut self) {
-        let islands = self.domain.islands();
-        let mut settled = vec![false; islands.len()];
-        for &cell in &self.cells {
-            settled[self.domain.island(cell)] = true;
-        }
-        for (island, settled) in islands.iter().zip(settled) {
-            if let (false, Some(p)) = (settled, island.deepest()) {
-                self.push(p);
-            }
+        for p in self.domain.empty_middles(&self.cells) {
+            self.push(p);
         }
     }
 

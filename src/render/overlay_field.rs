@@ -54,6 +54,7 @@ pub fn direction_over(board: &mut Board, domain: &Domain, fields: &Fields, side:
 }
 
 /// Draws the singular points of the direction with their index.
+#[inline(never)]
 pub fn singularities(board: &mut Board, domain: &Domain, fields: &Fields, side: f64) {
     let unit = (side / 170.0).clamp(2.0, 6.0);
     let points = fields.singularities(domain);

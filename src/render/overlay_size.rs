@@ -84,12 +84,8 @@ fn pixels(side: usize, domain: &Domain, fields: &Fields) -> Vec<[u8; 4]> {
     }
     let middle = 0.5 * (low + high);
     let reach = LEAST.max(0.5 * (high - low));
-    let level = |x: usize, y: usize| {
-        let at = (y / STEP) * count + x / STEP;
-        let [s, t] = [x, y].map(|v| (v % STEP) as f32 / STEP as f32);
-        let row = |at: usize| nodes[at] + s * (nodes[at + 1] - nodes[at]);
-        (row(at) + t * (row(at + count) - row(at)) - middle) / reach
-    };
+    nodes.iter_mut().for_each(|v| *v = (*v - middle) / reach);
+    let level = |x: usize, y: usize| between(&nodes, count, x, y);
     let mut pixels = Vec::with_capacity(side * side);
     for k in 0..side * side {
         let (x, y) = (k % side, k / side);
@@ -119,4 +115,13 @@ fn pixels(side: usize, domain: &Domain, fields: &Fields) -> Vec<[u8; 4]> {
         ]);
     }
     pixels
+}
+
+/// What is between the nodes, `count` in a row.
+#[inline(never)]
+fn between(nodes: &[f32], count: usize, x: usize, y: usize) -> f32 {
+    let at = (y / STEP) * count + x / STEP;
+    let [s, t] = [x, y].map(|v| (v % STEP) as f32 / STEP as f32);
+    let row = |at: usize| nodes[at] + s * (nodes[at + 1] - nodes[at]);
+    row(at) + t * (row(at + count) - row(at))
 }
