@@ -8,12 +8,15 @@ import { alertOf } from './messages';
 import { readOutline } from './outline-file';
 
 export class OutlineTools {
+  private readonly work: Work;
   private readonly engine: Engine;
   private readonly editing: Editing;
   private readonly edit = make('button', { type: 'button', class: 'wide', id: 'edit-outline', 'aria-keyshortcuts': 'E' });
   private readonly file = make('input', { type: 'file', accept: '.json,application/json', 'aria-label': 'Outline file' });
 
-  constructor({ engine, store }: Work, controls: Controls, editing: Editing) {
+  constructor(work: Work, controls: Controls, editing: Editing) {
+    const { engine, store } = work;
+    this.work = work;
     this.engine = engine;
     this.editing = editing;
     this.edit.addEventListener('click', () => {
@@ -36,6 +39,7 @@ export class OutlineTools {
 
   private async read(file: File): Promise<void> {
     try {
+      if (await (await import('./take/save')).openRecipe(this.work, file)) return;
       const rings = await readOutline(file, this.engine.side());
       if (this.editing.takeRings(rings)) this.editing.begin('outline');
     } catch (error) {

@@ -33,6 +33,8 @@ export interface State {
   readonly layers: boolean;
   readonly compare: boolean;
   readonly plots: boolean;
+  /** What chance and presets leave alone: groups of parameters, and the seed. */
+  readonly locks: readonly string[];
   /** The sort of figures whose points are shown; undefined while nothing is edited. */
   readonly editing: string | undefined;
   /** The stage at work, then 'done' or 'error'. */

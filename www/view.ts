@@ -1,6 +1,5 @@
-/** The canvas: its size, what it shows, and saving it. */
+/** The canvas: its size, and what it shows. */
 import { byIdAs, make } from './dom';
-import { offer } from './download';
 import type { Engine } from './engine';
 import type { Store } from './store';
 import { t } from './words';
@@ -55,13 +54,5 @@ export class View {
   /** `follow` is called whenever the canvas was drawn anew. */
   drawn(follow: () => void): void {
     this.followers.push(follow);
-  }
-
-  /** Hands what is shown to the visitor as a PNG file; false where the browser cannot. */
-  async save(name: string): Promise<boolean> {
-    const blob = await new Promise<Blob | null>((resolve) => this.canvas.toBlob(resolve, 'image/png'));
-    if (!blob) return false;
-    offer(blob, `${name}.png`);
-    return true;
   }
 }

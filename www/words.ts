@@ -23,12 +23,21 @@ export function language(): string {
 
 /** The words of a key, with `{name}` replaced by values. */
 export function t(key: Word, values: Record<string, string | number> = {}): string {
-  return (words[key] ?? '').replace(/\{(\w+)\}/g, (whole, name: string) => String(values[name] ?? whole));
+  return filled(words[key] ?? '', values);
 }
 
 /** More words in English, of parts that come later; where another language is in use they are known. */
 export function learn(more: Partial<Record<Word, string>>): void {
   words = { ...more, ...words };
+}
+
+/** The same for words that come later, in all languages, with what says them. */
+export function wordsOf<Key extends string>(by: { en: Record<Key, string>; ja: Record<Key, string> }) {
+  return (key: Key, values: Record<string, string | number> = {}): string => filled(by[language() === 'ja' ? 'ja' : 'en'][key], values);
+}
+
+function filled(text: string, values: Record<string, string | number>): string {
+  return text.replace(/\{(\w+)\}/g, (whole, name: string) => String(values[name] ?? whole));
 }
 
 /** Takes the language that was chosen here before, or the first one of the browser's that the page has. */
