@@ -375,3 +375,28 @@ test('another recipe is compared under a divider, made beside the shown one', as
   assert.deepEqual(problems, []);
   await close();
 });
+
+test('on a phone everything for looking closer can be touched, and nothing is wider than the screen', async () => {
+  const { page, close } = await finished(SQUARE, { viewport: phone });
+  const place = await box(page, '#canvas');
+  for (const id of ['light', 'layers', 'plots', 'compare']) await page.$eval(`#${id}-button`, (button) => button.click());
+  for (const selector of ['#light-sun', '#layers', '#plots canvas', '#divider']) await page.waitForSelector(selector, { visible: true });
+  const { width, height } = await box(page, '#canvas');
+  assert.deepEqual([width, height], [place.width, place.height]);
+  const { small, wide } = await page.evaluate(() => {
+    const inside = '.frame, #layers, #plots';
+    const seen = [...document.querySelectorAll(inside)].flatMap((part) => [...part.querySelectorAll('*')]).filter((element) => element.checkVisibility());
+    const targets = seen.filter((element) => element.matches('button, input, select, [role=slider]'));
+    const label = (element) => (element.matches('[type=radio], [type=checkbox]') ? element.closest('label') : element);
+    const name = (element) => element.outerHTML.slice(0, 90);
+    const touched = (element) => element.getBoundingClientRect();
+    return {
+      small: targets.map(label).filter((element) => touched(element).width < 43.5 || touched(element).height < 43.5).map(name),
+      wide: seen.filter((element) => !element.closest('svg, .toolbox') && touched(element).right > innerWidth + 0.5).map(name),
+    };
+  });
+  assert.deepEqual(small, []);
+  assert.deepEqual(wide, []);
+  assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 390);
+  await close();
+});
