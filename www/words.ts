@@ -22,7 +22,12 @@ export function language(): string {
 
 /** The words of a key, with `{name}` replaced by values. */
 export function t(key: Word, values: Record<string, string | number> = {}): string {
-  return words[key].replace(/\{(\w+)\}/g, (whole, name: string) => String(values[name] ?? whole));
+  return filled(words[key], values);
+}
+
+/** A text with `{name}` replaced by values. */
+export function filled(text: string, values: Record<string, string | number>): string {
+  return text.replace(/\{(\w+)\}/g, (whole, name: string) => String(values[name] ?? whole));
 }
 
 /** Takes the language that was chosen here before, or the first one of the browser's that the page has. */
