@@ -1,13 +1,15 @@
 //! Renders one link to files.
 //!
 //!     cargo run --release --example render -- '<link or fragment>' [--outline FILE.json] --out DIR
-//!         [--views] [--maps] [--mesh] [--svg]
+//!         [--views] [--maps] [--mesh] [--svg] [--scale N]
 //!
 //! writes picture.png, height.png (16 bit grey), albedo.png, id.png, cells.json, mesh.json and
 //! report.json into DIR; with --views also each view of the page and mixtures of them as
 //! view-NAME.png, with --maps also normal-opengl.png, normal-directx.png, roughness.png and ao.png, with
 //! --mesh the surface of all cells as surface.obj and surface.glb, with --svg their outlines as
-//! cells.svg. Ends with code 2 and one sentence where something is wrong with what it was given.
+//! cells.svg, with --scale the picture at 1 to 4 times its side as picture-Nx.png and, with --maps, its
+//! maps as NAME-Nx.png. Ends with code 2 and one sentence where something is wrong with what it was
+//! given.
 //!
 //! An outline file that tells its `size` is drawn in a picture of that size, or scaled to that of the
 //! link where the link names one, as on the page.
@@ -59,6 +61,9 @@ fn run() -> Result<(), String> {
     if wish.mesh {
         native::write_meshes(&mut studio, out)?;
     }
+    if let Some(scale) = wish.scale {
+        native::write_bigger(&mut studio, scale, wish.maps, out)?;
+    }
     if wish.svg {
         native::write_svg(&studio, out)?;
     }
@@ -75,6 +80,7 @@ struct Wish {
     views: bool,
     maps: bool,
     mesh: bool,
+    scale: Option<usize>,
     svg: bool,
 }
 
@@ -82,7 +88,7 @@ struct Wish {
 impl Wish {
     fn read(mut words: impl Iterator<Item = String>) -> Result<Self, String> {
         const USAGE: &str = "Usage: render '<link or fragment>' [--outline FILE.json] --out DIR \
-            [--views] [--maps] [--mesh] [--svg].";
+            [--views] [--maps] [--mesh] [--svg] [--scale N].";
         let mut wish = Wish::default();
         let mut link = None;
         while let Some(word) = words.next() {
@@ -96,6 +102,11 @@ impl Wish {
                 "--views" => wish.views = true,
                 "--maps" => wish.maps = true,
                 "--mesh" => wish.mesh = true,
+                "--scale" => {
+                    let scale = value("--scale")?.parse();
+                    let said = |_| format!("--scale needs a whole number, 1 to 4. {USAGE}");
+                    wish.scale = Some(scale.map_err(said)?);
+                }
                 "--svg" => wish.svg = true,
                 _ if word.starts_with("--") => {
                     return Err(format!("There is no option {word}. {USAGE}"));

@@ -4,7 +4,7 @@
 //! sentences come back instead.
 
 use crate::domain::Outline;
-use crate::export::{MapKind, MeshFormat};
+use crate::export::{Map, MapKind, MeshFormat};
 use crate::packing::Sample;
 use crate::recipe::{Key, Kind, PRESETS, Parameter, Part, Preset, Recipe, SCHEMA, Timing};
 use crate::studio::{Histogram, Probe, Studio, View};
@@ -206,17 +206,7 @@ impl Bubblestone {
     /// 'normal-directx', 'albedo', 'roughness', 'ao', 'id'), values of 16 bits with the high byte
     /// first; or the sentence that says why there is none.
     pub fn map(&self, word: &str) -> JsValue {
-        let kind = MapKind::of_word(word).ok_or(NO_SUCH_FILE.to_owned());
-        match kind.and_then(|kind| self.studio.map(kind)) {
-            Ok(map) => object(&[
-                ("side", (map.side as u32).into()),
-                ("channels", map.channels.into()),
-                ("bits", map.bits.into()),
-                ("bytes", Uint8Array::from(&map.bytes[..]).into()),
-            ])
-            .into(),
-            Err(sentence) => sentence.into(),
-        }
+        map_object(word, |kind| self.studio.map(kind))
     }
 
     /// Works for about `budget` milliseconds on the file of all cells' surfaces ('glb' or 'obj'):
@@ -242,6 +232,40 @@ impl Bubblestone {
         }
     }
 
+    /// Works for about `budget` milliseconds on the finished picture at `scale` (1 to 4) times its side:
+    /// `{ begun, done, progress, side, rows }`, where `rows` are red, green, blue of the next whole rows,
+    /// mostly none yet; or the sentence that says why there is none. `stopFile` frees what it holds.
+    #[wasm_bindgen(js_name = pictureFile)]
+    pub fn picture_file(&mut self, scale: u32, budget: f64) -> JsValue {
+        let clock = &self.clock;
+        let made = self
+            .studio
+            .picture_file(scale as usize, &mut || clock.now(), budget);
+        match made {
+            Ok(slice) => object(&[
+                ("begun", slice.begun.into()),
+                ("done", slice.done.into()),
+                ("progress", slice.progress.into()),
+                ("side", (slice.side as u32).into()),
+                ("rows", Uint8Array::from(&slice.rows[..]).into()),
+            ])
+            .into(),
+            Err(sentence) => sentence.into(),
+        }
+    }
+
+    /// As `map`, of the picture that `pictureFile` finished last.
+    #[wasm_bindgen(js_name = biggerMap)]
+    pub fn bigger_map(&self, word: &str) -> JsValue {
+        map_object(word, |kind| self.studio.bigger_map(kind))
+    }
+
+    /// Stops `meshFile` or `pictureFile` and frees what they hold.
+    #[wasm_bindgen(js_name = stopFile)]
+    pub fn stop_file(&mut self) {
+        self.studio.stop_file();
+    }
+
     /// The fields of the native program's report.json, as text.
     pub fn report(&mut self) -> String {
         let mut report = self.studio.report();
@@ -261,7 +285,7 @@ impl Bubblestone {
         self.studio.digest()
     }
 
-    /// Makes a free polygon of rings (x, y, x, y, ...; the first is the outer one) the outline:
+    /// Makes a free polygon of rings (x, y, x, y, ...; in any order) the outline:
     /// '' or the sentence that says what is wrong with it; then the last good outline stays.
     #[wasm_bindgen(js_name = setOutline)]
     pub fn set_outline(&mut self, points: &[f64], ring_lengths: &[u32]) -> String {
@@ -332,6 +356,20 @@ fn probe_object(probe: &Probe) -> Object {
 /// Said of words that name no file.
 const NO_SUCH_FILE: &str = "There is no file of that name.";
 
+fn map_object(word: &str, made: impl Fn(MapKind) -> Result<Map, String>) -> JsValue {
+    let kind = MapKind::of_word(word).ok_or(NO_SUCH_FILE.to_owned());
+    match kind.and_then(made) {
+        Ok(map) => object(&[
+            ("side", (map.side as u32).into()),
+            ("channels", map.channels.into()),
+            ("bits", map.bits.into()),
+            ("bytes", Uint8Array::from(&map.bytes[..]).into()),
+        ])
+        .into(),
+        Err(sentence) => sentence.into(),
+    }
+}
+
 /// Cuts a list of coordinates into rings.
 fn rings_of(points: &[f64], lengths: &[u32]) -> Result<Outline, String> {
     let total: u64 = lengths.iter().map(|&n| u64::from(n)).sum();
@@ -349,10 +387,8 @@ fn rings_of(points: &[f64], lengths: &[u32]) -> Result<Outline, String> {
         rings.push(rest);
         rest = after;
     }
-    let outer = rings.remove(0);
     Ok(Outline {
-        outer,
-        holes: rings,
+        rings,
         ..Outline::default()
     })
 }

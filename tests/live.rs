@@ -45,17 +45,19 @@ fn dragged(recipe: &Recipe, t: f64) -> Recipe {
     let mut recipe = recipe.clone();
     let ring = |points: &[(f64, f64)]| points.iter().map(|&p| 128.0 * DVec2::from(p)).collect();
     let outline = Outline {
-        outer: ring(&[
-            (0.1, 0.1),
-            (0.9 - 0.4 * t, 0.1 + 0.3 * t),
-            (0.9, 0.9),
-            (0.1, 0.9),
-        ]),
-        holes: vec![ring(&[
-            (0.3 + 0.1 * t, 0.6),
-            (0.5 + 0.1 * t, 0.6),
-            (0.4 + 0.1 * t, 0.75),
-        ])],
+        rings: vec![
+            ring(&[
+                (0.1, 0.1),
+                (0.9 - 0.4 * t, 0.1 + 0.3 * t),
+                (0.9, 0.9),
+                (0.1, 0.9),
+            ]),
+            ring(&[
+                (0.3 + 0.1 * t, 0.6),
+                (0.5 + 0.1 * t, 0.6),
+                (0.4 + 0.1 * t, 0.75),
+            ]),
+        ],
         ..Outline::default()
     };
     assert!(recipe.set_polygon(&outline).is_ok());
@@ -199,14 +201,14 @@ fn cells_that_lie_elsewhere_start_anew() {
     let mut studio = finished(&first);
     let mut away = first.clone();
     let corner = |x: f64, y: f64| DVec2::new(x, y);
-    let outer = vec![
+    let ring = vec![
         corner(2., 2.),
         corner(30., 2.),
         corner(30., 12.),
         corner(2., 12.),
     ];
     let rings = Outline {
-        outer,
+        rings: vec![ring],
         ..Outline::default()
     };
     assert!(away.set_polygon(&rings).is_ok());

@@ -9,7 +9,7 @@ use std::f64::consts::TAU;
 
 fn shaded(planes: &Planes, params: &ShadeParams, rows: usize) -> Vec<u8> {
     let table = optics_table("granite", "sand", Gloss::Own);
-    let mut shader = Shader::new(params, planes.side);
+    let mut shader = Shader::new(params, planes.side, 1);
     let mut calls = 0;
     while !shader.advance(planes, &table, rows) {
         calls += 1;
@@ -99,7 +99,7 @@ fn a_restarted_shader_forgets_the_light_before() {
         azimuth: 1.0,
         elevation: 0.2,
     };
-    let mut shader = Shader::new(&lit_by(low), SIDE);
+    let mut shader = Shader::new(&lit_by(low), SIDE, 1);
     while !shader.advance(&planes, &table, 50) {}
     shader.restart(&ShadeParams::default());
     while !shader.advance(&planes, &table, 50) {}

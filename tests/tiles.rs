@@ -120,7 +120,7 @@ fn shaded(planes: &Planes, light: Light) -> Vec<u8> {
         light,
         ..ShadeParams::default()
     };
-    let mut shader = Shader::new(&params, planes.side);
+    let mut shader = Shader::new(&params, planes.side, 1);
     while !shader.advance(planes, &table, 16) {}
     shader.rgba().to_vec()
 }

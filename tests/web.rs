@@ -194,3 +194,41 @@ fn reports_and_dice() {
     let throws: Vec<u32> = (0..4).map(|_| random_seed()).collect();
     assert!(throws.iter().any(|&t| t != throws[0]));
 }
+
+#[wasm_bindgen_test]
+fn a_bigger_picture_comes_in_rows() {
+    let mut page = Bubblestone::new(LINK);
+    assert!(
+        page.picture_file(2, 1e9)
+            .as_string()
+            .unwrap()
+            .ends_with('.')
+    );
+    run(&mut page);
+    assert!(
+        page.picture_file(9, 1e9)
+            .as_string()
+            .unwrap()
+            .ends_with('.')
+    );
+    let (mut bytes, mut slices) = (0, 0);
+    loop {
+        let slice = page.picture_file(2, 4.0);
+        assert_eq!(property(&slice, "begun"), JsValue::from(slices == 0));
+        assert_eq!(number(&slice, "side"), 320.0);
+        bytes += number(&property(&slice, "rows"), "length") as usize;
+        slices += 1;
+        if property(&slice, "done") == JsValue::TRUE {
+            break;
+        }
+    }
+    assert_eq!(bytes, 3 * 320 * 320);
+    assert_eq!(number(&page.bigger_map("height"), "side"), 320.0);
+    page.stop_file();
+    assert!(
+        page.bigger_map("height")
+            .as_string()
+            .unwrap()
+            .ends_with('.')
+    );
+}

@@ -3,7 +3,7 @@
  * calls answer with harmless values instead of failing again.
  */
 import init, { Bubblestone, presets, random_seed, schema } from '../pkg/bubblestone.js';
-import type { Histograms, MeshSlice, Parameter, PixelMap, Point, Preset, Probe, Ring, Series, Status } from './types';
+import type { Histograms, MeshSlice, Parameter, PictureSlice, PixelMap, Point, Preset, Probe, Ring, Series, Status } from './types';
 import { parameterIn, presetIn, sentenceIn, t } from './words';
 
 /** The schema gives the defaults of numbers as numbers. */
@@ -165,6 +165,21 @@ export class Engine {
   /** Works on a mesh file for about `budget` milliseconds, or says why there is none. */
   meshFile(ending: string, budget: number): MeshSlice | string {
     return this.ask((core) => core.meshFile(ending, budget) as MeshSlice | string, t('no_file'));
+  }
+
+  /** Works on the picture at 1 to 4 times its side for about `budget` milliseconds, or says why there is none. */
+  pictureFile(scale: number, budget: number): PictureSlice | string {
+    return this.ask((core) => core.pictureFile(scale, budget) as PictureSlice | string, t('no_file'));
+  }
+
+  /** A map, as `map` gives it, of the picture that `pictureFile` finished last. */
+  biggerMap(word: string): PixelMap | string {
+    return this.ask((core) => core.biggerMap(word) as PixelMap | string, t('no_file'));
+  }
+
+  /** Stops a file in the making, and frees what it held: to be called after every `pictureFile` that ends. */
+  stopFile(): void {
+    this.ask((core) => core.stopFile(), undefined);
   }
 
   /** What making the pavement took and gave, as JSON. */

@@ -117,7 +117,20 @@ export interface MeshSlice {
   done: boolean;
 }
 
-/** Rings of an outline in picture units, y down, the outer ring first; not closed. */
+/** What a slice of work gave of a bigger picture. */
+export interface PictureSlice {
+  /** The picture begins with these rows: those before are of another one. */
+  begun: boolean;
+  done: boolean;
+  /** How much of the work is done, about, 0..1. */
+  progress: number;
+  /** Pixels along the picture's side. */
+  side: number;
+  /** Red, green, blue of the next pixels: whole rows from the top, mostly none yet. */
+  rows: Uint8Array;
+}
+
+/** Rings of an outline in picture units, y down, an outer ring first, then islands and holes; not closed. */
 export type Point = [number, number];
 export type Ring = Point[];
 

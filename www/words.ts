@@ -77,13 +77,10 @@ export function groupIn(group: string): string {
 /** A preset with its title and note in the language in use. */
 export function presetIn(preset: Preset): Preset {
   const own = foreign?.presets[preset.name];
-  return foreign && own ? { ...preset, title: own.title, note: own.note, figure: foreign.figure(preset.figure) } : preset;
+  return foreign && own ? { ...preset, title: own.title || foreign.figure(preset.figure), note: own.note, figure: foreign.figure(preset.figure) } : preset;
 }
 
-/** A sentence of the module's in the language in use. */
+/** Sentences of the module's in the language in use. */
 export function sentenceIn(sentence: string): string {
-  for (const [pattern, replacement] of foreign?.sentences ?? []) {
-    if (pattern.test(sentence)) return sentence.replace(pattern, replacement);
-  }
-  return sentence;
+  return foreign && sentence ? foreign.sentence(sentence) : sentence;
 }

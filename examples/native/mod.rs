@@ -2,7 +2,7 @@
 #![allow(dead_code)] // Each program uses its part of it.
 
 use bubblestone::domain::Outline;
-use bubblestone::export::{MapKind, MeshFormat, cells_json, mesh_json, metrics_json};
+use bubblestone::export::{Map, MapKind, MeshFormat, cells_json, mesh_json, metrics_json};
 use bubblestone::studio::{Base, Overlay, Studio, View};
 use serde_json::Value;
 use std::path::Path;
@@ -37,19 +37,16 @@ pub struct OutlineFile {
 impl OutlineFile {
     /// Scales the rings to a picture of another side.
     pub fn scale(&mut self, factor: f64) {
-        let Outline {
-            outer,
-            holes,
-            lines,
-        } = &mut self.outline;
-        for point in holes.iter_mut().chain(lines).chain([outer]).flatten() {
+        let Outline { rings, lines } = &mut self.outline;
+        for point in rings.iter_mut().chain(lines).flatten() {
             *point *= factor;
         }
     }
 }
 
-/// Reads `{"size": [512, 512], "outer": [[x, y], ...], "holes": [[[x, y], ...], ...], "lines": [...]}`;
-/// all but `outer` may be missing, other words are passed over.
+/// Reads `{"size": [512, 512], "outer": [[x, y], ...], "holes": [[[x, y], ...], ...], "rings": [...],
+/// "lines": [...]}`: all but `outer` or `rings` may be missing, other words are passed over. What is a
+/// hole and what an island the rings themselves tell.
 pub fn read_outline(path: &str) -> Result<OutlineFile, String> {
     let text = std::fs::read_to_string(path).map_err(|e| format!("Cannot read {path}: {e}."))?;
     let value: Value =
@@ -58,10 +55,6 @@ pub fn read_outline(path: &str) -> Result<OutlineFile, String> {
 }
 
 fn outline_of(value: &Value) -> Result<OutlineFile, String> {
-    let outer = value.get("outer").ok_or(
-        "there is no \"outer\" ring; an outline is {\"outer\": [[x, y], ...], \"holes\": [...]}.",
-    )?;
-    let outer = ring_of(outer, "outer")?;
     let runs = |name: &str| match value.get(name) {
         None | Some(Value::Null) => Ok(Vec::new()),
         Some(Value::Array(runs)) => runs
@@ -71,17 +64,26 @@ fn outline_of(value: &Value) -> Result<OutlineFile, String> {
             .collect::<Result<Vec<_>, _>>(),
         Some(_) => Err(format!("\"{name}\" is not a list of lists of points.")),
     };
-    let (holes, lines) = (runs("holes")?, runs("lines")?);
+    let mut rings = match value.get("outer") {
+        None | Some(Value::Null) => Vec::new(),
+        Some(outer) => vec![ring_of(outer, "outer")?],
+    };
+    rings.extend(runs("holes")?);
+    rings.extend(runs("rings")?);
+    if rings.is_empty() {
+        return Err(
+            "there is no \"outer\" ring and no list of \"rings\"; an outline is \
+             {\"outer\": [[x, y], ...], \"holes\": [...]} or {\"rings\": [[[x, y], ...], ...]}."
+                .into(),
+        );
+    }
+    let lines = runs("lines")?;
     let size = match value.get("size") {
         None | Some(Value::Null) => None,
         Some(size) => Some(side_of(size)?),
     };
     Ok(OutlineFile {
-        outline: Outline {
-            outer,
-            holes,
-            lines,
-        },
+        outline: Outline { rings, lines },
         size,
     })
 }
@@ -148,8 +150,32 @@ pub fn write_maps(studio: &Studio, dir: &Path) -> Result<(), String> {
     Ok(())
 }
 
+/// Writes the picture with more pixels, and with `maps` all maps of it.
+pub fn write_bigger(
+    studio: &mut Studio,
+    scale: usize,
+    maps: bool,
+    dir: &Path,
+) -> Result<(), String> {
+    let made = studio.picture_file(scale, &mut || 0.0, f64::INFINITY)?;
+    let colours = made.rows.chunks_exact(3).map(|p| [p[0], p[1], p[2]]);
+    write_rgb(dir, &format!("picture-{scale}x.png"), made.side, colours)?;
+    for (kind, word) in MapKind::ALL.into_iter().filter(|_| maps) {
+        write_png(
+            dir,
+            &format!("{word}-{scale}x.png"),
+            &studio.bigger_map(kind)?,
+        )?;
+    }
+    studio.stop_file();
+    Ok(())
+}
+
 fn write_map(studio: &Studio, kind: MapKind, dir: &Path) -> Result<(), String> {
-    let map = studio.map(kind)?;
+    write_png(dir, &format!("{}.png", kind.word()), &studio.map(kind)?)
+}
+
+fn write_png(dir: &Path, name: &str, map: &Map) -> Result<(), String> {
     let colour = match map.channels {
         1 => png::ColorType::Grayscale,
         _ => png::ColorType::Rgb,
@@ -159,7 +185,7 @@ fn write_map(studio: &Studio, kind: MapKind, dir: &Path) -> Result<(), String> {
         _ => png::BitDepth::Eight,
     };
     let png = encode((map.side, map.side), &map.bytes, colour, depth)?;
-    write(dir, &format!("{}.png", kind.word()), &png)
+    write(dir, name, &png)
 }
 
 /// Writes the surface of all cells as surface.obj and surface.glb.

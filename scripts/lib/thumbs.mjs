@@ -13,8 +13,8 @@ const thumbs = join(root, 'www', 'public', 'thumbs');
 /** Sides in pixels: the page shows them half as large, so that they are sharp on a screen of twice the density. */
 const side = 144;
 
-/** About 1.6 kB each. More effort than 3 takes ten times as long for no smaller files. */
-const coding = { quality: 33, effort: 3 };
+/** About 1.4 kB each. More effort than 3 takes ten times as long for no smaller files. */
+const coding = { quality: 30, effort: 3 };
 
 /** Milliseconds and packing steps of one slice of work: all at once. */
 const all = /** @type {const} */ ([1e9, 1e9]);

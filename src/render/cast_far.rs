@@ -34,15 +34,17 @@ struct Rims<T> {
 }
 
 impl Sweep {
-    /// The light's azimuth and elevation in radians; and the lines it crosses.
-    pub fn new(azimuth: f64, elevation: f64, side: usize) -> (Self, Course) {
+    /// The light's azimuth and elevation in radians, the picture's pixels along its side and for each
+    /// picture unit; and the lines it crosses.
+    pub fn new(azimuth: f64, elevation: f64, [side, fine]: [usize; 2]) -> (Self, Course) {
         // Away from the light.
         let (x, y) = (-libm::cos(azimuth), -libm::sin(azimuth));
         let columns = x.abs() >= y.abs();
         let (along, across) = if columns { (x, y) } else { (y, x) };
         let step = 1.0 / along.abs();
         let steepest = std::f64::consts::FRAC_PI_2 - 1e-3;
-        let fall = |angle: f64| (libm::tan(within(angle, 0.01, steepest)) * step) as f32;
+        let line_step = step / fine as f64;
+        let fall = |angle: f64| (libm::tan(within(angle, 0.01, steepest)) * line_step) as f32;
         let line = || vec![NOWHERE; BEFORE + side + AFTER];
         let lines = || Rims {
             dark: line(),

@@ -35,12 +35,13 @@ pub struct Fan {
 }
 
 impl Fan {
-    /// The lamp's place in fractions of the picture's side; and the four quarters' lines.
-    pub fn new(x: f64, y: f64, z: f64, side: usize) -> (Self, [Course; 4]) {
+    /// The lamp's place in fractions of the picture's side, the pixels of which and of a picture unit
+    /// are given; and the four quarters' lines.
+    pub fn new(x: f64, y: f64, z: f64, [side, fine]: [usize; 2]) -> (Self, [Course; 4]) {
         let span = side as i32;
         let place = |v: f64| ((v * side as f64).floor() as i32).clamp(-8 * span, 8 * span);
         let foot = [place(x), place(y)];
-        let height = (z * side as f64).max(1.0) as f32;
+        let height = (z * (side / fine) as f64).max(1.0) as f32;
         let line = || vec![NOWHERE; side + 2];
         let fan = Self {
             side,

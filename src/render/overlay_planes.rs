@@ -89,6 +89,7 @@ mod tests {
         let n = side * side;
         Planes {
             side,
+            fine: 1,
             bump: (0..n).map(|at| (at % side) as f32).collect(),
             colour: vec![[0; 3]; n],
             optics: vec![0; n],

@@ -23,6 +23,8 @@ const SHINE: usize = 256;
 pub struct Shader {
     params: ShadeParams,
     side: usize,
+    /// Picture units for each pixel.
+    unit: f32,
     shadows: Shadows,
     shaded: bool,
     tone: Tone,
@@ -57,7 +59,7 @@ impl Finish {
 /// What reaches each pixel of a row, before its finish and colour come in.
 #[derive(Default)]
 struct Line {
-    /// Rise of the surface to the right and downwards, per pixel.
+    /// Rise of the surface to the right and downwards.
     slope: [Vec<f32>; 2],
     /// Light of the sky.
     sky: Vec<f32>,
@@ -82,14 +84,15 @@ impl Line {
 }
 
 impl Shader {
-    /// A picture of `side` pixels to be shaded; black until it is.
-    pub fn new(params: &ShadeParams, side: usize) -> Self {
+    /// A picture of `side` pixels, `fine` for each picture unit, to be shaded; black until it is.
+    pub fn new(params: &ShadeParams, side: usize, fine: usize) -> Self {
         let mut rgba = vec![0; side * side * 4];
         rgba.iter_mut().skip(3).step_by(4).for_each(|a| *a = 255);
         Self {
             params: *params,
             side,
-            shadows: Shadows::new(params.light, side),
+            unit: 1.0 / fine as f32,
+            shadows: Shadows::new(params.light, side, fine),
             shaded: params.shadow <= 0.0,
             tone: Tone::new(),
             finishes: Vec::new(),
@@ -137,6 +140,11 @@ impl Shader {
         &self.rgba
     }
 
+    /// The rows of the picture that are shaded by now.
+    pub fn finished(&self) -> &[u8] {
+        &self.rgba[..4 * self.side * self.row]
+    }
+
     fn shade_row(&mut self, planes: &Planes, y: usize) {
         row_slopes(planes, y, &mut self.line.slope);
         match self.params.light {
@@ -150,10 +158,14 @@ impl Shader {
                 self.light_row(planes, y, |_, _| (to, 1.0));
             }
             Light::Point { x, y: v, z } => {
-                let s = self.side as f64;
+                let unit = self.unit;
+                let s = self.side as f64 * f64::from(unit);
                 let at = [(x * s) as f32, (v * s) as f32, (z * s).max(1.0) as f32];
                 self.light_row(planes, y, |x, height| {
-                    near([x as f32 + 0.5, y as f32 + 0.5, height], at)
+                    near(
+                        [(x as f32 + 0.5) * unit, (y as f32 + 0.5) * unit, height],
+                        at,
+                    )
                 });
             }
         }
@@ -239,28 +251,31 @@ pub(super) fn beside(k: usize, n: usize, tile: bool) -> [usize; 2] {
     }
 }
 
-/// Rise of the surface to the right and downwards along a row of the bump plane, per pixel; the two
-/// lists are as long as the row.
+/// Rise of the surface to the right and downwards along a row of the bump plane; the two lists are as
+/// long as the row.
 pub(crate) fn row_slopes(planes: &Planes, y: usize, to: &mut [Vec<f32>; 2]) {
     let side = planes.side;
     let row = |y: usize| &planes.bump[y * side..][..side];
     let [above, below] = beside(y, side, planes.tile);
-    slopes([row(above), row(y), row(below)], planes.tile, to);
+    let rows = [row(above), row(y), row(below)];
+    slopes(rows, planes.fine as f32, planes.tile, to);
 }
 
-/// Rise of the surface to the right and downwards, per pixel, from the rows above, here and below.
+/// Rise of the surface to the right and downwards, from the rows above, here and below, which have
+/// `fine` pixels for each picture unit.
 /// The rows beside count too (Sobel's weights 1, 2, 1, sharpened to 1, 4, 1), or rims show the pixels'
 /// steps.
-fn slopes(rows: [&[f32]; 3], tile: bool, slopes: &mut [Vec<f32>; 2]) {
+fn slopes(rows: [&[f32]; 3], fine: f32, tile: bool, slopes: &mut [Vec<f32>; 2]) {
     let [up, row, down] = rows;
     let n = row.len();
     let [across, fall] = slopes.each_mut().map(|slope| &mut slope[..n]);
+    let rise = fine * (1.0 / 12.0);
     let at = |[left, x, right]: [usize; 3]| {
         let across = |row: &[f32]| row[right] - row[left];
         let along = |x: usize| down[x] - up[x];
         (
-            (across(up) + 4.0 * across(row) + across(down)) * (1.0 / 12.0),
-            (along(left) + 4.0 * along(x) + along(right)) * (1.0 / 12.0),
+            (across(up) + 4.0 * across(row) + across(down)) * rise,
+            (along(left) + 4.0 * along(x) + along(right)) * rise,
         )
     };
     for x in [0, n - 1] {

@@ -15,7 +15,7 @@ use super::course::{Course, Strip};
 use crate::order::{greater, lesser};
 use crate::texture::Planes;
 
-/// Shadows lower than this above the surface are not dark yet, in pixels.
+/// Shadows lower than this above the surface are not dark yet, in picture units.
 const SOFT: f32 = 0.22;
 
 /// A height where there is no shadow. Not the lowest number: sums and products stay finite.
@@ -27,6 +27,7 @@ const FARTHEST: usize = 4;
 /// The lamp's visible part at each pixel, in the making.
 pub struct Shadows {
     side: usize,
+    fine: usize,
     /// 255 where the whole lamp is seen.
     lit: Vec<u8>,
     caster: Caster,
@@ -43,11 +44,12 @@ enum Caster {
 }
 
 impl Shadows {
-    /// Shadows of `light` in a picture of `side` pixels.
-    pub fn new(light: Light, side: usize) -> Self {
-        let (caster, courses) = cast_by(light, side);
+    /// Shadows of `light` in a picture of `side` pixels, `fine` for each picture unit.
+    pub fn new(light: Light, side: usize, fine: usize) -> Self {
+        let (caster, courses) = cast_by(light, side, fine);
         Self {
             side,
+            fine,
             lit: vec![255; side * side],
             caster,
             courses,
@@ -58,7 +60,7 @@ impl Shadows {
 
     /// Begins anew under another light.
     pub fn restart(&mut self, light: Light) {
-        (self.caster, self.courses) = cast_by(light, self.side);
+        (self.caster, self.courses) = cast_by(light, self.side, self.fine);
         self.lit.fill(255);
         self.begun = false;
     }
@@ -142,14 +144,14 @@ impl Shadows {
     }
 }
 
-fn cast_by(light: Light, side: usize) -> (Caster, Vec<Course>) {
+fn cast_by(light: Light, side: usize, fine: usize) -> (Caster, Vec<Course>) {
     match light {
         Light::Parallel { azimuth, elevation } => {
-            let (sweep, course) = Sweep::new(azimuth, elevation, side);
+            let (sweep, course) = Sweep::new(azimuth, elevation, [side, fine]);
             (Caster::Far(sweep), vec![course])
         }
         Light::Point { x, y, z } => {
-            let (fan, courses) = Fan::new(x, y, z, side);
+            let (fan, courses) = Fan::new(x, y, z, [side, fine]);
             (Caster::Near(fan), courses.into())
         }
     }

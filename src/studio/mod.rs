@@ -4,6 +4,7 @@
 //! the first stale stage for about the time given; what is finished stays until its successor is
 //! finished, too. No result depends on how the work was cut into slices or on the clock.
 
+mod bigger;
 mod draft;
 mod files;
 mod flow;
@@ -14,6 +15,7 @@ mod products;
 mod translate;
 mod view;
 
+pub use bigger::{MOST_PIXELS, PictureSlice};
 pub use files::MeshSlice;
 pub use look::{Base, Overlay, View};
 pub use probe::{Histogram, Polygon, Probe};
@@ -56,6 +58,8 @@ pub struct Studio {
     draft: Option<Draft>,
     /// The mesh file in the making.
     saving: Option<files::Saving>,
+    /// The bigger picture in the making, or its planes.
+    bigger: Option<bigger::Bigger>,
     boxes: probe::Boxes,
 }
 
@@ -97,6 +101,7 @@ impl Studio {
             live: false,
             draft: None,
             saving: None,
+            bigger: None,
             boxes: probe::Boxes::default(),
         }
     }

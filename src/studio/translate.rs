@@ -214,6 +214,7 @@ pub(super) fn stone(recipe: &Recipe) -> StoneParams {
 pub(super) fn texture(recipe: &Recipe) -> TextureParams {
     TextureParams {
         side: side(recipe),
+        fine: 1,
         seed: seed(recipe),
         size: recipe.number(Key::Cs),
         stone: stone(recipe),

@@ -4,15 +4,16 @@
 
 use super::noise::Tile;
 use super::palette::Ground;
+use super::pitch::Pitch;
 use crate::random::{Purpose, Random};
 
-/// Pixels along the tile's side, a power of two.
+/// Picture units along the tile's side, a power of two.
 const SIDE: usize = 512;
 /// Item, logarithm of the side, levels and dimension of its two noises, broad and fine.
 const NOISES: [(u64, u32, u32, f64); 2] = [(11, 9, 7, 1.35), (12, 8, 1, 1.9)];
 /// Places for a pebble along the side.
 const PLACES: usize = 64;
-/// Radius of pebbles, in pixels: from and to, small ones more often.
+/// Radius of pebbles, in picture units: from and to, small ones more often.
 const PEBBLE: [f32; 2] = [0.7, 2.6];
 /// How much of a pebble looks out, of its radius.
 const STAND: f32 = 0.55;
@@ -26,6 +27,10 @@ pub struct Bed {
     seed: u64,
     /// The ground repeats after so many pixels.
     period: Option<usize>,
+    pitch: Pitch,
+    /// Places of the tile for each picture unit, along a side: a power of two, not less than the
+    /// pixels.
+    dense: usize,
     /// Noise, broad and fine.
     tiles: Vec<Tile>,
     /// Above the base level, in picture units.
@@ -37,17 +42,32 @@ pub struct Bed {
 impl Bed {
     /// Ground at `level`, its unevenness a part of the joints' `depth`; to be made by
     /// [`Bed::advance`]. With a `period` it repeats after so many pixels.
-    pub fn new(ground: Ground, level: f32, depth: f32, seed: u64, period: Option<usize>) -> Self {
+    pub fn new(
+        ground: Ground,
+        [level, depth]: [f32; 2],
+        seed: u64,
+        period: Option<usize>,
+        pitch: Pitch,
+    ) -> Self {
+        let dense = (pitch.fine() as usize).next_power_of_two();
+        let places = dense * SIDE * dense * SIDE;
         Self {
             ground,
             level,
             depth,
             seed,
             period,
+            pitch,
+            dense,
             tiles: Vec::new(),
-            heights: Vec::with_capacity(SIDE * SIDE),
-            colours: Vec::with_capacity(SIDE * SIDE),
+            heights: Vec::with_capacity(places),
+            colours: Vec::with_capacity(places),
         }
+    }
+
+    /// Places along the tile's side.
+    fn side(&self) -> usize {
+        SIDE * self.dense
     }
 
     /// Makes about `rows` rows of the tile; true when all are made.
@@ -55,31 +75,32 @@ impl Bed {
         let mut left = rows;
         while self.tiles.len() < NOISES.len() && left > 0 {
             let (item, log_side, levels, dimension) = NOISES[self.tiles.len()];
-            let tile = Tile::new(self.seed, item, log_side, levels, dimension);
+            let doublings = self.pitch.doublings();
+            let tile = Tile::finer(self.seed, item, [log_side, levels], dimension, doublings);
             self.tiles.push(tile);
             left = left.saturating_sub(SIDE);
         }
-        let made = self.heights.len() / SIDE;
-        let end = SIDE.min(made.saturating_add(left));
+        let side = self.side();
+        let made = self.heights.len() / side;
+        let end = side.min(made.saturating_add(left));
         for y in made..end {
             self.row(y as i32);
         }
-        if made < end && end == SIDE {
+        if made < end && end == side {
             self.strew();
         }
-        end == SIDE
+        end == side
     }
 
     fn row(&mut self, y: i32) {
-        let Self { ground, tiles, .. } = self;
-        let (broad, grains) = (&tiles[0], &tiles[1]);
-        let swell = ground.swell * self.depth;
-        for x in 0..SIDE as i32 {
-            let (wave, grain) = (broad.at(x, y), grains.at(x, y));
+        let swell = self.ground.swell * self.depth;
+        let unit = self.dense as i32;
+        for x in 0..self.side() as i32 {
+            let (wave, grain) = (self.noise(0, [x, y]), self.noise(1, [x, y]));
             self.heights
-                .push(self.level + swell * wave + ground.grain * grain);
-            let patch = 0.4 * wave + 0.6 * broad.at(y + 131, x + 57);
-            self.colours.push(soil(ground, patch, grain));
+                .push(self.level + swell * wave + self.ground.grain * grain);
+            let patch = 0.4 * wave + 0.6 * self.noise(0, [y + 131 * unit, x + 57 * unit]);
+            self.colours.push(soil(&self.ground, patch, grain));
         }
     }
 
@@ -95,17 +116,24 @@ impl Bed {
 
     /// The noise of swells and patches at any pixel: deviation about 1.
     pub fn broad(&self, x: i32, y: i32) -> f32 {
-        self.noise(0, x, y)
+        self.noise_at(0, x, y)
     }
 
     /// The noise of grains at any pixel: deviation about 1.
-    pub fn fine(&self, x: i32, y: i32) -> f32 {
-        self.noise(1, x, y)
+    pub fn grains(&self, x: i32, y: i32) -> f32 {
+        self.noise_at(1, x, y)
     }
 
-    fn noise(&self, which: usize, x: i32, y: i32) -> f32 {
-        let at = self.place(x, y);
-        self.tiles[which].at((at % SIDE) as i32, (at / SIDE) as i32)
+    fn noise_at(&self, which: usize, x: i32, y: i32) -> f32 {
+        let (at, side) = (self.place(x, y), self.side());
+        self.noise(which, [(at % side) as i32, (at / side) as i32])
+    }
+
+    /// At a place of the tile.
+    fn noise(&self, which: usize, place: [i32; 2]) -> f32 {
+        let pitch = Pitch::new(self.dense);
+        let [x, y] = place.map(|v| pitch.value(v));
+        self.tiles[which].at(x, y)
     }
 
     /// What is carried from it into hollows: red, green and blue, 0..255.
@@ -118,21 +146,37 @@ impl Bed {
         match self.period {
             Some(period) => {
                 let period = period as i32;
-                let tiles = ((period + SIDE as i32 / 2) / SIDE as i32).max(1);
-                let stretched = |v: i32| v.rem_euclid(period) * tiles * SIDE as i32 / period;
-                index(stretched(x), stretched(y))
+                let (side, unit) = (self.side() as i32, SIDE as i32 * self.pitch.fine());
+                let tiles = ((period + unit / 2) / unit).max(1);
+                let stretched = |v: i32| v.rem_euclid(period) * tiles * side / period;
+                self.index(stretched(x), stretched(y))
             }
-            None => index(x, y),
+            None => self.index(self.of_pixel(x), self.of_pixel(y)),
         }
+    }
+
+    fn of_pixel(&self, v: i32) -> i32 {
+        let (fine, dense) = (self.pitch.fine(), self.dense as i32);
+        if fine == dense {
+            v
+        } else {
+            (v * dense).div_euclid(fine)
+        }
+    }
+
+    fn index(&self, x: i32, y: i32) -> usize {
+        let side = self.side();
+        (y as usize & (side - 1)) * side + (x as usize & (side - 1))
     }
 
     fn strew(&mut self) {
         let ground = self.ground;
         let mut random = Random::new(self.seed, Purpose::Ground, 0);
-        let pitch = (SIDE / PLACES) as f64;
+        let apart = (self.side() / PLACES) as f64;
+        let unit = self.dense as f32;
         for place in 0..PLACES * PLACES {
-            let x = ((place % PLACES) as f64 + random.unit()) * pitch;
-            let y = ((place / PLACES) as f64 + random.unit()) * pitch;
+            let x = ((place % PLACES) as f64 + random.unit()) * apart;
+            let y = ((place / PLACES) as f64 + random.unit()) * apart;
             let (there, size, tone) = (random.unit(), random.unit(), random.signed());
             let warm = random.signed() as f32;
             if there < f64::from(ground.pebbles) {
@@ -145,23 +189,25 @@ impl Bed {
                     .map(|(w, c)| w * f32::from(c));
                 let mut rgb = [0.0; 3];
                 rgb.iter_mut().zip(colour).for_each(|(to, c)| *to = c);
-                self.pebble([x as f32, y as f32], radius, rgb);
+                self.pebble([x as f32, y as f32], radius * unit, rgb);
             }
         }
     }
 
+    /// In places of the tile.
     fn pebble(&mut self, [x, y]: [f32; 2], radius: f32, colour: [f32; 3]) {
-        let base = self.heights[index(x as i32, y as i32)];
+        let unit = 1.0 / self.dense as f32;
+        let base = self.heights[self.index(x as i32, y as i32)];
         let reach = radius.ceil() as i32 + 1;
         for py in y as i32 - reach..=y as i32 + reach {
             for px in x as i32 - reach..=x as i32 + reach {
                 let (dx, dy) = (px as f32 + 0.5 - x, py as f32 + 0.5 - y);
                 let away = (dx * dx + dy * dy).sqrt() / radius;
                 if away < 1.0 {
-                    let at = index(px, py);
-                    let height = base + STAND * radius * (1.0 - away * away).sqrt();
+                    let at = self.index(px, py);
+                    let height = base + STAND * radius * unit * (1.0 - away * away).sqrt();
                     self.heights[at] = self.heights[at].max(height);
-                    let cover = ((1.0 - away) * radius * 1.5).min(1.0);
+                    let cover = ((1.0 - away) * radius * unit * 1.5).min(1.0);
                     let old = self.colours[at];
                     self.colours[at] =
                         std::array::from_fn(|k| old[k] + (colour[k] - old[k]) * cover);
@@ -169,10 +215,6 @@ impl Bed {
             }
         }
     }
-}
-
-fn index(x: i32, y: i32) -> usize {
-    (y as usize & (SIDE - 1)) * SIDE + (x as usize & (SIDE - 1))
 }
 
 fn soil(ground: &Ground, patch: f32, grain: f32) -> [f32; 3] {

@@ -10,6 +10,7 @@ mod occlusion;
 mod optics;
 mod painter;
 mod palette;
+mod pitch;
 mod reaction;
 mod scan;
 mod skin;
@@ -45,6 +46,8 @@ pub struct Planes {
     pub id: Vec<u32>,
     /// Ambient light that reaches the point past its surroundings, 255 = all of it.
     pub openness: Vec<u8>,
+    /// Pixels for each picture unit, along a side.
+    pub fine: usize,
     /// They repeat: what lies beyond an edge of the picture is beyond the other.
     pub tile: bool,
 }
@@ -60,6 +63,7 @@ impl Planes {
             optics: vec![0; n],
             id: vec![GROUND; n],
             openness: vec![255; n],
+            fine: 1,
             tile: false,
         }
     }

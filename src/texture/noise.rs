@@ -7,10 +7,16 @@
 
 use crate::random::{Purpose, Random};
 
+/// Fall of the amplitude with each half level below a unit of length: slopes get a little flatter with
+/// it, or a finer picture would be a rougher and darker one.
+const BELOW: f32 = 0.6;
+
 /// A periodic square of noise: mean 0, and deviation 1 at the distance of the coarse grid's points.
 #[derive(Clone, Debug)]
 pub struct Tile {
     side: usize,
+    /// Values for each unit of length, along a side.
+    dense: f32,
     values: Vec<f32>,
 }
 
@@ -18,10 +24,23 @@ impl Tile {
     /// A tile of `2^log_side` values a side, begun on a grid of points `2^levels` apart (at most the
     /// side), of fractal dimension `dimension`, 1 to 2. `item` tells tiles of one seed apart.
     pub fn new(seed: u64, item: u64, log_side: u32, levels: u32, dimension: f64) -> Self {
-        let side = 1usize << log_side;
-        let levels = levels.min(log_side);
+        Self::finer(seed, item, [log_side, levels], dimension, 0)
+    }
+
+    /// The same with so many levels more below the finest one: every value of the other is there, and
+    /// `2^doublings` of these go to a unit of length.
+    pub fn finer(
+        seed: u64,
+        item: u64,
+        [log_side, levels]: [u32; 2],
+        dimension: f64,
+        doublings: u32,
+    ) -> Self {
+        let side = 1usize << (log_side + doublings);
+        let levels = levels.min(log_side) + doublings;
         let mut tile = Self {
             side,
+            dense: (1u32 << doublings) as f32,
             values: vec![0.0; side * side],
         };
         let mut random = Random::new(seed, Purpose::Noise, item);
@@ -39,14 +58,19 @@ impl Tile {
         // missing of the variance after averaging.
         let mut amplitude = (1.0 - libm::exp2(2.0 * hurst - 2.0)).max(0.0).sqrt() as f32;
         let mut step = coarse;
+        let unit = 1usize << doublings;
         while step > 1 {
+            let fall = if step > unit { fall } else { BELOW };
+            if step == unit {
+                tile.sharpen(unit);
+            }
             amplitude *= fall;
             tile.displace_squares(step, amplitude, &mut draw);
             amplitude *= fall;
             tile.displace_sides(step, amplitude, &mut draw);
             step /= 2;
         }
-        tile.centre();
+        tile.centre(unit);
         tile
     }
 
@@ -61,8 +85,9 @@ impl Tile {
         self.values[(y as usize & mask) * self.side + (x as usize & mask)]
     }
 
-    /// The value between grid points, bilinear.
+    /// The value between grid points, bilinear; x and y in units of length.
     pub fn between(&self, x: f32, y: f32) -> f32 {
+        let (x, y) = (x * self.dense, y * self.dense);
         let (ix, iy) = (floor(x), floor(y));
         let (tx, ty) = (x - ix as f32, y - iy as f32);
         let upper = self.at(ix, iy) * (1.0 - tx) + self.at(ix + 1, iy) * tx;
@@ -100,11 +125,57 @@ impl Tile {
         }
     }
 
-    fn centre(&mut self) {
-        let sum: f64 = self.values.iter().map(|&v| f64::from(v)).sum();
-        let mean = (sum / self.values.len() as f64) as f32;
+    /// Strengthens values that are whole units of length apart against their neighbours, so that the
+    /// means over units, with what comes between, are what they were.
+    fn sharpen(&mut self, unit: usize) {
+        let n = self.side / unit;
+        let units = |values: &[f32]| -> Vec<f32> {
+            let rows = values.chunks_exact(n * unit).step_by(unit);
+            rows.flat_map(|row| row.iter().step_by(unit).copied())
+                .collect()
+        };
+        let wanted = units(&self.values);
+        let mut sharp = wanted.clone();
+        for _ in 0..2 {
+            let along = mean_with_next(&sharp, n, 1);
+            let means = mean_with_next(&along, n, n);
+            for ((s, w), m) in sharp.iter_mut().zip(&wanted).zip(means) {
+                *s += w - m;
+            }
+        }
+        for (k, s) in sharp.into_iter().enumerate() {
+            self.values[(k / n * n * unit + k % n) * unit] = s;
+        }
+    }
+
+    /// Takes off the mean of the values that are whole units of length apart.
+    fn centre(&mut self, unit: usize) {
+        let rows = self.values.chunks_exact(self.side).step_by(unit);
+        let values = rows.flat_map(|row| row.iter().step_by(unit));
+        let sum: f64 = values.map(|&v| f64::from(v)).sum();
+        let count = (self.side / unit) * (self.side / unit);
+        let mean = (sum / count as f64) as f32;
         self.values.iter_mut().for_each(|v| *v -= mean);
     }
+}
+
+/// The mean of a line through each of n x n periodic values and those before and after it over the
+/// length from one to the next; `step` is 1 along rows and n down columns.
+fn mean_with_next(values: &[f32], n: usize, step: usize) -> Vec<f32> {
+    let last = n * n - 1;
+    let beside = |k: usize| {
+        let (row, along) = (k & !(n - 1), k & (n - 1));
+        if step == 1 {
+            [row | (along + n - 1) & (n - 1), row | (along + 1) & (n - 1)]
+        } else {
+            [(k + n * n - n) & last, (k + n) & last]
+        }
+    };
+    let mean = |k: usize| {
+        let [before, after] = beside(k).map(|b| values[b]);
+        0.75 * values[k] + 0.125 * (before + after)
+    };
+    (0..values.len()).map(mean).collect()
 }
 
 /// `f32::floor` is a call where the target has no rounding instruction.
@@ -155,6 +226,20 @@ mod tests {
                 .sum::<f64>();
             assert!((mean - asked).abs() < 0.1, "asked {asked}, got {mean}");
         }
+    }
+
+    #[test]
+    fn more_levels_keep_the_means() {
+        let tile = Tile::new(5, 2, 6, 9, 1.6);
+        let finer = Tile::finer(5, 2, [6, 9], 1.6, 2);
+        let mut off = 0.0;
+        for (x, y) in (0..64).flat_map(|y| (0..64).map(move |x| (x, y))) {
+            let around = (0..16).map(|k| (4 * x - 2 + k % 4, 4 * y - 2 + k / 4));
+            let mean = around.map(|(x, y)| finer.at(x, y)).sum::<f32>() / 16.0;
+            off += (mean - tile.at(x, y)).abs() / 4096.0;
+            assert_eq!(finer.at(4 * x, 4 * y), finer.between(x as f32, y as f32));
+        }
+        assert!(off < 0.1, "{off}");
     }
 
     #[test]

@@ -30,17 +30,20 @@ pub struct Occlusion {
     diagonal: Vec<i32>,
     /// The picture is a torus.
     tile: bool,
+    /// Pixels for each picture unit, along a side.
+    fine: usize,
     row: usize,
 }
 
 impl Occlusion {
-    /// For cells of about `size` pixels; with `tile`, what lies beyond an edge is beyond the other.
-    pub fn new(size: f64, tile: bool) -> Self {
-        let reach = (REACH * size).max(4.0);
+    /// For cells of about `size` picture units, each of `fine` pixels along a side; with `tile`, what
+    /// lies beyond an edge is beyond the other.
+    pub fn new(size: f64, fine: usize, tile: bool) -> Self {
+        let reach = (REACH * size).max(4.0) * fine as f64;
         let distances = |unit: f64| {
             let mut distances: Vec<i32> = STEPS
                 .iter()
-                .map(|s| ((s * reach / unit).round() as i32).max(1))
+                .map(|s| ((s * reach / unit).round() as i32).max(fine as i32))
                 .collect();
             distances.dedup();
             distances
@@ -49,6 +52,7 @@ impl Occlusion {
             straight: distances(1.0),
             diagonal: distances(std::f64::consts::SQRT_2),
             tile,
+            fine,
             row: 0,
         }
     }
@@ -100,7 +104,7 @@ impl Occlusion {
             if off && !self.tile {
                 break;
             }
-            let per = 1.0 / (d as f32 * unit);
+            let per = self.fine as f32 / (d as f32 * unit);
             let there = &bump[row.rem_euclid(rim) as usize * side..][..side];
             let shift = if self.tile { shift % rim } else { shift };
             let mut compare = |first: usize, at: usize, span: usize| {

@@ -10,6 +10,7 @@ use super::coat::{Coat, ColourParams};
 use super::ground::Bed;
 use super::occlusion::Occlusion;
 use super::palette::{Palette, ground, palette};
+use super::pitch::Pitch;
 use super::scan::{Raster, SAMPLES};
 use super::skin::{Patterns, Skin};
 use super::weather::{Weather, WeatherParams};
@@ -18,12 +19,15 @@ use crate::domain::Domain;
 use crate::order::{greater, lesser};
 use crate::solid::{Quarry, Solid, StoneKind, StoneParams, joint_depth, lean, top};
 use glam::{DVec2, Vec3};
+use std::ops::Range;
 
 /// What the planes are made by; the papers' symbols in brackets.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TextureParams {
-    /// Pixels along a side of the picture.
+    /// Picture units along a side of the picture.
     pub side: usize,
+    /// Pixels for each picture unit, along a side: 1 to 4.
+    pub fine: usize,
     /// Seed of colours, relief and ground.
     pub seed: u64,
     /// The size cells were asked to have on average, in picture units (Cs).
@@ -52,6 +56,7 @@ impl Default for TextureParams {
     fn default() -> Self {
         Self {
             side: 512,
+            fine: 1,
             seed: 1,
             size: 23.0,
             stone: StoneParams::default(),
@@ -73,7 +78,10 @@ const RELIEF: f64 = 0.3;
 /// Ground stays below the stones' tops by at least this part of the joint.
 const FILL: f64 = 0.9;
 
-/// Two stones whose heights differ by less, in pixels, share a sample's colour: otherwise a hair would
+/// The work of one slice, in triangles refined and scan converted or in pixels.
+const SLICE: usize = 60_000;
+
+/// Two stones whose heights differ by less, in picture units, share a sample's colour: otherwise a hair would
 /// decide.
 const EVEN: f32 = 0.5;
 
@@ -88,6 +96,11 @@ pub struct Painter {
     weather: Weather,
     occlusion: Occlusion,
     raster: Raster,
+    pitch: Pitch,
+    /// Pixels along a side of the picture.
+    side: usize,
+    /// The rows that stones are put into now, and of which the following three tell.
+    band: Range<usize>,
     /// Samples a stone has already taken at each pixel, and how many the stone named in `id` has.
     taken: Vec<u16>,
     /// The height of each taken sample.
@@ -99,50 +112,77 @@ pub struct Painter {
     /// Share of a stone in a sample for each pixel that it stands above the ground.
     firm: f32,
     laid: usize,
+    /// The stone at work.
+    work: Option<Work>,
+}
+
+/// A stone on its way into the planes.
+struct Work {
+    skin: Skin,
+    solid: Solid,
+    /// The ways to its images that are still to be placed, the next one last.
+    ways: Vec<[i32; 2]>,
+    /// The way that it has been moved.
+    at: [i32; 2],
+    /// Rows of the image at work that are done; none while it is scan converted.
+    rows: Option<usize>,
 }
 
 impl Painter {
     /// Planes without ground or stones yet.
     pub fn new(params: TextureParams) -> Self {
+        Self::banded(params, usize::MAX)
+    }
+
+    /// The same, with stones to be put into so many rows at a time only, the first ones first: what is
+    /// known of samples takes three times as much memory as the planes.
+    pub fn banded(params: TextureParams, rows: usize) -> Self {
+        let (side, pitch) = (params.side * params.fine, Pitch::new(params.fine));
         let stone_palette = palette(params.palette);
         let depth = joint_depth(&params.stone, params.size) * FILL;
         let level = top(&params.stone, params.size) - depth;
-        let pixels = params.side * params.side;
+        let (level, depth) = (level as f32, depth as f32);
+        let band = 0..side.min(rows);
+        let pixels = band.len() * side;
         Self {
             palette: stone_palette,
             planes: Planes {
                 tile: params.tile,
-                ..Planes::new(params.side)
+                fine: params.fine,
+                ..Planes::new(side)
             },
             bed: Bed::new(
                 ground(params.ground, stone_palette),
-                level as f32,
-                depth as f32,
+                [level, depth],
                 params.seed,
-                params.tile.then_some(params.side),
+                params.tile.then_some(side),
+                pitch,
             ),
-            patterns: Patterns::new(params.seed, params.size, params.dimension),
+            patterns: Patterns::new(params.seed, params.size, params.dimension, pitch),
             coats: Vec::new(),
             weather: Weather::new(
                 params.weather,
-                params.side,
+                [side, params.fine],
                 params.size,
-                level as f32,
-                depth as f32,
+                [level, depth],
             ),
-            occlusion: Occlusion::new(params.size, params.tile),
+            occlusion: Occlusion::new(params.size, params.fine, params.tile),
             raster: Raster::default(),
+            pitch,
+            side,
+            band,
             taken: vec![0; pixels],
             surface: vec![[0.0; PER_PIXEL]; pixels],
             share: vec![0; pixels],
-            level: level as f32,
-            depth: depth as f32,
+            level,
+            depth,
             relief: relief(&params),
             firm: match params.stone.kind {
                 StoneKind::Skin => 1.0 / EVEN,
                 _ => f32::INFINITY,
             },
             laid: 0,
+            work: None,
             params,
         }
     }
@@ -150,7 +190,7 @@ impl Painter {
     /// Makes and lays the ground, about `rows` rows of it; true when all are laid.
     /// [`Painter::paint`] lays what is missing.
     pub fn prepare(&mut self, rows: usize) -> bool {
-        let side = self.params.side;
+        let side = self.side;
         if self.laid == 0 && !self.bed.advance(rows) {
             return false;
         }
@@ -172,35 +212,75 @@ impl Painter {
         self.coats = coats.to_vec();
     }
 
+    /// Goes on to the next rows that stones are put into; false where there are none left.
+    pub fn next_band(&mut self) -> bool {
+        let rows = self.band.len();
+        let end = self.side.min(self.band.end + rows);
+        self.band = self.band.end..end;
+        let pixels = self.band.len() * self.side;
+        self.taken.clear();
+        self.taken.resize(pixels, 0);
+        self.share.clear();
+        self.share.resize(pixels, 0);
+        self.surface.truncate(pixels);
+        if pixels == 0 {
+            self.surface = Vec::new();
+        }
+        pixels > 0
+    }
+
     /// Puts the stone of a cell into the planes, under the id `index` + 1.
     pub fn paint(&mut self, quarry: &mut Quarry, cell: &Cell, index: usize) {
-        self.prepare(usize::MAX);
-        if !self.params.tile && self.is_beyond(cell) {
-            return;
-        }
-        let mut solid = quarry.stone(cell, &self.params.stone);
-        if solid.vertices.is_empty() {
-            return;
-        }
-        let coat = self.coats.get(index).copied().unwrap_or_default();
-        let skin = skin(&self.params, cell, coat);
-        self.place(&skin, &solid, [0, 0], index);
-        if !self.params.tile {
-            return;
-        }
-        let side = self.params.side as i32;
-        let mut at = [0, 0];
-        for to in images(&solid.vertices, side) {
-            for v in &mut solid.vertices {
-                v.x += (to[0] - at[0]) as f32;
-                v.y += (to[1] - at[1]) as f32;
+        while !self.paint_slice(quarry, cell, index) {}
+    }
+
+    /// The same in slices, of which most stones need one; true when it is done. The next calls must
+    /// be for the same cell until then.
+    pub fn paint_slice(&mut self, quarry: &mut Quarry, cell: &Cell, index: usize) -> bool {
+        let mut left = SLICE;
+        let mut work = match self.work.take() {
+            Some(work) => work,
+            None => {
+                self.prepare(usize::MAX);
+                if !self.params.tile && self.is_beyond(cell) {
+                    return true;
+                }
+                let Some(solid) = quarry.stone_or_slice(cell, &self.params.stone) else {
+                    return false;
+                };
+                if solid.vertices.is_empty() {
+                    return true;
+                }
+                left = left.saturating_sub(solid.triangles.len());
+                self.begin(solid, cell, index)
             }
-            at = to;
-            self.place(&skin, &solid, at, index);
+        };
+        let done = self.place(&mut work, index, left);
+        if !done {
+            self.work = Some(work);
+        }
+        done
+    }
+
+    fn begin(&mut self, solid: Solid, cell: &Cell, index: usize) -> Work {
+        let coat = self.coats.get(index).copied().unwrap_or_default();
+        let mut ways = match self.params.tile {
+            true => images(&solid.vertices, self.params.side as i32),
+            false => Vec::new(),
+        };
+        ways.reverse();
+        let (window, fine) = (self.window(), self.params.fine as f32);
+        self.raster.begin(&solid, window, fine);
+        Work {
+            skin: skin(&self.params, cell, coat),
+            solid,
+            ways,
+            at: [0, 0],
+            rows: None,
         }
     }
 
-    /// Whether nothing of a cell's stone can be in the picture.
+    /// Whether nothing of a cell's stone can be in the rows that are painted now.
     fn is_beyond(&self, cell: &Cell) -> bool {
         let (mut low, mut high) = (DVec2::MAX, DVec2::MIN);
         for &p in &cell.ring {
@@ -210,24 +290,57 @@ impl Painter {
         // A prism's corners are displaced by its scale, its skew, its distortion.
         let reach = 1.0 + stone.scale + stone.skin.skew + stone.distortion;
         let reach = reach * (high - low).max_element();
-        let side = self.params.side as f64;
-        (low - reach).max_element() > side || (high + reach).min_element() < 0.0
+        let rows = |row: usize| row as f64 / self.params.fine as f64;
+        let from = DVec2::new(0.0, rows(self.band.start));
+        let to = DVec2::new(self.params.side as f64, rows(self.band.end));
+        (low - reach - to).max_element() > 0.0 || (high + reach - from).min_element() < 0.0
     }
 
-    /// Puts a stone that was moved by whole pixels into the planes: it looks as where it came from.
-    fn place(&mut self, skin: &Skin, solid: &Solid, moved: [i32; 2], index: usize) {
+    /// The columns and rows that are painted now.
+    fn window(&self) -> [Range<usize>; 2] {
+        [0..self.side, self.band.clone()]
+    }
+
+    /// Puts a stone and its images, which are moved by whole pixels and look as where it came from,
+    /// into the planes, for about the work of `left` triangles; true when all are there.
+    fn place(&mut self, work: &mut Work, index: usize, mut left: usize) -> bool {
         let mut raster = std::mem::take(&mut self.raster);
         let floor = self.level - 0.5 * self.depth - 2.0 * self.relief;
-        raster.draw(solid, floor, self.params.side);
-        for y in 0..raster.extent[1] {
-            for x in 0..raster.extent[0] {
-                if let Some(heights) = raster.pixel(x, y) {
-                    let at = [x as i32 + raster.origin[0], y as i32 + raster.origin[1]];
-                    self.pixel(skin, at, moved, heights, index as u32 + 1);
-                }
+        let done = loop {
+            if left == 0 {
+                break false;
             }
-        }
+            let Some(row) = work.rows else {
+                if raster.advance(&work.solid, floor, left) {
+                    work.rows = Some(0);
+                }
+                left = left.saturating_sub(work.solid.triangles.len());
+                continue;
+            };
+            if row < raster.extent[1] {
+                let moved = work.at.map(|v| v * self.pitch.fine());
+                for x in 0..raster.extent[0] {
+                    if let Some(heights) = raster.pixel(x, row) {
+                        let at = [x as i32 + raster.origin[0], row as i32 + raster.origin[1]];
+                        self.pixel(&work.skin, at, moved, heights, index as u32 + 1);
+                    }
+                }
+                work.rows = Some(row + 1);
+                left = left.saturating_sub(raster.extent[0]);
+                continue;
+            }
+            let Some(to) = work.ways.pop() else {
+                break true;
+            };
+            for v in &mut work.solid.vertices {
+                v.x += (to[0] - work.at[0]) as f32;
+                v.y += (to[1] - work.at[1]) as f32;
+            }
+            (work.at, work.rows) = (to, None);
+            raster.begin(&work.solid, self.window(), self.params.fine as f32);
+        };
         self.raster = raster;
+        done
     }
 
     /// Lets the weather do its work on the finished stones, about `rows` rows of it; true when done.
@@ -263,12 +376,14 @@ impl Painter {
         heights: [f32; PER_PIXEL],
         id: u32,
     ) {
-        let i = y as usize * self.params.side + x as usize;
-        let own_place = [x - moved[0], y - moved[1]];
-        let rough = skin.relief(&self.patterns, own_place[0], own_place[1]);
-        let raise = self.relief * rough + skin.lift(own_place[0], own_place[1]);
+        let i = y as usize * self.side + x as usize;
+        let [own_x, own_y] = [x - moved[0], y - moved[1]];
+        let own_place = [self.pitch.place(own_x), self.pitch.place(own_y)];
+        let rough = skin.relief(&self.patterns, own_x, own_y);
+        let raise = self.relief * rough + skin.lift(own_place);
         let soil = self.bed.height(x, y);
-        let claim = self.claim(i, heights, raise, soil);
+        let in_band = i - self.band.start * self.side;
+        let claim = self.claim(in_band, heights, raise, soil);
         let count = claim.fresh + claim.won;
         if claim.fresh == 0 && claim.share == 0.0 {
             return;
@@ -291,8 +406,11 @@ impl Painter {
             let gain = (colour[k] - dust[k]) * claim.bare + (colour[k] - old[k]) * claim.share;
             old[k] + gain * each
         }));
-        self.share[i] = self.share[i].saturating_sub(claim.won);
-        self.name(i, count, id, skin.optics);
+        self.share[in_band] = self.share[in_band].saturating_sub(claim.won);
+        if self.has_most(in_band, count) {
+            self.planes.id[i] = id;
+            self.planes.optics[i] = skin.optics;
+        }
     }
 
     /// What this stone gets of the samples of a pixel.
@@ -331,12 +449,12 @@ impl Painter {
 
     /// A pixel belongs to whoever has most of its samples; to the stone that came first, of equals,
     /// and never to the ground where a stone has half of it.
-    fn name(&mut self, i: usize, count: u8, id: u32, optics: u8) {
-        if count > self.share[i] && usize::from(count) * 2 >= PER_PIXEL {
+    fn has_most(&mut self, i: usize, count: u8) -> bool {
+        let most = count > self.share[i] && usize::from(count) * 2 >= PER_PIXEL;
+        if most {
             self.share[i] = count;
-            self.planes.id[i] = id;
-            self.planes.optics[i] = optics;
         }
+        most
     }
 }
 

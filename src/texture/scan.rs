@@ -1,8 +1,9 @@
 //! Scan conversion of a stone: the height of its surface at nine points a pixel.
 
-use crate::order::{greater, lesser};
+use crate::order::{greater, lesser, within};
 use crate::solid::Solid;
 use glam::Vec3;
+use std::ops::Range;
 
 /// Samples along a pixel's side.
 pub const SAMPLES: usize = 3;
@@ -23,34 +24,54 @@ pub struct Raster {
     pub origin: [i32; 2],
     /// Columns and rows of pixels of the box.
     pub extent: [usize; 2],
+    /// Pixels for each picture unit, along a side.
+    fine: f32,
     /// Samples from row to row.
     pitch: usize,
     heights: Vec<f32>,
     /// The stone's vertices, x and y in samples of the box.
     placed: Vec<Vec3>,
+    /// Triangles looked at so far.
+    drawn: usize,
 }
 
 impl Raster {
-    /// Scan converts what of the stone stands above `floor`, within a picture of `side` pixels.
-    pub fn draw(&mut self, solid: &Solid, floor: f32, side: usize) {
-        self.frame(&solid.vertices, side);
+    /// Begins the scan conversion of a stone within these columns and rows of a picture with `fine`
+    /// pixels for each unit, along a side.
+    pub fn begin(&mut self, solid: &Solid, window: [Range<usize>; 2], fine: f32) {
+        self.drawn = 0;
+        self.fine = fine;
+        self.frame(&solid.vertices, window);
         let [columns, rows] = self.extent;
         self.pitch = columns * SAMPLES + LANES;
         self.heights.clear();
+        self.placed.clear();
         if columns * rows == 0 {
             return;
         }
         self.heights.resize(rows * SAMPLES * self.pitch, NOTHING);
         let mut placed = std::mem::take(&mut self.placed);
-        placed.clear();
         placed.extend(solid.vertices.iter().map(|&v| self.in_samples(v)));
-        for &[a, b, c] in solid.triangles.iter() {
+        self.placed = placed;
+    }
+
+    /// Scan converts what of at most `most` more triangles of the stone stands above `floor`; true
+    /// when all are done.
+    pub fn advance(&mut self, solid: &Solid, floor: f32, most: usize) -> bool {
+        if self.placed.is_empty() {
+            return true;
+        }
+        let placed = std::mem::take(&mut self.placed);
+        let end = solid.triangles.len().min(self.drawn.saturating_add(most));
+        for &[a, b, c] in &solid.triangles[self.drawn..end] {
             let corners = [a, b, c].map(|i| placed[i as usize]);
             if corners.iter().any(|c| c.z > floor) {
                 self.triangle(corners);
             }
         }
         self.placed = placed;
+        self.drawn = end;
+        end == solid.triangles.len()
     }
 
     /// The heights of a pixel of the box, row after row; `None` where there is no surface.
@@ -65,16 +86,17 @@ impl Raster {
         (highest > NOTHING).then_some(heights)
     }
 
-    fn frame(&mut self, vertices: &[Vec3], side: usize) {
+    fn frame(&mut self, vertices: &[Vec3], window: [Range<usize>; 2]) {
         let (mut low, mut high) = ([f32::MAX; 2], [f32::MIN; 2]);
         for v in vertices {
             low = [lesser(low[0], v.x), lesser(low[1], v.y)];
             high = [greater(high[0], v.x), greater(high[1], v.y)];
         }
-        let inside = |v: f32| v.clamp(0.0, side as f32);
         let span = |k: usize| {
-            let first = inside(low[k].floor()) as usize;
-            let last = inside(high[k].ceil()) as usize;
+            let (from, to) = (window[k].start as f32, window[k].end as f32);
+            let inside = |v: f32| within(v, from, to);
+            let first = inside((low[k] * self.fine).floor()) as usize;
+            let last = inside((high[k] * self.fine).ceil()) as usize;
             (first as i32, last.saturating_sub(first))
         };
         let ((x, columns), (y, rows)) = (span(0), span(1));
@@ -86,8 +108,8 @@ impl Raster {
     fn in_samples(&self, v: Vec3) -> Vec3 {
         let scale = SAMPLES as f32;
         Vec3::new(
-            (v.x - self.origin[0] as f32) * scale - 0.5,
-            (v.y - self.origin[1] as f32) * scale - 0.5,
+            (v.x * self.fine - self.origin[0] as f32) * scale - 0.5,
+            (v.y * self.fine - self.origin[1] as f32) * scale - 0.5,
             v.z,
         )
     }

@@ -4,6 +4,7 @@ use super::coat::{Coat, smooth};
 use super::noise::Tile;
 use super::optics::FINISHES;
 use super::palette::Palette;
+use super::pitch::Pitch;
 use crate::cells::Cell;
 use crate::order::{greater, lesser};
 use crate::random::{Purpose, Random};
@@ -16,19 +17,24 @@ pub struct Patterns {
     pub relief: Tile,
     broad: Tile,
     grains: Tile,
+    pitch: Pitch,
 }
 
 impl Patterns {
-    /// Patterns for stones of about `size` pixels.
-    pub fn new(seed: u64, size: f64, dimension: f64) -> Self {
+    /// Patterns for stones of about `size` picture units, in a picture of such pixels.
+    pub fn new(seed: u64, size: f64, dimension: f64, pitch: Pitch) -> Self {
         let mut levels = 2;
         while levels < 8 && f64::from(1u32 << levels) * 1.42 < size {
             levels += 1;
         }
+        let tile = |item, log_side, levels, dimension| {
+            Tile::finer(seed, item, [log_side, levels], dimension, pitch.doublings())
+        };
         Self {
-            relief: Tile::new(seed, 1, 9, levels, dimension),
-            broad: Tile::new(seed, 2, 8, levels, 1.4),
-            grains: Tile::new(seed, 3, 8, 1, 1.7),
+            relief: tile(1, 9, levels, dimension),
+            broad: tile(2, 8, levels, 1.4),
+            grains: tile(3, 8, 1, 1.7),
+            pitch,
         }
     }
 }
@@ -105,32 +111,36 @@ impl Skin {
         }
     }
 
-    /// What this stone is laid higher than the others at a pixel.
-    pub fn lift(&self, x: i32, y: i32) -> f32 {
-        let (dx, dy) = (x as f32 - self.centre[0], y as f32 - self.centre[1]);
+    /// What this stone is laid higher than the others at a place, in picture units as
+    /// [`Pitch::place`] gives them.
+    pub fn lift(&self, [x, y]: [f32; 2]) -> f32 {
+        let (dx, dy) = (x - self.centre[0], y - self.centre[1]);
         self.step + self.tilt[0] * dx + self.tilt[1] * dy
     }
 
     /// The fractal relief at a pixel: deviation about 1. Turned and mirrored, never interpolated, so
     /// that its roughness stays.
     pub fn relief(&self, patterns: &Patterns, x: i32, y: i32) -> f32 {
+        let pitch = patterns.pitch;
+        let (x, y) = (pitch.value(x), pitch.value(y));
         let (x, y) = if self.turn & 1 == 0 { (x, y) } else { (y, x) };
         let x = if self.turn & 2 == 0 { x } else { -x };
         let y = if self.turn & 4 == 0 { y } else { -y };
-        patterns.relief.at(x + self.shift[0], y + self.shift[1])
+        let [across, down] = self.shift.map(|v| v << pitch.doublings());
+        patterns.relief.at(x + across, y + down)
     }
 
-    /// The stone's colour at a pixel, 0..255, where its relief is `relief`. `height` is the part of
+    /// The stone's colour at a place as [`Skin::lift`] takes it, 0..255, where its relief is `relief`. `height` is the part of
     /// the joint's depth that the surface stands above the ground, `dust` the ground's colour.
     pub fn colour(
         &self,
         palette: &Palette,
         patterns: &Patterns,
-        [x, y]: [i32; 2],
+        [x, y]: [f32; 2],
         relief: f32,
         (height, dust): (f32, [f32; 3]),
     ) -> [f32; 3] {
-        let (dx, dy) = (x as f32 - self.centre[0], y as f32 - self.centre[1]);
+        let (dx, dy) = (x - self.centre[0], y - self.centre[1]);
         let u = dx * self.axis[0] + dy * self.axis[1] + self.offset[0];
         let v = dy * self.axis[0] - dx * self.axis[1] + self.offset[1];
         let blotch = patterns.broad.between(u, v);

@@ -5,6 +5,7 @@
 
 use super::noise::floor;
 use super::painter::{relief, skin};
+use super::pitch::Pitch;
 use super::skin::{Patterns, Skin};
 use super::{Coat, Planes, TextureParams};
 use crate::cells::Cell;
@@ -48,7 +49,7 @@ impl Surfaces {
     /// For the planes made by these parameters.
     pub fn new(params: TextureParams) -> Self {
         Self {
-            patterns: Patterns::new(params.seed, params.size, params.dimension),
+            patterns: Patterns::new(params.seed, params.size, params.dimension, Pitch::new(1)),
             relief: relief(&params),
             rims: Vec::new(),
             params,
@@ -111,7 +112,7 @@ impl Surfaces {
             let down = if below == 1 { ty } else { 1.0 - ty };
             let (x, y) = (ix + right, iy + below);
             let relief = self.relief * skin.relief(&self.patterns, x, y);
-            sum += across * down * (relief + skin.lift(x, y));
+            sum += across * down * (relief + skin.lift([x as f32, y as f32]));
         }
         sum
     }

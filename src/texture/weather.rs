@@ -30,7 +30,7 @@ impl WeatherParams {
     }
 }
 
-/// Pixels from one distance to the boundary to the next; between them it is interpolated.
+/// Picture units from one distance to the boundary to the next; between them it is interpolated.
 const STEP: usize = 8;
 /// Half the width of the means around a pixel, in cell sizes: of what feet round, and of what makes
 /// a hollow.
@@ -54,7 +54,9 @@ const MIRROR: f32 = 0.42;
 /// The weather at work.
 pub(super) struct Weather {
     params: WeatherParams,
+    /// Pixels along the picture's side, and for each picture unit.
     side: usize,
+    fine: usize,
     /// Height of the joints' ground, and their depth.
     level: f32,
     depth: f32,
@@ -67,15 +69,23 @@ pub(super) struct Weather {
 }
 
 impl Weather {
-    /// Weather for joints of a ground at `level` and of `depth` between stones of about `size`.
-    pub fn new(params: WeatherParams, side: usize, size: f64, level: f32, depth: f32) -> Self {
+    /// Weather for joints of a ground at `level` and of `depth` between stones of about `size`, in a
+    /// picture of `side` pixels with `fine` of them for each unit.
+    pub fn new(
+        params: WeatherParams,
+        [side, fine]: [usize; 2],
+        size: f64,
+        [level, depth]: [f32; 2],
+    ) -> Self {
+        let radius = |reach: f64| (reach * size) as usize * fine + fine / 2;
         Self {
             params,
             side,
+            fine,
             level,
             depth,
             size: size as f32,
-            means: REACH.map(|reach| Mean::new((reach * size) as usize, side)),
+            means: REACH.map(|reach| Mean::new(radius(reach), side)),
             distances: Vec::new(),
             farthest: 1.0,
             row: 0,
@@ -114,7 +124,7 @@ impl Weather {
 
     /// Some more rows of distances; false when all are there.
     fn measure(&mut self, domain: &Domain, rows: usize) -> bool {
-        let across = self.side / STEP + 2;
+        let across = self.side / self.step() + 2;
         let made = self.distances.len() / across;
         if domain.period().is_some() || made == across {
             return false;
@@ -130,11 +140,17 @@ impl Weather {
         true
     }
 
+    /// Pixels from one distance to the next.
+    fn step(&self) -> usize {
+        STEP * self.fine
+    }
+
     /// The distance to the boundary, below 0 outside; 0 or more everywhere on a tile.
     fn distance(&self, [x, y]: [usize; 2]) -> f32 {
-        let across = self.side / STEP + 2;
-        let at = y / STEP * across + x / STEP;
-        let part = |v: usize| (v % STEP) as f32 / STEP as f32;
+        let step = self.step();
+        let across = self.side / step + 2;
+        let at = y / step * across + x / step;
+        let part = |v: usize| (v % step) as f32 / step as f32;
         let between = |at: usize| {
             let (a, b) = (self.distances[at], self.distances[at + 1]);
             a + (b - a) * part(x)
@@ -155,8 +171,11 @@ impl Weather {
         } = self.params;
         let (wear, moss, dirt, wet) = (wear as f32, moss as f32, dirt as f32, wet as f32);
         let i = y * self.side + x;
-        let (px, py) = (x as i32, y as i32);
-        let (broad, fine) = (bed.broad(px + 211, py + 97), bed.fine(px, py));
+        let (px, py, fine) = (x as i32, y as i32, self.fine as i32);
+        let (broad, grains) = (
+            bed.broad(px + 211 * fine, py + 97 * fine),
+            bed.grains(px, py),
+        );
         let distance = self.distance([x, y]);
         let trodden = soft(distance / self.farthest * 1.15);
         let mut height = planes.bump[i];
@@ -185,9 +204,9 @@ impl Weather {
         }
         let mut soaks = !stone;
         if dirt > 0.0 {
-            let lies = hollow + 0.10 * broad + 0.04 * fine - 0.96 + dirt;
+            let lies = hollow + 0.10 * broad + 0.04 * grains - 0.96 + dirt;
             let cover = (0.35 + 0.6 * dirt) * soft(1.9 * lies);
-            let grain = 1.0 + 0.06 * fine + 0.05 * broad;
+            let grain = 1.0 + 0.06 * grains + 0.05 * broad;
             mix(&mut colour, bed.dirt().map(|v| v * grain), cover);
             height += SILT * self.depth * cover * soft(2.0 * hollow - 0.6);
             if cover > 0.45 {
@@ -196,15 +215,15 @@ impl Weather {
             }
         }
         if moss > 0.0 {
-            let shade = 0.72 * hollow + 0.15 * broad + 0.06 * fine - 0.14 * trodden;
+            let shade = 0.72 * hollow + 0.15 * broad + 0.06 * grains - 0.14 * trodden;
             let cover = soft((shade - 0.86 + 0.98 * moss) * 7.0);
-            let light = (0.5 - 0.55 * (hollow - 0.5) + 0.2 * fine + 0.25 * bed.broad(py, px))
+            let light = (0.5 - 0.55 * (hollow - 0.5) + 0.2 * grains + 0.25 * bed.broad(py, px))
                 .clamp(0.0, 1.0);
             let mut green = GREENS[0];
             mix(&mut green, GREENS[1], light);
-            let grain = 1.0 + 0.16 * fine;
+            let grain = 1.0 + 0.16 * grains;
             mix(&mut colour, green.map(|v| v * grain), cover);
-            height += self.depth * PAD * cover * (0.75 + 0.22 * fine);
+            height += self.depth * PAD * cover * (0.75 + 0.22 * grains);
             if cover > 0.5 {
                 optics = MOSS;
                 soaks = true;

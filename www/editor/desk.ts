@@ -111,7 +111,7 @@ export class Desk {
     const figures = sort.word === 'road' ? this.roadsNow() : this.sorts.read(sort);
     if (sort.form === 'ring' && this.engine.get('outline') !== 'polygon') this.takeRings(figures.map(({ points }) => points));
     this.known = this.text(sort.word);
-    this.rim = sort.word === 'road' && figures.length ? roadRings(figures, this.engine.side()) : [];
+    this.rim = sort.word === 'road' && figures.length ? oneOuter(arranged(roadRings(figures, this.engine.side()))) : [];
     this.editor.show(sort, figures, armed);
     this.work.store.update({ editing: armed ? 'hole' : sort.word });
   }
@@ -164,7 +164,9 @@ export class Desk {
       alertOf('outline', tell('tile_has_none'));
       return false;
     }
-    if (!this.takeRings(arranged(rings), loose)) return false;
+    const whole = arranged(rings);
+    if (!this.takeRings(oneOuter(whole), loose && (() => oneOuter(arranged(loose()))))) return false;
+    if (oneOuter(whole).length < whole.length) notice('outline', tell('one_ring'));
     this.begin('outline');
     return true;
   }
@@ -172,16 +174,9 @@ export class Desk {
   /** Gives an outline to the engine; false where it was refused. */
   private takeRings(rings: Ring[], loose?: () => Ring[]): boolean {
     return this.change('outline', () => {
-      let used = oneOuter(rings);
-      let answer = this.work.outline(used, this.held);
-      if (answer.refused && loose) {
-        const united = arranged(loose());
-        used = oneOuter(united);
-        answer = this.work.outline(used, this.held);
-      }
-      const { refused, sentence } = answer;
-      if (refused) return { refused, sentence: tell('last_good', { sentence }) };
-      return { refused, sentence: [sentence, used.length < rings.length ? tell('one_ring') : ''].join(' ').trim() };
+      const first = this.work.outline(rings, this.held);
+      const { refused, sentence } = first.refused && loose ? this.work.outline(loose(), this.held) : first;
+      return { refused, sentence: refused ? tell('last_good', { sentence }) : sentence };
     });
   }
 
@@ -197,7 +192,7 @@ export class Desk {
   private takeRoads(figures: Figure[]): boolean {
     const side = this.engine.side();
     this.width = figures.at(-1)?.value ?? this.width;
-    this.rim = roadRings(figures, side);
+    this.rim = oneOuter(arranged(roadRings(figures, side)));
     // The last road was removed: the outline stays as it is.
     if (!this.rim.length) return true;
     if (!this.takeRings(this.rim)) return false;

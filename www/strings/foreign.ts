@@ -5,10 +5,10 @@ export interface Foreign {
   units: Record<string, string>;
   /** Groups of parameters and of presets. */
   groups: Record<string, string>;
-  /** By the preset's name. */
+  /** By the preset's name; those of the papers' figures have these for titles. */
   presets: Record<string, { title: string; note: string }>;
   /** The papers' figures that a preset names. */
   figure(text: string): string;
-  /** The first pattern that fits a whole sentence gives it. */
-  sentences: [pattern: RegExp, replacement: string][];
+  /** One or more sentences of the module. */
+  sentence(text: string): string;
 }
