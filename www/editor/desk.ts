@@ -8,7 +8,7 @@ import { exportDialog, importDialog, textDialog } from './dialogs';
 import { Editor } from './editor';
 import type { Figure, Sort } from './figures';
 import { looksLikeOutline, ringsOf } from './import';
-import { arranged, oneOuter } from './rings';
+import { arranged } from './rings';
 import { roadRings } from './road';
 import { Sorts } from './sorts';
 import { tell } from './words';
@@ -111,7 +111,7 @@ export class Desk {
     const figures = sort.word === 'road' ? this.roadsNow() : this.sorts.read(sort);
     if (sort.form === 'ring' && this.engine.get('outline') !== 'polygon') this.takeRings(figures.map(({ points }) => points));
     this.known = this.text(sort.word);
-    this.rim = sort.word === 'road' && figures.length ? oneOuter(arranged(roadRings(figures, this.engine.side()))) : [];
+    this.rim = sort.word === 'road' && figures.length ? arranged(roadRings(figures, this.engine.side())) : [];
     this.editor.show(sort, figures, armed);
     this.work.store.update({ editing: armed ? 'hole' : sort.word });
   }
@@ -164,9 +164,7 @@ export class Desk {
       alertOf('outline', tell('tile_has_none'));
       return false;
     }
-    const whole = arranged(rings);
-    if (!this.takeRings(oneOuter(whole), loose && (() => oneOuter(arranged(loose()))))) return false;
-    if (oneOuter(whole).length < whole.length) notice('outline', tell('one_ring'));
+    if (!this.takeRings(arranged(rings), loose && (() => arranged(loose())))) return false;
     this.begin('outline');
     return true;
   }
@@ -192,7 +190,7 @@ export class Desk {
   private takeRoads(figures: Figure[]): boolean {
     const side = this.engine.side();
     this.width = figures.at(-1)?.value ?? this.width;
-    this.rim = oneOuter(arranged(roadRings(figures, side)));
+    this.rim = arranged(roadRings(figures, side));
     // The last road was removed: the outline stays as it is.
     if (!this.rim.length) return true;
     if (!this.takeRings(this.rim)) return false;

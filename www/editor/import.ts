@@ -58,8 +58,8 @@ function parseJson(text: string, name: string, side: number): Ring[] {
 function ringsIn(content: unknown): unknown[] {
   if (!(content instanceof Object)) return [];
   const { rings, outer, holes } = content as Record<string, unknown>;
-  if (Array.isArray(rings)) return rings;
-  return outer === undefined ? [] : [outer].concat(Array.isArray(holes) ? holes : []);
+  const list = (value: unknown): unknown[] => (Array.isArray(value) ? value : []);
+  return [...(outer === undefined ? [] : [outer]), ...list(holes), ...list(rings)];
 }
 
 function isPoint(point: unknown): point is Point {

@@ -8,12 +8,6 @@ export function arranged(rings: Ring[]): Ring[] {
   return whole.map((ring) => (area(ring) > 0 === (depth(ring, whole) % 2 === 0) ? ring : [...ring].reverse()));
 }
 
-/** Of rings in order the largest with its own holes. */
-export function oneOuter(rings: Ring[]): Ring[] {
-  const [outer] = rings;
-  return rings.filter((ring) => ring === outer || (depth(ring, rings) === 1 && outer && ring[0] && within(ring[0], outer)));
-}
-
 /** In how many of the rings a ring lies. */
 function depth(ring: Ring, all: Ring[]): number {
   return all.filter((other) => other !== ring && ring[0] && within(ring[0], other)).length;

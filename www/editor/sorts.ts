@@ -53,12 +53,8 @@ export class Sorts {
         figure: tell('hole'),
         form: 'ring',
         least: 3,
-<<<<<<< HEAD:www/editor/sorts.ts
         tip: tell('tip_hole'),
         name: ({ figure, index }, all) => tell('point_of', { k: index + 1, n: all[figure]?.points.length ?? 0, figure: ringName(figure, all) }),
-=======
-        name: (f, index, { points }) => `Point ${index + 1} of ${points.length}, ${f === 0 ? 'outer ring' : `ring ${f + 1}`}`,
->>>>>>> page:www/sorts.ts
       },
       line('road', 'road_label', 'road', 'tip_road', { label: tell('road_width'), min: 2, max: 60, step: 1, first: ROAD, shown: (value) => `${Math.round(value)} %` }),
       line('lines', 'lines', 'line', 'tip_line'),
