@@ -5,19 +5,20 @@ import { byId, byIdAs, make, say } from './dom';
 import { Editing } from './editing';
 import { Engine } from './engine';
 import { History } from './history';
+import { kindsIn } from './kinds';
 import { bindKeys, listenToKeys } from './keys';
 import { address, fragment, Link } from './link';
 import { isLocked, keptLocks } from './locks';
 import { Loop } from './loop';
 import { lastWork, remember } from './memory';
 import { alertOf, clear, notice, offerOf, passing } from './messages';
-import { OutlineTools } from './outline-tools';
 import { Presets } from './presets';
 import { scriptFace, type ScriptFace } from './scripts';
 import { Seed, SEED, withSeed } from './seed';
 import { StatusLine } from './status';
 import { Store, type State } from './store';
 import { Transport } from './transport';
+import { Toolbox } from './toolbox';
 import { tellCrash } from './trouble';
 import { View, VIEWS } from './view';
 import { makeViewBox } from './viewbox';
@@ -61,9 +62,9 @@ export class App {
       defaultOf: (parameter) => this.engine.defaultOf(parameter),
       change: (key, text, done) => this.change(key, text, done),
       edit: (key) => this.editing.toggle(key),
-      kinds: () => this.editing.sorts.kinds(),
+      kinds: () => kindsIn(this.engine),
     });
-    new OutlineTools(this.work, controls, this.editing);
+    new Toolbox(this.work, controls, this.editing);
     const presets = new Presets(this.engine.presets, (preset) => {
       this.editing.end();
       this.push();

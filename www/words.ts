@@ -30,7 +30,8 @@ export function wordsOf<Key extends string>(by: { en: Record<Key, string>; ja: R
   return (key: Key, values: Record<string, string | number> = {}): string => filled(by[language() === 'ja' ? 'ja' : 'en'][key], values);
 }
 
-function filled(text: string, values: Record<string, string | number>): string {
+/** A text with `{name}` replaced by values. */
+export function filled(text: string, values: Record<string, string | number>): string {
   return text.replace(/\{(\w+)\}/g, (whole, name: string) => String(values[name] ?? whole));
 }
 
