@@ -26,6 +26,20 @@ export function make<K extends keyof HTMLElementTagNameMap>(
   return element;
 }
 
+/** Arrow keys go from button to button of a toolbar; only one of them is a stop for Tab. */
+export function walkByArrows(toolbar: HTMLElement): void {
+  toolbar.addEventListener('keydown', (event) => {
+    const step = { ArrowDown: 1, ArrowRight: 1, ArrowUp: -1, ArrowLeft: -1 }[event.key];
+    const shown = [...toolbar.querySelectorAll('button')].filter((button) => !button.hidden);
+    const at = shown.findIndex((button) => button === event.target);
+    if (!step || at < 0) return;
+    event.preventDefault();
+    const next = shown.at((at + step) % shown.length);
+    for (const button of shown) button.tabIndex = button === next ? 0 : -1;
+    next?.focus();
+  });
+}
+
 /** Sets a text only when it differs, so that idle frames touch nothing. */
 export function say(element: Element, text: string): void {
   if (element.textContent !== text) element.textContent = text;

@@ -1,6 +1,6 @@
 /** The editor's tools beside the canvas, the panel's button for the outline, and outlines that are dropped or pasted. */
 import type { Controls } from './controls';
-import { byId, make, say } from './dom';
+import { byId, make, say, walkByArrows } from './dom';
 import type { Editing } from './editing';
 import type { Engine } from './engine';
 import { applies } from './kinds';
@@ -25,22 +25,11 @@ export class Toolbox {
       tool.addEventListener('click', (event) => editing.use(tool.dataset['tool'] ?? '', event.detail === 0));
     }
     const box = byId('toolbox');
-    box.addEventListener('keydown', (event) => this.walk(event));
+    walkByArrows(box);
     for (const near of ['pointerover', 'focusin']) box.addEventListener(near, () => void editing.load(), { once: true });
     this.receive(byId('frame'));
     work.store.on(['editing', 'recipe'], () => this.show());
     this.show();
-  }
-
-  /** Arrow keys go from tool to tool; only one of them is a stop for Tab. */
-  private walk(event: KeyboardEvent): void {
-    const step = { ArrowDown: 1, ArrowRight: 1, ArrowUp: -1, ArrowLeft: -1 }[event.key];
-    if (!step) return;
-    const shown = this.tools.filter((tool) => !tool.hidden);
-    const next = shown.at((shown.indexOf(event.target as HTMLButtonElement) + step) % shown.length);
-    event.preventDefault();
-    for (const tool of shown) tool.tabIndex = tool === next ? 0 : -1;
-    next?.focus();
   }
 
   /** Outlines come as files dropped on the stage, and by the clipboard. */

@@ -1,5 +1,5 @@
 /** The buttons for looking closer, beside the canvas; what they do is loaded when it is first asked for. */
-import { byId, say } from './dom';
+import { byId, say, walkByArrows } from './dom';
 import { bindKeys } from './keys';
 import { alertOf, clear } from './messages';
 import type { Store } from './store';
@@ -42,6 +42,7 @@ export function makeViewBox(work: Work, view: View): void {
     say(byId('tile-word'), t('repeat_now', { n: repeat }));
     tiles((it) => it.follow());
   });
+  walkByArrows(byId('viewbox'));
   bind();
 }
 

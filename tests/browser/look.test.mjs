@@ -92,15 +92,19 @@ test('points that are edited keep their size when the picture is zoomed, and go 
   const { page, close } = await finished();
   await page.click('#edit-outline');
   const before = await box(page, '.handle');
-  const at = await spot(page, 0.05, 0.05);
-  await page.mouse.move(at.x, at.y);
+  const sheet = await box(page, '#sheet');
+  // Beside the point, so that the wheel is over the picture.
+  const centre = ({ x, y, width, height }) => ({ x: x + width / 2, y: y + height / 2 });
+  const inwards = (from, far) => ({ x: from.x + far * Math.sign(centre(sheet).x - from.x), y: from.y + far * Math.sign(centre(sheet).y - from.y) });
+  const beside = inwards(centre(before), 20);
+  await page.mouse.move(beside.x, beside.y);
   for (let k = 0; k < 3; k += 1) await page.mouse.wheel({ deltaY: -120 });
   await frames(page, 2);
   assert.ok((await factor(page)) > 1.5);
   const handle = await box(page, '.handle');
   assert.equal(handle.width, before.width);
-  const middle = { x: handle.x + handle.width / 2, y: handle.y + handle.height / 2 };
-  const to = { x: middle.x + 60, y: middle.y + 50 };
+  const middle = centre(handle);
+  const to = inwards(middle, 40);
   await drag(page, middle, to);
   await page.mouse.up();
   const now = await box(page, '.handle');

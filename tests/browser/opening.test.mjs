@@ -115,7 +115,7 @@ test('every view draws something of its own', async () => {
     assert.ok(!seen.has(hash), `${view} looks like ${seen.get(hash)}`);
     seen.set(hash, view);
   }
-  assert.equal(seen.size, 9);
+  assert.equal(seen.size, 13);
   assert.deepEqual(problems, []);
   await close();
 });
