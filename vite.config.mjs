@@ -1,6 +1,9 @@
 import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
+import { buildIcons } from './scripts/lib/icons.mjs';
+import { offline } from './scripts/lib/offline.mjs';
+import { buildThumbs } from './scripts/lib/thumbs.mjs';
 
 const here = (/** @type {string} */ path) => fileURLToPath(new URL(path, import.meta.url));
 
@@ -31,11 +34,15 @@ const words = {
   },
 };
 
+// Files of the site that are made have to be there before Vite looks for files.
+await buildThumbs();
+await buildIcons();
+
 export default defineConfig({
   root: here('www'),
   // Relative, so that the site works from any folder of any host.
   base: './',
-  plugins: [words],
+  plugins: [words, offline],
   json: { namedExports: true },
   build: {
     outDir: here('dist'),
@@ -44,6 +51,11 @@ export default defineConfig({
     // The module stays a file of its own, however small: browsers compile it while it arrives.
     assetsInlineLimit: 0,
     modulePreload: { polyfill: false },
+    rolldownOptions: {
+      input: { index: here('www/index.html'), sw: here('www/service/sw.ts') },
+      // A service worker has one address for ever, and stands over all that it serves.
+      output: { entryFileNames: ({ name }) => (name === 'sw' ? 'sw.js' : 'assets/[name]-[hash].js') },
+    },
   },
   worker: { format: 'es' },
   server: {

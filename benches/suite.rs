@@ -69,8 +69,7 @@ fn ring() -> Outline {
             .collect()
     };
     Outline {
-        outer: circle(250.0, 1.0),
-        holes: vec![circle(125.0, -1.0)],
+        rings: vec![circle(250.0, 1.0), circle(125.0, -1.0)],
         ..Outline::default()
     }
 }
@@ -79,7 +78,7 @@ fn ring() -> Outline {
 fn square() -> Outline {
     let corners = [(32.0, 32.0), (480.0, 32.0), (480.0, 480.0), (32.0, 480.0)];
     Outline {
-        outer: corners.map(|(x, y)| DVec2::new(x, y)).to_vec(),
+        rings: vec![corners.map(|(x, y)| DVec2::new(x, y)).to_vec()],
         ..Outline::default()
     }
 }

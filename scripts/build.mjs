@@ -2,7 +2,6 @@
 import { start } from './lib/run.mjs';
 import * as setup from './lib/setup.mjs';
 import { buildSite } from './lib/site.mjs';
-import { buildThumbs } from './lib/thumbs.mjs';
 import { buildWasm } from './lib/wasm.mjs';
 
 await start(async () => {
@@ -11,6 +10,5 @@ await start(async () => {
   const env = setup.wasmRust();
   setup.wasmTools();
   await buildWasm('web', env);
-  await buildThumbs();
   await buildSite();
 });

@@ -1,7 +1,6 @@
-// `npm start`: sets up what is missing, builds the module and the small pictures, serves the page.
+// `npm start`: sets up what is missing, builds the module, serves the page.
 import { say, start } from './lib/run.mjs';
 import * as setup from './lib/setup.mjs';
-import { buildThumbs } from './lib/thumbs.mjs';
 import { buildWasm } from './lib/wasm.mjs';
 
 await start(async () => {
@@ -10,7 +9,6 @@ await start(async () => {
   const env = setup.wasmRust();
   setup.wasmTools();
   await buildWasm('web', env);
-  await buildThumbs();
   await serve();
 });
 

@@ -5,7 +5,6 @@ import { ask, root, run, say, start } from './lib/run.mjs';
 import { nativeEnv, wasmTarget } from './lib/rust.mjs';
 import * as setup from './lib/setup.mjs';
 import { buildSite } from './lib/site.mjs';
-import { buildThumbs } from './lib/thumbs.mjs';
 import { buildWasm } from './lib/wasm.mjs';
 
 /** @type {{ name: string, seconds: number }[]} */
@@ -20,7 +19,6 @@ await start(async () => {
     await step('cargo test', () => run('cargo', ['test'], { env: native }));
     await step('wasm-pack test', () => wasmTest(wasm));
     await step('wasm build', () => buildWasm('web', wasm));
-    await step('thumbnails', buildThumbs);
     await step('types', types);
     await step('lint', () => tool('eslint', 'bin/eslint.js', ['--max-warnings', '0', '.']));
     await step('page build', buildSite);
@@ -90,7 +88,7 @@ function wasmTest(env) {
 }
 
 function types() {
-  for (const project of ['tsconfig.json', 'tsconfig.node.json']) {
+  for (const project of ['tsconfig.json', 'www/service/tsconfig.json', 'tsconfig.node.json']) {
     tool('typescript', 'bin/tsc', ['--noEmit', '-p', project]);
   }
 }

@@ -285,7 +285,7 @@ impl Bubblestone {
         self.studio.digest()
     }
 
-    /// Makes a free polygon of rings (x, y, x, y, ...; the first is the outer one) the outline:
+    /// Makes a free polygon of rings (x, y, x, y, ...; in any order) the outline:
     /// '' or the sentence that says what is wrong with it; then the last good outline stays.
     #[wasm_bindgen(js_name = setOutline)]
     pub fn set_outline(&mut self, points: &[f64], ring_lengths: &[u32]) -> String {
@@ -387,10 +387,8 @@ fn rings_of(points: &[f64], lengths: &[u32]) -> Result<Outline, String> {
         rings.push(rest);
         rest = after;
     }
-    let outer = rings.remove(0);
     Ok(Outline {
-        outer,
-        holes: rings,
+        rings,
         ..Outline::default()
     })
 }

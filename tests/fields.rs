@@ -25,11 +25,8 @@ fn ring(n: usize, r: f64, sense: f64) -> Vec<DVec2> {
 }
 
 fn domain(outer: Vec<DVec2>, holes: Vec<Vec<DVec2>>, lines: Vec<Vec<DVec2>>) -> Domain {
-    Domain::from_checked(&Outline {
-        outer,
-        holes,
-        lines,
-    })
+    let rings = std::iter::once(outer).chain(holes).collect();
+    Domain::from_checked(&Outline { rings, lines })
 }
 
 fn picture() -> Domain {

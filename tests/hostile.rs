@@ -97,13 +97,25 @@ fn polygon(random: &mut Random, side: f64) -> Outline {
     let middle = DVec2::splat(side / 2.0);
     let shrunk =
         |ring: &[DVec2], by: f64| ring.iter().map(|&p| middle + (p - middle) * by).collect();
-    let holes = match random.below(3) {
-        0 => vec![shrunk(&outer, scale * [0.1, 0.5, 0.9][random.below(3)])],
-        _ => vec![],
-    };
+    let mut rings: Vec<Vec<DVec2>> = vec![shrunk(&outer, scale)];
+    if random.below(3) == 0 {
+        rings.push(shrunk(&outer, scale * [0.1, 0.5, 0.9][random.below(3)]));
+    }
+    // Sometimes islands beside it, or within it, or over it: then it is none.
+    if random.below(3) == 0 {
+        let (by, to) = (
+            [0.05, 0.3, 1.0][random.below(3)],
+            DVec2::new(random.unit(), random.unit()),
+        );
+        let moved = |ring: &Vec<DVec2>| -> Vec<DVec2> {
+            let small: Vec<DVec2> = shrunk(ring, by);
+            small.iter().map(|&p| p + (to - 0.5) * side).collect()
+        };
+        let copies: Vec<Vec<DVec2>> = rings.iter().map(moved).collect();
+        rings.extend(copies);
+    }
     Outline {
-        outer: shrunk(&outer, scale),
-        holes,
+        rings,
         ..Outline::default()
     }
 }

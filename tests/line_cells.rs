@@ -119,8 +119,7 @@ fn random_outline(random: &mut Random) -> Outline {
     let mut point = || p(SIDE * random.unit(), SIDE * random.unit());
     let lines = (0..3).map(|k| (0..2 + k).map(|_| point()).collect());
     Outline {
-        outer,
-        holes: vec![],
+        rings: vec![outer],
         lines: lines.collect(),
     }
 }
@@ -149,8 +148,7 @@ fn cells_fill_random_outlines_with_random_lines() {
 #[test]
 fn each_side_of_a_line_has_its_own_cells() {
     let outline = Outline {
-        outer: vec![p(0., 0.), p(200., 0.), p(200., 160.), p(0., 160.)],
-        holes: vec![],
+        rings: vec![vec![p(0., 0.), p(200., 0.), p(200., 160.), p(0., 160.)]],
         lines: vec![vec![p(-10., 80.), p(210., 80.)]],
     };
     let domain = Domain::from_checked(&outline.check(SIDE).unwrap().0);

@@ -17,8 +17,7 @@ fn outline(lines: Vec<Vec<DVec2>>) -> Outline {
     let mut hole = ring(200.0, 300.0);
     hole.reverse();
     Outline {
-        outer: ring(100.0, 400.0),
-        holes: vec![hole],
+        rings: vec![ring(100.0, 400.0), hole],
         lines,
     }
 }

@@ -3,6 +3,7 @@
 mod common;
 
 use bubblestone::domain::Outline;
+use bubblestone::random::{Purpose, Random};
 use bubblestone::recipe::{Key, Kind, Recipe, SCHEMA};
 use common::{star, valid};
 use glam::DVec2;
@@ -301,8 +302,10 @@ fn a_hundred_points_make_a_short_link_with_the_same_bits() {
         let mut recipe = Recipe::default();
         recipe.set("size", side).unwrap();
         let outline = Outline {
-            outer: star(recipe.side(), &radii),
-            holes: vec![hole.iter().map(|p| *p * recipe.side() / 512.0).collect()],
+            rings: vec![
+                star(recipe.side(), &radii),
+                hole.iter().map(|p| *p * recipe.side() / 512.0).collect(),
+            ],
             ..Outline::default()
         };
         assert_eq!(recipe.set_polygon(&outline), Ok(vec![]));
@@ -310,10 +313,80 @@ fn a_hundred_points_make_a_short_link_with_the_same_bits() {
         assert!(link.len() < 1000, "{} characters", link.len());
         assert_eq!(Recipe::from_link(&link), (recipe.clone(), vec![]));
         let taken = recipe.outline();
-        let moved = outline.outer.iter().zip(&taken.outer);
+        let moved = outline.rings[0].iter().zip(&taken.rings[0]);
         let most = moved.map(|(p, q)| p.distance(*q)).fold(0.0, f64::max);
         assert!(most <= recipe.side() / 32768.0, "moved by {most}");
     }
+}
+
+/// Points anywhere in the picture, as far from each other as chance has it.
+fn anywhere(random: &mut Random, count: usize) -> Vec<[f64; 2]> {
+    (0..count).map(|_| [random.unit(), random.unit()]).collect()
+}
+
+/// A star of so many points whose radii jump.
+fn jagged(random: &mut Random, side: f64, count: usize) -> Vec<DVec2> {
+    let radii: Vec<f64> = (0..count).map(|_| 0.2 + 0.78 * random.unit()).collect();
+    star(side, &radii)
+}
+
+/// The worst a hundred points can do, and a hundred more in lines, strokes and spots.
+#[test]
+fn links_of_hundreds_of_points_stay_below_two_thousand_characters() {
+    let mut random = Random::new(1, Purpose::Noise, 0);
+    for side in ["512", "2048"] {
+        let mut recipe = Recipe::default();
+        recipe.set("size", side).unwrap();
+        let ring = jagged(&mut random, recipe.side(), 100);
+        recipe
+            .set_polygon(&Outline {
+                rings: vec![ring],
+                ..Outline::default()
+            })
+            .unwrap();
+        let link = recipe.link();
+        assert!(link.len() < 900, "{} characters", link.len());
+        let rows = |points: &[[f64; 2]], tail: &str| -> String {
+            let rows = points.iter().map(|[x, y]| format!("{x},{y}{tail}"));
+            rows.collect::<Vec<_>>()
+                .join(if tail.is_empty() { "," } else { ";" })
+        };
+        for (key, count, tail) in [
+            ("lines", 40, ""),
+            ("strokes", 40, ""),
+            ("spots", 20, ",0.1234,1.371"),
+        ] {
+            let points = anywhere(&mut random, count);
+            recipe.set(key, &rows(&points, tail)).unwrap();
+        }
+        let link = recipe.link();
+        assert!(link.len() < 2000, "{} characters", link.len());
+        println!("{side}: {}", link.len());
+        assert_eq!(Recipe::from_link(&link), (recipe, vec![]));
+    }
+}
+
+/// Letters are written ring after ring.
+#[test]
+fn outlines_of_many_rings_come_back_from_the_link() {
+    let mut random = Random::new(2, Purpose::Noise, 0);
+    let mut recipe = Recipe::default();
+    let ring = |random: &mut Random, k: usize| {
+        let at = DVec2::new((k % 4) as f64, (k / 4) as f64) * 128.0;
+        let small = jagged(random, 120.0, 9);
+        small.into_iter().map(|p| p + at).collect()
+    };
+    let rings = (0..16).map(|k| ring(&mut random, k)).collect();
+    recipe
+        .set_polygon(&Outline {
+            rings,
+            ..Outline::default()
+        })
+        .unwrap();
+    assert_eq!(recipe.outline().rings.len(), 16);
+    let (back, notices) = Recipe::from_link(&recipe.link());
+    assert_eq!(notices, Vec::<String>::new());
+    assert_eq!(back.outline(), recipe.outline());
 }
 
 #[test]
@@ -419,7 +492,7 @@ proptest! {
         }
         if let Some(radii) = radii {
             let outer = star(recipe.side(), &radii);
-            recipe.set_polygon(&Outline { outer, holes: vec![], ..Outline::default() }).unwrap();
+            recipe.set_polygon(&Outline { rings: vec![outer], ..Outline::default() }).unwrap();
         }
         valid(&recipe);
         let link = recipe.link();

@@ -45,17 +45,19 @@ fn dragged(recipe: &Recipe, t: f64) -> Recipe {
     let mut recipe = recipe.clone();
     let ring = |points: &[(f64, f64)]| points.iter().map(|&p| 128.0 * DVec2::from(p)).collect();
     let outline = Outline {
-        outer: ring(&[
-            (0.1, 0.1),
-            (0.9 - 0.4 * t, 0.1 + 0.3 * t),
-            (0.9, 0.9),
-            (0.1, 0.9),
-        ]),
-        holes: vec![ring(&[
-            (0.3 + 0.1 * t, 0.6),
-            (0.5 + 0.1 * t, 0.6),
-            (0.4 + 0.1 * t, 0.75),
-        ])],
+        rings: vec![
+            ring(&[
+                (0.1, 0.1),
+                (0.9 - 0.4 * t, 0.1 + 0.3 * t),
+                (0.9, 0.9),
+                (0.1, 0.9),
+            ]),
+            ring(&[
+                (0.3 + 0.1 * t, 0.6),
+                (0.5 + 0.1 * t, 0.6),
+                (0.4 + 0.1 * t, 0.75),
+            ]),
+        ],
         ..Outline::default()
     };
     assert!(recipe.set_polygon(&outline).is_ok());
@@ -206,7 +208,7 @@ fn cells_that_lie_elsewhere_start_anew() {
         corner(2., 12.),
     ];
     let rings = Outline {
-        outer,
+        rings: vec![outer],
         ..Outline::default()
     };
     assert!(away.set_polygon(&rings).is_ok());

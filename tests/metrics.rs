@@ -26,7 +26,7 @@ fn rectangle(x: f64, y: f64, width: f64, height: f64) -> Vec<DVec2> {
 /// 40 units a side.
 fn square() -> Domain {
     Domain::from_checked(&Outline {
-        outer: rectangle(0.0, 0.0, 40.0, 40.0),
+        rings: vec![rectangle(0.0, 0.0, 40.0, 40.0)],
         ..Outline::default()
     })
 }

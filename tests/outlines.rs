@@ -28,8 +28,7 @@ fn hole(left: f64, top: f64, right: f64, bottom: f64) -> Vec<DVec2> {
 
 fn outline(outer: Vec<DVec2>, holes: &[Vec<DVec2>]) -> Outline {
     Outline {
-        outer,
-        holes: holes.to_vec(),
+        rings: [vec![outer], holes.to_vec()].concat(),
         ..Outline::default()
     }
 }
@@ -37,8 +36,7 @@ fn outline(outer: Vec<DVec2>, holes: &[Vec<DVec2>]) -> Outline {
 fn scaled(outline: &Outline, scale: f64) -> Outline {
     let ring = |ring: &Vec<DVec2>| ring.iter().map(|p| *p * scale).collect();
     Outline {
-        outer: ring(&outline.outer),
-        holes: outline.holes.iter().map(ring).collect(),
+        rings: outline.rings.iter().map(ring).collect(),
         ..Outline::default()
     }
 }
@@ -108,7 +106,7 @@ fn wrong_orientation_is_mended_and_told() {
         &[rectangle(100., 100., 200., 200.)],
     );
     let (mended, notices) = wrong.check(SIDE).unwrap();
-    assert!(signed_area(&mended.outer) > 0.0 && signed_area(&mended.holes[0]) < 0.0);
+    assert!(signed_area(&mended.rings[0]) > 0.0 && signed_area(&mended.rings[1]) < 0.0);
     assert!(
         notices[0].contains("outer ring") && notices[1].contains("Hole 1"),
         "{notices:?}"
@@ -123,7 +121,7 @@ fn of_many_things_mended_some_are_told() {
     let (mended, notices) = outline(big(), &holes.collect::<Vec<_>>())
         .check(SIDE)
         .unwrap();
-    assert!(mended.holes.iter().all(|hole| signed_area(hole) < 0.0));
+    assert!(mended.rings[1..].iter().all(|hole| signed_area(hole) < 0.0));
     assert!(
         notices.len() < 8 && notices.concat().contains("16 more"),
         "{notices:?}"
@@ -140,7 +138,7 @@ fn repeated_points_are_dropped_and_told() {
         (10., 10.),
     ]);
     let (mended, notices) = outline(closed, &[]).check(SIDE).unwrap();
-    assert_eq!(mended.outer.len(), 3);
+    assert_eq!(mended.rings[0].len(), 3);
     assert_eq!(
         notices,
         ["The outer ring repeats 2 points, the first at (400, 10); dropped."]
@@ -282,24 +280,97 @@ fn no_rings_that_meet() {
 }
 
 #[test]
-fn no_hole_outside_or_inside_another() {
+fn rings_inside_an_even_number_of_others_are_islands() {
     let small = rectangle(32., 32., 200., 200.);
-    says(
-        &outline(small.clone(), &[hole(300., 300., 400., 400.)]),
-        &["hole 1", "(300, 400)", "not inside the outer ring"],
+    let apart = rectangle(300., 300., 400., 400.);
+    let pool = hole(60., 60., 160., 160.);
+    let in_pool = rectangle(80., 80., 140., 140.);
+    let all = [small.clone(), apart.clone(), pool.clone(), in_pool.clone()];
+    let given = Outline {
+        rings: all.to_vec(),
+        ..Outline::default()
+    };
+    assert_eq!(given.check(SIDE), Ok((given.clone(), vec![])));
+    let domain = Domain::from_checked(&given);
+    let islands = domain
+        .islands()
+        .iter()
+        .map(|island| island.rings().to_vec());
+    assert_eq!(
+        islands.collect::<Vec<_>>(),
+        [
+            vec![small.clone(), pool.clone()],
+            vec![in_pool.clone()],
+            vec![apart.clone()]
+        ]
     );
-    // The ring around the outer one.
+    assert_eq!(
+        domain.area(),
+        168. * 168. - 100. * 100. + 60. * 60. + 100. * 100.
+    );
+    let place = |x: f64, y: f64| {
+        let p = DVec2::new(x, y);
+        (domain.contains(p), domain.island(p), domain.part(p))
+    };
+    assert_eq!(place(40., 40.), (true, 0, 0));
+    assert_eq!(place(110., 110.), (true, 1, 1));
+    assert_eq!(place(350., 350.), (true, 2, 2));
+    assert!(!place(70., 70.).0 && !place(250., 250.).0);
+    assert_eq!(domain.parts(), 3);
+    // Whatever way they run, and in any order: the first one is an outer ring then.
+    let mut turned = given.clone();
+    turned.rings.rotate_left(2);
+    turned.rings.iter_mut().for_each(|ring| ring.reverse());
+    let (mended, notices) = turned.check(SIDE).unwrap();
+    assert_eq!(notices.len(), 4, "{notices:?}");
+    assert_eq!(mended.rings[0], in_pool);
+    let mended = Domain::from_checked(&mended);
+    assert_eq!(mended.area(), domain.area());
+    assert_eq!(mended.islands().len(), 3);
+    // A ring around the first one makes that a hole.
+    let (mended, _) = outline(small, &[hole(10., 10., 400., 400.)])
+        .check(SIDE)
+        .unwrap();
+    assert_eq!(
+        Domain::from_checked(&mended).area(),
+        390. * 390. - 168. * 168.
+    );
+}
+
+#[test]
+fn no_islands_that_meet() {
+    let first = rectangle(40., 40., 100., 100.);
+    let island = rectangle(200., 200., 300., 300.);
+    for other in [
+        // The same, along a side, at a corner, a corner on a side, over a corner.
+        island.clone(),
+        rectangle(300., 220., 400., 280.),
+        rectangle(300., 300., 400., 400.),
+        ring(&[(300., 250.), (400., 200.), (400., 300.)]),
+        rectangle(250., 250., 400., 400.),
+    ] {
+        let outline = outline(first.clone(), &[island.clone(), other]);
+        says(&outline, &[" 1 and ", " 2 cross or touch"]);
+    }
     says(
-        &outline(small, &[hole(10., 10., 400., 400.)]),
-        &["hole 1", "not inside"],
+        &outline(first.clone(), &[rectangle(100., 100., 200., 200.)]),
+        &["outer ring and island 1", "(100, 100)"],
+    );
+    let bow = ring(&[(200., 200.), (300., 300.), (300., 200.), (200., 300.)]);
+    says(
+        &outline(first.clone(), &[bow]),
+        &["island 1 crosses", "(250, 250)"],
     );
     says(
-        &outline(
-            big(),
-            &[hole(100., 100., 300., 300.), hole(150., 150., 200., 200.)],
-        ),
-        &["hole 2", "(150, 200)", "inside hole 1"],
+        &outline(first, &[rectangle(200., 200., 201., 201.)]),
+        &["island 1", "too small"],
     );
+    says(&Outline::default(), &["outer ring", "has 0"]);
+    let empty = Outline {
+        rings: vec![vec![]; 1_000_000],
+        ..Outline::default()
+    };
+    says(&empty, &["has 1000000 points"]);
 }
 
 #[test]
@@ -393,7 +464,7 @@ proptest! {
         prop_assert_eq!(recipe.set_polygon(&given), Ok(vec![]));
         valid(&recipe);
         let mut turned = given.clone();
-        turned.outer.reverse();
+        turned.rings[0].reverse();
         let (mended, notices) = turned.check(SIDE).unwrap();
         prop_assert_eq!(mended, given);
         prop_assert_eq!(notices.len(), 1);
@@ -409,11 +480,10 @@ proptest! {
         let ring = |points: &Vec<(i32, i32)>| -> Vec<DVec2> {
             points.iter().map(|&(x, y)| DVec2::new(x.into(), y.into()) * scale * SIDE / 6.0).collect()
         };
-        let given = Outline { outer: ring(&outer), holes: holes.iter().map(ring).collect(), lines: vec![] };
+        let given = outline(ring(&outer), &holes.iter().map(ring).collect::<Vec<_>>());
         match given.check(scale * SIDE) {
             Ok((checked, _)) => {
-                prop_assert!(signed_area(&checked.outer) > 0.0);
-                prop_assert!(checked.holes.iter().all(|h| signed_area(h) < 0.0));
+                prop_assert!(signed_area(&checked.rings[0]) > 0.0);
                 prop_assert_eq!(checked.check(scale * SIDE), Ok((checked.clone(), vec![])));
                 prop_assert!(Domain::from_checked(&checked).area() > 0.0);
             }
@@ -421,7 +491,7 @@ proptest! {
                 let sentence = error.to_string();
                 prop_assert!(sentence.ends_with('.'));
                 let lower = sentence.to_lowercase();
-                prop_assert!(lower.contains("ring") || lower.contains("hole"));
+                prop_assert!(["ring", "hole", "island"].iter().any(|word| lower.contains(word)));
             }
         }
     }

@@ -214,20 +214,19 @@ fn the_old_picture_stays_until_the_new_one_is_there() {
 fn an_exact_outline_is_used_as_it_is() {
     let p = |x: f64, y: f64| DVec2::new(x, y);
     let outline = Outline {
-        outer: vec![
+        rings: vec![vec![
             p(10.1, 10.2),
             p(140.3, 12.4),
             p(120.5, 149.6),
             p(15.7, 130.8),
-        ],
-        holes: vec![],
+        ]],
         ..Outline::default()
     };
     let made = Studio::with_outline(recipe("size=160&cs=14"), &outline);
     let (mut studio, notices) = made.map_err(|e| panic!("{e}")).unwrap();
     assert!(notices.is_empty());
     run_on(&mut studio);
-    assert_eq!(studio.rings(), [&outline.outer[..]]);
+    assert_eq!(studio.rings(), [&outline.rings[0][..]]);
 }
 
 #[test]
@@ -237,8 +236,7 @@ fn bad_outlines_get_a_sentence() {
     let nan = vec![p(10., 10.), p(f64::NAN, 10.), p(100., 100.)];
     for outer in [bow_tie, nan, vec![], vec![p(1., 1.), p(2., 2.)]] {
         let outline = Outline {
-            outer,
-            holes: vec![],
+            rings: vec![outer],
             ..Outline::default()
         };
         let sentence = Studio::with_outline(recipe(""), &outline).err().unwrap();
@@ -255,8 +253,7 @@ fn coarse_cells_in_small_outlines_do_no_harm() {
     let p = |x: f64, y: f64| DVec2::new(x, y);
     for reach in [12.0, 40.0, 150.0] {
         let outline = Outline {
-            outer: vec![p(4., 4.), p(4. + reach, 5.), p(5., 4. + reach)],
-            holes: vec![],
+            rings: vec![vec![p(4., 4.), p(4. + reach, 5.), p(5., 4. + reach)]],
             ..Outline::default()
         };
         for link in ["size=160&cs=80", "size=160&cs=80&edge=on", "size=160&cs=2"] {

@@ -193,8 +193,7 @@ fn the_polygon_scales_with_the_picture_there_and_back() {
     let outer = star(512.0, &[0.9, 0.4, 0.77, 0.33, 0.812, 0.5]);
     recipe
         .set_polygon(&Outline {
-            outer,
-            holes: vec![],
+            rings: vec![outer],
             ..Outline::default()
         })
         .unwrap();
@@ -216,8 +215,8 @@ fn choosing_polygon_starts_from_the_shape_shown() {
         let shown = recipe.outline();
         assert_eq!(recipe.set("outline", "polygon"), Ok(None));
         assert_eq!(
-            recipe.outline().outer.len(),
-            shown.outer.len(),
+            recipe.outline().rings[0].len(),
+            shown.rings[0].len(),
             "{}",
             choice.word
         );
@@ -231,8 +230,7 @@ fn a_bad_polygon_leaves_the_recipe_as_it_was() {
     let outer = star(512.0, &[0.9, 0.4, 0.77]);
     recipe
         .set_polygon(&Outline {
-            outer,
-            holes: vec![],
+            rings: vec![outer],
             ..Outline::default()
         })
         .unwrap();
@@ -241,8 +239,7 @@ fn a_bad_polygon_leaves_the_recipe_as_it_was() {
     let bow = vec![p(100., 100.), p(400., 400.), p(400., 100.), p(100., 300.)];
     let error = recipe
         .set_polygon(&Outline {
-            outer: bow,
-            holes: vec![],
+            rings: vec![bow],
             ..Outline::default()
         })
         .unwrap_err();

@@ -2,7 +2,7 @@
 #![cfg(not(target_arch = "wasm32"))]
 
 use bubblestone::recipe::Recipe;
-use bubblestone::studio::{Studio, View};
+use bubblestone::studio::{Base, Overlay, Studio, View};
 
 const SIDE: usize = 160;
 
@@ -171,4 +171,122 @@ fn a_tile_has_no_outline_and_no_seam() {
     let row = |y: usize| -> i32 { (0..SIDE).map(|x| apart(x, y, x, (y + 1) % SIDE)).sum() };
     assert!(column(SIDE - 1) <= (0..SIDE - 1).map(column).max().unwrap());
     assert!(row(SIDE - 1) <= (0..SIDE - 1).map(row).max().unwrap());
+}
+
+/// Every overlay, in a pavement in which each has something to show.
+const FULL: &str = "outline=square&kind=ellipse&dir=circular&gx=0.4&stretch=0.5,0.5,0.3,4";
+
+fn finished(link: &str) -> Studio {
+    let (recipe, _) = Recipe::from_link(&format!("size={SIDE}&cs=14&{link}"));
+    let mut studio = Studio::new(recipe);
+    assert_eq!(studio.finish(&mut || 0.0), Ok(()));
+    studio
+}
+
+#[test]
+fn overlays_lie_over_the_picture_and_over_each_other() {
+    let mut studio = finished(FULL);
+    let mut seen = |words: String| studio.view(View::of_words(&words)).to_vec();
+    let picture = seen("picture".into());
+    for (k, (_, a)) in Overlay::ALL.iter().enumerate() {
+        let over = seen(format!("picture+{a}"));
+        assert!(differing(&picture, &over) > 60, "{a}");
+        assert!(over.chunks(4).all(|p| p[3] == 255), "{a}");
+        assert!(
+            differing(&over, &seen((*a).into())) > SIDE * SIDE / 8,
+            "{a}"
+        );
+        for (_, b) in &Overlay::ALL[..k] {
+            let both = seen(format!("picture+{a}+{b}"));
+            assert!(differing(&both, &over) > 40, "{b} under {a}");
+            let other = seen(format!("picture+{b}"));
+            assert!(differing(&both, &other) > 40, "{a} over {b}");
+            assert!(both == seen(format!("{b}+picture+{a}")), "{a} {b}");
+        }
+    }
+    assert!(picture == seen("picture".into()));
+}
+
+#[test]
+fn overlays_let_the_picture_through() {
+    let mut studio = finished(FULL);
+    let picture = studio.view(View::of_words("picture")).to_vec();
+    // Light stays light and dark stays dark under a filling.
+    for word in ["size", "energy"] {
+        let over = studio.view(View::of_words(&format!("picture+{word}")));
+        let grey = |rgba: &[u8]| -> Vec<f64> {
+            let pixels = rgba.chunks(4);
+            pixels
+                .map(|p| p[..3].iter().map(|&c| f64::from(c)).sum())
+                .collect()
+        };
+        let (below, above) = (grey(&picture), grey(over));
+        let mean = |v: &[f64]| v.iter().sum::<f64>() / v.len() as f64;
+        let (m, n) = (mean(&below), mean(&above));
+        let of = |a: &[f64], p: f64, b: &[f64], q: f64| {
+            a.iter().zip(b).map(|(a, b)| (a - p) * (b - q)).sum::<f64>()
+        };
+        let alike =
+            of(&below, m, &above, n) / (of(&below, m, &below, m) * of(&above, n, &above, n)).sqrt();
+        assert!(alike > 0.4, "{word}: {alike}");
+    }
+}
+
+#[test]
+fn words_that_name_nothing_are_passed_over() {
+    for (words, same) in [
+        ("", "auto"),
+        ("nothing", "auto"),
+        ("+", "auto"),
+        ("picture+nothing+mesh+", "picture+mesh"),
+        ("mesh+picture", "picture+mesh"),
+        ("picture+height", "picture"),
+        ("mesh+mesh", "mesh"),
+        ("potential+mesh", "potential"),
+    ] {
+        assert_eq!(View::of_words(words), View::of_words(same), "{words}");
+    }
+    assert_eq!(View::of_words("packed"), Base::Packed.into());
+    assert_ne!(View::of_words("paper+packed"), Base::Packed.into());
+    let overlays: Vec<Overlay> = View::of_words("auto+forces+size").overlays().collect();
+    assert_eq!(overlays, [Overlay::Size, Overlay::Forces]);
+}
+
+#[test]
+fn planes_have_views_of_their_own() {
+    let mut studio = finished("outline=star&wet=0.4");
+    let words = [
+        "picture",
+        "height",
+        "normals",
+        "albedo",
+        "roughness",
+        "ao",
+        "ids",
+    ];
+    let views = words.map(|word| studio.view(View::of_words(word)).to_vec());
+    for (k, view) in views.iter().enumerate() {
+        for other in &views[..k] {
+            assert!(differing(view, other) > SIDE * SIDE / 4, "{}", words[k]);
+        }
+    }
+    let planes = studio.planes().unwrap();
+    let at = SIDE * SIDE / 2 + SIDE / 2;
+    assert_eq!(views[3][4 * at..][..3], planes.colour[at]);
+    assert_eq!(views[5][4 * at..][..3], [planes.openness[at]; 3]);
+}
+
+#[test]
+fn overlays_show_only_what_is_there() {
+    let (recipe, _) = Recipe::from_link(&format!("size={SIDE}&cs=14&outline=star"));
+    let mut studio = Studio::new(recipe);
+    for _ in 0..3 {
+        studio.step(&mut || 0.0);
+    }
+    let mut seen = |words: &str| studio.view(View::of_words(words)).to_vec();
+    let plain = seen("auto");
+    assert!(plain == seen("auto+mesh+cells"));
+    for word in ["forces", "energy", "direction", "size", "packed"] {
+        assert!(plain != seen(&format!("auto+{word}")), "{word}");
+    }
 }

@@ -74,10 +74,15 @@ export function differs({ kind }: Parameter, value: string, standard: string): b
 function waysOf(parameter: Parameter, id: string, change: Change, edit: (key: string) => void): Parts {
   if (parameter.kind === 'text') return drawnList(parameter, id, edit);
   if (parameter.kind === 'choice') {
-    const letters = parameter.choices.reduce((sum, { label }) => sum + label.length + SEGMENT_ROOM, 0);
+    const letters = parameter.choices.reduce((sum, { label }) => sum + width(label) + SEGMENT_ROOM, 0);
     return letters > SEGMENT_LETTERS ? list(parameter, id, change) : segments(parameter, id, change);
   }
   return parameter.kind === 'flag' ? tick(parameter, id, change) : numberAndSlider(parameter, id, change);
+}
+
+/** Letters, of which those of Chinese origin are twice as wide. */
+function width(label: string): number {
+  return label.length + (label.match(/[\u3000-\u9fff]/g)?.length ?? 0);
 }
 
 /** How a value reads in a sentence. */

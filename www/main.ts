@@ -1,17 +1,29 @@
 /** Starts the page. */
 import { App } from './app';
+import { isEmbedded } from './link';
 import { load } from './engine';
 import { alertOf } from './messages';
 import { takeLanguage } from './words';
 
 async function start(): Promise<void> {
   try {
-    await Promise.all([load(), takeLanguage()]);
-    window.bubblestone = new App().scripts();
+    const embedded = isEmbedded();
+    document.documentElement.toggleAttribute('data-embed', embedded);
+    const [embed] = await Promise.all([embedded ? import('./embed') : undefined, load(), takeLanguage()]);
+    const scripts = embed ? embed.embed() : new App().scripts();
+    window.bubblestone = scripts;
+    // Within another page there is nothing to install.
+    if (!embed) scripts.digest().then(storeSite, () => undefined);
   } catch (error) {
     document.documentElement.dataset['stage'] = 'error';
     alertOf('trouble', error instanceof Error ? error.message : String(error));
   }
+}
+
+/** The first picture is done: now there is time for the next visit. */
+async function storeSite(): Promise<void> {
+  const { register } = await import('./offline');
+  register(() => undefined);
 }
 
 void start();

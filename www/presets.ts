@@ -24,6 +24,7 @@ export class Presets {
       this.inSight.unobserve(target);
     }
   });
+
   constructor(presets: Preset[], private readonly chosen: (preset: Preset) => void) {
     const rail = byId('rail');
     rail.replaceChildren();

@@ -37,19 +37,16 @@ pub struct OutlineFile {
 impl OutlineFile {
     /// Scales the rings to a picture of another side.
     pub fn scale(&mut self, factor: f64) {
-        let Outline {
-            outer,
-            holes,
-            lines,
-        } = &mut self.outline;
-        for point in holes.iter_mut().chain(lines).chain([outer]).flatten() {
+        let Outline { rings, lines } = &mut self.outline;
+        for point in rings.iter_mut().chain(lines).flatten() {
             *point *= factor;
         }
     }
 }
 
-/// Reads `{"size": [512, 512], "outer": [[x, y], ...], "holes": [[[x, y], ...], ...], "lines": [...]}`;
-/// all but `outer` may be missing, other words are passed over.
+/// Reads `{"size": [512, 512], "outer": [[x, y], ...], "holes": [[[x, y], ...], ...], "rings": [...],
+/// "lines": [...]}`: all but `outer` or `rings` may be missing, other words are passed over. What is a
+/// hole and what an island the rings themselves tell.
 pub fn read_outline(path: &str) -> Result<OutlineFile, String> {
     let text = std::fs::read_to_string(path).map_err(|e| format!("Cannot read {path}: {e}."))?;
     let value: Value =
@@ -58,10 +55,6 @@ pub fn read_outline(path: &str) -> Result<OutlineFile, String> {
 }
 
 fn outline_of(value: &Value) -> Result<OutlineFile, String> {
-    let outer = value.get("outer").ok_or(
-        "there is no \"outer\" ring; an outline is {\"outer\": [[x, y], ...], \"holes\": [...]}.",
-    )?;
-    let outer = ring_of(outer, "outer")?;
     let runs = |name: &str| match value.get(name) {
         None | Some(Value::Null) => Ok(Vec::new()),
         Some(Value::Array(runs)) => runs
@@ -71,17 +64,26 @@ fn outline_of(value: &Value) -> Result<OutlineFile, String> {
             .collect::<Result<Vec<_>, _>>(),
         Some(_) => Err(format!("\"{name}\" is not a list of lists of points.")),
     };
-    let (holes, lines) = (runs("holes")?, runs("lines")?);
+    let mut rings = match value.get("outer") {
+        None | Some(Value::Null) => Vec::new(),
+        Some(outer) => vec![ring_of(outer, "outer")?],
+    };
+    rings.extend(runs("holes")?);
+    rings.extend(runs("rings")?);
+    if rings.is_empty() {
+        return Err(
+            "there is no \"outer\" ring and no list of \"rings\"; an outline is \
+             {\"outer\": [[x, y], ...], \"holes\": [...]} or {\"rings\": [[[x, y], ...], ...]}."
+                .into(),
+        );
+    }
+    let lines = runs("lines")?;
     let size = match value.get("size") {
         None | Some(Value::Null) => None,
         Some(size) => Some(side_of(size)?),
     };
     Ok(OutlineFile {
-        outline: Outline {
-            outer,
-            holes,
-            lines,
-        },
+        outline: Outline { rings, lines },
         size,
     })
 }

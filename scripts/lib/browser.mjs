@@ -10,14 +10,14 @@ export const browsers = {
     variable: 'CHROME_PATH',
     names: ['chromium', 'chromium-browser', 'google-chrome', 'google-chrome-stable', 'chrome'],
     places: ['/Applications/Google Chrome.app/Contents/MacOS/Google Chrome', '/Applications/Chromium.app/Contents/MacOS/Chromium'],
-    packages: ['chromium', 'fonts-liberation'],
+    packages: ['chromium', 'fonts-liberation', 'fonts-ipafont-gothic'],
   },
   firefox: {
     title: 'Firefox',
     variable: 'FIREFOX_PATH',
     names: ['firefox-esr', 'firefox'],
     places: ['/Applications/Firefox.app/Contents/MacOS/firefox'],
-    packages: ['firefox-esr', 'fonts-liberation'],
+    packages: ['firefox-esr', 'fonts-liberation', 'fonts-ipafont-gothic'],
   },
 };
 

@@ -27,7 +27,7 @@ const ON_LINE: f64 = 1e-4;
 /// The two halves of a cell on a line are looked for this far from it (in sizes).
 const ASIDE: f64 = 0.05;
 /// Ids of cells that no particle stands for count down from here.
-const NAMELESS: u32 = u32::MAX;
+pub(super) const NAMELESS: u32 = u32::MAX;
 
 /// One line to lay into the arrangement.
 #[derive(Clone, Copy, Debug)]

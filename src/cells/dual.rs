@@ -70,10 +70,13 @@ pub(super) struct Dual {
 }
 
 impl Dual {
-    pub fn new(domain: &Domain, particles: Vec<Particle>, plain: bool) -> Self {
-        if let Some(side) = domain.period() {
-            return Self::over_seams(domain, side, particles, plain);
-        }
+    /// What is joined into a mesh within a plain outline: the cells, those fixed on the rim, and
+    /// what lies outside. With the cells, and how many stand on the rim.
+    pub fn nodes(
+        domain: &Domain,
+        particles: Vec<Particle>,
+        plain: bool,
+    ) -> (Vec<Node>, Vec<Particle>, usize) {
         let (cells, rim) = if plain {
             (particles, Vec::new())
         } else {
@@ -85,11 +88,20 @@ impl Dual {
         } else {
             ghosts::ghosts(domain, &cells)
         });
-        let mesh = Mesh::whole(&nodes, |_| plain);
-        let mut dual = Self::of(cells, &mesh, plain);
-        dual.put_middles(domain, &mesh, rim.len());
+        (nodes, cells, rim.len())
+    }
+
+    /// Of the mesh of these.
+    pub fn within(
+        domain: &Domain,
+        mesh: &Mesh,
+        (cells, rim): (Vec<Particle>, usize),
+        plain: bool,
+    ) -> Self {
+        let mut dual = Self::of(cells, mesh, plain);
+        dual.put_middles(domain, mesh, rim);
         if !plain && !domain.lines().is_empty() {
-            dual.divide(domain, &mesh);
+            dual.divide(domain, mesh);
         }
         dual
     }

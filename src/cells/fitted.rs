@@ -4,10 +4,13 @@
 //! planar arrangement (`arrangement`), whose regions are then given to the cells; so the cells
 //! fill the outline without gap or overlap whatever its shape.
 
+use super::arrangement::NAMELESS;
 use super::dual::Dual;
+use super::making::{Made, Making};
 use super::straighten::Straightening;
 use super::{Cell, torus};
 use crate::domain::Domain;
+use crate::order;
 use crate::packing::Particle;
 use glam::DVec2;
 
@@ -22,6 +25,12 @@ pub fn fitted(domain: &Domain, particles: &[Particle]) -> Vec<Cell> {
 /// joined to a neighbour, so there can be a few less than particles.
 pub struct Fitting {
     cells: Vec<Cell>,
+    /// The islands to come, the next one last: their numbers and particles.
+    left: Vec<(usize, Vec<Particle>)>,
+    /// See [`Fitting::voronoi`].
+    plain: bool,
+    /// The largest id of a particle.
+    largest: u32,
     /// How many of these are no images of others.
     count: usize,
     next: Next,
@@ -29,9 +38,9 @@ pub struct Fitting {
 
 /// What the next slice of the work begins with.
 enum Next {
-    Dual(Vec<Particle>),
-    Voronoi(Vec<Particle>),
-    Band(Dual),
+    Islands(Vec<Particle>),
+    Making(usize, Making),
+    Band(usize, Dual),
     Corners,
     Rounds(Straightening),
     Nothing,
@@ -40,45 +49,78 @@ enum Next {
 impl Fitting {
     /// Cells for these particles, none made yet.
     pub fn new(particles: Vec<Particle>) -> Self {
-        Self {
-            cells: Vec::new(),
-            count: 0,
-            next: Next::Dual(particles),
-        }
+        Self::of(particles, false)
     }
 
     /// The plain Voronoi cells of these particles' centres within the outline, none made yet: each
     /// holds what is nearer to its centre than to any other, whatever comes of it. Pieces that the
     /// outline cuts off from their centre go to a neighbour, or are cells where they are large.
     pub fn voronoi(particles: Vec<Particle>) -> Self {
+        Self::of(particles, true)
+    }
+
+    fn of(particles: Vec<Particle>, plain: bool) -> Self {
         Self {
             cells: Vec::new(),
+            left: Vec::new(),
+            plain,
+            largest: particles.iter().map(|p| p.id).max().unwrap_or(0),
             count: 0,
-            next: Next::Voronoi(particles),
+            next: Next::Islands(particles),
         }
+    }
+
+    /// Begins the next island.
+    fn next_island(&mut self, domain: &Domain) -> Next {
+        let Some((number, particles)) = self.left.pop() else {
+            if domain.islands().len() > 1 {
+                self.join_islands();
+            }
+            return if self.plain {
+                Next::Nothing
+            } else {
+                Next::Corners
+            };
+        };
+        let island = &domain.islands()[number];
+        Next::Making(number, Making::new(island, particles, self.plain))
+    }
+
+    /// The cells of all islands in the order of their ids; those that no particle stands for were
+    /// named in each island alike.
+    fn join_islands(&mut self) {
+        let mut nameless = NAMELESS;
+        for cell in self.cells.iter_mut().filter(|c| c.id > self.largest) {
+            cell.id = nameless;
+            nameless -= 1;
+        }
+        order::sort(&mut self.cells, |c| (c.id.into(), 0));
     }
 
     /// One slice of the work; true when all is done.
     pub fn advance(&mut self, domain: &Domain) -> bool {
         self.next = match std::mem::replace(&mut self.next, Next::Nothing) {
-            Next::Dual(particles) | Next::Voronoi(particles) if particles.is_empty() => {
-                Next::Nothing
+            Next::Islands(particles) if particles.is_empty() => Next::Nothing,
+            Next::Islands(particles) => {
+                let mut own = vec![Vec::new(); domain.islands().len()];
+                for p in particles {
+                    own[domain.island(p.centre)].push(p);
+                }
+                self.left = own.into_iter().enumerate().rev().collect();
+                self.left.retain(|(_, particles)| !particles.is_empty());
+                self.next_island(domain)
             }
-            Next::Dual(particles) => match Dual::beside_lines(domain, &particles) {
-                Some(cells) => {
+            Next::Making(number, mut making) => match making.advance(&domain.islands()[number]) {
+                Some(Made::Cells(cells)) => {
                     self.cells = cells;
                     Next::Corners
                 }
-                None => Next::Band(Dual::new(domain, particles, false)),
+                Some(Made::Dual(dual)) => Next::Band(number, dual),
+                None => Next::Making(number, making),
             },
-            Next::Voronoi(particles) => Next::Band(Dual::new(domain, particles, true)),
-            Next::Band(dual) => {
-                self.cells = dual.cells(domain);
-                if dual.plain {
-                    Next::Nothing
-                } else {
-                    Next::Corners
-                }
+            Next::Band(number, dual) => {
+                self.cells.extend(dual.cells(&domain.islands()[number]));
+                self.next_island(domain)
             }
             Next::Corners => {
                 self.count = self.cells.len();

@@ -99,7 +99,7 @@ impl Graph {
             let far = own.closeness(other, way);
             let middle = own.centre + 0.5 * way;
             if far < within
-                && !domain.crosses_line(own.centre, own.centre + way)
+                && !domain.is_parted(own.centre, own.centre + way)
                 && (rim * rim > way.length_squared() || domain.contains(middle))
             {
                 found.push((j, far));
@@ -184,8 +184,7 @@ mod tests {
     fn square(side: f64, lines: Vec<Vec<DVec2>>) -> Domain {
         let outer = [DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y].map(|p| side * p);
         let outline = Outline {
-            outer: outer.to_vec(),
-            holes: Vec::new(),
+            rings: vec![outer.to_vec()],
             lines,
         };
         Domain::from_checked(&outline)

@@ -7,6 +7,7 @@ mod dual;
 mod fitted;
 mod ghosts;
 mod graph;
+mod making;
 mod packed;
 mod rings;
 mod seams;

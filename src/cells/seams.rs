@@ -14,81 +14,100 @@ use glam::DVec2;
 /// crosses a line is rounded here and at its image, each on its own.
 const SAME: f64 = 4.0 / 65536.0;
 
-impl Dual {
-    /// On the torus. Pairs of triangles are chosen one after the other, so that far from the picture
-    /// other ones may be chosen; should that reach as far as the seams, more images are taken, and in
-    /// the end lone triangles, which depend on nothing but their own corners.
-    pub fn over_seams(
-        domain: &Domain,
+/// A try at cells that meet over the seams. Pairs of triangles are chosen one after the other, so that
+/// far from the picture other ones may be chosen; should that reach as far as the seams, more images
+/// are taken, and in the end lone triangles, which depend on nothing but their own corners.
+pub(super) const ATTEMPTS: [(f64, bool); 3] = [TRIES[0], TRIES[1], LONE];
+
+/// The nodes of these particles and their images.
+pub(super) fn nodes(
+    side: f64,
+    particles: &[Particle],
+    (margin, pairs): (f64, bool),
+    plain: bool,
+) -> Vec<Node> {
+    let (all, _) = spread(side, particles, margin);
+    let nodes = all.iter().map(|p| node(p, plain));
+    nodes.map(|node| paired(node, pairs)).collect()
+}
+
+/// Of nodes without corners no quadrilaterals are made.
+fn paired(mut node: Node, pairs: bool) -> Node {
+    node.corners &= pairs;
+    node
+}
+
+/// Cells and images of cells, and their nodes, to be cut by constraint lines.
+pub(super) struct Lined {
+    cells: Vec<Particle>,
+    rim: usize,
+}
+
+impl Lined {
+    /// With the nodes.
+    pub fn new(
         side: f64,
-        mut particles: Vec<Particle>,
-        plain: bool,
-    ) -> Self {
-        for p in &mut particles {
-            p.centre = domain.wrap(p.centre);
-        }
-        let mut tries = TRIES.into_iter();
-        loop {
-            let (margin, pairs) = tries.next().unwrap_or(LONE);
-            let (all, _) = spread(side, &particles, margin);
-            let mut nodes: Vec<Node> = all.iter().map(|p| node(p, plain)).collect();
-            nodes.iter_mut().for_each(|node| node.corners &= pairs);
-            let mesh = Mesh::whole(&nodes, |_| plain);
-            let mut dual = Self::of(Vec::new(), &mesh, plain);
-            for face in &mesh.faces {
-                dual.push(dual.middle(&mesh, face), false, On::Nothing);
-            }
-            let rings: Vec<Vec<DVec2>> = (0..particles.len()).map(|k| dual.ring(k)).collect();
-            if !pairs || closes(domain, &rings) {
-                dual.particles = particles;
-                return dual;
-            }
-        }
+        particles: &[Particle],
+        (margin, pairs): (f64, bool),
+    ) -> (Self, Vec<Node>) {
+        let (all, of) = spread(side, particles, margin);
+        // Where they really are, of the same images.
+        let placed = all.iter().zip(&of).map(|(p, &k)| {
+            let (real, near) = (&particles[k as usize], &all[k as usize]);
+            let centre = real.centre + (p.centre - near.centre);
+            Particle { centre, ..*p }
+        });
+        // Of two in one region the first by its id has it, here as at the images.
+        let in_order = |mut particles: Vec<Particle>| {
+            order::sort(&mut particles, |p| (p.id.into(), 0));
+            without_rim(particles)
+        };
+        let (cells, rim) = in_order(placed.collect());
+        let (first, last) = in_order(all);
+        let nodes = first.iter().chain(&last).map(Node::of);
+        let nodes = nodes.map(|node| paired(node, pairs)).collect();
+        let rim = rim.len();
+        (Self { cells, rim }, nodes)
     }
 
     /// The cells of a torus with constraint lines, where they agree over the seams: all images are cut
-    /// by the lines, then those in the picture are taken. As above, lone triangles are the last resort.
-    pub fn beside_lines(domain: &Domain, particles: &[Particle]) -> Option<Vec<Cell>> {
-        let side = domain.period().filter(|_| !domain.lines().is_empty())?;
-        let mut particles = particles.to_vec();
-        for p in &mut particles {
-            p.centre = domain.wrap(p.centre);
+    /// by the lines, then those in the picture are taken.
+    pub fn cells(self, domain: &Domain, mesh: &Mesh) -> Option<Vec<Cell>> {
+        let mut dual = Dual::of(self.cells, mesh, false);
+        dual.put_middles(domain, mesh, self.rim);
+        dual.divide(domain, mesh);
+        let mut cells = dual.cells(domain);
+        cells.retain(|cell| domain.wrap(cell.centre) == cell.centre);
+        // Places where sides cross lines agree with their images but for rounding.
+        for cell in &mut cells {
+            cell.ring.iter_mut().for_each(|p| *p = on_grain(*p));
         }
-        TRIES.into_iter().chain([LONE]).find_map(|(margin, pairs)| {
-            let (all, of) = spread(side, &particles, margin);
-            // Where they really are, of the same images.
-            let placed = all.iter().zip(&of).map(|(p, &k)| {
-                let (real, near) = (&particles[k as usize], &all[k as usize]);
-                let centre = real.centre + (p.centre - near.centre);
-                Particle { centre, ..*p }
-            });
-            // Of two in one region the first by its id has it, here as at the images.
-            let in_order = |mut particles: Vec<Particle>| {
-                order::sort(&mut particles, |p| (p.id.into(), 0));
-                without_rim(particles)
-            };
-            let (cells, rim) = in_order(placed.collect());
-            let (first, last) = in_order(all);
-            let mut nodes: Vec<Node> = first.iter().chain(&last).map(Node::of).collect();
-            nodes.iter_mut().for_each(|node| node.corners &= pairs);
-            let mesh = Mesh::whole(&nodes, |_| false);
-            let mut dual = Self::of(cells, &mesh, false);
-            dual.put_middles(domain, &mesh, rim.len());
-            dual.divide(domain, &mesh);
-            let mut cells = dual.cells(domain);
-            cells.retain(|cell| domain.wrap(cell.centre) == cell.centre);
-            // Places where sides cross lines agree with their images but for rounding.
-            for cell in &mut cells {
-                cell.ring.iter_mut().for_each(|p| *p = on_grain(*p));
-            }
-            weld(domain, &mut cells);
-            for cell in &mut cells {
-                without_spikes(&mut cell.ring);
-            }
-            cells.retain(|cell| cell.ring.len() >= 3);
-            let rings: Vec<Vec<DVec2>> = cells.iter().map(|cell| cell.ring.clone()).collect();
-            closes(domain, &rings).then_some(cells)
-        })
+        weld(domain, &mut cells);
+        for cell in &mut cells {
+            without_spikes(&mut cell.ring);
+        }
+        cells.retain(|cell| cell.ring.len() >= 3);
+        let rings: Vec<Vec<DVec2>> = cells.iter().map(|cell| cell.ring.clone()).collect();
+        closes(domain, &rings).then_some(cells)
+    }
+}
+
+impl Dual {
+    /// On the torus, of the mesh of [`nodes`], where the cells close over the seams or are those of
+    /// lone triangles.
+    pub fn over_seams(
+        domain: &Domain,
+        mesh: &Mesh,
+        particles: &[Particle],
+        (pairs, plain): (bool, bool),
+    ) -> Option<Self> {
+        let mut dual = Self::of(Vec::new(), mesh, plain);
+        for face in &mesh.faces {
+            dual.push(dual.middle(mesh, face), false, On::Nothing);
+        }
+        let rings: Vec<Vec<DVec2>> = (0..particles.len()).map(|k| dual.ring(k)).collect();
+        dual.particles = particles.to_vec();
+        (!pairs || closes(domain, &rings)).then_some(dual)
     }
 }
 

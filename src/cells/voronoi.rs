@@ -57,6 +57,7 @@ impl Scatter {
                 }
             }
         }
+        points.extend(domain.empty_middles(&points));
         // Row by row, there and back: each point is found from the one before it.
         let rows = (params.count as f64).sqrt() / POINTS_ACROSS;
         order::sort(&mut points, |p| {
@@ -115,13 +116,14 @@ impl Scatter {
         for (site, &p) in self.points.iter().enumerate() {
             if domain.nearest(p).distance < reach[site] {
                 let neighbours = links.of(site).map(|k| vertices[k]);
-                cells[site] = clip.moments(domain, p, neighbours);
+                let island = &domain.islands()[domain.island(p)];
+                cells[site] = clip.moments(island, p, neighbours);
             }
         }
         for (p, cell) in self.points.iter_mut().zip(cells) {
             let to = *p + cell.centroid();
             // On a bend a cell's centroid can lie outside.
-            if domain.contains(to) {
+            if domain.contains(to) && !domain.is_gap_between(*p, to) {
                 *p = domain.wrap(to);
             }
         }

@@ -42,6 +42,11 @@ const BLOCK: usize = 8;
 impl CandidateGrid {
     /// For segments that stay the same; there must be one.
     pub fn new(segments: &[[DVec2; 2]]) -> Self {
+        Self::like(segments, None)
+    }
+
+    /// With squares of another grid's side.
+    pub fn like(segments: &[[DVec2; 2]], other: Option<&Self>) -> Self {
         let all: Vec<u32> = (0..segments.len() as u32).collect();
         let (lo, hi) = segments
             .iter()
@@ -49,7 +54,8 @@ impl CandidateGrid {
             .fold((segments[0][0], segments[0][0]), |(lo, hi), &p| {
                 (lo.min(p), hi.max(p))
             });
-        let step = (hi - lo).max_element() / SQUARES;
+        let own = (hi - lo).max_element() / SQUARES;
+        let step = other.map_or(own, |grid| grid.step);
         // A margin of a few squares: the packing asks about points a little outside, too.
         let origin = lo - DVec2::splat(4.0 * step);
         let columns = ((hi.x - lo.x) / step) as usize + 9;

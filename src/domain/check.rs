@@ -2,6 +2,7 @@
 //! sentence that names the ring and the place.
 
 use super::crossing::{Contact, first_contact};
+use super::nesting::around;
 use super::{Outline, signed_area};
 use crate::decimal;
 use glam::DVec2;
@@ -26,28 +27,23 @@ const OUTSIDE: f64 = 0.5;
 /// One of the rings of an outline, or of its constraint lines.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ring {
-    /// The outer ring.
+    /// The first ring.
     Outer,
-    /// A hole, counted from 1.
+    /// A hole, by its place behind the first ring, counted from 1.
     Hole(usize),
+    /// A further outer ring, counted like a hole.
+    Island(usize),
     /// A constraint line, counted from 1.
     Line(usize),
 }
 
 impl Ring {
-    /// By its place among the rings, the outer one first.
-    pub(super) fn at(index: usize) -> Self {
-        match index {
-            0 => Ring::Outer,
-            hole => Ring::Hole(hole),
-        }
-    }
-
     /// At the beginning of a sentence.
     fn first(self) -> String {
         match self {
             Ring::Outer => "The outer ring".into(),
             Ring::Hole(number) => format!("Hole {number}"),
+            Ring::Island(number) => format!("Island {number}"),
             Ring::Line(number) => format!("Line {number}"),
         }
     }
@@ -58,6 +54,7 @@ impl fmt::Display for Ring {
         match self {
             Ring::Outer => f.write_str("the outer ring"),
             Ring::Hole(number) => write!(f, "hole {number}"),
+            Ring::Island(number) => write!(f, "island {number}"),
             Ring::Line(number) => write!(f, "line {number}"),
         }
     }
@@ -88,10 +85,6 @@ pub enum OutlineError {
     RingsCross(Ring, Ring, DVec2),
     /// The ring's area, in square picture units, is below the smallest (the last number).
     TooSmall(Ring, DVec2, f64, f64),
-    /// The hole lies outside the outer ring.
-    HoleOutside(Ring, DVec2),
-    /// The first hole lies inside the second.
-    HoleInHole(Ring, Ring, DVec2),
 }
 
 /// A place in a sentence: tenths of a picture unit are fine enough to find it.
@@ -170,14 +163,6 @@ impl fmt::Display for OutlineError {
                 thousandths(area),
                 thousandths(least)
             ),
-            HoleOutside(ring, p) => {
-                let ring = ring.first();
-                write!(f, "{ring} at {} is not inside the outer ring.", Place(p))
-            }
-            HoleInHole(inner, outer, p) => {
-                let inner = inner.first();
-                write!(f, "{inner} at {} lies inside {outer}.", Place(p))
-            }
         }
     }
 }
@@ -190,46 +175,58 @@ impl Outline {
     ///
     /// # Errors
     /// The first fault that cannot be mended: too many, non-finite or far points, rings that are
-    /// degenerate, cross or touch themselves or each other, are smaller than a square of 1/128 of the
-    /// side, or holes outside the outer ring or inside each other.
+    /// degenerate, cross or touch themselves or each other, or are smaller than a square of 1/128 of
+    /// the side.
     pub fn check(&self, side: f64) -> Result<(Outline, Vec<String>), OutlineError> {
-        let count = self.outer.len() + self.holes.iter().map(Vec::len).sum::<usize>();
-        if count > MAX_POINTS {
-            return Err(OutlineError::TooManyPoints(count));
+        let lengths = self.rings.iter().map(Vec::len);
+        let count: usize = lengths.clone().sum();
+        // Rings without points count, too.
+        if count.max(lengths.len()) > MAX_POINTS {
+            return Err(OutlineError::TooManyPoints(count.max(lengths.len())));
+        }
+        if count == 0 {
+            return Err(OutlineError::TooFewPoints(Ring::Outer, 0));
         }
         let lines = check_lines(&self.lines, side)?;
         let mut notices = Vec::new();
-        let mut rings = Vec::with_capacity(1 + self.holes.len());
-        for (index, ring) in std::iter::once(&self.outer).chain(&self.holes).enumerate() {
-            rings.push(check_points(ring, Ring::at(index), side, &mut notices)?);
+        let mut rings = Vec::with_capacity(self.rings.len());
+        let names = names(&self.rings);
+        for (ring, &name) in self.rings.iter().zip(&names) {
+            rings.push(check_points(ring, name, side, &mut notices)?);
         }
         match first_contact(&rings) {
             Some(Contact::Within(ring, p)) => {
-                return Err(OutlineError::CrossesItself(Ring::at(ring), p));
+                return Err(OutlineError::CrossesItself(names[ring], p));
             }
             Some(Contact::Between(a, b, p)) => {
-                return Err(OutlineError::RingsCross(Ring::at(a), Ring::at(b), p));
+                return Err(OutlineError::RingsCross(names[a], names[b], p));
             }
             None => {}
         }
-        for (index, ring) in rings.iter_mut().enumerate() {
-            orient(ring, Ring::at(index), side, &mut notices)?;
+        let is_outer: Vec<bool> = around(&rings).iter().map(|r| r.len() % 2 == 0).collect();
+        for (k, ring) in rings.iter_mut().enumerate() {
+            orient(ring, is_outer[k], names[k], side, &mut notices)?;
         }
-        check_nesting(&rings)?;
+        // The first ring is an outer one.
+        let first = is_outer.iter().position(|&outer| outer).unwrap_or(0);
+        rings[..=first].rotate_right(1);
         if notices.len() > TOLD {
             let more = notices.len() - TOLD;
             notices.truncate(TOLD);
             notices.push(format!("{more} more things like these were mended."));
         }
-        let outer = rings.remove(0);
-        let holes = rings;
-        let checked = Outline {
-            outer,
-            holes,
-            lines,
-        };
-        Ok((checked, notices))
+        Ok((Outline { rings, lines }, notices))
     }
+}
+
+/// What sentences call the rings.
+fn names(rings: &[Vec<DVec2>]) -> Vec<Ring> {
+    let name = |(k, around): (usize, Vec<u32>)| match around.len() % 2 {
+        _ if k == 0 => Ring::Outer,
+        0 if !rings[k].is_empty() => Ring::Island(k),
+        _ => Ring::Hole(k),
+    };
+    around(rings).into_iter().enumerate().map(name).collect()
 }
 
 /// The constraint lines without repeated points.
@@ -332,6 +329,7 @@ fn check_corners(points: &[DVec2], which: Ring) -> Result<(), OutlineError> {
 /// Turns the ring to the orientation of its kind; refuses those too small.
 fn orient(
     ring: &mut [DVec2],
+    is_outer: bool,
     which: Ring,
     side: f64,
     notices: &mut Vec<String>,
@@ -341,35 +339,12 @@ fn orient(
     if area.abs() < least {
         return Err(OutlineError::TooSmall(which, ring[0], area.abs(), least));
     }
-    if (area > 0.0) != (which == Ring::Outer) {
+    if (area > 0.0) != is_outer {
         ring.reverse();
         notices.push(format!(
             "{} ran the wrong way round; turned.",
             which.first()
         ));
-    }
-    Ok(())
-}
-
-/// Every hole inside the outer ring and no other; the rings are known not to meet.
-fn check_nesting(rings: &[Vec<DVec2>]) -> Result<(), OutlineError> {
-    let boxes: Vec<(DVec2, DVec2)> = rings.iter().map(|ring| bounds(ring)).collect();
-    for (index, hole) in rings.iter().enumerate().skip(1) {
-        let p = hole[0];
-        if !ring_contains(&rings[0], p) {
-            return Err(OutlineError::HoleOutside(Ring::at(index), p));
-        }
-        for (other, ring) in rings.iter().enumerate().skip(1) {
-            let (lo, hi) = boxes[other];
-            let near = other != index && p.cmpge(lo).all() && p.cmple(hi).all();
-            if near && ring_contains(ring, p) {
-                return Err(OutlineError::HoleInHole(
-                    Ring::at(index),
-                    Ring::at(other),
-                    p,
-                ));
-            }
-        }
     }
     Ok(())
 }

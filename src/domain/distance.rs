@@ -1,6 +1,7 @@
 //! Inside test and exact nearest boundary point, by a grid of candidate segments.
 
 use super::candidates::CandidateGrid;
+use super::islands::Islands;
 use super::lines::{Network, shifts};
 use super::{Outline, signed_area};
 use glam::DVec2;
@@ -17,6 +18,8 @@ pub struct Domain {
     period: Option<f64>,
     /// Nothing where there are no constraint lines: they cost nothing then.
     network: Option<Box<Network>>,
+    /// Nothing where there is one island.
+    islands: Option<Box<Islands>>,
 }
 
 /// How far the boundary is where there is none.
@@ -38,14 +41,21 @@ pub struct Nearest {
 }
 
 impl Domain {
-    /// Takes rings that are already checked: simple, disjoint, holes inside, oriented as the module
-    /// says. Rings of an unchecked [`Outline`] go through [`crate::domain::Outline::check`].
+    /// Takes rings that are already checked: simple, disjoint, oriented as the module says. Rings of an
+    /// unchecked [`Outline`] go through [`crate::domain::Outline::check`].
     pub fn from_checked(outline: &Outline) -> Self {
-        let mut rings = vec![outline.outer.clone()];
-        rings.extend(outline.holes.iter().cloned());
+        let mut domain = Self::of_rings(outline.rings.clone(), None).with_lines(&outline.lines);
+        domain.islands = Islands::new(&domain).map(Box::new);
+        domain
+    }
+
+    /// One island, or several that are not told apart, without lines; or some rings of a `whole`, whose
+    /// grid is fine enough for them.
+    pub(super) fn of_rings(rings: Vec<Vec<DVec2>>, whole: Option<&Domain>) -> Self {
         let segments: Vec<[DVec2; 2]> = rings.iter().flat_map(|r| ring_segments(r)).collect();
         let area = rings.iter().map(|r| signed_area(r)).sum();
-        let grid = Some(CandidateGrid::new(&segments));
+        let grid = whole.and_then(|whole| whole.grid.as_ref());
+        let grid = Some(CandidateGrid::like(&segments, grid));
         Self {
             rings,
             segments,
@@ -53,8 +63,8 @@ impl Domain {
             grid,
             period: None,
             network: None,
+            islands: None,
         }
-        .with_lines(&outline.lines)
     }
 
     /// The whole picture of a side, periodic: its left edge is its right edge, its top its bottom.
@@ -68,11 +78,12 @@ impl Domain {
             grid: None,
             period: Some(side),
             network: None,
+            islands: None,
         }
         .with_lines(lines)
     }
 
-    fn with_lines(mut self, lines: &[Vec<DVec2>]) -> Self {
+    pub(super) fn with_lines(mut self, lines: &[Vec<DVec2>]) -> Self {
         if !lines.is_empty() {
             self.network = Network::new(&self, lines).map(Box::new);
         }
@@ -163,6 +174,50 @@ impl Domain {
         network.crosses(from, b - (a - from))
     }
 
+    /// The islands, each as a domain of its own with the constraint lines inside; from the top, at equal
+    /// heights from the left. Where there is one it is this domain itself.
+    pub fn islands(&self) -> &[Domain] {
+        match &self.islands {
+            Some(islands) => &islands.domains,
+            None => std::slice::from_ref(self),
+        }
+    }
+
+    /// The number of the island that a point lies in; outside, of the nearest.
+    pub fn island(&self, p: DVec2) -> usize {
+        let islands = self.islands.as_ref();
+        islands.map_or(0, |i| i.of[self.nearest(p).segment] as usize)
+    }
+
+    /// The middle of each island that holds none of these places.
+    pub(crate) fn empty_middles(&self, places: &[DVec2]) -> Vec<DVec2> {
+        let mut empty = vec![true; self.islands().len()];
+        for &p in places {
+            empty[self.island(p)] = false;
+        }
+        let islands = self.islands().iter().zip(empty);
+        let empty = islands.filter_map(|(island, empty)| empty.then_some(island));
+        empty.filter_map(Self::deepest).collect()
+    }
+
+    /// The island of a segment of the outline.
+    pub(super) fn island_of(&self, segment: usize) -> u32 {
+        self.islands.as_ref().map_or(0, |i| i.of[segment])
+    }
+
+    /// Do two places lie on different islands?
+    #[inline]
+    pub fn is_gap_between(&self, a: DVec2, b: DVec2) -> bool {
+        let islands = self.islands.as_ref();
+        islands.is_some_and(|i| i.is_near(a, b) && self.island(a) != self.island(b))
+    }
+
+    /// Is there a constraint line or the gap between two islands between two places?
+    #[inline]
+    pub fn is_parted(&self, a: DVec2, b: DVec2) -> bool {
+        self.is_gap_between(a, b) || self.crosses_line(a, b)
+    }
+
     /// The segment of a constraint line that the straight way from a to b crosses first.
     pub(crate) fn line_between(&self, a: DVec2, b: DVec2) -> Option<[DVec2; 2]> {
         let network = self.network.as_ref()?;
@@ -172,16 +227,17 @@ impl Domain {
         Some(network.images[index].map(|p| p + shift))
     }
 
-    /// How many parts the constraint lines cut the inside into; 1 without lines.
+    /// How many parts there are: the islands, and what constraint lines cut them into.
     pub fn parts(&self) -> usize {
-        self.network.as_ref().map_or(1, |n| n.parts.count().max(1))
+        let network = self.network.as_ref();
+        network.map_or(self.islands().len(), |n| n.parts.count().max(1))
     }
 
     /// The part that a point lies in, numbered from 0 by their topmost points, at equal heights from
     /// the left. A point on a line counts to the first part there, one outside to the nearest.
     pub fn part(&self, p: DVec2) -> usize {
         let Some(network) = &self.network else {
-            return 0;
+            return self.island(p);
         };
         let p = self.wrap(p);
         if let Some(part) = network.parts.at(p) {
@@ -207,7 +263,7 @@ impl Domain {
         ends.collect()
     }
 
-    /// The rings, the outer one first; none on a torus.
+    /// The rings; none on a torus.
     pub fn rings(&self) -> &[Vec<DVec2>] {
         &self.rings
     }
@@ -227,11 +283,9 @@ impl Domain {
         if let Some(side) = self.period {
             return (DVec2::ZERO, DVec2::splat(side));
         }
-        self.rings[0]
-            .iter()
-            .fold((self.rings[0][0], self.rings[0][0]), |(lo, hi), &p| {
-                (lo.min(p), hi.max(p))
-            })
+        let start = self.rings[0][0];
+        let points = self.rings.iter().flatten();
+        points.fold((start, start), |(lo, hi), &p| (lo.min(p), hi.max(p)))
     }
 
     /// How far one can go from a place of the boundary along its inward normal, `most` at the farthest,
@@ -251,6 +305,23 @@ impl Domain {
             }
         }
         low
+    }
+
+    /// The innermost point of a coarse sample: where the only cell of a narrow island goes.
+    pub(crate) fn deepest(&self) -> Option<DVec2> {
+        let (lo, hi) = self.bounds();
+        let mut best = (0.0, None);
+        for row in 0..64 {
+            for column in 0..64 {
+                let t = DVec2::new(f64::from(column) + 0.5, f64::from(row) + 0.5) / 64.0;
+                let p = lo + (hi - lo) * t;
+                let depth = self.nearest(p).distance;
+                if depth > best.0 {
+                    best = (depth, Some(p));
+                }
+            }
+        }
+        best.1
     }
 
     /// Is the point inside? Points on the boundary may count either way.
@@ -343,8 +414,10 @@ mod tests {
     fn square_with_hole() -> Domain {
         let p = |x: f64, y: f64| DVec2::new(x, y);
         Domain::from_checked(&Outline {
-            outer: vec![p(0., 0.), p(100., 0.), p(100., 100.), p(0., 100.)],
-            holes: vec![vec![p(40., 40.), p(40., 60.), p(60., 60.), p(60., 40.)]],
+            rings: vec![
+                vec![p(0., 0.), p(100., 0.), p(100., 100.), p(0., 100.)],
+                vec![p(40., 40.), p(40., 60.), p(60., 60.), p(60., 40.)],
+            ],
             ..Outline::default()
         })
     }

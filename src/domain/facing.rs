@@ -18,6 +18,8 @@ pub struct Foot {
     pub inward: DVec2,
     /// The place is one of a constraint line.
     pub on_line: bool,
+    /// The number of the island that the place belongs to.
+    island: u32,
 }
 
 /// Finds the feet of points within a fixed reach of the boundary, in constant time.
@@ -30,6 +32,8 @@ pub struct Facing {
     before: Vec<u32>,
     /// For each segment of a line: does it end at the outline?
     blunt: Vec<[bool; 2]>,
+    /// For each segment its island; empty where there is only one.
+    island: Vec<u32>,
     period: Option<f64>,
 }
 
@@ -46,8 +50,18 @@ impl Facing {
         let step = (reach / 2.0).max((hi - lo).max_element() / MOST_SQUARES);
         let mut segments = domain.segments().to_vec();
         let blunt = domain.line_walls(&mut segments);
+        let outline = domain.segments().len();
+        let island = |(k, [a, b]): (usize, &[DVec2; 2])| match k < outline {
+            true => domain.island_of(k),
+            false => domain.island(a.midpoint(*b)) as u32,
+        };
+        let island = match domain.islands() {
+            [_] => Vec::new(),
+            _ => segments.iter().enumerate().map(island).collect(),
+        };
         Self {
             squares: Squares::new((lo, hi), reach, step, &segments, reach),
+            island,
             segments,
             before: before(domain),
             blunt,
@@ -84,11 +98,17 @@ impl Facing {
                         distance,
                         inward,
                         on_line: index as usize >= self.before.len(),
+                        island: self.island.get(index as usize).copied().unwrap_or(0),
                     });
                 }
             }
         }
         order::sort(feet, |foot| (order::rank(foot.distance), 0));
+        // Behind the gap there are other islands' walls, seen from their inside.
+        let Some(own) = feet.first().map(|nearest| nearest.island) else {
+            return;
+        };
+        feet.retain(|foot| foot.island == own);
         let mut kept = 0;
         for k in 0..feet.len() {
             let foot = feet[k];
@@ -178,15 +198,14 @@ mod tests {
     fn a_corner_faces_with_both_walls_and_a_reflex_corner_with_its_tip() {
         let p = |x: f64, y: f64| DVec2::new(x, y);
         let domain = Domain::from_checked(&Outline {
-            outer: vec![
+            rings: vec![vec![
                 p(0., 0.),
                 p(50., 0.),
                 p(50., 50.),
                 p(100., 50.),
                 p(100., 100.),
                 p(0., 100.),
-            ],
-            holes: vec![],
+            ]],
             ..Outline::default()
         });
         let facing = Facing::new(&domain, 20.0);

@@ -1,7 +1,10 @@
-//! The outline to be paved: one outer ring and any holes, and the questions the later stages ask of
-//! it (inside? how far is the boundary, and in which direction?).
+//! The outline to be paved: islands and their holes, and the questions the later stages ask of it
+//! (inside? how far is the boundary, and in which direction?).
 //!
-//! All coordinates are picture units (pixels), x to the right, y down. The outer ring has a positive
+//! A ring inside an even number of other rings is an outer one, the rim of an island; inside an odd
+//! number it is a hole. An island may lie in a hole of another. Nothing joins cells of two islands.
+//!
+//! All coordinates are picture units (pixels), x to the right, y down. An outer ring has a positive
 //! shoelace area sum(x0 y1 - x1 y0) / 2 on these numbers (it runs clockwise on screen), holes a
 //! negative one, so the paved side is always to the same hand of a segment: at its inward normal
 //! (-dy, dx).
@@ -11,7 +14,9 @@ mod check;
 mod crossing;
 mod distance;
 mod facing;
+mod islands;
 mod lines;
+mod nesting;
 mod parts;
 pub mod shape;
 mod squares;
@@ -29,10 +34,8 @@ use glam::DVec2;
 /// Rings as they were given, unchecked.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Outline {
-    /// The outer ring, not closed (the last point differs from the first).
-    pub outer: Vec<DVec2>,
-    /// The holes, each a ring like the outer one.
-    pub holes: Vec<Vec<DVec2>>,
+    /// The rings, outer ones and holes, not closed (the last point differs from the first).
+    pub rings: Vec<Vec<DVec2>>,
     /// Constraint lines, which cells line up along: runs of points, closed where the last point is
     /// the first again. They may touch and cross the rings and each other; what lies outside does
     /// not count.

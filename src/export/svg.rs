@@ -20,126 +20,108 @@ pub fn svg(
     cells: &[Cell],
     tones: &Tones,
 ) -> String {
-    let mut out = Vec::new();
-    let mut add = |parts: &[&str]| parts.iter().for_each(|part| out.extend(part.bytes()));
-    let number = |x: f64| text(|out| push(out, x as f32, DECIMALS));
-    let whole = number(side as f64);
+    let mut file = File(Vec::new());
     let paper = &tones.paper;
-    let joint = lit(paper.bed, 0.7);
     let size = cells.iter().map(|c| c.size).sum::<f64>() / cells.len().max(1) as f64;
-    add(&[
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"",
-        &whole,
-        "\" height=\"",
-        &whole,
-        "\" viewBox=\"0 0 ",
-        &whole,
-        " ",
-        &whole,
-        "\">\n",
-    ]);
-    match domain.period() {
-        Some(_) => add(&[
-            "<rect id=\"bed\" width=\"100%\" height=\"100%\" fill=\"",
-            &colour(paper.bed),
-            "\"/>\n",
-        ]),
-        None => {
-            let all = rings
-                .iter()
-                .map(|ring| path(ring, true))
-                .collect::<String>();
-            add(&[
-                "<rect id=\"ground\" width=\"100%\" height=\"100%\" fill=\"",
-                &colour(paper.surround),
-                "\"/>\n<path id=\"outline\" fill=\"",
-                &colour(paper.bed),
-                "\" stroke=\"",
-                &colour(paper.line),
-                "\" stroke-width=\"1.25\" fill-rule=\"evenodd\" d=\"",
-                &all,
-                "\"/>\n",
-            ]);
-        }
+    let whole = side as f64;
+    file.number("<svg xmlns=\"http://www.w3.org/2000/svg\" width=", whole);
+    file.number(" height=", whole);
+    file.put(" viewBox=\"0 0 ");
+    push_whole(&mut file.0, side as u64);
+    file.put(" ");
+    push_whole(&mut file.0, side as u64);
+    file.put("\">\n<rect id=\"ground\" width=\"100%\" height=\"100%\"");
+    if domain.period().is_some() {
+        file.colour(" fill=", paper.bed);
+    } else {
+        file.colour(" fill=", paper.surround);
+        file.colour("/>\n<path id=\"outline\" fill=", paper.bed);
+        file.colour(" stroke=", paper.line);
+        file.put(" stroke-width=\"1.25\" fill-rule=\"evenodd\"");
+        file.path(rings, true);
     }
-    add(&[
-        "<g id=\"cells\" stroke=\"",
-        &colour(joint),
-        "\" stroke-width=\"",
-        &number(0.06 * size),
-        "\" stroke-linejoin=\"round\">\n",
-    ]);
+    file.colour("/>\n<g id=\"cells\" stroke=", lit(paper.bed, 0.7));
+    file.number(" stroke-linejoin=\"round\" stroke-width=", 0.06 * size);
     for (index, cell) in cells.iter().enumerate() {
-        let name = text(|out| push_whole(out, index as u64));
-        add(&[
-            "<path id=\"cell-",
-            &name,
-            "\" fill=\"",
-            &colour(tones.stone(cell.id)),
-            "\" d=\"",
-            &path(&cell.ring, true),
-            "\"/>\n",
-        ]);
+        file.put(">\n<path id=\"cell-");
+        push_whole(&mut file.0, index as u64);
+        file.colour("\" fill=", tones.stone(cell.id));
+        file.path(&[&cell.ring], true);
         for shift in copies(domain, &cell.ring) {
-            add(&[
-                "<use href=\"#cell-",
-                &name,
-                "\" x=\"",
-                &number(shift.x),
-                "\" y=\"",
-                &number(shift.y),
-                "\"/>\n",
-            ]);
+            file.put("/>\n<use href=\"#cell-");
+            push_whole(&mut file.0, index as u64);
+            file.number("\" x=", shift.x);
+            file.number(" y=", shift.y);
         }
+        file.put("/");
     }
-    add(&["</g>\n"]);
+    file.put(">\n</g>\n");
     if !domain.lines().is_empty() {
-        add(&[
-            "<g id=\"lines\" fill=\"none\" stroke=\"",
-            &colour(lit(paper.line, 0.6)),
-            "\" stroke-width=\"",
-            &number((side as f64 / 300.0).max(1.2)),
-            "\" stroke-linecap=\"round\">\n",
-        ]);
-        for line in domain.lines() {
-            add(&["<path d=\"", &path(line, false), "\"/>\n"]);
-        }
-        add(&["</g>\n"]);
+        file.colour(
+            "<g id=\"lines\" fill=\"none\" stroke=",
+            lit(paper.line, 0.6),
+        );
+        file.number(
+            " stroke-linecap=\"round\" stroke-width=",
+            (whole / 300.0).max(1.2),
+        );
+        let lines: Vec<&[DVec2]> = domain.lines().iter().map(Vec::as_slice).collect();
+        file.put("><path");
+        file.path(&lines, false);
+        file.put("/></g>\n");
     }
-    add(&["</svg>\n"]);
-    String::from_utf8(out).unwrap_or_default()
+    file.put("</svg>\n");
+    file.0.into_iter().map(char::from).collect()
 }
 
-fn text(write: impl Fn(&mut Vec<u8>)) -> String {
-    let mut out = Vec::new();
-    write(&mut out);
-    String::from_utf8(out).unwrap_or_default()
-}
+/// A file in the making, ASCII. Its few calls take less room in WebAssembly than pieces of text.
+struct File(Vec<u8>);
 
-/// A ring or a line as a path.
-fn path(points: &[DVec2], closed: bool) -> String {
-    text(|out| {
-        for (k, p) in points.iter().enumerate() {
-            out.push(if k == 0 { b'M' } else { b'L' });
-            push(out, p.x as f32, DECIMALS);
-            out.push(b' ');
-            push(out, p.y as f32, DECIMALS);
-        }
-        if closed {
-            out.push(b'Z');
-        }
-    })
-}
+impl File {
+    #[inline(never)]
+    fn put(&mut self, text: &str) {
+        self.0.extend_from_slice(text.as_bytes());
+    }
 
-fn colour([r, g, b, _]: Tint) -> String {
-    const DIGITS: &[u8; 16] = b"0123456789abcdef";
-    text(|out| {
-        out.push(b'#');
-        for c in [r, g, b] {
+    /// An attribute whose value is a number.
+    #[inline(never)]
+    fn number(&mut self, before: &str, x: f64) {
+        self.put(before);
+        self.put("\"");
+        push(&mut self.0, x as f32, DECIMALS);
+        self.put("\"");
+    }
+
+    /// An attribute whose value is a colour.
+    #[inline(never)]
+    fn colour(&mut self, before: &str, tint: Tint) {
+        const DIGITS: &[u8; 16] = b"0123456789abcdef";
+        self.put(before);
+        self.put("\"#");
+        for c in &tint[..3] {
             let byte = usize::from((255.0 * c + 0.5) as u8);
-            out.extend([DIGITS[byte >> 4], DIGITS[byte & 15]]);
+            self.0.extend([DIGITS[byte >> 4], DIGITS[byte & 15]]);
         }
-    })
+        self.put("\"");
+    }
+
+    /// Rings or lines as the attribute of a path.
+    #[inline(never)]
+    fn path(&mut self, runs: &[&[DVec2]], closed: bool) {
+        self.put(" d=\"");
+        for points in runs {
+            for (k, p) in points.iter().enumerate() {
+                self.0.push(if k == 0 { b'M' } else { b'L' });
+                push(&mut self.0, p.x as f32, DECIMALS);
+                self.0.push(b' ');
+                push(&mut self.0, p.y as f32, DECIMALS);
+            }
+            if closed {
+                self.0.push(b'Z');
+            }
+        }
+        self.put("\"");
+    }
 }
 
 /// Where the images of a ring are that reach into the picture of a tile.

@@ -67,7 +67,7 @@ mod tests {
 
     fn of(outer: &[[f64; 2]]) -> Vec<f64> {
         let outline = Outline {
-            outer: outer.iter().map(|&p| p.into()).collect(),
+            rings: vec![outer.iter().map(|&p| p.into()).collect()],
             ..Outline::default()
         };
         strengths(&Domain::from_checked(&outline), 0.0)

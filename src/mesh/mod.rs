@@ -17,7 +17,8 @@ use crate::order;
 use crate::packing::Particle;
 use glam::DVec2;
 use quads::Faces;
-use triangles::{NONE, Triangles};
+use triangles::NONE;
+pub(crate) use triangles::Weave;
 
 /// A point to be joined into a mesh.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -129,12 +130,18 @@ impl Mesh {
     /// On a torus every element is there once, and images follow the centres where elements reach
     /// over a seam: the mesh closes over the seams. Lone triangles stay as they are.
     pub fn build(domain: &Domain, particles: &[Particle]) -> Self {
-        if let Some(side) = domain.period() {
-            return Self::over_seams(domain, side, particles);
+        let mut meshing = Meshing::new(domain, particles.to_vec());
+        loop {
+            if let Some(mesh) = meshing.advance(domain) {
+                return mesh;
+            }
         }
-        let mut nodes: Vec<Node> = particles.iter().map(Node::of).collect();
+    }
+
+    /// The mesh of one island, of the particles' triangles.
+    fn within(domain: &Domain, particles: &[Particle], weave: Weave) -> Self {
+        let (mut nodes, mut triangles) = weave.finish();
         let vertices: Vec<DVec2> = particles.iter().map(|p| p.centre).collect();
-        let mut triangles = Triangles::new(&nodes);
         // Sides from cell to cell along a constraint line are not dissolved.
         let keep = |side: [u32; 2]| lies_on_line(domain, side.map(|k| &particles[k as usize]));
         triangles.stretch(&nodes, keep);
@@ -168,10 +175,10 @@ impl Mesh {
 
     /// The mesh of all points over their convex hull. Edges for which `keep` holds are never
     /// dissolved into a quadrilateral. Points that coincide with an earlier one get no element.
-    pub(crate) fn whole(nodes: &[Node], keep: impl Fn([u32; 2]) -> bool) -> Self {
-        let mut triangles = Triangles::new(nodes);
-        triangles.stretch(nodes, &keep);
-        let faces = quads::pair(nodes, &triangles, &keep).faces;
+    pub(crate) fn whole(weave: Weave, keep: impl Fn([u32; 2]) -> bool) -> Self {
+        let (nodes, mut triangles) = weave.finish();
+        triangles.stretch(&nodes, &keep);
+        let faces = quads::pair(&nodes, &triangles, &keep).faces;
         Self {
             vertices: nodes.iter().map(|n| n.at).collect(),
             faces,
@@ -183,6 +190,82 @@ impl Mesh {
     /// vertices on the rim of the mesh.
     pub(crate) fn fans(&self) -> Fans {
         Fans::new(self)
+    }
+}
+
+/// A mesh in the making.
+pub struct Meshing {
+    particles: Vec<Particle>,
+    /// On a torus, at which try it is.
+    seams: Option<torus::Seams>,
+    /// Elsewhere the island at work, and the numbers of its cells.
+    island: usize,
+    names: Vec<usize>,
+    /// The meshes of the islands so far, side by side; the vertices keep the order of the centres.
+    whole: Mesh,
+    weave: Option<Weave>,
+}
+
+impl Meshing {
+    /// Of these cells, nothing made yet: see [`Mesh::build`].
+    pub fn new(domain: &Domain, mut particles: Vec<Particle>) -> Self {
+        let seams = domain.period().map(|side| {
+            for p in &mut particles {
+                p.centre = domain.wrap(p.centre);
+            }
+            torus::Seams::new(side)
+        });
+        let whole = Mesh {
+            vertices: particles.iter().map(|p| p.centre).collect(),
+            ..Mesh::default()
+        };
+        Self {
+            particles,
+            seams,
+            island: 0,
+            names: Vec::new(),
+            whole,
+            weave: None,
+        }
+    }
+
+    /// One slice of the work; the mesh with the last one.
+    pub fn advance(&mut self, domain: &Domain) -> Option<Mesh> {
+        let mut weave = match self.weave.take() {
+            Some(weave) => weave,
+            None => Weave::new(self.nodes(domain)),
+        };
+        if !weave.advance() {
+            self.weave = Some(weave);
+            return None;
+        }
+        if let Some(seams) = &self.seams {
+            return seams.mesh(domain, &self.particles, weave);
+        }
+        let own: Vec<Particle> = self.names.iter().map(|&k| self.particles[k]).collect();
+        let mut mesh = Mesh::within(&domain.islands()[self.island], &own, weave);
+        for (&name, vertex) in self.names.iter().zip(mesh.vertices) {
+            self.whole.vertices[name] = vertex;
+        }
+        for node in mesh.faces.iter_mut().flat_map(|face| &mut face.nodes) {
+            // A triangle's fourth number is none.
+            *node = self.names.get(*node as usize).map_or(0, |&k| k as u32);
+        }
+        self.whole.faces.extend(mesh.faces);
+        self.island += 1;
+        (self.island == domain.islands().len()).then(|| std::mem::take(&mut self.whole))
+    }
+
+    /// Those of the next try, or of the next island.
+    fn nodes(&mut self, domain: &Domain) -> Vec<Node> {
+        if let Some(seams) = &mut self.seams {
+            return seams.nodes(&self.particles);
+        }
+        let particles = &self.particles;
+        let here = |&k: &usize| domain.island(particles[k].centre) == self.island;
+        self.names = (0..particles.len()).filter(here).collect();
+        let own = self.names.iter().map(|&k| Node::of(&particles[k]));
+        own.collect()
     }
 }
 
@@ -263,7 +346,7 @@ fn is_sliver(face: &Face, nodes: &[Node]) -> bool {
 /// Delaunay triangles, each of positive shoelace area, in an order that depends on the points only.
 pub(crate) fn triangulate(points: &[DVec2]) -> Vec<[u32; 3]> {
     let nodes: Vec<Node> = points.iter().copied().map(Node::plain).collect();
-    Triangles::new(&nodes).nodes
+    Weave::new(nodes).finish().1.nodes
 }
 
 /// The elements around each vertex.

@@ -1,9 +1,18 @@
+use super::triangles::Triangles;
 use super::*;
 use crate::domain::{cross, signed_area};
 use crate::random::{Purpose, Random};
 
 fn even(points: Vec<DVec2>) -> Vec<Node> {
     points.into_iter().map(Node::plain).collect()
+}
+
+fn even_weave(points: Vec<DVec2>) -> Weave {
+    Weave::new(even(points))
+}
+
+fn delaunay(nodes: &[Node]) -> Triangles {
+    Weave::new(nodes.to_vec()).finish().1
 }
 
 fn lattice(n: u32) -> Vec<DVec2> {
@@ -14,7 +23,7 @@ fn lattice(n: u32) -> Vec<DVec2> {
 
 #[test]
 fn a_lattice_becomes_quads_with_four_around_each_inner_node() {
-    let mesh = Mesh::whole(&even(lattice(6)), |_| false);
+    let mesh = Mesh::whole(even_weave(lattice(6)), |_| false);
     assert_eq!(mesh.faces.len(), 25);
     assert!(mesh.faces.iter().all(|f| f.nodes().len() == 4));
     let fans = mesh.fans();
@@ -29,7 +38,7 @@ fn a_lattice_becomes_quads_with_four_around_each_inner_node() {
 fn fans_run_clockwise_on_screen() {
     let mut points = lattice(5);
     points[12] += DVec2::new(0.21, -0.13);
-    let mesh = Mesh::whole(&even(points), |_| false);
+    let mesh = Mesh::whole(even_weave(points), |_| false);
     let ring: Vec<DVec2> = mesh
         .fans()
         .around(12)
@@ -42,10 +51,10 @@ fn fans_run_clockwise_on_screen() {
 #[test]
 fn degenerate_points_give_no_elements() {
     let line: Vec<DVec2> = (0..9).map(|k| DVec2::new(f64::from(k), 0.0)).collect();
-    assert!(Mesh::whole(&even(line), |_| false).faces.is_empty());
-    assert!(Mesh::whole(&even(vec![]), |_| false).faces.is_empty());
+    assert!(Mesh::whole(even_weave(line), |_| false).faces.is_empty());
+    assert!(Mesh::whole(even_weave(vec![]), |_| false).faces.is_empty());
     assert!(
-        Mesh::whole(&even(vec![DVec2::ONE; 4]), |_| false)
+        Mesh::whole(even_weave(vec![DVec2::ONE; 4]), |_| false)
             .faces
             .is_empty()
     );
@@ -102,10 +111,10 @@ fn under_one_metric_flips_give_the_delaunay_triangulation_of_the_shrunk_points()
             let (along, across) = (axis.dot(node.at), axis.perp_dot(node.at));
             node.at = DVec2::new(along / aspect.sqrt(), across * aspect.sqrt());
         }
-        let mut triangles = Triangles::new(&nodes);
+        let mut triangles = delaunay(&nodes);
         let plain = sides(&triangles);
         triangles.stretch(&nodes, |_| false);
-        let exact = sides(&Triangles::new(&shrunk));
+        let exact = sides(&delaunay(&shrunk));
         let made = sides(&triangles);
         let missing = exact.iter().filter(|s| made.binary_search(s).is_err());
         assert_eq!(missing.count(), 0, "aspect {aspect}");
@@ -122,7 +131,7 @@ fn flips_under_a_metric_that_turns_within_few_cells_end_in_a_valid_triangulation
             let turn = (0.7 + 0.2 * seed as f64) * (node.at.x + 0.3 * node.at.y);
             node.metric = Metric::new(unit(turn), 2.0 + seed as f64);
         }
-        let mut triangles = Triangles::new(&nodes);
+        let mut triangles = delaunay(&nodes);
         let before = area(&triangles, &nodes);
         let held: Vec<[u32; 2]> = sides(&triangles).into_iter().step_by(9).collect();
         triangles.stretch(&nodes, |side| held.binary_search(&side).is_ok());
@@ -146,18 +155,18 @@ fn stretched_lattices_become_quads_and_round_cells_triangles() {
             node.at = axis * node.at.x * aspect + axis.perp() * node.at.y;
             node.metric = Metric::new(axis, aspect);
         }
-        let mesh = Mesh::whole(&nodes, |_| false);
+        let mesh = Mesh::whole(Weave::new(nodes.clone()), |_| false);
         // Slivers of rounding along the rim are triangles, too.
         assert_eq!(mesh.faces.len() - lone(&mesh), 64);
         for node in &mut nodes {
             node.corners = false;
         }
-        let mesh = Mesh::whole(&nodes, |_| false);
+        let mesh = Mesh::whole(Weave::new(nodes.clone()), |_| false);
         assert_eq!(mesh.faces.len(), lone(&mesh));
         // One round cell keeps what lies around it in triangles.
         let mut nodes = even(lattice(9));
         nodes[40].corners = false;
-        let mesh = Mesh::whole(&nodes, |_| false);
+        let mesh = Mesh::whole(Weave::new(nodes.clone()), |_| false);
         assert!((4..=8).contains(&lone(&mesh)));
     }
 }
@@ -166,7 +175,7 @@ fn stretched_lattices_become_quads_and_round_cells_triangles() {
 fn joining_leaves_few_triangles_and_a_valid_mesh() {
     for seed in 0..6 {
         let mut nodes = jittered(24, 0.3, seed);
-        let mut triangles = Triangles::new(&nodes);
+        let mut triangles = delaunay(&nodes);
         triangles.stretch(&nodes, |_| false);
         let mut made = quads::pair(&nodes, &triangles, |_| false);
         let lone = |made: &Faces| made.faces.iter().filter(|f| f.sides == 3).count();
@@ -207,7 +216,7 @@ fn joining_leaves_few_triangles_and_a_valid_mesh() {
 #[test]
 fn sides_to_be_kept_are_not_dissolved() {
     let nodes = jittered(20, 0.3, 5);
-    let triangles = Triangles::new(&nodes);
+    let triangles = delaunay(&nodes);
     let held: Vec<[u32; 2]> = sides(&triangles).into_iter().step_by(5).collect();
     let keep = |side| held.binary_search(&side).is_ok();
     let mut made = quads::pair(&nodes, &triangles, keep);

@@ -3,7 +3,7 @@
 //! Places are rounded to the grain, in which a picture's side is a whole number: an image is then
 //! exactly one side away, and what lies on the two sides of a seam agrees to the last bit.
 
-use super::{Face, Mesh, Node, Triangles, is_cut, lies_on_line, quads};
+use super::{Face, Mesh, Node, Weave, is_cut, lies_on_line, quads};
 use crate::domain::{Domain, shifts};
 use crate::order;
 use crate::packing::Particle;
@@ -74,48 +74,70 @@ pub(crate) fn closes(domain: &Domain, rings: &[Vec<DVec2>]) -> bool {
         })
 }
 
-impl Mesh {
-    /// See [`Mesh::build`]. Elements that do not agree over the seams even with more images give way
-    /// to lone triangles.
-    pub(super) fn over_seams(domain: &Domain, side: f64, particles: &[Particle]) -> Self {
-        let mut particles = particles.to_vec();
-        for p in &mut particles {
-            p.centre = domain.wrap(p.centre);
-        }
-        let mut tries = TRIES.into_iter();
-        loop {
-            let (margin, pairs) = tries.next().unwrap_or(LONE);
-            let (all, of) = spread(side, &particles, margin);
-            let mut nodes: Vec<Node> = all.iter().map(Node::of).collect();
-            nodes.iter_mut().for_each(|node| node.corners &= pairs);
-            let places = |k: &[u32]| -> Vec<DVec2> {
-                let place = |&k: &u32| all[k as usize].centre;
-                k.iter().map(place).collect()
-            };
-            // Of the images of an element that one is taken whose first node is in the picture.
-            let is_home = |nodes: &[u32]| {
-                let first = nodes.iter().copied().min_by_key(|&k| {
-                    let p = all[k as usize].centre;
-                    (of[k as usize], order::rank(p.y), order::rank(p.x))
-                });
-                first.is_some_and(|k| (k as usize) < particles.len())
-            };
-            let keep = |side: [u32; 2]| lies_on_line(domain, side.map(|k| &all[k as usize]));
-            let mut triangles = Triangles::new(&nodes);
-            triangles.stretch(&nodes, keep);
-            let is_cut = |t: &[u32; 3]| is_cut(domain, t.map(|k| all[k as usize].centre));
-            let cut = triangles.nodes.iter().filter(|t| is_home(*t) && is_cut(t));
-            let mut rings: Vec<Vec<DVec2>> = cut.map(|t| places(t)).collect();
-            triangles.retain(|t| !is_cut(t));
-            let mut faces = quads::pair(&nodes, &triangles, keep).faces;
-            faces.retain(|face| is_home(face.nodes()));
-            rings.extend(faces.iter().map(|face| places(face.nodes())));
-            if !pairs || closes(domain, &rings) {
-                return Self::with_images(&particles, (&all, &of), faces);
-            }
+/// The tries at a mesh that closes over the seams.
+pub(super) struct Seams {
+    side: f64,
+    tries: std::array::IntoIter<(f64, bool), 3>,
+    pairs: bool,
+    /// The cells and their images, and the number of the cell that each is or is an image of.
+    all: Vec<Particle>,
+    of: Vec<u32>,
+}
+
+impl Seams {
+    /// Nothing tried yet.
+    pub fn new(side: f64) -> Self {
+        let [first, second] = TRIES;
+        Self {
+            side,
+            tries: [first, second, LONE].into_iter(),
+            pairs: false,
+            all: Vec::new(),
+            of: Vec::new(),
         }
     }
 
+    /// The nodes of the next try.
+    pub fn nodes(&mut self, particles: &[Particle]) -> Vec<Node> {
+        let (margin, pairs) = self.tries.next().unwrap_or(LONE);
+        (self.all, self.of) = spread(self.side, particles, margin);
+        self.pairs = pairs;
+        let mut nodes: Vec<Node> = self.all.iter().map(Node::of).collect();
+        nodes.iter_mut().for_each(|node| node.corners &= pairs);
+        nodes
+    }
+
+    /// See [`Mesh::build`]; nothing where elements do not agree over the seams. In the end they give
+    /// way to lone triangles.
+    pub fn mesh(&self, domain: &Domain, particles: &[Particle], weave: Weave) -> Option<Mesh> {
+        let Self { all, of, pairs, .. } = self;
+        let places = |k: &[u32]| -> Vec<DVec2> {
+            let place = |&k: &u32| all[k as usize].centre;
+            k.iter().map(place).collect()
+        };
+        // Of the images of an element that one is taken whose first node is in the picture.
+        let is_home = |nodes: &[u32]| {
+            let first = nodes.iter().copied().min_by_key(|&k| {
+                let p = all[k as usize].centre;
+                (of[k as usize], order::rank(p.y), order::rank(p.x))
+            });
+            first.is_some_and(|k| (k as usize) < particles.len())
+        };
+        let keep = |side: [u32; 2]| lies_on_line(domain, side.map(|k| &all[k as usize]));
+        let (nodes, mut triangles) = weave.finish();
+        triangles.stretch(&nodes, keep);
+        let is_cut = |t: &[u32; 3]| is_cut(domain, t.map(|k| all[k as usize].centre));
+        let cut = triangles.nodes.iter().filter(|t| is_home(*t) && is_cut(t));
+        let mut rings: Vec<Vec<DVec2>> = cut.map(|t| places(t)).collect();
+        triangles.retain(|t| !is_cut(t));
+        let mut faces = quads::pair(&nodes, &triangles, keep).faces;
+        faces.retain(|face| is_home(face.nodes()));
+        rings.extend(faces.iter().map(|face| places(face.nodes())));
+        (!pairs || closes(domain, &rings)).then(|| Mesh::with_images(particles, (all, of), faces))
+    }
+}
+
+impl Mesh {
     /// These elements, with those images only that they have.
     fn with_images(
         particles: &[Particle],

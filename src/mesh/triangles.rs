@@ -16,26 +16,63 @@ const TIE: f64 = 1e-9;
 
 /// Triangles of positive shoelace area and what lies beside them.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Triangles {
+pub(crate) struct Triangles {
     pub nodes: Vec<[u32; 3]>,
     /// The triangle across the side opposite to each node; [`NONE`] at the rim.
     pub beside: Vec<[u32; 3]>,
 }
 
+/// Points that are inserted in one slice of the work.
+const POINTS: usize = 2000;
+
+/// Nodes on the way to their Delaunay triangles.
+pub(crate) struct Weave {
+    nodes: Vec<Node>,
+    mesh: Delaunay,
+    /// The node that each vertex is.
+    name: Vec<u32>,
+    inserted: usize,
+}
+
+impl Weave {
+    /// None of them inserted yet.
+    pub fn new(nodes: Vec<Node>) -> Self {
+        Self {
+            name: Vec::with_capacity(nodes.len()),
+            nodes,
+            mesh: Delaunay::default(),
+            inserted: 0,
+        }
+    }
+
+    /// Inserts some more; true when all are.
+    pub fn advance(&mut self) -> bool {
+        let end = self.nodes.len().min(self.inserted + POINTS);
+        // One after the other in the order given: coinciding points are told apart by their handles.
+        for k in self.inserted..end {
+            let at = self.nodes[k].at;
+            if let Some(handle) = insert(&mut self.mesh, Point2::new(at.x, at.y))
+                && handle.index() == self.name.len()
+            {
+                self.name.push(k as u32);
+            }
+        }
+        self.inserted = end;
+        end == self.nodes.len()
+    }
+
+    /// The nodes and their triangles, all at once where some are not inserted yet.
+    pub fn finish(mut self) -> (Vec<Node>, Triangles) {
+        while !self.advance() {}
+        let triangles = Triangles::read(&self.mesh, &self.name);
+        (self.nodes, triangles)
+    }
+}
+
 impl Triangles {
     /// Delaunay triangles in an order that depends on the points only. Points that coincide with an
     /// earlier one get no triangle.
-    pub fn new(nodes: &[Node]) -> Self {
-        let mut mesh = Delaunay::default();
-        // One after the other in the order given: coinciding points are told apart by their handles.
-        let mut name = Vec::with_capacity(nodes.len());
-        for (k, node) in nodes.iter().enumerate() {
-            if let Some(handle) = insert(&mut mesh, Point2::new(node.at.x, node.at.y))
-                && handle.index() == name.len()
-            {
-                name.push(k as u32);
-            }
-        }
+    fn read(mesh: &Delaunay, name: &[u32]) -> Self {
         let mut made = Self::default();
         // Spade winds counter-clockwise with y up: a positive shoelace area on the same numbers. Its
         // face 0 is the outer one.

@@ -100,7 +100,7 @@ fn median(mut numbers: Vec<f64>) -> Option<f64> {
 /// difference: 0..period / 2.
 fn angle(line: DVec2, direction: DVec2, period: f64) -> f64 {
     let turn = libm::atan2(direction.perp_dot(line), direction.dot(line)).to_degrees();
-    let rest = turn.rem_euclid(period);
+    let rest = turn - period * (turn / period).floor();
     rest.min(period - rest)
 }
 

@@ -41,6 +41,12 @@ impl Packing {
                 }
             }
         }
+        if domain.islands().len() > 1 {
+            let centres: Vec<DVec2> = self.bodies.iter().map(|b| b.particle.centre).collect();
+            for centre in domain.empty_middles(&centres) {
+                self.add(fields, centre, false);
+            }
+        }
         self.assign_sizes(fields);
         self.motion.forget();
         self.looked = 0;

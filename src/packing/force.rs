@@ -244,6 +244,18 @@ impl Pair {
     }
 }
 
+/// The force on the second of two cells of any kinds, `r` from the first.
+#[inline(never)]
+pub(super) fn force_between(a: &Particle, b: &Particle, r: DVec2) -> DVec2 {
+    Pair::new(a, b).force(r)
+}
+
+/// The potential of two cells of any kinds.
+#[inline(never)]
+pub(super) fn potential_between(a: &Particle, b: &Particle, r: DVec2) -> f64 {
+    Pair::new(a, b).potential(r)
+}
+
 /// The mean of a vector and of that turn of another by a whole number of `symmetry`-th parts of a
 /// circle (2 or 4) which is nearest to it; zero where one of them is.
 #[inline(always)]

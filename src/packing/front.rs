@@ -1,7 +1,7 @@
 //! A front of cells that grows over the inside.
 
 use super::PackingParams;
-use super::placement::{Crowd, FRONT_GAP, deepest, has_room};
+use super::placement::{Crowd, FRONT_GAP, has_room};
 use super::shape::Shape;
 use crate::domain::{Domain, Facing};
 use crate::field::{Fields, Kind};
@@ -20,18 +20,25 @@ pub(super) fn stream(
     facing: &Facing,
     params: &PackingParams,
 ) {
+    let islands = domain.islands();
+    if islands.len() > 1 {
+        // Chance would seldom find a small one among many.
+        crowd.settle_all();
+    }
     let mut queue: VecDeque<usize> = (0..crowd.cells.len()).collect();
     let mut rows = VecDeque::new();
     // Circles have no direction of their own: one honeycomb, from the middle outwards, has fewer
-    // faults than rows along the boundary that meet each other.
-    let honeycomb = along_most(domain, fields);
-    if let Some(p) = deepest(domain)
-        && fields.kind(p) == Kind::Circle
-        && crowd.is_free(p, FRONT_GAP)
-    {
+    // faults than rows along the boundary that meet each other. Each island has its own.
+    let honeycombs: Vec<DVec2> = islands.iter().map(|i| along_most(i, fields)).collect();
+    let first = crowd.cells.len();
+    for p in islands.iter().filter_map(Domain::deepest) {
+        if fields.kind(p) == Kind::Circle && crowd.is_free(p, FRONT_GAP) {
+            crowd.push(p);
+        }
+    }
+    if crowd.cells.len() > first {
         std::mem::swap(&mut rows, &mut queue);
-        queue.push_back(crowd.cells.len());
-        crowd.push(p);
+        queue.extend(first..crowd.cells.len());
     }
     let mut random = Random::new(params.seed, Purpose::Placement, 0);
     let (lo, hi) = domain.bounds();
@@ -42,11 +49,14 @@ pub(super) fn stream(
             let centre = crowd.cells[k];
             let mut shape = Shape::at(fields, centre);
             if shape.kind() == Kind::Circle {
-                shape.turn(honeycomb);
+                shape.turn(honeycombs[domain.island(centre)]);
             }
             for p in slots(centre, shape, fields) {
                 let p = domain.wrap(p);
-                if crowd.is_free(p, FRONT_GAP) && has_room(p, fields, domain, facing, params.edge) {
+                if crowd.is_free(p, FRONT_GAP)
+                    && has_room(p, fields, domain, facing, params.edge)
+                    && !domain.is_gap_between(centre, p)
+                {
                     queue.push_back(crowd.cells.len());
                     crowd.push(p);
                 }
@@ -69,11 +79,6 @@ pub(super) fn stream(
         };
         let Some(p) = found else { break };
         queue.push_back(crowd.cells.len());
-        crowd.push(p);
-    }
-    if crowd.cells.is_empty()
-        && let Some(p) = deepest(domain)
-    {
         crowd.push(p);
     }
 }

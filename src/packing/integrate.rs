@@ -2,7 +2,7 @@
 //!
 //! Time is in units of sqrt(m d^2 / k0), so that one set of constants serves all sizes.
 
-use super::force::{Pair, SQUARE_REACH};
+use super::force::{Pair, SQUARE_REACH, force_between};
 use super::grid::{Grid, images};
 use super::shape::Shape;
 use super::wall::{keep_inside, stays_clear, wall_force};
@@ -151,7 +151,7 @@ impl Motion {
         self.start.clear();
         self.start.push(0);
         let period = domain.period();
-        let plain = period.is_none() && domain.lines().is_empty();
+        let plain = period.is_none() && domain.lines().is_empty() && domain.islands().len() == 1;
         for (i, body) in bodies.iter().enumerate() {
             let centre = body.particle.centre;
             let shape = Shape::of(&body.particle);
@@ -177,6 +177,7 @@ impl Motion {
         let (a, b) = (&body.particle, &other.particle);
         let half = domain.period().map_or(f64::INFINITY, |side| 0.5 * side);
         r.abs().max_element() <= half
+            && !domain.is_gap_between(a.centre, b.centre)
             && (a.fixed || b.fixed || !domain.crosses_line(a.centre, b.centre))
     }
 
@@ -227,7 +228,7 @@ impl Motion {
                 let force = if a.is_square && b.is_square {
                     Pair::squares((a.axis, b.axis), (a.size, b.size)).force(r)
                 } else {
-                    Pair::new(&body.particle, &bodies[j].particle).force(r)
+                    force_between(&body.particle, &bodies[j].particle, r)
                 };
                 self.forces[j] += force;
                 total -= force;

@@ -1,11 +1,10 @@
 //! How a packing fares: its energy, what each cell bears, and how the run went.
 
-use super::force::Pair;
+use super::force::{force_between, potential_between};
 use super::shape::Shape;
 use super::wall::wall_force;
 use super::{Body, Packing, Particle};
 use crate::domain::Domain;
-use crate::order;
 use glam::DVec2;
 
 /// What a cell bears.
@@ -50,11 +49,11 @@ const NEAR: f64 = 1.25;
 
 impl Packing {
     /// The potential energy of the cells among each other (eq. 4 summed over pairs), in units of
-    /// the mean cell's k0.
+    /// the mean cell's k0, by the last row of the record; of cells just placed, theirs.
     pub fn energy(&mut self, domain: &Domain) -> f64 {
         match self.samples.last() {
-            Some(last) if last.step == self.report.step => last.energy,
-            _ => self.sum_energy(domain),
+            Some(last) => last.energy,
+            None => self.sum_energy(domain),
         }
     }
 
@@ -78,8 +77,8 @@ impl Packing {
 
     fn sum_energy(&mut self, domain: &Domain) -> f64 {
         let mut sum = 0.0;
-        self.each_pair(domain, |a, b, r, _| {
-            sum += Pair::new(&a.particle, &b.particle).potential(r);
+        self.each_pair(domain, &mut |a, b, r, _| {
+            sum += potential_between(&a.particle, &b.particle, r);
         });
         let count = self.bodies.len().max(1) as f64;
         let sizes = self.bodies.iter().map(|b| b.particle.size);
@@ -89,11 +88,7 @@ impl Packing {
 
     /// Calls `visit` with both bodies of each pair that may touch, the way from the first to the
     /// second, and where they are in `bodies`.
-    fn each_pair(
-        &mut self,
-        domain: &Domain,
-        mut visit: impl FnMut(&Body, &Body, DVec2, (usize, usize)),
-    ) {
+    fn each_pair(&mut self, domain: &Domain, visit: Visit) {
         self.motion.refresh(&mut self.bodies, domain);
         for (i, j) in self.motion.pairs(&self.bodies) {
             let (a, b) = (&self.bodies[i], &self.bodies[j]);
@@ -102,12 +97,12 @@ impl Packing {
         }
     }
 
-    /// The cells in the order of their ids, with what each bears where it is now.
+    /// The cells, in no special order, with what each bears where it is now.
     pub fn loads(&mut self, domain: &Domain) -> Vec<(Particle, Load)> {
         let mut loads = vec![Load::default(); self.bodies.len()];
-        self.each_pair(domain, |a, b, r, (i, j)| {
-            let pair = Pair::new(&a.particle, &b.particle);
-            let (force, energy) = (pair.force(r), 0.5 * pair.potential(r));
+        self.each_pair(domain, &mut |a, b, r, (i, j)| {
+            let force = force_between(&a.particle, &b.particle, r);
+            let energy = 0.5 * potential_between(&a.particle, &b.particle, r);
             loads[i].force -= force;
             loads[j].force += force;
             loads[i].energy += energy;
@@ -120,13 +115,13 @@ impl Packing {
             load.force /= size;
             load.energy /= size * size;
         }
-        self.by_id(loads)
+        self.bodies.iter().map(|b| b.particle).zip(loads).collect()
     }
 
-    /// The cells in the order of their ids, with how each stands among its neighbours.
+    /// The cells, in no special order, with how each stands among its neighbours.
     pub fn stands(&mut self, domain: &Domain) -> Vec<(Particle, Stand)> {
         let mut around = vec![Around::default(); self.bodies.len()];
-        self.each_pair(domain, |a, b, r, (i, j)| {
+        self.each_pair(domain, &mut |a, b, r, (i, j)| {
             let far = Shape::of(&a.particle).closeness(&Shape::of(&b.particle), r);
             if far < NEAR {
                 around[i].add(&a.particle, r, far);
@@ -134,16 +129,8 @@ impl Packing {
             }
         });
         let bodies = self.bodies.iter().zip(around);
-        let stands = bodies.map(|(body, around)| around.stand(&body.particle));
-        let stands = stands.collect();
-        self.by_id(stands)
-    }
-
-    fn by_id<T>(&self, items: Vec<T>) -> Vec<(Particle, T)> {
-        let particles = self.bodies.iter().map(|b| b.particle);
-        let mut all: Vec<(Particle, T)> = particles.zip(items).collect();
-        order::sort(&mut all, |(p, _)| (p.id.into(), 0));
-        all
+        let stand = |(body, around): (&Body, Around)| (body.particle, around.stand(&body.particle));
+        bodies.map(stand).collect()
     }
 
     /// The cell whose shape holds this place, and its place among the ids in rising order; where
@@ -163,6 +150,9 @@ impl Packing {
     }
 }
 
+/// Is told both bodies of a pair, the way from the first to the second, and their places.
+type Visit<'a> = &'a mut dyn FnMut(&Body, &Body, DVec2, (usize, usize));
+
 /// The neighbours of a cell, summed.
 #[derive(Clone, Copy, Debug, Default)]
 struct Around {
@@ -181,7 +171,8 @@ impl Around {
         let local = DVec2::new(axis.dot(r), axis.perp_dot(r));
         let squared = |v: DVec2| v.rotate(v);
         self.turn += if particle.kind.has_corners() {
-            let framed = local * DVec2::new(1.0, Shape::of(particle).root.powi(2));
+            let root = Shape::of(particle).root;
+            let framed = local * DVec2::new(1.0, root * root);
             squared(squared(framed.normalize_or_zero()))
         } else {
             squared(local)

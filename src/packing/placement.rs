@@ -30,6 +30,7 @@ pub(super) fn place(
         Start::Stream => stream(&mut crowd, domain, fields, facing, params),
         Start::Quadtree => quadtree(&mut crowd, domain, fields, facing, params.edge),
     }
+    crowd.settle_all();
     let cells = crowd.cells.into_iter().enumerate();
     cells
         .map(|(k, centre)| (centre, fixed && k < on_boundary))
@@ -39,14 +40,15 @@ pub(super) fn place(
 /// The cells along the rings and the constraint lines.
 fn along_boundary<'a>(domain: &'a Domain, fields: &'a Fields, fixed: bool) -> Crowd<'a> {
     let mut crowd = Crowd::new(domain, fields);
-    for ring in domain.rings() {
-        for piece in pieces(ring, true) {
-            boundary_cells(&mut crowd, &piece, fields, domain, fixed);
+    for island in domain.islands() {
+        for piece in island.rings().iter().flat_map(|ring| pieces(ring, true)) {
+            boundary_cells(&mut crowd, &piece, fields, island, fixed);
         }
     }
-    for line in domain.lines() {
-        for piece in line_pieces(line, fixed) {
-            boundary_cells(&mut crowd, &piece, fields, domain, fixed);
+    for island in domain.islands() {
+        let lines = island.lines().iter();
+        for piece in lines.flat_map(|line| line_pieces(line, fixed)) {
+            boundary_cells(&mut crowd, &piece, fields, island, fixed);
         }
     }
     crowd
@@ -88,6 +90,13 @@ impl<'a> Crowd<'a> {
         self.longest = self.longest.max(shape.length());
     }
 
+    /// Puts a cell into the middle of each island that has none.
+    pub fn settle_all(&mut self) {
+        for p in self.domain.empty_middles(&self.cells) {
+            self.push(p);
+        }
+    }
+
     /// Is every cell at least `gap` stable distances away from this place?
     pub fn is_free(&self, p: DVec2, gap: f64) -> bool {
         let shape = Shape::gauge(self.fields, p);
@@ -95,7 +104,7 @@ impl<'a> Crowd<'a> {
         let (domain, grid) = (self.domain, &self.grid);
         !grid.any_near(domain.period(), p, reach, |k| {
             let r = domain.shortest(self.cells[k] - p);
-            shape.is_closer(&self.shapes[k], r, gap) && !domain.crosses_line(p, self.cells[k])
+            shape.is_closer(&self.shapes[k], r, gap) && !domain.is_parted(p, self.cells[k])
         })
     }
 }
@@ -130,23 +139,6 @@ pub(super) fn is_clear(p: DVec2, clearance: f64, fields: &Fields, domain: &Domai
     clear(domain.nearest(p)) && domain.nearest_line(p).is_none_or(clear)
 }
 
-/// The innermost point of a coarse sample: where the only cell of a narrow outline goes.
-pub(super) fn deepest(domain: &Domain) -> Option<DVec2> {
-    let (lo, hi) = domain.bounds();
-    let mut best = (0.0, None);
-    for row in 0..64 {
-        for column in 0..64 {
-            let t = DVec2::new(f64::from(column) + 0.5, f64::from(row) + 0.5) / 64.0;
-            let p = lo + (hi - lo) * t;
-            let depth = domain.nearest(p).distance;
-            if depth > best.0 {
-                best = (depth, Some(p));
-            }
-        }
-    }
-    best.1
-}
-
 /// One cell in the middle of every leaf; a square is divided while it is larger than the size
 /// field asks for at its middle. For a constant size the leaves have just that size.
 fn quadtree(crowd: &mut Crowd, domain: &Domain, fields: &Fields, facing: &Facing, edge: Edge) {
@@ -168,10 +160,5 @@ fn quadtree(crowd: &mut Crowd, domain: &Domain, fields: &Fields, facing: &Facing
         {
             crowd.push(middle);
         }
-    }
-    if crowd.cells.is_empty()
-        && let Some(p) = deepest(domain)
-    {
-        crowd.push(p);
     }
 }

@@ -139,7 +139,7 @@ impl Census<'_> {
         let reach = w * 0.5 * (shape.length() + self.longest);
         self.grid.any_near(period, at, reach, |k| {
             let other = self.bodies[k].particle.centre;
-            !domain.crosses_line(at, other) && test(k, domain.shortest(other - at))
+            !domain.is_parted(at, other) && test(k, domain.shortest(other - at))
         })
     }
 

@@ -59,7 +59,7 @@ pub(super) fn keep_inside(from: DVec2, to: DVec2, shape: Shape, around: Surround
         let depth = domain.medial_depth(near.point, near.inward, least);
         centre = near.point + near.inward * depth;
     }
-    if domain.crosses_line(from, centre) {
+    if domain.is_parted(from, centre) {
         centre = from;
     }
     if let Some(line) = domain.nearest_line(centre) {

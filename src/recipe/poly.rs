@@ -1,4 +1,4 @@
-//! The free polygon as rows of points: the outer ring first, then the holes.
+//! The free polygon as rows of points, one for each ring.
 
 use super::rows::{self, POINTS, STEPS};
 use crate::domain::{MAX_POINTS, Outline};
@@ -7,8 +7,7 @@ use glam::DVec2;
 fn map(outline: &Outline, f: impl Fn(DVec2) -> DVec2) -> Outline {
     let ring = |ring: &Vec<DVec2>| ring.iter().map(|&p| f(p)).collect();
     Outline {
-        outer: ring(&outline.outer),
-        holes: outline.holes.iter().map(ring).collect(),
+        rings: outline.rings.iter().map(ring).collect(),
         lines: outline.lines.iter().map(ring).collect(),
     }
 }
@@ -37,8 +36,7 @@ pub fn points(row: &[i64], side: f64) -> Vec<DVec2> {
 
 /// The text of a polygon whose points lie on the grid.
 pub fn encode(outline: &Outline, side: f64) -> String {
-    let rings = std::iter::once(&outline.outer).chain(&outline.holes);
-    let rows: Vec<Vec<i64>> = rings.map(|ring| row(ring, side)).collect();
+    let rows: Vec<Vec<i64>> = outline.rings.iter().map(|ring| row(ring, side)).collect();
     rows::encode(&rows, POINTS)
 }
 
@@ -48,10 +46,8 @@ pub fn encode(outline: &Outline, side: f64) -> String {
 /// Half a sentence that says why the text is no polygon.
 pub fn decode(text: &str, side: f64) -> Result<Outline, String> {
     let rows = rows::decode(text, POINTS, MAX_POINTS)?;
-    let mut rings = rows.iter().map(|row| points(row, side));
     Ok(Outline {
-        outer: rings.next().unwrap_or_default(),
-        holes: rings.collect(),
+        rings: rows.iter().map(|row| points(row, side)).collect(),
         ..Outline::default()
     })
 }

@@ -86,6 +86,7 @@ impl Board {
     }
 
     /// Draws separate lines that stand out from whatever is below: light, with a dark rim.
+    #[inline(never)]
     pub fn cased(&mut self, lines: &[[DVec2; 2]], tint: Tint, width: f64) {
         self.strokes(lines, CASING, 2.0 * width + 0.6);
         self.strokes(lines, tint, width);
@@ -150,6 +151,7 @@ impl Board {
 }
 
 /// The lines of rings.
+#[inline(never)]
 pub fn lines_of(rings: &[&[DVec2]], round: f64) -> Vec<[DVec2; 2]> {
     let mut lines = Vec::new();
     for ring in rings {
@@ -233,6 +235,7 @@ fn paint(tint: Tint) -> Paint<'static> {
 }
 
 /// The colour a share `t` (0..=1) of the way from `a` to `b`.
+#[inline(never)]
 pub fn blend(a: Tint, b: Tint, t: f32) -> Tint {
     let t = t.clamp(0.0, 1.0);
     std::array::from_fn(|k| a[k] + (b[k] - a[k]) * t)

@@ -26,7 +26,7 @@ pub fn direction(board: &mut Board, domain: &Domain, fields: &Fields, side: f64)
     let params = fields.params();
     spots(board, &params.size_spots, SIZE_SPOT, thin);
     spots(board, &params.aspect_spots, ASPECT_SPOT, thin);
-    let arms = crosses(board, domain, fields, side);
+    let arms = crosses(board, domain, fields, side, (side / 30.0).max(9.0));
     board.strokes(&arms, CROSS, thin);
     lines(board, domain, side);
     board.polylines(&params.strokes, STROKE, 2.5 * thin);
@@ -43,7 +43,7 @@ pub fn direction_over(board: &mut Board, domain: &Domain, fields: &Fields, side:
             board.cased(&lines_of(&[&rim[0], &rim[1]], 0.0), SPOT_OVER, thin);
         }
     }
-    let arms = crosses(board, domain, fields, side);
+    let arms = crosses(board, domain, fields, side, (side / 23.0).max(12.0));
     board.cased(&arms, CROSS_OVER, thin);
     let pieces = |lines: &[Vec<DVec2>]| -> Vec<[DVec2; 2]> {
         let pieces = lines.iter().flat_map(|line| line.windows(2));
@@ -54,6 +54,7 @@ pub fn direction_over(board: &mut Board, domain: &Domain, fields: &Fields, side:
 }
 
 /// Draws the singular points of the direction with their index.
+#[inline(never)]
 pub fn singularities(board: &mut Board, domain: &Domain, fields: &Fields, side: f64) {
     let unit = (side / 170.0).clamp(2.0, 6.0);
     let points = fields.singularities(domain);
@@ -80,8 +81,13 @@ fn spots(board: &mut Board, spots: &[Spot], tint: Tint, width: f64) {
 }
 
 /// The arms of the crosses; where there is no direction a dot is drawn.
-fn crosses(board: &mut Board, domain: &Domain, fields: &Fields, side: f64) -> Vec<[DVec2; 2]> {
-    let step = (side / 30.0).max(9.0);
+fn crosses(
+    board: &mut Board,
+    domain: &Domain,
+    fields: &Fields,
+    side: f64,
+    step: f64,
+) -> Vec<[DVec2; 2]> {
     let count = (side / step) as usize;
     let margin = (side - step * count as f64) / 2.0;
     let mut arms = Vec::new();

@@ -1,43 +1,41 @@
 //! What packed cells bear: the net force on each, and its potential energy.
 
-use super::overlay::{Board, CASING, Tint, blend, lines_of};
-use super::overlay_over::in_steps;
+use super::overlay::{Board, CASING, Tint, lines_of};
+use super::overlay_over::{in_steps, scale, shapes};
 use super::overlay_stages::{line_width, mean};
 use crate::packing::{Load, Particle};
 use glam::DVec2;
 
 const ARROW: Tint = [1.0, 0.36, 0.66, 1.0];
 /// An arrow's length, in cell sizes, for a force of 1 ...
-const LENGTH: f64 = 1.6;
+const LENGTH: f64 = 2.2;
 /// ... and the most.
 const LONGEST: f64 = 1.3;
 /// Smaller forces are not drawn.
 const LEAST: f64 = 0.002;
 
-/// Held by its neighbours, at zero, and pressed.
-const HELD: Tint = [0.05, 0.28, 0.45, 1.0];
-const ZERO: Tint = [0.98, 0.94, 0.72, 1.0];
-const PUSHED: Tint = [0.93, 0.28, 0.10, 1.0];
-/// The energies of the two ends of the scale.
-const ENERGIES: (f64, f64) = (-0.16, 0.16);
+/// Held by its neighbours all around, half as much, and not at all or pressed.
+const HELD: Tint = [0.05, 0.28, 0.50, 0.72];
+const HALF: Tint = [0.98, 0.90, 0.55, 0.72];
+const PUSHED: Tint = [0.90, 0.16, 0.08, 0.72];
+/// The energy of a cell among neighbours at rest, with corners and without.
+const REST: [f64; 2] = [-0.20, -0.145];
 const STEPS: usize = 24;
-const OPACITY: f32 = 0.72;
 
 /// Draws the net force on each cell as an arrow, as long as the root of the force, so that weak ones
 /// are still seen.
 pub fn forces(board: &mut Board, loads: &[(Particle, Load)]) {
     let size = mean(loads.iter().map(|(p, _)| p.size));
-    let width = 1.2 * line_width(size);
+    let width = 0.9 * line_width(size);
     let (mut shafts, mut heads, mut rims) = (Vec::new(), Vec::new(), Vec::new());
     for (particle, load) in loads {
         let force = load.force.length();
-        // NaN is not drawn either.
-        if particle.fixed || !(force >= LEAST) {
+        if particle.fixed || force.is_nan() || force < LEAST {
             continue;
         }
         let length = particle.size * (LENGTH * force.sqrt()).min(LONGEST);
         let along = load.force / force;
-        let head = (0.45 * length).min(4.0 * width);
+        let head = (0.5 * length).min(5.0 * width);
         let tip = particle.centre + along * length;
         let neck = tip - along * head;
         let triangle = |reach: f64| {
@@ -58,23 +56,20 @@ pub fn forces(board: &mut Board, loads: &[(Particle, Load)]) {
     board.fill(&refs(&heads), ARROW, 0.0);
 }
 
+#[inline(never)]
 fn refs(rings: &[Vec<DVec2>]) -> Vec<&[DVec2]> {
     rings.iter().map(Vec::as_slice).collect()
 }
 
 /// Fills each cell by its energy: blue where its neighbours hold it, red where they press it.
 pub fn energy(board: &mut Board, loads: &[(Particle, Load)]) {
-    let rings: Vec<Vec<DVec2>> = loads.iter().map(|(p, _)| p.ring(0.94, 16)).collect();
-    let (low, high) = ENERGIES;
-    let share = |load: &Load| ((load.energy - low) / (high - low)) as f32;
-    let shares: Vec<f32> = loads.iter().map(|(_, load)| share(load)).collect();
-    in_steps(board, &rings, &shares, STEPS, |t| {
-        let [r, g, b, _] = match t < 0.5 {
-            true => blend(HELD, ZERO, 2.0 * t),
-            false => blend(ZERO, PUSHED, 2.0 * t - 1.0),
-        };
-        [r, g, b, OPACITY]
-    });
+    let rings = shapes(&mut loads.iter().map(|(p, _)| p), 0.94);
+    let share = |(particle, load): &(Particle, Load)| {
+        let rest = REST[usize::from(!particle.kind.has_corners())];
+        (1.0 - load.energy / rest) as f32
+    };
+    let shares: Vec<f32> = loads.iter().map(share).collect();
+    in_steps(board, &rings, &shares, &scale([HELD, HALF, PUSHED], STEPS));
     let width = line_width(mean(loads.iter().map(|(p, _)| p.size)));
     board.strokes(&lines_of(&refs(&rings), 0.0), CASING, 0.8 * width);
 }

@@ -12,55 +12,66 @@ use crate::packing::Particle;
 use glam::DVec2;
 
 const PACKED: Tint = [1.0, 0.97, 0.90, 0.95];
-const FREE: Tint = [1.0, 0.97, 0.90, 1.0];
-const PRESSED: Tint = [0.92, 0.20, 0.08, 1.0];
-const ALONE: Tint = [0.16, 0.50, 0.95, 1.0];
-/// Opacity of the fillings: of cells at ease, and the most.
-const LEAST: f32 = 0.10;
-const MOST: f32 = 0.62;
-/// Steps of the fillings.
-const STEPS: usize = 5;
+const FREE: Tint = [1.0, 0.97, 0.90, 0.10];
+const PRESSED: Tint = [0.92, 0.16, 0.06, 0.62];
+const ALONE: Tint = [0.16, 0.50, 0.95, 0.62];
+/// Colours of the fillings; even, so that one is that of cells at ease.
+const STEPS: usize = 10;
 
 const CELL: Tint = [1.0, 0.80, 0.25, 1.0];
 const MESH: Tint = [0.45, 0.90, 1.0, 1.0];
 const LONE: Tint = [1.0, 0.45, 0.10, 0.50];
-const STRETCHED: Tint = [0.56, 0.22, 0.85, 1.0];
-const EVEN: Tint = [0.96, 0.90, 1.0, 1.0];
+/// As wide as long, and as long as cells may be.
+const EVEN: Tint = [0.96, 0.90, 1.0, 0.16];
+const STRETCHED: Tint = [0.56, 0.22, 0.85, 0.71];
+const RIM: Tint = [0.96, 0.90, 1.0, 1.0];
 
-/// Fills rings in steps of a scale, those of one step together.
-pub(super) fn in_steps(
-    board: &mut Board,
-    rings: &[Vec<DVec2>],
-    shares: &[f32],
-    steps: usize,
-    tint: impl Fn(f32) -> Tint,
-) {
-    for step in 0..=steps {
-        let here = |share: f32| (share.clamp(0.0, 1.0) * steps as f32 + 0.5) as usize == step;
+/// Fills rings in the colours of a scale, those of one colour together.
+#[inline(never)]
+pub(super) fn in_steps(board: &mut Board, rings: &[Vec<DVec2>], shares: &[f32], scale: &[Tint]) {
+    let top = scale.len().saturating_sub(1);
+    for (step, &tint) in scale.iter().enumerate() {
+        let here = |share: f32| (share.clamp(0.0, 1.0) * top as f32 + 0.5) as usize == step;
         let some = rings.iter().zip(shares).filter(|&(_, &share)| here(share));
         let some: Vec<&[DVec2]> = some.map(|(ring, _)| ring.as_slice()).collect();
-        board.fill(&some, tint(step as f32 / steps as f32), 0.0);
+        board.fill(&some, tint, 0.0);
     }
+}
+
+/// Colours from one over another in the middle to a third.
+#[inline(never)]
+pub(super) fn scale([low, middle, high]: [Tint; 3], steps: usize) -> Vec<Tint> {
+    let tint = |step: usize| {
+        let t = 2.0 * step as f32 / steps as f32;
+        match t < 1.0 {
+            true => blend(low, middle, t),
+            false => blend(middle, high, t - 1.0),
+        }
+    };
+    (0..=steps).map(tint).collect()
+}
+
+/// The shapes of particles.
+#[inline(never)]
+pub(super) fn shapes(
+    particles: &mut dyn Iterator<Item = &Particle>,
+    factor: f64,
+) -> Vec<Vec<DVec2>> {
+    particles.map(|p| p.ring(factor, 16)).collect()
 }
 
 /// Draws packed cells as outlines, red where neighbours stand in them and blue where they are alone.
 pub fn packed(board: &mut Board, particles: &[Particle], stress: &[Stress]) {
-    let rings: Vec<Vec<DVec2>> = particles.iter().map(|p| p.ring(1.0, 16)).collect();
-    let opaque = |tint: Tint, t: f32| {
-        let [r, g, b, _] = blend(FREE, tint, 1.6 * t);
-        [r, g, b, LEAST + (MOST - LEAST) * t]
-    };
-    // From -1, all alone, to 1.
-    let lot = |s: &Stress| s.pressed - if s.pressed > 0.0 { 0.0 } else { s.alone };
-    let lots: Vec<f32> = stress.iter().map(|s| 0.5 + 0.5 * lot(s)).collect();
-    in_steps(board, &rings, &lots, 2 * STEPS, |t| match t < 0.5 {
-        true => opaque(ALONE, 1.0 - 2.0 * t),
-        false => opaque(PRESSED, 2.0 * t - 1.0),
-    });
+    let rings = shapes(&mut particles.iter(), 1.0);
+    // From 0, all alone, to 1, deep in each other.
+    let lot = |s: &Stress| 0.5 + 0.5 * (s.pressed - if s.pressed > 0.0 { 0.0 } else { s.alone });
+    let lots: Vec<f32> = stress.iter().map(lot).collect();
+    in_steps(board, &rings, &lots, &scale([ALONE, FREE, PRESSED], STEPS));
     let width = line_width(mean(particles.iter().map(|p| p.size)));
     outlines(board, &rings, PACKED, width);
 }
 
+#[inline(never)]
 fn outlines(board: &mut Board, rings: &[Vec<DVec2>], tint: Tint, width: f64) {
     let rings: Vec<&[DVec2]> = rings.iter().map(Vec::as_slice).collect();
     board.cased(&lines_of(&rings, 0.0), tint, width);
@@ -97,16 +108,17 @@ pub fn anisotropy(board: &mut Board, domain: &Domain, fields: &Fields, side: f64
         }
     }
     let longest = shapes.iter().map(|s| s.aspect).fold(1.0, f64::max);
-    let ring = |shape: &Particle| {
-        let size = 0.92 * step / longest.sqrt().max(1.2);
-        Particle { size, ..*shape }.ring(1.0, 24)
-    };
-    let rings: Vec<Vec<DVec2>> = shapes.iter().map(ring).collect();
+    let size = 0.80 * step / longest.sqrt().max(1.2);
+    shapes.iter_mut().for_each(|shape| shape.size = size);
+    let rings = self::shapes(&mut shapes.iter(), 1.0);
     let longer = |s: &Particle| (libm::log2(s.aspect) / libm::log2(5.0)) as f32;
     let longer: Vec<f32> = shapes.iter().map(longer).collect();
-    in_steps(board, &rings, &longer, 8, |t| {
-        let [r, g, b, _] = blend(EVEN, STRETCHED, t);
-        [r, g, b, 0.45 + 0.3 * t]
-    });
-    outlines(board, &rings, EVEN, (side / 460.0).clamp(0.9, 3.0));
+    let middle = blend(EVEN, STRETCHED, 0.5);
+    in_steps(
+        board,
+        &rings,
+        &longer,
+        &scale([EVEN, middle, STRETCHED], STEPS),
+    );
+    outlines(board, &rings, RIM, (side / 460.0).clamp(0.9, 3.0));
 }

@@ -5,15 +5,15 @@ use crate::domain::Domain;
 use crate::field::Fields;
 use glam::DVec2;
 
-/// Half of the mean size or less, the mean, and twice the mean or more (or as far as the field goes).
-const SMALL: Tint = [0.06, 0.30, 0.52, 0.62];
-const MEAN: Tint = [0.97, 0.94, 0.84, 0.34];
-const LARGE: Tint = [0.86, 0.30, 0.05, 0.62];
+/// The smallest size there is, the middle, and the largest.
+const SMALL: Tint = [0.04, 0.26, 0.56, 0.66];
+const MIDDLE: Tint = [0.98, 0.82, 0.40, 0.42];
+const LARGE: Tint = [0.80, 0.10, 0.10, 0.66];
 const CONTOUR: Tint = [0.10, 0.07, 0.05, 0.80];
 const WIDTH: f32 = 1.1;
-/// Contours from the mean to the end of the scale.
+/// Contours from the middle to the end of the scale.
 const CONTOURS: f32 = 5.0;
-/// The scale goes at least so many doublings of the size each way.
+/// The scale goes at least so many doublings of the size each way from the middle.
 const LEAST: f32 = 0.35;
 /// The field is asked at places so many pixels apart.
 const STEP: usize = 4;
@@ -49,7 +49,7 @@ impl Veil {
         for (below, &[r, g, b, rest]) in board.rgba_mut().chunks_exact_mut(4).zip(&self.pixels) {
             for (c, over) in below.iter_mut().zip([r, g, b]) {
                 let kept = u32::from(*c) * u32::from(rest);
-                *c = over.saturating_add(((kept + 128) * 257 >> 16) as u8);
+                *c = over.saturating_add((((kept + 128) * 257) >> 16) as u8);
             }
         }
     }
@@ -73,21 +73,19 @@ fn pixels(side: usize, domain: &Domain, fields: &Fields) -> Vec<[u8; 4]> {
     let count = side / STEP + 2;
     let mean = fields.params().size;
     let mut nodes = Vec::with_capacity(count * count);
-    let mut most = LEAST;
+    let (mut low, mut high) = (f32::INFINITY, f32::NEG_INFINITY);
     for k in 0..count * count {
         let (x, y) = (STEP * (k % count), STEP * (k / count));
         let doublings = libm::log2(fields.size(DVec2::new(x as f64, y as f64)) / mean) as f32;
         nodes.push(doublings);
         if inside(x, y) > 0 {
-            most = most.max(doublings.abs());
+            (low, high) = (low.min(doublings), high.max(doublings));
         }
     }
-    let level = |x: usize, y: usize| {
-        let at = (y / STEP) * count + x / STEP;
-        let [s, t] = [x, y].map(|v| (v % STEP) as f32 / STEP as f32);
-        let row = |at: usize| nodes[at] + s * (nodes[at + 1] - nodes[at]);
-        (row(at) + t * (row(at + count) - row(at))) / most
-    };
+    let middle = 0.5 * (low + high);
+    let reach = LEAST.max(0.5 * (high - low));
+    nodes.iter_mut().for_each(|v| *v = (*v - middle) / reach);
+    let level = |x: usize, y: usize| between(&nodes, count, x, y);
     let mut pixels = Vec::with_capacity(side * side);
     for k in 0..side * side {
         let (x, y) = (k % side, k / side);
@@ -101,8 +99,8 @@ fn pixels(side: usize, domain: &Domain, fields: &Fields) -> Vec<[u8; 4]> {
             f64::from(level(x + 1, y) - v),
             f64::from(level(x, y + 1) - v),
         );
-        let heat = blend(MEAN, if v < 0.0 { SMALL } else { LARGE }, v.abs());
-        // No contour where the size is the mean: it may be so everywhere.
+        let heat = blend(MIDDLE, if v < 0.0 { SMALL } else { LARGE }, v.abs());
+        // No contour in the middle: the size may be the same everywhere.
         let lines = CONTOURS * v;
         let off = (lines - lines.floor() - 0.5).abs() / (CONTOURS * slope.length() as f32 + 1e-6);
         let dark = (0.5 * WIDTH + 0.5 - off).clamp(0.0, 1.0) * CONTOUR[3];
@@ -117,4 +115,13 @@ fn pixels(side: usize, domain: &Domain, fields: &Fields) -> Vec<[u8; 4]> {
         ]);
     }
     pixels
+}
+
+/// What is between the nodes, `count` in a row.
+#[inline(never)]
+fn between(nodes: &[f32], count: usize, x: usize, y: usize) -> f32 {
+    let at = (y / STEP) * count + x / STEP;
+    let [s, t] = [x, y].map(|v| (v % STEP) as f32 / STEP as f32);
+    let row = |at: usize| nodes[at] + s * (nodes[at + 1] - nodes[at]);
+    row(at) + t * (row(at + count) - row(at))
 }

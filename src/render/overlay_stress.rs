@@ -41,7 +41,7 @@ pub fn stress(domain: &Domain, particles: &[Particle]) -> Vec<Stress> {
         grid.any_near(domain.period(), centre, reach, |k| {
             let other = &particles[k];
             let r = domain.shortest(other.centre - centre);
-            if k != own && !domain.crosses_line(centre, other.centre) {
+            if k != own && !domain.is_parted(centre, other.centre) {
                 let pair = Pair::new(particle, other);
                 depth = depth.max(pair.depth(r));
                 let stable = 2.0 * pair.stable_distance() / particle.size;
@@ -63,7 +63,7 @@ pub fn stress(domain: &Domain, particles: &[Particle]) -> Vec<Stress> {
                 along < OPEN && across < ASIDE * along.clamp(0.0, 1.0)
             });
             let beyond = centre + 2.2 * (way.x * e + way.y * f);
-            !taken && domain.contains(beyond) && !domain.crosses_line(centre, beyond)
+            !taken && domain.contains(beyond) && !domain.is_parted(centre, beyond)
         });
         Stress {
             alone: open.count() as f32 / count as f32,
@@ -85,8 +85,7 @@ mod tests {
     fn lots(kind: crate::field::Kind, places: &[(f64, f64)]) -> Vec<Stress> {
         let ring = [(0.0, 0.0), (100.0, 0.0), (100.0, 100.0), (0.0, 100.0)];
         let domain = Domain::from_checked(&Outline {
-            outer: ring.map(DVec2::from).to_vec(),
-            holes: Vec::new(),
+            rings: vec![ring.map(DVec2::from).to_vec()],
             ..Outline::default()
         });
         let particles: Vec<Particle> = (0..)

@@ -1,7 +1,7 @@
 //! Stones in number: the weights of each connectivity are worked out once and kept.
 
 use super::footprint::{Footprint, MOST_CORNERS};
-use super::subdivide::Stencil;
+use super::subdivide::{Growing, Stencil};
 use super::{Prism, StoneKind, StoneParams, TriangleMesh};
 use super::{control, hide, prism};
 use crate::cells::Cell;
@@ -50,11 +50,16 @@ struct Pattern {
 pub struct Quarry {
     /// By corners, then level; stones first, then skin.
     patterns: Vec<Option<Rc<Pattern>>>,
+    /// The one in the making, for this place.
+    growing: Option<(usize, Growing)>,
     /// Loop steps of skin more than a picture needs, or fewer.
     finer: i32,
     /// Pixels for each square picture unit.
     pixels: f64,
 }
+
+/// Rows of a connectivity's weights that are worked out in one slice.
+const ROWS: usize = 12_000;
 
 const SLOTS: usize = (MOST_CORNERS + 1) * (MOST_LEVELS as usize + 1);
 
@@ -74,6 +79,7 @@ impl Quarry {
     pub fn finer(steps: i32) -> Self {
         Self {
             patterns: vec![None; 2 * SLOTS],
+            growing: None,
             finer: steps,
             pixels: 1.0,
         }
@@ -87,34 +93,52 @@ impl Quarry {
         }
     }
 
-    fn pattern(&mut self, skin: bool, corners: usize, levels: u32) -> Rc<Pattern> {
+    /// The refinement of a connectivity; nothing while it takes more than this slice of work.
+    fn pattern(&mut self, skin: bool, corners: usize, levels: u32) -> Option<Rc<Pattern>> {
         let slot = corners * (MOST_LEVELS as usize + 1) + levels as usize;
         let slot = slot + if skin { SLOTS } else { 0 };
-        let made = || {
-            Rc::new(if skin {
-                let triangles = prism::triangles(corners);
-                let points = prism::point_count(corners);
-                let stencil = Stencil::to_limit(points, &triangles, levels);
-                let refined = stencil.apply(&prism::radii(corners));
-                let radii = refined.iter().map(|r| r.x).collect();
-                Pattern { stencil, radii }
-            } else {
-                let triangles = control::triangles(corners);
-                let points = control::point_count(corners);
-                let stencil = Stencil::new(points, &triangles, levels);
-                let radii = Vec::new();
-                Pattern { stencil, radii }
-            })
+        if let Some(pattern) = &self.patterns[slot] {
+            return Some(pattern.clone());
+        }
+        let begun = self.growing.take().filter(|&(at, _)| at == slot);
+        let (_, mut growing) = begun.unwrap_or_else(|| {
+            let (points, triangles) = match skin {
+                true => (prism::point_count(corners), prism::triangles(corners)),
+                false => (control::point_count(corners), control::triangles(corners)),
+            };
+            (slot, Growing::new(points, triangles, levels, skin))
+        });
+        if !growing.advance(ROWS) {
+            self.growing = Some((slot, growing));
+            return None;
+        }
+        let stencil = growing.finish();
+        let radii = match skin {
+            true => stencil.apply(&prism::radii(corners)),
+            false => Vec::new(),
         };
-        self.patterns[slot].get_or_insert_with(made).clone()
+        let radii = radii.iter().map(|r| r.x).collect();
+        let pattern = Rc::new(Pattern { stencil, radii });
+        let large = pattern.stencil.len() > ROWS;
+        self.patterns[slot] = Some(pattern.clone());
+        (!large).then_some(pattern)
     }
 
     /// The stone of a cell, empty where the cell has no area to speak of. Stones lie inside the
     /// cell's ring, or inside the ring enlarged by the scale where that is above 1. Skin leans along
     /// the cell's axis: see [`super::oriented`].
     pub fn stone(&mut self, cell: &Cell, params: &StoneParams) -> Solid {
+        loop {
+            if let Some(solid) = self.stone_or_slice(cell, params) {
+                return solid;
+            }
+        }
+    }
+
+    /// The same, or nothing where only a slice of the work on its connectivity could be done.
+    pub fn stone_or_slice(&mut self, cell: &Cell, params: &StoneParams) -> Option<Solid> {
         let Some(plan) = Footprint::new(&cell.ring, cell.centre) else {
-            return Solid::empty();
+            return Some(Solid::empty());
         };
         match params.kind {
             StoneKind::Skin => self.skin(&plan, params, cell),
@@ -122,32 +146,32 @@ impl Quarry {
         }
     }
 
-    fn hewn(&mut self, plan: &Footprint, params: &StoneParams, id: u32) -> Solid {
+    fn hewn(&mut self, plan: &Footprint, params: &StoneParams, id: u32) -> Option<Solid> {
         let corners = plan.corners.len();
         let points = control::points(plan, params, id);
         let area = plan.size * plan.size * params.scale * params.scale;
         let wanted = STONE_TRIANGLES * self.pixels * area;
         let levels = levels(control::triangle_count(corners), wanted).min(STONE_LEVELS);
-        let pattern = self.pattern(false, corners, levels);
+        let pattern = self.pattern(false, corners, levels)?;
         let mut vertices = pattern.stencil.apply(&points);
         if !plan.convex {
             keep_in(plan, params, &mut vertices);
         }
-        Solid {
+        Some(Solid {
             vertices,
             triangles: pattern.stencil.triangles.clone(),
-        }
+        })
     }
 
     /// Itoh, Miyata, Shimada (2003), section 6: prism, subdivision, noise.
-    fn skin(&mut self, plan: &Footprint, params: &StoneParams, cell: &Cell) -> Solid {
+    fn skin(&mut self, plan: &Footprint, params: &StoneParams, cell: &Cell) -> Option<Solid> {
         let (flow, id) = (cell.axis, cell.id);
         let corners = plan.corners.len();
         let prism = Prism::over(plan, flow, params, id);
         let coarse = prism::triangle_count(corners);
         let needed = levels(coarse, SKIN_TRIANGLES * self.pixels * prism.area());
         let finer = needed.saturating_add_signed(self.finer).min(MOST_LEVELS);
-        let pattern = self.pattern(true, corners, finer);
+        let pattern = self.pattern(true, corners, finer)?;
         let (stencil, radii) = (&pattern.stencil, &pattern.radii);
         let control = prism.points();
         let mut vertices = stencil.apply(&control);
@@ -156,10 +180,10 @@ impl Quarry {
         hide::shape(&mut vertices, radii, place, &params.skin);
         let size = prism.skin_size;
         hide::roughen(&mut vertices, radii, (stencil, needed), (size, id), params);
-        Solid {
+        Some(Solid {
             vertices,
             triangles: stencil.triangles.clone(),
-        }
+        })
     }
 
     /// The control mesh a stone is refined from; None where the cell has no area to speak of.

@@ -57,42 +57,19 @@ pub struct Stencil {
 impl Stencil {
     /// The weights of `levels` Loop steps on a mesh of `vertices` vertices.
     pub fn new(vertices: usize, triangles: &[[u32; 3]], levels: u32) -> Self {
-        Self::made(vertices, triangles, levels, false)
+        Self::made(vertices, triangles.to_vec(), levels, false)
     }
 
     /// The same with every refined vertex moved to where further steps would lead it, so that the
     /// refined mesh lies on the limit surface and finer ones hardly differ.
     pub fn to_limit(vertices: usize, triangles: &[[u32; 3]], levels: u32) -> Self {
-        Self::made(vertices, triangles, levels, true)
+        Self::made(vertices, triangles.to_vec(), levels, true)
     }
 
-    fn made(vertices: usize, triangles: &[[u32; 3]], levels: u32, limit: bool) -> Self {
-        let mut rows = Rows::identity(vertices);
-        let mut triangles = triangles.to_vec();
-        let (mut parents, mut ends) = (Vec::new(), Vec::new());
-        for _ in 0..levels {
-            let edges = Edges::new(rows.len(), &triangles);
-            parents.extend(edges.list.iter().map(|edge| edge.ends));
-            ends.push(parents.len());
-            let step = step(rows.len(), &edges);
-            triangles = split(rows.len(), &triangles, &edges);
-            rows = step.times(&rows, vertices);
-        }
-        if limit {
-            let mut step = Rows::empty();
-            let edges = Edges::new(rows.len(), &triangles);
-            push_vertices(rows.len(), &edges, limit_share, &mut step);
-            rows = step.times(&rows, vertices);
-        }
-        Self {
-            sources: vertices,
-            weights: rows.weights.iter().map(|&w| w as f32).collect(),
-            starts: rows.starts,
-            columns: rows.columns,
-            parents,
-            ends,
-            triangles: triangles.into(),
-        }
+    fn made(vertices: usize, triangles: Vec<[u32; 3]>, levels: u32, limit: bool) -> Self {
+        let mut growing = Growing::new(vertices, triangles, levels, limit);
+        while !growing.advance(usize::MAX) {}
+        growing.finish()
     }
 
     /// How many vertices the unrefined mesh has.
@@ -152,7 +129,142 @@ impl Stencil {
     }
 }
 
+/// A stencil in the making.
+#[derive(Debug)]
+pub(super) struct Growing {
+    sources: usize,
+    rows: Rows,
+    triangles: Vec<[u32; 3]>,
+    parents: Vec<[u32; 2]>,
+    ends: Vec<usize>,
+    /// Steps that are still to be begun, and whether the one to the limit is.
+    levels: u32,
+    limit: bool,
+    /// Of the step at work.
+    edges: Option<Edges>,
+    product: Option<Product>,
+}
+
+impl Growing {
+    /// See [`Stencil::new`] and [`Stencil::to_limit`].
+    pub fn new(vertices: usize, triangles: Vec<[u32; 3]>, levels: u32, limit: bool) -> Self {
+        Self {
+            sources: vertices,
+            rows: Rows::identity(vertices),
+            triangles,
+            parents: Vec::new(),
+            ends: Vec::new(),
+            levels,
+            limit,
+            edges: None,
+            product: None,
+        }
+    }
+
+    /// Works out about so many rows; true when all are done.
+    pub fn advance(&mut self, mut most: usize) -> bool {
+        while most > 0 {
+            if let Some(product) = &mut self.product {
+                if product.advance(&self.rows, &mut most) {
+                    self.rows = self.product.take().map_or(Rows::empty(), |p| p.done);
+                }
+            } else if let Some(edges) = self.edges.take() {
+                most = most.saturating_sub(edges.list.len());
+                self.product = Some(Product::new(self.step(&edges), self.sources));
+            } else if self.levels > 0 || self.limit {
+                let edges = Edges::new(self.rows.len(), &self.triangles);
+                most = most.saturating_sub(edges.list.len());
+                self.edges = Some(edges);
+            } else {
+                return true;
+            }
+        }
+        false
+    }
+
+    /// The matrix of the next step.
+    fn step(&mut self, edges: &Edges) -> Rows {
+        let count = self.rows.len();
+        if self.levels == 0 {
+            let mut step = Rows::empty();
+            push_vertices(count, edges, limit_share, &mut step);
+            self.limit = false;
+            return step;
+        }
+        self.parents.extend(edges.list.iter().map(|edge| edge.ends));
+        self.ends.push(self.parents.len());
+        self.triangles = split(count, &self.triangles, edges);
+        self.levels -= 1;
+        step(count, edges)
+    }
+
+    /// What was worked out.
+    pub fn finish(self) -> Stencil {
+        let rows = self.rows;
+        Stencil {
+            sources: self.sources,
+            weights: rows.weights.iter().map(|&w| w as f32).collect(),
+            starts: rows.starts,
+            columns: rows.columns,
+            parents: self.parents,
+            ends: self.ends,
+            triangles: self.triangles.into(),
+        }
+    }
+}
+
+/// The product of two matrices, row by row. The second one's columns are few: sums go into a dense
+/// row that is emptied after use.
+#[derive(Debug)]
+struct Product {
+    first: Rows,
+    dense: Vec<f64>,
+    done: Rows,
+}
+
+impl Product {
+    fn new(first: Rows, columns: usize) -> Self {
+        let mut done = Rows::empty();
+        done.starts.reserve(first.len());
+        done.columns.reserve(first.len() * columns / 2);
+        done.weights.reserve(first.len() * columns / 2);
+        Self {
+            first,
+            dense: vec![0.0; columns],
+            done,
+        }
+    }
+
+    /// At most `most` rows, which it takes from that number; true when all are done.
+    fn advance(&mut self, second: &Rows, most: &mut usize) -> bool {
+        let from = self.done.len();
+        let to = self.first.len().min(from.saturating_add(*most));
+        let Rows {
+            starts,
+            columns,
+            weights,
+        } = &mut self.done;
+        for i in from..to {
+            for (source, weight) in self.first.row(i) {
+                for (column, inner) in second.row(source as usize) {
+                    self.dense[column as usize] += weight * inner;
+                }
+            }
+            for (column, sum) in (0..).zip(&mut self.dense) {
+                if *sum != 0.0 {
+                    columns.push(column);
+                    weights.push(std::mem::take(sum));
+                }
+            }
+            starts.push(columns.len() as u32);
+        }
+        *most -= to - from;
+        to == self.first.len()
+    }
+}
+
 /// A sparse matrix in compressed rows: row i holds the entries `starts[i] .. starts[i + 1]`.
+#[derive(Debug)]
 struct Rows {
     starts: Vec<u32>,
     columns: Vec<u32>,
@@ -191,40 +303,17 @@ impl Rows {
         let columns = self.columns[span.clone()].iter().copied();
         columns.zip(self.weights[span].iter().copied())
     }
-
-    /// The product with a matrix of `columns` columns, which are few: sums go into a dense row that is
-    /// emptied after use.
-    fn times(&self, other: &Rows, columns: usize) -> Rows {
-        let mut dense = vec![0.0f64; columns];
-        let mut product = Rows::empty();
-        product.starts.reserve(self.len());
-        product.columns.reserve(self.len() * columns / 2);
-        product.weights.reserve(self.len() * columns / 2);
-        for i in 0..self.len() {
-            for (source, weight) in self.row(i) {
-                for (column, inner) in other.row(source as usize) {
-                    dense[column as usize] += weight * inner;
-                }
-            }
-            for (column, sum) in (0..).zip(&mut dense) {
-                if *sum != 0.0 {
-                    product.columns.push(column);
-                    product.weights.push(std::mem::take(sum));
-                }
-            }
-            product.starts.push(product.columns.len() as u32);
-        }
-        product
-    }
 }
 
 /// An edge, its ends in rising order, with the corners opposite to it: two, or else it is a boundary.
+#[derive(Debug)]
 struct Edge {
     ends: [u32; 2],
     opposite: Option<[u32; 2]>,
 }
 
 /// The edges of a mesh in the order of their ends.
+#[derive(Debug)]
 struct Edges {
     list: Vec<Edge>,
     /// Those whose first end is vertex v begin at `starts[v]`.

@@ -73,7 +73,7 @@ impl Studio {
         clock: &mut dyn FnMut() -> f64,
         budget: f64,
     ) -> Result<PictureSlice, String> {
-        let stamp = self.changes.iter().sum();
+        let stamp: u64 = self.changes.iter().sum();
         let goes_on = |b: &Bigger| (b.scale, b.stamp) == (scale, stamp) && b.at != At::Done;
         let kept = self.bigger.take().filter(goes_on);
         let side = self.side().saturating_mul(scale);
@@ -124,7 +124,7 @@ impl Studio {
     /// # Errors
     /// A sentence where there is none, or of another pavement.
     pub fn bigger_map(&self, kind: MapKind) -> Result<Map, String> {
-        let stamp = self.changes.iter().sum();
+        let stamp: u64 = self.changes.iter().sum();
         let done = |b: &&Bigger| b.at == At::Done && b.stamp == stamp;
         let bigger = self.bigger.as_ref().filter(done);
         let planes = bigger.and_then(|b| b.planes.as_ref());
@@ -169,8 +169,8 @@ impl Studio {
                 At::Ground => painter.prepare(ROWS),
                 At::Stones => {
                     if let Some(cell) = self.scales().get(bigger.stones) {
-                        painter.paint(&mut bigger.quarry, cell, bigger.stones);
-                        bigger.stones += 1;
+                        let done = painter.paint_slice(&mut bigger.quarry, cell, bigger.stones);
+                        bigger.stones += usize::from(done);
                         false
                     } else {
                         (bigger.bands, bigger.stones) = (bigger.bands + 1, 0);

@@ -149,10 +149,6 @@ pub(super) struct Shown<'a> {
     pub packing: Option<&'a Packing>,
 }
 
-/// The outer ring, then the holes.
-pub(super) fn rings(outline: &Outline) -> Vec<&[DVec2]> {
-    let holes = outline.holes.iter().map(Vec::as_slice);
-    std::iter::once(outline.outer.as_slice())
-        .chain(holes)
-        .collect()
+fn rings(outline: &Outline) -> Vec<&[DVec2]> {
+    outline.rings.iter().map(Vec::as_slice).collect()
 }

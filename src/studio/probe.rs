@@ -209,6 +209,7 @@ impl Histogram {
 
 impl Boxes {
     /// The cell that holds a place or one of its images, and that image.
+    #[inline(never)]
     fn find(&self, domain: &Domain, cells: &[Cell], p: DVec2) -> Option<(usize, DVec2)> {
         let here = |image: DVec2| {
             self.meeting([image; 2])
@@ -270,6 +271,7 @@ fn bounds(cell: &Cell) -> [DVec2; 2] {
     around.fold([first; 2], |[lo, hi], &q| [lo.min(q), hi.max(q)])
 }
 
+#[inline(never)]
 fn contains(ring: &[DVec2], p: DVec2) -> bool {
     let mut inside = false;
     let mut a = ring.last().copied().unwrap_or(p);
@@ -285,5 +287,6 @@ fn contains(ring: &[DVec2], p: DVec2) -> bool {
 /// The angle of a cell's axis.
 fn degrees(axis: DVec2, kind: Kind) -> f64 {
     let degrees = libm::atan2(axis.y, axis.x).to_degrees();
-    degrees.rem_euclid(period(kind))
+    let period = period(kind);
+    degrees - period * (degrees / period).floor()
 }

@@ -4,7 +4,7 @@ use super::translate;
 use crate::cells::{self, Cell, Fitting, Graph, Scatter};
 use crate::domain::{Domain, Outline};
 use crate::field::{FieldBuilder, Fields};
-use crate::mesh::Mesh;
+use crate::mesh::{Mesh, Meshing};
 use crate::packing::Packing;
 use crate::recipe::{Recipe, Stage};
 use crate::render::Shader;
@@ -25,6 +25,7 @@ pub(super) struct Products {
     pub packing: Option<Packing>,
     /// Is `packing` of the pass at work, not of an earlier one?
     pub packing_begun: bool,
+    meshing: Option<Meshing>,
     pub mesh: Option<Mesh>,
     scatter: Option<Scatter>,
     fitting: Option<Fitting>,
@@ -61,6 +62,7 @@ impl Products {
             fields: None,
             packing: None,
             packing_begun: false,
+            meshing: None,
             mesh: None,
             scatter: None,
             fitting: None,
@@ -86,6 +88,7 @@ impl Products {
     /// shown.
     pub fn forget_work(&mut self, from: Stage) {
         self.builder = None;
+        self.meshing = None;
         self.scatter = None;
         self.fitting = None;
         self.graph = None;
@@ -151,8 +154,15 @@ impl Products {
 
     fn slice_mesh(&mut self) -> Result<bool, String> {
         let domain = self.domain.as_ref().ok_or(MISSING)?;
-        let particles = self.packing.as_ref().ok_or(MISSING)?.particles();
-        self.mesh = Some(Mesh::build(domain, &particles));
+        let packing = self.packing.as_ref().ok_or(MISSING)?;
+        let meshing = self
+            .meshing
+            .get_or_insert_with(|| Meshing::new(domain, packing.particles()));
+        let Some(mesh) = meshing.advance(domain) else {
+            return Ok(false);
+        };
+        self.meshing = None;
+        self.mesh = Some(mesh);
         Ok(true)
     }
 
@@ -247,8 +257,8 @@ impl Products {
             false => &self.cells,
         };
         if let Some(cell) = cells.get(self.stones) {
-            painter.paint(&mut self.quarry, cell, self.stones);
-            self.stones += 1;
+            let done = painter.paint_slice(&mut self.quarry, cell, self.stones);
+            self.stones += usize::from(done);
         }
         Ok(self.stones >= cells.len())
     }

@@ -78,6 +78,9 @@ const RELIEF: f64 = 0.3;
 /// Ground stays below the stones' tops by at least this part of the joint.
 const FILL: f64 = 0.9;
 
+/// The work of one slice, in triangles refined and scan converted or in pixels.
+const SLICE: usize = 60_000;
+
 /// Two stones whose heights differ by less, in picture units, share a sample's colour: otherwise a hair would
 /// decide.
 const EVEN: f32 = 0.5;
@@ -109,6 +112,20 @@ pub struct Painter {
     /// Share of a stone in a sample for each pixel that it stands above the ground.
     firm: f32,
     laid: usize,
+    /// The stone at work.
+    work: Option<Work>,
+}
+
+/// A stone on its way into the planes.
+struct Work {
+    skin: Skin,
+    solid: Solid,
+    /// The ways to its images that are still to be placed, the next one last.
+    ways: Vec<[i32; 2]>,
+    /// The way that it has been moved.
+    at: [i32; 2],
+    /// Rows of the image at work that are done; none while it is scan converted.
+    rows: Option<usize>,
 }
 
 impl Painter {
@@ -165,6 +182,7 @@ impl Painter {
                 _ => f32::INFINITY,
             },
             laid: 0,
+            work: None,
             params,
         }
     }
@@ -213,30 +231,52 @@ impl Painter {
 
     /// Puts the stone of a cell into the planes, under the id `index` + 1.
     pub fn paint(&mut self, quarry: &mut Quarry, cell: &Cell, index: usize) {
-        self.prepare(usize::MAX);
-        if !self.params.tile && self.is_beyond(cell) {
-            return;
-        }
-        let mut solid = quarry.stone(cell, &self.params.stone);
-        if solid.vertices.is_empty() {
-            return;
-        }
-        let coat = self.coats.get(index).copied().unwrap_or_default();
-        let skin = skin(&self.params, cell, coat);
-        self.place(&skin, &solid, [0, 0], index);
-        if !self.params.tile {
-            return;
-        }
-        let side = self.params.side as i32;
-        let mut at = [0, 0];
-        for to in images(&solid.vertices, side) {
-            for v in &mut solid.vertices {
-                v.x += (to[0] - at[0]) as f32;
-                v.y += (to[1] - at[1]) as f32;
+        while !self.paint_slice(quarry, cell, index) {}
+    }
+
+    /// The same in slices, of which most stones need one; true when it is done. The next calls must
+    /// be for the same cell until then.
+    pub fn paint_slice(&mut self, quarry: &mut Quarry, cell: &Cell, index: usize) -> bool {
+        let mut left = SLICE;
+        let mut work = match self.work.take() {
+            Some(work) => work,
+            None => {
+                self.prepare(usize::MAX);
+                if !self.params.tile && self.is_beyond(cell) {
+                    return true;
+                }
+                let Some(solid) = quarry.stone_or_slice(cell, &self.params.stone) else {
+                    return false;
+                };
+                if solid.vertices.is_empty() {
+                    return true;
+                }
+                left = left.saturating_sub(solid.triangles.len());
+                self.begin(solid, cell, index)
             }
-            at = to;
-            let moved = at.map(|v| v * self.pitch.fine());
-            self.place(&skin, &solid, moved, index);
+        };
+        let done = self.place(&mut work, index, left);
+        if !done {
+            self.work = Some(work);
+        }
+        done
+    }
+
+    fn begin(&mut self, solid: Solid, cell: &Cell, index: usize) -> Work {
+        let coat = self.coats.get(index).copied().unwrap_or_default();
+        let mut ways = match self.params.tile {
+            true => images(&solid.vertices, self.params.side as i32),
+            false => Vec::new(),
+        };
+        ways.reverse();
+        let (window, fine) = (self.window(), self.params.fine as f32);
+        self.raster.begin(&solid, window, fine);
+        Work {
+            skin: skin(&self.params, cell, coat),
+            solid,
+            ways,
+            at: [0, 0],
+            rows: None,
         }
     }
 
@@ -256,21 +296,51 @@ impl Painter {
         (low - reach - to).max_element() > 0.0 || (high + reach - from).min_element() < 0.0
     }
 
-    /// Puts a stone that was moved by whole pixels into the planes: it looks as where it came from.
-    fn place(&mut self, skin: &Skin, solid: &Solid, moved: [i32; 2], index: usize) {
+    /// The columns and rows that are painted now.
+    fn window(&self) -> [Range<usize>; 2] {
+        [0..self.side, self.band.clone()]
+    }
+
+    /// Puts a stone and its images, which are moved by whole pixels and look as where it came from,
+    /// into the planes, for about the work of `left` triangles; true when all are there.
+    fn place(&mut self, work: &mut Work, index: usize, mut left: usize) -> bool {
         let mut raster = std::mem::take(&mut self.raster);
         let floor = self.level - 0.5 * self.depth - 2.0 * self.relief;
-        let window = [0..self.side, self.band.clone()];
-        raster.draw(solid, floor, window, self.params.fine as f32);
-        for y in 0..raster.extent[1] {
-            for x in 0..raster.extent[0] {
-                if let Some(heights) = raster.pixel(x, y) {
-                    let at = [x as i32 + raster.origin[0], y as i32 + raster.origin[1]];
-                    self.pixel(skin, at, moved, heights, index as u32 + 1);
-                }
+        let done = loop {
+            if left == 0 {
+                break false;
             }
-        }
+            let Some(row) = work.rows else {
+                if raster.advance(&work.solid, floor, left) {
+                    work.rows = Some(0);
+                }
+                left = left.saturating_sub(work.solid.triangles.len());
+                continue;
+            };
+            if row < raster.extent[1] {
+                let moved = work.at.map(|v| v * self.pitch.fine());
+                for x in 0..raster.extent[0] {
+                    if let Some(heights) = raster.pixel(x, row) {
+                        let at = [x as i32 + raster.origin[0], row as i32 + raster.origin[1]];
+                        self.pixel(&work.skin, at, moved, heights, index as u32 + 1);
+                    }
+                }
+                work.rows = Some(row + 1);
+                left = left.saturating_sub(raster.extent[0]);
+                continue;
+            }
+            let Some(to) = work.ways.pop() else {
+                break true;
+            };
+            for v in &mut work.solid.vertices {
+                v.x += (to[0] - work.at[0]) as f32;
+                v.y += (to[1] - work.at[1]) as f32;
+            }
+            (work.at, work.rows) = (to, None);
+            raster.begin(&work.solid, self.window(), self.params.fine as f32);
+        };
         self.raster = raster;
+        done
     }
 
     /// Lets the weather do its work on the finished stones, about `rows` rows of it; true when done.

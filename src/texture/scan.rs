@@ -31,37 +31,47 @@ pub struct Raster {
     heights: Vec<f32>,
     /// The stone's vertices, x and y in samples of the box.
     placed: Vec<Vec3>,
+    /// Triangles looked at so far.
+    drawn: usize,
 }
 
 impl Raster {
-    /// Scan converts what of the stone stands above `floor`, within these columns and rows of a picture
-    /// with `fine` pixels for each unit, along a side.
-    pub fn draw(
-        &mut self,
-        solid: &Solid,
-        floor: f32,
-        [columns, rows]: [Range<usize>; 2],
-        fine: f32,
-    ) {
+    /// Begins the scan conversion of a stone within these columns and rows of a picture with `fine`
+    /// pixels for each unit, along a side.
+    pub fn begin(&mut self, solid: &Solid, window: [Range<usize>; 2], fine: f32) {
+        self.drawn = 0;
         self.fine = fine;
-        self.frame(&solid.vertices, [columns, rows]);
+        self.frame(&solid.vertices, window);
         let [columns, rows] = self.extent;
         self.pitch = columns * SAMPLES + LANES;
         self.heights.clear();
+        self.placed.clear();
         if columns * rows == 0 {
             return;
         }
         self.heights.resize(rows * SAMPLES * self.pitch, NOTHING);
         let mut placed = std::mem::take(&mut self.placed);
-        placed.clear();
         placed.extend(solid.vertices.iter().map(|&v| self.in_samples(v)));
-        for &[a, b, c] in solid.triangles.iter() {
+        self.placed = placed;
+    }
+
+    /// Scan converts what of at most `most` more triangles of the stone stands above `floor`; true
+    /// when all are done.
+    pub fn advance(&mut self, solid: &Solid, floor: f32, most: usize) -> bool {
+        if self.placed.is_empty() {
+            return true;
+        }
+        let placed = std::mem::take(&mut self.placed);
+        let end = solid.triangles.len().min(self.drawn.saturating_add(most));
+        for &[a, b, c] in &solid.triangles[self.drawn..end] {
             let corners = [a, b, c].map(|i| placed[i as usize]);
             if corners.iter().any(|c| c.z > floor) {
                 self.triangle(corners);
             }
         }
         self.placed = placed;
+        self.drawn = end;
+        end == solid.triangles.len()
     }
 
     /// The heights of a pixel of the box, row after row; `None` where there is no surface.

@@ -25,14 +25,19 @@ const contentTypes = {
   '.png': 'image/png',
   '.svg': 'image/svg+xml',
   '.wasm': 'application/wasm',
+  '.webmanifest': 'application/manifest+json',
 };
 
 /**
  * Serves dist/ and starts a browser with an empty profile.
- * @param {{ flags?: string[] }} [options] more flags for Chromium
+ * @param {object} [options]
+ * @param {string[]} [options.flags] more flags for Chromium
+ * @param {string} [options.files] another folder than dist/
  */
-export async function open({ flags = [] } = {}) {
-  const server = await serve();
+export async function open({ flags = [], files = dist } = {}) {
+  /** The paths of all requests. @type {string[]} */
+  const requests = [];
+  const server = await serve(files, requests);
   const { port } = /** @type {import('node:net').AddressInfo} */ (server.address());
   const origin = `http://127.0.0.1:${port}`;
   /** Chromium is one for all; Firefox is another one for each system. @type {Map<string, ReturnType<typeof launch>>} */
@@ -44,8 +49,15 @@ export async function open({ flags = [] } = {}) {
     launched.set(key, browser);
     return (await browser).browser;
   };
+  const stop = () => {
+    server.closeAllConnections();
+    server.close();
+  };
   return {
     origin,
+    requests,
+    /** Ends the host, as if there were no connection any more. */
+    stop,
     /** The page's address. */
     address: origin + folder,
     /**
@@ -62,8 +74,7 @@ export async function open({ flags = [] } = {}) {
     allowClipboard: (page) => allowClipboard(page, origin),
     close: async () => {
       for (const browser of launched.values()) await (await browser).close();
-      server.closeAllConnections();
-      server.close();
+      stop();
     },
   };
 }
@@ -104,15 +115,21 @@ async function newPage(browser, system, origin, fragment, { viewport = { width: 
   return { page, problems, external, close };
 }
 
-/** A static host of dist/ on a free port. @returns {Promise<import('node:http').Server>} */
-function serve() {
+/**
+ * A static host on a free port.
+ * @param {string} files the folder that it serves
+ * @param {string[]} requests gets their paths
+ * @returns {Promise<import('node:http').Server>}
+ */
+function serve(files, requests) {
   const server = createServer(async (request, response) => {
     const { pathname } = new URL(request.url ?? '/', 'http://localhost');
     const path = pathname.endsWith('/') ? `${pathname}index.html` : pathname;
     const inside = path.startsWith(folder) ? normalize(path.slice(folder.length)) : '..';
+    requests.push(inside);
     try {
       if (inside.startsWith('..')) throw new Error('outside');
-      const body = await readFile(join(dist, inside));
+      const body = await readFile(join(files, inside));
       response.writeHead(200, { 'content-type': contentTypes[extname(inside)] ?? 'application/octet-stream' });
       response.end(body);
     } catch {

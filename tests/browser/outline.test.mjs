@@ -153,6 +153,29 @@ test('an outline file may be dropped on the canvas', async () => {
   await close();
 });
 
+test('an outline file of several islands is opened, and each is paved', async () => {
+  const { page, problems, close } = await site.newPage(SQUARE);
+  await digest(page);
+  await load(
+    page,
+    JSON.stringify({
+      size: [512, 512],
+      rings: [
+        [[40, 40], [200, 40], [200, 470], [40, 470]],
+        [[260, 200], [470, 200], [470, 470], [260, 470]],
+        [[310, 250], [310, 420], [420, 420], [420, 250]], // a hole
+        [[300, 40], [420, 40], [420, 150], [300, 150]],
+      ],
+    }),
+  );
+  await page.waitForFunction(() => window.bubblestone.get('outline') === 'polygon', { timeout: 20_000 });
+  assert.match(await digest(page), /^[0-9a-f]+$/);
+  assert.equal((await handles(page)).length, 16);
+  assert.equal((await page.$$('[role=alert] .message')).length, 0);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
 for (const [what, content, words] of [
   ['is no JSON', 'hello', /not a JSON file/],
   ['has no outer ring', '{"rings": []}', /outer/],

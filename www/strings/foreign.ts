@@ -9,6 +9,6 @@ export interface Foreign {
   presets: Record<string, { title: string; note: string }>;
   /** The papers' figures that a preset names. */
   figure(text: string): string;
-  /** The first pattern that fits a whole sentence gives it. */
-  sentences: [pattern: RegExp, replacement: string][];
+  /** One or more sentences of the module. */
+  sentence(text: string): string;
 }

@@ -1,5 +1,6 @@
 /** The module's words in Japanese. The terms are those of Miyata, Itoh and Shimada (2001). */
 import type { Foreign } from './foreign';
+import { japanese } from './ja-sentences';
 
 /** By key: the name, the help, and the choices' labels. */
 const parameters: Foreign['parameters'] = {
@@ -192,10 +193,5 @@ export const foreign: Foreign = {
   },
   presets,
   figure: (text) => text.replace(/Fig\. (\d+ \(\w+\)) of (\d{4})/g, '$2年 図$1').replace(', ', '・'),
-  sentences: [
-    [/^packing$/, '充填'],
-    [/^texture$/, 'テクスチャ'],
-    [/^tessellation$/, '分割'],
-    [/^skin$/, '皮膚'],
-  ],
+  sentence: japanese((key) => parameters[key]?.name),
 };

@@ -20,8 +20,9 @@ pub fn ring(width: f64) -> Outline {
     const RADIUS: f64 = 0.45;
     let inner = RADIUS * (1.0 - 0.55 * width);
     Outline {
-        outer: ellipse(DVec2::ZERO, DVec2::splat(RADIUS), 0.0),
-        holes: vec![ellipse(DVec2::ZERO, DVec2::splat(inner), 0.0)],
+        rings: [RADIUS, inner]
+            .map(|radius| ellipse(DVec2::ZERO, DVec2::splat(radius), 0.0))
+            .to_vec(),
         ..Outline::default()
     }
 }
@@ -30,8 +31,7 @@ pub fn ring(width: f64) -> Outline {
 pub fn rectangle(width: f64) -> Outline {
     let half = DVec2::new(1.0 / width.max(1.0), width.min(1.0)) / 2.0;
     Outline {
-        outer: box_around(DVec2::ZERO, half),
-        holes: Vec::new(),
+        rings: vec![box_around(DVec2::ZERO, half)],
         ..Outline::default()
     }
 }
@@ -41,15 +41,14 @@ pub fn l_shape(width: f64) -> Outline {
     let arm = 0.464 * width;
     let rest = 1.0 - arm;
     Outline {
-        outer: polygon(&[
+        rings: vec![polygon(&[
             (0.0, 0.0),
             (arm, 0.0),
             (arm, rest),
             (1.0, rest),
             (1.0, 1.0),
             (0.0, 1.0),
-        ]),
-        holes: Vec::new(),
+        ])],
         ..Outline::default()
     }
 }
@@ -62,8 +61,7 @@ pub fn star(width: f64, points: u32) -> Outline {
         radius * unit(PI * f64::from(k) / f64::from(points) - FRAC_PI_2) / 2.0
     };
     Outline {
-        outer: (0..2 * points).map(corner).collect(),
-        holes: Vec::new(),
+        rings: vec![(0..2 * points).map(corner).collect()],
         ..Outline::default()
     }
 }
@@ -85,6 +83,7 @@ pub fn plaza(width: f64, count: u32) -> Outline {
     };
     // Narrower ways have larger holes.
     let size = 0.62 * room * (1.6 - 0.6 * width);
+    let square = box_around(DVec2::ZERO, DVec2::splat(0.5));
     let hole = |k: u32| {
         let centre = away * unit(FIRST + step * f64::from(k));
         match k % 3 {
@@ -94,8 +93,9 @@ pub fn plaza(width: f64, count: u32) -> Outline {
         }
     };
     Outline {
-        outer: box_around(DVec2::ZERO, DVec2::splat(0.5)),
-        holes: (0..count).map(hole).collect(),
+        rings: std::iter::once(square)
+            .chain((0..count).map(hole))
+            .collect(),
         ..Outline::default()
     }
 }

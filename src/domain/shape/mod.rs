@@ -55,27 +55,19 @@ pub fn built_in(name: &str, params: &ShapeParams) -> Outline {
 /// Turns the outline, moves and scales it into the picture, and orients its rings.
 fn fit(mut outline: Outline, params: &ShapeParams) -> Outline {
     let turn = curve::unit(params.turn);
-    for p in points(&mut outline) {
+    for p in outline.rings.iter_mut().flatten() {
         *p = turn.rotate(*p);
     }
-    let (low, high) = bounds(&outline.outer);
+    let (low, high) = bounds(&outline.rings[0]);
     let scale = params.side * (1.0 - 2.0 * MARGIN) / (high - low).max_element();
     let middle = (low + high) / 2.0;
-    for p in points(&mut outline) {
+    for p in outline.rings.iter_mut().flatten() {
         *p = (*p - middle) * scale + DVec2::splat(params.side / 2.0);
     }
-    orient(&mut outline.outer, true);
-    for hole in &mut outline.holes {
-        orient(hole, false);
+    for (index, ring) in outline.rings.iter_mut().enumerate() {
+        orient(ring, index == 0);
     }
     outline
-}
-
-fn points(outline: &mut Outline) -> impl Iterator<Item = &mut DVec2> {
-    outline
-        .outer
-        .iter_mut()
-        .chain(outline.holes.iter_mut().flatten())
 }
 
 fn orient(ring: &mut [DVec2], positive: bool) {
@@ -120,7 +112,7 @@ mod tests {
     }
 
     fn in_the_picture(outline: &Outline, side: f64) {
-        let (low, high) = bounds(&outline.outer);
+        let (low, high) = bounds(&outline.rings[0]);
         let (margin, slack) = (MARGIN * side, 1e-9 * side);
         assert!(low.min_element() > margin - slack && high.max_element() < side - margin + slack);
         // It uses the space in one direction at least, and is centred.
@@ -140,8 +132,8 @@ mod tests {
             let small = recipe.outline();
             recipe.set("size", "1024").unwrap();
             let large = recipe.outline();
-            assert_eq!(small.outer.len(), large.outer.len());
-            for (p, q) in small.outer.iter().zip(&large.outer) {
+            assert_eq!(small.rings[0].len(), large.rings[0].len());
+            for (p, q) in small.rings[0].iter().zip(&large.rings[0]) {
                 assert!((*p * 2.0).distance(*q) < 1e-9, "{}", choice.word);
             }
         }

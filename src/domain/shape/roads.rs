@@ -7,8 +7,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 fn without_holes(outer: Vec<DVec2>) -> Outline {
     Outline {
-        outer,
-        holes: Vec::new(),
+        rings: vec![outer],
         ..Outline::default()
     }
 }

@@ -1,0 +1,41 @@
+// What the service worker stores: the list of the site's files, put into dist/sw.js when all of them are there.
+import { createHash } from 'node:crypto';
+import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { join, relative, sep } from 'node:path';
+import { digest } from './digest.mjs';
+
+const worker = 'sw.js';
+
+/** All files of a built site but the service worker, by their paths. @param {string} site @returns {string[]} */
+export function filesOf(site) {
+  return readdirSync(site, { recursive: true, withFileTypes: true })
+    .filter((entry) => entry.isFile())
+    .map((entry) => relative(site, join(entry.parentPath, entry.name)).split(sep).join('/'))
+    .filter((path) => path !== worker)
+    .sort();
+}
+
+/** The files that the page needs to begin with: those that its HTML names, and the WebAssembly. @param {string} site */
+export function firstOf(site) {
+  const html = readFileSync(join(site, 'index.html'), 'utf8');
+  return filesOf(site).filter((path) => path === 'index.html' || path.endsWith('.wasm') || html.includes(`="./${path}"`));
+}
+
+/** What stands for SITE in www/service/sw.ts. @param {string} site */
+export function listOf(site) {
+  const asked = (/** @type {string} */ path) => (path === 'index.html' ? '' : path);
+  const files = Object.fromEntries(filesOf(site).map((path) => [asked(path), digest([join(site, path)]).slice(0, 32)]));
+  const version = createHash('sha256').update(JSON.stringify(files)).digest('hex').slice(0, 16);
+  return { version, files, first: firstOf(site).map(asked) };
+}
+
+/** The Vite plugin. */
+export const offline = {
+  name: 'offline',
+  apply: /** @type {const} */ ('build'),
+  /** @param {{ dir?: string }} output */
+  writeBundle({ dir = '' }) {
+    const file = join(dir, worker);
+    writeFileSync(file, `const SITE=${JSON.stringify(listOf(dir))};\n${readFileSync(file, 'utf8')}`);
+  },
+};

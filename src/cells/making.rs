@@ -1,0 +1,85 @@
+//! From cells to the dual of their mesh, in slices.
+
+use super::Cell;
+use super::dual::Dual;
+use super::seams::{self, ATTEMPTS, Lined};
+use crate::domain::Domain;
+use crate::mesh::{Mesh, Weave};
+use crate::packing::Particle;
+
+/// The dual in the making.
+pub(super) struct Making {
+    particles: Vec<Particle>,
+    plain: bool,
+    /// Tries begun so far.
+    begun: usize,
+    at_work: Option<(Try, Weave)>,
+}
+
+/// What is tried, with what it needs beside the mesh.
+enum Try {
+    Within(Vec<Particle>, usize),
+    Lines(Lined),
+    Seams(bool),
+}
+
+/// What came of it.
+pub(super) enum Made {
+    Dual(Dual),
+    Cells(Vec<Cell>),
+}
+
+impl Making {
+    /// Of these particles; `plain` is the Voronoi diagram.
+    pub fn new(domain: &Domain, mut particles: Vec<Particle>, plain: bool) -> Self {
+        for p in &mut particles {
+            p.centre = domain.wrap(p.centre);
+        }
+        Self {
+            particles,
+            plain,
+            begun: 0,
+            at_work: None,
+        }
+    }
+
+    /// One slice of the work; the dual, or the cells, with the last one.
+    pub fn advance(&mut self, domain: &Domain) -> Option<Made> {
+        let at_work = self.at_work.take();
+        let (what, mut weave) = at_work.unwrap_or_else(|| self.begin(domain));
+        if !weave.advance() {
+            self.at_work = Some((what, weave));
+            return None;
+        }
+        let plain = self.plain;
+        let mesh = Mesh::whole(weave, |_| plain);
+        match what {
+            Try::Within(cells, rim) => {
+                Some(Made::Dual(Dual::within(domain, &mesh, (cells, rim), plain)))
+            }
+            Try::Lines(lined) => lined.cells(domain, &mesh).map(Made::Cells),
+            Try::Seams(pairs) => {
+                Dual::over_seams(domain, &mesh, &self.particles, (pairs, plain)).map(Made::Dual)
+            }
+        }
+    }
+
+    fn begin(&mut self, domain: &Domain) -> (Try, Weave) {
+        let particles = &self.particles;
+        let Some(side) = domain.period() else {
+            let (nodes, cells, rim) = Dual::nodes(domain, particles.clone(), self.plain);
+            return (Try::Within(cells, rim), Weave::new(nodes));
+        };
+        let lined = !self.plain && !domain.lines().is_empty();
+        let number = self.begun;
+        self.begun += 1;
+        if lined && number < ATTEMPTS.len() {
+            let (lined, nodes) = Lined::new(side, particles, ATTEMPTS[number]);
+            return (Try::Lines(lined), Weave::new(nodes));
+        }
+        let number = number - if lined { ATTEMPTS.len() } else { 0 };
+        let attempt = ATTEMPTS[number.min(ATTEMPTS.len() - 1)];
+        let nodes = seams::nodes(side, particles, attempt, self.plain);
+        (Try::Seams(attempt.1), Weave::new(nodes))
+    }
+}

@@ -1,0 +1,74 @@
+//! The islands of an outline of several outer rings.
+
+use super::Domain;
+use super::nesting::owners;
+use super::squares::Squares;
+use crate::order;
+use glam::DVec2;
+
+/// Squares along the larger side of the box around the outline.
+const SQUARES: f64 = 64.0;
+
+/// The islands of a domain that has more than one.
+#[derive(Clone, Debug)]
+pub(super) struct Islands {
+    /// Each as a domain of its own, with the lines inside; from the top, at equal heights from the
+    /// left.
+    pub domains: Vec<Domain>,
+    /// For each segment of the outline its island.
+    pub of: Vec<u32>,
+    squares: Squares,
+}
+
+impl Islands {
+    /// Nothing where there is one island only.
+    pub fn new(domain: &Domain) -> Option<Self> {
+        let rings = domain.rings();
+        let owners = owners(rings);
+        let mut outer: Vec<usize> = (0..rings.len()).filter(|&k| owners[k] == k).collect();
+        if outer.len() < 2 {
+            return None;
+        }
+        order::sort(&mut outer, |&k| {
+            let heights = rings[k]
+                .iter()
+                .map(|p| (order::rank(p.y), order::rank(p.x)));
+            heights.min().unwrap_or_default()
+        });
+        let mut number = vec![0; rings.len()];
+        for (island, &ring) in (0..).zip(&outer) {
+            number[ring] = island;
+        }
+        let of = rings.iter().zip(&owners);
+        let of: Vec<u32> = of
+            .flat_map(|(ring, &owner)| std::iter::repeat_n(number[owner], ring.len()))
+            .collect();
+        let (lo, hi) = domain.bounds();
+        let step = (hi - lo).max_element() / SQUARES;
+        let squares = Squares::new((lo, hi), 0.0, step, domain.segments(), 0.0);
+        let domains = (0..)
+            .zip(&outer)
+            .map(|(island, &ring)| {
+                let holes = (0..rings.len()).filter(|&k| k != ring && owners[k] == ring);
+                let rings = std::iter::once(ring).chain(holes);
+                let inside = |line: &&Vec<DVec2>| {
+                    let middle = line[0].midpoint(line[1]);
+                    of[domain.nearest(middle).segment] == island
+                };
+                let lines: Vec<_> = domain.lines().iter().filter(inside).cloned().collect();
+                let rings = rings.map(|k| domain.rings()[k].clone());
+                Domain::of_rings(rings.collect(), Some(domain)).with_lines(&lines)
+            })
+            .collect();
+        Some(Self {
+            domains,
+            of,
+            squares,
+        })
+    }
+
+    /// May the boundary pass between two places, or near them?
+    pub fn is_near(&self, a: DVec2, b: DVec2) -> bool {
+        self.squares.any(a, b, |_| true)
+    }
+}

@@ -1,0 +1,65 @@
+import assert from 'node:assert/strict';
+import { mkdirSync, readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { targetDir } from '../../scripts/lib/rust.mjs';
+import { kind } from './browsers.mjs';
+import { open } from './harness.mjs';
+import { enter, states } from './states.mjs';
+
+/** @type {Awaited<ReturnType<typeof open>>} */
+let site;
+
+const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+
+const TAGS = ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa', 'best-practice'];
+
+// A picture of each state is kept here, to be looked at.
+const pictures = join(targetDir, 'page-pictures', kind);
+
+const desk = { width: 1280, height: 800 };
+const phone = { width: 390, height: 844, deviceScaleFactor: 2, isMobile: true, hasTouch: true };
+
+const ALL = [
+  { name: 'desk-light', viewport: desk, dark: false },
+  { name: 'desk-dark', viewport: desk, dark: true },
+  { name: 'phone-light', viewport: phone, dark: false },
+  { name: 'phone-dark', viewport: phone, dark: true },
+];
+
+// What a second browser may do differently needs no more than these.
+const SCREENS = kind === 'chromium' ? ALL : ALL.filter(({ name }) => name === 'desk-light' || name === 'phone-dark');
+
+before(async () => {
+  mkdirSync(pictures, { recursive: true });
+  site = await open();
+});
+
+after(() => site?.close());
+
+/** What axe finds with every rule of these tags, those that it leaves out by itself, too. */
+async function findings(page) {
+  await page.evaluate(axe);
+  return page.evaluate(async (tags) => {
+    const rules = Object.fromEntries(window.axe.getRules(tags).map(({ ruleId }) => [ruleId, { enabled: true }]));
+    const { violations, passes } = await window.axe.run(document, { runOnly: { type: 'tag', values: tags }, rules });
+    const found = violations.flatMap(({ id, nodes }) =>
+      nodes.map(({ html, any, all, none }) => `${id}: ${html.slice(0, 140)} ${[...any, ...all, ...none].map(({ message }) => message).join(' ')}`),
+    );
+    return { found, count: passes.length };
+  }, TAGS);
+}
+
+for (const { name: screen, ...options } of SCREENS) {
+  for (const [name, state] of Object.entries(states)) {
+    test(`axe finds nothing: ${name}, ${screen}`, async () => {
+      const { page, close } = await enter(site, state, options);
+      await page.screenshot({ path: join(pictures, `${name}-${screen}.png`) });
+      const { found, count } = await findings(page);
+      assert.ok(count > 30, `only ${count} rules found something to look at`);
+      assert.deepEqual(found, []);
+      await close();
+    });
+  }
+}

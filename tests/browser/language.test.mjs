@@ -1,0 +1,122 @@
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { after, before, test } from 'node:test';
+import { open } from './harness.mjs';
+import { digest, frames, get, messages, set, SMALL } from './page.mjs';
+
+/** @type {Awaited<ReturnType<typeof open>>} */
+let site;
+
+const words = (code) => JSON.parse(readFileSync(new URL(`../../www/strings/${code}.json`, import.meta.url), 'utf8'));
+const english = words('en');
+// Those of what is loaded later.
+Object.assign(english.words, words('en-look').words);
+const japanese = words('ja');
+const phone = { width: 390, height: 844, isMobile: true, hasTouch: true };
+
+before(async () => {
+  site = await open();
+});
+
+after(() => site?.close());
+
+/** A page in a browser that asks for Japanese. */
+function inJapanese(fragment, options = {}) {
+  return site.newPage(fragment, {
+    ...options,
+    before: (page) =>
+      page.evaluateOnNewDocument(() => {
+        Object.defineProperty(navigator, 'languages', { get: () => ['ja-JP', 'en'] });
+        window.shifts = [];
+        if (!PerformanceObserver.supportedEntryTypes.includes('layout-shift')) return;
+        new PerformanceObserver((list) => window.shifts.push(...list.getEntries().map(({ value }) => value))).observe({ type: 'layout-shift', buffered: true });
+      }),
+  });
+}
+
+test('every word has its Japanese, with the same values in it', () => {
+  const values = (text) => (text.match(/\{\w+\}/g) ?? []).sort();
+  // Signs and names of formats are the same in both.
+  const same = (text) => !/[a-z]{3}/.test(text.replace(/\{\w+\}|PNG|OBJ|GLB|SVG|GIF|JSON|Bubblestone/g, ''));
+  for (const part of ['page', 'words']) {
+    assert.deepEqual(Object.keys(japanese[part]).sort(), Object.keys(english[part]).sort());
+    for (const [key, text] of Object.entries(english[part])) {
+      const other = japanese[part][key];
+      assert.deepEqual(values(other), values(text), key);
+      assert.ok(other !== text || same(text), `${key} is not translated: ${text}`);
+    }
+  }
+});
+
+test('every word of the module has its Japanese', async () => {
+  const plain = await site.newPage(SMALL);
+  const { page, problems, close } = await inJapanese(SMALL);
+  const read = (of) => of.evaluate(() => ({ schema: window.bubblestone.schema, presets: window.bubblestone.presets }));
+  await digest(plain.page);
+  await digest(page);
+  const [en, ja] = [await read(plain.page), await read(page)];
+  en.schema.forEach((row, k) => {
+    assert.notEqual(ja.schema[k].name, row.name, row.key);
+    assert.notEqual(ja.schema[k].help, row.help, row.key);
+    row.choices.forEach(({ word, label }, c) => assert.notEqual(ja.schema[k].choices[c].label, label, `${row.key}=${word}`));
+  });
+  en.presets.forEach((preset, k) => {
+    for (const what of ['title', 'note']) assert.notEqual(ja.presets[k][what], preset[what], preset.name);
+  });
+  for (const selector of ['.group summary span:first-child', '.rail h2 button']) {
+    const texts = (of) => of.$$eval(selector, (all) => all.map((element) => element.textContent));
+    const [before, now] = [await texts(plain.page), await texts(page)];
+    assert.equal(now.length, before.length);
+    now.forEach((text, at) => assert.notEqual(text, before[at]));
+  }
+  assert.deepEqual(problems, []);
+  await plain.close();
+  await close();
+});
+
+test('a browser in Japanese gets a page in Japanese, which may be changed to English and back', async () => {
+  const { page, problems, close } = await inJapanese(`${SMALL}&dr=0.7`);
+  const before = await digest(page);
+  const lang = () => page.$eval('html', (html) => html.lang);
+  assert.equal(await lang(), 'ja');
+  assert.equal(await page.title(), japanese.page.title);
+  assert.equal(await page.$eval('#p-cs-name', (name) => name.firstChild.textContent.trim()), 'セルの大きさ');
+  await set(page, 'cs', '10000');
+  await frames(page, 2);
+  assert.match((await messages(page)).join(), /セルの大きさ \(cs\)は2から\d+ pxまでの数（画像の一辺192 px）でなければなりません。/);
+  await set(page, 'cs', '16');
+  for (const [code, title] of [['en', english.page.title], ['ja', japanese.page.title]]) {
+    await Promise.all([page.waitForNavigation(), page.select('#language', code)]);
+    assert.equal(await digest(page), before);
+    assert.equal(await get(page, 'dr'), '0.7');
+    assert.equal(await lang(), code);
+    assert.equal(await page.title(), title);
+  }
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('links that are wrong are answered in Japanese', async () => {
+  const { page, close } = await inJapanese(`${SMALL}&v=99&kind=blob&foo=1&spots=0.5,0.5,9,1&hs=&poly=x&seed=1&seed=2`);
+  await digest(page);
+  const said = await page.$$eval('.message p, .message li', (all) => all.map((item) => item.textContent));
+  assert.ok(said.length >= 6, String(said));
+  for (const sentence of said) assert.match(sentence, /[ぁ-ん]/, sentence);
+  await close();
+});
+
+for (const [name, viewport] of Object.entries({ desk: { width: 1280, height: 800 }, phone })) {
+  test(`Japanese fits on a ${name}`, async () => {
+    const { page, close } = await inJapanese(SMALL, { viewport });
+    await digest(page);
+    await frames(page, 5);
+    assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), 'the page is wider than the window');
+    const cut = await page.$$eval('button, summary', (all) =>
+      all.filter((button) => button.offsetParent && button.scrollWidth > button.clientWidth + 1).map((button) => button.textContent.trim()),
+    );
+    assert.deepEqual(cut, []);
+    const shifts = await page.evaluate(() => window.shifts.reduce((sum, value) => sum + value, 0));
+    assert.ok(shifts < 0.02, `layout shifts: ${shifts}`);
+    await close();
+  });
+}

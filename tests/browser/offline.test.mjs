@@ -1,0 +1,162 @@
+import assert from 'node:assert/strict';
+import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import sharp from 'sharp';
+import { filesOf, firstOf, listOf } from '../../scripts/lib/offline.mjs';
+import { kind } from './browsers.mjs';
+import { open } from './harness.mjs';
+import { digest, SMALL } from './page.mjs';
+
+const dist = fileURLToPath(new URL('../../dist/', import.meta.url));
+
+/** Waits until the page says that it is stored, or that there is a newer one. */
+const told = (page, what) => page.waitForFunction((word) => document.documentElement.dataset.offline === word, { timeout: 60_000 }, what);
+
+/** A file of the site, as the page gets it. */
+const fetched = (page, path) =>
+  page.evaluate(async (name) => {
+    const bytes = await (await fetch(name)).arrayBuffer();
+    const hash = new Uint8Array(await crypto.subtle.digest('SHA-256', bytes));
+    return Array.from(hash.subarray(0, 16), (byte) => byte.toString(16).padStart(2, '0')).join('');
+  }, path);
+
+test('after the first visit all works without a host, and nothing was fetched twice', async () => {
+  const site = await open();
+  const { page, external, close } = await site.newPage(SMALL);
+  const planes = await digest(page);
+  await told(page, 'stored');
+  // Chromium keeps the tab's icon apart.
+  const asked = site.requests.filter((path, at, all) => path !== 'sw.js' && (path !== 'favicon.svg' || all.indexOf(path) === at));
+  assert.deepEqual(asked.filter((path, at) => asked.indexOf(path) !== at), []);
+  assert.deepEqual(asked.sort(), filesOf(dist));
+  site.stop();
+  await page.reload({ waitUntil: 'load' });
+  assert.equal(await digest(page), planes);
+  // Parts that were not loaded yet.
+  const { files } = listOf(dist);
+  for (const [path, hash] of Object.entries(files)) assert.equal(await fetched(page, path || './'), hash, path);
+  await page.evaluate(() => {
+    document.querySelector('#files').open = true;
+    const click = HTMLAnchorElement.prototype.click;
+    HTMLAnchorElement.prototype.click = function () {
+      if (this.download) window.saved = this.download;
+      else click.call(this);
+    };
+  });
+  await page.$eval('#save-maps', (button) => button.click());
+  await page.waitForFunction(() => window.saved, { timeout: 60_000 });
+  assert.match(await page.evaluate(() => window.saved), /maps\.zip$/);
+  await told(page, 'stored');
+  assert.deepEqual(external, []);
+  await close();
+  await site.close();
+});
+
+test('until the first picture is done only what it needs is fetched', async () => {
+  const site = await open();
+  const { page, close } = await site.newPage('', {
+    before: (fresh) =>
+      fresh.evaluateOnNewDocument(() => {
+        // The time never comes.
+        navigator.serviceWorker.register = () => new Promise(() => undefined);
+      }),
+  });
+  await digest(page);
+  const needed = new Set([...firstOf(dist), 'index.html']);
+  const others = site.requests.filter((path) => !needed.has(path) && !path.startsWith('thumbs/'));
+  // What stores the site itself.
+  assert.ok(others.every((path) => /^assets\/offline-/.test(path)), others.join(' '));
+  assert.ok(site.requests.filter((path) => path.startsWith('thumbs/')).length <= 8);
+  await close();
+  await site.close();
+});
+
+test('a new build is told, taken at the next visit, and never mixed with the old one', async () => {
+  const files = mkdtempSync(join(tmpdir(), 'bubblestone-site-'));
+  cpSync(dist, files, { recursive: true });
+  const site = await open({ files });
+  const { page, problems, close } = await site.newPage(SMALL);
+  const planes = await digest(page);
+  await told(page, 'stored');
+  // The next build: its script has another name, and the old one is gone.
+  const before = listOf(files);
+  const script = before.first.find((path) => path.endsWith('.js'));
+  const renamed = script.replace(/-[^-]*\.js$/, '-newbuild.js');
+  const rewrite = (path, from, to) => {
+    const text = readFileSync(join(files, path), 'utf8');
+    assert.ok(text.includes(from), `${path} has no ${from}`);
+    writeFileSync(join(files, path), text.replaceAll(from, to));
+  };
+  cpSync(join(files, script), join(files, renamed));
+  rmSync(join(files, script));
+  rewrite('index.html', script, renamed);
+  const now = listOf(files);
+  rewrite('sw.js', JSON.stringify(before), JSON.stringify(now));
+  await page.reload({ waitUntil: 'load' });
+  assert.equal(await digest(page), planes);
+  const shown = () => page.$eval('script[type=module]', (element) => new URL(element.src).pathname.split('/').pop());
+  assert.ok(script.endsWith(await shown()), 'the page that was stored is shown at once');
+  await told(page, 'newer');
+  await page.reload({ waitUntil: 'load' });
+  assert.equal(await digest(page), planes);
+  assert.ok(renamed.endsWith(await shown()), 'the next visit gets the new one');
+  await told(page, 'stored');
+  // The old build's files stay for pages that are still open.
+  assert.equal(await fetched(page, script), before.files[script]);
+  assert.deepEqual(problems, []);
+  await close();
+  await site.close();
+  rmSync(files, { recursive: true });
+});
+
+test('a file that is not of this build is not stored', async () => {
+  const files = mkdtempSync(join(tmpdir(), 'bubblestone-site-'));
+  cpSync(dist, files, { recursive: true });
+  const style = listOf(files).first.find((path) => path.endsWith('.css'));
+  writeFileSync(join(files, style), 'body { margin: 0 }');
+  const site = await open({ files });
+  const { page, close } = await site.newPage(SMALL);
+  await digest(page);
+  // It is asked for again, past the browser's own cache, and then given up.
+  for (let waited = 0; site.requests.filter((path) => path === style).length < 2; waited += 1) {
+    assert.ok(waited < 100, 'it is not asked for again');
+    await new Promise((resolve) => setTimeout(resolve, 100));
+  }
+  await page.waitForFunction(async () => (await navigator.serviceWorker.getRegistration()) === undefined, { timeout: 20_000, polling: 200 });
+  assert.equal(await page.evaluate(() => document.documentElement.dataset.offline), undefined);
+  await close();
+  await site.close();
+  rmSync(files, { recursive: true });
+});
+
+test('the page can be installed: its manifest is valid, with icons of the sizes that it names', async () => {
+  const site = await open();
+  const { page, close } = await site.newPage(SMALL);
+  const href = await page.$eval('link[rel=manifest]', (link) => link.getAttribute('href'));
+  const manifest = JSON.parse(readFileSync(join(dist, href), 'utf8'));
+  for (const key of ['name', 'short_name', 'theme_color', 'background_color']) assert.match(manifest[key], /\S/, key);
+  assert.ok(manifest.short_name.length <= 12);
+  assert.deepEqual([manifest.start_url, manifest.scope, manifest.display], ['.', '.', 'standalone']);
+  const offered = [];
+  for (const { src, sizes, type, purpose = 'any' } of manifest.icons) {
+    const { width, height, format } = await sharp(join(dist, src)).metadata();
+    assert.deepEqual([`${width}x${height}`, `image/${format}`], [sizes, type], src);
+    offered.push(`${sizes} ${purpose}`);
+  }
+  assert.deepEqual(offered, ['192x192 any', '512x512 any', '512x512 maskable']);
+  if (kind === 'chromium') {
+    const session = await page.createCDPSession();
+    const { errors } = await session.send('Page.getAppManifest');
+    assert.deepEqual(errors, []);
+    await digest(page);
+    await told(page, 'stored');
+    const { installabilityErrors } = await session.send('Page.getInstallabilityErrors');
+    // Pages of a test are in a context of their own, as in a private window.
+    assert.deepEqual(installabilityErrors.map(({ errorId }) => errorId).filter((id) => id !== 'in-incognito'), []);
+  }
+  await close();
+  await site.close();
+});

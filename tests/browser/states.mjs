@@ -1,0 +1,87 @@
+// The main states of the page, each with how to get there: tests look at all of them.
+import { digest, frames, message, SMALL } from './page.mjs';
+
+/** @typedef {import('puppeteer-core').Page} Page */
+
+/**
+ * @typedef {object} State
+ * @property {string} [fragment] the link that is opened, a small picture unless given
+ * @property {(fresh: Page) => Promise<unknown>} [before] before it is opened
+ * @property {(page: Page) => Promise<unknown>} [arrange] once the picture is done
+ * @property {boolean} [early] nothing waits for the picture
+ */
+
+const SQUARE = `${SMALL}&outline=square`;
+
+/** Clicks without scrolling, whatever lies over it. @param {string} selector */
+const click = (selector) => (/** @type {Page} */ page) => page.$eval(selector, (element) => /** @type {HTMLElement} */ (element).click());
+
+/** Clicks, and waits for what that shows. @param {string} selector @param {string} what */
+const shown = (selector, what) => async (/** @type {Page} */ page) => {
+  await click(selector)(page);
+  await page.waitForSelector(what, { visible: true });
+};
+
+/** @param {(document: Document) => void} change */
+const change = (change) => (/** @type {Page} */ page) => page.evaluate(`(${change})(document)`);
+
+/** @type {Record<string, State>} */
+export const states = {
+  opening: { fragment: '', early: true },
+  done: { fragment: '' },
+  japanese: { fragment: '', before: (fresh) => fresh.evaluateOnNewDocument(() => localStorage.setItem('bubblestone.language', 'ja')) },
+  editing: { fragment: SQUARE, arrange: click('#edit-outline') },
+  spots: { fragment: `${SQUARE}&spots=0.5,0.5,0.2,0.4`, arrange: click('#p-spots') },
+  paused: { arrange: click('#play') },
+  menu: { arrange: change((document) => document.querySelector('#files')?.setAttribute('open', '')) },
+  panel: { arrange: change((document) => document.querySelectorAll('details').forEach((details) => (details.open = true))) },
+  presets: { arrange: click('.rail h2:nth-of-type(3) button') },
+  message: { fragment: `${SMALL}&nonsense=1&cs=banana`, arrange: (page) => message(page, 'status', /nonsense/) },
+  error: {
+    arrange: async (page) => {
+      await page.evaluate(() => {
+        // Its own property hides that of all clocks until it is deleted.
+        performance.now = () => {
+          throw new Error('The clock is broken.');
+        };
+      });
+      await click('#restart')(page);
+      await message(page, 'alert', /\S/);
+      await page.evaluate(() => delete (/** @type {any} */ (performance).now));
+    },
+  },
+  zoomed: { arrange: async (page) => { for (const id of ['#zoom-in', '#zoom-in']) await click(id)(page); await page.waitForSelector('.sheet[data-zoomed]'); } },
+  cell: {
+    arrange: async (page) => {
+      await page.focus('#cells');
+      await page.waitForSelector('.cell-card');
+      await page.keyboard.press('ArrowRight');
+    },
+  },
+  sun: { arrange: shown('#light-button', '#light-sun') },
+  lamp: { fragment: `${SMALL}&light=point`, arrange: shown('#light-button', '#light-lamp') },
+  layers: { arrange: shown('#layers-button', '#layers') },
+  plots: { arrange: shown('#plots-button', '#plots canvas') },
+  repeat: { fragment: '#size=192&cs=16&tile=1', arrange: shown('#tile-button', '.tiles') },
+  compare: {
+    arrange: async (page) => {
+      await shown('#compare-button', '#divider')(page);
+      await page.waitForFunction(() => document.querySelector('.compare-progress')?.textContent === '');
+    },
+  },
+  about: { arrange: click('#about-button') },
+};
+
+/**
+ * Opens a state.
+ * @param {Awaited<ReturnType<typeof import('./harness.mjs').open>>} site
+ * @param {State} state
+ * @param {import('./harness.mjs').PageOptions} options
+ */
+export async function enter(site, { fragment = SMALL, before, arrange, early = false }, options) {
+  const opened = await site.newPage(fragment, { still: true, ...options, before });
+  if (!early) await digest(opened.page);
+  await arrange?.(opened.page);
+  await frames(opened.page, 2);
+  return opened;
+}
