@@ -5,21 +5,23 @@ import { byId, byIdAs, make, say } from './dom';
 import { Editing } from './editing';
 import { Engine } from './engine';
 import { History } from './history';
+import { kindsIn } from './kinds';
 import { bindKeys, listenToKeys } from './keys';
 import { address, fragment, Link } from './link';
 import { isLocked, keptLocks } from './locks';
 import { Loop } from './loop';
 import { lastWork, remember } from './memory';
 import { alertOf, clear, notice, offerOf, passing } from './messages';
-import { OutlineTools } from './outline-tools';
 import { Presets } from './presets';
 import { scriptFace, type ScriptFace } from './scripts';
 import { Seed, SEED, withSeed } from './seed';
 import { StatusLine } from './status';
 import { Store, type State } from './store';
 import { Transport } from './transport';
+import { Toolbox } from './toolbox';
 import { tellCrash } from './trouble';
 import { View, VIEWS } from './view';
+import { makeViewBox } from './viewbox';
 import { LANGUAGES, language, speak, t } from './words';
 import { presetOf, Work } from './work';
 
@@ -60,9 +62,9 @@ export class App {
       defaultOf: (parameter) => this.engine.defaultOf(parameter),
       change: (key, text, done) => this.change(key, text, done),
       edit: (key) => this.editing.toggle(key),
-      kinds: () => this.editing.sorts.kinds(),
+      kinds: () => kindsIn(this.engine),
     });
-    new OutlineTools(this.work, controls, this.editing);
+    new Toolbox(this.work, controls, this.editing);
     const presets = new Presets(this.engine.presets, (preset) => {
       this.editing.end();
       this.push();
@@ -75,6 +77,7 @@ export class App {
     makeChances(this.work, controls, () => this.push());
     this.follow(controls, presets);
     this.bind();
+    makeViewBox(this.work, this.view);
     notice('link', ...this.engine.notices());
     if (last && asked !== '' && last.own && last.recipe !== this.store.state.recipe) this.tellReplaced();
     remember(this.store);
@@ -104,6 +107,10 @@ export class App {
       view: 'auto',
       overlays: [],
       repeat: 1,
+      light: false,
+      layers: false,
+      compare: false,
+      plots: false,
       locks: keptLocks(),
       editing: undefined,
       stage: '',
@@ -172,7 +179,7 @@ export class App {
       { keys: ['ctrl+z'], shown: ['Ctrl+Z'], word: 'key_undo', act: press('undo'), repeats: true },
       { keys: ['ctrl+shift+z', 'ctrl+y'], shown: ['Ctrl+Shift+Z', 'Ctrl+Y'], word: 'key_redo', act: press('redo'), repeats: true },
       { keys: ['c'], word: 'key_copy', act: () => void this.copy() },
-      { keys: VIEWS.map((_, index) => String(index)), shown: ['0', '–', '9'], word: 'key_view', act: (key) => this.store.update({ view: VIEWS[Number(key)]?.word ?? 'auto' }) },
+      { keys: '0123456789'.split(''), shown: ['0', '–', '9'], word: 'key_view', act: (key) => this.store.update({ view: VIEWS[Number(key)] ?? 'auto' }) },
       { keys: ['e'], word: 'key_edit', act: () => this.editing.toggle() },
     );
     listenToKeys();

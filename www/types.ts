@@ -134,28 +134,5 @@ export interface PictureSlice {
 export type Point = [number, number];
 export type Ring = Point[];
 
-/** Something with points to move: a ring, a line, a spot (its middle and a point of its rim), or the seed of a part. */
-export interface Figure {
-  points: Point[];
-  /** Of a spot its factor or ratio, of a seed the place of its kind among the kinds. */
-  value: number;
-}
-
-/** A sort of figures. */
-export interface Sort {
-  /** 'outline', or the key of a list. */
-  word: string;
-  label: string;
-  /** What one of them is called. */
-  figure: string;
-  form: 'ring' | 'line' | 'spot' | 'seed';
-  /** A figure has at least so many points. */
-  least: number;
-  /** What a figure's point is called. */
-  name(figure: number, index: number, of: Figure): string;
-  /** What the value of a figure is; `words` where it is one of some words. */
-  value?: { label: string; min: number; max: number; first: number; words?: string[]; shown(value: number): string } | undefined;
-}
-
 /** The stages in their order. */
 export const STAGES = ['domain', 'fields', 'packing', 'mesh', 'cells', 'solids', 'planes', 'shading'] as const;

@@ -1,28 +1,42 @@
-/** What can be edited over the canvas: the outline, and the lists of the recipe. */
-import type { Engine } from './engine';
-import { distance, simplify, toSegment } from './simplify';
-import type { Figure, Point, Sort } from './types';
+/** What can be edited over the canvas: the outline, the roads it is made of, and the lists of the recipe. */
+import type { Engine } from '../engine';
+import { applies } from '../kinds';
+import type { Point } from '../types';
+import { hexagon, type Figure, type Place, type Sort } from './figures';
+import { distance, simplify, toSegment, within } from './simplify';
+import { tell, type EditorWord } from './words';
 
 /** Points of a built-in outline that is made free, and of a free one that is edited, at most. */
 const FROM_BUILT_IN = 36;
 const FROM_FREE = 300;
 
-/** Half the length of a new line and the radius of a new spot, in sides. */
+/** Half the length of a new line and the radius of a new spot, in sides; the width of the first road, in hundredths. */
 const NEW_LINE = 0.12;
 const NEW_SPOT = 0.18;
+const ROAD = 16;
 
 const times = (value: number): string => `×${Number(value.toFixed(2))}`;
 const ratio = (value: number): string => `${Number(value.toFixed(2))}:1`;
 
-function line(word: string, label: string, figure: string): Sort {
-  const name: Sort['name'] = (f, index, { points }) => `Point ${index + 1} of ${points.length}, ${figure} ${f + 1}`;
-  return { word, label, figure, form: 'line', least: 2, name };
+type Lined = 'line' | 'stroke' | 'road';
+
+function line(word: string, label: EditorWord, figure: Lined, tip: EditorWord, value?: Sort['value']): Sort {
+  const name = ({ figure: f, index }: Place, all: Figure[]): string =>
+    tell('point_of', { k: index + 1, n: all[f]?.points.length ?? 0, figure: `${tell(figure)} ${f + 1}` });
+  return { word, label: tell(label), figure: tell(figure), form: 'line', least: 2, tip: tell(tip), name, value, broad: figure === 'road' };
 }
 
-function spot(word: string, label: string, value: Sort['value']): Sort {
-  const name: Sort['name'] = (f, index, figure) =>
-    `${index ? 'Rim' : 'Middle'} of spot ${f + 1}${value ? `, ${value.shown(figure.value)}` : ''}`;
-  return { word, label, figure: 'spot', form: 'spot', least: 2, name, value };
+function spot(word: string, label: EditorWord, value: NonNullable<Sort['value']>): Sort {
+  const name = ({ figure: f, index }: Place, all: Figure[]): string =>
+    `${tell(index ? 'spot_rim' : 'spot_middle', { k: f + 1 })}, ${value.shown(all[f]?.value ?? 0)}`;
+  return { word, label: tell(label), figure: tell('spot'), form: 'spot', least: 2, tip: tell('tip_spot'), name, value };
+}
+
+/** What a ring encloses depends on how many others it lies in. */
+function ringName(at: number, all: Figure[]): string {
+  const first = all[at]?.points[0];
+  const around = (of: Point): number => all.filter(({ points }, k) => k !== at && within(of, points)).length;
+  return at === 0 || !first ? tell('outer_ring') : tell(around(first) % 2 ? 'hole_n' : 'island_n', { k: at });
 }
 
 export class Sorts {
@@ -35,44 +49,34 @@ export class Sorts {
     this.all = [
       {
         word: 'outline',
-        label: 'Outline',
-        figure: 'ring',
+        label: tell('outline'),
+        figure: tell('hole'),
         form: 'ring',
         least: 3,
-        name: (f, index, { points }) => `Point ${index + 1} of ${points.length}, ${f === 0 ? 'outer ring' : `ring ${f + 1}`}`,
+        tip: tell('tip_hole'),
+        name: ({ figure, index }, all) => tell('point_of', { k: index + 1, n: all[figure]?.points.length ?? 0, figure: ringName(figure, all) }),
       },
-      line('lines', 'Constraint lines', 'line'),
+      line('road', 'road_label', 'road', 'tip_road', { label: tell('road_width'), min: 2, max: 60, step: 1, first: ROAD, shown: (value) => `${Math.round(value)} %` }),
+      line('lines', 'lines', 'line', 'tip_line'),
       {
         word: 'parts',
-        label: 'Kinds of parts',
-        figure: 'part',
+        label: tell('parts'),
+        figure: tell('part'),
         form: 'seed',
         least: 1,
-        name: (f, _, { value }) => `Part ${f + 1}, ${kinds[value] ?? ''}`,
-        value: { label: 'Kind of the marked part', words: kinds, min: 0, max: kinds.length - 1, first: 2, shown: (value) => kinds[value] ?? '' },
+        tip: tell('tip_part'),
+        name: ({ figure }, all) => tell('part_of', { k: figure + 1, kind: kinds[all[figure]?.value ?? 0] ?? '' }),
+        value: { label: tell('part_kind'), words: kinds, min: 0, max: kinds.length - 1, step: 1, first: 2, shown: (value) => kinds[value] ?? '' },
       },
-      line('strokes', 'Strokes', 'stroke'),
-      spot('spots', 'Size spots', { label: 'Factor of the size', min: 0.2, max: 3, first: 0.5, shown: times }),
-      spot('stretch', 'Aspect spots', { label: 'Aspect ratio', min: 1, max: 5, first: 4, shown: ratio }),
+      line('strokes', 'strokes', 'stroke', 'tip_line'),
+      spot('spots', 'spots', { label: tell('spot_factor'), min: 0.2, max: 3, step: 0.1, first: 0.5, shown: times }),
+      spot('stretch', 'stretch', { label: tell('spot_ratio'), min: 1, max: 5, step: 0.1, first: 4, shown: ratio }),
     ];
   }
 
-  /** Those that do something now: parts need lines, a tile has no outline. */
+  /** Those that do something now. */
   now(): Sort[] {
-    const kinds = this.kinds();
-    const use: Record<string, boolean> = {
-      outline: this.engine.get('tile') !== '1',
-      parts: this.engine.get('lines') !== '',
-      stretch: kinds.some((kind) => kind === 'rectangle' || kind === 'ellipse'),
-    };
-    return this.all.filter(({ word }) => use[word] ?? true);
-  }
-
-  /** The kinds in use, of all parts. */
-  kinds(): string[] {
-    const words = this.engine.schema.find(({ key }) => key === 'kind')?.choices.map(({ word }) => word) ?? [];
-    const ofParts = this.engine.list('parts').map((row) => words[row[2] ?? 0] ?? '');
-    return [this.engine.get('kind'), ...ofParts];
+    return this.all.filter(({ word }) => applies(this.engine, word));
   }
 
   /** The figures of a sort, in picture units. */
@@ -105,13 +109,14 @@ export class Sorts {
   /** A new figure inside the outline and away from the others; a part's seed where it was asked for. */
   fresh({ form, value }: Sort, figures: Figure[], at?: Point): Figure | undefined {
     const side = this.engine.side();
-    const middle = at ?? this.free(form, figures);
+    const { place, room } = at ? { place: at, room: 0 } : this.free(form, figures);
     const first = value?.first ?? 0;
-    if (form === 'seed') return this.seed(figures, middle, first);
-    if (form === 'spot') return { points: [middle, rim(middle, NEW_SPOT * side, side)], value: first };
-    const [x, y] = middle;
+    if (form === 'seed') return this.seed(figures, place, first);
+    if (form === 'spot') return { points: [place, rim(place, NEW_SPOT * side, side)], value: first };
+    const [x, y] = place;
+    if (form === 'ring') return { points: hexagon(place, [x + Math.max(0.02 * side, 0.6 * room), y]), value: 0 };
     const half = Math.min(NEW_LINE * side, Math.max(1, x), Math.max(1, side - x));
-    return { points: [[x - half, y], [x + half, y]], value: 0 };
+    return { points: [[x - half, y], [x + half, y]], value: first };
   }
 
   /** The part at this place gets a seed, or, where it has one, that one is marked by taking its place. */
@@ -124,9 +129,9 @@ export class Sorts {
   }
 
   /** Of places around the picture's middle the one inside the outline with the most room around it. */
-  private free(form: Sort['form'], figures: Figure[]): Point {
+  private free(form: Sort['form'], figures: Figure[]): { place: Point; room: number } {
     const side = this.engine.side();
-    const points = figures.flatMap((figure) => figure.points);
+    const points = form === 'ring' ? [] : figures.flatMap((figure) => figure.points);
     const walls = this.engine.get('tile') === '1' ? [] : this.engine.outline();
     const taken = form === 'seed' ? points.map((point) => this.engine.part(point)) : [];
     let best: { place: Point; room: number } = { place: [side / 2, side / 2], room: -Infinity };
@@ -139,7 +144,7 @@ export class Sorts {
       const room = Math.min(0.2 * side, ...near, ...points.map((point) => distance(point, place))) - 0.05 * r;
       if (room > best.room) best = { place, room };
     }
-    return best.place;
+    return best;
   }
 }
 

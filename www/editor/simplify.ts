@@ -1,5 +1,5 @@
 /** Fewer points for an outline that is to be edited by hand: Douglas and Peucker (1973), ring by ring. */
-import type { Point, Ring } from './types';
+import type { Point, Ring } from '../types';
 
 /** The first tolerance, as a fraction of the picture's side, and how it grows until the points are few. */
 const FIRST_TOLERANCE = 0.0008;
@@ -7,9 +7,14 @@ const GROWTH = 1.35;
 
 /** The same outline with at most `most` points in all; rings keep at least three. */
 export function simplify(rings: Ring[], side: number, most: number): Ring[] {
-  let fewer = rings;
-  for (let tolerance = FIRST_TOLERANCE * side; count(fewer) > most && tolerance < side; tolerance *= GROWTH) {
-    fewer = rings.map((ring) => thin(ring, tolerance));
+  return count(rings) > most ? thinned(rings, FIRST_TOLERANCE * side, most) : rings;
+}
+
+/** The same outline without points that lie within `tolerance` of it anyway, and without more until there are at most `most`. */
+export function thinned(rings: Ring[], tolerance: number, most: number): Ring[] {
+  let fewer = rings.map((ring) => thin(ring, tolerance));
+  for (let wider = tolerance * GROWTH; count(fewer) > most && wider < 1000 * tolerance; wider *= GROWTH) {
+    fewer = rings.map((ring) => thin(ring, wider));
   }
   return fewer;
 }
@@ -29,7 +34,8 @@ function thin(ring: Ring, tolerance: number): Ring {
   return thinned.length < 3 ? ring : thinned;
 }
 
-function thinLine(line: Ring, tolerance: number): Ring {
+/** The same for an open line. */
+export function thinLine(line: Ring, tolerance: number): Ring {
   const from = line[0];
   const to = line[line.length - 1];
   if (!from || !to || line.length < 3) return line;
@@ -58,4 +64,20 @@ export function toSegment(point: Point, from: Point, to: Point): number {
   const along = length > 0 ? ((point[0] - from[0]) * x + (point[1] - from[1]) * y) / length : 0;
   const t = Math.min(1, Math.max(0, along));
   return Math.hypot(point[0] - from[0] - t * x, point[1] - from[1] - t * y);
+}
+
+/** What a ring encloses, with a sign for its sense. */
+export function area(ring: Ring): number {
+  return ring.reduce((sum, [x, y], k) => {
+    const [u, v] = ring[(k + 1) % ring.length] ?? [x, y];
+    return sum + (x * v - y * u) / 2;
+  }, 0);
+}
+
+/** Whether a point lies in a ring. */
+export function within([x, y]: Point, ring: Ring): boolean {
+  return ring.reduce((inside, [ax, ay], k) => {
+    const [bx, by] = ring[(k + 1) % ring.length] ?? [ax, ay];
+    return ay > y !== by > y && x < ax + ((y - ay) * (bx - ax)) / (by - ay) ? !inside : inside;
+  }, false);
 }

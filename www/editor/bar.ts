@@ -1,0 +1,120 @@
+/** The buttons for what is edited over the canvas; they stand in the caption's place. */
+import { make, say } from '../dom';
+import type { Figure, FigureValue, Sort } from './figures';
+import { tell } from './words';
+
+export interface BarNeeds {
+  choose(word: string): void;
+  addFigure(): void;
+  addPoint(): void;
+  remove(): void;
+  /** `last` is false while a slider is still on its way. */
+  value(value: number, last: boolean): void;
+  /** What is being drawn is finished as it is, or taken back. */
+  finish(): void;
+  cancel(): void;
+  close(): void;
+}
+
+export interface BarState {
+  marked: Figure | undefined;
+  removable: boolean;
+  drawing: boolean;
+  /** A hole is to be drawn next. */
+  armed: boolean;
+}
+
+const button = (id: string, text = '', title?: string): HTMLButtonElement => make('button', { type: 'button', id, title }, text);
+
+export class EditorBar {
+  private readonly bar: HTMLElement;
+  private readonly what = make('select', { id: 'edit-what', 'aria-label': tell('edited') });
+  private readonly addFigure = button('add-figure');
+  private readonly addPoint = button('add-point', tell('add_point'), tell('add_point_title'));
+  private readonly remove = button('remove-point', '', tell('remove_title'));
+  private readonly number = make('input', { type: 'number', id: 'figure-value', inputmode: 'decimal' });
+  private readonly slide = make('input', { type: 'range', id: 'figure-slide' });
+  private readonly kinds = make('select', { id: 'figure-kind' });
+  private readonly tip = make('p', { class: 'tip' });
+  private readonly finish = button('draw-finish', tell('finish'), tell('finish_title'));
+  private readonly cancel = button('draw-cancel', tell('cancel'), tell('cancel_title'));
+  private readonly done = button('edit-done', tell('done'), tell('done_title'));
+
+  constructor(bar: HTMLElement, needs: BarNeeds) {
+    this.bar = bar;
+    this.what.addEventListener('change', () => needs.choose(this.what.value));
+    this.addFigure.addEventListener('click', () => needs.addFigure());
+    this.addPoint.addEventListener('click', () => needs.addPoint());
+    this.remove.addEventListener('click', () => needs.remove());
+    this.number.addEventListener('change', () => needs.value(this.number.valueAsNumber, true));
+    this.slide.addEventListener('input', () => needs.value(this.slide.valueAsNumber, false));
+    this.slide.addEventListener('change', () => needs.value(this.slide.valueAsNumber, true));
+    this.kinds.addEventListener('change', () => needs.value(this.kinds.selectedIndex, true));
+    this.finish.addEventListener('click', () => needs.finish());
+    this.cancel.addEventListener('click', () => needs.cancel());
+    this.done.addEventListener('click', () => needs.close());
+    const { what, tip, addFigure, addPoint, kinds, number, slide, remove, finish, cancel, done } = this;
+    bar.replaceChildren(what, tip, addFigure, addPoint, kinds, number, slide, remove, finish, cancel, done);
+  }
+
+  hide(): void {
+    this.bar.hidden = true;
+  }
+
+  /** The keyboard goes where figures are added, or to the choice of sorts. */
+  focus(): void {
+    (this.addFigure.hidden ? this.what : this.addFigure).focus({ preventScroll: true });
+  }
+
+  /** Shows what fits the sort, and the marked figure's value. */
+  show(sorts: Sort[], sort: Sort, { marked, removable, drawing, armed }: BarState): void {
+    this.bar.hidden = false;
+    const words = sorts.map(({ word }) => word).join();
+    if (this.what.dataset['words'] !== words) {
+      this.what.replaceChildren(...sorts.map(({ word, label }) => make('option', { value: word }, label)));
+      this.what.dataset['words'] = words;
+    }
+    this.what.value = sort.word;
+    const busy = drawing || armed;
+    const pointwise = sort.form === 'ring' || sort.form === 'line';
+    say(this.tip, drawing ? tell('tip_drawing') : sort.tip);
+    this.tip.hidden = marked !== undefined && !busy;
+    this.addFigure.hidden = drawing;
+    say(this.addFigure, tell('add_figure', { figure: sort.figure }));
+    this.addPoint.hidden = !pointwise || busy || !marked;
+    const last = !pointwise || (marked !== undefined && marked.points.length <= sort.least);
+    say(this.remove, last ? tell('remove_figure', { figure: sort.figure }) : tell('remove_point'));
+    this.remove.hidden = busy || !marked;
+    this.remove.disabled = !removable;
+    this.finish.hidden = !drawing;
+    this.cancel.hidden = !busy;
+    this.done.hidden = busy;
+    this.showValue(busy ? undefined : sort.value, marked);
+  }
+
+  private showValue(value: FigureValue | undefined, marked: Figure | undefined): void {
+    const words = value?.words;
+    this.kinds.hidden = !words || !marked;
+    this.number.hidden = !value || words !== undefined || !marked;
+    this.slide.hidden = this.number.hidden;
+    if (!value || !marked) return;
+    for (const field of words ? [this.kinds] : [this.number, this.slide]) {
+      field.setAttribute('aria-label', value.label);
+      field.title = value.label;
+    }
+    if (words) {
+      if (this.kinds.options.length !== words.length) this.kinds.replaceChildren(...words.map((word) => make('option', {}, word)));
+      this.kinds.selectedIndex = marked.value;
+      return;
+    }
+    for (const field of [this.number, this.slide]) {
+      field.min = String(value.min);
+      field.max = String(value.max);
+      field.step = String(value.step);
+    }
+    this.slide.style.setProperty('--place', String((marked.value - value.min) / (value.max - value.min)));
+    const text = String(Number(marked.value.toFixed(value.step < 1 ? 3 : 0)));
+    if (this.number.value !== text) this.number.value = text;
+    if (this.slide.value !== text) this.slide.value = text;
+  }
+}

@@ -1,0 +1,108 @@
+/** Letters as an outline, and outlines that come from and go to files. */
+import { make, say } from '../dom';
+import { offer } from '../download';
+import type { Ring } from '../types';
+import { drawn } from './figures';
+import { FACES, letters, type Face } from './paint';
+import { jsonFile, svgFile } from './svg';
+import { tell } from './words';
+
+export interface DialogNeeds {
+  side(): number;
+  outline(): Ring[];
+  /** Takes an outline over; false where it was refused. */
+  take(rings: Ring[]): boolean;
+  takeFile(file: File): Promise<unknown>;
+  takeText(text: string, name: string): boolean;
+}
+
+/** A dialog that is there until it is closed; Escape and its ground close it. */
+function dialogOf(id: string, title: string, ...children: HTMLElement[]): HTMLDialogElement {
+  const dialog = make('dialog', { id, class: 'outline-dialog', 'aria-labelledby': `${id}-title` }, make('h2', { id: `${id}-title` }, title), ...children);
+  dialog.addEventListener('click', ({ target }) => target === dialog && dialog.close());
+  dialog.addEventListener('close', () => dialog.remove());
+  document.body.append(dialog);
+  dialog.showModal();
+  return dialog;
+}
+
+function button(id: string, text: string, act: () => void): HTMLButtonElement {
+  const made = make('button', { type: 'button', id, class: 'key' }, text);
+  made.addEventListener('click', act);
+  return made;
+}
+
+export function textDialog(needs: DialogNeeds): void {
+  const word = make('input', { type: 'text', id: 'letters', maxlength: '24', value: 'B' });
+  const face = make('select', { id: 'face' }, ...(Object.keys(FACES) as Face[]).map((key) => make('option', { value: key }, tell(`face_${key}`))));
+  const preview = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
+  const path = document.createElementNS('http://www.w3.org/2000/svg', 'path');
+  const count = make('p', { class: 'count', role: 'status' });
+  let rings: Ring[] = [];
+  const take = (): void => {
+    if (rings.length && needs.take(rings)) dialog.close();
+  };
+  const use = button('take-letters', tell('use_text'), take);
+  const show = (): void => {
+    rings = letters(word.value, face.value as Face, needs.side());
+    path.setAttribute('d', rings.map((ring) => drawn('ring', ring)).join(''));
+    say(count, rings.length ? tell('text_points', { n: rings.flat().length }) : tell('text_none'));
+    use.disabled = !rings.length;
+  };
+  preview.setAttribute('viewBox', `0 0 ${needs.side()} ${needs.side()}`);
+  preview.setAttribute('aria-hidden', 'true');
+  preview.append(path);
+  word.addEventListener('input', show);
+  word.addEventListener('keydown', ({ key, isComposing }) => key === 'Enter' && !isComposing && take());
+  face.addEventListener('change', show);
+  const close = button('leave-letters', tell('cancel'), () => dialog.close());
+  const dialog = dialogOf(
+    'text-dialog',
+    tell('text_title'),
+    make('div', { class: 'fields' }, make('label', { for: 'letters' }, tell('text_word')), word, make('label', { for: 'face' }, tell('text_face')), face),
+    make('figure', {}, preview),
+    count,
+    make('div', { class: 'row' }, use, close),
+  );
+  word.select();
+  show();
+}
+
+export function importDialog(needs: DialogNeeds): void {
+  const file = make('input', { type: 'file', id: 'outline-file', accept: '.svg,.json,image/svg+xml,application/json', 'aria-label': tell('import_file') });
+  const text = make('textarea', { id: 'outline-text', rows: '5', spellcheck: 'false', placeholder: 'M 10 10 H 90 V 90 Z' });
+  file.hidden = true;
+  file.addEventListener('change', () => {
+    const chosen = file.files?.[0];
+    dialog.close();
+    if (chosen) void needs.takeFile(chosen);
+  });
+  const use = button('take-text', tell('import_use'), () => {
+    dialog.close();
+    needs.takeText(text.value, tell('pasted'));
+  });
+  use.disabled = true;
+  text.addEventListener('input', () => (use.disabled = text.value.trim() === ''));
+  const open = button('choose-file', tell('import_open'), () => file.click());
+  const close = button('leave-import', tell('cancel'), () => dialog.close());
+  const dialog = dialogOf(
+    'import-dialog',
+    tell('import_title'),
+    make('p', {}, tell('import_what')),
+    make('div', { class: 'row' }, open, file),
+    make('label', { for: 'outline-text' }, tell('import_paste')),
+    text,
+    make('div', { class: 'row' }, use, close),
+  );
+}
+
+export function exportDialog(needs: DialogNeeds): void {
+  const save = (make: (rings: Ring[], side: number) => string, name: string, type: string): void => {
+    offer(new Blob([make(needs.outline(), needs.side())], { type }), name);
+    dialog.close();
+  };
+  const svg = button('export-svg', tell('export_svg'), () => save(svgFile, 'outline.svg', 'image/svg+xml'));
+  const json = button('export-json', tell('export_json'), () => save(jsonFile, 'outline.json', 'application/json'));
+  const close = button('leave-export', tell('cancel'), () => dialog.close());
+  const dialog = dialogOf('export-dialog', tell('export_title'), make('p', {}, tell('export_what')), make('div', { class: 'row' }, svg, json, close));
+}

@@ -1,0 +1,14 @@
+/** Rings from elsewhere in the order and the sense that an outline has. */
+import type { Ring } from '../types';
+import { area, within } from './simplify';
+
+/** The largest ring first; those around an even number of others' insides run one way, the rest the other. */
+export function arranged(rings: Ring[]): Ring[] {
+  const whole = rings.filter((ring) => ring.length > 2).sort((a, b) => Math.abs(area(b)) - Math.abs(area(a)));
+  return whole.map((ring) => (area(ring) > 0 === (depth(ring, whole) % 2 === 0) ? ring : [...ring].reverse()));
+}
+
+/** In how many of the rings a ring lies. */
+function depth(ring: Ring, all: Ring[]): number {
+  return all.filter((other) => other !== ring && ring[0] && within(ring[0], other)).length;
+}

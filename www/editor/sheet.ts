@@ -1,0 +1,145 @@
+/** What the editor draws over the canvas: lines, handles, and guides. */
+import { make } from '../dom';
+import type { Point } from '../types';
+import { drawn, knobs, type Figure, type Place, type Sort } from './figures';
+import { distance } from './simplify';
+import { tell } from './words';
+
+const SVG = 'http://www.w3.org/2000/svg';
+
+/** Edges shorter than this, in CSS pixels, show no place for another point; for fingers more. */
+const ROOM = 56;
+const ROOM_FOR_FINGERS = 112;
+
+/** What lies under a pointer. */
+export type Part =
+  | { part: 'point' | 'edge'; place: Place }
+  | { part: 'line' | 'knob'; figure: number }
+  | { part: 'nothing' };
+
+export class Sheet {
+  readonly layer: HTMLElement;
+  private readonly lines = document.createElementNS(SVG, 'svg');
+  private readonly grips = document.createElementNS(SVG, 'g');
+  private readonly paths: Record<'rim' | 'band' | 'edge' | 'guide', SVGElement>;
+  private readonly edges = make('div', { 'aria-hidden': 'true' });
+  private readonly handles = make('div', { class: 'handles' });
+  private readonly room = matchMedia('(pointer: coarse)').matches ? ROOM_FOR_FINGERS : ROOM;
+
+  constructor(layer: HTMLElement) {
+    this.layer = layer;
+    this.lines.setAttribute('aria-hidden', 'true');
+    this.paths = { rim: path('rim'), band: path('band'), edge: path('edge'), guide: path('guide') };
+    this.lines.append(this.paths.rim, this.paths.band, this.paths.edge, this.grips, this.paths.guide);
+    layer.replaceChildren(this.lines, this.edges, this.handles);
+    layer.tabIndex = -1;
+  }
+
+  /** The picture's place under a pointer, however the layer is moved and scaled. */
+  at(event: MouseEvent, side: number): Point {
+    const box = this.layer.getBoundingClientRect();
+    return [((event.clientX - box.left) / box.width) * side, ((event.clientY - box.top) / box.height) * side];
+  }
+
+  /** Picture units of a CSS pixel. */
+  unit(side: number): number {
+    return side / (this.layer.getBoundingClientRect().width || side);
+  }
+
+  /** Elements for these figures; none of them is in its place yet. */
+  build(sort: Sort, figures: Figure[]): void {
+    this.grips.replaceChildren(...figures.map((_, figure) => marked(path('grip'), { figure })));
+    const points = figures.flatMap(({ points }, figure) => points.map((_, index): Place => ({ figure, index })));
+    this.handles.replaceChildren(
+      ...points.map((place) => marked(make('button', { type: 'button', class: 'handle' }), { ...place })),
+      ...(sort.broad ? figures.flatMap((_, figure) => [0, 1].map(() => marked(make('span', { class: 'handle knob', 'aria-hidden': 'true' }), { figure }))) : []),
+    );
+    const divided = sort.form === 'ring' || sort.form === 'line';
+    this.edges.replaceChildren(...(divided ? points : []).map((place) => marked(make('span', { class: 'handle ghost', title: tell('ghost') }), { ...place })));
+  }
+
+  /** Puts everything where the figures are. */
+  place(sort: Sort, figures: Figure[], at: Place, side: number): void {
+    const shortest = this.room * this.unit(side);
+    this.lines.setAttribute('viewBox', `0 0 ${side} ${side}`);
+    const paths = figures.map(({ points }) => drawn(sort.form, points));
+    this.paths.edge.setAttribute('d', paths.join(''));
+    paths.forEach((d, figure) => this.grips.children[figure]?.setAttribute('d', d));
+    let handle = this.handles.firstElementChild;
+    let edge = this.edges.firstElementChild;
+    const put = (element: Element | null, [x, y]: Point): element is HTMLElement => {
+      if (!(element instanceof HTMLElement)) return false;
+      element.style.left = `${(100 * x) / side}%`;
+      element.style.top = `${(100 * y) / side}%`;
+      return true;
+    };
+    figures.forEach((figure, f) =>
+      figure.points.forEach((point, index) => {
+        if (put(handle, point)) {
+          handle.setAttribute('aria-label', `${sort.name({ figure: f, index }, figures)}, ${tell('at', { x: Math.round(point[0]), y: Math.round(point[1]) })}`);
+          handle.toggleAttribute('data-marked', at.figure === f && at.index === index);
+          const tag = index === 0 && !sort.broad && sort.value?.shown(figure.value);
+          if (tag) handle.dataset['tag'] = tag;
+        }
+        handle = handle?.nextElementSibling ?? null;
+        const next = figure.points[index + 1] ?? (sort.form === 'ring' ? figure.points[0] : undefined);
+        if (edge && put(edge, next ? [(point[0] + next[0]) / 2, (point[1] + next[1]) / 2] : point)) {
+          edge.hidden = !next || distance(point, next) < shortest;
+        }
+        edge = edge?.nextElementSibling ?? null;
+      }),
+    );
+    for (const figure of sort.broad ? figures : []) {
+      for (const knob of knobs(figure, side)) {
+        put(handle, knob);
+        handle = handle?.nextElementSibling ?? null;
+      }
+    }
+  }
+
+  /** A line being drawn, as broad as `width` picture units; 0 for a thin one. */
+  draft(d: string, width: number): void {
+    this.paths.band.setAttribute('d', d);
+    this.paths.band.classList.toggle('thin', width === 0);
+    this.paths.band.style.strokeWidth = width ? `${width}px` : '';
+  }
+
+  /** The outline that roads make. */
+  rim(d: string): void {
+    this.paths.rim.setAttribute('d', d);
+  }
+
+  guide(d: string): void {
+    this.paths.guide.setAttribute('d', d);
+  }
+
+  /** Puts the keyboard on a point; false where there is none. */
+  focus(figures: Figure[], { figure, index }: Place): boolean {
+    const before = figures.slice(0, figure).reduce((total, { points }) => total + points.length, 0);
+    const handle = this.handles.children[before + index];
+    if (!(handle instanceof HTMLButtonElement)) return false;
+    handle.focus({ preventScroll: true });
+    return true;
+  }
+
+  /** What is under a pointer. */
+  part(target: EventTarget | null): Part {
+    if (!(target instanceof HTMLElement || target instanceof SVGElement)) return { part: 'nothing' };
+    const [figure, index] = [Number(target.dataset['figure']), Number(target.dataset['index'])];
+    if (target.matches('.ghost')) return { part: 'edge', place: { figure, index } };
+    if (target.matches('.knob')) return { part: 'knob', figure };
+    if (target.matches('.handle')) return { part: 'point', place: { figure, index } };
+    return target.matches('.grip') ? { part: 'line', figure } : { part: 'nothing' };
+  }
+}
+
+function path(name: string): SVGElement {
+  const element = document.createElementNS(SVG, 'path');
+  element.classList.add(name);
+  return element;
+}
+
+function marked<E extends HTMLElement | SVGElement>(element: E, data: Record<string, number>): E {
+  for (const [name, value] of Object.entries(data)) element.dataset[name] = String(value);
+  return element;
+}

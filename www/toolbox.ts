@@ -1,0 +1,86 @@
+/** The editor's tools beside the canvas, the panel's button for the outline, and outlines that are dropped or pasted. */
+import type { Controls } from './controls';
+import { byId, make, say } from './dom';
+import type { Editing } from './editing';
+import type { Engine } from './engine';
+import { applies } from './kinds';
+import type { Work } from './work';
+import { t } from './words';
+
+export class Toolbox {
+  private readonly engine: Engine;
+  private readonly work: Work;
+  private readonly editing: Editing;
+  private readonly tools = [...byId('toolbox').querySelectorAll<HTMLButtonElement>('[data-tool]')];
+  private readonly edit = make('button', { type: 'button', class: 'wide', id: 'edit-outline', 'aria-keyshortcuts': 'E' });
+
+  constructor(work: Work, controls: Controls, editing: Editing) {
+    this.engine = work.engine;
+    this.work = work;
+    this.editing = editing;
+    controls.append('Outline', make('div', { class: 'tools' }, this.edit));
+    this.edit.addEventListener('click', () => editing.toggle('outline'));
+    for (const tool of this.tools) {
+      // A click without a place comes from the keyboard.
+      tool.addEventListener('click', (event) => editing.use(tool.dataset['tool'] ?? '', event.detail === 0));
+    }
+    const box = byId('toolbox');
+    box.addEventListener('keydown', (event) => this.walk(event));
+    for (const near of ['pointerover', 'focusin']) box.addEventListener(near, () => void editing.load(), { once: true });
+    this.receive(byId('frame'));
+    work.store.on(['editing', 'recipe'], () => this.show());
+    this.show();
+  }
+
+  /** Arrow keys go from tool to tool; only one of them is a stop for Tab. */
+  private walk(event: KeyboardEvent): void {
+    const step = { ArrowDown: 1, ArrowRight: 1, ArrowUp: -1, ArrowLeft: -1 }[event.key];
+    if (!step) return;
+    const shown = this.tools.filter((tool) => !tool.hidden);
+    const next = shown.at((shown.indexOf(event.target as HTMLButtonElement) + step) % shown.length);
+    event.preventDefault();
+    for (const tool of shown) tool.tabIndex = tool === next ? 0 : -1;
+    next?.focus();
+  }
+
+  /** Outlines come as files dropped on the stage, and by the clipboard. */
+  private receive(stage: HTMLElement): void {
+    const sheet = byId('sheet');
+    const over = (event: DragEvent): void => {
+      if (!event.dataTransfer?.types.includes('Files')) return;
+      event.preventDefault();
+      sheet.classList.add('dropping');
+    };
+    stage.addEventListener('dragenter', over);
+    stage.addEventListener('dragover', over);
+    stage.addEventListener('dragleave', ({ relatedTarget }) => {
+      if (!(relatedTarget instanceof Node) || !stage.contains(relatedTarget)) sheet.classList.remove('dropping');
+    });
+    stage.addEventListener('drop', (event) => {
+      event.preventDefault();
+      sheet.classList.remove('dropping');
+      const file = event.dataTransfer?.files[0];
+      if (file) this.editing.take(file);
+    });
+    document.addEventListener('paste', ({ target, clipboardData }) => {
+      if (target instanceof Element && target.matches('input, textarea')) return;
+      const from = clipboardData?.files[0] ?? clipboardData?.getData('text/plain');
+      if (from) this.editing.take(from);
+    });
+  }
+
+  private show(): void {
+    const { editing } = this.work.store.state;
+    const active = editing === 'outline' || editing === 'hole';
+    say(this.edit, t(active ? 'outline_leave' : 'outline_edit'));
+    this.edit.title = t(active ? 'outline_leave_title' : 'outline_edit_title');
+    this.edit.hidden = !applies(this.engine, 'outline');
+    for (const tool of this.tools) {
+      const word = tool.dataset['tool'] ?? '';
+      tool.hidden = !applies(this.engine, word);
+      if (tool.hasAttribute('aria-pressed')) tool.setAttribute('aria-pressed', String(editing === word));
+    }
+    const shown = this.tools.filter((tool) => !tool.hidden);
+    if (!shown.some((tool) => tool.tabIndex === 0)) shown.slice(0, 1).forEach((tool) => (tool.tabIndex = 0));
+  }
+}
