@@ -254,6 +254,7 @@ fn shifted(planes: &Planes, [dx, dy]: [usize; 2]) -> Planes {
     }
     let by = [dx, dy];
     Planes {
+        fine: 1,
         side: planes.side,
         fine: planes.fine,
         bump: moved(&planes.bump, planes.side, by),

@@ -201,14 +201,14 @@ fn cells_that_lie_elsewhere_start_anew() {
     let mut studio = finished(&first);
     let mut away = first.clone();
     let corner = |x: f64, y: f64| DVec2::new(x, y);
-    let ring = vec![
+    let outer = vec![
         corner(2., 2.),
         corner(30., 2.),
         corner(30., 12.),
         corner(2., 12.),
     ];
     let rings = Outline {
-        rings: vec![ring],
+        rings: vec![outer],
         ..Outline::default()
     };
     assert!(away.set_polygon(&rings).is_ok());

@@ -1,24 +1,27 @@
 /** The wiring: what happens when something on the page is changed, and what is shown of it. */
 import { Controls } from './controls';
+import { makeChances } from './chances';
 import { byId, byIdAs, make, say } from './dom';
 import { Editing } from './editing';
 import { Engine } from './engine';
-import { Files } from './files';
 import { History } from './history';
 import { kindsIn } from './kinds';
 import { bindKeys, listenToKeys } from './keys';
 import { address, fragment, Link } from './link';
+import { isLocked, keptLocks } from './locks';
 import { Loop } from './loop';
 import { lastWork, remember } from './memory';
 import { alertOf, clear, notice, offerOf, passing } from './messages';
 import { Presets } from './presets';
 import { scriptFace, type ScriptFace } from './scripts';
+import { Seed, SEED, withSeed } from './seed';
 import { StatusLine } from './status';
 import { Store, type State } from './store';
 import { Transport } from './transport';
 import { Toolbox } from './toolbox';
 import { tellCrash } from './trouble';
 import { View, VIEWS } from './view';
+import { makeViewBox } from './viewbox';
 import { LANGUAGES, language, speak, t } from './words';
 import { presetOf, Work } from './work';
 
@@ -47,9 +50,11 @@ export class App {
     this.history = new History(this.store);
     this.loop = new Loop(this.engine, (stage, changed) => this.drawn(stage, changed));
     this.view = new View(this.engine, this.store);
-    this.link = new Link((link) => {
+    this.link = new Link((link, ours) => {
+      const { own, recipe } = this.store.state;
       this.work.open(link);
       this.link.write(this.store.state.recipe);
+      if (own && !ours && this.store.state.recipe !== recipe) this.tellReplaced();
     });
     this.editing = new Editing(this.work);
     const controls = new Controls(this.engine.schema, {
@@ -62,14 +67,17 @@ export class App {
     new Toolbox(this.work, controls, this.editing);
     const presets = new Presets(this.engine.presets, (preset) => {
       this.editing.end();
-      this.link.next = 'push';
-      this.work.open(preset.link);
+      this.push();
+      if (isLocked(this.store, SEED)) this.work.open(withSeed(preset.link, this.engine.get(SEED)), false, preset);
+      else this.work.open(preset.link);
       this.store.update({ paused: false });
     });
     this.transport = this.makeTransport();
-    new Files(this.engine);
+    new Seed(this.work, () => this.push());
+    makeChances(this.work, controls, () => this.push());
     this.follow(controls, presets);
     this.bind();
+    makeViewBox(this.work, this.view);
     notice('link', ...this.engine.notices());
     if (last && asked !== '' && last.own && last.recipe !== this.store.state.recipe) this.tellReplaced();
     remember(this.store);
@@ -99,6 +107,11 @@ export class App {
       view: 'auto',
       overlays: [],
       repeat: 1,
+      light: false,
+      layers: false,
+      compare: false,
+      plots: false,
+      locks: keptLocks(),
       editing: undefined,
       stage: '',
     };
@@ -120,7 +133,7 @@ export class App {
     const showTransport = ({ paused, pace }: State): void => {
       if (this.loop.paused !== paused) this.loop.paused = paused;
       this.loop.stepsPerFrame = pace;
-      this.transport.show(paused, pace, this.engine.get('seed'));
+      this.transport.show(paused, pace);
     };
     store.on(['recipe'], (now) => {
       showRecipe(now);
@@ -150,13 +163,6 @@ export class App {
         this.still = false;
         store.update({ pace });
       },
-      seed: (text) => this.work.set('seed', text),
-      dice: () => {
-        this.link.next = 'push';
-        this.work.set('seed', String(this.engine.randomSeed()));
-      },
-      copy: () => void this.copy(),
-      save: () => void this.save(),
     });
     if (this.still) store.update({ pace: transport.fastest() });
     return transport;
@@ -169,13 +175,16 @@ export class App {
       { keys: ['s', '.'], word: 'key_step', act: press('step'), repeats: true },
       { keys: ['r'], word: 'key_restart', act: press('restart') },
       { keys: ['d'], word: 'key_dice', act: press('dice') },
+      { keys: ['x'], word: 'key_throw', act: press('throw') },
       { keys: ['ctrl+z'], shown: ['Ctrl+Z'], word: 'key_undo', act: press('undo'), repeats: true },
       { keys: ['ctrl+shift+z', 'ctrl+y'], shown: ['Ctrl+Shift+Z', 'Ctrl+Y'], word: 'key_redo', act: press('redo'), repeats: true },
-      { keys: ['c'], word: 'key_copy', act: press('copy') },
-      { keys: VIEWS.map((_, index) => String(index)), shown: ['0', '–', '9'], word: 'key_view', act: (key) => this.store.update({ view: VIEWS[Number(key)]?.word ?? 'auto' }) },
+      { keys: ['c'], word: 'key_copy', act: () => void this.copy() },
+      { keys: '0123456789'.split(''), shown: ['0', '–', '9'], word: 'key_view', act: (key) => this.store.update({ view: VIEWS[Number(key)] ?? 'auto' }) },
       { keys: ['e'], word: 'key_edit', act: () => this.editing.toggle() },
     );
     listenToKeys();
+    byId('share').addEventListener('click', () => this.later(import('./take/share'), ({ share }) => share(this.engine, this.store, this.view.canvas)));
+    byId('save').addEventListener('click', () => this.later(import('./take/save'), ({ save }) => save({ engine: this.engine, store: this.store, work: this.work, canvas: this.view.canvas })));
     byId('undo').addEventListener('click', () => this.history.undo());
     byId('redo').addEventListener('click', () => this.history.redo());
     byId('about-button').addEventListener('click', () => {
@@ -251,6 +260,16 @@ export class App {
     say(byId('live'), stage === 'done' ? t('done', { cells, steps }) : '');
   }
 
+  /** The next change is an entry of its own in the browser's history. */
+  private push(): void {
+    this.link.next = 'push';
+  }
+
+  /** Uses what comes only when it is asked for. */
+  private later<T>(coming: Promise<T>, use: (come: T) => void): void {
+    coming.then(use, () => notice('offline', t('not_loaded')));
+  }
+
   private async copy(): Promise<void> {
     const link = this.engine.link();
     try {
@@ -259,12 +278,5 @@ export class App {
     } catch {
       notice('done', t('not_copied', { link: address(link) }));
     }
-  }
-
-  private async save(): Promise<void> {
-    const view = this.store.state.view;
-    const name = ['bubblestone', view === 'auto' ? 'picture' : view, this.engine.get('outline'), this.engine.get('seed')];
-    const saved = await this.view.save(name.join('-'));
-    if (!saved) notice('done', t('not_saved'));
   }
 }

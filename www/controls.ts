@@ -52,6 +52,11 @@ export class Controls {
     this.groups.get(group)?.details.append(element);
   }
 
+  /** The groups' names with the elements that hold them. */
+  *groupings(): Iterable<[name: string, element: HTMLElement]> {
+    for (const [name, { details }] of this.groups) if (details.parentElement) yield [name, details.parentElement];
+  }
+
   /** Shows what the engine holds: values, which controls apply, how many differ from the default. */
   refresh(): void {
     for (const { controls, badge, details } of this.groups.values()) {
@@ -89,7 +94,7 @@ export class Controls {
     details.open = narrow ? this.groups.size === 0 : OPEN_AT_FIRST.includes(name);
     const group = { details, badge, controls: [] };
     this.groups.set(name, group);
-    form.append(details);
+    form.append(make('div', { class: 'grouping' }, details));
     return group;
   }
 }

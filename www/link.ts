@@ -3,6 +3,9 @@
 /** Browsers refuse addresses that change too often; Safari allows a hundred in half a minute. */
 const THROTTLE = 500;
 
+/** Marks the entries of the browser's history that the page wrote. */
+const OURS = 'ours';
+
 export class Link {
   /** How the next state is written: as a new entry, so that the browser's Back button leads to the one before, or in place of it. */
   next: 'push' | 'replace' = 'replace';
@@ -11,14 +14,15 @@ export class Link {
   private timer = 0;
   private last = -THROTTLE;
 
-  /** `open` gets the fragment of an address that the visitor came to by other ways than the page's. */
-  constructor(open: (fragment: string) => void) {
+  /** `open` gets the fragment of an address that the visitor came to; `ours` says that the page had written it before. */
+  constructor(open: (fragment: string, ours: boolean) => void) {
     const moved = (): void => {
       if (fragment() === this.written) return;
       this.forget();
       this.written = fragment();
-      open(this.written);
+      open(this.written, history.state === OURS);
     };
+    history.replaceState(OURS, '');
     addEventListener('hashchange', moved);
     addEventListener('popstate', moved);
     addEventListener('pagehide', () => this.flush());
@@ -60,8 +64,36 @@ export class Link {
   private enter(state: string, how: 'pushState' | 'replaceState'): void {
     this.written = state;
     this.last = performance.now();
-    history[how](null, '', address(state));
+    history[how](OURS, '', address(state));
   }
+}
+
+/** The word in the query that asks for the picture alone, without the page around it. */
+const EMBED = 'embed';
+
+export function isEmbedded(): boolean {
+  return new URLSearchParams(location.search).has(EMBED);
+}
+
+/** The address of the picture alone. */
+export function embedAddress(state: string): string {
+  const url = new URL(location.href);
+  url.search = EMBED;
+  url.hash = state;
+  return url.href;
+}
+
+/** The address of the whole page, from the picture alone. */
+export function pageAddress(state: string): string {
+  const url = new URL(location.href);
+  url.search = '';
+  url.hash = state;
+  return url.href;
+}
+
+/** The values that a state holds, as `key=value`. */
+export function valuesIn(state: string): string[] {
+  return state.split('&').filter((piece) => piece !== '' && !piece.startsWith('v='));
 }
 
 /** The fragment of the address, without '#'. */

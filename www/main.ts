@@ -1,15 +1,19 @@
 /** Starts the page. */
 import { App } from './app';
+import { isEmbedded } from './link';
 import { load } from './engine';
 import { alertOf } from './messages';
 import { takeLanguage } from './words';
 
 async function start(): Promise<void> {
   try {
-    await Promise.all([load(), takeLanguage()]);
-    const scripts = new App().scripts();
+    const embedded = isEmbedded();
+    document.documentElement.toggleAttribute('data-embed', embedded);
+    const [embed] = await Promise.all([embedded ? import('./embed') : undefined, load(), takeLanguage()]);
+    const scripts = embed ? embed.embed() : new App().scripts();
     window.bubblestone = scripts;
-    scripts.digest().then(storeSite, () => undefined);
+    // Within another page there is nothing to install.
+    if (!embed) scripts.digest().then(storeSite, () => undefined);
   } catch (error) {
     document.documentElement.dataset['stage'] = 'error';
     alertOf('trouble', error instanceof Error ? error.message : String(error));

@@ -3,7 +3,7 @@ import { byId, make } from './dom';
 import { t } from './words';
 
 /** Notices of the same topic replace each other. */
-type Topic = 'link' | 'value' | 'outline' | 'done' | 'files' | 'replaced' | 'offline' | 'trouble';
+type Topic = 'link' | 'value' | 'outline' | 'done' | 'files' | 'replaced' | 'offline' | 'trouble' | 'part';
 
 /** Milliseconds that a passing word stays; longer texts stay until dismissed. */
 const PASSING = 4000;

@@ -1,6 +1,6 @@
 /** `window.bubblestone`: the words of the page for scripts. */
 import type { Engine } from './engine';
-import type { Parameter, Preset, Status } from './types';
+import type { Parameter, Preset, Probe, Status } from './types';
 
 export interface Bubblestone {
   /** The digest of the planes shown, once they are done. */
@@ -9,6 +9,8 @@ export interface Bubblestone {
   link(): string;
   get(key: string): string;
   status(): Status;
+  /** The cell at a place in picture units. */
+  probe(x: number, y: number): Probe | undefined;
   readonly schema: Parameter[];
   readonly presets: Preset[];
 }
@@ -42,6 +44,7 @@ export function scriptFace(engine: Engine): ScriptFace {
       link: () => engine.link(),
       get: (key) => engine.get(key),
       status: () => engine.status(),
+      probe: (x, y) => engine.probe([x, y]),
       schema: engine.schema,
       presets: engine.presets,
     },

@@ -1,7 +1,11 @@
 /** The state of the work: the stages with their milliseconds, the counts, and the caption. */
 import { byId, make, say } from './dom';
+import { progressOf } from './progress';
 import { STAGES, type Preset, type Status } from './types';
 import { sentenceIn, t } from './words';
+
+/** Milliseconds; shorter work does not show how far it is. */
+const LONG = 400;
 
 const COUNTS = ['cells', 'steps', 'move', 'added'] as const;
 
@@ -9,8 +13,12 @@ export class StatusLine {
   private readonly stages = new Map<string, { item: HTMLElement; time: HTMLElement }>();
   private readonly counts = new Map<string, HTMLElement>();
   private readonly caption = byId('caption');
+  private readonly work = byId('work');
+  private readonly way = make('span');
+  private began: number | undefined;
 
   constructor() {
+    this.work.replaceChildren(this.way);
     const pipeline = byId('pipeline');
     pipeline.replaceChildren();
     for (const word of STAGES) {
@@ -22,7 +30,7 @@ export class StatusLine {
     const list = byId('counts');
     list.replaceChildren();
     for (const count of COUNTS) {
-            const value = make('dd', { id: `count-${count}` }, '–');
+      const value = make('dd', { id: `count-${count}` }, '–');
       list.append(make('div', { title: t(`count_${count}_title`) }, make('dt', {}, t(`count_${count}`)), value));
       this.counts.set(count, value);
     }
@@ -40,6 +48,7 @@ export class StatusLine {
       const spent = status.ms[word];
       say(parts.time, state === 'next' || spent === undefined ? '–' : `${milliseconds(spent)} ms`);
     });
+    this.progress(stage, status);
     this.count('cells', String(status.cells));
     this.count('steps', String(status.steps));
     this.count('move', status.steps ? status.largestMove.toFixed(3) : '–');
@@ -62,6 +71,20 @@ export class StatusLine {
     }
     const text = parts.map((part) => (typeof part === 'string' ? part : part.textContent)).join('');
     if (this.caption.textContent !== text) this.caption.replaceChildren(...parts);
+  }
+
+  /** The bar under the canvas, while work takes long. */
+  private progress(stage: string, status: Status): void {
+    const word = STAGES.find((each) => each === stage);
+    const now = performance.now();
+    this.began = word && (this.began ?? now);
+    this.work.hidden = this.began === undefined || now - this.began < LONG;
+    if (!word || this.work.hidden) return;
+    const done = progressOf(word, status);
+    const n = Math.round(100 * done);
+    this.way.style.transform = `scaleX(${done})`;
+    this.work.setAttribute('aria-valuenow', String(n));
+    this.work.setAttribute('aria-valuetext', t('work_stage', { stage: t(`stage_${word}`), n }));
   }
 
   private count(name: (typeof COUNTS)[number], text: string): void {

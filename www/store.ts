@@ -28,6 +28,13 @@ export interface State {
   readonly overlays: readonly string[];
   /** How often the picture stands side by side, as a tile does. */
   readonly repeat: number;
+  /** Tools for looking closer that are shown. */
+  readonly light: boolean;
+  readonly layers: boolean;
+  readonly compare: boolean;
+  readonly plots: boolean;
+  /** What chance and presets leave alone: groups of parameters, and the seed. */
+  readonly locks: readonly string[];
   /** The sort of figures whose points are shown; undefined while nothing is edited. */
   readonly editing: string | undefined;
   /** The stage at work, then 'done' or 'error'. */

@@ -1,23 +1,14 @@
-/** The canvas: its size, what it shows, and saving it. */
+/** The canvas: its size, and what it shows. */
 import { byIdAs, make } from './dom';
-import { offer } from './download';
 import type { Engine } from './engine';
 import type { Store } from './store';
 import { t } from './words';
 
-/** The views in the order of their keys 0 to 9, and whether there is a sentence about what they show. */
-export const VIEWS = [
-  { word: 'auto', note: undefined },
-  { word: 'picture', note: undefined },
-  { word: 'packed', note: 'note_packed' },
-  { word: 'cells', note: 'note_cells' },
-  { word: 'mesh', note: 'note_mesh' },
-  { word: 'direction', note: 'note_direction' },
-  { word: 'height', note: undefined },
-  { word: 'normals', note: undefined },
-  { word: 'ids', note: undefined },
-  { word: 'potential', note: 'note_potential' },
-] as const;
+/** The views, the first ten in the order of their keys 0 to 9. */
+export const VIEWS = ['auto', 'picture', 'packed', 'cells', 'mesh', 'direction', 'height', 'normals', 'ids', 'potential', 'albedo', 'roughness', 'ao', 'paper'] as const;
+
+/** Views that need a sentence about what they show. */
+const DRAWINGS = ['packed', 'cells', 'mesh', 'direction', 'potential'] as const;
 
 export class View {
   readonly canvas = byIdAs('canvas', HTMLCanvasElement);
@@ -25,6 +16,7 @@ export class View {
   private readonly context: CanvasRenderingContext2D;
   private readonly engine: Engine;
   private readonly store: Store;
+  private readonly followers: (() => void)[] = [];
 
   constructor(engine: Engine, store: Store) {
     this.engine = engine;
@@ -32,15 +24,15 @@ export class View {
     const context = this.canvas.getContext('2d');
     if (!context) throw new Error('This browser gives no canvas to draw on.');
     this.context = context;
-    this.select.replaceChildren(...VIEWS.map(({ word }) => make('option', { value: word }, t(`view_${word}`))));
+    this.select.replaceChildren(...VIEWS.map((word) => make('option', { value: word }, t(`view_${word}`))));
     this.select.addEventListener('change', () => store.update({ view: this.select.value }));
     store.on(['view'], ({ view }) => (this.select.value = view));
   }
 
   /** What a drawing shows, in a sentence; '' for pictures. */
   get note(): string {
-    const note = VIEWS.find(({ word }) => word === this.store.state.view)?.note;
-    return note ? t(note) : '';
+    const drawing = DRAWINGS.find((word) => word === this.store.state.view);
+    return drawing ? t(`note_${drawing}`) : '';
   }
 
   draw(): void {
@@ -49,15 +41,18 @@ export class View {
       this.canvas.width = side;
       this.canvas.height = side;
     }
-    const { view, overlays } = this.store.state;
-    this.engine.draw(this.context, [view, ...overlays].join('+'));
+    this.engine.draw(this.context, this.words);
+    for (const follow of this.followers) follow();
   }
 
-  /** Hands what is shown to the visitor as a PNG file; false where the browser cannot. */
-  async save(name: string): Promise<boolean> {
-    const blob = await new Promise<Blob | null>((resolve) => this.canvas.toBlob(resolve, 'image/png'));
-    if (!blob) return false;
-    offer(blob, `${name}.png`);
-    return true;
+  /** What is drawn, in the words of the module. */
+  get words(): string {
+    const { view, overlays } = this.store.state;
+    return [view, ...overlays].join('+');
+  }
+
+  /** `follow` is called whenever the canvas was drawn anew. */
+  drawn(follow: () => void): void {
+    this.followers.push(follow);
   }
 }

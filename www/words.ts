@@ -2,9 +2,10 @@
 import { choiceOf, choose } from './memory';
 import { words as english } from './strings/en.json';
 import type { Foreign } from './strings/foreign';
+import type { words as later } from './strings/en-look.json';
 import type { Parameter, Preset } from './types';
 
-export type Word = keyof typeof english;
+export type Word = keyof typeof english | keyof typeof later;
 
 /** The languages with their own names. */
 export const LANGUAGES: readonly [code: string, name: string][] = [
@@ -12,7 +13,7 @@ export const LANGUAGES: readonly [code: string, name: string][] = [
   ['ja', '日本語'],
 ];
 
-let words: Record<Word, string> = english;
+let words: Partial<Record<Word, string>> = english;
 let foreign: Foreign | undefined;
 
 /** The code of the language in use. */
@@ -22,7 +23,17 @@ export function language(): string {
 
 /** The words of a key, with `{name}` replaced by values. */
 export function t(key: Word, values: Record<string, string | number> = {}): string {
-  return filled(words[key], values);
+  return filled(words[key] ?? '', values);
+}
+
+/** More words in English, of parts that come later; where another language is in use they are known. */
+export function learn(more: Partial<Record<Word, string>>): void {
+  words = { ...more, ...words };
+}
+
+/** The same for words that come later, in all languages, with what says them. */
+export function wordsOf<Key extends string>(by: { en: Record<Key, string>; ja: Record<Key, string> }) {
+  return (key: Key, values: Record<string, string | number> = {}): string => filled(by[language() === 'ja' ? 'ja' : 'en'][key], values);
 }
 
 /** A text with `{name}` replaced by values. */

@@ -30,6 +30,12 @@ export class Work {
     return sentence;
   }
 
+  /** Many values in one step; those that do not fit are kept within their limits. */
+  setAll(values: readonly [key: string, text: string][]): void {
+    for (const [key, text] of values) this.engine.set(key, text);
+    this.changed(false);
+  }
+
   /** Rings of a free outline: whether they were refused, and what is to be said. */
   outline(rings: Ring[], held = false): { refused: boolean; sentence: string } {
     const answer = this.engine.setOutline(rings);
@@ -37,13 +43,13 @@ export class Work {
     return answer;
   }
 
-  /** A whole other recipe; a link's mistakes are told. */
-  open(link: string, own = false): void {
+  /** A whole other recipe; a link's mistakes are told. `preset` is the one it is, where it does not say so itself. */
+  open(link: string, own = false, preset?: Preset): void {
     notice('link', ...this.engine.open(link));
     clear('value');
     clear('outline');
     const recipe = this.engine.link();
-    this.store.update({ recipe, held: false, own, preset: presetOf(this.engine.presets, recipe) ?? this.store.state.preset });
+    this.store.update({ recipe, held: false, own, preset: preset ? { shown: preset, recipe } : (presetOf(this.engine.presets, recipe) ?? this.store.state.preset) });
   }
 
   private changed(held: boolean): void {

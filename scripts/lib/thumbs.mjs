@@ -1,6 +1,6 @@
 // The small pictures of the presets in www/public/thumbs/: each is the preset's own picture, drawn by the page's
-// module at its full size and scaled down; skipped where neither module nor presets have changed.
-import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+// module at its full size and scaled down; skipped where nothing has changed that they could be seen to depend on.
+import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { digest } from './digest.mjs';
@@ -22,8 +22,8 @@ const all = /** @type {const} */ ([1e9, 1e9]);
 /** Makes them where they are not up to date. */
 export async function buildThumbs() {
   const module = join(pageModule, 'bubblestone_bg.wasm');
-  const stamp = join(pageModule, '.thumbs-made-from');
-  const source = digest([module, join(root, 'scripts', 'lib', 'thumbs.mjs'), join(root, 'package-lock.json')]);
+  const stamp = join(root, 'www', '.thumbs-made-from');
+  const source = digest(sources());
   if (existsSync(thumbs) && existsSync(stamp) && readFileSync(stamp, 'utf8') === source) return;
   say('Making the small pictures of the presets');
   for (const old of [stamp, thumbs]) rmSync(old, { recursive: true, force: true });
@@ -48,6 +48,21 @@ export async function buildThumbs() {
   const seconds = (performance.now() - begin) / 1000;
   console.log(`${list.length} of ${(bytes / 1000 / list.length).toFixed(1)} kB each, in ${seconds.toFixed(0)} s`);
   writeFileSync(stamp, source);
+}
+
+/**
+ * What decides the pictures: the planes of all presets, by their digests, which tests compare; and what makes
+ * pictures of planes. Any other change of the module needs no new ones.
+ */
+function sources() {
+  const folders = ['recipe', 'texture', 'render'].map((name) => join(root, 'src', name));
+  const code = folders.flatMap((folder) =>
+    readdirSync(folder, { recursive: true, withFileTypes: true })
+      .filter((entry) => entry.isFile())
+      .map((entry) => join(entry.parentPath, entry.name)),
+  );
+  const others = ['tests/digests.txt', 'scripts/lib/thumbs.mjs', 'package-lock.json'].map((file) => join(root, file));
+  return [...code.sort(), ...others];
 }
 
 /** @typedef {{ data: Uint8ClampedArray<ArrayBuffer>, width: number, height: number }} Pixels */

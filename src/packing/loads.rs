@@ -88,11 +88,7 @@ impl Packing {
 
     /// Calls `visit` with both bodies of each pair that may touch, the way from the first to the
     /// second, and where they are in `bodies`.
-    fn each_pair(
-        &mut self,
-        domain: &Domain,
-        visit: &mut dyn FnMut(&Body, &Body, DVec2, (usize, usize)),
-    ) {
+    fn each_pair(&mut self, domain: &Domain, visit: Visit) {
         self.motion.refresh(&mut self.bodies, domain);
         for (i, j) in self.motion.pairs(&self.bodies) {
             let (a, b) = (&self.bodies[i], &self.bodies[j]);
@@ -154,6 +150,9 @@ impl Packing {
     }
 }
 
+/// Is told both bodies of a pair, the way from the first to the second, and their places.
+type Visit<'a> = &'a mut dyn FnMut(&Body, &Body, DVec2, (usize, usize));
+
 /// The neighbours of a cell, summed.
 #[derive(Clone, Copy, Debug, Default)]
 struct Around {
@@ -172,7 +171,8 @@ impl Around {
         let local = DVec2::new(axis.dot(r), axis.perp_dot(r));
         let squared = |v: DVec2| v.rotate(v);
         self.turn += if particle.kind.has_corners() {
-            let framed = local * DVec2::new(1.0, Shape::of(particle).root.powi(2));
+            let root = Shape::of(particle).root;
+            let framed = local * DVec2::new(1.0, root * root);
             squared(squared(framed.normalize_or_zero()))
         } else {
             squared(local)

@@ -30,8 +30,7 @@ pub fn forces(board: &mut Board, loads: &[(Particle, Load)]) {
     let (mut shafts, mut heads, mut rims) = (Vec::new(), Vec::new(), Vec::new());
     for (particle, load) in loads {
         let force = load.force.length();
-        // NaN is not drawn either.
-        if particle.fixed || !(force >= LEAST) {
+        if particle.fixed || force.is_nan() || force < LEAST {
             continue;
         }
         let length = particle.size * (LENGTH * force.sqrt()).min(LONGEST);

@@ -53,8 +53,8 @@ pub(super) fn scale([low, middle, high]: [Tint; 3], steps: usize) -> Vec<Tint> {
 
 /// The shapes of particles.
 #[inline(never)]
-pub(super) fn shapes<'a>(
-    particles: &mut dyn Iterator<Item = &'a Particle>,
+pub(super) fn shapes(
+    particles: &mut dyn Iterator<Item = &Particle>,
     factor: f64,
 ) -> Vec<Vec<DVec2>> {
     particles.map(|p| p.ring(factor, 16)).collect()

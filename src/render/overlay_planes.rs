@@ -88,6 +88,7 @@ mod tests {
         let side = 8;
         let n = side * side;
         Planes {
+            fine: 1,
             side,
             fine: 1,
             bump: (0..n).map(|at| (at % side) as f32).collect(),

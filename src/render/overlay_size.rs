@@ -49,7 +49,7 @@ impl Veil {
         for (below, &[r, g, b, rest]) in board.rgba_mut().chunks_exact_mut(4).zip(&self.pixels) {
             for (c, over) in below.iter_mut().zip([r, g, b]) {
                 let kept = u32::from(*c) * u32::from(rest);
-                *c = over.saturating_add(((kept + 128) * 257 >> 16) as u8);
+                *c = over.saturating_add((((kept + 128) * 257) >> 16) as u8);
             }
         }
     }

@@ -9,6 +9,8 @@ let site;
 
 const words = (code) => JSON.parse(readFileSync(new URL(`../../www/strings/${code}.json`, import.meta.url), 'utf8'));
 const english = words('en');
+// Those of what is loaded later.
+Object.assign(english.words, words('en-look').words);
 const japanese = words('ja');
 const phone = { width: 390, height: 844, isMobile: true, hasTouch: true };
 

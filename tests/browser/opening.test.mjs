@@ -82,7 +82,7 @@ for (const [name, viewport] of Object.entries({
     const sum = shifts.reduce((total, { value }) => total + value, 0);
     assert.ok(sum < 0.01, JSON.stringify(shifts));
     // The watch does see a jump.
-    await page.evaluate(() => (document.querySelector('.head').style.marginTop = '90px'));
+    await page.evaluate(() => (document.querySelector('#frame').style.marginTop = '90px'));
     await page.waitForFunction((count) => window.shifts.length > count, { timeout: 10_000 }, shifts.length);
     await close();
   });

@@ -16,6 +16,12 @@ const SQUARE = `${SMALL}&outline=square`;
 /** Clicks without scrolling, whatever lies over it. @param {string} selector */
 const click = (selector) => (/** @type {Page} */ page) => page.$eval(selector, (element) => /** @type {HTMLElement} */ (element).click());
 
+/** Clicks, and waits for what that shows. @param {string} selector @param {string} what */
+const shown = (selector, what) => async (/** @type {Page} */ page) => {
+  await click(selector)(page);
+  await page.waitForSelector(what, { visible: true });
+};
+
 /** @param {(document: Document) => void} change */
 const change = (change) => (/** @type {Page} */ page) => page.evaluate(`(${change})(document)`);
 
@@ -42,6 +48,25 @@ export const states = {
       await click('#restart')(page);
       await message(page, 'alert', /\S/);
       await page.evaluate(() => delete (/** @type {any} */ (performance).now));
+    },
+  },
+  zoomed: { arrange: async (page) => { for (const id of ['#zoom-in', '#zoom-in']) await click(id)(page); await page.waitForSelector('.sheet[data-zoomed]'); } },
+  cell: {
+    arrange: async (page) => {
+      await page.focus('#cells');
+      await page.waitForSelector('.cell-card');
+      await page.keyboard.press('ArrowRight');
+    },
+  },
+  sun: { arrange: shown('#light-button', '#light-sun') },
+  lamp: { fragment: `${SMALL}&light=point`, arrange: shown('#light-button', '#light-lamp') },
+  layers: { arrange: shown('#layers-button', '#layers') },
+  plots: { arrange: shown('#plots-button', '#plots canvas') },
+  repeat: { fragment: '#size=192&cs=16&tile=1', arrange: shown('#tile-button', '.tiles') },
+  compare: {
+    arrange: async (page) => {
+      await shown('#compare-button', '#divider')(page);
+      await page.waitForFunction(() => document.querySelector('.compare-progress')?.textContent === '');
     },
   },
   about: { arrange: click('#about-button') },

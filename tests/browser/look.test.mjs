@@ -1,0 +1,377 @@
+// Looking closer at the picture, as people do it.
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { open } from './harness.mjs';
+import { canvas, digest, done, frames, get, SMALL, steps } from './page.mjs';
+
+/** @type {Awaited<ReturnType<typeof open>>} */
+let site;
+
+const SQUARE = `${SMALL}&outline=square`;
+const phone = { width: 390, height: 844, deviceScaleFactor: 2, isMobile: true, hasTouch: true };
+
+before(async () => {
+  site = await open();
+});
+
+after(() => site?.close());
+
+/** A finished page whose picture listens to the pointer. */
+async function finished(fragment = SQUARE, options = {}) {
+  const opened = await site.newPage(fragment, options);
+  await digest(opened.page);
+  if (!options.viewport?.hasTouch) {
+    const { x, y } = await box(opened.page, '#sheet');
+    await opened.page.mouse.move(x + 5, y + 5);
+    await opened.page.waitForSelector('.cell-card', { hidden: true });
+    await opened.page.waitForSelector('#cells svg');
+  }
+  return opened;
+}
+
+function box(page, selector) {
+  return page.$eval(selector, (element) => element.getBoundingClientRect().toJSON());
+}
+
+/** A place of the sheet on the screen, from fractions of its sides. */
+async function spot(page, fx, fy) {
+  const { x, y, width, height } = await box(page, '#sheet');
+  return { x: x + fx * width, y: y + fy * height };
+}
+
+const factor = (page) => page.$eval('#sheet', (sheet) => Number(getComputedStyle(sheet).getPropertyValue('--zoom')) || 1);
+
+async function drag(page, from, to) {
+  await page.mouse.move(from.x, from.y);
+  await page.mouse.down();
+  await page.mouse.move((from.x + to.x) / 2, (from.y + to.y) / 2, { steps: 2 });
+  await page.mouse.move(to.x, to.y, { steps: 2 });
+  await frames(page, 2);
+}
+
+test('the wheel zooms towards the pointer, dragging moves the picture, and a double click fits it', async () => {
+  const { page, problems, close } = await finished();
+  const at = await spot(page, 0.25, 0.7);
+  await page.mouse.move(at.x, at.y);
+  for (let k = 0; k < 5; k += 1) await page.mouse.wheel({ deltaY: -120 });
+  await frames(page, 2);
+  const zoom = await factor(page);
+  assert.ok(zoom > 2 && zoom < 16, String(zoom));
+  const near = await box(page, '#canvas');
+  // A quarter from the left, seven tenths from the top: still there.
+  assert.ok(Math.abs(near.x + 0.25 * near.width - at.x) < 1.5 && Math.abs(near.y + 0.7 * near.height - at.y) < 1.5);
+  await drag(page, at, { x: at.x + 40, y: at.y - 30 });
+  await page.mouse.up();
+  const moved = await box(page, '#canvas');
+  assert.ok(Math.abs(moved.x - near.x - 40) < 1.5 && Math.abs(moved.y - near.y + 30) < 1.5, JSON.stringify([near, moved]));
+  await page.mouse.click(at.x, at.y, { count: 2 });
+  await frames(page, 2);
+  assert.equal(await factor(page), 1);
+  const sheet = await box(page, '#sheet');
+  assert.deepEqual(await box(page, '#canvas'), sheet);
+  // At fit, dragging moves nothing, and a double click comes closer.
+  await drag(page, at, { x: at.x + 40, y: at.y });
+  await page.mouse.up();
+  assert.deepEqual(await box(page, '#canvas'), sheet);
+  await page.mouse.click(at.x, at.y, { count: 2 });
+  await frames(page, 2);
+  assert.ok((await factor(page)) > 2);
+  assert.equal(await page.$eval('#canvas', (element) => getComputedStyle(element).imageRendering), 'pixelated');
+  await page.keyboard.press('f');
+  for (const key of ['+', '+', '-']) await page.keyboard.press(key);
+  await frames(page, 2);
+  assert.equal(await factor(page), 1.5);
+  assert.equal(await page.$eval('#zoom-now', (text) => text.textContent), '1.5×');
+  await page.click('#zoom-fit');
+  assert.equal(await factor(page), 1);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('points that are edited keep their size when the picture is zoomed, and go where they are dragged', async () => {
+  const { page, close } = await finished();
+  await page.click('#edit-outline');
+  const before = await box(page, '.handle');
+  const at = await spot(page, 0.05, 0.05);
+  await page.mouse.move(at.x, at.y);
+  for (let k = 0; k < 3; k += 1) await page.mouse.wheel({ deltaY: -120 });
+  await frames(page, 2);
+  assert.ok((await factor(page)) > 1.5);
+  const handle = await box(page, '.handle');
+  assert.equal(handle.width, before.width);
+  const middle = { x: handle.x + handle.width / 2, y: handle.y + handle.height / 2 };
+  const to = { x: middle.x + 60, y: middle.y + 50 };
+  await drag(page, middle, to);
+  await page.mouse.up();
+  const now = await box(page, '.handle');
+  assert.ok(Math.abs(now.x + now.width / 2 - to.x) < 2 && Math.abs(now.y + now.height / 2 - to.y) < 2, JSON.stringify([now, to]));
+  await close();
+});
+
+test('two fingers zoom, one scrolls the page at fit and moves the picture when it is zoomed', async () => {
+  const { page, problems, close } = await finished(SQUARE, { viewport: phone });
+  const action = () => page.$eval('#sheet', (sheet) => getComputedStyle(sheet).touchAction);
+  assert.equal(await action(), 'pan-x pan-y');
+  const [a, b] = [await spot(page, 0.4, 0.5), await spot(page, 0.6, 0.5)];
+  await page.touchscreen.tap(a.x, a.y);
+  await page.waitForSelector('.cell-card', { visible: true });
+  const [first, second] = [await page.touchscreen.touchStart(a.x, a.y), await page.touchscreen.touchStart(b.x, b.y)];
+  for (let k = 1; k <= 4; k += 1) {
+    await first.move(a.x - 20 * k, a.y);
+    await second.move(b.x + 20 * k, b.y);
+  }
+  await first.end();
+  await second.end();
+  await frames(page, 2);
+  const zoom = await factor(page);
+  assert.ok(zoom > 2 && zoom < 4.5, String(zoom));
+  assert.equal(await page.evaluate(() => visualViewport.scale), 1);
+  assert.equal(await action(), 'none');
+  const before = await box(page, '#canvas');
+  const finger = await page.touchscreen.touchStart(a.x, a.y);
+  for (const far of [15, 30, 45]) await finger.move(a.x + far, a.y + far);
+  await finger.end();
+  await frames(page, 2);
+  const after = await box(page, '#canvas');
+  assert.ok(Math.abs(after.x - before.x - 45) < 2 && Math.abs(after.y - before.y - 45) < 2, JSON.stringify([before, after]));
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('the sun is dragged: only the light is worked out anew, in one step of the history', async () => {
+  const { page, problems, close } = await finished(SQUARE);
+  const before = await canvas(page);
+  const times = () => page.evaluate(() => window.bubblestone.status().ms);
+  const { shading: _, ...others } = await times();
+  const taken = await steps(page);
+  await page.keyboard.press('l');
+  await page.waitForSelector('#light-sun', { visible: true });
+  const sun = await box(page, '#light-sun');
+  // To the right of the middle, half way to the horizon.
+  await drag(page, { x: sun.x + sun.width / 2, y: sun.y + sun.height / 2 }, await spot(page, 0.5 + 0.23, 0.5));
+  assert.equal(await page.$eval('html', (html) => html.dataset.stage !== 'packing'), true);
+  await page.mouse.up();
+  await done(page);
+  const [az, el] = [Number(await get(page, 'az')), Number(await get(page, 'el'))];
+  assert.ok(Math.abs(((az + 180) % 360) - 180) < 3 && Math.abs(el - 45) < 3, `${az}, ${el}`);
+  assert.match(await page.evaluate(() => window.bubblestone.link()), /az=/);
+  assert.notEqual((await canvas(page)).hash, before.hash);
+  const { shading: __, ...now } = await times();
+  assert.deepEqual(now, others);
+  assert.equal(await steps(page), taken);
+  await page.keyboard.press('l');
+  await page.click('#undo');
+  await done(page);
+  assert.deepEqual([await get(page, 'az'), await get(page, 'el')], ['225', '42']);
+  assert.equal(await page.$eval('#undo', (undo) => undo.disabled), true);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('the sun and the lamp are moved by arrow keys', async () => {
+  const { page, close } = await finished(SQUARE);
+  await page.click('#light-button');
+  await page.waitForSelector('#light-sun', { visible: true });
+  await page.focus('#light-sun');
+  await page.keyboard.press('ArrowRight');
+  await page.keyboard.press('ArrowUp');
+  assert.deepEqual([await get(page, 'az'), await get(page, 'el')], ['228', '45']);
+  assert.match(await page.$eval('#light-sun', (sun) => sun.getAttribute('aria-valuetext')), /228°.*45°/);
+  await page.evaluate(() => [...document.querySelectorAll('.light-kinds input')].at(-1).click());
+  assert.equal(await get(page, 'light'), 'point');
+  await page.focus('#light-lamp');
+  await page.keyboard.press('ArrowDown');
+  assert.equal(await get(page, 'ly'), '0.22');
+  await page.focus('#light-bulb');
+  await page.keyboard.press('ArrowUp');
+  assert.equal(await get(page, 'lz'), '0.42');
+  await done(page);
+  const lamp = await box(page, '#light-lamp');
+  const to = await spot(page, 0.7, 0.6);
+  await drag(page, { x: lamp.x + lamp.width / 2, y: lamp.y + lamp.height / 2 }, to);
+  await page.mouse.up();
+  assert.ok(Math.abs(Number(await get(page, 'lx')) - 0.7) < 0.02 && Math.abs(Number(await get(page, 'ly')) - 0.6) < 0.02);
+  await page.keyboard.press('Escape');
+  await page.focus('#light-bulb');
+  await page.keyboard.press('Escape');
+  assert.equal(await page.$eval('#light-bulb', (bulb) => bulb.checkVisibility()), false);
+  assert.equal(await page.evaluate(() => document.activeElement.id), 'light-button');
+  await close();
+});
+
+/** The numbers of a cell at a place of the sheet, as the module tells them. */
+function probe(page, fx, fy) {
+  return page.evaluate(
+    (x, y) => {
+      const { size, wanted, sides, neighbours, area } = window.bubblestone.probe(x * 192, y * 192);
+      return { size: `${size.toFixed(1)}, asked ${wanted.toFixed(1)}`, sides: String(sides), neighbours: String(neighbours), area: area.toFixed(0) };
+    },
+    fx,
+    fy,
+  );
+}
+
+const card = (page) => page.$$eval('.cell-card div', (rows) => Object.fromEntries(rows.map(({ children: [name, value] }) => [name.textContent.toLowerCase(), value.textContent])));
+
+test('the cell under the pointer is told, in the numbers of the module, and never while points are moved', async () => {
+  const { page, close } = await finished();
+  const at = await spot(page, 0.42, 0.55);
+  await page.mouse.move(at.x, at.y);
+  await page.waitForSelector('.cell-card', { visible: true });
+  const told = await card(page);
+  const { size, sides, neighbours, area } = await probe(page, 0.42, 0.55);
+  assert.deepEqual({ size: told.size, sides: told.sides, neighbours: told.neighbours, area: told.area }, { size, sides, neighbours, area });
+  const outline = await box(page, '#cells path');
+  assert.ok(outline.x <= at.x && at.x <= outline.right && outline.y <= at.y && at.y <= outline.bottom);
+  await page.click('#edit-outline');
+  await page.mouse.move(at.x + 3, at.y);
+  await frames(page, 15);
+  assert.equal(await page.$eval('.cell-card', (element) => element.checkVisibility()), false);
+  await close();
+});
+
+test('arrow keys walk from cell to cell and say what each is', async () => {
+  const { page, close } = await finished();
+  await page.focus('#cells');
+  const said = () => page.$eval('#cell-said', (text) => text.textContent);
+  const places = [];
+  for (const key of ['ArrowRight', 'ArrowRight', 'ArrowRight', 'ArrowDown']) {
+    await page.keyboard.press(key);
+    places.push(await box(page, '#cells path'));
+    assert.match(await said(), /Size [\d.]+, asked [\d.]+.*Sides \d+/);
+  }
+  const [a, b, c, d] = places.map(({ x, y, width, height }) => ({ x: x + width / 2, y: y + height / 2 }));
+  assert.ok(b.x > a.x + 5 && c.x > b.x + 5 && d.y > c.y + 5, JSON.stringify([a, b, c, d]));
+  // At the boundary there is no further cell.
+  for (let k = 0; k < 20; k += 1) await page.keyboard.press('ArrowRight');
+  assert.equal(await said(), 'No cell is there.');
+  await page.keyboard.press('ArrowLeft');
+  assert.match(await said(), /Size/);
+  await close();
+});
+
+test('layers are drawn over the picture, each with a sentence, and the canvas keeps its place', async () => {
+  const { page, problems, close } = await finished();
+  const place = await box(page, '#canvas');
+  await page.keyboard.press('o');
+  await page.waitForSelector('#layers', { visible: true });
+  assert.deepEqual(await box(page, '#canvas'), place);
+  const seen = new Set([(await canvas(page)).hash]);
+  const check = (word) => page.$eval(`#layers [value=${word}]`, (input) => input.click());
+  for (const word of ['size', 'packed', 'energy', 'cells', 'mesh', 'direction']) {
+    await page.$eval(`#layers [type=checkbox][value=${word}]`, (input) => input.click());
+    await frames(page, 3);
+    const { hash } = await canvas(page);
+    assert.ok(!seen.has(hash), word);
+    seen.add(hash);
+  }
+  assert.equal((await page.$$('.layers-legend dt')).length, 7);
+  await check('albedo');
+  await frames(page, 3);
+  assert.equal(await page.$eval('#view', (select) => select.value), 'albedo');
+  assert.ok(!seen.has((await canvas(page)).hash));
+  await page.keyboard.press('9');
+  assert.equal(await page.$eval('#layers [value=size]', (input) => input.disabled), true);
+  await page.focus('#layers [value=potential]');
+  await page.keyboard.press('Escape');
+  assert.equal(await page.$eval('#layers', (layers) => layers.hidden), true);
+  assert.equal(await page.evaluate(() => document.activeElement.id), 'layers-button');
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('plots follow the packing, in points and in words', async () => {
+  const { page, problems, close } = await finished();
+  const place = await box(page, '#canvas');
+  await page.click('#plots-button');
+  await page.waitForSelector('#plots canvas', { visible: true });
+  assert.deepEqual(await box(page, '#canvas'), place);
+  const said = (id) => page.$eval(`#${id} .plot-said`, (text) => text.textContent);
+  const inked = (id) =>
+    page.$eval(`#${id} canvas`, (plot) => {
+      const { data } = plot.getContext('2d').getImageData(0, 0, plot.width, plot.height);
+      let sum = 0;
+      for (let k = 3; k < data.length; k += 4) sum = (sum * 31 + data[k] * k) % 1e9;
+      return sum;
+    });
+  const ids = ['plot-energy', 'plot-move', 'plot-size', 'plot-angle'];
+  for (const id of ids) assert.notEqual(await inked(id), 0);
+  const taken = await steps(page);
+  assert.ok((await said('plot-energy')).startsWith(`After ${taken} steps`));
+  assert.match(await said('plot-size'), /^\d+ % of \d+ cells/);
+  const before = await inked('plot-energy');
+  await page.click('#play');
+  await page.click('#restart');
+  await page.waitForFunction(() => window.bubblestone.stage !== 'done' && document.documentElement.dataset.stage === 'packing');
+  for (let k = 0; k < 3; k += 1) await page.click('#step');
+  await page.waitForFunction(() => /^After 3 steps/.test(document.querySelector('#plot-energy .plot-said').textContent));
+  assert.notEqual(await inked('plot-energy'), before);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('the picture is repeated side by side, and cells are told of in each', async () => {
+  const { page, problems, close } = await finished('#size=192&cs=16&tile=1');
+  await page.keyboard.press('t');
+  await page.waitForSelector('.tiles', { visible: true });
+  assert.equal(await page.$eval('#tile-word', (word) => word.textContent), 'Repeat: 2 × 2');
+  const [same, side] = await page.$eval('.tiles', (tiles) => {
+    const half = tiles.width / 2;
+    const part = (x, y) => tiles.getContext('2d').getImageData(x * half, y * half, half, half).data.join();
+    return [[part(1, 0), part(0, 1), part(1, 1)].every((other) => other === part(0, 0)), tiles.width];
+  });
+  assert.ok(same);
+  assert.equal(side, 384);
+  const at = await spot(page, 0.75, 0.75);
+  await page.mouse.move(at.x, at.y);
+  await page.waitForSelector('.cell-card', { visible: true });
+  const { size } = await probe(page, 0.5, 0.5);
+  assert.equal((await card(page)).size, size);
+  const outline = await box(page, '#cells path');
+  assert.ok(outline.x <= at.x && at.x <= outline.right);
+  await page.keyboard.press('t');
+  await page.waitForFunction(() => document.querySelector('.tiles').width === 576);
+  await page.keyboard.press('t');
+  assert.equal(await page.$eval('.tiles', (tiles) => tiles.hidden), true);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('another recipe is compared under a divider, made beside the shown one', async () => {
+  const { page, problems, close } = await finished();
+  const shown = await digest(page);
+  const other = () => page.$eval('.other', (element) => element.toDataURL().length + element.toDataURL().slice(-400));
+  const settled = () => page.waitForFunction(() => document.querySelector('.compare-progress')?.textContent === '', { timeout: 60_000 });
+  await page.keyboard.press('v');
+  await page.waitForSelector('#divider', { visible: true });
+  await settled();
+  const voronoi = await other();
+  assert.notEqual(voronoi, await page.$eval('#canvas', (element) => element.toDataURL().length + element.toDataURL().slice(-400)));
+  assert.equal(await digest(page), shown);
+  assert.equal(await get(page, 'cells'), 'fitted');
+  // The keyboard moves the divider; what is left of it is the other one.
+  const clip = () => page.$eval('.other', (element) => getComputedStyle(element).clipPath);
+  const before = await clip();
+  for (let k = 0; k < 10; k += 1) await page.keyboard.press('ArrowRight');
+  assert.equal(await page.$eval('#divider', (divider) => divider.value), '60');
+  assert.notEqual(await clip(), before);
+  await page.select('#compare-with', 'before');
+  await frames(page, 3);
+  await settled();
+  const same = await page.evaluate(() => document.querySelector('.other').toDataURL() === document.querySelector('#canvas').toDataURL());
+  assert.ok(same, 'the recipe as it was is the shown one');
+  await page.keyboard.press('3');
+  await frames(page, 5);
+  assert.ok(await page.evaluate(() => document.querySelector('.other').toDataURL() === document.querySelector('#canvas').toDataURL()));
+  await page.select('#compare-with', 'link');
+  await page.type('#compare-link', 'https://example.org/#size=192&cs=24');
+  await page.keyboard.press('Tab');
+  await settled();
+  assert.notEqual(await other(), voronoi);
+  await page.focus('#divider');
+  await page.keyboard.press('Escape');
+  assert.equal(await page.$eval('.other', (element) => element.checkVisibility()), false);
+  assert.equal(await page.evaluate(() => document.activeElement.id), 'compare-button');
+  assert.deepEqual(problems, []);
+  await close();
+});

@@ -1,0 +1,46 @@
+/** The buttons of chance: one that throws all that is not locked, and a dice and a lock for each group. */
+import type { Controls } from './controls';
+import { byId, make } from './dom';
+import { isLocked, onLocks, toggleLock } from './locks';
+import { notice } from './messages';
+import { SEED } from './seed';
+import { groupIn, t } from './words';
+import type { Work } from './work';
+
+/** `push` is called before a change that the browser's Back button shall take back. */
+export function makeChances(work: Work, controls: Controls, push: () => void): void {
+  const { engine, store } = work;
+  const throwAll = (groups: readonly string[]): void => {
+    // What good values are comes only when it is asked for.
+    import('./chance').then(
+      ({ thrown }) => {
+        const free = groups.filter((group) => !isLocked(store, group));
+        const values = thrown(Math.random, free, engine.schema, (key) => engine.get(key));
+        if (groups.length > 1 && !isLocked(store, SEED)) values.push([SEED, String(engine.randomSeed())]);
+        push();
+        work.setAll(values);
+      },
+      () => notice('offline', t('not_loaded')),
+    );
+  };
+  const names: string[] = [];
+  for (const [name, element] of controls.groupings()) {
+    names.push(name);
+    const dice = signed('dice', t('throw_group', { group: groupIn(name) }));
+    dice.addEventListener('click', () => throwAll([name]));
+    const lock = signed('lock', t('lock_group', { group: groupIn(name) }));
+    lock.addEventListener('click', () => toggleLock(store, name));
+    onLocks(store, () => {
+      lock.setAttribute('aria-pressed', String(isLocked(store, name)));
+      dice.disabled = isLocked(store, name);
+    });
+    element.prepend(make('div', { class: 'chances' }, dice, lock));
+  }
+  byId('throw').addEventListener('click', () => throwAll(names));
+}
+
+/** A button with the sign of one that the page has already. */
+function signed(like: 'dice' | 'lock', words: string): HTMLButtonElement {
+  const signs = Array.from(byId(like === 'lock' ? 'seed-lock' : 'dice').querySelectorAll('svg'), (sign) => sign.cloneNode(true));
+  return make('button', { type: 'button', class: `key ${like}`, title: words, 'aria-label': words }, ...signs);
+}

@@ -1,0 +1,216 @@
+/** The sun, or the lamp, on the picture: handles to drag, or to move by arrow keys. Only the light is worked out anew. */
+import { byId, make } from '../dom';
+import type { Engine } from '../engine';
+import type { Store } from '../store';
+import { t } from './words';
+import type { Work } from '../work';
+import '../styles/look.css';
+
+const SVG = 'http://www.w3.org/2000/svg';
+
+/** The sun at the horizon stands so far from the middle of the sheet, in its sides. */
+const HORIZON = 0.46;
+
+/** How far the lamp's bulb is drawn from its foot: a least, and so much for each side of height; downwards near the upper edge. */
+const POST = [0.07, 0.12] as const;
+const UPPER = 0.16;
+
+/** What an arrow key does: degrees, and sides of the picture. */
+const TURN = 3;
+const NUDGE = 0.02;
+
+interface Spot {
+  x: number;
+  y: number;
+}
+
+export class LightOnCanvas {
+  private readonly work: Work;
+  private readonly engine: Engine;
+  private readonly store: Store;
+  private readonly sheet = byId('sheet');
+  private readonly layer = make('div', { class: 'light-layer' });
+  private readonly line = document.createElementNS(SVG, 'line');
+  private readonly horizon = document.createElementNS(SVG, 'circle');
+  private readonly sun = handle('sun', 'sun_place');
+  private readonly foot = handle('lamp', 'lamp_place');
+  private readonly bulb = handle('bulb', 'lamp_height');
+  private readonly choice: HTMLElement;
+  private readonly kinds: [string, HTMLInputElement][];
+  /** The values to be set in the next frame. */
+  private waiting: Record<string, number> = {};
+  private frame = 0;
+
+  constructor(work: Work) {
+    this.work = work;
+    this.engine = work.engine;
+    this.store = work.store;
+    const svg = document.createElementNS(SVG, 'svg');
+    svg.setAttribute('viewBox', '0 0 1 1');
+    svg.setAttribute('aria-hidden', 'true');
+    this.horizon.setAttribute('cx', '0.5');
+    this.horizon.setAttribute('cy', '0.5');
+    this.horizon.setAttribute('r', String(HORIZON));
+    svg.append(this.horizon, this.line);
+    this.kinds = [
+      ['parallel', make('input', { type: 'radio', name: 'light-kind' })],
+      ['point', make('input', { type: 'radio', name: 'light-kind' })],
+    ];
+    const [sun, lamp] = this.kinds.map(([kind, radio]) => {
+      radio.addEventListener('change', () => work.set('light', kind));
+      return radio;
+    });
+    this.choice = make(
+      'fieldset',
+      { class: 'segments light-kinds' },
+      make('legend', { class: 'said' }, t('light_which')),
+      ...[[sun, t('sun')] as const, [lamp, t('lamp')] as const].map(([radio, word]) => make('label', {}, ...(radio ? [radio] : []), make('span', {}, word))),
+    );
+    this.layer.append(svg, this.sun, this.foot, this.bulb);
+    this.layer.hidden = true;
+    this.sheet.append(this.choice);
+    this.dragged(this.sun, (at) => this.aim(at));
+    this.dragged(this.foot, ({ x, y }) => this.put({ lx: x, ly: y }));
+    this.dragged(this.bulb, ({ y }) => this.put({ lz: ((y - this.footAt().y) * this.upwards() - POST[0]) / POST[1] }));
+    this.keys(this.sun, (dx, dy) => ({ az: (this.number('az') + dx * TURN + 360) % 360, el: this.number('el') - dy * TURN }));
+    this.keys(this.foot, (dx, dy) => ({ lx: this.number('lx') + dx * NUDGE, ly: this.number('ly') + dy * NUDGE }));
+    this.keys(this.bulb, (dx, dy) => ({ lz: this.number('lz') + (dx - dy) * NUDGE }));
+    this.store.on(['recipe'], () => this.place());
+    for (const place of [this.layer, this.choice]) {
+      place.addEventListener('keydown', ({ key }) => {
+        if (key !== 'Escape') return;
+        byId('light-button').focus();
+        this.store.update({ light: false });
+      });
+    }
+  }
+
+  show(on: boolean): void {
+    this.layer.hidden = this.choice.hidden = !on;
+    this.place();
+  }
+
+  private number(key: string): number {
+    return this.waiting[key] ?? Number(this.engine.get(key));
+  }
+
+  private footAt(): Spot {
+    const inside = (v: number): number => Math.min(Math.max(v, 0.02), 0.98);
+    return { x: inside(this.number('lx')), y: inside(this.number('ly')) };
+  }
+
+  private upwards(): 1 | -1 {
+    return this.footAt().y < UPPER ? 1 : -1;
+  }
+
+  /** From the middle of the sheet to the pointer: where the light comes from, and how low. */
+  private aim({ x, y }: Spot): void {
+    const far = Math.min(Math.hypot(x - 0.5, y - 0.5) / HORIZON, 1);
+    const azimuth = (Math.atan2(y - 0.5, x - 0.5) * 180) / Math.PI;
+    this.put({ az: (Math.round(azimuth) + 360) % 360, el: 90 - far * 90 });
+  }
+
+  /** Sets values in the next frame, the last ones that came; they are in the hand until the end of the drag. */
+  private put(values: Record<string, number>): void {
+    Object.assign(this.waiting, values);
+    this.frame ||= requestAnimationFrame(() => this.hand(true));
+  }
+
+  private hand(held: boolean): void {
+    cancelAnimationFrame(this.frame);
+    this.frame = 0;
+    const values = Object.entries(this.waiting);
+    this.waiting = {};
+    for (const [key, value] of values) {
+      const row = this.engine.schema.find((parameter) => parameter.key === key);
+      if (!row) continue;
+      const steps = Math.round(value / row.step) * row.step;
+      this.work.write(key, String(Number(Math.min(Math.max(steps, row.min), row.max).toFixed(3))), true);
+    }
+    if (!held) this.store.update({ held: false });
+  }
+
+  private dragged(element: HTMLElement, to: (at: Spot) => void): void {
+    let off: Spot = { x: 0, y: 0 };
+    const at = (event: PointerEvent): Spot => {
+      const box = this.layer.getBoundingClientRect();
+      return { x: (event.clientX - box.left) / box.width, y: (event.clientY - box.top) / box.height };
+    };
+    element.addEventListener('pointerdown', (event) => {
+      if (event.button) return;
+      element.setPointerCapture(event.pointerId);
+      const [box, layer] = [element.getBoundingClientRect(), this.layer.getBoundingClientRect()];
+      const now = at(event);
+      off = { x: (box.left + box.width / 2 - layer.left) / layer.width - now.x, y: (box.top + box.height / 2 - layer.top) / layer.height - now.y };
+    });
+    element.addEventListener('pointermove', (event) => {
+      if (!element.hasPointerCapture(event.pointerId)) return;
+      const { x, y } = at(event);
+      to({ x: x + off.x, y: y + off.y });
+    });
+    element.addEventListener('lostpointercapture', () => this.hand(false));
+  }
+
+  /** Arrow keys; with Shift five times as far. The values stay in the hand until the key rises. */
+  private keys(element: HTMLElement, to: (dx: number, dy: number) => Record<string, number>): void {
+    element.addEventListener('keydown', (event) => {
+      const [dx, dy] = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[event.key] ?? [0, 0];
+      if ((!dx && !dy) || event.ctrlKey || event.metaKey || event.altKey) return;
+      event.preventDefault();
+      const by = event.shiftKey ? 5 : 1;
+      Object.assign(this.waiting, to((dx ?? 0) * by, (dy ?? 0) * by));
+      this.hand(true);
+    });
+    for (const end of ['keyup', 'blur']) element.addEventListener(end, () => this.store.state.held && this.hand(false));
+  }
+
+  /** Puts handles and words where the recipe has the light. */
+  private place(): void {
+    if (this.layer.hidden) return;
+    const kind = this.engine.get('light');
+    for (const [word, radio] of this.kinds) radio.checked = word === kind;
+    const lamp = kind === 'point';
+    // The lamp has its place in the picture, the sun about the sheet.
+    const over = lamp ? byId('pane') : this.sheet;
+    if (this.layer.parentElement !== over) over.append(this.layer);
+    this.sun.hidden = lamp;
+    this.foot.hidden = this.bulb.hidden = !lamp;
+    this.horizon.toggleAttribute('hidden', lamp);
+    if (lamp) this.placeLamp();
+    else this.placeSun();
+  }
+
+  private placeSun(): void {
+    const [az, el] = [this.number('az'), this.number('el')];
+    const far = HORIZON * (1 - el / 90);
+    const at = { x: 0.5 + far * Math.cos((az * Math.PI) / 180), y: 0.5 + far * Math.sin((az * Math.PI) / 180) };
+    stand(this.sun, at, az, [0, 360], t('sun_said', { az, el }));
+    this.draw(at, { x: 0.5, y: 0.5 });
+  }
+
+  private placeLamp(): void {
+    const [lx, ly, lz] = [this.number('lx'), this.number('ly'), this.number('lz')];
+    const at = this.footAt();
+    const top = { x: at.x, y: Math.max(at.y + this.upwards() * (POST[0] + POST[1] * lz), 0.02) };
+    stand(this.foot, at, lx, [-1, 2], t('lamp_said', { x: lx.toFixed(2), y: ly.toFixed(2) }));
+    stand(this.bulb, top, lz, [0.05, 2], t('lamp_height_said', { z: lz.toFixed(2) }));
+    this.draw(top, at);
+  }
+
+  private draw(from: Spot, to: Spot): void {
+    for (const [name, value] of Object.entries({ x1: from.x, y1: from.y, x2: to.x, y2: to.y })) this.line.setAttribute(name, String(value));
+  }
+}
+
+function handle(name: string, word: 'sun_place' | 'lamp_place' | 'lamp_height'): HTMLElement {
+  return make('div', { class: `light-handle ${name}`, id: `light-${name}`, role: 'slider', tabindex: '0', 'aria-label': t(word) });
+}
+
+function stand(element: HTMLElement, { x, y }: Spot, now: number, [from, to]: [number, number], said: string): void {
+  element.style.left = `${100 * x}%`;
+  element.style.top = `${100 * y}%`;
+  element.setAttribute('aria-valuemin', String(from));
+  element.setAttribute('aria-valuemax', String(to));
+  element.setAttribute('aria-valuenow', String(now));
+  element.setAttribute('aria-valuetext', said);
+}

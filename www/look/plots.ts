@@ -1,0 +1,169 @@
+/** How the packing goes and how its cells are, in plots that follow the work. */
+import uPlot from 'uplot';
+import { byId, make, say } from '../dom';
+import type { Engine } from '../engine';
+import type { Histogram } from '../types';
+import type { View } from '../view';
+import { t, type Word } from './words';
+import 'uplot/dist/uPlot.min.css';
+import '../styles/look.css';
+
+/** Milliseconds between two drawings. */
+const PAUSE = 120;
+
+const HEIGHT = 112;
+
+/** Cells within these bounds are told of: shares of the size asked for, degrees. */
+const SIZE_BAND = 0.1;
+const ANGLE_BAND = 5;
+
+interface Drawn {
+  readonly data: uPlot.AlignedData;
+  readonly said: string;
+}
+
+interface Plot {
+  readonly place: HTMLElement;
+  readonly said: HTMLElement;
+  readonly read: () => Drawn;
+  readonly make: (width: number) => uPlot.Options;
+  plot?: uPlot;
+}
+
+export class Plots {
+  private readonly engine: Engine;
+  private readonly section = byId('plots');
+  private readonly plots: Plot[];
+  private readonly narrow = matchMedia('(max-width: 60rem)');
+  private last = 0;
+  private timer = 0;
+
+  constructor(engine: Engine, view: View) {
+    this.engine = engine;
+    this.plots = [
+      this.plot('plot_energy', lines('axis_step'), () => {
+        const { step, energy } = engine.series();
+        return { data: [step, energy], said: said('plot_energy_said', step, energy) };
+      }),
+      this.plot('plot_move', lines('axis_step', true), () => {
+        const { step, move } = engine.series();
+        return { data: [step, move.map((v) => Math.max(v, 1e-6))], said: said('plot_move_said', step, move) };
+      }),
+      this.plot('plot_size', bars('axis_size'), () => counted(engine.histograms().size, 'plot_size_said', 1 - SIZE_BAND, 1 + SIZE_BAND)),
+      this.plot('plot_angle', bars('axis_angle'), () => counted(engine.histograms().angle, 'plot_angle_said', 0, ANGLE_BAND)),
+    ];
+    view.drawn(() => this.soon());
+    this.narrow.addEventListener('change', () => this.settle());
+    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.plots.forEach(({ plot }) => plot?.redraw(false, true)));
+    new ResizeObserver(() => this.fit()).observe(this.section);
+    this.settle();
+  }
+
+  show(on: boolean): void {
+    this.section.hidden = !on;
+    if (on) this.draw();
+  }
+
+  /** On a narrow page the plots stand under the picture, else above the controls. */
+  private settle(): void {
+    if (this.narrow.matches) document.querySelector('.stage')?.append(this.section);
+    else byId('panel').prepend(this.section);
+  }
+
+  private plot(word: Word, make_: Plot['make'], read: Plot['read']): Plot {
+    const place = make('div', { class: 'plot', 'aria-hidden': 'true' });
+    const text = make('span', { class: 'plot-said' });
+    this.section.append(make('figure', { id: word.replace('_', '-') }, make('figcaption', {}, make('b', {}, t(word)), ' ', text), place));
+    return { place, said: text, read, make: make_ };
+  }
+
+  /** At once, or a moment after the last time. */
+  private soon(): void {
+    if (this.section.hidden || this.timer) return;
+    this.timer = window.setTimeout(() => this.draw(), Math.max(0, this.last + PAUSE - performance.now()));
+  }
+
+  private draw(): void {
+    clearTimeout(this.timer);
+    this.timer = 0;
+    this.last = performance.now();
+    if (this.section.hidden || !this.engine.alive) return;
+    for (const plot of this.plots) {
+      const { data, said: sentence } = plot.read();
+      say(plot.said, sentence);
+      if (plot.plot) plot.plot.setData(data);
+      else plot.plot = new uPlot(plot.make(plot.place.clientWidth), data, plot.place);
+    }
+  }
+
+  private fit(): void {
+    for (const { plot, place } of this.plots) {
+      const width = place.clientWidth;
+      if (plot && width && plot.width !== width) plot.setSize({ width, height: HEIGHT });
+    }
+  }
+}
+
+/** Colours are those of the page at the time of drawing. */
+const colour = (name: string) => (): string => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+
+function axes(word: Word, log: boolean): uPlot.Axis[] {
+  const plain = { stroke: colour('--soft'), font: '11px system-ui, sans-serif', ticks: { stroke: colour('--line'), size: 4, width: 1 }, grid: { stroke: colour('--line'), width: 1 } };
+  return [
+    { ...plain, size: 22, gap: 2, grid: { show: false }, label: t(word), labelSize: 14, labelFont: '11px system-ui, sans-serif', labelGap: 0 },
+    { ...plain, size: 44, gap: 4, space: 18, values: (_, marks) => marks.map((mark: number | null) => (mark === null ? '' : short(mark))), ...(log ? { filter: decades, grid: { ...plain.grid, filter: decades }, ticks: { ...plain.ticks, filter: decades } } : {}) },
+  ];
+}
+
+/** Of a logarithmic scale only the powers of ten. */
+function decades(_: uPlot, marks: number[]): (number | null)[] {
+  return marks.map((mark) => (Math.abs(Math.log10(mark) - Math.round(Math.log10(mark))) < 1e-9 ? mark : null));
+}
+
+const still = { cursor: { show: false }, legend: { show: false }, height: HEIGHT, padding: [6, 8, 0, 0] as uPlot.Padding };
+
+function lines(word: Word, log = false): Plot['make'] {
+  return (width) => ({
+    ...still,
+    width,
+    // uPlot's enum has no value at run time: 3 is its logarithmic scale.
+    // eslint-disable-next-line @typescript-eslint/no-unsafe-enum-assignment
+    scales: { x: { time: false }, y: log ? { distr: 3 } : {} },
+    axes: axes(word, log),
+    series: [{}, { stroke: colour('--accent'), width: 1.5, points: { show: false } }],
+  });
+}
+
+function bars(word: Word): Plot['make'] {
+  return (width) => ({
+    ...still,
+    width,
+    scales: { x: { time: false }, y: { range: (_: uPlot, __: number, most: number) => [0, Math.max(most, 1)] as uPlot.Range.MinMax } },
+    axes: axes(word, false),
+    series: [{}, { stroke: colour('--accent'), fill: colour('--accent'), width: 0, points: { show: false }, ...(uPlot.paths.bars ? { paths: uPlot.paths.bars({ size: [0.86, 40] }) } : {}) }],
+  });
+}
+
+/** What a row of numbers came to, and from where. */
+function said(word: 'plot_energy_said' | 'plot_move_said', step: Float64Array, values: Float64Array): string {
+  const [now, first] = [values.at(-1), values[0]];
+  if (now === undefined || first === undefined) return t('plot_none');
+  return t(word, { step: step.at(-1) ?? 0, now: short(now), first: short(first) });
+}
+
+/** The middles of the classes with their counts, and the share of cells between two bounds. */
+function counted({ from, to, counts }: Histogram, word: 'plot_size_said' | 'plot_angle_said', low: number, high: number): Drawn {
+  const wide = (to - from) / (counts.length || 1);
+  const middles = Array.from(counts, (_, k) => from + (k + 0.5) * wide);
+  const n = counts.reduce((sum, count) => sum + count, 0);
+  const inside = middles.reduce((sum, at, k) => sum + (at > low && at < high ? (counts[k] ?? 0) : 0), 0);
+  const share = n ? Math.round((100 * inside) / n) : 0;
+  return { data: [middles, Array.from(counts)], said: n ? t(word, { share, n }) : t('plot_none') };
+}
+
+/** Three digits that count. */
+function short(value: number): string {
+  const size = Math.abs(value);
+  if (size >= 1e4) return `${short(value / 1000)}k`;
+  return String(Number(value.toPrecision(3))).replace('-', '−');
+}

@@ -1,0 +1,97 @@
+/** Pixels as PNG files, with 16 bits a channel where a map has them, which a canvas cannot do. */
+import type { PixelMap } from '../types';
+import { breath } from './working';
+
+const SIGNATURE = [137, 80, 78, 71, 13, 10, 26, 10];
+/** Each row as the difference to the one above (PNG specification, section 9). */
+const UP = 2;
+
+/** Bytes that are packed between two breaths of the page. */
+const SLICE = 100_000;
+
+/** A file that is written row after row. */
+export class PngWriter {
+  private readonly head = new Uint8Array(13);
+  private readonly row: number;
+  private readonly above: Uint8Array;
+  private readonly into: WritableStreamDefaultWriter<BufferSource>;
+  private readonly packed: Promise<ArrayBuffer>;
+
+  constructor(side: number, channels: number, bits: number) {
+    const view = new DataView(this.head.buffer);
+    view.setUint32(0, side);
+    view.setUint32(4, side);
+    this.head.set([bits, channels === 1 ? 0 : 2], 8);
+    this.row = (side * channels * bits) / 8;
+    this.above = new Uint8Array(this.row);
+    // The browser's “deflate” is the format of zlib that PNG asks for.
+    const stream = new CompressionStream('deflate');
+    this.into = stream.writable.getWriter();
+    this.packed = new Response(stream.readable).arrayBuffer();
+  }
+
+  /** Whole rows from the top. */
+  async write(rows: Uint8Array): Promise<void> {
+    const most = Math.max(1, Math.floor(SLICE / this.row)) * this.row;
+    for (let at = 0; at < rows.length; at += most) {
+      await this.into.write(this.filtered(rows.subarray(at, at + most)));
+      await breath();
+    }
+  }
+
+  async finish(): Promise<Uint8Array> {
+    await this.into.close();
+    const packed = new Uint8Array(await this.packed);
+    return joined([Uint8Array.from(SIGNATURE), chunk('IHDR', this.head), chunk('IDAT', packed), chunk('IEND', new Uint8Array())]);
+  }
+
+  private filtered(bytes: Uint8Array): Uint8Array<ArrayBuffer> {
+    const { row, above } = this;
+    const rows = bytes.length / row;
+    const out = new Uint8Array(bytes.length + rows);
+    for (let y = 0, at = 0; y < rows; y += 1) {
+      out[at++] = UP;
+      const line = bytes.subarray(y * row, (y + 1) * row);
+      for (let k = 0; k < row; k += 1) out[at++] = (line[k] ?? 0) - (above[k] ?? 0);
+      above.set(line);
+    }
+    return out;
+  }
+}
+
+export async function png({ side, channels, bits, bytes }: PixelMap): Promise<Uint8Array> {
+  const writer = new PngWriter(side, channels, bits);
+  await writer.write(bytes);
+  return writer.finish();
+}
+
+function chunk(name: string, content: Uint8Array): Uint8Array {
+  const named = joined([new TextEncoder().encode(name), content]);
+  const ends = new Uint8Array(8);
+  const view = new DataView(ends.buffer);
+  view.setUint32(0, content.length);
+  view.setUint32(4, crc(named));
+  return joined([ends.subarray(0, 4), named, ends.subarray(4)]);
+}
+
+const REMAINDERS = Uint32Array.from({ length: 256 }, (_, byte) => {
+  let rest = byte;
+  for (let bit = 0; bit < 8; bit += 1) rest = rest & 1 ? (rest >>> 1) ^ 0xedb88320 : rest >>> 1;
+  return rest;
+});
+
+function crc(bytes: Uint8Array): number {
+  let rest = 0xffffffff;
+  for (const byte of bytes) rest = (REMAINDERS[(rest ^ byte) & 255] ?? 0) ^ (rest >>> 8);
+  return (rest ^ 0xffffffff) >>> 0;
+}
+
+function joined(parts: Uint8Array[]): Uint8Array {
+  const out = new Uint8Array(parts.reduce((sum, part) => sum + part.length, 0));
+  let at = 0;
+  for (const part of parts) {
+    out.set(part, at);
+    at += part.length;
+  }
+  return out;
+}

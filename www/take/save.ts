@@ -1,0 +1,121 @@
+/** The dialog of all that can be saved: pictures, drawings, an animation, files for other programs, the recipe. */
+import { make } from '../dom';
+import type { Engine } from '../engine';
+import { notice, passing } from '../messages';
+import type { Store } from '../store';
+import type { Work } from '../work';
+import { dialogOf } from './dialog';
+import { recipeFile, recipeIn } from './recipe-file';
+import { t } from './words';
+import { breath, BUDGET, working, type Task } from './working';
+
+export interface Saving {
+  engine: Engine;
+  store: Store;
+  work: Work;
+  canvas: HTMLCanvasElement;
+}
+
+export function save({ engine, store, work, canvas }: Saving): void {
+  const name = (ending: string): string => `bubblestone-${engine.get('outline')}-${engine.get('seed')}${ending}`;
+  const normals = make(
+    'select',
+    { id: 'normals' },
+    make('option', { value: 'normal-opengl' }, 'OpenGL (+Y)'),
+    make('option', { value: 'normal-directx' }, 'DirectX (−Y)'),
+  );
+  normals.addEventListener('change', () => (chosenNormals = normals.value));
+  normals.value = chosenNormals;
+  const button = (id: string, word: string, ending: string, making: (task: Task) => Promise<Blob>): HTMLButtonElement => {
+    const made = make('button', { type: 'button', class: 'key', id }, word);
+    made.addEventListener('click', () => {
+      dialog.close();
+      void working(name(ending), making);
+    });
+    return made;
+  };
+  const shown = store.state.view === 'auto' ? 'picture' : store.state.view;
+  const pixels = button('save-png', t('pixels', { n: canvas.width }), `-${shown}.png`, () => shownPng(canvas));
+  pixels.setAttribute('aria-label', t('pixels_label', { n: canvas.width }));
+  const file = make('input', { type: 'file', accept: '.json,application/json', hidden: '', 'aria-label': t('open_label') });
+  const open = make('button', { type: 'button', class: 'key', id: 'open-recipe', 'aria-label': t('open_label') }, t('open'));
+  open.addEventListener('click', () => file.click());
+  file.addEventListener('change', () => {
+    const [chosen] = file.files ?? [];
+    dialog.close();
+    if (chosen) void openRecipe(work, chosen).then((known) => known || notice('files', t('not_json', { name: chosen.name })));
+  });
+  const dialog = dialogOf(
+    'save-dialog',
+    t('save'),
+    row(t('picture'), t('picture_note'), pixels),
+    row(t('cells'), t('cells_note'), button('save-svg', 'SVG', '.svg', () => svg(engine))),
+    row(t('forming'), t('forming_note'), button('save-gif', 'GIF', '.gif', async (task) => (await import('./forming')).formingGif(engine, task))),
+    row(
+      t('maps'),
+      t('maps_note'),
+      make('label', { class: 'said', for: 'normals' }, t('normals')),
+      normals,
+      button('save-maps', 'ZIP', '-maps.zip', (task) => maps(engine, normals.value, task)),
+    ),
+    row(
+      t('mesh'),
+      t('mesh_note'),
+      button('save-glb', 'GLB', '.glb', (task) => mesh(engine, 'glb', 'model/gltf-binary', task)),
+      button('save-obj', 'OBJ', '.obj', (task) => mesh(engine, 'obj', 'model/obj', task)),
+    ),
+    row(t('recipe'), t('recipe_note'), button('save-recipe', 'JSON', '.json', () => Promise.resolve(recipeFile(engine))), open, file),
+  );
+}
+
+/** Which normals were asked for last. */
+let chosenNormals = 'normal-opengl';
+
+function row(what: string, note: string, ...ways: HTMLElement[]): HTMLElement {
+  return make(
+    'section',
+    { class: 'take-save', role: 'group', 'aria-label': what },
+    make('div', {}, make('h3', {}, what), make('p', { class: 'take-note' }, note)),
+    make('div', { class: 'take-ways' }, ...ways),
+  );
+}
+
+/** Opens a recipe's file; false where it is something else. */
+export async function openRecipe(work: Work, file: File): Promise<boolean> {
+  const recipe = recipeIn(await file.text());
+  if (recipe === undefined) return false;
+  work.open(recipe, true);
+  passing('files', t('opened', { name: file.name }));
+  return true;
+}
+
+async function shownPng(canvas: HTMLCanvasElement): Promise<Blob> {
+  const blob = await new Promise<Blob | null>((resolve) => canvas.toBlob(resolve, 'image/png'));
+  if (!blob) throw new Error(t('no_png'));
+  return blob;
+}
+
+async function svg(engine: Engine): Promise<Blob> {
+  await breath();
+  const text = engine.svg();
+  if (!text) throw new Error(t('no_svg'));
+  return new Blob([text], { type: 'image/svg+xml' });
+}
+
+async function maps(engine: Engine, normals: string, task: Task): Promise<Blob> {
+  if (typeof CompressionStream !== 'function') throw new Error(t('old'));
+  const { mapsZip } = await import('./maps-zip');
+  return mapsZip(engine, normals, task);
+}
+
+async function mesh(engine: Engine, ending: string, type: string, { signal }: Task): Promise<Blob> {
+  let parts: BlobPart[] = [];
+  for (;;) {
+    await breath();
+    signal.throwIfAborted();
+    const slice = engine.meshFile(ending, BUDGET);
+    if (typeof slice === 'string') throw new Error(slice);
+    parts = slice.begun ? slice.parts : parts.concat(slice.parts);
+    if (slice.done) return new Blob(parts, { type });
+  }
+}
