@@ -25,9 +25,11 @@ export function bindKeys(...more: Binding[]): void {
 const AT_POINTS: readonly [shown: string[], word: Word][] = [
   [['← ↑ → ↓'], 'key_move'],
   [['Shift'], 'key_far'],
+  [['Shift'], 'key_snap'],
   [['Ctrl'], 'key_whole'],
   [['Insert'], 'key_insert'],
   [['Delete'], 'key_delete'],
+  [['Enter'], 'key_finish'],
   [['Esc'], 'key_escape'],
 ];
 
