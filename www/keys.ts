@@ -26,9 +26,11 @@ const ON_PICTURE: readonly [shown: string[], word: Word][] = [
   [['← ↑ → ↓'], 'key_walk'],
   [['← ↑ → ↓'], 'key_move'],
   [['Shift'], 'key_far'],
+  [['Shift'], 'key_snap'],
   [['Ctrl'], 'key_whole'],
   [['Insert'], 'key_insert'],
   [['Delete'], 'key_delete'],
+  [['Enter'], 'key_finish'],
   [['Esc'], 'key_escape'],
 ];
 

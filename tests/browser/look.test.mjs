@@ -91,6 +91,7 @@ test('the wheel zooms towards the pointer, dragging moves the picture, and a dou
 test('points that are edited keep their size when the picture is zoomed, and go where they are dragged', async () => {
   const { page, close } = await finished();
   await page.click('#edit-outline');
+  await page.waitForSelector('.handle');
   const before = await box(page, '.handle');
   const sheet = await box(page, '#sheet');
   // Beside the point, so that the wheel is over the picture.
