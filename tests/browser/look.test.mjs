@@ -103,7 +103,7 @@ test('points that are edited keep their size when the picture is zoomed, and go 
   await frames(page, 2);
   assert.ok((await factor(page)) > 1.5);
   const handle = await box(page, '.handle');
-  assert.equal(handle.width, before.width);
+  assert.ok(Math.abs(handle.width - before.width) < 0.1, String(handle.width));
   const middle = centre(handle);
   const to = inwards(middle, 40);
   await drag(page, middle, to);
