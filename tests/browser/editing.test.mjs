@@ -22,12 +22,13 @@ async function edit(page, key) {
     button.closest('details').open = true;
     button.click();
   });
+  await page.waitForSelector('#editor:not([hidden])');
   await frames(page, 2);
 }
 
 /** Places of the handles on the screen. */
 function handles(page) {
-  return page.$$eval('.handle', (all) =>
+  return page.$$eval('button.handle', (all) =>
     all.map((handle) => {
       const box = handle.getBoundingClientRect();
       return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
@@ -76,7 +77,7 @@ test('a whole line is moved by its middle, and a double click gives it a point',
   await digest(page);
   await edit(page, 'lines');
   const before = await handles(page);
-  const middle = { x: (before[0].x + before[1].x) / 2, y: before[0].y };
+  const middle = { x: before[0].x * 0.7 + before[1].x * 0.3, y: before[0].y };
   await drag(page, middle, [10, 40]);
   const now = await handles(page);
   for (const k of [0, 1]) {
@@ -92,6 +93,7 @@ test('a line is added, moved, lengthened and removed by the keyboard alone', asy
   const plain = await digest(page);
   await page.focus('#p-lines');
   await page.keyboard.press('Enter');
+  await page.waitForSelector('.handle');
   await frames(page, 2);
   const named = () => page.evaluate(() => document.activeElement.getAttribute('aria-label'));
   assert.match(await named(), /^Point 1 of 2, line 1/);
@@ -224,15 +226,15 @@ test('what is edited is chosen under the canvas, and only what does something', 
   await digest(page);
   const words = () => page.$$eval('#edit-what option', (options) => options.map((option) => option.value));
   await edit(page, 'strokes');
-  assert.deepEqual(await words(), ['outline', 'lines', 'strokes', 'spots']);
+  assert.deepEqual(await words(), ['outline', 'road', 'lines', 'strokes', 'spots']);
   await page.select('#edit-what', 'lines');
   await page.click('#add-figure');
   await frames(page, 2);
-  assert.deepEqual(await words(), ['outline', 'lines', 'parts', 'strokes', 'spots']);
+  assert.deepEqual(await words(), ['outline', 'road', 'lines', 'parts', 'strokes', 'spots']);
   await page.select('#edit-what', 'outline');
   assert.equal(await get(page, 'outline'), 'polygon');
   assert.ok((await handles(page)).length >= 4);
-  assert.equal(await page.$eval('#add-figure', (button) => button.hidden), true);
+  assert.equal(await page.$eval('#add-figure', (button) => button.textContent), 'Add hole');
   await close();
 });
 

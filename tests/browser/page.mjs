@@ -84,3 +84,12 @@ export async function message(page, role, words) {
     words.flags,
   );
 }
+
+/** Chooses a tool of the editor by the mouse, or by a finger. @param {Page} page @param {string} name @param {boolean} [finger] */
+export async function tool(page, name, finger = false) {
+  const button = `[data-tool=${name}]`;
+  await page.$eval(button, (element) => element.scrollIntoView({ block: 'nearest', inline: 'center', behavior: 'instant' }));
+  if (finger) await page.tap(button);
+  else await page.click(button);
+  await page.waitForSelector('#editor:not([hidden]), dialog[open]');
+}

@@ -43,12 +43,13 @@ test('the canvas comes first and as wide as the screen, the controls below', asy
 test('nothing is wider than the screen', async () => {
   const { page, close } = await unfolded();
   await page.click('#edit-outline');
+  await page.waitForSelector('.handle');
   await page.select('#edit-what', 'spots');
   await page.click('#add-figure');
   const { wide, scroll } = await page.evaluate(() => ({
     scroll: document.documentElement.scrollWidth,
     wide: [...document.querySelectorAll('body *')]
-      .filter((element) => !element.closest('.rail, .editor') && element.getBoundingClientRect().right > innerWidth + 0.5)
+      .filter((element) => !element.closest('.rail, .editor, .toolbox') && element.getBoundingClientRect().right > innerWidth + 0.5)
       .map((element) => element.outerHTML.slice(0, 80)),
   }));
   assert.deepEqual(wide, []);

@@ -24,6 +24,12 @@ const shown = (selector, what) => async (/** @type {Page} */ page) => {
   await page.waitForSelector(what, { visible: true });
 };
 
+/** Clicks, and waits for what that opens. @param {string} selector @param {string} opened */
+const opening = (selector, opened) => async (/** @type {Page} */ page) => {
+  await click(selector)(page);
+  await page.waitForSelector(opened);
+};
+
 /** @param {(document: Document) => void} change */
 const change = (change) => (/** @type {Page} */ page) => page.evaluate(`(${change})(document)`);
 
@@ -32,8 +38,11 @@ export const states = {
   opening: { fragment: '', early: true },
   done: { fragment: '' },
   japanese: { fragment: '', before: (fresh) => fresh.evaluateOnNewDocument(() => localStorage.setItem('bubblestone.language', 'ja')) },
-  editing: { fragment: SQUARE, arrange: click('#edit-outline') },
-  spots: { fragment: `${SQUARE}&spots=0.5,0.5,0.2,0.4`, arrange: click('#p-spots') },
+  editing: { fragment: SQUARE, arrange: opening('#edit-outline', '.handle') },
+  road: { fragment: SQUARE, arrange: opening('[data-tool=road]', '.handle') },
+  letters: { fragment: SQUARE, arrange: opening('[data-tool=text]', '#letters') },
+  import: { fragment: SQUARE, arrange: opening('[data-tool=import]', '#outline-text') },
+  spots: { fragment: `${SQUARE}&spots=0.5,0.5,0.2,0.4`, arrange: opening('#p-spots', '.handle') },
   paused: { arrange: click('#play') },
   share: { few: true, arrange: shown('#share', '#share-dialog') },
   save: { few: true, arrange: shown('#save', '#save-dialog') },

@@ -14,10 +14,13 @@ export function contour(values: Float32Array, columns: number): Ring[] {
   for (let row = 0; row + 1 < rows; row += 1) {
     for (let column = 0; column + 1 < columns; column += 1) {
       const node = row * columns + column;
-      const [a, b, c, d] = [values[node] ?? 0, values[node + 1] ?? 0, values[node + columns + 1] ?? 0, values[node + columns] ?? 0];
-      const [top, right, bottom, left] = [2 * node, 2 * node + 3, 2 * (node + columns), 2 * node + 1];
+      const a = values[node] ?? 0;
+      const b = values[node + 1] ?? 0;
+      const c = values[node + columns + 1] ?? 0;
+      const d = values[node + columns] ?? 0;
       const inside = (a > 0 ? 1 : 0) + (b > 0 ? 2 : 0) + (c > 0 ? 4 : 0) + (d > 0 ? 8 : 0);
       if (inside === 0 || inside === 15) continue;
+      const [top, right, bottom, left] = [2 * node, 2 * node + 3, 2 * (node + columns), 2 * node + 1];
       const full = a + b + c + d > 0;
       // One corner inside, or all but one; then sides; then opposite corners.
       if (inside === 1 || (inside === 5 && !full)) next.set(top, left);

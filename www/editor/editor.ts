@@ -136,12 +136,12 @@ export class Editor {
     const { sort } = this;
     if (!sort) return;
     this.sheet.place(sort, this.figures, this.marked, this.side);
-    this.sheet.rim(this.needs.rim().map((ring) => drawn('ring', ring)).join(''));
     this.showBar();
   }
 
   showBar(): void {
     if (!this.sort) return;
+    this.sheet.rim(this.needs.rim().map((ring) => drawn('ring', ring)).join(''));
     const { drawing } = this.gestures;
     this.bar.show(this.needs.sorts(), this.sort, { marked: this.figures[this.marked.figure], removable: this.removable(), drawing, armed: this.armed });
   }
@@ -362,7 +362,7 @@ export class Editor {
     if (!this.sort) return;
     this.sheet.layer.classList.toggle('bad', !this.needs.change(this.sort, this.figures));
     // Other sorts may do something now.
-    this.place();
+    this.showBar();
   }
 }
 

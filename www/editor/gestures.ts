@@ -88,6 +88,8 @@ export class Gestures {
       editor.mark(part.place);
     } else if (part.part === 'edge') {
       const { figure, index } = part.place;
+      // Adding a point and dragging it on is one step.
+      editor.hold();
       editor.addAfter(part.place);
       this.before.time = -Infinity;
       this.hold = { ...common, holds: 'point', place: { figure, index: index + 1 }, twice: false };

@@ -8,7 +8,7 @@ export function arranged(rings: Ring[]): Ring[] {
   return whole.map((ring) => (area(ring) > 0 === (depth(ring, whole) % 2 === 0) ? ring : [...ring].reverse()));
 }
 
-/** In how many of the rings a ring lies. */
-function depth(ring: Ring, all: Ring[]): number {
+/** In how many of the rings a ring lies: a hole in an odd number. */
+export function depth(ring: Ring, all: Ring[]): number {
   return all.filter((other) => other !== ring && ring[0] && within(ring[0], other)).length;
 }

@@ -20,9 +20,12 @@ export function roadRings(roads: Figure[], side: number): Ring[] {
   const scale = side / GRID;
   const values = new Float32Array(columns * columns).fill(-1);
   for (const { points, value } of roads) pave(values, columns, points.map(([x, y]): Point => [x / scale, y / scale]), (value / 200) * GRID);
-  for (let node = 0; node < values.length; node += 1) {
-    const [x, y] = [node % columns, Math.floor(node / columns)];
-    values[node] = Math.min(values[node] ?? -1, x, y, GRID - x, GRID - y);
+  // Nodes at the picture's rim are not inside, those next to it by no more than a square.
+  for (let k = 0; k < columns; k += 1) {
+    for (const rim of [0, 1, GRID - 1, GRID]) {
+      const most = rim === 0 || rim === GRID ? 0 : 1;
+      for (const node of [rim * columns + k, k * columns + rim]) values[node] = Math.min(values[node] ?? -1, most);
+    }
   }
   return tidy(contour(values, columns), TOLERANCE, MOST).map((ring) => ring.map(([x, y]): Point => [x * scale, y * scale]));
 }

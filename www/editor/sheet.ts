@@ -2,6 +2,7 @@
 import { make } from '../dom';
 import type { Point } from '../types';
 import { drawn, knobs, type Figure, type Place, type Sort } from './figures';
+import { depth } from './rings';
 import { distance } from './simplify';
 import { tell } from './words';
 
@@ -21,7 +22,7 @@ export class Sheet {
   readonly layer: HTMLElement;
   private readonly lines = document.createElementNS(SVG, 'svg');
   private readonly grips = document.createElementNS(SVG, 'g');
-  private readonly paths: Record<'rim' | 'band' | 'edge' | 'guide', SVGElement>;
+  private readonly paths: Record<'rim' | 'band' | 'draft' | 'edge' | 'guide', SVGElement>;
   private readonly edges = make('div', { 'aria-hidden': 'true' });
   private readonly handles = make('div', { class: 'handles' });
   private readonly room = matchMedia('(pointer: coarse)').matches ? ROOM_FOR_FINGERS : ROOM;
@@ -29,8 +30,8 @@ export class Sheet {
   constructor(layer: HTMLElement) {
     this.layer = layer;
     this.lines.setAttribute('aria-hidden', 'true');
-    this.paths = { rim: path('rim'), band: path('band'), edge: path('edge'), guide: path('guide') };
-    this.lines.append(this.paths.rim, this.paths.band, this.paths.edge, this.grips, this.paths.guide);
+    this.paths = { rim: path('rim'), band: path('band'), draft: path('draft'), edge: path('edge'), guide: path('guide') };
+    this.lines.append(this.paths.rim, this.paths.band, this.paths.edge, this.grips, this.paths.draft, this.paths.guide);
     layer.replaceChildren(this.lines, this.edges, this.handles);
     layer.tabIndex = -1;
   }
@@ -64,7 +65,12 @@ export class Sheet {
     this.lines.setAttribute('viewBox', `0 0 ${side} ${side}`);
     const paths = figures.map(({ points }) => drawn(sort.form, points));
     this.paths.edge.setAttribute('d', paths.join(''));
-    paths.forEach((d, figure) => this.grips.children[figure]?.setAttribute('d', d));
+    const rings = figures.map(({ points }) => points);
+    paths.forEach((d, figure) => {
+      const grip = this.grips.children[figure];
+      grip?.setAttribute('d', d);
+      grip?.classList.toggle('hole', sort.form === 'ring' && depth(rings[figure] ?? [], rings) % 2 === 1);
+    });
     let handle = this.handles.firstElementChild;
     let edge = this.edges.firstElementChild;
     const put = (element: Element | null, [x, y]: Point): element is HTMLElement => {
@@ -97,11 +103,11 @@ export class Sheet {
     }
   }
 
-  /** A line being drawn, as broad as `width` picture units; 0 for a thin one. */
+  /** A figure being drawn; of a road also the band around it, `width` picture units broad. */
   draft(d: string, width: number): void {
-    this.paths.band.setAttribute('d', d);
-    this.paths.band.classList.toggle('thin', width === 0);
-    this.paths.band.style.strokeWidth = width ? `${width}px` : '';
+    this.paths.draft.setAttribute('d', d);
+    this.paths.band.setAttribute('d', width ? d : '');
+    this.paths.band.style.strokeWidth = `${width}px`;
   }
 
   /** The outline that roads make. */

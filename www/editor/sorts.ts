@@ -3,7 +3,8 @@ import type { Engine } from '../engine';
 import { applies } from '../kinds';
 import type { Point } from '../types';
 import { hexagon, type Figure, type Place, type Sort } from './figures';
-import { distance, simplify, toSegment, within } from './simplify';
+import { depth } from './rings';
+import { distance, simplify, toSegment } from './simplify';
 import { tell, type EditorWord } from './words';
 
 /** Points of a built-in outline that is made free, and of a free one that is edited, at most. */
@@ -32,11 +33,9 @@ function spot(word: string, label: EditorWord, value: NonNullable<Sort['value']>
   return { word, label: tell(label), figure: tell('spot'), form: 'spot', least: 2, tip: tell('tip_spot'), name, value };
 }
 
-/** What a ring encloses depends on how many others it lies in. */
 function ringName(at: number, all: Figure[]): string {
-  const first = all[at]?.points[0];
-  const around = (of: Point): number => all.filter(({ points }, k) => k !== at && within(of, points)).length;
-  return at === 0 || !first ? tell('outer_ring') : tell(around(first) % 2 ? 'hole_n' : 'island_n', { k: at });
+  const rings = all.map(({ points }) => points);
+  return at === 0 ? tell('outer_ring') : tell(depth(rings[at] ?? [], rings) % 2 ? 'hole_n' : 'island_n', { k: at });
 }
 
 export class Sorts {
