@@ -38,11 +38,18 @@ const words = {
 await buildThumbs();
 await buildIcons();
 
+/** The page gives the module to the glue itself, packed (www/module.ts): the plain file is no part of the site. */
+const packed = {
+  name: 'packed',
+  /** @param {string} code @param {string} id */
+  transform: (code, id) => (id.includes('/pkg/bubblestone.js') ? code.replace("new URL('bubblestone_bg.wasm', import.meta.url)", 'undefined') : undefined),
+};
+
 export default defineConfig({
   root: here('www'),
   // Relative, so that the site works from any folder of any host.
   base: './',
-  plugins: [words, offline],
+  plugins: [words, packed, offline],
   json: { namedExports: true },
   build: {
     outDir: here('dist'),

@@ -47,6 +47,7 @@ const TABLE: Record<string, readonly Row[]> = {
     ['ow', range(1.1, 1.55, 0.05), { outline: ROADS }],
     ['ow', range(0.8, 1.3, 0.05), { outline: ['plaza'] }],
     ['ow', range(1.2, 1.5, 0.05), { outline: ['star'] }],
+    ['ow', { '1': 1 }],
     ['on', range(5, 9, 1), { outline: ['star'] }],
     ['on', range(1, 4, 1), { outline: ['plaza'] }],
     ['on', range(2, 4, 1), { outline: ['road_s'] }],

@@ -19,7 +19,7 @@ export function embed(): Bubblestone {
   const scripts = scriptFace(engine);
   const button = make('button', { type: 'button', class: 'embed-play' });
   const home = make('a', { class: 'embed-home', target: '_blank', rel: 'noopener' }, 'Bubblestone');
-  byId('sheet').append(button, home);
+  byId('sheet').append(make('h1', { class: 'said' }, 'Bubblestone'), button, home);
 
   const loop = new Loop(engine, (stage, changed) => {
     document.documentElement.dataset['stage'] = stage;

@@ -2,7 +2,8 @@
  * The studio in WebAssembly behind one guard: when a call fails, the page is told once, and later
  * calls answer with harmless values instead of failing again.
  */
-import init, { Bubblestone, presets, random_seed, schema } from '../pkg/bubblestone.js';
+import { Bubblestone, presets, random_seed, schema } from '../pkg/bubblestone.js';
+import { loadModule } from './module';
 import type { Histograms, MeshSlice, Parameter, PictureSlice, PixelMap, Point, Preset, Probe, Ring, Series, Status } from './types';
 import { parameterIn, presetIn, sentenceIn, t } from './words';
 
@@ -35,7 +36,7 @@ export async function load(): Promise<void> {
     throw new Error(t('no_wasm'));
   }
   try {
-    await init();
+    await loadModule();
   } catch (error) {
     if (error instanceof WebAssembly.CompileError) {
       throw new Error(t('old_wasm'), { cause: error });

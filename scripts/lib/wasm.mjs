@@ -7,6 +7,8 @@ import { targetDir, wasmTarget, wasmTargetDir } from './rust.mjs';
 
 /** Where the page's module, Node's and the one with the benchmarks are. */
 export const pageModule = join(root, 'pkg');
+/** The page's module as it is sent. */
+export const packedModule = join(pageModule, 'bubblestone.lzma');
 export const nodeModule = join(targetDir, 'pkg-node');
 const benchModule = join(targetDir, 'pkg-bench');
 
@@ -37,8 +39,15 @@ export async function buildWasm(kind, env) {
   const { trim } = await import('./trim.mjs');
   trim(module);
   run('wasm-opt', [module, '-o', module, ...optimizing()], { env });
+  if (kind === 'web') await pack(module);
   writeFileSync(stamp, source);
   return folder;
+}
+
+/** What the page loads: see www/lzma.ts. @param {string} module */
+async function pack(module) {
+  const { compress } = await import('lzma1');
+  writeFileSync(packedModule, compress(readFileSync(module), 9));
 }
 
 /** What Cargo.toml tells wasm-opt to do with a release. */

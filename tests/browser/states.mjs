@@ -9,6 +9,7 @@ import { digest, frames, message, SMALL } from './page.mjs';
  * @property {string} [fragment] the link that is opened, a small picture unless given
  * @property {(fresh: Page) => Promise<unknown>} [before] before it is opened
  * @property {(page: Page) => Promise<unknown>} [arrange] once the picture is done
+ * @property {boolean} [few] most of the page is hidden, or behind a dialog
  * @property {boolean} [early] nothing waits for the picture
  */
 
@@ -43,12 +44,12 @@ export const states = {
   import: { fragment: SQUARE, arrange: opening('[data-tool=import]', '#outline-text') },
   spots: { fragment: `${SQUARE}&spots=0.5,0.5,0.2,0.4`, arrange: opening('#p-spots', '.handle') },
   paused: { arrange: click('#play') },
-  share: { arrange: shown('#share', '#share-dialog') },
-  save: { arrange: shown('#save', '#save-dialog') },
+  share: { few: true, arrange: shown('#share', '#share-dialog') },
+  save: { few: true, arrange: shown('#save', '#save-dialog') },
   locked: {
     arrange: change((document) => document.querySelectorAll('.lock').forEach((lock) => /** @type {HTMLElement} */ (lock).click())),
   },
-  embedded: { query: '?embed' },
+  embedded: { few: true, query: '?embed' },
   panel: { arrange: change((document) => document.querySelectorAll('details').forEach((details) => (details.open = true))) },
   presets: { arrange: click('.rail h2:nth-of-type(3) button') },
   message: { fragment: `${SMALL}&nonsense=1&cs=banana`, arrange: (page) => message(page, 'status', /nonsense/) },

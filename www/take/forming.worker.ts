@@ -1,5 +1,6 @@
 /** Makes a recipe once more from its start to its end, and takes frames on the way. Never blocks the page: it is a worker. */
-import init, { Bubblestone } from '../../pkg/bubblestone.js';
+import { Bubblestone } from '../../pkg/bubblestone.js';
+import { loadModule } from '../module';
 import { progressOf } from '../progress';
 import type { Status } from '../types';
 import { gif, smaller, type Frame } from './film';
@@ -30,7 +31,7 @@ addEventListener('message', ({ data }: MessageEvent<string>) => {
 });
 
 async function film(link: string): Promise<Uint8Array<ArrayBuffer>> {
-  await init();
+  await loadModule();
   const studio = new Bubblestone(link);
   const side = Math.min(SIDE, studio.side());
   const picture = new Picture(side);
