@@ -54,7 +54,11 @@ export default defineConfig({
     rolldownOptions: {
       input: { index: here('www/index.html'), sw: here('www/service/sw.ts') },
       // A service worker has one address for ever, and stands over all that it serves.
-      output: { entryFileNames: ({ name }) => (name === 'sw' ? 'sw.js' : 'assets/[name]-[hash].js') },
+      output: {
+        entryFileNames: ({ name }) => (name === 'sw' ? 'sw.js' : 'assets/[name]-[hash].js'),
+        // What the page begins with is one file, whichever parts of it those need that come later.
+        codeSplitting: { groups: [{ name: 'page', tags: ['$initial'], test: (id) => !id.includes('/www/service/') }] },
+      },
     },
   },
   worker: { format: 'es' },

@@ -7,7 +7,7 @@ import { Engine } from './engine';
 import { History } from './history';
 import { kindsIn } from './kinds';
 import { bindKeys, listenToKeys } from './keys';
-import { address, fragment, Link } from './link';
+import { address, fragment, isReload, Link } from './link';
 import { isLocked, keptLocks } from './locks';
 import { Loop } from './loop';
 import { lastWork, remember } from './memory';
@@ -41,8 +41,8 @@ export class App {
   private still = matchMedia('(prefers-reduced-motion: reduce)').matches;
 
   constructor() {
-    const asked = fragment();
     const last = lastWork();
+    const asked = last && isReload() && last.past.includes(fragment()) ? last.recipe : fragment();
     this.engine = new Engine(asked === '' && last?.own ? last.recipe : asked, (error, link) => this.crashed(error, link));
     this.face = scriptFace(this.engine);
     this.store = new Store(this.first(asked));

@@ -21,8 +21,9 @@ export function bindKeys(...more: Binding[]): void {
   bindings.push(...more);
 }
 
-/** The keys that mean something only while points are edited; they are told in the same list. */
-const AT_POINTS: readonly [shown: string[], word: Word][] = [
+/** The keys that mean something only on the picture, or while points are edited; they are told in the same list. */
+const ON_PICTURE: readonly [shown: string[], word: Word][] = [
+  [['← ↑ → ↓'], 'key_walk'],
   [['← ↑ → ↓'], 'key_move'],
   [['Shift'], 'key_far'],
   [['Shift'], 'key_snap'],
@@ -50,7 +51,7 @@ export function listenToKeys(): void {
       make('div', {}, make('dt', {}, ...shown.flatMap((key, k) => [...(k ? [' '] : []), make('kbd', {}, key)])), make('dd', {}, t(word)));
     byId('keys-list').replaceChildren(
       ...bindings.map(({ keys, shown, word }) => row(shown ?? keys.map((key) => key.toUpperCase()), word)),
-      ...AT_POINTS.map(([shown, word]) => row([...shown], word)),
+      ...ON_PICTURE.map(([shown, word]) => row([...shown], word)),
     );
     dialog.showModal();
   };

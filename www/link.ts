@@ -101,6 +101,12 @@ export function fragment(): string {
   return location.hash.replace(/^#/, '');
 }
 
+/** Whether the visitor loads the page anew: its address may be a moment behind the work. */
+export function isReload(): boolean {
+  const [entry] = performance.getEntriesByType('navigation');
+  return entry instanceof PerformanceNavigationTiming && entry.type === 'reload';
+}
+
 /** The whole address of a state. */
 export function address(state: string): string {
   const bare = location.href.replace(/#.*$/s, '');

@@ -2,8 +2,9 @@
 import { App } from './app';
 import { isEmbedded } from './link';
 import { load } from './engine';
-import { alertOf } from './messages';
-import { takeLanguage } from './words';
+import { choiceOf, choose } from './memory';
+import { alertOf, passing } from './messages';
+import { t, takeLanguage } from './words';
 
 async function start(): Promise<void> {
   try {
@@ -23,7 +24,12 @@ async function start(): Promise<void> {
 /** The first picture is done: now there is time for the next visit. */
 async function storeSite(): Promise<void> {
   const { register } = await import('./offline');
-  register(() => undefined);
+  register((what) => {
+    // Said once; the next visits are told of newer builds only.
+    if (what === 'stored' && choiceOf('offline') === what) return;
+    choose('offline', 'stored');
+    passing('offline', t(what === 'stored' ? 'offline_stored' : 'offline_newer'));
+  });
 }
 
 void start();

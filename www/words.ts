@@ -2,10 +2,9 @@
 import { choiceOf, choose } from './memory';
 import { words as english } from './strings/en.json';
 import type { Foreign } from './strings/foreign';
-import type { words as later } from './strings/en-look.json';
 import type { Parameter, Preset } from './types';
 
-export type Word = keyof typeof english | keyof typeof later;
+export type Word = keyof typeof english;
 
 /** The languages with their own names. */
 export const LANGUAGES: readonly [code: string, name: string][] = [
@@ -13,7 +12,7 @@ export const LANGUAGES: readonly [code: string, name: string][] = [
   ['ja', '日本語'],
 ];
 
-let words: Partial<Record<Word, string>> = english;
+let words: Record<Word, string> = english;
 let foreign: Foreign | undefined;
 
 /** The code of the language in use. */
@@ -23,12 +22,7 @@ export function language(): string {
 
 /** The words of a key, with `{name}` replaced by values. */
 export function t(key: Word, values: Record<string, string | number> = {}): string {
-  return filled(words[key] ?? '', values);
-}
-
-/** More words in English, of parts that come later; where another language is in use they are known. */
-export function learn(more: Partial<Record<Word, string>>): void {
-  words = { ...more, ...words };
+  return filled(words[key], values);
 }
 
 /** The same for words that come later, in all languages, with what says them. */

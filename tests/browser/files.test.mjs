@@ -1,8 +1,12 @@
 import assert from 'node:assert/strict';
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { unzipSync } from 'fflate';
 import validator from 'gltf-validator';
 import { PNG } from 'pngjs';
+import sharp from 'sharp';
 import { open } from './harness.mjs';
 import { digest, message, messages, SMALL } from './page.mjs';
 
@@ -34,14 +38,19 @@ async function opened(fragment = SMALL) {
   });
 }
 
-/** Clicks a button of the menu; answers the file's name and bytes. */
-async function saved(page, button) {
-  await page.evaluate(() => {
-    window.saved = undefined;
-    document.querySelector('#files').open = true;
-  });
+/** Opens the dialog of all that can be saved. */
+async function dialog(page) {
+  await page.click('#save');
+  await page.waitForSelector('#save-dialog[open]');
+}
+
+/** Clicks a button of the dialog; answers the file's name and bytes. */
+async function saved(page, button, { normals } = {}) {
+  await page.evaluate(() => (window.saved = undefined));
+  await dialog(page);
+  if (normals) await page.select('#normals', normals);
   await page.click(button);
-  await page.waitForFunction(() => window.saved, { timeout: 60_000 });
+  await page.waitForFunction(() => window.saved, { timeout: 120_000 });
   const { name, text } = await page.evaluate(async () => {
     const { name, blob } = window.saved;
     const reader = new FileReader();
@@ -51,6 +60,7 @@ async function saved(page, button) {
     });
     return { name, text: reader.result };
   });
+  assert.equal(await page.evaluate(() => document.activeElement.id), 'save', 'the focus is lost');
   return { name, bytes: new Uint8Array(Buffer.from(text.slice(text.indexOf(',') + 1), 'base64')) };
 }
 
@@ -100,8 +110,7 @@ test('all maps come in one zip file, those of a tile without a seam', async () =
   assert.deepEqual(range, [0, 65535]);
   const report = JSON.parse(Buffer.from(files['report.json']).toString());
   assert.ok(report.height_range[1] > report.height_range[0]);
-  await page.select('#normals', 'normal-directx');
-  const other = unzipSync((await saved(page, '#save-maps')).bytes);
+  const other = unzipSync((await saved(page, '#save-maps', { normals: 'normal-directx' })).bytes);
   const [up, down] = [read['normal-opengl'], PNG.sync.read(Buffer.from(other['normal-directx.png']))];
   const mirrored = (_, k) => k % 4 !== 1 || Math.abs(up.data[k] + down.data[k] - 255) <= 1;
   assert.ok(down.data.every(mirrored) && !down.data.every((v, k) => v === up.data[k]));
@@ -109,21 +118,148 @@ test('all maps come in one zip file, those of a tile without a seam', async () =
   await close();
 });
 
-test('before the picture is done a sentence says so, and the menu closes by Escape', async () => {
+test('before the picture is done a sentence says so', async () => {
   const { page, problems, close } = await opened(`${SMALL}&vs=0.1`);
   await digest(page);
   await page.click('#play');
   await page.click('#restart');
-  await page.focus('#files summary');
-  await page.keyboard.press('Enter');
-  await page.click('#save-maps');
-  await message(page, 'status', /when it is done/);
-  await page.click('#save-glb');
-  await message(page, 'status', /when it is done/);
-  assert.equal((await messages(page)).filter((text) => text.includes('when it is done')).length, 1);
-  await page.keyboard.press('Escape');
-  assert.equal(await page.$eval('#files', (menu) => menu.open), false);
-  assert.equal(await page.evaluate(() => document.activeElement.tagName), 'SUMMARY');
+  for (const button of ['#save-maps', '#save-glb', '#save-png-2']) {
+    await dialog(page);
+    await page.click(button);
+    await message(page, 'status', /when it is done/);
+    assert.equal((await messages(page)).filter((text) => text.includes('when it is done')).length, 1);
+    await page.$eval('.message .close', (close) => close.click());
+  }
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('the picture is saved at one to four times its side, and shows the same', async () => {
+  const { page, problems, external, close } = await opened();
+  await digest(page);
+  const plain = await saved(page, '#save-png');
+  assert.equal(plain.name, 'bubblestone-annulus-1-picture.png');
+  const small = PNG.sync.read(Buffer.from(plain.bytes));
+  assert.deepEqual([small.width, small.height], [192, 192]);
+  for (const scale of [2, 3, 4]) {
+    const { name, bytes } = await saved(page, `#save-png-${scale}`);
+    assert.equal(name, `bubblestone-annulus-1-${192 * scale}.png`);
+    const { width, height, data } = PNG.sync.read(Buffer.from(bytes));
+    assert.deepEqual([width, height], [192 * scale, 192 * scale]);
+    // The mean of the pixels over a pixel is about that pixel.
+    let off = 0;
+    for (let y = 0; y < 192; y += 1) {
+      for (let x = 0; x < 192; x += 1) {
+        let sum = 0;
+        for (let v = 0; v < scale; v += 1) for (let u = 0; u < scale; u += 1) sum += data[4 * ((y * scale + v) * width + x * scale + u)];
+        off += Math.abs(sum / scale ** 2 - small.data[4 * (y * 192 + x)]);
+      }
+    }
+    assert.ok(off / 192 ** 2 < 20, `the picture at ${scale} times its side is ${off / 192 ** 2} off`);
+  }
+  assert.deepEqual([problems, external], [[], []]);
+  await close();
+});
+
+test('the cells are saved as a well-formed SVG with a polygon or a path for each', async () => {
+  const { page, problems, close } = await opened();
+  await digest(page);
+  const { name, bytes } = await saved(page, '#save-svg');
+  assert.equal(name, 'bubblestone-annulus-1.svg');
+  const cells = await page.$eval('#count-cells', (count) => Number(count.textContent));
+  const { root, faults, shapes } = await page.evaluate((text) => {
+    const read = new DOMParser().parseFromString(text, 'image/svg+xml');
+    return {
+      root: read.documentElement.localName,
+      faults: read.querySelectorAll('parsererror').length,
+      shapes: read.querySelectorAll('polygon, path').length,
+    };
+  }, Buffer.from(bytes).toString());
+  assert.deepEqual([root, faults], ['svg', 0]);
+  assert.ok(shapes >= cells, `${shapes} shapes of ${cells} cells`);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('a recipe saved as JSON and opened again, by dialog or drop, gives the same planes', async () => {
+  const { page, problems, close } = await opened(`${SMALL}&seed=5&stone=flag&palette=marble`);
+  const planes = await digest(page);
+  const { name, bytes } = await saved(page, '#save-recipe');
+  assert.equal(name, 'bubblestone-annulus-5.json');
+  const recipe = JSON.parse(Buffer.from(bytes).toString());
+  assert.equal(recipe.program, 'Bubblestone');
+  assert.match(recipe.version, /^\d+\.\d+/);
+  assert.equal(recipe.link, `${site.address}#${recipe.recipe}`);
+  assert.equal(Object.keys(recipe.parameters).length, await page.evaluate(() => window.bubblestone.schema.length));
+  assert.deepEqual([recipe.parameters.seed, recipe.parameters.palette, recipe.parameters.cs], [5, 'marble', 16]);
+  const folder = mkdtempSync(join(tmpdir(), 'bubblestone-recipe-'));
+  const path = join(folder, name);
+  writeFileSync(path, bytes);
+  // Another picture, then the file.
+  await page.click('#dice');
+  assert.notEqual(await digest(page), planes);
+  await dialog(page);
+  const [chooser] = await Promise.all([page.waitForFileChooser(), page.click('#open-recipe')]);
+  await chooser.accept([path]);
+  await message(page, 'status', /is open/);
+  assert.equal(await digest(page), planes);
+  await page.click('#undo');
+  assert.notEqual(await digest(page), planes);
+  await page.evaluate((text) => {
+    const data = new DataTransfer();
+    data.items.add(new File([text], 'again.json', { type: 'application/json' }));
+    document.querySelector('#sheet').dispatchEvent(new DragEvent('drop', { dataTransfer: data, bubbles: true, cancelable: true }));
+  }, Buffer.from(bytes).toString());
+  await message(page, 'status', /again\.json is open/);
+  assert.equal(await digest(page), planes);
+  // Something else changes nothing.
+  writeFileSync(path, '{"recipe": 3}');
+  await dialog(page);
+  const [again] = await Promise.all([page.waitForFileChooser(), page.click('#open-recipe')]);
+  await again.accept([path]);
+  await message(page, 'status', /is not a recipe/);
+  assert.equal(await digest(page), planes);
+  rmSync(folder, { recursive: true });
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('the forming is saved as a looping GIF, to its end, while the page stays free', async () => {
+  const { page, problems, external, close } = await opened();
+  const planes = await digest(page);
+  const { name, bytes } = await saved(page, '#save-gif');
+  assert.equal(name, 'bubblestone-annulus-1.gif');
+  const file = Buffer.from(bytes);
+  assert.equal(file.subarray(0, 6).toString('latin1'), 'GIF89a');
+  assert.deepEqual([file.readUInt16LE(6), file.readUInt16LE(8)], [192, 192]);
+  assert.ok(file.includes('NETSCAPE2.0\x03\x01\x00\x00', 0, 'latin1'), 'it does not loop for ever');
+  const { pages, loop, delay } = await sharp(file).metadata();
+  assert.ok(pages >= 15 && pages <= 70, `${pages} frames`);
+  assert.equal(loop, 0);
+  assert.ok(delay.at(-1) >= 2000, 'the end is not held');
+  // The last frame is the picture: what is on the canvas, but for the palette.
+  const last = await sharp(file, { page: pages - 1 }).ensureAlpha().raw().toBuffer();
+  const shown = await page.$eval('#canvas', (canvas) => Array.from(canvas.getContext('2d').getImageData(0, 0, 192, 192).data));
+  const off = shown.reduce((sum, value, k) => sum + Math.abs(value - last[k]), 0) / shown.length;
+  assert.ok(off < 6, `the last frame is ${off} off`);
+  assert.equal(await digest(page), planes);
+  assert.deepEqual([problems, external], [[], []]);
+  await close();
+});
+
+test('Stop stops what is being made, and then another file can be saved', async () => {
+  const { page, problems, close } = await opened('#size=512&cs=9');
+  await digest(page);
+  for (const button of ['#save-gif', '#save-png-4', '#save-obj']) {
+    await dialog(page);
+    await page.click(button);
+    await page.waitForSelector('.message progress');
+    await page.$eval('#stop-file', (stop) => stop.click());
+    await message(page, 'status', /was stopped/);
+    await page.$eval('.message .close', (close) => close.click());
+    assert.equal(await page.evaluate(() => window.saved), undefined);
+  }
+  assert.equal((await saved(page, '#save-recipe')).name, 'bubblestone-annulus-1.json');
   assert.deepEqual(problems, []);
   await close();
 });

@@ -9,8 +9,6 @@ let site;
 
 const words = (code) => JSON.parse(readFileSync(new URL(`../../www/strings/${code}.json`, import.meta.url), 'utf8'));
 const english = words('en');
-// Those of what is loaded later.
-Object.assign(english.words, words('en-look').words);
 const japanese = words('ja');
 const phone = { width: 390, height: 844, isMobile: true, hasTouch: true };
 
@@ -38,10 +36,12 @@ test('every word has its Japanese, with the same values in it', () => {
   const values = (text) => (text.match(/\{\w+\}/g) ?? []).sort();
   // Signs and names of formats are the same in both.
   const same = (text) => !/[a-z]{3}/.test(text.replace(/\{\w+\}|PNG|OBJ|GLB|SVG|GIF|JSON|Bubblestone/g, ''));
-  for (const part of ['page', 'words']) {
-    assert.deepEqual(Object.keys(japanese[part]).sort(), Object.keys(english[part]).sort());
-    for (const [key, text] of Object.entries(english[part])) {
-      const other = japanese[part][key];
+  // The last are of what is loaded later, both languages in one file.
+  const parts = [...['page', 'words'].map((part) => [english[part], japanese[part]]), ...['take', 'look'].map(words).map(({ en, ja }) => [en, ja])];
+  for (const [en, ja] of parts) {
+    assert.deepEqual(Object.keys(ja).sort(), Object.keys(en).sort());
+    for (const [key, text] of Object.entries(en)) {
+      const other = ja[key];
       assert.deepEqual(values(other), values(text), key);
       assert.ok(other !== text || same(text), `${key} is not translated: ${text}`);
     }

@@ -22,7 +22,7 @@ test('a copied link, reopened, gives the same planes and the same picture', asyn
   await set(page, 'seed', '4000000000');
   const here = { planes: await digest(page), ...(await canvas(page)) };
   await page.bringToFront();
-  await page.click('#copy');
+  await page.keyboard.press('c');
   await message(page, 'status', /copied/);
   const link = await page.evaluate(() => navigator.clipboard.readText());
   assert.ok(link.startsWith(`${site.address}#`), link);

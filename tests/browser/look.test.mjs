@@ -141,8 +141,8 @@ test('two fingers zoom, one scrolls the page at fit and moves the picture when i
 test('the sun is dragged: only the light is worked out anew, in one step of the history', async () => {
   const { page, problems, close } = await finished(SQUARE);
   const before = await canvas(page);
-  const times = () => page.evaluate(() => window.bubblestone.status().ms);
-  const { shading: _, ...others } = await times();
+  const times = () => page.evaluate(() => Object.entries(window.bubblestone.status().ms).filter(([stage]) => stage !== 'shading'));
+  const others = await times();
   const taken = await steps(page);
   await page.keyboard.press('l');
   await page.waitForSelector('#light-sun', { visible: true });
@@ -156,7 +156,7 @@ test('the sun is dragged: only the light is worked out anew, in one step of the 
   assert.ok(Math.abs(((az + 180) % 360) - 180) < 3 && Math.abs(el - 45) < 3, `${az}, ${el}`);
   assert.match(await page.evaluate(() => window.bubblestone.link()), /az=/);
   assert.notEqual((await canvas(page)).hash, before.hash);
-  const { shading: __, ...now } = await times();
+  const now = await times();
   assert.deepEqual(now, others);
   assert.equal(await steps(page), taken);
   await page.keyboard.press('l');
@@ -373,5 +373,30 @@ test('another recipe is compared under a divider, made beside the shown one', as
   assert.equal(await page.$eval('.other', (element) => element.checkVisibility()), false);
   assert.equal(await page.evaluate(() => document.activeElement.id), 'compare-button');
   assert.deepEqual(problems, []);
+  await close();
+});
+
+test('on a phone everything for looking closer can be touched, and nothing is wider than the screen', async () => {
+  const { page, close } = await finished(SQUARE, { viewport: phone });
+  const place = await box(page, '#canvas');
+  for (const id of ['light', 'layers', 'plots', 'compare']) await page.$eval(`#${id}-button`, (button) => button.click());
+  for (const selector of ['#light-sun', '#layers', '#plots canvas', '#divider']) await page.waitForSelector(selector, { visible: true });
+  const { width, height } = await box(page, '#canvas');
+  assert.deepEqual([width, height], [place.width, place.height]);
+  const { small, wide } = await page.evaluate(() => {
+    const inside = '.frame, #layers, #plots';
+    const seen = [...document.querySelectorAll(inside)].flatMap((part) => [...part.querySelectorAll('*')]).filter((element) => element.checkVisibility());
+    const targets = seen.filter((element) => element.matches('button, input, select, [role=slider]'));
+    const label = (element) => (element.matches('[type=radio], [type=checkbox]') ? element.closest('label') : element);
+    const name = (element) => element.outerHTML.slice(0, 90);
+    const touched = (element) => element.getBoundingClientRect();
+    return {
+      small: targets.map(label).filter((element) => touched(element).width < 43.5 || touched(element).height < 43.5).map(name),
+      wide: seen.filter((element) => !element.closest('svg, .toolbox') && touched(element).right > innerWidth + 0.5).map(name),
+    };
+  });
+  assert.deepEqual(small, []);
+  assert.deepEqual(wide, []);
+  assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 390);
   await close();
 });

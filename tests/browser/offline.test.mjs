@@ -39,7 +39,7 @@ test('after the first visit all works without a host, and nothing was fetched tw
   const { files } = listOf(dist);
   for (const [path, hash] of Object.entries(files)) assert.equal(await fetched(page, path || './'), hash, path);
   await page.evaluate(() => {
-    document.querySelector('#files').open = true;
+    document.querySelector('#save').click();
     const click = HTMLAnchorElement.prototype.click;
     HTMLAnchorElement.prototype.click = function () {
       if (this.download) window.saved = this.download;

@@ -5,6 +5,7 @@ import { digest, frames, message, SMALL } from './page.mjs';
 
 /**
  * @typedef {object} State
+ * @property {string} [query] such as `?embed`
  * @property {string} [fragment] the link that is opened, a small picture unless given
  * @property {(fresh: Page) => Promise<unknown>} [before] before it is opened
  * @property {(page: Page) => Promise<unknown>} [arrange] once the picture is done
@@ -42,7 +43,12 @@ export const states = {
   import: { fragment: SQUARE, arrange: opening('[data-tool=import]', '#outline-text') },
   spots: { fragment: `${SQUARE}&spots=0.5,0.5,0.2,0.4`, arrange: opening('#p-spots', '.handle') },
   paused: { arrange: click('#play') },
-  menu: { arrange: change((document) => document.querySelector('#files')?.setAttribute('open', '')) },
+  share: { arrange: shown('#share', '#share-dialog') },
+  save: { arrange: shown('#save', '#save-dialog') },
+  locked: {
+    arrange: change((document) => document.querySelectorAll('.lock').forEach((lock) => /** @type {HTMLElement} */ (lock).click())),
+  },
+  embedded: { query: '?embed' },
   panel: { arrange: change((document) => document.querySelectorAll('details').forEach((details) => (details.open = true))) },
   presets: { arrange: click('.rail h2:nth-of-type(3) button') },
   message: { fragment: `${SMALL}&nonsense=1&cs=banana`, arrange: (page) => message(page, 'status', /nonsense/) },
@@ -87,8 +93,8 @@ export const states = {
  * @param {State} state
  * @param {import('./harness.mjs').PageOptions} options
  */
-export async function enter(site, { fragment = SMALL, before, arrange, early = false }, options) {
-  const opened = await site.newPage(fragment, { still: true, ...options, before });
+export async function enter(site, { query = '', fragment = SMALL, before, arrange, early = false }, options) {
+  const opened = await site.newPage(query + fragment, { still: true, ...options, before });
   if (!early) await digest(opened.page);
   await arrange?.(opened.page);
   await frames(opened.page, 2);

@@ -86,29 +86,3 @@ test('the light can be moved while the packing is held', async () => {
   assert.notEqual((await canvas(page)).hash, before.hash);
   await close();
 });
-
-test('the picture is saved as a PNG file of its own size', async () => {
-  const { page, problems, close } = await site.newPage(SMALL, {
-    before: (fresh) =>
-      fresh.evaluateOnNewDocument(() => {
-        const click = HTMLAnchorElement.prototype.click;
-        HTMLAnchorElement.prototype.click = function () {
-          if (this.download) window.saved = { name: this.download, url: this.href };
-          else click.call(this);
-        };
-      }),
-  });
-  await digest(page);
-  await page.click('#save');
-  await page.waitForFunction(() => window.saved, { timeout: 20_000 });
-  const { name, side } = await page.evaluate(async () => {
-    const picture = new Image();
-    picture.src = window.saved.url;
-    await picture.decode();
-    return { name: window.saved.name, side: picture.naturalWidth };
-  });
-  assert.match(name, /^bubblestone-.*\.png$/);
-  assert.equal(side, 192);
-  assert.deepEqual(problems, []);
-  await close();
-});

@@ -41,7 +41,9 @@ export class Glass {
     sheet.addEventListener('dblclick', (event) => this.twice(event));
     sheet.addEventListener('pointerdown', (event) => this.press(event));
     sheet.addEventListener('pointermove', (event) => this.move(event));
-    for (const end of ['pointerup', 'pointercancel', 'lostpointercapture'] as const) sheet.addEventListener(end, (event) => this.release(event));
+    for (const end of ['pointerup', 'pointercancel'] as const) sheet.addEventListener(end, (event) => this.release(event));
+    // What a finger came down on loses it to the sheet: that is no end.
+    sheet.addEventListener('lostpointercapture', (event) => event.target === sheet && this.release(event));
   }
 
   /** The picture is being moved. */

@@ -61,7 +61,10 @@ export class Plots {
 
   show(on: boolean): void {
     this.section.hidden = !on;
-    if (on) this.draw();
+    if (!on) return;
+    this.draw();
+    // Under the picture they may be out of sight.
+    if (this.narrow.matches) this.section.scrollIntoView({ block: 'nearest', behavior: matchMedia('(prefers-reduced-motion: reduce)').matches ? 'auto' : 'smooth' });
   }
 
   /** On a narrow page the plots stand under the picture, else above the controls. */
@@ -111,7 +114,7 @@ function axes(word: Word, log: boolean): uPlot.Axis[] {
   const plain = { stroke: colour('--soft'), font: '11px system-ui, sans-serif', ticks: { stroke: colour('--line'), size: 4, width: 1 }, grid: { stroke: colour('--line'), width: 1 } };
   return [
     { ...plain, size: 22, gap: 2, grid: { show: false }, label: t(word), labelSize: 14, labelFont: '11px system-ui, sans-serif', labelGap: 0 },
-    { ...plain, size: 44, gap: 4, space: 18, values: (_, marks) => marks.map((mark: number | null) => (mark === null ? '' : short(mark))), ...(log ? { filter: decades, grid: { ...plain.grid, filter: decades }, ticks: { ...plain.ticks, filter: decades } } : {}) },
+    { ...plain, size: 44, gap: 4, space: 18, values: (_, marks, __, ___, apart) => marks.map((mark: number | null) => (mark === null ? '' : spaced(mark, apart))), ...(log ? { filter: decades, grid: { ...plain.grid, filter: decades }, ticks: { ...plain.ticks, filter: decades } } : {}) },
   ];
 }
 
@@ -161,9 +164,17 @@ function counted({ from, to, counts }: Histogram, word: 'plot_size_said' | 'plot
   return { data: [middles, Array.from(counts)], said: n ? t(word, { share, n }) : t('plot_none') };
 }
 
-/** Three digits that count. */
+/** Four digits that count. */
 function short(value: number): string {
-  const size = Math.abs(value);
-  if (size >= 1e4) return `${short(value / 1000)}k`;
-  return String(Number(value.toPrecision(3))).replace('-', '−');
+  return signed(Math.abs(value) >= 1e4 ? `${Number((value / 1000).toPrecision(4))}k` : String(Number(value.toPrecision(4))));
+}
+
+/** As many digits as tell marks apart. */
+function spaced(value: number, apart: number): string {
+  const digits = Math.max(0, Math.min(6, -Math.floor(Math.log10(apart || 1))));
+  return Math.abs(value) >= 1e4 || !apart ? short(value) : signed(String(Number(value.toFixed(digits))));
+}
+
+function signed(text: string): string {
+  return text.replace('-', '−');
 }

@@ -39,7 +39,7 @@ export class PngWriter {
     }
   }
 
-  async finish(): Promise<Uint8Array> {
+  async finish(): Promise<Uint8Array<ArrayBuffer>> {
     await this.into.close();
     const packed = new Uint8Array(await this.packed);
     return joined([Uint8Array.from(SIGNATURE), chunk('IHDR', this.head), chunk('IDAT', packed), chunk('IEND', new Uint8Array())]);
@@ -59,7 +59,7 @@ export class PngWriter {
   }
 }
 
-export async function png({ side, channels, bits, bytes }: PixelMap): Promise<Uint8Array> {
+export async function png({ side, channels, bits, bytes }: PixelMap): Promise<Uint8Array<ArrayBuffer>> {
   const writer = new PngWriter(side, channels, bits);
   await writer.write(bytes);
   return writer.finish();
@@ -86,7 +86,7 @@ function crc(bytes: Uint8Array): number {
   return (rest ^ 0xffffffff) >>> 0;
 }
 
-function joined(parts: Uint8Array[]): Uint8Array {
+function joined(parts: Uint8Array[]): Uint8Array<ArrayBuffer> {
   const out = new Uint8Array(parts.reduce((sum, part) => sum + part.length, 0));
   let at = 0;
   for (const part of parts) {

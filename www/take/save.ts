@@ -35,8 +35,15 @@ export function save({ engine, store, work, canvas }: Saving): void {
     return made;
   };
   const shown = store.state.view === 'auto' ? 'picture' : store.state.view;
-  const pixels = button('save-png', t('pixels', { n: canvas.width }), `-${shown}.png`, () => shownPng(canvas));
-  pixels.setAttribute('aria-label', t('pixels_label', { n: canvas.width }));
+  const pixels = SCALES.filter((scale) => scale === 1 || canvas.width * scale <= MOST).map((scale) => {
+    const n = canvas.width * scale;
+    const made =
+      scale === 1
+        ? button('save-png', t('pixels', { n }), `-${shown}.png`, () => shownPng(canvas))
+        : button(`save-png-${scale}`, t('pixels', { n }), `-${n}.png`, async (task) => (await import('./picture')).pictureFile(engine, scale, task));
+    made.setAttribute('aria-label', t('pixels_label', { n }));
+    return made;
+  });
   const file = make('input', { type: 'file', accept: '.json,application/json', hidden: '', 'aria-label': t('open_label') });
   const open = make('button', { type: 'button', class: 'key', id: 'open-recipe', 'aria-label': t('open_label') }, t('open'));
   open.addEventListener('click', () => file.click());
@@ -48,7 +55,7 @@ export function save({ engine, store, work, canvas }: Saving): void {
   const dialog = dialogOf(
     'save-dialog',
     t('save'),
-    row(t('picture'), t('picture_note'), pixels),
+    row(t('picture'), t('picture_note'), ...pixels),
     row(t('cells'), t('cells_note'), button('save-svg', 'SVG', '.svg', () => svg(engine))),
     row(t('forming'), t('forming_note'), button('save-gif', 'GIF', '.gif', async (task) => (await import('./forming')).formingGif(engine, task))),
     row(
@@ -67,6 +74,12 @@ export function save({ engine, store, work, canvas }: Saving): void {
     row(t('recipe'), t('recipe_note'), button('save-recipe', 'JSON', '.json', () => Promise.resolve(recipeFile(engine))), open, file),
   );
 }
+
+/** Times the picture's side. */
+const SCALES = [1, 2, 3, 4];
+
+/** The most pixels that a side may have. */
+const MOST = 4096;
 
 /** Which normals were asked for last. */
 let chosenNormals = 'normal-opengl';
@@ -110,12 +123,16 @@ async function maps(engine: Engine, normals: string, task: Task): Promise<Blob> 
 
 async function mesh(engine: Engine, ending: string, type: string, { signal }: Task): Promise<Blob> {
   let parts: BlobPart[] = [];
-  for (;;) {
-    await breath();
-    signal.throwIfAborted();
-    const slice = engine.meshFile(ending, BUDGET);
-    if (typeof slice === 'string') throw new Error(slice);
-    parts = slice.begun ? slice.parts : parts.concat(slice.parts);
-    if (slice.done) return new Blob(parts, { type });
+  try {
+    for (;;) {
+      await breath();
+      signal.throwIfAborted();
+      const slice = engine.meshFile(ending, BUDGET);
+      if (typeof slice === 'string') throw new Error(slice);
+      parts = slice.begun ? slice.parts : parts.concat(slice.parts);
+      if (slice.done) return new Blob(parts, { type });
+    }
+  } finally {
+    engine.stopFile();
   }
 }

@@ -1,0 +1,158 @@
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { open } from './harness.mjs';
+import { digest, frames, get, messages, set, SMALL } from './page.mjs';
+
+/** @type {Awaited<ReturnType<typeof open>>} */
+let site;
+
+before(async () => {
+  site = await open();
+});
+
+after(() => site?.close());
+
+const link = (page) => page.evaluate(() => window.bubblestone.link());
+const disabled = (page, id) => page.$eval(`#${id}`, (button) => button.disabled);
+
+/** Presses keys together. */
+async function press(page, ...keys) {
+  for (const key of keys.slice(0, -1)) await page.keyboard.down(key);
+  await page.keyboard.press(keys.at(-1));
+  for (const key of keys.slice(0, -1).reverse()) await page.keyboard.up(key);
+  await frames(page, 1);
+}
+
+/** Waits until the work is in the browser's storage. */
+async function stored(page) {
+  await page.waitForFunction(() => document.querySelector('#stored').textContent !== '', { timeout: 10_000 });
+}
+
+test('each change is undone and redone, by buttons and by keys, and digests come back', async () => {
+  const { page, problems, close } = await site.newPage(SMALL);
+  const digests = [await digest(page)];
+  assert.equal(await disabled(page, 'undo'), true);
+  for (const [key, value] of [['cs', '20'], ['kind', 'circle'], ['outline', 'star'], ['az', '90']]) {
+    await set(page, key, value);
+    digests.push(await digest(page));
+  }
+  // The light is not in the planes.
+  assert.equal(new Set(digests).size, 4);
+  const last = digests.pop();
+  for (const before of digests.toReversed()) {
+    await page.click('#undo');
+    await frames(page, 1);
+    assert.equal(await digest(page), before);
+  }
+  assert.equal(await disabled(page, 'undo'), true);
+  for (let k = 0; k < 4; k += 1) await press(page, 'Control', k % 2 ? 'y' : 'Y');
+  assert.equal(await digest(page), last);
+  assert.equal(await disabled(page, 'redo'), true);
+  await press(page, 'Control', 'z');
+  assert.equal(await get(page, 'az'), '225');
+  await set(page, 'hs', '9');
+  assert.equal(await disabled(page, 'redo'), true, 'a change ends what could be redone');
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('a slider on its way is one step', async () => {
+  const { page, close } = await site.newPage(SMALL);
+  await digest(page);
+  await page.$eval('[data-key=hs] [type=range]', (slider) => {
+    for (const place of ['300', '350', '400', '450']) {
+      slider.value = place;
+      slider.dispatchEvent(new Event('input', { bubbles: true }));
+    }
+    slider.dispatchEvent(new Event('change', { bubbles: true }));
+  });
+  await frames(page, 2);
+  assert.notEqual(await get(page, 'hs'), '18');
+  await page.click('#undo');
+  assert.equal(await get(page, 'hs'), '18');
+  assert.equal(await disabled(page, 'undo'), true);
+  await close();
+});
+
+test('a hundred and fifty steps survive a reload', async () => {
+  const { page, problems, close } = await site.newPage(`${SMALL}&shadow=0&occl=0`);
+  await digest(page);
+  for (let k = 0; k < 150; k += 1) await set(page, 'az', String(k));
+  await stored(page);
+  const last = await link(page);
+  await page.reload();
+  await digest(page);
+  assert.equal(await link(page), last);
+  for (let k = 148; k >= 0; k -= 1) {
+    await page.click('#undo');
+    assert.equal(await get(page, 'az'), String(k));
+  }
+  await page.click('#undo');
+  assert.equal(await get(page, 'az'), '225');
+  assert.equal(await disabled(page, 'undo'), true);
+  for (let k = 0; k < 150; k += 1) await page.click('#redo');
+  assert.equal(await link(page), last);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('the last work is there at the next visit of the bare address', async () => {
+  const { page, close } = await site.newPage(SMALL);
+  await digest(page);
+  await set(page, 'cs', '24');
+  await stored(page);
+  const [work, kept] = [await link(page), await digest(page)];
+  await page.goto('about:blank');
+  await page.goto(site.address);
+  assert.equal(await digest(page), kept);
+  assert.equal(await link(page), work);
+  assert.ok(page.url().endsWith(work), page.url());
+  await close();
+});
+
+test('a link that was only looked at is not remembered as work', async () => {
+  const { page, close } = await site.newPage(`${SMALL}&cs=30`);
+  await digest(page);
+  await frames(page, 40);
+  await page.goto('about:blank');
+  await page.goto(site.address);
+  await page.waitForFunction(() => 'bubblestone' in window);
+  assert.equal(await link(page), '');
+  await close();
+});
+
+test('a link opened over work of one’s own can be taken back', async () => {
+  const { page, close } = await site.newPage(SMALL);
+  await digest(page);
+  await set(page, 'cs', '24');
+  await stored(page);
+  const work = await link(page);
+  await page.goto('about:blank');
+  await page.goto(`${site.address}${SMALL}&kind=circle`);
+  await digest(page);
+  assert.match((await messages(page)).join(), /over the work/);
+  await page.click('.message .actions button');
+  await frames(page, 2);
+  assert.equal(await link(page), work);
+  assert.deepEqual(await messages(page), []);
+  await close();
+});
+
+test('a broken storage breaks nothing', async () => {
+  const { page, problems, close } = await site.newPage(SMALL, {
+    before: (fresh) =>
+      fresh.evaluateOnNewDocument(() => {
+        Storage.prototype.setItem = () => {
+          throw new DOMException('full', 'QuotaExceededError');
+        };
+        Storage.prototype.getItem = () => '{"recipe": 7, "past": "x"}';
+      }),
+  });
+  await digest(page);
+  await set(page, 'cs', '24');
+  await page.click('#undo');
+  assert.equal(await get(page, 'cs'), '16');
+  assert.equal(await page.$eval('#stored', (note) => note.textContent), '');
+  assert.deepEqual(problems, []);
+  await close();
+});
