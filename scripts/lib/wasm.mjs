@@ -46,8 +46,8 @@ export async function buildWasm(kind, env) {
 
 /** What the page loads: see www/lzma.ts. @param {string} module */
 async function pack(module) {
-  const { compress } = await import('lzma1');
-  writeFileSync(packedModule, compress(readFileSync(module), 9));
+  const { default: lzma } = await import('lzma');
+  writeFileSync(packedModule, Uint8Array.from(lzma.compress(readFileSync(module), 9)));
 }
 
 /** What Cargo.toml tells wasm-opt to do with a release. */

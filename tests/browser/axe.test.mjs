@@ -57,7 +57,9 @@ for (const { name: screen, ...options } of SCREENS) {
       const { page, close } = await enter(site, state, options);
       await page.screenshot({ path: join(pictures, `${name}-${screen}.png`) });
       const { found, count } = await findings(page);
-      assert.ok(count > (state.few ? 12 : 30), `only ${count} rules found something to look at`);
+      // Behind a dialog, or beside the picture alone, there is little for them.
+      const least = (await page.$('dialog[open]')) ? 20 : state.few ? 12 : 30;
+      assert.ok(count > least, `only ${count} rules found something to look at`);
       assert.deepEqual(found, []);
       await close();
     });

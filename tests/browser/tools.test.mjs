@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { open } from './harness.mjs';
-import { digest, frames, get, message, messages, SMALL, tool } from './page.mjs';
+import { digest, frames, get, message, SMALL, tool } from './page.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
@@ -22,6 +22,8 @@ async function placesOf(page) {
   return (x, y) => [box.x + x * box.width, box.y + y * box.height];
 }
 
+/** What was said about the outline. */
+const messages = (page) => page.$$eval('.message[data-topic=outline]', (notes) => notes.map((note) => note.textContent));
 const link = (page) => page.evaluate(() => window.bubblestone.link());
 
 /** The handles of points, on the screen. */
