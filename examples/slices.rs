@@ -6,6 +6,7 @@ use bubblestone::studio::Studio;
 use std::collections::BTreeMap;
 use std::time::Instant;
 
+#[allow(clippy::disallowed_methods)] // The library has no clock: this measures it.
 fn main() {
     let mut links: Vec<String> = std::env::args().skip(1).collect();
     if links.is_empty() {

@@ -254,7 +254,6 @@ fn shifted(planes: &Planes, [dx, dy]: [usize; 2]) -> Planes {
     }
     let by = [dx, dy];
     Planes {
-        fine: 1,
         side: planes.side,
         fine: planes.fine,
         bump: moved(&planes.bump, planes.side, by),

@@ -90,7 +90,6 @@ mod tests {
         Planes {
             fine: 1,
             side,
-            fine: 1,
             bump: (0..n).map(|at| (at % side) as f32).collect(),
             colour: vec![[0; 3]; n],
             optics: vec![0; n],
