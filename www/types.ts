@@ -111,16 +111,12 @@ export interface PixelMap {
 
 /** What a slice of work gave of a mesh file. */
 export interface MeshSlice {
-  /** The file begins with these parts: those before are of another one. */
-  begun: boolean;
   parts: BlobPart[];
   done: boolean;
 }
 
 /** What a slice of work gave of a bigger picture. */
 export interface PictureSlice {
-  /** The picture begins with these rows: those before are of another one. */
-  begun: boolean;
   done: boolean;
   /** How much of the work is done, about, 0..1. */
   progress: number;

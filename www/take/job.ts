@@ -9,13 +9,10 @@ export type Job =
   | { file: 'picture'; scale: number }
   | { file: 'maps'; normals: string };
 
-/** What the worker gets. */
-export interface Order {
-  link: string;
-  job: Job;
-}
+/** What the worker gets: the recipe and what to make of it. */
+export type Order = [link: string, job: Job];
 
-/** What the worker says: how far it is, then the file; or what went wrong. */
+/** What it says: how far it is, then the file; or what went wrong. */
 export type Said = { progress: number } | { file: Blob } | { trouble: string };
 
 /** Throws a sentence where the file cannot be made. */
@@ -31,7 +28,7 @@ export function fileOf(link: string, job: Job, task: Task): Promise<Blob> {
       else failed(data.trouble);
     });
     task.signal.addEventListener('abort', () => reject(new Error()));
-    worker.postMessage({ link, job } satisfies Order);
+    worker.postMessage([link, job] satisfies Order);
   });
   return made.finally(() => worker.terminate());
 }

@@ -10,7 +10,7 @@ import { pictureFile } from './picture';
 
 const say = (said: Said): void => postMessage(said);
 
-addEventListener('message', ({ data: { link, job } }: MessageEvent<Order>) => {
+addEventListener('message', ({ data: [link, job] }: MessageEvent<Order>) => {
   made(link, job, (progress) => say({ progress })).then(
     (file) => say({ file }),
     (error: unknown) => say({ trouble: error instanceof Error ? error.message : String(error) }),
