@@ -170,6 +170,9 @@ test('the embed code shows the picture alone, plays, and leads to the whole page
   await frame.click('.embed-play');
   await frame.waitForFunction(() => document.documentElement.dataset.stage === 'packing', { timeout: 20_000 });
   await frame.click('.embed-play');
+  // Another process may hold the frame: the click is over there a little later.
+  await frame.waitForFunction(() => document.querySelector('.embed-play').getAttribute('aria-label') === 'Play');
+  assert.equal(await frame.evaluate(() => document.documentElement.dataset.stage), 'packing');
   const held = await frame.evaluate(() => window.bubblestone.status().steps);
   await frames(host, 10);
   assert.equal(await frame.evaluate(() => window.bubblestone.status().steps), held);
