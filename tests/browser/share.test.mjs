@@ -138,7 +138,8 @@ test("the system's share sheet gets the link and the picture, where there is one
 });
 
 test('the embed code shows the picture alone, plays, and leads to the whole page', async () => {
-  const { page, problems, close } = await site.newPage(`${SMALL}&seed=9`);
+  // A hundred and sixty steps: there is time to hold them.
+  const { page, problems, close } = await site.newPage('#size=192&cs=12&vs=0.5&seed=9');
   const planes = await digest(page);
   await set(page, 'palette', 'marble');
   await set(page, 'palette', 'granite');
@@ -170,6 +171,9 @@ test('the embed code shows the picture alone, plays, and leads to the whole page
   await frame.click('.embed-play');
   await frame.waitForFunction(() => document.documentElement.dataset.stage === 'packing', { timeout: 20_000 });
   await frame.click('.embed-play');
+  // Another process may hold the frame: the click is over there a little later.
+  await frame.waitForFunction(() => document.querySelector('.embed-play').getAttribute('aria-label') === 'Play');
+  assert.equal(await frame.evaluate(() => document.documentElement.dataset.stage), 'packing');
   const held = await frame.evaluate(() => window.bubblestone.status().steps);
   await frames(host, 10);
   assert.equal(await frame.evaluate(() => window.bubblestone.status().steps), held);

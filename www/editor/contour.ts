@@ -83,15 +83,21 @@ function fromCorner(ring: Ring): Ring {
   return [...ring.slice(at), ...ring.slice(0, at)];
 }
 
-/** Where two long sides would meet just behind a short piece between them, they do. */
+/** Where two long sides would meet just behind one or two short pieces between them, they do. */
 function sharpened(ring: Ring): Ring {
   const points = [...ring];
-  for (let k = 0; k < points.length && points.length > 4; k += 1) {
-    const around = [0, 1, 2, 3].map((step) => points[(k + step) % points.length]) as [Point, Point, Point, Point];
-    const corner = meeting(...around);
-    if (!corner) continue;
-    points[(k + 1) % points.length] = corner;
-    points.splice((k + 2) % points.length, 1);
+  for (let k = 0; k < points.length; k += 1) {
+    // A corner beside a node of the grid is cut twice.
+    for (const pieces of [1, 2]) {
+      if (points.length < 4 + pieces) break;
+      const around = [0, 1, 1 + pieces, 2 + pieces].map((step) => points[(k + step) % points.length]) as [Point, Point, Point, Point];
+      const corner = meeting(...around);
+      if (!corner) continue;
+      const begin = (k + 2) % points.length;
+      points[(k + 1) % points.length] = corner;
+      for (let left = pieces; left > 0; left -= 1) points.splice(begin % points.length, 1);
+      break;
+    }
   }
   return points;
 }
