@@ -68,7 +68,7 @@ export default defineConfig({
       },
     },
   },
-  worker: { format: 'es' },
+  worker: { format: 'es', plugins: () => [packed] },
   server: {
     host: '127.0.0.1',
     // The module is beside www/.

@@ -102,7 +102,7 @@ export class App {
       preset: presetOf(this.engine.presets, recipe),
       own: same && last.own && (asked === '' || asked === recipe),
       stored: false,
-      pace: 1,
+      pace: 3,
       paused: false,
       view: 'auto',
       overlays: [],

@@ -4,7 +4,7 @@
  */
 import { Bubblestone, presets, random_seed, schema } from '../pkg/bubblestone.js';
 import { loadModule } from './module';
-import type { Histograms, MeshSlice, Parameter, PictureSlice, PixelMap, Point, Preset, Probe, Ring, Series, Status } from './types';
+import type { Histograms, Parameter, Point, Preset, Probe, Ring, Series, Status } from './types';
 import { parameterIn, presetIn, sentenceIn, t } from './words';
 
 /** The schema gives the defaults of numbers as numbers. */
@@ -149,43 +149,8 @@ export class Engine {
     return this.ask((core) => core.histograms() as Histograms, { size: none, angle: none });
   }
 
-  /** The cells as a standalone SVG file; '' before there are any. */
-  svg(): string {
-    return this.ask((core) => core.svg(), '');
-  }
-
   digest(): string {
     return this.ask((core) => core.digest(), '');
-  }
-
-  /** A map by its word, or the sentence that says why there is none. */
-  map(word: string): PixelMap | string {
-    return this.ask((core) => core.map(word) as PixelMap | string, t('no_file'));
-  }
-
-  /** Works on a mesh file for about `budget` milliseconds, or says why there is none. */
-  meshFile(ending: string, budget: number): MeshSlice | string {
-    return this.ask((core) => core.meshFile(ending, budget) as MeshSlice | string, t('no_file'));
-  }
-
-  /** Works on the picture at 1 to 4 times its side for about `budget` milliseconds, or says why there is none. */
-  pictureFile(scale: number, budget: number): PictureSlice | string {
-    return this.ask((core) => core.pictureFile(scale, budget) as PictureSlice | string, t('no_file'));
-  }
-
-  /** A map, as `map` gives it, of the picture that `pictureFile` finished last. */
-  biggerMap(word: string): PixelMap | string {
-    return this.ask((core) => core.biggerMap(word) as PixelMap | string, t('no_file'));
-  }
-
-  /** Stops a file in the making, and frees what it held: to be called after every `pictureFile` that ends. */
-  stopFile(): void {
-    this.ask((core) => core.stopFile(), undefined);
-  }
-
-  /** What making the pavement took and gave, as JSON. */
-  report(): string {
-    return this.ask((core) => core.report(), '');
   }
 
   side(): number {

@@ -2,7 +2,7 @@
 import type { Engine } from './engine';
 
 /** Milliseconds of work in a frame; the rest of it belongs to the browser. */
-const BUDGET = 8;
+const BUDGET = 12;
 
 /** Drawing that takes longer than this many milliseconds is done in some frames only: it may take this part of the time. */
 const DRAWN_ALWAYS = 8;

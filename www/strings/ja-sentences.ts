@@ -35,10 +35,9 @@ export function japanese(names: (key: string) => string | undefined): (text: str
     [/^(.+) repeats (\d+) points, the first at (.+); dropped\.$/, (ring, n, place) => `${said(ring)}で${n}個の点（最初は${place}）が重複していたので、取り除きました。`],
     [/^(\d+) more things like these were mended\.$/, (n) => `ほかにも${n}か所、同様に直しました。`],
     [/^Kept (.+)\.$/, (kept) => `${kept}のままです。`],
-    [/^Maps and meshes are made of the finished picture: save them when it is done\.$/, () => 'マップとメッシュは、できあがった画像から作ります。完成してから保存してください。'],
     [/^Not one cell fits into the outline\. Choose a smaller cell size or a larger outline\.$/, () => '輪郭にセルが一つも入りません。セルを小さくするか、輪郭を大きくしてください。'],
     [/^A stage is missing what it works on\. Start again with the restart button\.$/, () => '作業の前の段階がありません。「最初から」でやり直してください。'],
-    [/^There is no file of that name\.$/, () => 'その名前のファイルはありません。'],
+    [/^There is not enough memory for a picture of (\d+) pixels: choose a smaller one\.$/, (side) => `一辺${side}画素の画像を作るにはメモリーが足りません。小さいものを選んでください。`],
   ];
   const whole = (text: string): string | undefined => {
     for (const [pattern, sentence] of patterns) {

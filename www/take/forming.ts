@@ -1,23 +1,62 @@
-/** The looping animation of the forming, made in a worker, so that the page stays free. */
-import type { Engine } from '../engine';
-import { t } from './words';
-import type { Task } from './working';
+/** The looping animation of the forming, with frames taken on the way. */
+import type { Bubblestone } from '../../pkg/bubblestone.js';
+import { gif, smaller, type Frame } from './film';
+import { pavement, type Progress } from './pavement';
 
-/** What the worker says: how far it is, then the file; or what went wrong. */
-export type Said = { progress: number } | { file: Uint8Array<ArrayBuffer> } | { trouble: string };
+/** Sides in pixels; smaller pictures keep their own. */
+const SIDE = 480;
 
-export function formingGif(engine: Engine, task: Task): Promise<Blob> {
-  const worker = new Worker(new URL('./forming.worker.ts', import.meta.url), { type: 'module' });
-  const made = new Promise<Blob>((resolve, reject) => {
-    const failed = (reason: string): void => reject(new Error(t('no_gif', { reason })));
-    worker.addEventListener('error', ({ message }) => failed(message));
-    worker.addEventListener('message', ({ data }: MessageEvent<Said>) => {
-      if ('progress' in data) task.progress(data.progress);
-      else if ('file' in data) resolve(new Blob([data.file], { type: 'image/gif' }));
-      else failed(data.trouble);
-    });
-    task.signal.addEventListener('abort', () => reject(new Error()));
-    worker.postMessage(engine.link());
+/** Frames of the packing at most; there are half as many at least, where there are as many steps. */
+const PACKING = 48;
+
+/** Frames of the stones as they come. */
+const STONES = 10;
+
+/** Milliseconds. */
+const SHOWN = { first: 500, step: 70, stones: 80, last: 2500 };
+
+/** Making frames is this part of the work. */
+const MAKING = 0.7;
+
+/** Throws a sentence where there is no picture. */
+export function formingGif(studio: Bubblestone, progress: Progress): Blob {
+  const side = Math.min(SIDE, studio.side());
+  const picture = new Picture(side);
+  const frame = (shown: number): Frame => {
+    studio.draw(picture as unknown as CanvasRenderingContext2D, 'auto');
+    return { pixels: picture.pixels, shown };
+  };
+  const packing: Frame[] = [];
+  const later: Frame[] = [];
+  let [stride, packed, placed] = [1, -1, 0];
+  pavement(studio, (done) => progress(MAKING * done), (stage, { cells, steps, stones }) => {
+    if (stage === 'packing' && cells && steps > packed && steps % stride === 0) {
+      packed = steps;
+      packing.push(frame(SHOWN.step));
+      if (packing.length > PACKING) {
+        // Twice as many steps from frame to frame.
+        stride *= 2;
+        packing.splice(0, packing.length, ...packing.filter((_, index) => index % 2 === 0));
+      }
+    } else if (stage === 'solids' && stones >= placed && stones) {
+      later.push(frame(SHOWN.stones));
+      placed += cells / STONES;
+    }
   });
-  return made.finally(() => worker.terminate());
+  const frames = [...packing, ...later, frame(SHOWN.last)];
+  const [first] = frames;
+  if (first && frames.length > 1) first.shown = SHOWN.first;
+  return new Blob([gif(frames, side, (done) => progress(MAKING + (1 - MAKING) * done))], { type: 'image/gif' });
+}
+
+/** What the studio needs of a canvas. */
+class Picture {
+  pixels: Uint8Array = new Uint8Array();
+
+  constructor(private readonly side: number) {}
+
+  putImageData({ data, width }: ImageData): void {
+    // The studio hands over a view of its own memory, which does not stay.
+    this.pixels = width === this.side ? new Uint8Array(data) : smaller(data, width, this.side);
+  }
 }

@@ -1,11 +1,12 @@
 /** All maps in one zip file. */
 import { strToU8, Zip, ZipPassThrough } from 'fflate';
-import type { Engine } from '../engine';
+import type { Bubblestone } from '../../pkg/bubblestone.js';
+import type { PixelMap } from '../types';
+import type { Progress } from './pavement';
 import { png } from './png';
-import { breath, type Task } from './working';
 
 /** `normals` is the word of the normal map. Throws a sentence where there are no maps. */
-export async function mapsZip(engine: Engine, normals: string, task: Task): Promise<Blob> {
+export async function mapsZip(studio: Bubblestone, normals: string, progress: Progress): Promise<Blob> {
   const parts: BlobPart[] = [];
   const zip = new Zip((error, part) => {
     if (error) throw error;
@@ -19,14 +20,12 @@ export async function mapsZip(engine: Engine, normals: string, task: Task): Prom
   };
   const words = ['height', normals, 'albedo', 'roughness', 'ao', 'id'];
   for (const [index, word] of words.entries()) {
-    task.progress(index / words.length);
-    await breath();
-    task.signal.throwIfAborted();
-    const map = engine.map(word);
+    const map = studio.map(word) as PixelMap | string;
     if (typeof map === 'string') throw new Error(map);
     add(`${word}.png`, await png(map));
+    progress((index + 1) / words.length);
   }
-  add('report.json', strToU8(engine.report()));
+  add('report.json', strToU8(studio.report()));
   zip.end();
   return new Blob(parts, { type: 'application/zip' });
 }

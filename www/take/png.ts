@@ -1,13 +1,9 @@
 /** Pixels as PNG files, with 16 bits a channel where a map has them, which a canvas cannot do. */
 import type { PixelMap } from '../types';
-import { breath } from './working';
 
 const SIGNATURE = [137, 80, 78, 71, 13, 10, 26, 10];
 /** Each row as the difference to the one above (PNG specification, section 9). */
 const UP = 2;
-
-/** Bytes that are packed between two breaths of the page. */
-const SLICE = 100_000;
 
 /** A file that is written row after row. */
 export class PngWriter {
@@ -32,11 +28,7 @@ export class PngWriter {
 
   /** Whole rows from the top. */
   async write(rows: Uint8Array): Promise<void> {
-    const most = Math.max(1, Math.floor(SLICE / this.row)) * this.row;
-    for (let at = 0; at < rows.length; at += most) {
-      await this.into.write(this.filtered(rows.subarray(at, at + most)));
-      await breath();
-    }
+    if (rows.length) await this.into.write(this.filtered(rows));
   }
 
   async finish(): Promise<Uint8Array<ArrayBuffer>> {

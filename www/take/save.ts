@@ -5,9 +5,10 @@ import { notice, passing } from '../messages';
 import type { Store } from '../store';
 import type { Work } from '../work';
 import { dialogOf } from './dialog';
+import { fileOf, type Job } from './job';
 import { recipeFile, recipeIn } from './recipe-file';
 import { t } from './words';
-import { breath, BUDGET, working, type Task } from './working';
+import { working, type Task } from './working';
 
 export interface Saving {
   engine: Engine;
@@ -18,6 +19,11 @@ export interface Saving {
 
 export function save({ engine, store, work, canvas }: Saving): void {
   const name = (ending: string): string => `bubblestone-${engine.get('outline')}-${engine.get('seed')}${ending}`;
+  /** What is made of the finished picture waits for it, or nobody has seen what it will show. */
+  const made = (job: () => Job, finished = true) => (task: Task): Promise<Blob> => {
+    if (finished && engine.stage() !== 'done') throw new Error(engine.problem() || t('wait'));
+    return fileOf(engine.link(), job(), task);
+  };
   const normals = make(
     'select',
     { id: 'normals' },
@@ -27,22 +33,22 @@ export function save({ engine, store, work, canvas }: Saving): void {
   normals.addEventListener('change', () => (chosenNormals = normals.value));
   normals.value = chosenNormals;
   const button = (id: string, word: string, ending: string, making: (task: Task) => Promise<Blob>): HTMLButtonElement => {
-    const made = make('button', { type: 'button', class: 'key', id }, word);
-    made.addEventListener('click', () => {
+    const key = make('button', { type: 'button', class: 'key', id }, word);
+    key.addEventListener('click', () => {
       dialog.close();
       void working(name(ending), making);
     });
-    return made;
+    return key;
   };
   const shown = store.state.view === 'auto' ? 'picture' : store.state.view;
   const pixels = SCALES.filter((scale) => scale === 1 || canvas.width * scale <= MOST).map((scale) => {
     const n = canvas.width * scale;
-    const made =
+    const key =
       scale === 1
         ? button('save-png', t('pixels', { n }), `-${shown}.png`, () => shownPng(canvas))
-        : button(`save-png-${scale}`, t('pixels', { n }), `-${n}.png`, async (task) => (await import('./picture')).pictureFile(engine, scale, task));
-    made.setAttribute('aria-label', t('pixels_label', { n }));
-    return made;
+        : button(`save-png-${scale}`, t('pixels', { n }), `-${n}.png`, made(() => ({ file: 'picture', scale })));
+    key.setAttribute('aria-label', t('pixels_label', { n }));
+    return key;
   });
   const file = make('input', { type: 'file', accept: '.json,application/json', hidden: '', 'aria-label': t('open_label') });
   const open = make('button', { type: 'button', class: 'key', id: 'open-recipe', 'aria-label': t('open_label') }, t('open'));
@@ -56,20 +62,20 @@ export function save({ engine, store, work, canvas }: Saving): void {
     'save-dialog',
     t('save'),
     row(t('picture'), t('picture_note'), ...pixels),
-    row(t('cells'), t('cells_note'), button('save-svg', 'SVG', '.svg', () => svg(engine))),
-    row(t('forming'), t('forming_note'), button('save-gif', 'GIF', '.gif', async (task) => (await import('./forming')).formingGif(engine, task))),
+    row(t('cells'), t('cells_note'), button('save-svg', 'SVG', '.svg', made(() => ({ file: 'svg' }), false))),
+    row(t('forming'), t('forming_note'), button('save-gif', 'GIF', '.gif', made(() => ({ file: 'gif' }), false))),
     row(
       t('maps'),
       t('maps_note'),
       make('label', { class: 'said', for: 'normals' }, t('normals')),
       normals,
-      button('save-maps', 'ZIP', '-maps.zip', (task) => maps(engine, normals.value, task)),
+      button('save-maps', 'ZIP', '-maps.zip', made(() => ({ file: 'maps', normals: normals.value }))),
     ),
     row(
       t('mesh'),
       t('mesh_note'),
-      button('save-glb', 'GLB', '.glb', (task) => mesh(engine, 'glb', 'model/gltf-binary', task)),
-      button('save-obj', 'OBJ', '.obj', (task) => mesh(engine, 'obj', 'model/obj', task)),
+      button('save-glb', 'GLB', '.glb', made(() => ({ file: 'glb' }))),
+      button('save-obj', 'OBJ', '.obj', made(() => ({ file: 'obj' }))),
     ),
     row(t('recipe'), t('recipe_note'), button('save-recipe', 'JSON', '.json', () => Promise.resolve(recipeFile(engine))), open, file),
   );
@@ -106,33 +112,4 @@ async function shownPng(canvas: HTMLCanvasElement): Promise<Blob> {
   const blob = await new Promise<Blob | null>((resolve) => canvas.toBlob(resolve, 'image/png'));
   if (!blob) throw new Error(t('no_png'));
   return blob;
-}
-
-async function svg(engine: Engine): Promise<Blob> {
-  await breath();
-  const text = engine.svg();
-  if (!text) throw new Error(t('no_svg'));
-  return new Blob([text], { type: 'image/svg+xml' });
-}
-
-async function maps(engine: Engine, normals: string, task: Task): Promise<Blob> {
-  if (typeof CompressionStream !== 'function') throw new Error(t('old'));
-  const { mapsZip } = await import('./maps-zip');
-  return mapsZip(engine, normals, task);
-}
-
-async function mesh(engine: Engine, ending: string, type: string, { signal }: Task): Promise<Blob> {
-  let parts: BlobPart[] = [];
-  try {
-    for (;;) {
-      await breath();
-      signal.throwIfAborted();
-      const slice = engine.meshFile(ending, BUDGET);
-      if (typeof slice === 'string') throw new Error(slice);
-      parts = slice.begun ? slice.parts : parts.concat(slice.parts);
-      if (slice.done) return new Blob(parts, { type });
-    }
-  } finally {
-    engine.stopFile();
-  }
 }

@@ -4,9 +4,6 @@ import { offer } from '../download';
 import { clear, notice, offerOf, passing } from '../messages';
 import { t } from './words';
 
-/** Milliseconds of work between two breaths of the page. */
-export const BUDGET = 12;
-
 export interface Task {
   /** How much is done, 0..1; nothing is known where it is never said. */
   progress(done: number): void;
@@ -40,9 +37,4 @@ export async function working(name: string, work: (task: Task) => Promise<Blob>)
     else notice('files', error instanceof Error ? error.message : String(error));
   }
   busy = undefined;
-}
-
-/** Lets the page answer in between. */
-export function breath(): Promise<void> {
-  return new Promise((resolve) => setTimeout(resolve));
 }

@@ -1,0 +1,26 @@
+/** Makes a studio's picture from its start to its end. */
+import type { Bubblestone } from '../../pkg/bubblestone.js';
+import { progressOf } from '../progress';
+import type { Status } from '../types';
+
+/** Milliseconds of work between two words about how far it is. */
+export const BUDGET = 50;
+
+/** More packing steps than fit into that. */
+const STEPS = 100_000;
+
+/** Gets how much is done, 0..1. */
+export type Progress = (done: number) => void;
+
+/** Where somebody looks on, one step of the packing or one stone is made at a time. Throws a sentence where there is no picture. */
+export function pavement(studio: Bubblestone, progress: Progress, looksOn?: (stage: string, status: Status) => void): void {
+  for (;;) {
+    const stage = studio.stage();
+    const status = studio.status() as Status;
+    if (stage === 'error') throw new Error(studio.problem());
+    if (stage === 'done') return;
+    looksOn?.(stage, status);
+    progress(progressOf(stage, status));
+    studio.tick(looksOn ? 0 : BUDGET, looksOn ? 1 : STEPS);
+  }
+}
