@@ -55,7 +55,8 @@ export async function launch(system, flags = []) {
   const executablePath = findBrowser(kind);
   if (!executablePath) throw new Error(`No ${browsers[kind].title}: name its program in ${browsers[kind].variable}.`);
   const profile = mkdtempSync(join(tmpdir(), 'bubblestone-browser-'));
-  const remove = () => rmSync(profile, { recursive: true, force: true, maxRetries: 5 });
+  // Some of the browser's processes end, and write, a little after it.
+  const remove = () => rmSync(profile, { recursive: true, force: true, maxRetries: 20 });
   const browser = await puppeteer
     .launch({
       browser: kind === 'firefox' ? 'firefox' : 'chrome',

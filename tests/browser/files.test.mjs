@@ -261,7 +261,8 @@ test('Stop stops what is being made, and then another file can be saved', async 
     assert.equal(await page.evaluate(() => window.saved), undefined);
   }
   assert.equal((await saved(page, '#save-recipe')).name, 'bubblestone-annulus-1.json');
-  assert.deepEqual(problems, []);
+  // Firefox tells of the module that a stopped worker was just fetching.
+  assert.deepEqual(problems.filter((problem) => !/\.lzma: NS_BINDING_ABORTED$/.test(problem)), []);
   await close();
 });
 

@@ -73,8 +73,8 @@ export async function open({ flags = [], files = dist } = {}) {
     /** @param {import('puppeteer-core').Page} page */
     allowClipboard: (page) => allowClipboard(page, origin),
     close: async () => {
-      for (const browser of launched.values()) await (await browser).close();
       stop();
+      for (const browser of launched.values()) await (await browser).close();
     },
   };
 }
