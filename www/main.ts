@@ -4,6 +4,7 @@ import { isEmbedded } from './link';
 import { load } from './engine';
 import { choiceOf, choose } from './memory';
 import { alertOf, passing } from './messages';
+import { keepModule } from './module';
 import { t, takeLanguage } from './words';
 
 async function start(): Promise<void> {
@@ -23,6 +24,8 @@ async function start(): Promise<void> {
 
 /** The first picture is done: now there is time for the next visit. */
 async function storeSite(): Promise<void> {
+  // Without a storage the next visit unpacks the module again.
+  keepModule().catch(() => undefined);
   const { register } = await import('./offline');
   register((what) => {
     // Said once; the next visits are told of newer builds only.
