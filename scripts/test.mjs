@@ -106,5 +106,5 @@ function browserTests(kind, programs) {
     .sort()
     .map((file) => join(folder, file));
   const env = { ...process.env, ...programs, BROWSER: kind };
-  run(process.execPath, ['--test', '--test-concurrency=2', '--test-reporter=spec', ...files], { env });
+  run(process.execPath, ['--test', '--test-concurrency=2', '--test-timeout=1500000', '--test-reporter=spec', ...files], { env });
 }

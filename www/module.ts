@@ -42,7 +42,8 @@ async function keptModule(): Promise<Response | undefined> {
 }
 
 async function unpacked(): Promise<Response> {
-  const answer = await fetch(packed);
+  // The second time, to keep it, the browser still has it.
+  const answer = await fetch(packed, { cache: 'force-cache' });
   if (!answer.ok) throw new Error(`${answer.status}`);
   const unpacker = new Unpacker(new Uint8Array(await answer.arrayBuffer()));
   const pieces = new ReadableStream({

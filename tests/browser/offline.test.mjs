@@ -23,8 +23,9 @@ const fetched = (page, path) =>
     return Array.from(hash.subarray(0, 16), (byte) => byte.toString(16).padStart(2, '0')).join('');
   }, path);
 
-test('after the first visit all works without a host, and nothing was fetched twice', async () => {
+test('after the first visit all works without a host, and nothing was fetched twice', async (t) => {
   const site = await open();
+  t.after(() => site.close());
   const { page, external, close } = await site.newPage(SMALL);
   const planes = await digest(page);
   await told(page, 'stored');
@@ -52,11 +53,11 @@ test('after the first visit all works without a host, and nothing was fetched tw
   await told(page, 'stored');
   assert.deepEqual(external, []);
   await close();
-  await site.close();
 });
 
-test('until the first picture is done only what it needs is fetched', async () => {
+test('until the first picture is done only what it needs is fetched', async (t) => {
   const site = await open();
+  t.after(() => site.close());
   const { page, close } = await site.newPage('', {
     before: (fresh) =>
       fresh.evaluateOnNewDocument(() => {
@@ -71,13 +72,13 @@ test('until the first picture is done only what it needs is fetched', async () =
   assert.ok(others.every((path) => /^assets\/offline-/.test(path)), others.join(' '));
   assert.ok(site.requests.filter((path) => path.startsWith('thumbs/')).length <= 8);
   await close();
-  await site.close();
 });
 
-test('a new build is told, taken at the next visit, and never mixed with the old one', async () => {
+test('a new build is told, taken at the next visit, and never mixed with the old one', async (t) => {
   const files = mkdtempSync(join(tmpdir(), 'bubblestone-site-'));
   cpSync(dist, files, { recursive: true });
   const site = await open({ files });
+  t.after(() => site.close());
   const { page, problems, close } = await site.newPage(SMALL);
   const planes = await digest(page);
   await told(page, 'stored');
@@ -108,16 +109,16 @@ test('a new build is told, taken at the next visit, and never mixed with the old
   assert.equal(await fetched(page, script), before.files[script]);
   assert.deepEqual(problems, []);
   await close();
-  await site.close();
   rmSync(files, { recursive: true });
 });
 
-test('a file that is not of this build is not stored', async () => {
+test('a file that is not of this build is not stored', async (t) => {
   const files = mkdtempSync(join(tmpdir(), 'bubblestone-site-'));
   cpSync(dist, files, { recursive: true });
   const style = listOf(files).first.find((path) => path.endsWith('.css'));
   writeFileSync(join(files, style), 'body { margin: 0 }');
   const site = await open({ files });
+  t.after(() => site.close());
   const { page, close } = await site.newPage(SMALL);
   await digest(page);
   // It is asked for again, past the browser's own cache, and then given up.
@@ -128,12 +129,12 @@ test('a file that is not of this build is not stored', async () => {
   await page.waitForFunction(async () => (await navigator.serviceWorker.getRegistration()) === undefined, { timeout: 20_000, polling: 200 });
   assert.equal(await page.evaluate(() => document.documentElement.dataset.offline), undefined);
   await close();
-  await site.close();
   rmSync(files, { recursive: true });
 });
 
-test('the page can be installed: its manifest is valid, with icons of the sizes that it names', async () => {
+test('the page can be installed: its manifest is valid, with icons of the sizes that it names', async (t) => {
   const site = await open();
+  t.after(() => site.close());
   const { page, close } = await site.newPage(SMALL);
   const href = await page.$eval('link[rel=manifest]', (link) => link.getAttribute('href'));
   const manifest = JSON.parse(readFileSync(join(dist, href), 'utf8'));
@@ -158,5 +159,4 @@ test('the page can be installed: its manifest is valid, with icons of the sizes 
     assert.deepEqual(installabilityErrors.map(({ errorId }) => errorId).filter((id) => id !== 'in-incognito'), []);
   }
   await close();
-  await site.close();
 });
