@@ -8,9 +8,10 @@ import { History } from './history';
 import { kindsIn } from './kinds';
 import { bindKeys, listenToKeys } from './keys';
 import { address, fragment, isReload, Link } from './link';
+import { Later } from './later';
 import { isLocked, keptLocks } from './locks';
 import { Loop } from './loop';
-import { lastWork, remember } from './memory';
+import { lastWork, remember, type LastWork } from './memory';
 import { alertOf, clear, notice, offerOf, passing } from './messages';
 import { Presets } from './presets';
 import { scriptFace, type ScriptFace } from './scripts';
@@ -45,7 +46,7 @@ export class App {
     const asked = last && isReload() && last.past.includes(fragment()) ? last.recipe : fragment();
     this.engine = new Engine(asked === '' && last?.own ? last.recipe : asked, (error, link) => this.crashed(error, link));
     this.face = scriptFace(this.engine);
-    this.store = new Store(this.first(asked));
+    this.store = new Store(this.first(asked, last));
     this.work = new Work(this.engine, this.store);
     this.history = new History(this.store);
     this.loop = new Loop(this.engine, (stage, changed) => this.drawn(stage, changed));
@@ -90,8 +91,7 @@ export class App {
   }
 
   /** The state that the page begins with: the last work's history goes on, whatever is opened now. */
-  private first(asked: string): State {
-    const last = lastWork();
+  private first(asked: string, last: LastWork | undefined): State {
     const recipe = this.engine.link();
     const same = last?.recipe === recipe;
     return {
@@ -137,7 +137,6 @@ export class App {
     };
     store.on(['recipe'], (now) => {
       showRecipe(now);
-      showTransport(now);
       this.editing.follow();
       this.loop.changed();
     });
@@ -183,8 +182,10 @@ export class App {
       { keys: ['e'], word: 'key_edit', act: () => this.editing.toggle() },
     );
     listenToKeys();
-    byId('share').addEventListener('click', () => this.later(import('./take/share'), ({ share }) => share(this.engine, this.store, this.view.canvas)));
-    byId('save').addEventListener('click', () => this.later(import('./take/save'), ({ save }) => save({ engine: this.engine, store: this.store, work: this.work, canvas: this.view.canvas })));
+    const sharing = new Later(() => import('./take/share'));
+    byId('share').addEventListener('click', () => sharing.ask(({ share }) => share(this.engine, this.store, this.view.canvas)));
+    const saving = new Later(() => import('./take/save'));
+    byId('save').addEventListener('click', () => saving.ask(({ save }) => save(this.work, this.view.canvas)));
     byId('undo').addEventListener('click', () => this.history.undo());
     byId('redo').addEventListener('click', () => this.history.redo());
     byId('about-button').addEventListener('click', () => {
@@ -263,11 +264,6 @@ export class App {
   /** The next change is an entry of its own in the browser's history. */
   private push(): void {
     this.link.next = 'push';
-  }
-
-  /** Uses what comes only when it is asked for. */
-  private later<T>(coming: Promise<T>, use: (come: T) => void): void {
-    coming.then(use, () => notice('offline', t('not_loaded')));
   }
 
   private async copy(): Promise<void> {

@@ -1,8 +1,8 @@
 /** The buttons of chance: one that throws all that is not locked, and a dice and a lock for each group. */
 import type { Controls } from './controls';
 import { byId, make } from './dom';
+import { Later } from './later';
 import { isLocked, onLocks, toggleLock } from './locks';
-import { notice } from './messages';
 import { SEED } from './seed';
 import { groupIn, t } from './words';
 import type { Work } from './work';
@@ -10,18 +10,15 @@ import type { Work } from './work';
 /** `push` is called before a change that the browser's Back button shall take back. */
 export function makeChances(work: Work, controls: Controls, push: () => void): void {
   const { engine, store } = work;
+  const chance = new Later(() => import('./chance'));
   const throwAll = (groups: readonly string[]): void => {
-    // What good values are comes only when it is asked for.
-    import('./chance').then(
-      ({ thrown }) => {
-        const free = groups.filter((group) => !isLocked(store, group));
-        const values = thrown(Math.random, free, engine.schema, (key) => engine.get(key));
-        if (groups.length > 1 && !isLocked(store, SEED)) values.push([SEED, String(engine.randomSeed())]);
-        push();
-        work.setAll(values);
-      },
-      () => notice('offline', t('not_loaded')),
-    );
+    chance.ask(({ thrown }) => {
+      const free = groups.filter((group) => !isLocked(store, group));
+      const values = thrown(Math.random, free, engine.schema, (key) => engine.get(key));
+      if (groups.length > 1 && !isLocked(store, SEED)) values.push([SEED, String(engine.randomSeed())]);
+      push();
+      work.setAll(values);
+    });
   };
   const names: string[] = [];
   for (const [name, element] of controls.groupings()) {

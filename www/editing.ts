@@ -1,62 +1,45 @@
 /** The way to the editor over the canvas, which is loaded when it is first used. */
 import type { Desk } from './editor/desk';
-import { alertOf } from './messages';
+import { Later } from './later';
 import type { Work } from './work';
-import { t } from './words';
 
 export class Editing {
-  private readonly work: Work;
-  private desk: Desk | undefined;
-  private coming: Promise<Desk | undefined> | undefined;
+  private readonly desk: Later<Desk>;
 
   constructor(work: Work) {
-    this.work = work;
+    this.desk = new Later(async () => new (await import('./editor/desk')).Desk(work));
   }
 
-  /** Loads the editor, once; tells where that failed, so that it can be tried again. */
-  load(): Promise<Desk | undefined> {
-    this.coming ??= import('./editor/desk').then(
-      ({ Desk }) => (this.desk = new Desk(this.work)),
-      () => {
-        this.coming = undefined;
-        alertOf('outline', t('lost_editor'));
-        return undefined;
-      },
-    );
-    return this.coming;
-  }
-
-  /** At once where the editor is loaded. */
-  private with(act: (desk: Desk) => void): void {
-    if (this.desk) act(this.desk);
-    else void this.load().then((desk) => desk && act(desk));
+  /** The editor will be wanted soon. */
+  load(): void {
+    void this.desk.load();
   }
 
   /** Ends the editing of this sort, or begins it, with a first figure where there is none. */
   toggle(word?: string): void {
-    this.with((desk) => desk.toggle(word));
+    this.desk.ask((desk) => desk.toggle(word));
   }
 
   /** Shows handles on figures of this sort. */
   begin(word: string): void {
-    this.with((desk) => desk.begin(word));
+    this.desk.ask((desk) => desk.begin(word));
   }
 
   /** A tool of the box was chosen, by the keyboard or not. */
   use(tool: string, byKey: boolean): void {
-    this.with((desk) => desk.use(tool, byKey));
+    this.desk.ask((desk) => desk.use(tool, byKey));
   }
 
   /** An outline comes from a file or from the clipboard. */
   take(from: File | string): void {
-    this.with((desk) => (typeof from === 'string' ? desk.paste(from) : void desk.takeFile(from)));
+    this.desk.ask((desk) => (typeof from === 'string' ? desk.paste(from) : void desk.takeFile(from)));
   }
 
   follow(): void {
-    this.desk?.follow();
+    this.desk.here?.follow();
   }
 
   end(): void {
-    this.desk?.close();
+    this.desk.here?.close();
   }
 }

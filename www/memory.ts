@@ -7,12 +7,12 @@ const CHOICE = 'bubblestone.';
 /** Milliseconds between two writings. */
 const THROTTLE = 400;
 
-export type Work = Pick<State, 'recipe' | 'past' | 'future' | 'own'>;
+export type LastWork = Pick<State, 'recipe' | 'past' | 'future' | 'own'>;
 
 /** The last work; undefined where there is none, or it cannot be read. */
-export function lastWork(): Work | undefined {
+export function lastWork(): LastWork | undefined {
   try {
-    const { recipe, past, future, own } = JSON.parse(localStorage.getItem(WORK) ?? 'null') as Record<keyof Work, unknown>;
+    const { recipe, past, future, own } = JSON.parse(localStorage.getItem(WORK) ?? 'null') as Record<keyof LastWork, unknown>;
     if (typeof recipe !== 'string' || !areLinks(past) || !areLinks(future)) return undefined;
     return { recipe, past, future, own: own === true };
   } catch {

@@ -26,7 +26,7 @@ export class Toolbox {
     }
     const box = byId('toolbox');
     walkByArrows(box);
-    for (const near of ['pointerover', 'focusin']) box.addEventListener(near, () => void editing.load(), { once: true });
+    for (const near of ['pointerover', 'focusin']) box.addEventListener(near, () => editing.load(), { once: true });
     this.receive(byId('frame'));
     work.store.on(['editing', 'recipe'], () => this.show());
     this.show();

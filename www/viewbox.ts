@@ -1,7 +1,7 @@
 /** The buttons for looking closer, beside the canvas; what they do is loaded when it is first asked for. */
 import { byId, say, walkByArrows } from './dom';
 import { bindKeys } from './keys';
-import { alertOf, clear } from './messages';
+import { Later } from './later';
 import type { Store } from './store';
 import type { View } from './view';
 import { t } from './words';
@@ -19,15 +19,15 @@ const REPEATS = 3;
 
 export function makeViewBox(work: Work, view: View): void {
   const { store } = work;
-  const hand = part(async () => new (await import('./look/hand')).Hand(work, view));
-  const zoom = (by: number) => () => hand((it) => it.glass.step(by));
+  const hand = new Later(async () => new (await import('./look/hand')).Hand(work, view));
+  const zoom = (by: number) => () => hand.ask((it) => it.glass.step(by));
   byId('zoom-in').addEventListener('click', zoom(1));
   byId('zoom-out').addEventListener('click', zoom(-1));
   byId('zoom-fit').addEventListener('click', zoom(0));
   const sheet = byId('sheet');
-  for (const sign of ['pointerover', 'pointerdown', 'focusin']) sheet.addEventListener(sign, () => hand(), { once: true, passive: true });
+  for (const sign of ['pointerover', 'pointerdown', 'focusin']) sheet.addEventListener(sign, () => void hand.load(), { once: true, passive: true });
   // The first tap comes before what answers it.
-  sheet.addEventListener('click', (event) => hand((it) => it.telling.tap(event)));
+  sheet.addEventListener('click', (event) => hand.ask((it) => it.telling.tap(event)));
   // Two fingers zoom the picture, not the page.
   sheet.addEventListener('touchstart', (event) => event.touches.length > 1 && event.cancelable && event.preventDefault(), { passive: false });
 
@@ -36,11 +36,11 @@ export function makeViewBox(work: Work, view: View): void {
   tool(store, 'compare', async () => new (await import('./look/compare')).Compare(work, view));
   tool(store, 'plots', async () => new (await import('./look/plots')).Plots(work.engine, view));
 
-  const tiles = part(async () => new (await import('./look/tiles')).Tiles(store, view));
+  const tiles = new Later(async () => new (await import('./look/tiles')).Tiles(store, view));
   byId('tile-button').addEventListener('click', () => store.update({ repeat: (store.state.repeat % REPEATS) + 1 }));
   store.on(['repeat'], ({ repeat }) => {
     say(byId('tile-word'), t('repeat_now', { n: repeat }));
-    tiles((it) => it.follow());
+    tiles.ask((it) => it.follow());
   });
   walkByArrows(byId('viewbox'));
   bind();
@@ -63,28 +63,10 @@ function bind(): void {
 function tool(store: Store, name: Tool, load: () => Promise<Shown>): void {
   const button = byId(`${name}-button`);
   const state = button.hasAttribute('aria-pressed') ? 'aria-pressed' : 'aria-expanded';
-  const shown = part(load);
+  const shown = new Later(load);
   button.addEventListener('click', () => store.update({ [name]: !store.state[name] }));
   store.on([name], (now) => {
     button.setAttribute(state, String(now[name]));
-    shown((it) => it.show(store.state[name]));
+    shown.ask((it) => it.show(store.state[name]));
   });
-}
-
-/** What is loaded once, when first asked for; then, or at once, it is told what to do. */
-function part<T>(load: () => Promise<T>): (act?: (it: T) => void) => void {
-  let loading: Promise<T> | undefined;
-  return (act) => {
-    loading ??= load();
-    loading.then(
-      (it) => {
-        clear('part');
-        act?.(it);
-      },
-      () => {
-        loading = undefined;
-        alertOf('part', t('lost_part'));
-      },
-    );
-  };
 }

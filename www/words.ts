@@ -31,7 +31,7 @@ export function wordsOf<Key extends string>(by: { en: Record<Key, string>; ja: R
 }
 
 /** A text with `{name}` replaced by values. */
-export function filled(text: string, values: Record<string, string | number>): string {
+function filled(text: string, values: Record<string, string | number>): string {
   return text.replace(/\{(\w+)\}/g, (whole, name: string) => String(values[name] ?? whole));
 }
 

@@ -6,6 +6,7 @@ import { after, before, test } from 'node:test';
 import { targetDir } from '../../scripts/lib/rust.mjs';
 import { kind } from './browsers.mjs';
 import { open } from './harness.mjs';
+import { phone } from './page.mjs';
 import { enter, states } from './states.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
@@ -19,7 +20,6 @@ const TAGS = ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa', 'best-prac
 const pictures = join(targetDir, 'page-pictures', kind);
 
 const desk = { width: 1280, height: 800 };
-const phone = { width: 390, height: 844, deviceScaleFactor: 2, isMobile: true, hasTouch: true };
 
 const ALL = [
   { name: 'desk-light', viewport: desk, dark: false },

@@ -1,14 +1,12 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { open } from './harness.mjs';
-import { digest, frames, get, SMALL } from './page.mjs';
+import { digest, frames, get, link, phone, SQUARE } from './page.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
 
-const SQUARE = `${SMALL}&outline=square`;
 const LINED = `${SQUARE}&lines=0.2,0.5,0.8,0.5`;
-const phone = { width: 390, height: 844, deviceScaleFactor: 2, isMobile: true, hasTouch: true };
 
 before(async () => {
   site = await open();
@@ -45,7 +43,6 @@ async function drag(page, from, [dx, dy]) {
   await frames(page, 2);
 }
 
-const link = (page) => page.evaluate(() => window.bubblestone.link());
 const noAlerts = async (page) => assert.equal((await page.$$('[role=alert] .message')).length, 0);
 
 test('a line is added and its points are moved by the mouse; the link brings it back', async () => {

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { open } from './harness.mjs';
-import { digest, frames, get, messages, set, SMALL } from './page.mjs';
+import { digest, frames, get, link, messages, set, SMALL } from './page.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
@@ -12,7 +12,6 @@ before(async () => {
 
 after(() => site?.close());
 
-const link = (page) => page.evaluate(() => window.bubblestone.link());
 const disabled = (page, id) => page.$eval(`#${id}`, (button) => button.disabled);
 
 /** Presses keys together. */

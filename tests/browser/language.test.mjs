@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
 import { open } from './harness.mjs';
-import { digest, frames, get, messages, set, SMALL } from './page.mjs';
+import { digest, frames, get, messages, phone, reloading, set, SMALL } from './page.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
@@ -10,7 +10,6 @@ let site;
 const words = (code) => JSON.parse(readFileSync(new URL(`../../www/strings/${code}.json`, import.meta.url), 'utf8'));
 const english = words('en');
 const japanese = words('ja');
-const phone = { width: 390, height: 844, isMobile: true, hasTouch: true };
 
 before(async () => {
   site = await open();
@@ -37,7 +36,7 @@ test('every word has its Japanese, with the same values in it', () => {
   // Signs and names of formats are the same in both.
   const same = (text) => !/[a-z]{3}/.test(text.replace(/\{\w+\}|PNG|OBJ|GLB|SVG|GIF|JSON|Bubblestone/g, ''));
   // The last are of what is loaded later, both languages in one file.
-  const parts = [...['page', 'words'].map((part) => [english[part], japanese[part]]), ...['take', 'look'].map(words).map(({ en, ja }) => [en, ja])];
+  const parts = [...['page', 'words'].map((part) => [english[part], japanese[part]]), ...['take', 'look', 'editor'].map(words).map(({ en, ja }) => [en, ja])];
   for (const [en, ja] of parts) {
     assert.deepEqual(Object.keys(ja).sort(), Object.keys(en).sort());
     for (const [key, text] of Object.entries(en)) {
@@ -86,7 +85,7 @@ test('a browser in Japanese gets a page in Japanese, which may be changed to Eng
   assert.match((await messages(page)).join(), /セルの大きさ \(cs\)は2から\d+ pxまでの数（画像の一辺192 px）でなければなりません。/);
   await set(page, 'cs', '16');
   for (const [code, title] of [['en', english.page.title], ['ja', japanese.page.title]]) {
-    await Promise.all([page.waitForNavigation(), page.select('#language', code)]);
+    await reloading(page, () => page.select('#language', code));
     assert.equal(await digest(page), before);
     assert.equal(await get(page, 'dr'), '0.7');
     assert.equal(await lang(), code);

@@ -2,13 +2,10 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { open } from './harness.mjs';
-import { canvas, digest, done, frames, get, SMALL, steps } from './page.mjs';
+import { canvas, digest, done, frames, get, phone, SQUARE, steps } from './page.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
-
-const SQUARE = `${SMALL}&outline=square`;
-const phone = { width: 390, height: 844, deviceScaleFactor: 2, isMobile: true, hasTouch: true };
 
 before(async () => {
   site = await open();

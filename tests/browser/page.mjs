@@ -6,6 +6,11 @@ import assert from 'node:assert/strict';
 /** A recipe that takes a blink. */
 export const SMALL = '#size=192&cs=16';
 
+/** The same in a square. */
+export const SQUARE = `${SMALL}&outline=square`;
+
+export const phone = { width: 390, height: 844, deviceScaleFactor: 2, isMobile: true, hasTouch: true };
+
 /** The digest of the planes, once they are done. @param {Page} page @returns {Promise<string>} */
 export async function digest(page) {
   await page.waitForFunction(() => 'bubblestone' in window, { timeout: 60_000 });
@@ -40,6 +45,18 @@ export function canvas(page) {
 /** The value of a parameter. @param {Page} page @param {string} key @returns {Promise<string>} */
 export function get(page, key) {
   return page.evaluate((name) => /** @type {any} */ (window).bubblestone.get(name), key);
+}
+
+/** The recipe's link. @param {Page} page @returns {Promise<string>} */
+export function link(page) {
+  return page.evaluate(() => /** @type {any} */ (window).bubblestone.link());
+}
+
+/** Does what loads the page anew, and waits for that; an address that is only rewritten is no load. @param {Page} page @param {() => Promise<unknown>} act */
+export async function reloading(page, act) {
+  const loaded = new Promise((resolve) => page.once('load', resolve));
+  await act();
+  await loaded;
 }
 
 /** Packing steps taken. @param {Page} page @returns {Promise<number>} */

@@ -3,12 +3,10 @@ import { readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
 import jsQR from 'jsqr';
 import { open } from './harness.mjs';
-import { canvas, digest, done, frames, get, message, messages, set, SMALL, steps } from './page.mjs';
+import { canvas, digest, done, frames, get, message, messages, phone, set, SMALL, steps } from './page.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
-
-const phone = { width: 390, height: 844, deviceScaleFactor: 2, isMobile: true, hasTouch: true };
 
 before(async () => {
   site = await open();

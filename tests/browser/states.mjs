@@ -1,5 +1,5 @@
 // The main states of the page, each with how to get there: tests look at all of them.
-import { digest, frames, message, SMALL } from './page.mjs';
+import { digest, frames, message, SMALL, SQUARE } from './page.mjs';
 
 /** @typedef {import('puppeteer-core').Page} Page */
 
@@ -12,8 +12,6 @@ import { digest, frames, message, SMALL } from './page.mjs';
  * @property {boolean} [few] most of the page is hidden, or behind a dialog
  * @property {boolean} [early] nothing waits for the picture
  */
-
-const SQUARE = `${SMALL}&outline=square`;
 
 /** Clicks without scrolling, whatever lies over it. @param {string} selector */
 const click = (selector) => (/** @type {Page} */ page) => page.$eval(selector, (element) => /** @type {HTMLElement} */ (element).click());

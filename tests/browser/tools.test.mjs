@@ -2,13 +2,10 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { open } from './harness.mjs';
-import { digest, frames, get, message, SMALL, tool } from './page.mjs';
+import { digest, frames, get, link, message, phone, SQUARE, tool } from './page.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
-
-const SQUARE = `${SMALL}&outline=square`;
-const phone = { width: 390, height: 844, deviceScaleFactor: 2, isMobile: true, hasTouch: true };
 
 before(async () => {
   site = await open();
@@ -24,7 +21,6 @@ async function placesOf(page) {
 
 /** What was said about the outline. */
 const messages = (page) => page.$$eval('.message[data-topic=outline]', (notes) => notes.map((note) => note.textContent));
-const link = (page) => page.evaluate(() => window.bubblestone.link());
 
 /** The handles of points, on the screen. */
 function handles(page) {

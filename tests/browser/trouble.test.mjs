@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { open } from './harness.mjs';
-import { digest, done, get, message, SMALL } from './page.mjs';
+import { digest, done, get, message, reloading, SMALL } from './page.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
@@ -25,7 +25,7 @@ test('a break inside becomes a message with the recipe, and the page can start a
   assert.equal(await page.evaluate(() => document.documentElement.dataset.stage), 'error');
   await assert.rejects(page.evaluate(() => window.bubblestone.digest()));
   assert.match(await page.$eval('[role=alert] a', (anchor) => anchor.href), /seed=77/);
-  await Promise.all([page.waitForNavigation(), page.click('[role=alert] a')]);
+  await reloading(page, () => page.click('[role=alert] a'));
   await digest(page);
   assert.equal(await get(page, 'seed'), '77');
   await page.evaluate(() => {
@@ -35,7 +35,7 @@ test('a break inside becomes a message with the recipe, and the page can start a
   });
   await page.click('#restart');
   await message(page, 'alert', /mistake/);
-  await Promise.all([page.waitForNavigation(), page.click('[role=alert] .actions button')]);
+  await reloading(page, () => page.click('[role=alert] .actions button'));
   await done(page);
   assert.equal(await page.evaluate(() => window.bubblestone.link()), '');
   await close();

@@ -137,7 +137,7 @@ export class Desk {
 
   /** An outline's file, chosen or dropped. */
   async takeFile(file: File): Promise<boolean> {
-    if (await (await import('../take/save')).openRecipe(this.work, file)) return true;
+    if (await (await import('../take/recipe-file')).openRecipe(this.work, file)) return true;
     if (file.size <= LARGEST) return this.takeText(await file.text(), file.name);
     alertOf('outline', tell('kept', { sentence: tell('too_large', { name: file.name }) }));
     return false;

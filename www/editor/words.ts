@@ -1,12 +1,7 @@
-/** The editor's words, which come with it, in the visitor's language. */
-import * as english from '../strings/editor.en.json';
-import { filled, language } from '../words';
+/** The editor's words, in the language in use. They come with it, in both languages. */
+import { wordsOf } from '../words';
+import { en, ja } from '../strings/editor.json';
 
-export type EditorWord = Exclude<keyof typeof english, 'default'>;
+export type EditorWord = keyof typeof en;
 
-const words: Record<EditorWord, string> = language() === 'ja' ? await import('../strings/editor.ja.json') : english;
-
-/** The words of a key, with `{name}` replaced by values. */
-export function tell(key: EditorWord, values: Record<string, string | number> = {}): string {
-  return filled(words[key], values);
-}
+export const tell = wordsOf({ en, ja });

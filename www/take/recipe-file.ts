@@ -2,12 +2,15 @@
 import { version } from '../../package.json';
 import type { Engine } from '../engine';
 import { pageAddress } from '../link';
+import { passing } from '../messages';
 import type { Parameter } from '../types';
+import type { Work } from '../work';
+import { t } from './words';
 
 const PROGRAM = 'Bubblestone';
 
-/** Characters; a link of a thousand points has some ten thousand. */
-const LONGEST = 200_000;
+/** Bytes; a link of a thousand points has some ten thousand. */
+const LARGEST = 200_000;
 
 export function recipeFile(engine: Engine): Blob {
   const recipe = engine.link();
@@ -20,9 +23,17 @@ function valueOf({ kind }: Parameter, text: string): string | number {
   return kind === 'number' || kind === 'int' ? Number(text) : text;
 }
 
+/** Opens a recipe's file; false where it is something else. */
+export async function openRecipe(work: Work, file: File): Promise<boolean> {
+  const recipe = file.size <= LARGEST ? recipeIn(await file.text()) : undefined;
+  if (recipe === undefined) return false;
+  work.open(recipe, true);
+  passing('files', t('opened', { name: file.name }));
+  return true;
+}
+
 /** The link that such a file's text holds; undefined where it is something else. */
-export function recipeIn(text: string): string | undefined {
-  if (text.length > LONGEST) return undefined;
+function recipeIn(text: string): string | undefined {
   try {
     const { program, recipe } = JSON.parse(text) as { program?: unknown; recipe?: unknown };
     return program === PROGRAM && typeof recipe === 'string' ? recipe : undefined;

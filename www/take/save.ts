@@ -1,23 +1,15 @@
 /** The dialog of all that can be saved: pictures, drawings, an animation, files for other programs, the recipe. */
 import { make } from '../dom';
-import type { Engine } from '../engine';
-import { notice, passing } from '../messages';
-import type { Store } from '../store';
+import { notice } from '../messages';
 import type { Work } from '../work';
 import { dialogOf } from './dialog';
 import { fileOf, type Job } from './job';
-import { recipeFile, recipeIn } from './recipe-file';
+import { openRecipe, recipeFile } from './recipe-file';
 import { t } from './words';
 import { working, type Task } from './working';
 
-export interface Saving {
-  engine: Engine;
-  store: Store;
-  work: Work;
-  canvas: HTMLCanvasElement;
-}
-
-export function save({ engine, store, work, canvas }: Saving): void {
+export function save(work: Work, canvas: HTMLCanvasElement): void {
+  const { engine, store } = work;
   const name = (ending: string): string => `bubblestone-${engine.get('outline')}-${engine.get('seed')}${ending}`;
   /** What is made of the finished picture waits for it, or nobody has seen what it will show. */
   const made = (job: () => Job, finished = true) => (task: Task): Promise<Blob> => {
@@ -97,15 +89,6 @@ function row(what: string, note: string, ...ways: HTMLElement[]): HTMLElement {
     make('div', {}, make('h3', {}, what), make('p', { class: 'take-note' }, note)),
     make('div', { class: 'take-ways' }, ...ways),
   );
-}
-
-/** Opens a recipe's file; false where it is something else. */
-export async function openRecipe(work: Work, file: File): Promise<boolean> {
-  const recipe = recipeIn(await file.text());
-  if (recipe === undefined) return false;
-  work.open(recipe, true);
-  passing('files', t('opened', { name: file.name }));
-  return true;
 }
 
 async function shownPng(canvas: HTMLCanvasElement): Promise<Blob> {
