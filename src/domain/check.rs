@@ -361,7 +361,7 @@ pub(super) fn bounds(points: &[DVec2]) -> (DVec2, DVec2) {
 /// Is the point inside the ring, whatever its orientation? Exact; counts crossings of a ray to +x.
 pub(crate) fn ring_contains(ring: &[DVec2], p: DVec2) -> bool {
     let mut inside = false;
-    let mut a = ring[ring.len() - 1];
+    let mut a = ring.last().copied().unwrap_or(p);
     for &b in ring {
         if (a.y > p.y) != (b.y > p.y) {
             // Always from the upper end, so that a point on a side that two rings share is in one.

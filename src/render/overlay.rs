@@ -111,9 +111,7 @@ impl Board {
 
     /// Draws lines through points, `width` pixels wide.
     pub fn polylines(&mut self, lines: &[Vec<DVec2>], tint: Tint, width: f64) {
-        let pieces = lines.iter().flat_map(|line| line.windows(2));
-        let pieces: Vec<[DVec2; 2]> = pieces.map(|w| [w[0], w[1]]).collect();
-        self.strokes(&pieces, tint, width);
+        self.strokes(&pieces_of(lines), tint, width);
     }
 
     /// Draws a circle.
@@ -148,6 +146,12 @@ impl Board {
     pub fn fits(&self, side: usize) -> bool {
         self.pixmap.width() as usize == side
     }
+}
+
+/// The lines of open polylines.
+pub(super) fn pieces_of(lines: &[Vec<DVec2>]) -> Vec<[DVec2; 2]> {
+    let pieces = lines.iter().flat_map(|line| line.windows(2));
+    pieces.map(|w| [w[0], w[1]]).collect()
 }
 
 /// The lines of rings.

@@ -1,6 +1,6 @@
 //! The direction field with all that shapes it, and its singular points.
 
-use super::overlay::{Board, Tint, lines_of, round};
+use super::overlay::{Board, Tint, lines_of, pieces_of, round};
 use super::overlay_stages::{INK, lines};
 use super::overlay_tones::SHEET;
 use crate::domain::Domain;
@@ -45,12 +45,8 @@ pub fn direction_over(board: &mut Board, domain: &Domain, fields: &Fields, side:
     }
     let arms = crosses(board, domain, fields, side, (side / 23.0).max(12.0));
     board.cased(&arms, CROSS_OVER, thin);
-    let pieces = |lines: &[Vec<DVec2>]| -> Vec<[DVec2; 2]> {
-        let pieces = lines.iter().flat_map(|line| line.windows(2));
-        pieces.map(|w| [w[0], w[1]]).collect()
-    };
-    board.cased(&pieces(domain.lines()), CROSS_OVER, 1.3 * thin);
-    board.cased(&pieces(&params.strokes), STROKE_OVER, 2.0 * thin);
+    board.cased(&pieces_of(domain.lines()), CROSS_OVER, 1.3 * thin);
+    board.cased(&pieces_of(&params.strokes), STROKE_OVER, 2.0 * thin);
 }
 
 /// Draws the singular points of the direction with their index.

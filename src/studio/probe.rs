@@ -2,7 +2,7 @@
 
 use super::{Position, Studio};
 use crate::cells::Cell;
-use crate::domain::Domain;
+use crate::domain::{Domain, ring_contains};
 use crate::field::Kind;
 use crate::metrics::{Figure, period};
 use crate::packing::Sample;
@@ -213,7 +213,7 @@ impl Boxes {
     fn find(&self, domain: &Domain, cells: &[Cell], p: DVec2) -> Option<(usize, DVec2)> {
         let here = |image: DVec2| {
             self.meeting([image; 2])
-                .find(|&k| contains(&cells[k].ring, image))
+                .find(|&k| ring_contains(&cells[k].ring, image))
         };
         images(domain).find_map(|shift| Some((here(p + shift)?, p + shift)))
     }
@@ -237,7 +237,7 @@ impl Boxes {
         }
         let there = |p: DVec2| {
             let mut near = near.iter();
-            near.find(|&&(k, shift)| contains(&cells[k].ring, p + shift))
+            near.find(|&&(k, shift)| ring_contains(&cells[k].ring, p + shift))
         };
         let n = cell.ring.len();
         let mut found: Vec<usize> = Vec::new();
@@ -269,19 +269,6 @@ fn bounds(cell: &Cell) -> [DVec2; 2] {
     let first = cell.ring.first().copied().unwrap_or(cell.centre);
     let around = cell.ring.iter();
     around.fold([first; 2], |[lo, hi], &q| [lo.min(q), hi.max(q)])
-}
-
-#[inline(never)]
-fn contains(ring: &[DVec2], p: DVec2) -> bool {
-    let mut inside = false;
-    let mut a = ring.last().copied().unwrap_or(p);
-    for &b in ring {
-        if (a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y) {
-            inside = !inside;
-        }
-        a = b;
-    }
-    inside
 }
 
 /// The angle of a cell's axis.
