@@ -80,7 +80,7 @@ export class App {
     this.bind();
     makeViewBox(this.work, this.view);
     notice('link', ...this.engine.notices());
-    if (last && asked !== '' && last.own && last.recipe !== this.store.state.recipe) this.tellReplaced();
+    if (last && asked !== '' && last.own && last.recipe !== this.store.state.recipe && arrived()) this.tellReplaced();
     remember(this.store);
     this.loop.changed();
   }
@@ -275,4 +275,10 @@ export class App {
       notice('done', t('not_copied', { link: address(link) }));
     }
   }
+}
+
+/** Whether the page was opened, rather than loaded anew (when another tab may have left its own work meanwhile). */
+function arrived(): boolean {
+  const [entry] = performance.getEntriesByType('navigation');
+  return !(entry instanceof PerformanceNavigationTiming && entry.type === 'reload');
 }
