@@ -106,7 +106,7 @@ export class App {
       future: last && same ? last.future : [],
       preset: presetOf(this.engine.presets, recipe),
       own: same && last.own && (asked === '' || asked === recipe),
-      stored: false,
+      stored: same,
       pace: 3,
       paused: false,
       view: 'auto',

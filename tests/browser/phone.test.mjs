@@ -15,9 +15,9 @@ before(async () => {
 
 after(() => site?.close());
 
-/** A page on a phone, with all controls to be seen. */
-async function unfolded() {
-  const opened = await site.newPage(SMALL, { viewport });
+/** A page on a phone, or a tablet, with all controls to be seen. */
+async function unfolded(size = viewport) {
+  const opened = await site.newPage(SMALL, { viewport: size });
   await digest(opened.page);
   await opened.page.evaluate(() => {
     for (const details of document.querySelectorAll('details')) details.open = true;
@@ -90,8 +90,8 @@ test('nothing is wider than the screen', async () => {
   await close();
 });
 
-test('everything to touch is at least 44 pixels high and wide', async () => {
-  const { page, close } = await unfolded();
+for (const [device, size] of Object.entries({ phone: viewport, 'tablet on its side': { ...viewport, width: 1180, height: 820 } })) test(`everything to touch on a ${device} is at least 44 pixels high and wide`, async () => {
+  const { page, close } = await unfolded(size);
   await page.$eval('#p-spots', (button) => button.click());
   const small = await page.evaluate(() => {
     const targets = [...document.querySelectorAll('button, select, summary, input')].filter((target) => target.offsetParent);
