@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { open } from './harness.mjs';
-import { canvas, digest, done, frames, get, phone, SQUARE, steps } from './page.mjs';
+import { canvas, digest, done, frames, get, message, phone, SQUARE, steps } from './page.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
@@ -366,7 +366,12 @@ test('another recipe is compared under a divider, made beside the shown one', as
   await frames(page, 5);
   assert.ok(await page.evaluate(() => document.querySelector('.other').toDataURL() === document.querySelector('#canvas').toDataURL()));
   await page.select('#compare-with', 'link');
-  await page.type('#compare-link', 'https://example.org/#size=192&cs=24');
+  await page.type('#compare-link', 'https://example.org/#nonsense=1');
+  await page.keyboard.press('Tab');
+  await message(page, 'status', /nonsense/);
+  // What is said of it leaves its field free.
+  await page.click('#compare-link', { count: 3 });
+  await page.keyboard.type('https://example.org/#size=192&cs=24');
   await page.keyboard.press('Tab');
   await settled();
   assert.notEqual(await other(), voronoi);
