@@ -174,7 +174,8 @@ export class Desk {
   private takeRings(rings: Ring[], loose?: () => Ring[]): boolean {
     return this.change('outline', () => {
       const first = this.work.outline(rings, this.held);
-      const { refused, sentence } = first.refused && loose ? this.work.outline(loose(), this.held) : first;
+      const second = first.refused ? (loose?.() ?? []) : [];
+      const { refused, sentence } = second.length ? this.work.outline(second, this.held) : first;
       return { refused, sentence: refused ? tell('last_good', { sentence }) : sentence };
     });
   }

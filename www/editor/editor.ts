@@ -95,6 +95,7 @@ export class Editor {
     const { layer } = this.sheet;
     layer.hidden = false;
     layer.dataset['form'] = sort.form;
+    layer.toggleAttribute('data-armed', armed);
     layer.toggleAttribute('data-draws', armed || sort.form === 'line' || sort.form === 'spot');
     layer.setAttribute('aria-label', sort.label);
     layer.classList.remove('bad');
@@ -296,6 +297,7 @@ export class Editor {
 
   disarm(): void {
     this.armed = false;
+    this.sheet.layer.removeAttribute('data-armed');
     this.sheet.layer.toggleAttribute('data-draws', this.sort?.form === 'line' || this.sort?.form === 'spot');
     this.gestures.reset();
     this.needs.disarmed();

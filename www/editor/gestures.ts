@@ -81,7 +81,8 @@ export class Gestures {
     const finger = event.pointerType === 'touch';
     const twice = event.timeStamp - this.before.time < DOUBLE && Math.hypot(event.clientX - this.before.x, event.clientY - this.before.y) < (finger ? NEAR_FOR_FINGERS : NEAR);
     this.before = { time: event.timeStamp, x: event.clientX, y: event.clientY };
-    const part: Part = this.pen?.open ? { part: 'nothing' } : editor.sheet.part(event.target);
+    // What is being drawn may begin and go on anywhere: an island in a hole, a line over another one.
+    const part: Part = this.pen?.open || editor.armed ? { part: 'nothing' } : editor.sheet.part(event.target);
     const common = { pointer: event.pointerId, x: event.clientX, y: event.clientY, moved: false, finger };
     if (part.part === 'point') {
       this.hold = { ...common, holds: 'point', place: part.place, twice };
