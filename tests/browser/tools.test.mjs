@@ -185,6 +185,10 @@ test('Escape takes back what is drawn, then leaves the points', async () => {
   const at = await placesOf(page);
   await page.mouse.click(...at(0.3, 0.3));
   await page.mouse.click(...at(0.6, 0.3));
+  const drawn = () => page.$eval('.draft', (path) => path.getAttribute('d').split('L').length);
+  const points = await drawn();
+  await undo(page);
+  assert.equal(await drawn(), points - 1, 'undo takes back the last point only');
   assert.equal(await page.$eval('#draw-finish', (button) => button.hidden), false);
   await page.keyboard.press('Escape');
   assert.equal(await page.$eval('#editor', (layer) => layer.hidden), false);
@@ -263,6 +267,10 @@ test('points come from the middles of edges and go by a double click', async () 
   await undo(page);
   assert.equal(await link(page), four, 'adding and dragging is one step');
   assert.equal((await handles(page)).length, 4);
+  await drag(page, middle, at(0.5, 0.5));
+  await page.keyboard.press('Delete');
+  await frames(page, 2);
+  assert.equal((await handles(page)).length, 4, 'the keyboard is on the point that came');
   await page.mouse.click(...middle);
   assert.equal((await handles(page)).length, 5);
   await page.mouse.click(...middle, { count: 2 });

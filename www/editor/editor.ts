@@ -110,7 +110,7 @@ export class Editor {
   }
 
   /** Puts the keyboard on the marked point, or where figures are added. */
-  private focus(): void {
+  focus(): void {
     if (!this.sheet.focus(this.figures, this.marked)) this.bar.focus();
   }
 
