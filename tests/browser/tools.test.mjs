@@ -196,6 +196,9 @@ test('Escape takes back what is drawn, then leaves the points', async () => {
   await page.keyboard.press('Escape');
   assert.equal(await page.$eval('#editor', (layer) => layer.hidden), true);
   assert.equal(await link(page), before);
+  await tool(page, 'lines');
+  await page.keyboard.press('Escape');
+  assert.equal(await page.$eval('#editor', (layer) => layer.hidden), true, 'also right after the tool was clicked');
   await close();
 });
 
@@ -247,6 +250,7 @@ test('a hole may be drawn on what is there, as an island in a hole', async () =>
   const widths = (await rings(page)).map((ring) => Math.max(...ring.map(([x]) => x)) - 0.5);
   assert.equal(widths.length, 3);
   assert.ok(Math.abs(widths[1] - 0.25) < 0.01 && Math.abs(widths[2] - 0.12) < 0.01, JSON.stringify(widths));
+  assert.deepEqual(await messages(page), [], 'whichever way round they run');
   // A drag that holds nothing marks no words.
   await page.click('#edit-done');
   await drag(page, at(0.04, 0.04), at(0.9, 1.2));

@@ -1,4 +1,5 @@
 /** Figures over the canvas, and what is done with them: by pointers (gestures.ts), keys, and the bar's buttons. */
+import { byId } from '../dom';
 import type { Point } from '../types';
 import { EditorBar } from './bar';
 import { drawn, type Figure, type Place, type Sort } from './figures';
@@ -63,6 +64,9 @@ export class Editor {
     });
     this.gestures = new Gestures(this);
     for (const place of [layer, bar]) place.addEventListener('keydown', (event) => this.keyAnywhere(event));
+    // After a tool was clicked the keyboard is on its button.
+    byId('toolbox').addEventListener('keydown', (event) => this.open && event.key === 'Escape' && this.keyAnywhere(event));
+    document.body.addEventListener('keydown', (event) => this.open && event.target === document.body && this.keyAnywhere(event));
     layer.addEventListener('focusin', ({ target }) => {
       const part = this.sheet.part(target);
       if (part.part === 'point') this.mark(part.place);
