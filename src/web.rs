@@ -1,16 +1,18 @@
-//! The face towards the browser and Node: the only file that knows JavaScript.
+//! The face towards the browser and Node: only what stands here knows JavaScript.
 //!
 //! Everything is said in numbers, strings and plain objects. Nothing here throws for bad input:
 //! sentences come back instead.
 
+#[cfg(feature = "bench")]
+mod bench;
+mod catalogue;
+
 use crate::domain::Outline;
 use crate::export::{Map, MapKind, MeshFormat};
 use crate::packing::Sample;
-use crate::recipe::{Key, Kind, PRESETS, Parameter, Part, Preset, Recipe, SCHEMA, Timing};
+use crate::recipe::{Key, Recipe};
 use crate::studio::{Histogram, Probe, Studio, View};
 use glam::DVec2;
-#[cfg(feature = "bench")]
-use glam::Vec3;
 use js_sys::{Array, Date, Float64Array, Object, Reflect, Uint8Array, Uint32Array};
 use wasm_bindgen::prelude::*;
 use wasm_bindgen::{Clamped, JsCast};
@@ -411,82 +413,6 @@ fn object(entries: &[(&str, JsValue)]) -> Object {
     object
 }
 
-/// All parameters, in the order of the pipeline.
-#[wasm_bindgen]
-pub fn schema() -> Array {
-    SCHEMA.iter().map(parameter_object).collect()
-}
-
-fn parameter_object(p: &Parameter) -> Object {
-    let default = match p.kind {
-        Kind::Number | Kind::Int => p.default.into(),
-        Kind::Choice => p.choices.first().map_or("", |c| c.word).into(),
-        Kind::Text => "".into(),
-    };
-    let choices: Array = p
-        .choices
-        .iter()
-        .map(|c| object(&[("word", c.word.into()), ("label", c.label.into())]))
-        .collect();
-    let row = object(&[
-        ("key", p.key.into()),
-        ("symbol", p.symbol.into()),
-        ("name", p.name.into()),
-        ("kind", p.kind.word().into()),
-        ("min", p.min.into()),
-        ("max", p.max.into()),
-        ("step", p.step.into()),
-        ("default", default),
-        ("unit", p.unit.into()),
-        ("help", p.help.into()),
-        ("group", p.group.into()),
-        ("stage", p.stage.word().into()),
-        ("choices", choices.into()),
-    ]);
-    if let Some((key, words)) = p.shown_for {
-        let words: Array = words.iter().map(|&w| JsValue::from(w)).collect();
-        let only = object(&[("key", key.parameter().key.into()), ("words", words.into())]);
-        let _ = Reflect::set(&row, &"shownFor".into(), &only);
-    }
-    row
-}
-
-/// The papers' figures as links.
-#[wasm_bindgen]
-pub fn presets() -> Array {
-    PRESETS.iter().map(preset_object).collect()
-}
-
-fn preset_object(p: &Preset) -> Object {
-    let timing = p.timing.as_ref().map(timing_object);
-    object(&[
-        ("name", p.name.into()),
-        ("title", p.title.into()),
-        ("group", p.group.into()),
-        ("figure", p.figure.into()),
-        ("note", p.note.into()),
-        ("link", p.link.into()),
-        ("timing", timing.map_or(JsValue::NULL, JsValue::from)),
-    ])
-}
-
-fn timing_object(timing: &Timing) -> Object {
-    let part = |part: &Part| {
-        let stages: Array = part
-            .stages
-            .iter()
-            .map(|s| JsValue::from(s.word()))
-            .collect();
-        object(&[
-            ("name", part.name.into()),
-            ("stages", stages.into()),
-            ("seconds", part.seconds.into()),
-        ])
-    };
-    let parts: Array = timing.parts.iter().map(part).collect();
-    object(&[("machine", timing.machine.into()), ("parts", parts.into())])
-}
-
 /// A seed for the dice: any whole number below 2^32.
 #[wasm_bindgen]
 pub fn random_seed() -> u32 {
@@ -522,49 +448,4 @@ pub fn report_of_link(link: &str) -> Object {
         let _ = Reflect::set(&object, &"problem".into(), &sentence.into());
     }
     object
-}
-
-/// All measurements: a list of `{ name, ms }`.
-#[cfg(feature = "bench")]
-#[wasm_bindgen]
-pub fn bench() -> Array {
-    let clock = Clock::new();
-    let timings = crate::suite::run(&mut || clock.now());
-    let entry = |t: &crate::suite::Timing| {
-        let name = t.name.as_str().into();
-        object(&[("name", name), ("ms", t.ms.into())])
-    };
-    timings.iter().map(entry).collect()
-}
-
-/// What the subdivision is measured with, to be measured elsewhere, too:
-/// `{ points, triangles, stones, levels }`.
-#[cfg(feature = "bench")]
-#[wasm_bindgen]
-pub fn bench_mesh() -> Object {
-    use crate::suite::{LEVELS, STONES, control_mesh};
-    let (points, triangles) = control_mesh();
-    mesh_object(&points, &triangles, STONES, LEVELS)
-}
-
-/// The same of the skin.
-#[cfg(feature = "bench")]
-#[wasm_bindgen]
-pub fn bench_skin() -> Object {
-    let (mesh, levels, stones) = crate::suite::skin_mesh();
-    mesh_object(&mesh.vertices, &mesh.triangles, stones, levels)
-}
-
-#[cfg(feature = "bench")]
-fn mesh_object(points: &[Vec3], triangles: &[[u32; 3]], stones: usize, levels: u32) -> Object {
-    let points: Vec<f32> = points.iter().flat_map(|p| p.to_array()).collect();
-    object(&[
-        ("points", js_sys::Float32Array::from(&points[..]).into()),
-        (
-            "triangles",
-            Uint32Array::from(triangles.as_flattened()).into(),
-        ),
-        ("stones", stones.into()),
-        ("levels", levels.into()),
-    ])
 }

@@ -42,7 +42,7 @@ enum Next {
     Making(usize, Making),
     Band(usize, Dual),
     Corners,
-    Rounds(Straightening),
+    Straighten(Straightening),
     Nothing,
 }
 
@@ -125,15 +125,15 @@ impl Fitting {
             Next::Corners => {
                 self.count = self.cells.len();
                 self.cells.extend(torus::images(domain, &self.cells));
-                Next::Rounds(Straightening::new(domain, &self.cells))
+                Next::Straighten(Straightening::new(domain, &self.cells))
             }
-            Next::Rounds(mut straightening) => {
-                if straightening.round(&self.cells) {
+            Next::Straighten(mut straightening) => {
+                if straightening.advance(domain, &self.cells) {
                     straightening.finish(&mut self.cells);
                     self.cells.truncate(self.count);
                     Next::Nothing
                 } else {
-                    Next::Rounds(straightening)
+                    Next::Straighten(straightening)
                 }
             }
             Next::Nothing => Next::Nothing,

@@ -13,7 +13,13 @@ pub(super) struct Making {
     plain: bool,
     /// Tries begun so far.
     begun: usize,
-    at_work: Option<(Try, Weave)>,
+    at_work: Option<(Try, Step)>,
+}
+
+/// How far a try is.
+enum Step {
+    Weave(Weave),
+    Mesh(Mesh),
 }
 
 /// What is tried, with what it needs beside the mesh.
@@ -45,14 +51,23 @@ impl Making {
 
     /// One slice of the work; the dual, or the cells, with the last one.
     pub fn advance(&mut self, domain: &Domain) -> Option<Made> {
-        let at_work = self.at_work.take();
-        let (what, mut weave) = at_work.unwrap_or_else(|| self.begin(domain));
-        if !weave.advance() {
-            self.at_work = Some((what, weave));
-            return None;
-        }
+        let (what, step) = match self.at_work.take() {
+            Some(at_work) => at_work,
+            None => self.begin(domain),
+        };
         let plain = self.plain;
-        let mesh = Mesh::whole(weave, |_| plain);
+        let mesh = match step {
+            Step::Mesh(mesh) => mesh,
+            Step::Weave(mut weave) => {
+                let next = if weave.advance() {
+                    Step::Mesh(Mesh::whole(weave, |_| plain))
+                } else {
+                    Step::Weave(weave)
+                };
+                self.at_work = Some((what, next));
+                return None;
+            }
+        };
         match what {
             Try::Within(cells, rim) => {
                 Some(Made::Dual(Dual::within(domain, &mesh, (cells, rim), plain)))
@@ -64,22 +79,22 @@ impl Making {
         }
     }
 
-    fn begin(&mut self, domain: &Domain) -> (Try, Weave) {
+    fn begin(&mut self, domain: &Domain) -> (Try, Step) {
         let particles = &self.particles;
         let Some(side) = domain.period() else {
             let (nodes, cells, rim) = Dual::nodes(domain, particles.clone(), self.plain);
-            return (Try::Within(cells, rim), Weave::new(nodes));
+            return (Try::Within(cells, rim), Step::Weave(Weave::new(nodes)));
         };
         let lined = !self.plain && !domain.lines().is_empty();
         let number = self.begun;
         self.begun += 1;
         if lined && number < ATTEMPTS.len() {
             let (lined, nodes) = Lined::new(side, particles, ATTEMPTS[number]);
-            return (Try::Lines(lined), Weave::new(nodes));
+            return (Try::Lines(lined), Step::Weave(Weave::new(nodes)));
         }
         let number = number - if lined { ATTEMPTS.len() } else { 0 };
         let attempt = ATTEMPTS[number.min(ATTEMPTS.len() - 1)];
         let nodes = seams::nodes(side, particles, attempt, self.plain);
-        (Try::Seams(attempt.1), Weave::new(nodes))
+        (Try::Seams(attempt.1), Step::Weave(Weave::new(nodes)))
     }
 }

@@ -62,7 +62,14 @@ pub(super) struct Straightening {
     rings: Rings,
     /// The mean area of the cells, of what their sizes ask for.
     share: f64,
-    left: u32,
+    next: Next,
+}
+
+/// What the next slice of the work does.
+enum Next {
+    Freedom,
+    Corners,
+    Round(u32),
 }
 
 impl Straightening {
@@ -75,15 +82,27 @@ impl Straightening {
         Self {
             rings: Rings::new(domain, cells),
             share: area / asked,
-            left: ROUNDS,
+            next: Next::Freedom,
         }
     }
 
-    /// One round over the cells it was begun with; true when it was the last one.
-    pub fn round(&mut self, cells: &[Cell]) -> bool {
-        self.rings.round(cells, self.share);
-        self.left -= 1;
-        self.left == 0
+    /// One slice of the work on the cells it was begun with; true with the last one.
+    pub fn advance(&mut self, domain: &Domain, cells: &[Cell]) -> bool {
+        self.next = match self.next {
+            Next::Freedom => {
+                self.rings.find_free(domain);
+                Next::Corners
+            }
+            Next::Corners => {
+                self.rings.find_corners();
+                Next::Round(1)
+            }
+            Next::Round(number) => {
+                self.rings.round(cells, self.share);
+                Next::Round(number + 1)
+            }
+        };
+        matches!(self.next, Next::Round(number) if number > ROUNDS)
     }
 
     /// Gives the cells their straightened rings.
@@ -118,7 +137,7 @@ impl Rings {
             uses.push([vertex, cell, place]);
         }
         start.push(uses.len() as u32);
-        let mut made = Self {
+        Self {
             twins: torus::twins(domain, &points),
             free: vec![Freedom::Fixed; points.len()],
             on_line: vec![false; points.len()],
@@ -127,13 +146,7 @@ impl Rings {
             quads: Vec::new(),
             uses,
             start,
-        };
-        made.find_free(domain);
-        for &(_, image, _) in &made.twins {
-            made.free[image as usize] = Freedom::Fixed;
         }
-        made.quads = (0..cells.len()).map(|c| made.four_corners(c)).collect();
-        made
     }
 
     fn uses_of(&self, vertex: usize) -> &[[u32; 3]] {
@@ -147,15 +160,15 @@ impl Rings {
     }
 
     /// The edges of rings that no other ring runs back along, as (from, to).
-    fn lone_edges(&self) -> Vec<[u32; 2]> {
-        let mut edges: Vec<[u32; 2]> = Vec::new();
-        for ring in &self.rings {
+    fn lone_edges(&self) -> impl Iterator<Item = [u32; 2]> {
+        let edges = self.rings.iter().flat_map(|ring| {
             let next = ring.iter().cycle().skip(1);
-            edges.extend(ring.iter().zip(next).map(|(&a, &b)| [a, b]));
-        }
-        order::sort(&mut edges, |&[a, b]| (order::pair(a, b), 0));
-        let lone = |&[a, b]: &[u32; 2]| edges.binary_search(&[b, a]).is_err();
-        edges.iter().copied().filter(lone).collect()
+            ring.iter().zip(next).map(|(&a, &b)| [a, b])
+        });
+        edges.filter(|&[a, b]| {
+            let mut uses = self.uses_of(b as usize).iter();
+            uses.all(|&u| self.neighbour(u, true) != a)
+        })
     }
 
     /// A vertex is free where cells close a full turn around it, and slides where just one lone
@@ -190,6 +203,9 @@ impl Rings {
                 }
                 _ => Freedom::Fixed,
             };
+        }
+        for &(_, image, _) in &self.twins {
+            self.free[image as usize] = Freedom::Fixed;
         }
     }
 
@@ -240,6 +256,11 @@ impl Rings {
         } else {
             0.0
         }
+    }
+
+    fn find_corners(&mut self) {
+        let cells = 0..self.rings.len();
+        self.quads = cells.map(|cell| self.four_corners(cell)).collect();
     }
 
     /// The four corners of a cell: where three cells meet, where a side meets the boundary, or

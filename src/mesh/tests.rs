@@ -1,4 +1,6 @@
-use super::triangles::Triangles;
+use super::meshing::join_lone;
+use super::quads::Faces;
+use super::triangles::{NONE, Triangles};
 use super::*;
 use crate::domain::{cross, signed_area};
 use crate::random::{Purpose, Random};

@@ -3,7 +3,8 @@
 //! Places are rounded to the grain, in which a picture's side is a whole number: an image is then
 //! exactly one side away, and what lies on the two sides of a seam agrees to the last bit.
 
-use super::{Face, Mesh, Node, Weave, is_cut, lies_on_line, quads};
+use super::meshing::{is_cut, lies_on_line};
+use super::{Face, Mesh, Node, Weave, quads};
 use crate::domain::{Domain, shifts};
 use crate::order;
 use crate::packing::Particle;

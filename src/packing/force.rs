@@ -150,14 +150,19 @@ impl Pair {
         let mut sum = l0 * l0 * bubble_potential(w);
         if self.axis != DVec2::ZERO {
             let local = self.framed(r);
-            let mut corners = 0.0;
-            if self.corners.0 {
-                corners += self.corner_potential(local, self.sizes.0);
-            }
-            if self.corners.1 {
-                corners += self.corner_potential(local, self.sizes.1);
-            }
-            sum += 0.5 * CORNER_WEIGHT * corners;
+            let corners = if self.sizes.0 == self.sizes.1 && self.corners == (true, true) {
+                self.corner_potential(local, self.sizes.0)
+            } else {
+                let mut sum = 0.0;
+                if self.corners.0 {
+                    sum += self.corner_potential(local, self.sizes.0);
+                }
+                if self.corners.1 {
+                    sum += self.corner_potential(local, self.sizes.1);
+                }
+                0.5 * sum
+            };
+            sum += CORNER_WEIGHT * corners;
         }
         sum
     }
@@ -236,11 +241,18 @@ impl Pair {
         let l0 = self.stable_distance();
         let reach = self.corner_distance();
         let half = 0.5 * size;
-        let mut sum = 0.0;
-        for (x, y) in [(half, half), (half, -half), (-half, half), (-half, -half)] {
-            sum += bubble_potential((local - DVec2::new(x, y)).length() / reach);
-        }
-        l0 * reach * sum
+        // By symmetry in the first quadrant.
+        let q = local.abs();
+        let spoke = |x: f64, y: f64| {
+            let square = DVec2::new(q.x - x, q.y - y).length_squared();
+            if square < CUT * CUT * reach * reach {
+                bubble_potential(square.sqrt() / reach)
+            } else {
+                0.0
+            }
+        };
+        let front = spoke(half, half) + spoke(half, -half);
+        l0 * reach * (front + spoke(-half, half) + spoke(-half, -half))
     }
 }
 
@@ -253,6 +265,9 @@ pub(super) fn force_between(a: &Particle, b: &Particle, r: DVec2) -> DVec2 {
 /// The potential of two cells of any kinds.
 #[inline(never)]
 pub(super) fn potential_between(a: &Particle, b: &Particle, r: DVec2) -> f64 {
+    if !Shape::of(a).may_touch(&Shape::of(b), r, 0.0) {
+        return 0.0;
+    }
     Pair::new(a, b).potential(r)
 }
 

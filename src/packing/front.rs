@@ -1,9 +1,10 @@
 //! A front of cells that grows over the inside.
 
-use super::PackingParams;
+use super::Edge;
+use super::integrate::Surroundings;
 use super::placement::{Crowd, FRONT_GAP, has_room};
 use super::shape::Shape;
-use crate::domain::{Domain, Facing};
+use crate::domain::Domain;
 use crate::field::{Fields, Kind};
 use crate::random::{Purpose, Random};
 use glam::DVec2;
@@ -13,73 +14,90 @@ use std::collections::VecDeque;
 const SEED_GAP: f64 = 0.9;
 
 /// A front that grows from the boundary cells along the direction field, first come first served.
-pub(super) fn stream(
-    crowd: &mut Crowd,
-    domain: &Domain,
-    fields: &Fields,
-    facing: &Facing,
-    params: &PackingParams,
-) {
-    let islands = domain.islands();
-    if islands.len() > 1 {
-        // Chance would seldom find a small one among many.
-        crowd.settle_all();
-    }
-    let mut queue: VecDeque<usize> = (0..crowd.cells.len()).collect();
-    let mut rows = VecDeque::new();
-    // Circles have no direction of their own: one honeycomb, from the middle outwards, has fewer
-    // faults than rows along the boundary that meet each other. Each island has its own.
-    let honeycombs: Vec<DVec2> = islands.iter().map(|i| along_most(i, fields)).collect();
-    let first = crowd.cells.len();
-    for p in islands.iter().filter_map(Domain::deepest) {
-        if fields.kind(p) == Kind::Circle && crowd.is_free(p, FRONT_GAP) {
-            crowd.push(p);
+pub(super) struct Front {
+    queue: VecDeque<usize>,
+    /// What begins to grow when the front has died out for the first time.
+    rows: VecDeque<usize>,
+    /// By island the direction of a honeycomb's rows.
+    honeycombs: Vec<DVec2>,
+    random: Random,
+    /// How often a place is still looked for that the front could not reach.
+    tries: u32,
+}
+
+impl Front {
+    pub fn new(crowd: &mut Crowd, domain: &Domain, fields: &Fields, seed: u64) -> Self {
+        let islands = domain.islands();
+        if islands.len() > 1 {
+            // Chance would seldom find a small one among many.
+            crowd.settle_all(domain, fields);
         }
-    }
-    if crowd.cells.len() > first {
-        std::mem::swap(&mut rows, &mut queue);
-        queue.extend(first..crowd.cells.len());
-    }
-    let mut random = Random::new(params.seed, Purpose::Placement, 0);
-    let (lo, hi) = domain.bounds();
-    let tries = 40 + (4.0 * domain.area() / (fields.params().size * fields.params().size)) as u32;
-    let mut left = tries;
-    loop {
-        while let Some(k) = queue.pop_front() {
-            let centre = crowd.cells[k];
-            let mut shape = Shape::at(fields, centre);
-            if shape.kind() == Kind::Circle {
-                shape.turn(honeycombs[domain.island(centre)]);
-            }
-            for p in slots(centre, shape, fields) {
-                let p = domain.wrap(p);
-                if crowd.is_free(p, FRONT_GAP)
-                    && has_room(p, fields, domain, facing, params.edge)
-                    && !domain.is_gap_between(centre, p)
-                {
-                    queue.push_back(crowd.cells.len());
-                    crowd.push(p);
-                }
+        let mut queue: VecDeque<usize> = (0..crowd.cells.len()).collect();
+        let mut rows = VecDeque::new();
+        // Circles have no direction of their own: one honeycomb, from the middle outwards, has fewer
+        // faults than rows along the boundary that meet each other. Each island has its own.
+        let honeycombs: Vec<DVec2> = islands.iter().map(|i| along_most(i, fields)).collect();
+        let first = crowd.cells.len();
+        for p in islands.iter().filter_map(Domain::deepest) {
+            if fields.kind(p) == Kind::Circle && crowd.is_free(domain, fields, p, FRONT_GAP) {
+                crowd.push(fields, p);
             }
         }
-        std::mem::swap(&mut rows, &mut queue);
-        if !queue.is_empty() {
-            continue;
+        if crowd.cells.len() > first {
+            std::mem::swap(&mut rows, &mut queue);
+            queue.extend(first..crowd.cells.len());
         }
-        // The front has died out: look for places it could not reach.
-        let found = loop {
-            if left == 0 {
-                break None;
+        let size = fields.params().size;
+        Self {
+            queue,
+            rows,
+            honeycombs,
+            random: Random::new(seed, Purpose::Placement, 0),
+            tries: 40 + (4.0 * domain.area() / (size * size)) as u32,
+        }
+    }
+
+    /// Grows around the next cell, or looks for a place to grow on from; true when that is over.
+    pub fn grow(&mut self, crowd: &mut Crowd, around: Surroundings, edge: Edge) -> bool {
+        if self.queue.is_empty() {
+            std::mem::swap(&mut self.rows, &mut self.queue);
+        }
+        match self.queue.pop_front() {
+            Some(k) => self.grow_around(k, crowd, around, edge),
+            None if self.tries == 0 => return true,
+            None => self.try_anywhere(crowd, around, edge),
+        }
+        false
+    }
+
+    fn grow_around(&mut self, k: usize, crowd: &mut Crowd, around: Surroundings, edge: Edge) {
+        let Surroundings { domain, fields, .. } = around;
+        let centre = crowd.cells[k];
+        let mut shape = Shape::at(fields, centre);
+        if shape.kind() == Kind::Circle {
+            shape.turn(self.honeycombs[domain.island(centre)]);
+        }
+        for p in slots(centre, shape, fields) {
+            let p = domain.wrap(p);
+            if crowd.is_free(domain, fields, p, FRONT_GAP)
+                && has_room(p, around, edge)
+                && !domain.is_gap_between(centre, p)
+            {
+                self.queue.push_back(crowd.cells.len());
+                crowd.push(fields, p);
             }
-            left -= 1;
-            let p = lo + (hi - lo) * DVec2::new(random.unit(), random.unit());
-            if crowd.is_free(p, SEED_GAP) && has_room(p, fields, domain, facing, params.edge) {
-                break Some(p);
-            }
-        };
-        let Some(p) = found else { break };
-        queue.push_back(crowd.cells.len());
-        crowd.push(p);
+        }
+    }
+
+    fn try_anywhere(&mut self, crowd: &mut Crowd, around: Surroundings, edge: Edge) {
+        let Surroundings { domain, fields, .. } = around;
+        self.tries -= 1;
+        let (lo, hi) = domain.bounds();
+        let p = lo + (hi - lo) * DVec2::new(self.random.unit(), self.random.unit());
+        if crowd.is_free(domain, fields, p, SEED_GAP) && has_room(p, around, edge) {
+            self.queue.push_back(crowd.cells.len());
+            crowd.push(fields, p);
+        }
     }
 }
 

@@ -19,8 +19,8 @@ mod wall;
 
 pub(crate) use grid::Grid;
 pub use loads::{Load, Sample, Stand};
+pub use placement::Placing;
 
-use crate::decimal;
 use crate::domain::{Domain, Facing};
 use crate::field::{Fields, Kind};
 use crate::order;
@@ -212,26 +212,23 @@ pub struct Packing {
 }
 
 impl Packing {
-    /// Places the first cells.
+    /// Places the first cells, all at once; see [`Placing`].
     ///
     /// # Errors
     /// A sentence where the outline would take more cells than can be packed.
     pub fn new(domain: &Domain, fields: &Fields, params: PackingParams) -> Result<Self, String> {
-        let size = fields.params().size;
-        let expected = domain.area() / (size * size);
-        if expected > TUNING.most_cells {
-            return Err(format!(
-                "About {} cells of size {} fit into this outline; at most {} are packed. Choose larger \
-                 cells.",
-                decimal::text(expected.round()),
-                decimal::text(size),
-                decimal::text(TUNING.most_cells)
-            ));
-        }
-        let facing = Facing::new(
-            domain,
-            wall::reach(greatest_length(domain, fields, &params)),
-        );
+        let mut placing = Placing::new(domain, fields, params)?;
+        while !placing.advance(domain, fields) {}
+        Ok(placing.finish(domain, fields))
+    }
+
+    /// Of these centres; true where one is fixed.
+    fn of(
+        cells: impl Iterator<Item = (DVec2, bool)>,
+        fields: &Fields,
+        params: PackingParams,
+        facing: Facing,
+    ) -> Self {
         let mut packing = Self {
             params,
             facing,
@@ -242,14 +239,14 @@ impl Packing {
             looked: 0,
             samples: Vec::new(),
         };
-        for (centre, fixed) in placement::place(domain, fields, &packing.facing, &params) {
+        for (centre, fixed) in cells {
             packing.add(fields, centre, fixed);
         }
         packing.assign_sizes(fields);
         packing.report.cells = packing.bodies.len();
         packing.report.done = packing.bodies.is_empty();
         packing.report.converged = packing.report.done;
-        Ok(packing)
+        packing
     }
 
     fn add(&mut self, fields: &Fields, centre: DVec2, fixed: bool) {
@@ -337,7 +334,12 @@ impl Packing {
             return false;
         }
         self.looked = step;
-        let change = population::change(domain, fields, &self.facing, &self.bodies, &self.params);
+        let around = Surroundings {
+            domain,
+            fields,
+            facing: &self.facing,
+        };
+        let change = population::change(around, &self.bodies, &self.params);
         let mut index = 0;
         self.bodies.retain(|_| {
             index += 1;

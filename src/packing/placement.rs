@@ -1,10 +1,13 @@
 //! The first cells: along the boundary, then inside.
 
-use super::front::stream;
+use super::front::Front;
 use super::grid::Grid;
+use super::integrate::Surroundings;
 use super::rim::{boundary_cells, line_pieces, pieces};
 use super::shape::Shape;
-use super::{Edge, PackingParams, Start};
+use super::wall::reach;
+use super::{Edge, Packing, PackingParams, Start, TUNING, greatest_length};
+use crate::decimal;
 use crate::domain::{Domain, Facing, Nearest};
 use crate::field::Fields;
 use glam::DVec2;
@@ -16,29 +19,84 @@ const LEAF_GAP: f64 = 0.6;
 /// The fewest sizes from the boundary at which a cell is placed inside.
 const INSIDE_CLEARANCE: f64 = 0.35;
 
-/// The cells of the start: centre, and whether it is fixed on the boundary.
-pub(super) fn place(
-    domain: &Domain,
-    fields: &Fields,
-    facing: &Facing,
-    params: &PackingParams,
-) -> Vec<(DVec2, bool)> {
-    let fixed = params.edge == Edge::On;
-    let mut crowd = along_boundary(domain, fields, fixed);
-    let on_boundary = crowd.cells.len();
-    match params.start {
-        Start::Stream => stream(&mut crowd, domain, fields, facing, params),
-        Start::Quadtree => quadtree(&mut crowd, domain, fields, facing, params.edge),
+/// Places that are looked at in one slice of the work.
+const PLACES: usize = 2000;
+
+/// The first cells of a packing in the making.
+pub struct Placing {
+    params: PackingParams,
+    facing: Facing,
+    crowd: Crowd,
+    /// So many of them stand along the boundary.
+    along: usize,
+    inside: Inside,
+}
+
+/// How the inside fills.
+enum Inside {
+    Front(Front),
+    Quadtree(Quadtree),
+}
+
+impl Placing {
+    /// The cells along the boundary, none inside yet.
+    ///
+    /// # Errors
+    /// A sentence where the outline would take more cells than can be packed.
+    pub fn new(domain: &Domain, fields: &Fields, params: PackingParams) -> Result<Self, String> {
+        let size = fields.params().size;
+        let expected = domain.area() / (size * size);
+        if expected > TUNING.most_cells {
+            return Err(format!(
+                "About {} cells of size {} fit into this outline; at most {} are packed. Choose larger \
+                 cells.",
+                decimal::text(expected.round()),
+                decimal::text(size),
+                decimal::text(TUNING.most_cells)
+            ));
+        }
+        let facing = Facing::new(domain, reach(greatest_length(domain, fields, &params)));
+        let mut crowd = along_boundary(domain, fields, params.edge == Edge::On);
+        let along = crowd.cells.len();
+        let inside = match params.start {
+            Start::Stream => Inside::Front(Front::new(&mut crowd, domain, fields, params.seed)),
+            Start::Quadtree => Inside::Quadtree(Quadtree::new(domain, fields)),
+        };
+        Ok(Self {
+            params,
+            facing,
+            crowd,
+            along,
+            inside,
+        })
     }
-    crowd.settle_all();
-    let cells = crowd.cells.into_iter().enumerate();
-    cells
-        .map(|(k, centre)| (centre, fixed && k < on_boundary))
-        .collect()
+
+    /// One slice of the work; true when all places are filled.
+    pub fn advance(&mut self, domain: &Domain, fields: &Fields) -> bool {
+        let around = Surroundings {
+            domain,
+            fields,
+            facing: &self.facing,
+        };
+        let (crowd, edge) = (&mut self.crowd, self.params.edge);
+        (0..PLACES).any(|_| match &mut self.inside {
+            Inside::Front(front) => front.grow(crowd, around, edge),
+            Inside::Quadtree(tree) => tree.grow(crowd, around, edge),
+        })
+    }
+
+    /// The packing of the cells so far.
+    pub fn finish(mut self, domain: &Domain, fields: &Fields) -> Packing {
+        self.crowd.settle_all(domain, fields);
+        let fixed = self.params.edge == Edge::On;
+        let cells = self.crowd.cells.iter().enumerate();
+        let cells = cells.map(|(k, &centre)| (centre, fixed && k < self.along));
+        Packing::of(cells, fields, self.params, self.facing)
+    }
 }
 
 /// The cells along the rings and the constraint lines.
-fn along_boundary<'a>(domain: &'a Domain, fields: &'a Fields, fixed: bool) -> Crowd<'a> {
+fn along_boundary(domain: &Domain, fields: &Fields, fixed: bool) -> Crowd {
     let mut crowd = Crowd::new(domain, fields);
     for island in domain.islands() {
         for piece in island.rings().iter().flat_map(|ring| pieces(ring, true)) {
@@ -60,30 +118,26 @@ pub(super) fn on_boundary(domain: &Domain, fields: &Fields) -> Vec<DVec2> {
 }
 
 /// Cells so far, with the grid to find them.
-pub(super) struct Crowd<'a> {
+pub(super) struct Crowd {
     pub cells: Vec<DVec2>,
     shapes: Vec<Shape>,
     grid: Grid,
     longest: f64,
-    domain: &'a Domain,
-    fields: &'a Fields,
 }
 
-impl<'a> Crowd<'a> {
-    fn new(domain: &'a Domain, fields: &'a Fields) -> Self {
+impl Crowd {
+    fn new(domain: &Domain, fields: &Fields) -> Self {
         let (lo, hi) = domain.bounds();
         Self {
             cells: Vec::new(),
             shapes: Vec::new(),
             grid: Grid::new(lo, hi, fields.params().size),
             longest: 0.0,
-            domain,
-            fields,
         }
     }
 
-    pub fn push(&mut self, p: DVec2) {
-        let shape = Shape::gauge(self.fields, p);
+    pub fn push(&mut self, fields: &Fields, p: DVec2) {
+        let shape = Shape::gauge(fields, p);
         self.cells.push(p);
         self.shapes.push(shape);
         self.grid.push(p);
@@ -91,18 +145,17 @@ impl<'a> Crowd<'a> {
     }
 
     /// Puts a cell into the middle of each island that has none.
-    pub fn settle_all(&mut self) {
-        for p in self.domain.empty_middles(&self.cells) {
-            self.push(p);
+    pub fn settle_all(&mut self, domain: &Domain, fields: &Fields) {
+        for p in domain.empty_middles(&self.cells) {
+            self.push(fields, p);
         }
     }
 
     /// Is every cell at least `gap` stable distances away from this place?
-    pub fn is_free(&self, p: DVec2, gap: f64) -> bool {
-        let shape = Shape::gauge(self.fields, p);
+    pub fn is_free(&self, domain: &Domain, fields: &Fields, p: DVec2, gap: f64) -> bool {
+        let shape = Shape::gauge(fields, p);
         let reach = gap * 0.5 * (shape.length() + self.longest);
-        let (domain, grid) = (self.domain, &self.grid);
-        !grid.any_near(domain.period(), p, reach, |k| {
+        !self.grid.any_near(domain.period(), p, reach, |k| {
             let r = domain.shortest(self.cells[k] - p);
             shape.is_closer(&self.shapes[k], r, gap) && !domain.is_parted(p, self.cells[k])
         })
@@ -110,13 +163,12 @@ impl<'a> Crowd<'a> {
 }
 
 /// Is there room for a cell between the walls at this place?
-pub(super) fn has_room(
-    p: DVec2,
-    fields: &Fields,
-    domain: &Domain,
-    facing: &Facing,
-    edge: Edge,
-) -> bool {
+pub(super) fn has_room(p: DVec2, around: Surroundings, edge: Edge) -> bool {
+    let Surroundings {
+        domain,
+        fields,
+        facing,
+    } = around;
     let (lo, hi) = domain.bounds();
     if !(p.cmpgt(lo).all() && p.cmplt(hi).all()) {
         return false;
@@ -141,24 +193,40 @@ pub(super) fn is_clear(p: DVec2, clearance: f64, fields: &Fields, domain: &Domai
 
 /// One cell in the middle of every leaf; a square is divided while it is larger than the size
 /// field asks for at its middle. For a constant size the leaves have just that size.
-fn quadtree(crowd: &mut Crowd, domain: &Domain, fields: &Fields, facing: &Facing, edge: Edge) {
-    let (lo, hi) = domain.bounds();
-    let mut side = fields.params().size;
-    while side < (hi - lo).max_element() {
-        side *= 2.0;
+struct Quadtree {
+    /// Squares to come, the next one last: corner and side.
+    open: Vec<(DVec2, f64)>,
+}
+
+impl Quadtree {
+    fn new(domain: &Domain, fields: &Fields) -> Self {
+        let (lo, hi) = domain.bounds();
+        let mut side = fields.params().size;
+        while side < (hi - lo).max_element() {
+            side *= 2.0;
+        }
+        let corner = lo.midpoint(hi) - DVec2::splat(side / 2.0);
+        Self {
+            open: vec![(corner, side)],
+        }
     }
-    let corner = lo.midpoint(hi) - DVec2::splat(side / 2.0);
-    let mut open = vec![(corner, side)];
-    while let Some((corner, side)) = open.pop() {
+
+    /// Looks at the next square; true when there is none.
+    fn grow(&mut self, crowd: &mut Crowd, around: Surroundings, edge: Edge) -> bool {
+        let Surroundings { domain, fields, .. } = around;
+        let Some((corner, side)) = self.open.pop() else {
+            return true;
+        };
         let middle = corner + DVec2::splat(side / 2.0);
         if side > 1.414 * fields.size(middle) {
             let half = side / 2.0;
             for (x, y) in [(half, half), (0.0, half), (half, 0.0), (0.0, 0.0)] {
-                open.push((corner + DVec2::new(x, y), half));
+                self.open.push((corner + DVec2::new(x, y), half));
             }
-        } else if crowd.is_free(middle, LEAF_GAP) && has_room(middle, fields, domain, facing, edge)
+        } else if crowd.is_free(domain, fields, middle, LEAF_GAP) && has_room(middle, around, edge)
         {
-            crowd.push(middle);
+            crowd.push(fields, middle);
         }
+        false
     }
 }

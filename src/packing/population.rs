@@ -7,11 +7,12 @@
 
 use super::front::slots;
 use super::grid::Grid;
+use super::integrate::Surroundings;
 use super::placement::has_room;
 use super::shape::Shape;
 use super::{Body, Edge, PackingParams, Population};
 use crate::domain::{Domain, Facing};
-use crate::field::{Fields, Kind};
+use crate::field::Kind;
 use crate::order::{self, lesser};
 use glam::DVec2;
 
@@ -44,13 +45,12 @@ struct Census<'a> {
     longest: f64,
 }
 
-pub(super) fn change(
-    domain: &Domain,
-    fields: &Fields,
-    facing: &Facing,
-    bodies: &[Body],
-    params: &PackingParams,
-) -> Change {
+pub(super) fn change(around: Surroundings, bodies: &[Body], params: &PackingParams) -> Change {
+    let Surroundings {
+        domain,
+        fields,
+        facing,
+    } = around;
     let shapes: Vec<Shape> = bodies.iter().map(|b| Shape::of(&b.particle)).collect();
     let longest = shapes.iter().fold(0.0_f64, |m, s| m.max(s.length()));
     let (lo, hi) = domain.bounds();
@@ -87,7 +87,7 @@ pub(super) fn change(
                     .iter()
                     .all(|&other| !shape.is_closer(&shape, domain.shortest(other - place), room));
             if free
-                && has_room(place, fields, domain, facing, params.edge)
+                && has_room(place, around, params.edge)
                 && clear_of_walls(place, &shape, facing, params.edge)
             {
                 add.push(place);

@@ -110,8 +110,8 @@ pub(super) fn boundary_cells(
     let spaced = spaced(&line, fields, 0.0);
     for &(p, _) in &spaced[..spaced.len() - usize::from(closed)] {
         let clear = || is_clear(p, BOUNDARY_CLEARANCE * depth, fields, domain);
-        if (fixed || clear()) && crowd.is_free(p, BOUNDARY_GAP) {
-            crowd.push(p);
+        if (fixed || clear()) && crowd.is_free(domain, fields, p, BOUNDARY_GAP) {
+            crowd.push(fields, p);
         }
     }
 }
@@ -122,8 +122,8 @@ fn narrow_cells(crowd: &mut Crowd, piece: &Piece, fields: &Fields, domain: &Doma
         let inward = along.perp();
         let most = DEPTHS[0] * Shape::gauge(fields, p).extent(inward);
         let p = p + inward * domain.medial_depth(p, inward, most);
-        if domain.contains(p) && crowd.is_free(p, BOUNDARY_GAP) {
-            crowd.push(p);
+        if domain.contains(p) && crowd.is_free(domain, fields, p, BOUNDARY_GAP) {
+            crowd.push(fields, p);
         }
     }
 }

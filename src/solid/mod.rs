@@ -4,11 +4,13 @@
 //! section 6. Lengths are picture units, y down, heights above the base level.
 
 mod control;
+mod edges;
 mod flow;
 mod footprint;
 mod hide;
 mod prism;
 mod quarry;
+mod sparse;
 mod subdivide;
 
 pub use flow::oriented;

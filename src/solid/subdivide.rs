@@ -9,6 +9,8 @@
 //! level is a sparse matrix, several levels are the product of theirs, and meshes of one connectivity
 //! share it: see [`Stencil`].
 
+use super::edges::{Edge, Edges, split, starts};
+use super::sparse::{Product, Rows};
 use glam::Vec3;
 use std::rc::Rc;
 
@@ -213,183 +215,6 @@ impl Growing {
     }
 }
 
-/// The product of two matrices, row by row. The second one's columns are few: sums go into a dense
-/// row that is emptied after use.
-#[derive(Debug)]
-struct Product {
-    first: Rows,
-    dense: Vec<f64>,
-    done: Rows,
-}
-
-impl Product {
-    fn new(first: Rows, columns: usize) -> Self {
-        let mut done = Rows::empty();
-        done.starts.reserve(first.len());
-        done.columns.reserve(first.len() * columns / 2);
-        done.weights.reserve(first.len() * columns / 2);
-        Self {
-            first,
-            dense: vec![0.0; columns],
-            done,
-        }
-    }
-
-    /// At most `most` rows, which it takes from that number; true when all are done.
-    fn advance(&mut self, second: &Rows, most: &mut usize) -> bool {
-        let from = self.done.len();
-        let to = self.first.len().min(from.saturating_add(*most));
-        let Rows {
-            starts,
-            columns,
-            weights,
-        } = &mut self.done;
-        for i in from..to {
-            for (source, weight) in self.first.row(i) {
-                for (column, inner) in second.row(source as usize) {
-                    self.dense[column as usize] += weight * inner;
-                }
-            }
-            for (column, sum) in (0..).zip(&mut self.dense) {
-                if *sum != 0.0 {
-                    columns.push(column);
-                    weights.push(std::mem::take(sum));
-                }
-            }
-            starts.push(columns.len() as u32);
-        }
-        *most -= to - from;
-        to == self.first.len()
-    }
-}
-
-/// A sparse matrix in compressed rows: row i holds the entries `starts[i] .. starts[i + 1]`.
-#[derive(Debug)]
-struct Rows {
-    starts: Vec<u32>,
-    columns: Vec<u32>,
-    weights: Vec<f64>,
-}
-
-impl Rows {
-    fn empty() -> Self {
-        Self {
-            starts: vec![0],
-            columns: Vec::new(),
-            weights: Vec::new(),
-        }
-    }
-
-    fn identity(n: usize) -> Self {
-        let mut rows = Self::empty();
-        (0..n as u32).for_each(|i| rows.push([(i, 1.0)]));
-        rows
-    }
-
-    fn len(&self) -> usize {
-        self.starts.len() - 1
-    }
-
-    fn push(&mut self, row: impl IntoIterator<Item = (u32, f64)>) {
-        for (column, weight) in row {
-            self.columns.push(column);
-            self.weights.push(weight);
-        }
-        self.starts.push(self.columns.len() as u32);
-    }
-
-    fn row(&self, i: usize) -> impl Iterator<Item = (u32, f64)> + '_ {
-        let span = self.starts[i] as usize..self.starts[i + 1] as usize;
-        let columns = self.columns[span.clone()].iter().copied();
-        columns.zip(self.weights[span].iter().copied())
-    }
-}
-
-/// An edge, its ends in rising order, with the corners opposite to it: two, or else it is a boundary.
-#[derive(Debug)]
-struct Edge {
-    ends: [u32; 2],
-    opposite: Option<[u32; 2]>,
-}
-
-/// The edges of a mesh in the order of their ends.
-#[derive(Debug)]
-struct Edges {
-    list: Vec<Edge>,
-    /// Those whose first end is vertex v begin at `starts[v]`.
-    starts: Vec<u32>,
-}
-
-/// From counts to where each begins, with the end of the last one.
-fn starts(counts: impl Iterator<Item = u32>) -> Vec<u32> {
-    let mut sum = 0;
-    let mut starts = vec![0];
-    starts.extend(counts.map(|count| {
-        sum += count;
-        sum
-    }));
-    starts
-}
-
-impl Edges {
-    /// Of a mesh of `vertices` vertices. Sorted by first ends in one pass: meshes are large, and few
-    /// edges begin at a vertex.
-    fn new(vertices: usize, triangles: &[[u32; 3]]) -> Self {
-        let sides = |&[a, b, c]: &[u32; 3]| [[a, b, c], [b, c, a], [c, a, b]];
-        let mut counts = vec![0; vertices];
-        for [a, b, _] in triangles.iter().flat_map(sides) {
-            counts[a.min(b) as usize] += 1;
-        }
-        let firsts = starts(counts.into_iter());
-        let mut free = firsts.clone();
-        let mut others = vec![(0, 0); 3 * triangles.len()];
-        for [a, b, opposite] in triangles.iter().flat_map(sides) {
-            let at = &mut free[a.min(b) as usize];
-            others[*at as usize] = (a.max(b), opposite);
-            *at += 1;
-        }
-        let mut list = Vec::with_capacity(others.len() / 2 + 1);
-        let mut begun = Vec::with_capacity(vertices + 1);
-        for (first, span) in (0..).zip(firsts.windows(2)) {
-            begun.push(list.len() as u32);
-            let own = &mut others[span[0] as usize..span[1] as usize];
-            by_insertion(own);
-            list.extend(own.chunk_by(|x, y| x.0 == y.0).map(|same| Edge {
-                ends: [first, same[0].0],
-                opposite: match same {
-                    [c, d] => Some([c.1, d.1]),
-                    _ => None,
-                },
-            }));
-        }
-        begun.push(list.len() as u32);
-        Self {
-            list,
-            starts: begun,
-        }
-    }
-
-    /// The place of the edge between two vertices.
-    fn place(&self, a: u32, b: u32) -> usize {
-        let (first, second) = (a.min(b), a.max(b));
-        let mut at = self.starts[first as usize] as usize;
-        while self.list[at].ends[1] != second {
-            at += 1;
-        }
-        at
-    }
-}
-
-fn by_insertion(few: &mut [(u32, u32)]) {
-    for k in 1..few.len() {
-        let mut at = k;
-        while at > 0 && few[at] < few[at - 1] {
-            few.swap(at, at - 1);
-            at -= 1;
-        }
-    }
-}
-
 /// The matrix of one step: the old vertices first, then one per edge in the order of their ends.
 fn step(vertices: usize, edges: &Edges) -> Rows {
     let mut rows = Rows::empty();
@@ -445,16 +270,6 @@ fn push_vertices(vertices: usize, edges: &Edges, share: fn(usize, usize) -> f64,
         let kept = 1.0 - share * neighbours.clone().count() as f64;
         rows.push(neighbours.map(|s| (s.0, share)).chain([(vertex, kept)]));
     }
-}
-
-fn split(vertices: usize, triangles: &[[u32; 3]], edges: &Edges) -> Vec<[u32; 3]> {
-    let middle = |a: u32, b: u32| (vertices + edges.place(a, b)) as u32;
-    let mut fine = Vec::with_capacity(4 * triangles.len());
-    for &[a, b, c] in triangles {
-        let (ab, bc, ca) = (middle(a, b), middle(b, c), middle(c, a));
-        fine.extend([[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]]);
-    }
-    fine
 }
 
 #[cfg(test)]

@@ -5,7 +5,7 @@ use crate::cells::{self, Cell, Fitting, Graph, Scatter};
 use crate::domain::{Domain, Outline};
 use crate::field::{FieldBuilder, Fields};
 use crate::mesh::{Mesh, Meshing};
-use crate::packing::Packing;
+use crate::packing::{Packing, Placing};
 use crate::recipe::{Recipe, Stage};
 use crate::render::Shader;
 use crate::solid::{Quarry, oriented};
@@ -22,6 +22,7 @@ pub(super) struct Products {
     pub domain: Option<Domain>,
     builder: Option<FieldBuilder>,
     pub fields: Option<Fields>,
+    placing: Option<Placing>,
     pub packing: Option<Packing>,
     /// Is `packing` of the pass at work, not of an earlier one?
     pub packing_begun: bool,
@@ -60,6 +61,7 @@ impl Products {
             domain: None,
             builder: None,
             fields: None,
+            placing: None,
             packing: None,
             packing_begun: false,
             meshing: None,
@@ -88,6 +90,7 @@ impl Products {
     /// shown.
     pub fn forget_work(&mut self, from: Stage) {
         self.builder = None;
+        self.placing = None;
         self.meshing = None;
         self.scatter = None;
         self.fitting = None;
@@ -143,7 +146,15 @@ impl Products {
         if let (true, Some(packing)) = (self.packing_begun, &mut self.packing) {
             return Ok(packing.step(domain, fields).done);
         }
-        let packing = Packing::new(domain, fields, translate::packing(recipe))?;
+        let mut placing = match self.placing.take() {
+            Some(placing) => placing,
+            None => Placing::new(domain, fields, translate::packing(recipe))?,
+        };
+        if !placing.advance(domain, fields) {
+            self.placing = Some(placing);
+            return Ok(false);
+        }
+        let packing = placing.finish(domain, fields);
         if packing.report().cells == 0 {
             return Err(NO_CELLS.into());
         }

@@ -1,0 +1,97 @@
+//! The edges of a triangle mesh, and each triangle divided at their middles.
+
+/// An edge, its ends in rising order, with the corners opposite to it: two, or else it is a boundary.
+#[derive(Debug)]
+pub(super) struct Edge {
+    pub ends: [u32; 2],
+    pub opposite: Option<[u32; 2]>,
+}
+
+/// The edges of a mesh in the order of their ends.
+#[derive(Debug)]
+pub(super) struct Edges {
+    pub list: Vec<Edge>,
+    /// Those whose first end is vertex v begin at `starts[v]`.
+    starts: Vec<u32>,
+}
+
+/// From counts to where each begins, with the end of the last one.
+pub(super) fn starts(counts: impl Iterator<Item = u32>) -> Vec<u32> {
+    let mut sum = 0;
+    let mut starts = vec![0];
+    starts.extend(counts.map(|count| {
+        sum += count;
+        sum
+    }));
+    starts
+}
+
+impl Edges {
+    /// Of a mesh of `vertices` vertices. Sorted by first ends in one pass: meshes are large, and few
+    /// edges begin at a vertex.
+    pub fn new(vertices: usize, triangles: &[[u32; 3]]) -> Self {
+        let sides = |&[a, b, c]: &[u32; 3]| [[a, b, c], [b, c, a], [c, a, b]];
+        let mut counts = vec![0; vertices];
+        for [a, b, _] in triangles.iter().flat_map(sides) {
+            counts[a.min(b) as usize] += 1;
+        }
+        let firsts = starts(counts.into_iter());
+        let mut free = firsts.clone();
+        let mut others = vec![(0, 0); 3 * triangles.len()];
+        for [a, b, opposite] in triangles.iter().flat_map(sides) {
+            let at = &mut free[a.min(b) as usize];
+            others[*at as usize] = (a.max(b), opposite);
+            *at += 1;
+        }
+        let mut list = Vec::with_capacity(others.len() / 2 + 1);
+        let mut begun = Vec::with_capacity(vertices + 1);
+        for (first, span) in (0..).zip(firsts.windows(2)) {
+            begun.push(list.len() as u32);
+            let own = &mut others[span[0] as usize..span[1] as usize];
+            by_insertion(own);
+            list.extend(own.chunk_by(|x, y| x.0 == y.0).map(|same| Edge {
+                ends: [first, same[0].0],
+                opposite: match same {
+                    [c, d] => Some([c.1, d.1]),
+                    _ => None,
+                },
+            }));
+        }
+        begun.push(list.len() as u32);
+        Self {
+            list,
+            starts: begun,
+        }
+    }
+
+    /// The place of the edge between two vertices.
+    fn place(&self, a: u32, b: u32) -> usize {
+        let (first, second) = (a.min(b), a.max(b));
+        let mut at = self.starts[first as usize] as usize;
+        while self.list[at].ends[1] != second {
+            at += 1;
+        }
+        at
+    }
+}
+
+fn by_insertion(few: &mut [(u32, u32)]) {
+    for k in 1..few.len() {
+        let mut at = k;
+        while at > 0 && few[at] < few[at - 1] {
+            few.swap(at, at - 1);
+            at -= 1;
+        }
+    }
+}
+
+/// Each triangle becomes four; the middles of edges come after the vertices.
+pub(super) fn split(vertices: usize, triangles: &[[u32; 3]], edges: &Edges) -> Vec<[u32; 3]> {
+    let middle = |a: u32, b: u32| (vertices + edges.place(a, b)) as u32;
+    let mut fine = Vec::with_capacity(4 * triangles.len());
+    for &[a, b, c] in triangles {
+        let (ab, bc, ca) = (middle(a, b), middle(b, c), middle(c, a));
+        fine.extend([[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]]);
+    }
+    fine
+}

@@ -1,0 +1,82 @@
+//! What there is to choose from: parameters and presets.
+
+use super::object;
+use crate::recipe::{Kind, PRESETS, Parameter, Part, Preset, SCHEMA, Timing};
+use js_sys::{Array, Object, Reflect};
+use wasm_bindgen::prelude::*;
+
+/// All parameters, in the order of the pipeline.
+#[wasm_bindgen]
+pub fn schema() -> Array {
+    SCHEMA.iter().map(parameter_object).collect()
+}
+
+fn parameter_object(p: &Parameter) -> Object {
+    let default = match p.kind {
+        Kind::Number | Kind::Int => p.default.into(),
+        Kind::Choice => p.choices.first().map_or("", |c| c.word).into(),
+        Kind::Text => "".into(),
+    };
+    let choices: Array = p
+        .choices
+        .iter()
+        .map(|c| object(&[("word", c.word.into()), ("label", c.label.into())]))
+        .collect();
+    let row = object(&[
+        ("key", p.key.into()),
+        ("symbol", p.symbol.into()),
+        ("name", p.name.into()),
+        ("kind", p.kind.word().into()),
+        ("min", p.min.into()),
+        ("max", p.max.into()),
+        ("step", p.step.into()),
+        ("default", default),
+        ("unit", p.unit.into()),
+        ("help", p.help.into()),
+        ("group", p.group.into()),
+        ("stage", p.stage.word().into()),
+        ("choices", choices.into()),
+    ]);
+    if let Some((key, words)) = p.shown_for {
+        let words: Array = words.iter().map(|&w| JsValue::from(w)).collect();
+        let only = object(&[("key", key.parameter().key.into()), ("words", words.into())]);
+        let _ = Reflect::set(&row, &"shownFor".into(), &only);
+    }
+    row
+}
+
+/// The papers' figures as links.
+#[wasm_bindgen]
+pub fn presets() -> Array {
+    PRESETS.iter().map(preset_object).collect()
+}
+
+fn preset_object(p: &Preset) -> Object {
+    let timing = p.timing.as_ref().map(timing_object);
+    object(&[
+        ("name", p.name.into()),
+        ("title", p.title.into()),
+        ("group", p.group.into()),
+        ("figure", p.figure.into()),
+        ("note", p.note.into()),
+        ("link", p.link.into()),
+        ("timing", timing.map_or(JsValue::NULL, JsValue::from)),
+    ])
+}
+
+fn timing_object(timing: &Timing) -> Object {
+    let part = |part: &Part| {
+        let stages: Array = part
+            .stages
+            .iter()
+            .map(|s| JsValue::from(s.word()))
+            .collect();
+        object(&[
+            ("name", part.name.into()),
+            ("stages", stages.into()),
+            ("seconds", part.seconds.into()),
+        ])
+    };
+    let parts: Array = timing.parts.iter().map(part).collect();
+    object(&[("machine", timing.machine.into()), ("parts", parts.into())])
+}
