@@ -133,7 +133,7 @@ test('a link opened over work of one’s own can be taken back', async () => {
   await page.click('.message .actions button');
   await frames(page, 2);
   assert.equal(await link(page), work);
-  assert.deepEqual(await messages(page), []);
+  assert.doesNotMatch((await messages(page)).join(), /over the work/);
   await close();
 });
 
