@@ -83,7 +83,7 @@ export class App {
     makeChances(this.work, controls, () => this.push());
     this.follow(controls, presets);
     this.bind();
-    makeViewBox(this.work, this.view);
+    makeViewBox(this.work, this.view, () => this.editing.end());
     notice('link', ...this.engine.notices());
     if (last && asked !== '' && last.own && last.recipe !== this.store.state.recipe && !isReload()) this.tellReplaced();
     remember(this.store);

@@ -55,6 +55,8 @@ const TABLE: Record<string, readonly Row[]> = {
     ['oa', range(-30, 30, 5, { plain: [0, 0.75] })],
   ],
   Cells: [
+    ['kind', { circle: 1 }, { stone: ['skin'], tile: ['0'], outline: ['star'] }],
+    ['kind', { circle: 3, ellipse: 4 }, { stone: ['skin'], tile: ['0'], outline: ['square', 'plaza', 'annulus'] }],
     ['kind', { circle: 3, ellipse: 4, rectangle: 2 }, SKIN],
     ['kind', { square: 4, rectangle: 4, circle: 1 }, { stone: ['flag'] }],
     ['kind', { square: 6, rectangle: 2, circle: 2, ellipse: 2 }],

@@ -54,6 +54,8 @@ export function listenToKeys(): void {
       ...ON_PICTURE.map(([shown, word]) => row([...shown], word)),
     );
     dialog.showModal();
+    // The button to close it has the focus, and may be below what is to be seen.
+    dialog.scrollTop = 0;
   };
   bindKeys({ keys: ['?'], word: 'key_keys', act: show });
   byId('keys-button').addEventListener('click', show);

@@ -27,28 +27,32 @@ export class Toolbox {
     const box = byId('toolbox');
     walkByArrows(box);
     for (const near of ['pointerover', 'focusin']) box.addEventListener(near, () => editing.load(), { once: true });
-    this.receive(byId('frame'));
+    this.receive();
     work.store.on(['editing', 'recipe'], () => this.show());
     this.show();
   }
 
-  /** Outlines come as files dropped on the stage, and by the clipboard. */
-  private receive(stage: HTMLElement): void {
+  /** Outlines come by the clipboard and as files dropped anywhere: beside the picture a browser would open them instead of the page. */
+  private receive(): void {
     const sheet = byId('sheet');
+    const page = document.documentElement;
     const over = (event: DragEvent): void => {
       if (!event.dataTransfer?.types.includes('Files')) return;
       event.preventDefault();
       sheet.classList.add('dropping');
     };
-    stage.addEventListener('dragenter', over);
-    stage.addEventListener('dragover', over);
-    stage.addEventListener('dragleave', ({ relatedTarget }) => {
-      if (!(relatedTarget instanceof Node) || !stage.contains(relatedTarget)) sheet.classList.remove('dropping');
+    page.addEventListener('dragenter', over);
+    page.addEventListener('dragover', over);
+    page.addEventListener('dragleave', ({ relatedTarget }) => {
+      if (!(relatedTarget instanceof Node)) sheet.classList.remove('dropping');
     });
-    stage.addEventListener('drop', (event) => {
-      event.preventDefault();
+    page.addEventListener('drop', (event) => {
+      const files = [...(event.dataTransfer?.files ?? [])];
+      // Text that is dropped into a field goes there.
+      if (files.length) event.preventDefault();
       sheet.classList.remove('dropping');
-      const file = event.dataTransfer?.files[0];
+      // Of several files the first one that may be an outline.
+      const file = files.find(({ name }) => /\.(svg|json)$/i.test(name)) ?? files[0];
       if (file) this.editing.take(file);
     });
     document.addEventListener('paste', ({ target, clipboardData }) => {

@@ -17,7 +17,8 @@ interface Shown {
 
 const REPEATS = 3;
 
-export function makeViewBox(work: Work, view: View): void {
+/** `leave` ends the editing on the picture. */
+export function makeViewBox(work: Work, view: View, leave: () => void): void {
   const { store } = work;
   const hand = new Later(async () => new (await import('./look/hand')).Hand(work, view));
   const zoom = (by: number) => () => hand.ask((it) => it.glass.step(by));
@@ -37,7 +38,11 @@ export function makeViewBox(work: Work, view: View): void {
   tool(store, 'plots', async () => new (await import('./look/plots')).Plots(work.engine, view));
 
   const tiles = new Later(async () => new (await import('./look/tiles')).Tiles(store, view));
-  byId('tile-button').addEventListener('click', () => store.update({ repeat: (store.state.repeat % REPEATS) + 1 }));
+  byId('tile-button').addEventListener('click', () => {
+    // Points are moved on one picture, and two are compared as one: what was asked for last goes on.
+    leave();
+    store.update({ compare: false, repeat: (store.state.repeat % REPEATS) + 1 });
+  });
   store.on(['repeat'], ({ repeat }) => {
     say(byId('tile-word'), t('repeat_now', { n: repeat }));
     tiles.ask((it) => it.follow());

@@ -133,7 +133,7 @@ test('a link opened over work of one’s own can be taken back', async () => {
   await page.click('.message .actions button');
   await frames(page, 2);
   assert.equal(await link(page), work);
-  assert.deepEqual(await messages(page), []);
+  assert.doesNotMatch((await messages(page)).join(), /over the work/);
   // Work that another tab has left meanwhile is none that a page loaded anew takes the place of.
   await page.evaluate((other) => {
     const kept = JSON.parse(localStorage.getItem('bubblestone.work'));
@@ -141,7 +141,8 @@ test('a link opened over work of one’s own can be taken back', async () => {
   }, `${work}&seed=9`);
   await page.reload();
   await digest(page);
-  assert.deepEqual([await link(page), await messages(page)], [work, []]);
+  assert.equal(await link(page), work);
+  assert.doesNotMatch((await messages(page)).join(), /over the work/);
   await close();
 });
 

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { open } from './harness.mjs';
-import { canvas, digest, done, frames, get, phone, SQUARE, steps } from './page.mjs';
+import { canvas, digest, done, frames, get, message, phone, set, SQUARE, steps, tool } from './page.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
@@ -308,6 +308,9 @@ test('plots follow the packing, in points and in words', async () => {
   for (let k = 0; k < 3; k += 1) await page.click('#step');
   await page.waitForFunction(() => /^After 3 steps/.test(document.querySelector('#plot-energy .plot-said').textContent));
   assert.notEqual(await inked('plot-energy'), before);
+  await set(page, 'kind', 'circle');
+  await page.waitForFunction(() => /^Round cells/.test(document.querySelector('#plot-angle .plot-said').textContent));
+  assert.equal(await page.$eval('#plot-angle canvas', (plot) => plot.checkVisibility({ visibilityProperty: true })), false);
   assert.deepEqual(problems, []);
   await close();
 });
@@ -335,6 +338,17 @@ test('the picture is repeated side by side, and cells are told of in each', asyn
   await page.waitForFunction(() => document.querySelector('.tiles').width === 576);
   await page.keyboard.press('t');
   assert.equal(await page.$eval('.tiles', (tiles) => tiles.hidden), true);
+  // Of points, repeats and a comparison, what was asked for last goes on.
+  await tool(page, 'strokes');
+  await page.keyboard.press('t');
+  await page.waitForSelector('.tiles', { visible: true });
+  assert.equal(await page.$eval('#editor', (layer) => layer.hidden), true);
+  await page.keyboard.press('v');
+  await page.waitForSelector('#divider', { visible: true });
+  assert.equal(await page.$eval('.tiles', (tiles) => tiles.hidden), true);
+  await page.keyboard.press('t');
+  await page.waitForSelector('#divider', { hidden: true });
+  assert.equal(await page.$eval('.tiles', (tiles) => tiles.hidden), false);
   assert.deepEqual(problems, []);
   await close();
 });
@@ -366,7 +380,12 @@ test('another recipe is compared under a divider, made beside the shown one', as
   await frames(page, 5);
   assert.ok(await page.evaluate(() => document.querySelector('.other').toDataURL() === document.querySelector('#canvas').toDataURL()));
   await page.select('#compare-with', 'link');
-  await page.type('#compare-link', 'https://example.org/#size=192&cs=24');
+  await page.type('#compare-link', 'https://example.org/#nonsense=1');
+  await page.keyboard.press('Tab');
+  await message(page, 'status', /nonsense/);
+  // What is said of it leaves its field free.
+  await page.click('#compare-link', { count: 3 });
+  await page.keyboard.type('https://example.org/#size=192&cs=24');
   await page.keyboard.press('Tab');
   await settled();
   assert.notEqual(await other(), voronoi);

@@ -139,15 +139,16 @@ test('an outline file is opened, holes and all', async () => {
   await close();
 });
 
-test('an outline file may be dropped on the canvas', async () => {
+test('an outline file may be dropped anywhere, also among other files', async () => {
   const { page, problems, close } = await site.newPage(SQUARE);
   await digest(page);
-  await page.$eval('#sheet', (sheet) => {
+  await page.$eval('#panel', (place) => {
     const dataTransfer = new DataTransfer();
+    dataTransfer.items.add(new File(['a shopping list'], 'list.txt', { type: 'text/plain' }));
     const content = '{"size": [100, 100], "outer": [[10, 10], [90, 10], [50, 90]]}';
     dataTransfer.items.add(new File([content], 'triangle.json', { type: 'application/json' }));
     for (const kind of ['dragenter', 'dragover', 'drop']) {
-      sheet.dispatchEvent(new DragEvent(kind, { dataTransfer, bubbles: true, cancelable: true }));
+      place.dispatchEvent(new DragEvent(kind, { dataTransfer, bubbles: true, cancelable: true }));
     }
   });
   await page.waitForFunction(() => window.bubblestone.get('outline') === 'polygon', { timeout: 20_000 });

@@ -185,6 +185,10 @@ test('Escape takes back what is drawn, then leaves the points', async () => {
   const at = await placesOf(page);
   await page.mouse.click(...at(0.3, 0.3));
   await page.mouse.click(...at(0.6, 0.3));
+  const drawn = () => page.$eval('.draft', (path) => path.getAttribute('d').split('L').length);
+  const points = await drawn();
+  await undo(page);
+  assert.equal(await drawn(), points - 1, 'undo takes back the last point only');
   assert.equal(await page.$eval('#draw-finish', (button) => button.hidden), false);
   await page.keyboard.press('Escape');
   assert.equal(await page.$eval('#editor', (layer) => layer.hidden), false);
@@ -192,6 +196,9 @@ test('Escape takes back what is drawn, then leaves the points', async () => {
   await page.keyboard.press('Escape');
   assert.equal(await page.$eval('#editor', (layer) => layer.hidden), true);
   assert.equal(await link(page), before);
+  await tool(page, 'lines');
+  await page.keyboard.press('Escape');
+  assert.equal(await page.$eval('#editor', (layer) => layer.hidden), true, 'also right after the tool was clicked');
   await close();
 });
 
@@ -231,6 +238,26 @@ test('a hole is drawn, dragged as a whole, and removed; each is one step', async
   await close();
 });
 
+test('a hole may be drawn on what is there, as an island in a hole', async () => {
+  const { page, close } = await site.newPage(SQUARE);
+  await digest(page);
+  const at = await placesOf(page);
+  for (const rim of [0.75, 0.62]) {
+    await tool(page, 'hole');
+    await page.waitForSelector('[data-tool=hole][aria-pressed=true]');
+    await drag(page, at(0.5, 0.5), at(rim, 0.5));
+  }
+  const widths = (await rings(page)).map((ring) => Math.max(...ring.map(([x]) => x)) - 0.5);
+  assert.equal(widths.length, 3);
+  assert.ok(Math.abs(widths[1] - 0.25) < 0.01 && Math.abs(widths[2] - 0.12) < 0.01, JSON.stringify(widths));
+  assert.deepEqual(await messages(page), [], 'whichever way round they run');
+  // A drag that holds nothing marks no words.
+  await page.click('#edit-done');
+  await drag(page, at(0.04, 0.04), at(0.9, 1.2));
+  assert.equal(await page.evaluate(() => String(getSelection())), '');
+  await close();
+});
+
 test('points come from the middles of edges and go by a double click', async () => {
   const { page, close } = await site.newPage(SQUARE);
   await digest(page);
@@ -244,6 +271,10 @@ test('points come from the middles of edges and go by a double click', async () 
   await undo(page);
   assert.equal(await link(page), four, 'adding and dragging is one step');
   assert.equal((await handles(page)).length, 4);
+  await drag(page, middle, at(0.5, 0.5));
+  await page.keyboard.press('Delete');
+  await frames(page, 2);
+  assert.equal((await handles(page)).length, 4, 'the keyboard is on the point that came');
   await page.mouse.click(...middle);
   assert.equal((await handles(page)).length, 5);
   await page.mouse.click(...middle, { count: 2 });
@@ -347,6 +378,21 @@ test('shapes of an SVG come with their transforms and sharp corners; scripts in 
   const circle = found.find((ring) => ring.length > 8 && ring.every(([x, y]) => Math.abs(Math.hypot(x - 0.25, y - 0.75) - 0.15) < 0.002));
   assert.ok(circle, 'the circle');
   assert.equal(await page.evaluate(() => window.bad), undefined);
+  // Pictures in the picture, what is used, lengths with units, and what is not to be seen.
+  await bring(
+    page,
+    `<svg viewBox="0 0 200 200"><symbol id="dot" viewBox="0 0 10 10"><circle cx="5" cy="5" r="5"/></symbol><defs><path id="box" d="M0 0h20v20H0z"/></defs>
+      <svg x="100" width="25%" height="50" viewBox="0 0 2 2"><rect width="100%" height="2" style="display:none"/><path d="M0 0h2v2z"/></svg>
+      <use href="#dot" x="20" y="120" width="60" height="60"/><use href="#box" x="120" y="120"/>
+      <g fill="none"><rect width="200" height="200"/></g><rect x="5%" y="15pt" width="10%" height="20"/></svg>`,
+  );
+  const seen = (await rings(page)).map((ring) => [0, 1].flatMap((axis) => [Math.min, Math.max].map((end) => Math.round(200 * end(...ring.map((point) => point[axis]))))));
+  assert.deepEqual(seen.sort((a, b) => a[0] - b[0] || a[2] - b[2]), [
+    [10, 30, 20, 40],
+    [20, 80, 120, 180],
+    [100, 150, 0, 50],
+    [120, 140, 120, 140],
+  ]);
   assert.deepEqual(problems, []);
   await close();
 });
@@ -360,6 +406,16 @@ test('a list of points is an outline, and one that crosses itself becomes what i
   await bring(page, '{"size": [512, 512], "outer": [[50, 50], [450, 450], [450, 50], [50, 450]]}');
   const crossed = await rings(page);
   assert.ok(crossed.length >= 1 && crossed.flat().length < 24, JSON.stringify(crossed));
+  const last = await link(page);
+  for (const [text, words] of [
+    ['[[1, 2]]', /no outline that encloses an area/],
+    ['M 0 0 L 50 50 L 100 100 z', /on one line/],
+    ['[[1, 2], [3, 4], [5, "x"]]', /point 3 in ring 1/],
+  ]) {
+    await bring(page, text);
+    await message(page, 'alert', words);
+    assert.equal(await link(page), last);
+  }
   assert.match(await digest(page), /^[0-9a-f]+$/);
   await close();
 });
@@ -394,8 +450,11 @@ test('letters become the outline, in few enough points for a link', async () => 
   await page.keyboard.type('O8');
   await page.select('#face', 'sans');
   await page.waitForFunction(() => /\d+ points/.test(document.querySelector('.count')?.textContent ?? ''));
-  await page.click('#take-letters');
+  await page.focus('#letters');
+  await page.keyboard.press('Enter');
   await page.waitForSelector('.handle');
+  await frames(page, 3);
+  assert.equal(await page.$('dialog[open]'), null, 'the key is not taken for a press of the tool, which has the focus again');
   const found = await rings(page);
   assert.equal(found.length, 5, 'two outer rings and three holes');
   assert.ok(found.flat().length <= 300);

@@ -32,6 +32,7 @@ export class EditorBar {
   private readonly addFigure = button('add-figure');
   private readonly addPoint = button('add-point', tell('add_point'), tell('add_point_title'));
   private readonly remove = button('remove-point', '', tell('remove_title'));
+  private readonly name = make('label', { for: 'figure-value' });
   private readonly number = make('input', { type: 'number', id: 'figure-value', inputmode: 'decimal' });
   private readonly slide = make('input', { type: 'range', id: 'figure-slide' });
   private readonly kinds = make('select', { id: 'figure-kind' });
@@ -53,8 +54,8 @@ export class EditorBar {
     this.finish.addEventListener('click', () => needs.finish());
     this.cancel.addEventListener('click', () => needs.cancel());
     this.done.addEventListener('click', () => needs.close());
-    const { what, tip, addFigure, addPoint, kinds, number, slide, remove, finish, cancel, done } = this;
-    bar.replaceChildren(what, tip, addFigure, addPoint, kinds, number, slide, remove, finish, cancel, done);
+    const { what, tip, addFigure, addPoint, kinds, name, number, slide, remove, finish, cancel, done } = this;
+    bar.replaceChildren(what, tip, addFigure, addPoint, kinds, name, number, slide, remove, finish, cancel, done);
   }
 
   hide(): void {
@@ -82,7 +83,7 @@ export class EditorBar {
     this.addFigure.hidden = drawing;
     say(this.addFigure, tell('add_figure', { figure: sort.figure }));
     this.addPoint.hidden = !pointwise || busy || !marked;
-    const last = !pointwise || (marked !== undefined && marked.points.length <= sort.least);
+    const last = !pointwise || (removable && marked !== undefined && marked.points.length <= sort.least);
     say(this.remove, last ? tell('remove_figure', { figure: sort.figure }) : tell('remove_point'));
     this.remove.hidden = busy || !marked;
     this.remove.disabled = !removable;
@@ -96,10 +97,11 @@ export class EditorBar {
     const words = value?.words;
     this.kinds.hidden = !words || !marked;
     this.number.hidden = !value || words !== undefined || !marked;
-    this.slide.hidden = this.number.hidden;
+    this.name.hidden = this.slide.hidden = this.number.hidden;
     if (!value || !marked) return;
+    say(this.name, value.brief ?? '');
     for (const field of words ? [this.kinds] : [this.number, this.slide]) {
-      field.setAttribute('aria-label', value.label);
+      if (field !== this.number) field.setAttribute('aria-label', value.label);
       field.title = value.label;
     }
     if (words) {

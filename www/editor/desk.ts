@@ -8,7 +8,7 @@ import { exportDialog, importDialog, textDialog } from './dialogs';
 import { Editor } from './editor';
 import type { Figure, Sort } from './figures';
 import { looksLikeOutline, ringsOf } from './import';
-import { arranged } from './rings';
+import { arranged, turned } from './rings';
 import { roadRings } from './road';
 import { Sorts } from './sorts';
 import { tell } from './words';
@@ -174,14 +174,15 @@ export class Desk {
   private takeRings(rings: Ring[], loose?: () => Ring[]): boolean {
     return this.change('outline', () => {
       const first = this.work.outline(rings, this.held);
-      const { refused, sentence } = first.refused && loose ? this.work.outline(loose(), this.held) : first;
+      const second = first.refused ? (loose?.() ?? []) : [];
+      const { refused, sentence } = second.length ? this.work.outline(second, this.held) : first;
       return { refused, sentence: refused ? tell('last_good', { sentence }) : sentence };
     });
   }
 
   private take(sort: Sort, figures: Figure[]): boolean {
     if (sort.word === 'road') return this.takeRoads(figures);
-    if (sort.form === 'ring') return this.takeRings(figures.map(({ points }) => points));
+    if (sort.form === 'ring') return this.takeRings(turned(figures.map(({ points }) => points)));
     return this.change(sort.word, () => {
       const sentence = this.work.write(sort.word, this.sorts.text(sort, figures), this.held);
       return { refused: sentence !== '', sentence };

@@ -53,7 +53,12 @@ export function textDialog(needs: DialogNeeds): void {
   preview.setAttribute('aria-hidden', 'true');
   preview.append(path);
   word.addEventListener('input', show);
-  word.addEventListener('keydown', ({ key, isComposing }) => key === 'Enter' && !isComposing && take());
+  word.addEventListener('keydown', (event) => {
+    if (event.key !== 'Enter' || event.isComposing) return;
+    // Or the key would go on to the button that has the focus again, and open this once more.
+    event.preventDefault();
+    take();
+  });
   face.addEventListener('change', show);
   const close = button('leave-letters', tell('cancel'), () => dialog.close());
   const dialog = dialogOf(

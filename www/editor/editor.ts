@@ -1,4 +1,5 @@
 /** Figures over the canvas, and what is done with them: by pointers (gestures.ts), keys, and the bar's buttons. */
+import { byId } from '../dom';
 import type { Point } from '../types';
 import { EditorBar } from './bar';
 import { drawn, type Figure, type Place, type Sort } from './figures';
@@ -63,6 +64,9 @@ export class Editor {
     });
     this.gestures = new Gestures(this);
     for (const place of [layer, bar]) place.addEventListener('keydown', (event) => this.keyAnywhere(event));
+    // After a tool was clicked the keyboard is on its button.
+    byId('toolbox').addEventListener('keydown', (event) => this.open && event.key === 'Escape' && this.keyAnywhere(event));
+    document.body.addEventListener('keydown', (event) => this.open && event.target === document.body && this.keyAnywhere(event));
     layer.addEventListener('focusin', ({ target }) => {
       const part = this.sheet.part(target);
       if (part.part === 'point') this.mark(part.place);
@@ -95,6 +99,7 @@ export class Editor {
     const { layer } = this.sheet;
     layer.hidden = false;
     layer.dataset['form'] = sort.form;
+    layer.toggleAttribute('data-armed', armed);
     layer.toggleAttribute('data-draws', armed || sort.form === 'line' || sort.form === 'spot');
     layer.setAttribute('aria-label', sort.label);
     layer.classList.remove('bad');
@@ -109,7 +114,7 @@ export class Editor {
   }
 
   /** Puts the keyboard on the marked point, or where figures are added. */
-  private focus(): void {
+  focus(): void {
     if (!this.sheet.focus(this.figures, this.marked)) this.bar.focus();
   }
 
@@ -296,6 +301,7 @@ export class Editor {
 
   disarm(): void {
     this.armed = false;
+    this.sheet.layer.removeAttribute('data-armed');
     this.sheet.layer.toggleAttribute('data-draws', this.sort?.form === 'line' || this.sort?.form === 'spot');
     this.gestures.reset();
     this.needs.disarmed();

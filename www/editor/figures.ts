@@ -36,6 +36,8 @@ export interface Sort {
 
 export interface FigureValue {
   label: string;
+  /** The same in a word, before a number's field. */
+  brief?: string;
   min: number;
   max: number;
   step: number;

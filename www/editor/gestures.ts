@@ -28,6 +28,8 @@ export class Gestures {
     this.editor = editor;
     const { layer } = editor.sheet;
     layer.addEventListener('pointerdown', (event) => this.down(event));
+    // A point that is pressed has the keyboard, which browsers do not give to every button, and not to what came only now.
+    layer.addEventListener('mousedown', (event) => this.hold?.holds === 'point' && event.preventDefault());
     layer.addEventListener('pointermove', (event) => this.move(event));
     layer.addEventListener('pointerup', (event) => this.up(event));
     layer.addEventListener('lostpointercapture', (event) => this.lost(event));
@@ -61,12 +63,13 @@ export class Gestures {
     this.editor.showBar();
   }
 
-  /** Enter ends what is drawn, Escape takes it back, Backspace its last point. */
-  key({ key }: KeyboardEvent): boolean {
+  /** Enter ends what is drawn, Escape takes it back, Backspace and undo its last point. */
+  key({ key, ctrlKey, metaKey, shiftKey }: KeyboardEvent): boolean {
     if (!this.pen?.open && !(this.editor.armed && key === 'Escape')) return false;
+    const undo = key.toLowerCase() === 'z' && (ctrlKey || metaKey) && !shiftKey;
     if (key === 'Escape') this.cancel();
     else if (key === 'Enter') this.finish();
-    else if (key === 'Backspace' || key === 'Delete') this.pen?.back();
+    else if (undo || key === 'Backspace' || key === 'Delete') this.pen?.back();
     else return false;
     this.draft();
     this.editor.showBar();
@@ -81,11 +84,13 @@ export class Gestures {
     const finger = event.pointerType === 'touch';
     const twice = event.timeStamp - this.before.time < DOUBLE && Math.hypot(event.clientX - this.before.x, event.clientY - this.before.y) < (finger ? NEAR_FOR_FINGERS : NEAR);
     this.before = { time: event.timeStamp, x: event.clientX, y: event.clientY };
-    const part: Part = this.pen?.open ? { part: 'nothing' } : editor.sheet.part(event.target);
+    // What is being drawn may begin and go on anywhere: an island in a hole, a line over another one.
+    const part: Part = this.pen?.open || editor.armed ? { part: 'nothing' } : editor.sheet.part(event.target);
     const common = { pointer: event.pointerId, x: event.clientX, y: event.clientY, moved: false, finger };
     if (part.part === 'point') {
       this.hold = { ...common, holds: 'point', place: part.place, twice };
       editor.mark(part.place);
+      editor.focus();
     } else if (part.part === 'edge') {
       const { figure, index } = part.place;
       // Adding a point and dragging it on is one step.

@@ -2,6 +2,7 @@
 import type { Point, Ring } from '../types';
 import { fitted } from './fit';
 import { paint } from './paint';
+import { plain } from './path-data';
 import { thinned } from './simplify';
 import { pathRings, svgRings } from './svg';
 import { tell } from './words';
@@ -24,18 +25,16 @@ export function looksLikeOutline(text: string): boolean {
 /** Reads an outline for a picture of this side. Throws an Error whose message is a sentence. */
 export function ringsOf(text: string, name: string, side: number): Imported {
   const start = text.trimStart().slice(0, 1);
-  const fit = (rings: Ring[], page?: number): Ring[] => fitted(rings, side, page);
-  if (start === '[' || start === '{') {
-    const rings = parseJson(text, name, side);
-    return { rings, loose: () => paint(rings, side) };
-  }
-  const { rings, page } = start === '<' ? svgRings(text, name) : { rings: pathRings(text, name), page: undefined };
-  const placed = fit(rings, page);
-  return { rings: thinned(placed, TOLERANCE * side, MOST), loose: () => paint(placed, side) };
+  const json = start === '[' || start === '{';
+  const { rings, page } = json ? parseJson(text, name) : start === '<' ? svgRings(text, name) : { rings: pathRings(text, name), page: undefined };
+  const placed = fitted(rings, side, page);
+  const usable = json ? placed : thinned(placed, TOLERANCE * side, MOST);
+  if (!usable.some((ring) => ring.length > 2)) throw new Error(tell('no_area', { name }));
+  return { rings: usable, loose: () => paint(placed, side) };
 }
 
 /** `{"size": [w, h], "outer": [[x, y], ...], "holes": [...]}`, `{"rings": [...]}`, or a list of points or rings. */
-function parseJson(text: string, name: string, side: number): Ring[] {
+function parseJson(text: string, name: string): { rings: Ring[]; page: number | undefined } {
   const wrong = (key: Parameters<typeof tell>[0], values = {}): Error => new Error(tell(key, { name, ...values }));
   let content: unknown;
   try {
@@ -44,7 +43,7 @@ function parseJson(text: string, name: string, side: number): Ring[] {
     throw wrong('no_json');
   }
   const lists = Array.isArray(content) ? content : ringsIn(content);
-  const found: unknown[] = lists.length && lists.every(isPoint) ? [lists] : lists;
+  const found: unknown[] = lists.some(isPoint) ? [lists] : lists;
   if (!found.length || !found.every((ring) => Array.isArray(ring))) throw wrong('no_rings');
   const rings = found.map((ring, at) =>
     (ring as unknown[]).map((point, index): Point => {
@@ -52,7 +51,8 @@ function parseJson(text: string, name: string, side: number): Ring[] {
       return [point[0], point[1]];
     }),
   );
-  return fitted(rings, side, content instanceof Object && 'size' in content && isPoint(content.size) ? Math.max(...content.size) : undefined);
+  const page = content instanceof Object && 'size' in content && isPoint(content.size) ? Math.max(...content.size) : undefined;
+  return { rings: rings.map(plain), page };
 }
 
 function ringsIn(content: unknown): unknown[] {

@@ -66,6 +66,8 @@ function commands(text: string): Command[] {
     const takes = TAKES[letter.toLowerCase()];
     if (takes === undefined) return found;
     const numbers = letter.toLowerCase() === 'a' ? arcNumbers(whole) : (whole.match(/[-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?/gi) ?? []).map(Number);
+    // A number too large for any number is a mistake, too.
+    if (!numbers.every(Number.isFinite)) return found;
     if (takes === 0) {
       found.push({ letter, numbers: [] });
       continue;
@@ -113,7 +115,7 @@ function arc(from: Point, [rx, ry, turn, large, sweep]: number[], to: Point): Po
 }
 
 /** Without points that repeat the one before. */
-function plain(ring: Ring): Ring {
+export function plain(ring: Ring): Ring {
   return ring.filter(([x, y], k) => {
     const [u, v] = ring[(k || ring.length) - 1] ?? [x, y];
     return ring.length < 2 || Math.abs(x - u) + Math.abs(y - v) > 1e-9;

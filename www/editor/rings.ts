@@ -2,10 +2,14 @@
 import type { Ring } from '../types';
 import { area, within } from './simplify';
 
-/** The largest ring first; those around an even number of others' insides run one way, the rest the other. */
+/** The largest ring first, and each in its sense. */
 export function arranged(rings: Ring[]): Ring[] {
-  const whole = rings.filter((ring) => ring.length > 2).sort((a, b) => Math.abs(area(b)) - Math.abs(area(a)));
-  return whole.map((ring) => (area(ring) > 0 === (depth(ring, whole) % 2 === 0) ? ring : [...ring].reverse()));
+  return turned(rings.filter((ring) => ring.length > 2).sort((a, b) => Math.abs(area(b)) - Math.abs(area(a))));
+}
+
+/** Rings around an even number of others' insides run one way, the rest the other. */
+export function turned(rings: Ring[]): Ring[] {
+  return rings.map((ring) => (area(ring) > 0 === (depth(ring, rings) % 2 === 0) ? ring : [...ring].reverse()));
 }
 
 /** In how many of the rings a ring lies: a hole in an odd number. */

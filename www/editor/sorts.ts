@@ -55,7 +55,7 @@ export class Sorts {
         tip: tell('tip_hole'),
         name: ({ figure, index }, all) => tell('point_of', { k: index + 1, n: all[figure]?.points.length ?? 0, figure: ringName(figure, all) }),
       },
-      line('road', 'road_label', 'road', 'tip_road', { label: tell('road_width'), min: 2, max: 60, step: 1, first: ROAD, shown: (value) => `${Math.round(value)} %` }),
+      line('road', 'road_label', 'road', 'tip_road', { label: tell('road_width'), brief: tell('road_brief'), min: 2, max: 60, step: 1, first: ROAD, shown: (value) => `${Math.round(value)} %` }),
       line('lines', 'lines', 'line', 'tip_line'),
       {
         word: 'parts',
@@ -68,8 +68,8 @@ export class Sorts {
         value: { label: tell('part_kind'), words: kinds, min: 0, max: kinds.length - 1, step: 1, first: 2, shown: (value) => kinds[value] ?? '' },
       },
       line('strokes', 'strokes', 'stroke', 'tip_line'),
-      spot('spots', 'spots', { label: tell('spot_factor'), min: 0.2, max: 3, step: 0.1, first: 0.5, shown: times }),
-      spot('stretch', 'stretch', { label: tell('spot_ratio'), min: 1, max: 5, step: 0.1, first: 4, shown: ratio }),
+      spot('spots', 'spots', { label: tell('spot_factor'), brief: tell('spot_brief'), min: 0.2, max: 3, step: 0.1, first: 0.5, shown: times }),
+      spot('stretch', 'stretch', { label: tell('spot_ratio'), brief: tell('ratio_brief'), min: 1, max: 5, step: 0.1, first: 4, shown: ratio }),
     ];
   }
 

@@ -50,7 +50,11 @@ export class Plots {
         return { data: [step, move.map((v) => Math.max(v, 1e-6))], said: said('plot_move_said', step, move) };
       }),
       this.plot('plot_size', bars('axis_size'), () => counted(engine.histograms().size, 'plot_size_said', 1 - SIZE_BAND, 1 + SIZE_BAND)),
-      this.plot('plot_angle', bars('axis_angle'), () => counted(engine.histograms().angle, 'plot_angle_said', 0, ANGLE_BAND)),
+      this.plot('plot_angle', bars('axis_angle'), () => {
+        const { size, angle } = engine.histograms();
+        const { data, said } = counted(angle, 'plot_angle_said', 0, ANGLE_BAND);
+        return { data, said: size.counts.some(Boolean) && !angle.counts.some(Boolean) ? t('plot_angle_none') : said };
+      }),
     ];
     view.drawn(() => this.soon());
     this.narrow.addEventListener('change', () => this.settle());
@@ -94,6 +98,8 @@ export class Plots {
     for (const plot of this.plots) {
       const { data, said: sentence } = plot.read();
       say(plot.said, sentence);
+      // Axes of nothing are none.
+      plot.place.classList.toggle('empty', !data[1]?.some(Boolean));
       if (plot.plot) plot.plot.setData(data);
       else plot.plot = new uPlot(plot.make(plot.place.clientWidth), data, plot.place);
     }
@@ -114,7 +120,7 @@ function axes(word: Word, log: boolean): uPlot.Axis[] {
   const plain = { stroke: colour('--soft'), font: '11px system-ui, sans-serif', ticks: { stroke: colour('--line'), size: 4, width: 1 }, grid: { stroke: colour('--line'), width: 1 } };
   return [
     { ...plain, size: 22, gap: 2, grid: { show: false }, label: t(word), labelSize: 14, labelFont: '11px system-ui, sans-serif', labelGap: 0 },
-    { ...plain, size: 44, gap: 4, space: 18, values: (_, marks, __, ___, apart) => marks.map((mark: number | null) => (mark === null ? '' : spaced(mark, apart))), ...(log ? { filter: decades, grid: { ...plain.grid, filter: decades }, ticks: { ...plain.ticks, filter: decades } } : {}) },
+    { ...plain, size: 44, gap: 4, space: 18, values: (_, marks, __, ___, apart) => marks.map((mark: number | null) => (mark === null ? '' : log ? short(mark) : spaced(mark, apart))), ...(log ? { filter: decades, grid: { ...plain.grid, filter: decades }, ticks: { ...plain.ticks, filter: decades } } : {}) },
   ];
 }
 

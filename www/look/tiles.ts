@@ -18,7 +18,6 @@ export class Tiles {
     this.canvas.hidden = true;
     view.canvas.after(this.canvas);
     view.drawn(() => this.draw());
-    // Points are moved on one picture, and two are compared as one.
     store.on(['editing', 'compare'], () => this.follow());
   }
 
