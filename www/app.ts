@@ -1,7 +1,7 @@
 /** The wiring: what happens when something on the page is changed, and what is shown of it. */
 import { Controls } from './controls';
 import { makeChances } from './chances';
-import { byId, byIdAs, make, say } from './dom';
+import { byId, byIdAs, frame, make, say } from './dom';
 import { Editing } from './editing';
 import { Engine } from './engine';
 import { History } from './history';
@@ -28,6 +28,8 @@ import { presetOf, Work } from './work';
 
 /** Milliseconds that the picture stands still before listeners are told: a slider's steps are not told one by one. */
 const SETTLED = 400;
+/** Frames that the first cells may take before the panel comes all the same. */
+const PATIENCE = 12;
 
 export class App {
   private readonly engine: Engine;
@@ -63,6 +65,21 @@ export class App {
       if (own && !ours && this.store.state.recipe !== recipe) this.tellReplaced();
     });
     this.editing = new Editing(this.work);
+    this.transport = this.makeTransport();
+    new Seed(this.work, () => this.push());
+    this.follow();
+    this.bind();
+    makeViewBox(this.work, this.view, () => this.editing.end());
+    notice('link', ...this.engine.notices());
+    if (last && asked !== '' && last.own && last.recipe !== this.store.state.recipe && !isReload()) this.tellReplaced();
+    remember(this.store);
+    this.loop.changed();
+  }
+
+  /** Panel and rail, which are much to build: the first cells are shown before. */
+  async furnish(): Promise<void> {
+    const { store } = this;
+    for (let waited = 0; waited < PATIENCE && !this.hasBegun(); waited += 1) await frame();
     const controls = new Controls(this.engine.schema, {
       get: (key) => this.engine.get(key),
       defaultOf: (parameter) => this.engine.defaultOf(parameter),
@@ -71,23 +88,25 @@ export class App {
       kinds: () => kindsIn(this.engine),
     });
     new Toolbox(this.work, controls, this.editing);
+    makeChances(this.work, controls, () => this.push());
+    controls.refresh();
+    store.on(['recipe'], () => controls.refresh());
+    await frame();
     const presets = new Presets(this.engine.presets, (preset) => {
       this.editing.end();
       this.push();
-      if (isLocked(this.store, SEED)) this.work.open(withSeed(preset.link, this.engine.get(SEED)), false, preset);
+      if (isLocked(store, SEED)) this.work.open(withSeed(preset.link, this.engine.get(SEED)), false, preset);
       else this.work.open(preset.link);
-      this.store.update({ paused: false });
+      store.update({ paused: false });
     });
-    this.transport = this.makeTransport();
-    new Seed(this.work, () => this.push());
-    makeChances(this.work, controls, () => this.push());
-    this.follow(controls, presets);
-    this.bind();
-    makeViewBox(this.work, this.view, () => this.editing.end());
-    notice('link', ...this.engine.notices());
-    if (last && asked !== '' && last.own && last.recipe !== this.store.state.recipe && !isReload()) this.tellReplaced();
-    remember(this.store);
-    this.loop.changed();
+    const mark = ({ recipe, preset }: State): void => presets.mark(preset?.recipe === recipe ? preset.shown.name : undefined);
+    mark(store.state);
+    store.on(['recipe'], mark);
+  }
+
+  /** Whether there are cells, or never will be. */
+  private hasBegun(): boolean {
+    return this.engine.status().cells > 0 || this.store.state.stage === 'error' || !this.engine.alive;
   }
 
   /** What scripts may use. */
@@ -123,7 +142,7 @@ export class App {
   }
 
   /** recipe -> studio -> view: what follows which part of the state. */
-  private follow(controls: Controls, presets: Presets): void {
+  private follow(): void {
     const { store } = this;
     const showHistory = ({ past, future, stored, own }: State): void => {
       byIdAs('undo', HTMLButtonElement).disabled = past.length === 0;
@@ -134,18 +153,13 @@ export class App {
       if (!text && note.textContent) note.ariaLive = 'off';
       say(note, text);
     };
-    const showRecipe = ({ recipe, preset }: State): void => {
-      this.link.write(recipe);
-      controls.refresh();
-      presets.mark(preset?.recipe === recipe ? preset.shown.name : undefined);
-    };
     const showTransport = ({ paused, pace }: State): void => {
       if (this.loop.paused !== paused) this.loop.paused = paused;
       this.loop.stepsPerFrame = pace;
       this.transport.show(paused, pace);
     };
-    store.on(['recipe'], (now) => {
-      showRecipe(now);
+    store.on(['recipe'], ({ recipe }) => {
+      this.link.write(recipe);
       this.editing.follow();
       this.loop.changed();
     });
@@ -153,7 +167,7 @@ export class App {
     store.on(['paused', 'pace'], showTransport);
     store.on(['held'], () => this.loop.changed());
     store.on(['view', 'overlays'], () => this.loop.redraw());
-    showRecipe(store.state);
+    this.link.write(store.state.recipe);
     showTransport(store.state);
     showHistory(store.state);
   }

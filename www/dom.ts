@@ -40,6 +40,14 @@ export function walkByArrows(toolbar: HTMLElement): void {
   });
 }
 
+/** Lets the browser show what there is; where it shows nothing, as in a hidden tab, a moment passes. */
+export function frame(): Promise<void> {
+  return new Promise((resolve) => {
+    requestAnimationFrame(() => setTimeout(resolve));
+    setTimeout(resolve, 200);
+  });
+}
+
 /** Sets a text only when it differs, so that idle frames touch nothing. */
 export function say(element: Element, text: string): void {
   if (element.textContent !== text) element.textContent = text;

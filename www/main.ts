@@ -5,6 +5,7 @@ import { load } from './engine';
 import { choiceOf, choose } from './memory';
 import { alertOf, passing } from './messages';
 import { keepModule } from './module';
+import type { Bubblestone } from './scripts';
 import { t, takeLanguage } from './words';
 
 async function start(): Promise<void> {
@@ -12,7 +13,7 @@ async function start(): Promise<void> {
     const embedded = isEmbedded();
     document.documentElement.toggleAttribute('data-embed', embedded);
     const [embed] = await Promise.all([embedded ? import('./embed') : undefined, load(), takeLanguage()]);
-    const scripts = embed ? embed.embed() : new App().scripts();
+    const scripts = embed ? embed.embed() : await begin();
     window.bubblestone = scripts;
     // Within another page there is nothing to install.
     if (!embed) scripts.digest().then(storeSite, () => undefined);
@@ -20,6 +21,12 @@ async function start(): Promise<void> {
     document.documentElement.dataset['stage'] = 'error';
     alertOf('trouble', error instanceof Error ? error.message : String(error));
   }
+}
+
+async function begin(): Promise<Bubblestone> {
+  const app = new App();
+  await app.furnish();
+  return app.scripts();
 }
 
 /** The first picture is done: now there is time for the next visit. */

@@ -16,6 +16,7 @@ export class Presets {
   private readonly groups: Group[] = [];
   private readonly buttons = new Map<string, HTMLButtonElement>();
   private marked: string | undefined;
+  private placed: ResizeObserver | undefined;
   /** Browsers' own lazy loading fetches far more of a list than is to be seen. */
   private readonly inSight = new IntersectionObserver((entries) => {
     for (const { isIntersecting, target } of entries) {
@@ -67,9 +68,13 @@ export class Presets {
     const group = this.groups.find(({ list }) => list.contains(button));
     if (!group) return;
     if (group.list.hidden) this.unfold(group);
-    const [box, frame] = [button.getBoundingClientRect(), group.list.getBoundingClientRect()];
-    if (box.top < frame.top || box.bottom > frame.bottom) group.list.scrollTop += box.top - frame.top - (frame.height - box.height) / 2;
-    if (box.left < frame.left || box.right > frame.right) group.list.scrollLeft += box.left - frame.left - (frame.width - box.width) / 2;
+    // Asked for at once, places would have to be worked out while the page is still being changed.
+    this.placed?.disconnect();
+    this.placed = new ResizeObserver(() => {
+      this.placed?.disconnect();
+      scrollInto(group.list, button);
+    });
+    this.placed.observe(button);
   }
 
   private button(preset: Preset): HTMLButtonElement {
@@ -86,6 +91,12 @@ export class Presets {
     this.buttons.set(preset.name, button);
     return button;
   }
+}
+
+function scrollInto(list: HTMLElement, item: HTMLElement): void {
+  const [box, frame] = [item.getBoundingClientRect(), list.getBoundingClientRect()];
+  if (box.top < frame.top || box.bottom > frame.bottom) list.scrollTop += box.top - frame.top - (frame.height - box.height) / 2;
+  if (box.left < frame.left || box.right > frame.right) list.scrollLeft += box.left - frame.left - (frame.width - box.width) / 2;
 }
 
 /** "Fig. 13 (1b) of 2000, Fig. 12 (1b) of 2001" as it fits under a small picture: the first paper's number. */

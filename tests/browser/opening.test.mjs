@@ -17,7 +17,10 @@ test('a pavement forms before the eyes, without errors or external requests', as
     before: (fresh) =>
       fresh.evaluateOnNewDocument(() => {
         window.stages = [];
-        new MutationObserver(() => window.stages.push(document.documentElement.dataset.stage)).observe(document, {
+        new MutationObserver(() => {
+          window.built ??= document.querySelectorAll('#controls .control').length;
+          window.stages.push(document.documentElement.dataset.stage);
+        }).observe(document, {
           attributes: true,
           subtree: true,
           attributeFilter: ['data-stage'],
@@ -32,6 +35,8 @@ test('a pavement forms before the eyes, without errors or external requests', as
   const stages = await page.evaluate(() => window.stages);
   assert.ok(stages.includes('packing'), `stages seen: ${stages}`);
   assert.equal(stages.at(-1), 'done');
+  assert.equal(await page.evaluate(() => window.built), 0, 'the picture has to wait for the panel');
+  assert.ok((await page.$$('#controls .control')).length > 100);
   assert.match(await digest(page), /^[0-9a-f]{16,}$/);
   assert.deepEqual(problems, []);
   assert.deepEqual(external, []);
