@@ -72,7 +72,15 @@ impl Board {
     /// Draws the lines of rings, `width` pixels wide, in one colour; where lines meet or cross they
     /// are not darker.
     pub fn edges(&mut self, rings: &[&[DVec2]], tint: Tint, width: f64, round: f64) {
-        self.strokes(&lines_of(rings, round), tint, width);
+        let mut builder = PathBuilder::new();
+        for ring in rings {
+            let ring = rounded(ring, round);
+            trace(&mut builder, &beside(&ring, width / 2.0));
+            let mut inner = beside(&ring, -width / 2.0);
+            inner.reverse();
+            trace(&mut builder, &inner);
+        }
+        self.fill_path(builder.finish(), tint);
     }
 
     /// Draws separate lines of one colour, `width` pixels wide.
@@ -212,6 +220,21 @@ fn rounded(ring: &[DVec2], round: f64) -> Vec<DVec2> {
         points.extend([start, 0.5 * corner + 0.25 * (start + end), end]);
     }
     points
+}
+
+/// Corners stand out at most this many times as far as sides.
+const MITRE: f64 = 2.0;
+
+/// The ring moved out by `by` pixels, or in where that is negative; of clockwise ones (on screen).
+fn beside(ring: &[DVec2], by: f64) -> Vec<DVec2> {
+    let n = ring.len();
+    let out = |k: usize| -(ring[(k + 1) % n] - ring[k % n]).normalize_or_zero().perp();
+    let moved = |k: usize| {
+        let (before, after) = (out(k + n - 1), out(k));
+        let mitre = (before + after) / (1.0 + before.dot(after)).max(1e-9);
+        ring[k] + by * mitre.clamp_length_max(MITRE)
+    };
+    (0..n).map(moved).collect()
 }
 
 /// The corners of a line of some width; it reaches half of it beyond its ends, so that joints close.

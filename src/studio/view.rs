@@ -9,7 +9,7 @@ use crate::recipe::Stage;
 use crate::render::overlay::{Board, Paper};
 use crate::render::overlay_tones::{SHEET, Tones};
 use crate::render::{
-    overlay_field, overlay_planes, overlay_potential, overlay_size, overlay_stages,
+    overlay_field, overlay_planes, overlay_potential, overlay_size, overlay_stages, row_slopes,
 };
 use crate::texture::Planes;
 use glam::DVec2;
@@ -250,8 +250,16 @@ impl Studio {
 
 /// Shows the ground in a plain light.
 fn light_ground(planes: &Planes, rgba: &mut [u8]) {
-    for at in 0..planes.id.len() {
-        light_pixel(planes, at % planes.side, at / planes.side, rgba);
+    let side = planes.side;
+    let mut slopes = [(); 2].map(|()| vec![0.0; side]);
+    for (y, row) in rgba.chunks_exact_mut(4 * side).enumerate() {
+        row_slopes(planes, y, &mut slopes);
+        let [across, fall] = &slopes;
+        let places = planes.colour[y * side..].iter().zip(across).zip(fall);
+        for (pixel, ((&colour, &dx), &dy)) in row.chunks_exact_mut(4).zip(places) {
+            let scale = 1.0 / (dx * dx + dy * dy + 1.0).sqrt();
+            light_pixel(colour, [-dx * scale, -dy * scale, scale], pixel);
+        }
     }
 }
 
@@ -269,19 +277,19 @@ fn light_stone(planes: &Planes, cell: &Cell, index: usize, rgba: &mut [u8]) {
     for y in clip(lo.y)..clip(hi.y) {
         for x in clip(lo.x)..clip(hi.x) {
             if planes.id[y * side + x] == index as u32 + 1 {
-                light_pixel(planes, x, y, rgba);
+                let at = y * side + x;
+                let normal = overlay_planes::normal(planes, x, y);
+                light_pixel(planes.colour[at], normal, &mut rgba[4 * at..]);
             }
         }
     }
 }
 
 /// Light from the upper left, as strong on level ground as in a finished picture.
-fn light_pixel(planes: &Planes, x: usize, y: usize, rgba: &mut [u8]) {
-    let at = y * planes.side + x;
-    let n = overlay_planes::normal(planes, x, y);
-    let facing = (-0.42 * n[0] - 0.48 * n[1] + 0.77 * n[2]).max(0.0);
+fn light_pixel(colour: [u8; 3], n: [f32; 3], pixel: &mut [u8]) {
+    let facing = order::greater(-0.42 * n[0] - 0.48 * n[1] + 0.77 * n[2], 0.0);
     let light = 0.42 + 0.80 * facing;
-    for (c, &colour) in planes.colour[at].iter().enumerate() {
-        rgba[4 * at + c] = (f32::from(colour) * light).min(255.0) as u8;
+    for (shown, colour) in pixel.iter_mut().zip(colour) {
+        *shown = order::lesser(f32::from(colour) * light, 255.0) as u8;
     }
 }
