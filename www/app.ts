@@ -26,6 +26,9 @@ import { makeViewBox } from './viewbox';
 import { LANGUAGES, language, speak, t } from './words';
 import { presetOf, Work } from './work';
 
+/** Milliseconds that the picture stands still before listeners are told: a slider's steps are not told one by one. */
+const SETTLED = 400;
+
 export class App {
   private readonly engine: Engine;
   private readonly store: Store;
@@ -38,6 +41,8 @@ export class App {
   private readonly status = new StatusLine();
   private readonly editing: Editing;
   private readonly face: ScriptFace;
+  /** A timer: the end of the work is told once it lasts. */
+  private telling = 0;
   /** Visitors who asked for less motion see no cells move until they choose a speed. */
   private still = matchMedia('(prefers-reduced-motion: reduce)').matches;
 
@@ -80,7 +85,7 @@ export class App {
     this.bind();
     makeViewBox(this.work, this.view, () => this.editing.end());
     notice('link', ...this.engine.notices());
-    if (last && asked !== '' && last.own && last.recipe !== this.store.state.recipe) this.tellReplaced();
+    if (last && asked !== '' && last.own && last.recipe !== this.store.state.recipe && !isReload()) this.tellReplaced();
     remember(this.store);
     this.loop.changed();
   }
@@ -101,7 +106,7 @@ export class App {
       future: last && same ? last.future : [],
       preset: presetOf(this.engine.presets, recipe),
       own: same && last.own && (asked === '' || asked === recipe),
-      stored: false,
+      stored: same,
       pace: 3,
       paused: false,
       view: 'auto',
@@ -123,7 +128,11 @@ export class App {
     const showHistory = ({ past, future, stored, own }: State): void => {
       byIdAs('undo', HTMLButtonElement).disabled = past.length === 0;
       byIdAs('redo', HTMLButtonElement).disabled = future.length === 0;
-      say(byId('stored'), stored && own ? t('stored') : '');
+      const note = byId('stored');
+      const text = stored && own ? t('stored') : '';
+      // Ears are told the first time only.
+      if (!text && note.textContent) note.ariaLive = 'off';
+      say(note, text);
     };
     const showRecipe = ({ recipe, preset }: State): void => {
       this.link.write(recipe);
@@ -258,7 +267,9 @@ export class App {
     this.store.update({ stage });
     document.documentElement.dataset['stage'] = stage;
     const { cells, steps } = this.engine.status();
-    say(byId('live'), stage === 'done' ? t('done', { cells, steps }) : '');
+    clearTimeout(this.telling);
+    say(byId('live'), '');
+    if (stage === 'done') this.telling = window.setTimeout(() => say(byId('live'), t('done', { cells, steps })), SETTLED);
   }
 
   /** The next change is an entry of its own in the browser's history. */

@@ -117,8 +117,7 @@ function numberAndSlider(parameter: Parameter, id: string, change: Change): Part
   const now = (): number => fromPlace(parameter, Number(slider.value) / PLACES);
 
   box.addEventListener('change', () => change(key, box.value, true));
-  slider.addEventListener('input', () => change(key, String(now()), false));
-  slider.addEventListener('change', () => change(key, String(now()), true));
+  whenMeant(slider, (last) => change(key, String(now()), last));
   slider.addEventListener('keydown', (event) => {
     const next = byKey(parameter, Number(box.value), event);
     if (next === undefined) return;
@@ -137,6 +136,32 @@ function numberAndSlider(parameter: Parameter, id: string, change: Change): Part
       slider.setAttribute('aria-valuetext', shown(parameter, text));
     },
   };
+}
+
+/** Pixels that a finger goes along a slider before it is taken to move it; a finger that scrolls the page goes across. */
+const ALONG = 8;
+
+/** Reports a slider's values, but none of a finger that only began on it to scroll the page. */
+function whenMeant(slider: HTMLInputElement, report: (last: boolean) => void): void {
+  let open: { x: number; value: string } | undefined;
+  let scrolled = false;
+  slider.addEventListener('pointerdown', ({ pointerType, clientX }) => {
+    open = pointerType === 'touch' ? { x: clientX, value: slider.value } : undefined;
+    scrolled = false;
+  });
+  slider.addEventListener('pointermove', ({ clientX }) => {
+    if (open && Math.abs(clientX - open.x) > ALONG) open = undefined;
+  });
+  slider.addEventListener('pointerup', () => (open = undefined));
+  slider.addEventListener('pointercancel', () => {
+    if (open) slider.value = open.value;
+    scrolled = open !== undefined;
+  });
+  for (const kind of ['input', 'change']) {
+    slider.addEventListener(kind, () => {
+      if (!open && !scrolled) report(kind === 'change');
+    });
+  }
 }
 
 /** Arrow keys move by the parameter's step, page keys by a tenth of the way, whatever the slider's scale. */

@@ -3,7 +3,7 @@ import { byId, make } from './dom';
 import { t } from './words';
 
 /** Notices of the same topic replace each other. */
-type Topic = 'link' | 'value' | 'outline' | 'done' | 'files' | 'replaced' | 'offline' | 'trouble' | 'part';
+type Topic = 'link' | 'value' | 'outline' | 'done' | 'files' | 'busy' | 'replaced' | 'offline' | 'trouble' | 'part';
 
 /** Milliseconds that a passing word stays; longer texts stay until dismissed. */
 const PASSING = 4000;
@@ -19,6 +19,13 @@ export function notice(topic: Topic, ...sentences: string[]): void {
 /** Something that may be taken back or followed; `actions` are offered below the sentence. */
 export function offerOf(topic: Topic, sentence: string, ...actions: HTMLElement[]): void {
   put(notices, topic, [sentence])?.append(make('div', { class: 'actions' }, ...actions));
+}
+
+/** Work that goes on until it ends or is stopped: it cannot be put out of sight. */
+export function underWay(topic: Topic, sentence: string, ...actions: HTMLElement[]): void {
+  const note = put(notices, topic, [sentence]);
+  note?.querySelector('.close')?.remove();
+  note?.append(make('div', { class: 'actions' }, ...actions));
 }
 
 /** A word that goes by itself. */

@@ -9,7 +9,7 @@ import { PNG } from 'pngjs';
 import sharp from 'sharp';
 import { kind } from './browsers.mjs';
 import { open } from './harness.mjs';
-import { digest, message, messages, SMALL } from './page.mjs';
+import { digest, message, messages, SMALL, set } from './page.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
@@ -255,12 +255,17 @@ test('Stop stops what is being made, and then another file can be saved', async 
     await dialog(page);
     await page.click(button);
     await page.waitForSelector('.message progress');
+    assert.equal(await page.$('.message:has(progress) .close'), null, 'the way to stop can be put out of sight');
     await page.$eval('#stop-file', (stop) => stop.click());
     await message(page, 'status', /was stopped/);
     await page.$eval('.message .close', (close) => close.click());
     assert.equal(await page.evaluate(() => window.saved), undefined);
   }
   assert.equal((await saved(page, '#save-recipe')).name, 'bubblestone-annulus-1.json');
+  await page.$eval('[data-preset=snake]', (button) => button.click());
+  assert.equal((await saved(page, '#save-recipe')).name, 'bubblestone-snake-1.json');
+  await set(page, 'cs', '40');
+  assert.equal((await saved(page, '#save-recipe')).name, 'bubblestone-tile-1.json');
   // Firefox tells of the module that a stopped worker was just fetching.
   assert.deepEqual(problems.filter((problem) => !/\.lzma: NS_BINDING_ABORTED$/.test(problem)), []);
   await close();

@@ -134,6 +134,14 @@ test('a link opened over work of one’s own can be taken back', async () => {
   await frames(page, 2);
   assert.equal(await link(page), work);
   assert.doesNotMatch((await messages(page)).join(), /over the work/);
+  // Work that another tab has left meanwhile is none that a page loaded anew takes the place of.
+  await page.evaluate((other) => {
+    const kept = JSON.parse(localStorage.getItem('bubblestone.work'));
+    addEventListener('pagehide', () => localStorage.setItem('bubblestone.work', JSON.stringify({ ...kept, recipe: other })));
+  }, `${work}&seed=9`);
+  await page.reload();
+  await digest(page);
+  assert.deepEqual([await link(page), await messages(page)], [work, []]);
   await close();
 });
 

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { open } from './harness.mjs';
-import { digest, frames, get, SMALL, steps } from './page.mjs';
+import { digest, frames, get, phone, SMALL, steps } from './page.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
@@ -78,4 +78,49 @@ test('single keys work anywhere but where they are text', async () => {
   await frames(page, 1);
   assert.match(await get(page, 'seed'), /52/);
   await close();
+});
+
+test('listeners are told of the end of the work once, and only the first time that it is stored', async () => {
+  const { page, problems, close } = await site.newPage(SMALL, {
+    before: (fresh) =>
+      fresh.evaluateOnNewDocument(() => {
+        window.told = [];
+        new MutationObserver((changes) => {
+          for (const { target } of changes) {
+            const live = target.nodeType === Node.ELEMENT_NODE ? target : target.parentElement;
+            if (live && /^(live|stored)$/.test(live.id) && live.textContent && live.ariaLive !== 'off') window.told.push(live.id);
+          }
+        }).observe(document, { subtree: true, childList: true, characterData: true });
+      }),
+  });
+  await page.waitForFunction(() => window.told.join() === 'live');
+  await page.focus('[data-key=cs] [type=range]');
+  for (let presses = 0; presses < 4; presses += 1) {
+    await page.keyboard.press('ArrowRight');
+    await digest(page);
+  }
+  await page.waitForFunction(() => document.querySelector('#live').textContent && document.querySelector('#stored').textContent);
+  assert.deepEqual(await page.evaluate(() => window.told.splice(0).sort()), ['live', 'live', 'stored']);
+  await page.keyboard.press('ArrowRight');
+  await page.waitForFunction(() => document.querySelector('#stored').textContent === '');
+  await page.waitForFunction(() => document.querySelector('#live').textContent && document.querySelector('#stored').textContent);
+  assert.deepEqual(await page.evaluate(() => window.told), ['live']);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('what gets the focus is not under the help at the foot', async () => {
+  for (const viewport of [undefined, phone]) {
+    const { page, close } = await site.newPage(SMALL, { viewport });
+    await digest(page);
+    await page.focus('#throw');
+    for (let stops = 0; stops < 14; stops += 1) {
+      await page.keyboard.press('Tab');
+      await frames(page, 2);
+      const [box, help] = await page.evaluate(() => [document.activeElement, document.querySelector('#hint')].map((element) => element.getBoundingClientRect().toJSON()));
+      const shown = await page.$eval('#hint', (hint) => hint.textContent !== '');
+      assert.ok(!shown || box.bottom <= help.top + 1 || box.top >= help.bottom, `stop ${stops}: ${JSON.stringify([box, help])}`);
+    }
+    await close();
+  }
 });

@@ -47,6 +47,7 @@ test('after the first visit all works without a host, and nothing was fetched tw
       else click.call(this);
     };
   });
+  await page.waitForSelector('#save-maps');
   await page.$eval('#save-maps', (button) => button.click());
   await page.waitForFunction(() => window.saved, { timeout: 60_000 });
   assert.match(await page.evaluate(() => window.saved), /maps\.zip$/);

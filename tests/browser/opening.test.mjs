@@ -97,7 +97,7 @@ test('the state of the work is told in words and numbers', async () => {
   const times = await page.$$eval('.pipeline .time', (all) => all.map((time) => time.textContent));
   assert.equal(times.length, 8);
   for (const time of times) assert.match(time, /ms$/);
-  assert.match(await page.$eval('#live', (live) => live.textContent), /cells after \d+ steps/);
+  await page.waitForFunction(() => /cells after \d+ steps/.test(document.querySelector('#live').textContent));
   await close();
 });
 

@@ -183,7 +183,7 @@ test('an outline file of several islands is opened, and each is paved', async ()
 
 for (const [what, content, words] of [
   ['is no outline', 'hello', /neither SVG, nor JSON/],
-  ['is broken JSON', '{"outer": [[0, 0]', /no JSON/],
+  ['is broken JSON', '{"outer": [[0, 0]', /cannot be read as JSON/],
   ['is broken SVG', '<svg><path d="M0 0"', /no path/],
   ['is an empty SVG', '<svg xmlns="http://www.w3.org/2000/svg"><text>a</text></svg>', /no path/],
   ['has no ring', '{"rings": []}', /no outline/],

@@ -85,9 +85,9 @@ export async function set(page, key, value) {
   assert.ok(found, `no control for ${key}`);
 }
 
-/** The texts of all messages on the page. @param {Page} page @returns {Promise<string[]>} */
+/** The texts of all messages on the page, but that the site is stored, which comes at any time. @param {Page} page @returns {Promise<string[]>} */
 export function messages(page) {
-  return page.$$eval('.message', (notes) => notes.map((note) => note.textContent));
+  return page.$$eval('.message:not([data-topic=offline])', (notes) => notes.map((note) => note.textContent));
 }
 
 /** Waits for a message of a role that has these words. @param {Page} page @param {'alert' | 'status'} role @param {RegExp} words */

@@ -1,5 +1,6 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
+import { kind } from './browsers.mjs';
 import { open } from './harness.mjs';
 import { digest, frames, get, SMALL, steps } from './page.mjs';
 
@@ -14,9 +15,9 @@ before(async () => {
 
 after(() => site?.close());
 
-/** A page on a phone, with all controls to be seen. */
-async function unfolded() {
-  const opened = await site.newPage(SMALL, { viewport });
+/** A page on a phone, or a tablet, with all controls to be seen. */
+async function unfolded(size = viewport) {
+  const opened = await site.newPage(SMALL, { viewport: size });
   await digest(opened.page);
   await opened.page.evaluate(() => {
     for (const details of document.querySelectorAll('details')) details.open = true;
@@ -28,15 +29,41 @@ async function unfolded() {
   return opened;
 }
 
-test('the canvas comes first and as wide as the screen, the controls below', async () => {
+/** Where things are. @param {import('puppeteer-core').Page} page @param {string[]} names */
+const places = (page, ...names) =>
+  page.evaluate((all) => all.map((name) => document.querySelector(name).getBoundingClientRect().toJSON()), names);
+
+test('the canvas comes first and as wide as the screen, then tools, presets and the rest', async () => {
   const { page, close } = await site.newPage(SMALL, { viewport });
   await digest(page);
-  const [canvas, play, panel] = await page.evaluate(() =>
-    ['#canvas', '#play', '#panel'].map((name) => document.querySelector(name).getBoundingClientRect().toJSON()),
-  );
+  const [canvas, tools, rail, play, panel] = await places(page, '#canvas', '#viewbox', '#rail', '#play', '#panel');
   assert.ok(canvas.width >= 388 && canvas.top < 64, JSON.stringify(canvas));
-  assert.ok(play.top >= canvas.bottom && play.bottom <= 844);
+  assert.ok(tools.top >= canvas.bottom && rail.top >= tools.bottom);
+  assert.ok(play.top >= rail.bottom && play.bottom <= 844);
   assert.ok(panel.top >= play.bottom);
+  await close();
+});
+
+test('buttons for what is edited, and plots, stand under the tools, names of controls beside them', async () => {
+  const { page, close } = await site.newPage(SMALL, { viewport });
+  await digest(page);
+  await page.tap('[data-tool=outline]');
+  await page.waitForSelector('.handle');
+  await page.tap('#plots-button');
+  await page.waitForSelector('#plots canvas');
+  const [tools, bar, plots, rail] = await places(page, '#viewbox', '#editor-bar', '#plots', '#rail');
+  assert.ok(bar.top >= tools.bottom && plots.top >= bar.bottom && rail.top >= plots.bottom);
+  const [name, box] = await places(page, '#p-size-name', '#p-size');
+  assert.ok(name.left < 30 && name.right <= box.left && name.top < box.bottom && box.top < name.bottom, JSON.stringify([name, box]));
+  await close();
+});
+
+test('on its side the phone shows the whole picture, the tools beside it', async () => {
+  const { page, close } = await site.newPage(SMALL, { viewport: { ...viewport, width: 844, height: 390 } });
+  await digest(page);
+  const [sheet, toolbox, viewbox] = await places(page, '#sheet', '#toolbox', '#viewbox');
+  assert.ok(sheet.bottom <= 390 && sheet.height > 300, JSON.stringify(sheet));
+  assert.ok(toolbox.right <= sheet.left && viewbox.left >= sheet.right && Math.max(toolbox.bottom, viewbox.bottom) <= 390);
   await close();
 });
 
@@ -54,11 +81,17 @@ test('nothing is wider than the screen', async () => {
   }));
   assert.deepEqual(wide, []);
   assert.equal(scroll, 390);
+  // Nor are letters of twice the size, or a screen of 320 pixels.
+  for (const [width, size] of [[390, '200%'], [320, '100%']]) {
+    await page.setViewport({ ...viewport, width });
+    await page.evaluate((percent) => document.documentElement.style.setProperty('font-size', percent), size);
+    assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), width);
+  }
   await close();
 });
 
-test('everything to touch is at least 44 pixels high and wide', async () => {
-  const { page, close } = await unfolded();
+for (const [device, size] of Object.entries({ phone: viewport, 'tablet on its side': { ...viewport, width: 1180, height: 820 } })) test(`everything to touch on a ${device} is at least 44 pixels high and wide`, async () => {
+  const { page, close } = await unfolded(size);
   await page.$eval('#p-spots', (button) => button.click());
   const small = await page.evaluate(() => {
     const targets = [...document.querySelectorAll('button, select, summary, input')].filter((target) => target.offsetParent);
@@ -90,8 +123,20 @@ test('a finger pauses, steps and moves a slider', async () => {
   await frames(page, 2);
   const elevation = await get(page, 'el');
   const slider = await page.$eval('[data-key=el] [type=range]', (range) => range.getBoundingClientRect().toJSON());
-  await page.touchscreen.tap(slider.x + slider.width * 0.85, slider.y + slider.height / 2);
-  assert.notEqual(await get(page, 'el'), elevation);
+  const [x, y] = [slider.x + slider.width * 0.85, slider.y + slider.height / 2];
+  await page.touchscreen.tap(x, y);
+  await page.waitForFunction((before) => window.bubblestone.get('el') !== before, {}, elevation);
+  // One that only begins there scrolls the page.
+  if (kind !== 'firefox') {
+    const chosen = await get(page, 'el');
+    const before = await page.evaluate(() => scrollY);
+    const finger = await page.touchscreen.touchStart(x - 150, y);
+    for (let way = 10; way <= 200; way += 10) await finger.move(x - 150, y - way);
+    await page.waitForFunction((place) => scrollY > place + 50, {}, before);
+    await finger.end();
+    assert.equal(await get(page, 'el'), chosen);
+    assert.equal(await page.$eval('[data-key=el] input', (box) => box.value), chosen);
+  }
   assert.deepEqual(problems, []);
   await close();
 });

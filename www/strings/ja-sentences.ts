@@ -9,7 +9,7 @@ export function japanese(names: (key: string) => string | undefined): (text: str
   const patterns: Pattern[] = [
     [/^(.+) must be (.+); (".*"|[-\d.]+) was given, kept (.+)\.$/, (what, allowed, given, kept) => `${named(what)}は${said(allowed)}でなければなりません。${given}が与えられたので、${kept}にしました。`],
     [/^(.+) has no value; kept (.+)\.$/, (what, kept) => `${named(what)}に値がありません。${kept}のままです。`],
-    [/^(".*") is not a parameter; it was dropped\.$/, (what) => `${what}というパラメータはありません。無視しました。`],
+    [/^(".*") is not a parameter; it was dropped\.$/, (what) => `${what}というパラメーターはありません。無視しました。`],
     [/^(.+) is given more than once; the last value counts\.$/, (what) => `${named(what)}が何度も与えられています。最後の値を使います。`],
     [/^(.+) cannot be read: (.+); kept what was there\.$/, (what, why) => `${named(what)}を読めません（${said(why)}）。元のままです。`],
     [/^(.+) cannot be read: (.+); kept (.+)\.$/, (what, why, kept) => `${named(what)}を読めません（${said(why)}）。${kept}のままです。`],
@@ -36,7 +36,7 @@ export function japanese(names: (key: string) => string | undefined): (text: str
     [/^(\d+) more things like these were mended\.$/, (n) => `ほかにも${n}か所、同様に直しました。`],
     [/^Kept (.+)\.$/, (kept) => `${kept}のままです。`],
     [/^Not one cell fits into the outline\. Choose a smaller cell size or a larger outline\.$/, () => '輪郭にセルが一つも入りません。セルを小さくするか、輪郭を大きくしてください。'],
-    [/^A stage is missing what it works on\. Start again with the restart button\.$/, () => '作業の前の段階がありません。「最初から」でやり直してください。'],
+    [/^A stage is missing what it works on\. Start again with the restart button\.$/, () => '前の段階の結果がありません。「最初から」でやり直してください。'],
     [/^There is not enough memory for a picture of (\d+) pixels: choose a smaller one\.$/, (side) => `一辺${side}画素の画像を作るにはメモリーが足りません。小さいものを選んでください。`],
   ];
   const whole = (text: string): string | undefined => {
@@ -64,8 +64,8 @@ function said(text: string): string {
     [/^a number from (\S+) to (\S+?)( px|°)? in a picture of (\d+) px$/, '$1から$2$3までの数（画像の一辺$4 px）'],
     [/^a number from (\S+) to (\S+?)( px|°)?$/, '$1から$2$3までの数'],
     [/^(.+) or (\w+)$/, '$1, $2 のどれか'],
-    [/^[Tt]he outer ring$/, '外側の輪'],
-    [/^[Oo]uter ring (\d+)$/, '外側の輪$1'],
+    [/^[Tt]he outer ring$/, '外周'],
+    [/^[Oo]uter ring (\d+)$/, '外周$1'],
     [/^[Rr]ing (\d+)$/, '輪$1'],
     [/^[Hh]ole (\d+)$/, '穴$1'],
     [/^[Ll]ine (\d+)$/, '線$1'],

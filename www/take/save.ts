@@ -10,7 +10,9 @@ import { working, type Task } from './working';
 
 export function save(work: Work, canvas: HTMLCanvasElement): void {
   const { engine, store } = work;
-  const name = (ending: string): string => `bubblestone-${engine.get('outline')}-${engine.get('seed')}${ending}`;
+  const { preset, recipe } = store.state;
+  const what = preset?.recipe === recipe ? preset.shown.name : engine.get('tile') === '1' ? 'tile' : engine.get('outline');
+  const name = (ending: string): string => `bubblestone-${what}-${engine.get('seed')}${ending}`;
   /** What is made of the finished picture waits for it, or nobody has seen what it will show. */
   const made = (job: () => Job, finished = true) => (task: Task): Promise<Blob> => {
     if (finished && engine.stage() !== 'done') throw new Error(engine.problem() || t('wait'));

@@ -107,8 +107,13 @@ function embedding(state: string, title: string, told: HTMLElement): HTMLElement
   return section(
     make('h3', {}, t('embed')),
     make('p', { class: 'take-note' }, t('embed_note')),
-    make('div', { class: 'take-row' }, make('label', { for: 'embed-width' }, t('width')), width, make('label', { for: 'embed-height' }, t('height')), height, copy),
+    make('div', { class: 'take-row' }, sized(t('width'), width), sized(t('height'), height), copy),
     make('label', { class: 'said', for: 'embed-code' }, t('code')),
     code,
   );
+}
+
+/** A choice that stays beside its name. */
+function sized(name: string, select: HTMLSelectElement): HTMLElement {
+  return make('span', { class: 'take-sized' }, make('label', { for: select.id }, name), select);
 }

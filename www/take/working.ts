@@ -1,7 +1,7 @@
 /** A file in the making: how far it is, and a way to stop it; then the file. */
 import { make } from '../dom';
 import { offer } from '../download';
-import { clear, notice, offerOf, passing } from '../messages';
+import { clear, notice, passing, underWay } from '../messages';
 import { t } from './words';
 
 export interface Task {
@@ -16,7 +16,7 @@ let busy: string | undefined;
 /** Makes a file and hands it over; `work` throws a sentence where it cannot be made. */
 export async function working(name: string, work: (task: Task) => Promise<Blob>): Promise<void> {
   if (busy !== undefined) {
-    passing('done', t('busy', { name: busy }));
+    passing('busy', t('busy', { name: busy }));
     return;
   }
   busy = name;
@@ -24,7 +24,7 @@ export async function working(name: string, work: (task: Task) => Promise<Blob>)
   const bar = make('progress', { max: '1', 'aria-label': name });
   const stop = make('button', { type: 'button', id: 'stop-file' }, t('stop'));
   stop.addEventListener('click', () => stopping.abort());
-  offerOf('files', t('making', { name }), bar, stop);
+  underWay('files', t('making', { name }), bar, stop);
   try {
     const file = await work({ progress: (done) => (bar.value = done), signal: stopping.signal });
     stopping.signal.throwIfAborted();
@@ -36,5 +36,6 @@ export async function working(name: string, work: (task: Task) => Promise<Blob>)
     if (stopping.signal.aborted) passing('files', t('stopped', { name }));
     else notice('files', error instanceof Error ? error.message : String(error));
   }
+  clear('busy');
   busy = undefined;
 }
