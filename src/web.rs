@@ -7,6 +7,8 @@
 mod bench;
 mod catalogue;
 
+pub use catalogue::{presets, schema};
+
 use crate::domain::Outline;
 use crate::export::{Map, MapKind, MeshFormat};
 use crate::packing::Sample;
