@@ -300,7 +300,7 @@ test('every throw is valid, and its link says no more than what counts', async (
 });
 
 test('a heavy recipe shows how far it is, and a pause holds it', async () => {
-  const { page, problems, close } = await site.newPage('#size=1024&cs=8', {
+  const { page, problems, close } = await site.newPage('#size=1024&cs=4', {
     before: (fresh) =>
       fresh.evaluateOnNewDocument(() => {
         window.ways = [];
@@ -309,8 +309,7 @@ test('a heavy recipe shows how far it is, and a pause holds it', async () => {
         }).observe(document, { subtree: true, attributes: true, attributeFilter: ['aria-valuenow', 'hidden'] });
       }),
   });
-  await page.waitForFunction(() => document.documentElement.dataset.stage === 'packing', { timeout: 60_000 });
-  await page.waitForFunction(() => window.bubblestone.status().steps > 3, { timeout: 60_000 });
+  await page.waitForFunction(() => window.bubblestone?.status().steps > 3, { timeout: 60_000 });
   await page.click('#play');
   await frames(page, 3);
   const held = await steps(page);
