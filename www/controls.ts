@@ -107,7 +107,11 @@ function hintFrom(form: HTMLFormElement): void {
     say(hint, control?.querySelector('[id$="-help"]')?.textContent ?? '');
   };
   form.addEventListener('pointerover', show);
-  form.addEventListener('focusin', show);
+  form.addEventListener('focusin', (event) => {
+    show(event);
+    // Not every browser scrolls to what is in sight but under the help.
+    if (event.target instanceof Element && event.target.matches(':focus-visible')) event.target.scrollIntoView({ block: 'nearest' });
+  });
   form.addEventListener('pointerleave', () => say(hint, ''));
   form.addEventListener('focusout', () => say(hint, ''));
 }
