@@ -164,10 +164,9 @@ pub(super) fn pieces_of(lines: &[Vec<DVec2>]) -> Vec<[DVec2; 2]> {
 
 /// The lines of rings.
 #[inline(never)]
-pub fn lines_of(rings: &[&[DVec2]], round: f64) -> Vec<[DVec2; 2]> {
+pub fn lines_of(rings: &[&[DVec2]]) -> Vec<[DVec2; 2]> {
     let mut lines = Vec::new();
     for ring in rings {
-        let ring = rounded(ring, round);
         let next = ring.iter().cycle().skip(1);
         lines.extend(ring.iter().zip(next).map(|(&a, &b)| [a, b]));
     }

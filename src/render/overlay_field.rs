@@ -40,7 +40,7 @@ pub fn direction_over(board: &mut Board, domain: &Domain, fields: &Fields, side:
     for spots in [&params.size_spots, &params.aspect_spots] {
         for spot in spots {
             let rim = [0.54, 1.0].map(|share| round(spot.centre, share * spot.radius));
-            board.cased(&lines_of(&[&rim[0], &rim[1]], 0.0), SPOT_OVER, thin);
+            board.cased(&lines_of(&[&rim[0], &rim[1]]), SPOT_OVER, thin);
         }
     }
     let arms = crosses(board, domain, fields, side, (side / 23.0).max(12.0));

@@ -71,5 +71,5 @@ pub fn energy(board: &mut Board, loads: &[(Particle, Load)]) {
     let shares: Vec<f32> = loads.iter().map(share).collect();
     in_steps(board, &rings, &shares, &scale([HELD, HALF, PUSHED], STEPS));
     let width = line_width(mean(loads.iter().map(|(p, _)| p.size)));
-    board.strokes(&lines_of(&refs(&rings), 0.0), CASING, 0.8 * width);
+    board.strokes(&lines_of(&refs(&rings)), CASING, 0.8 * width);
 }

@@ -74,14 +74,14 @@ pub fn packed(board: &mut Board, particles: &[Particle], stress: &[Stress]) {
 #[inline(never)]
 fn outlines(board: &mut Board, rings: &[Vec<DVec2>], tint: Tint, width: f64) {
     let rings: Vec<&[DVec2]> = rings.iter().map(Vec::as_slice).collect();
-    board.cased(&lines_of(&rings, 0.0), tint, width);
+    board.cased(&lines_of(&rings), tint, width);
 }
 
 /// Draws the cells' polygons as lines.
 pub fn cells(board: &mut Board, cells: &[Cell]) {
     let rings: Vec<&[DVec2]> = cells.iter().map(|c| c.ring.as_slice()).collect();
     let width = line_width(mean(cells.iter().map(|c| c.size)));
-    board.cased(&lines_of(&rings, 0.0), CELL, width);
+    board.cased(&lines_of(&rings), CELL, width);
 }
 
 /// Draws the mesh as lines; triangles among cells with corners, which found no partner, are filled.
@@ -90,7 +90,7 @@ pub fn mesh(board: &mut Board, mesh: &Mesh, fields: &Fields) {
     let lone: Vec<&[DVec2]> = elements.iter().filter(|e| e.1).map(|e| &e.0[..]).collect();
     board.fill(&lone, LONE, 0.0);
     let rings: Vec<&[DVec2]> = elements.iter().map(|e| &e.0[..]).collect();
-    board.cased(&lines_of(&rings, 0.0), MESH, mesh_width(&elements));
+    board.cased(&lines_of(&rings), MESH, mesh_width(&elements));
 }
 
 /// Draws the aspect ratio that the field asks for as shapes of one area on a grid, deeper in colour
