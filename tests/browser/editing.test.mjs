@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { open } from './harness.mjs';
-import { digest, frames, get, link, phone, SQUARE } from './page.mjs';
+import { click, digest, frames, get, link, phone, SQUARE } from './page.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
@@ -58,7 +58,7 @@ test('a line is added and its points are moved by the mouse; the link brings it 
   assert.notEqual(await link(page), first);
   assert.notEqual(await digest(page), added);
   await noAlerts(page);
-  await page.click('#edit-done');
+  await click(page, '#edit-done');
   assert.equal(await page.$eval('#editor', (layer) => layer.hidden), true);
   const again = await site.newPage(`#${await link(page)}`);
   assert.equal(await digest(again.page), await digest(page));
@@ -185,7 +185,7 @@ test('a spot has a place, a radius and a factor', async () => {
   assert.equal(await page.$eval('.handle', (handle) => handle.dataset.tag), '×2');
   assert.equal(seen.size, 5);
   assert.equal(texts.size, 5);
-  await page.click('#remove-point');
+  await click(page, '#remove-point');
   await look();
   assert.equal(seen.size, 5, 'without the spot all is as before');
   assert.equal(await list(), '');
@@ -225,7 +225,7 @@ test('what is edited is chosen under the canvas, and only what does something', 
   await edit(page, 'strokes');
   assert.deepEqual(await words(), ['outline', 'road', 'lines', 'strokes', 'spots']);
   await page.select('#edit-what', 'lines');
-  await page.click('#add-figure');
+  await click(page, '#add-figure');
   await frames(page, 2);
   assert.deepEqual(await words(), ['outline', 'road', 'lines', 'parts', 'strokes', 'spots']);
   await page.select('#edit-what', 'outline');

@@ -9,7 +9,7 @@ import { PNG } from 'pngjs';
 import sharp from 'sharp';
 import { kind } from './browsers.mjs';
 import { open } from './harness.mjs';
-import { digest, message, messages, SMALL, set } from './page.mjs';
+import { click, digest, message, messages, set, SMALL } from './page.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
@@ -41,7 +41,7 @@ async function opened(fragment = SMALL) {
 
 /** Opens the dialog of all that can be saved. */
 async function dialog(page) {
-  await page.click('#save');
+  await click(page, '#save');
   await page.waitForSelector('#save-dialog[open]');
 }
 
@@ -50,7 +50,7 @@ async function saved(page, button, { normals } = {}) {
   await page.evaluate(() => (window.saved = undefined));
   await dialog(page);
   if (normals) await page.select('#normals', normals);
-  await page.click(button);
+  await click(page, button);
   await page.waitForFunction(() => window.saved, { timeout: 120_000 });
   const { name, text } = await page.evaluate(async () => {
     const { name, blob } = window.saved;
@@ -122,11 +122,11 @@ test('all maps come in one zip file, those of a tile without a seam', async () =
 test('before the picture is done a sentence says so', async () => {
   const { page, problems, close } = await opened(`${SMALL}&vs=0.1`);
   await digest(page);
-  await page.click('#play');
-  await page.click('#restart');
+  await click(page, '#play');
+  await click(page, '#restart');
   for (const button of ['#save-maps', '#save-glb', '#save-png-2']) {
     await dialog(page);
-    await page.click(button);
+    await click(page, button);
     await message(page, 'status', /when it is done/);
     assert.equal((await messages(page)).filter((text) => text.includes('when it is done')).length, 1);
     await page.$eval('.message .close', (close) => close.click());
@@ -197,14 +197,14 @@ test('a recipe saved as JSON and opened again, by dialog or drop, gives the same
   const path = join(folder, name);
   writeFileSync(path, bytes);
   // Another picture, then the file.
-  await page.click('#dice');
+  await click(page, '#dice');
   assert.notEqual(await digest(page), planes);
   await dialog(page);
-  const [chooser] = await Promise.all([page.waitForFileChooser(), page.click('#open-recipe')]);
+  const [chooser] = await Promise.all([page.waitForFileChooser(), click(page, '#open-recipe')]);
   await chooser.accept([path]);
   await message(page, 'status', /is open/);
   assert.equal(await digest(page), planes);
-  await page.click('#undo');
+  await click(page, '#undo');
   assert.notEqual(await digest(page), planes);
   await page.evaluate((text) => {
     const data = new DataTransfer();
@@ -216,7 +216,7 @@ test('a recipe saved as JSON and opened again, by dialog or drop, gives the same
   // Something else changes nothing.
   writeFileSync(path, '{"recipe": 3}');
   await dialog(page);
-  const [again] = await Promise.all([page.waitForFileChooser(), page.click('#open-recipe')]);
+  const [again] = await Promise.all([page.waitForFileChooser(), click(page, '#open-recipe')]);
   await again.accept([path]);
   await message(page, 'status', /is not a recipe/);
   assert.equal(await digest(page), planes);
@@ -253,7 +253,7 @@ test('Stop stops what is being made, and then another file can be saved', async 
   await digest(page);
   for (const button of ['#save-gif', '#save-png-4', '#save-obj']) {
     await dialog(page);
-    await page.click(button);
+    await click(page, button);
     await page.waitForSelector('.message progress');
     assert.equal(await page.$('.message:has(progress) .close'), null, 'the way to stop can be put out of sight');
     await page.$eval('#stop-file', (stop) => stop.click());

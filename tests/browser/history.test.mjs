@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { open } from './harness.mjs';
-import { digest, frames, get, link, messages, set, SMALL } from './page.mjs';
+import { click, digest, frames, get, link, messages, set, SMALL } from './page.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
@@ -39,7 +39,7 @@ test('each change is undone and redone, by buttons and by keys, and digests come
   assert.equal(new Set(digests).size, 4);
   const last = digests.pop();
   for (const before of digests.toReversed()) {
-    await page.click('#undo');
+    await click(page, '#undo');
     await frames(page, 1);
     assert.equal(await digest(page), before);
   }
@@ -67,7 +67,7 @@ test('a slider on its way is one step', async () => {
   });
   await frames(page, 2);
   assert.notEqual(await get(page, 'hs'), '18');
-  await page.click('#undo');
+  await click(page, '#undo');
   assert.equal(await get(page, 'hs'), '18');
   assert.equal(await disabled(page, 'undo'), true);
   await close();
@@ -83,13 +83,13 @@ test('a hundred and fifty steps survive a reload', async () => {
   await digest(page);
   assert.equal(await link(page), last);
   for (let k = 148; k >= 0; k -= 1) {
-    await page.click('#undo');
+    await click(page, '#undo');
     assert.equal(await get(page, 'az'), String(k));
   }
-  await page.click('#undo');
+  await click(page, '#undo');
   assert.equal(await get(page, 'az'), '225');
   assert.equal(await disabled(page, 'undo'), true);
-  for (let k = 0; k < 150; k += 1) await page.click('#redo');
+  for (let k = 0; k < 150; k += 1) await click(page, '#redo');
   assert.equal(await link(page), last);
   assert.deepEqual(problems, []);
   await close();
@@ -130,7 +130,7 @@ test('a link opened over work of one’s own can be taken back', async () => {
   await page.goto(`${site.address}${SMALL}&kind=circle`);
   await digest(page);
   assert.match((await messages(page)).join(), /over the work/);
-  await page.click('.message .actions button');
+  await click(page, '.message .actions button');
   await frames(page, 2);
   assert.equal(await link(page), work);
   assert.doesNotMatch((await messages(page)).join(), /over the work/);
@@ -158,7 +158,7 @@ test('a broken storage breaks nothing', async () => {
   });
   await digest(page);
   await set(page, 'cs', '24');
-  await page.click('#undo');
+  await click(page, '#undo');
   assert.equal(await get(page, 'cs'), '16');
   assert.equal(await page.$eval('#stored', (note) => note.textContent), '');
   assert.deepEqual(problems, []);

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { open } from './harness.mjs';
-import { canvas, digest, frames, get, message, set, SMALL } from './page.mjs';
+import { canvas, click, digest, frames, get, message, set, SMALL } from './page.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
@@ -65,7 +65,7 @@ test('the address follows the controls, and is not written for each move of a sl
 test('the way back leads to the pavement before', async () => {
   const { page, close } = await site.newPage(SMALL);
   const first = await digest(page);
-  await page.click('#dice');
+  await click(page, '#dice');
   const second = await digest(page);
   assert.notEqual(second, first);
   await page.goBack();
@@ -100,7 +100,7 @@ for (const [junk, words] of [
     await message(page, 'status', words);
     assert.ok((await canvas(page)).colours > 100);
     assert.deepEqual(problems, []);
-    await page.click('.message .close');
+    await click(page, '.message .close');
     assert.equal((await page.$$('.message')).length, 0);
     await close();
   });

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { open } from './harness.mjs';
-import { canvas, digest, done, frames, get, message, phone, set, SQUARE, steps, tool } from './page.mjs';
+import { canvas, click, digest, done, frames, get, message, phone, set, SQUARE, steps, tool } from './page.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
@@ -79,7 +79,7 @@ test('the wheel zooms towards the pointer, dragging moves the picture, and a dou
   await frames(page, 2);
   assert.equal(await factor(page), 1.5);
   assert.equal(await page.$eval('#zoom-now', (text) => text.textContent), '1.5×');
-  await page.click('#zoom-fit');
+  await click(page, '#zoom-fit');
   assert.equal(await factor(page), 1);
   assert.deepEqual(problems, []);
   await close();
@@ -87,7 +87,7 @@ test('the wheel zooms towards the pointer, dragging moves the picture, and a dou
 
 test('points that are edited keep their size when the picture is zoomed, and go where they are dragged', async () => {
   const { page, close } = await finished();
-  await page.click('#edit-outline');
+  await click(page, '#edit-outline');
   await page.waitForSelector('.handle');
   const before = await box(page, '.handle');
   const sheet = await box(page, '#sheet');
@@ -162,7 +162,7 @@ test('the sun is dragged: only the light is worked out anew, in one step of the 
   assert.deepEqual(now, others);
   assert.equal(await steps(page), taken);
   await page.keyboard.press('l');
-  await page.click('#undo');
+  await click(page, '#undo');
   await done(page);
   assert.deepEqual([await get(page, 'az'), await get(page, 'el')], ['225', '42']);
   assert.equal(await page.$eval('#undo', (undo) => undo.disabled), true);
@@ -172,7 +172,7 @@ test('the sun is dragged: only the light is worked out anew, in one step of the 
 
 test('the sun and the lamp are moved by arrow keys', async () => {
   const { page, close } = await finished(SQUARE);
-  await page.click('#light-button');
+  await click(page, '#light-button');
   await page.waitForSelector('#light-sun', { visible: true });
   await page.focus('#light-sun');
   await page.keyboard.press('ArrowRight');
@@ -225,7 +225,7 @@ test('the cell under the pointer is told, in the numbers of the module, and neve
   assert.deepEqual({ size: told.size, sides: told.sides, neighbours: told.neighbours, area: told.area }, { size, sides, neighbours, area });
   const outline = await box(page, '#cells path');
   assert.ok(outline.x <= at.x && at.x <= outline.right && outline.y <= at.y && at.y <= outline.bottom);
-  await page.click('#edit-outline');
+  await click(page, '#edit-outline');
   await page.mouse.move(at.x + 3, at.y);
   await frames(page, 15);
   assert.equal(await page.$eval('.cell-card', (element) => element.checkVisibility()), false);
@@ -285,7 +285,7 @@ test('layers are drawn over the picture, each with a sentence, and the canvas ke
 test('plots follow the packing, in points and in words', async () => {
   const { page, problems, close } = await finished();
   const place = await box(page, '#canvas');
-  await page.click('#plots-button');
+  await click(page, '#plots-button');
   await page.waitForSelector('#plots canvas', { visible: true });
   assert.deepEqual(await box(page, '#canvas'), place);
   const said = (id) => page.$eval(`#${id} .plot-said`, (text) => text.textContent);
@@ -302,10 +302,10 @@ test('plots follow the packing, in points and in words', async () => {
   assert.ok((await said('plot-energy')).startsWith(`After ${taken} steps`));
   assert.match(await said('plot-size'), /^\d+ % of \d+ cells/);
   const before = await inked('plot-energy');
-  await page.click('#play');
-  await page.click('#restart');
+  await click(page, '#play');
+  await click(page, '#restart');
   await page.waitForFunction(() => window.bubblestone.stage !== 'done' && document.documentElement.dataset.stage === 'packing');
-  for (let k = 0; k < 3; k += 1) await page.click('#step');
+  for (let k = 0; k < 3; k += 1) await click(page, '#step');
   await page.waitForFunction(() => /^After 3 steps/.test(document.querySelector('#plot-energy .plot-said').textContent));
   assert.notEqual(await inked('plot-energy'), before);
   await set(page, 'kind', 'circle');
@@ -384,7 +384,7 @@ test('another recipe is compared under a divider, made beside the shown one', as
   await page.keyboard.press('Tab');
   await message(page, 'status', /nonsense/);
   // What is said of it leaves its field free.
-  await page.click('#compare-link', { count: 3 });
+  await click(page, '#compare-link', { count: 3 });
   await page.keyboard.type('https://example.org/#size=192&cs=24');
   await page.keyboard.press('Tab');
   await settled();

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { open } from './harness.mjs';
-import { canvas, digest, done, frames, SMALL } from './page.mjs';
+import { canvas, click, digest, done, frames, SMALL } from './page.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
@@ -134,7 +134,7 @@ test('presets open with their figures', async () => {
   assert.equal(machines.size, 2, 'pavements and skins were measured on different machines');
   for (const [machine, { name, group, timing, link }] of machines) {
     await page.$$eval('.rail h2 button', (all, title) => all.find((heading) => heading.textContent === title).click(), group);
-    await page.click(`[data-preset="${name}"]`);
+    await click(page, `[data-preset="${name}"]`);
     await digest(page);
     await frames(page, 2);
     const caption = await page.$eval('#caption', (text) => text.textContent);

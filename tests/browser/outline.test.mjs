@@ -4,7 +4,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { open } from './harness.mjs';
-import { digest, frames, get, message, set, tool } from './page.mjs';
+import { click, digest, frames, get, message, set, tool } from './page.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
@@ -44,7 +44,7 @@ function handles(page) {
 test('an outline becomes free, and its points are dragged by the mouse', async () => {
   const { page, problems, close } = await site.newPage(SQUARE);
   const square = await digest(page);
-  await page.click('#edit-outline');
+  await click(page, '#edit-outline');
   await page.waitForSelector('.handle');
   assert.equal(await get(page, 'outline'), 'polygon');
   const [corner] = await handles(page);
@@ -92,7 +92,7 @@ test('points are moved, added and removed by the keyboard, and an edge takes a p
 test('a bad outline is told in words, and the last good one stays until it is mended', async () => {
   const { page, problems, close } = await site.newPage(SQUARE);
   await digest(page);
-  await page.click('#edit-outline');
+  await click(page, '#edit-outline');
   await page.waitForSelector('.handle');
   await frames(page, 2);
   const good = await digest(page);

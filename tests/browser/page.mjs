@@ -107,6 +107,14 @@ export async function tool(page, name, finger = false) {
   const button = `[data-tool=${name}]`;
   await page.$eval(button, (element) => element.scrollIntoView({ block: 'nearest', inline: 'center', behavior: 'instant' }));
   if (finger) await page.tap(button);
-  else await page.click(button);
+  else await click(page, button);
   await page.waitForSelector('#editor:not([hidden]), dialog[open]');
+}
+
+/**
+ * Clicks what a selector names, once it has a place on the page and is enabled: a page under load builds its parts a little later.
+ * @param {Page} page @param {string} selector @param {import('puppeteer-core').ClickOptions} [options]
+ */
+export function click(page, selector, options) {
+  return page.locator(selector).setWaitForStableBoundingBox(false).setTimeout(20_000).click(options);
 }

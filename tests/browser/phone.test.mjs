@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { kind } from './browsers.mjs';
 import { open } from './harness.mjs';
-import { digest, frames, get, SMALL, steps } from './page.mjs';
+import { click, digest, frames, get, SMALL, steps } from './page.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
@@ -69,10 +69,10 @@ test('on its side the phone shows the whole picture, the tools beside it', async
 
 test('nothing is wider than the screen', async () => {
   const { page, close } = await unfolded();
-  await page.click('#edit-outline');
+  await click(page, '#edit-outline');
   await page.waitForSelector('.handle');
   await page.select('#edit-what', 'spots');
-  await page.click('#add-figure');
+  await click(page, '#add-figure');
   const { wide, scroll } = await page.evaluate(() => ({
     scroll: document.documentElement.scrollWidth,
     wide: [...document.querySelectorAll('body *')]

@@ -3,7 +3,7 @@ import { readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
 import jsQR from 'jsqr';
 import { open } from './harness.mjs';
-import { canvas, digest, done, frames, get, message, messages, phone, set, SMALL, steps } from './page.mjs';
+import { canvas, click, digest, done, frames, get, message, messages, phone, set, SMALL, steps } from './page.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
@@ -16,7 +16,7 @@ after(() => site?.close());
 
 /** Opens the dialog as people do. */
 async function share(page) {
-  await page.click('#share');
+  await click(page, '#share');
   await page.waitForSelector('#share-dialog[open]');
 }
 
@@ -51,7 +51,7 @@ test('the dialog copies the link, tells what it holds, and gives the focus back'
   await share(page);
   const link = await page.$eval('#share-link', (box) => box.value);
   assert.equal(link, `${site.address}#${await page.evaluate(() => window.bubblestone.link())}`);
-  await page.click('#copy');
+  await click(page, '#copy');
   await page.waitForFunction(() => /copied/.test(document.querySelector('#share-dialog [role=status]').textContent));
   assert.equal(await page.evaluate(() => navigator.clipboard.readText()), link);
   assert.equal(await page.$eval('#share-holds', (line) => line.textContent), `${link.length} characters: 3 values other than the defaults.`);
@@ -201,7 +201,7 @@ test('an address typed over work of one’s own can be undone; the way back asks
   await page.$eval('.message[data-topic=replaced] .actions button', (button) => button.click());
   assert.equal(await digest(page), own);
   assert.deepEqual(await messages(page), []);
-  await page.click('#dice');
+  await click(page, '#dice');
   await digest(page);
   await page.goBack();
   await frames(page, 2);
@@ -216,28 +216,28 @@ test('the seed: the next one, the ones before, and a lock that presets respect',
   await digest(page);
   const seed = () => get(page, 'seed');
   assert.equal(await page.$eval('#seed-back', (button) => button.disabled), true);
-  await page.click('#seed-next');
+  await click(page, '#seed-next');
   assert.equal(await seed(), '0');
-  await page.click('#seed-next');
+  await click(page, '#seed-next');
   assert.equal(await seed(), '1');
-  await page.click('#dice');
+  await click(page, '#dice');
   const thrown = await seed();
   assert.notEqual(thrown, '1');
-  await page.click('#seed-back');
+  await click(page, '#seed-back');
   assert.equal(await seed(), '1');
-  await page.click('#seed-back');
+  await click(page, '#seed-back');
   assert.equal(await seed(), '0');
-  await page.click('#seed-back');
+  await click(page, '#seed-back');
   assert.equal(await seed(), '4294967295');
   assert.equal(await page.$eval('#seed-back', (button) => button.disabled), true);
   assert.equal(await page.evaluate(() => document.activeElement.id), 'seed-next');
   await set(page, 'seed', '12');
-  await page.click('#seed-lock');
+  await click(page, '#seed-lock');
   assert.equal(await page.$eval('#seed-lock', (button) => button.getAttribute('aria-pressed')), 'true');
-  await page.click('[data-preset=star]');
+  await click(page, '[data-preset=star]');
   assert.deepEqual([await seed(), await get(page, 'palette')], ['12', 'terracotta']);
   assert.equal(await page.$eval('[aria-current=true]', (button) => button.dataset.preset), 'star');
-  await page.click('#throw');
+  await click(page, '#throw');
   await page.waitForFunction(() => window.bubblestone.get('outline') !== 'star' || window.bubblestone.get('cs') !== '19', { timeout: 20_000 });
   assert.equal(await seed(), '12');
   // The lock is kept.
@@ -268,7 +268,7 @@ test('X throws what is not locked, in one step; the dice of a group throws that 
   assert.notEqual(second.outline[1], 'polygon');
   await digest(page);
   assert.ok((await page.evaluate(() => window.bubblestone.status().cells)) <= 1500);
-  await page.click('#undo');
+  await click(page, '#undo');
   assert.equal(await page.evaluate(() => window.bubblestone.link()), link);
   await ofGroup('Light', '.dice');
   await page.waitForFunction((before) => window.bubblestone.link() !== before, { timeout: 20_000 }, link);
@@ -280,7 +280,7 @@ test('X throws what is not locked, in one step; the dice of a group throws that 
 test('every throw is valid, and its link says no more than what counts', async () => {
   const { page, problems, close } = await site.newPage(SMALL);
   await digest(page);
-  await page.click('#play');
+  await click(page, '#play');
   for (let count = 0; count < 25; count += 1) {
     const before = await page.evaluate(() => window.bubblestone.link());
     await page.keyboard.press('x');
@@ -310,13 +310,13 @@ test('a heavy recipe shows how far it is, and a pause holds it', async () => {
       }),
   });
   await page.waitForFunction(() => window.bubblestone?.status().steps > 3, { timeout: 60_000 });
-  await page.click('#play');
+  await click(page, '#play');
   await frames(page, 3);
   const held = await steps(page);
   assert.equal(await page.$eval('#work', (bar) => bar.hidden), false);
   await frames(page, 10);
   assert.equal(await steps(page), held);
-  await page.click('#play');
+  await click(page, '#play');
   await page.$$eval('#speed input', (radios) => radios.at(-1).click());
   await done(page);
   const ways = await page.evaluate(() => window.ways);

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { open } from './harness.mjs';
-import { digest, frames, get, link, message, phone, SQUARE, tool } from './page.mjs';
+import { click, digest, frames, get, link, message, phone, SQUARE, tool } from './page.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
@@ -52,7 +52,7 @@ async function exported(page, kind) {
     window.saved = undefined;
   });
   await tool(page, 'export');
-  await page.click(`#export-${kind}`);
+  await click(page, `#export-${kind}`);
   await page.waitForFunction(() => window.saved);
   return page.evaluate(() => window.saved);
 }
@@ -74,7 +74,7 @@ async function bring(page, text) {
     },
     text,
   );
-  await page.click('#take-text');
+  await click(page, '#take-text');
   await frames(page, 3);
 }
 
@@ -160,7 +160,7 @@ test('a road that comes back to itself leaves a hole, and one drawn by hand foll
   await page.mouse.click(...at(0.2, 0.2));
   await frames(page, 3);
   assert.equal((await rings(page)).length, 2);
-  await page.click('#edit-done');
+  await click(page, '#edit-done');
   await undo(page);
   assert.equal(await get(page, 'outline'), 'square');
   await tool(page, 'road');
@@ -252,7 +252,7 @@ test('a hole may be drawn on what is there, as an island in a hole', async () =>
   assert.ok(Math.abs(widths[1] - 0.25) < 0.01 && Math.abs(widths[2] - 0.12) < 0.01, JSON.stringify(widths));
   assert.deepEqual(await messages(page), [], 'whichever way round they run');
   // A drag that holds nothing marks no words.
-  await page.click('#edit-done');
+  await click(page, '#edit-done');
   await drag(page, at(0.04, 0.04), at(0.9, 1.2));
   assert.equal(await page.evaluate(() => String(getSelection())), '');
   await close();
@@ -329,7 +329,7 @@ test('lines, strokes and spots are drawn by dragging', async () => {
     assert.match(await get(page, key), /\S/, name);
     assert.equal((await handles(page)).length, 2, name);
     seen.add(await digest(page));
-    await page.click('#edit-done');
+    await click(page, '#edit-done');
   }
   assert.equal(seen.size, 4);
   assert.deepEqual(problems, []);

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { open } from './harness.mjs';
-import { canvas, digest, frames, get, set, SMALL, steps } from './page.mjs';
+import { canvas, click, digest, frames, get, set, SMALL, steps } from './page.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
@@ -16,8 +16,8 @@ after(() => site?.close());
 async function held() {
   const opened = await site.newPage(SMALL);
   await digest(opened.page);
-  await opened.page.click('#play');
-  await opened.page.click('#restart');
+  await click(opened.page, '#play');
+  await click(opened.page, '#restart');
   await opened.page.waitForFunction(() => document.documentElement.dataset.stage === 'packing', { timeout: 20_000 });
   return opened;
 }
@@ -29,7 +29,7 @@ test('a pause holds the packing, and a step is one step', async () => {
   assert.equal(await steps(page), first);
   for (let taken = 1; taken <= 3; taken += 1) {
     const before = await canvas(page);
-    await page.click('#step');
+    await click(page, '#step');
     await frames(page, 2);
     assert.equal(await steps(page), first + taken);
     assert.equal(await page.$eval('#count-steps', (count) => Number(count.textContent)), first + taken);
@@ -45,9 +45,9 @@ test('playing on after steps gives the same planes as never stopping', async () 
   const straight = await digest(opened.page);
   await opened.close();
   const { page, close } = await held();
-  await page.click('#step');
-  await page.click('#step');
-  await page.click('#play');
+  await click(page, '#step');
+  await click(page, '#step');
+  await click(page, '#play');
   assert.equal(await digest(page), straight);
   await close();
 });
@@ -57,7 +57,7 @@ test('any speed gives the same planes', async () => {
   const slow = await digest(page);
   for (const speed of await page.$$('#speed input')) {
     await speed.evaluate((radio) => radio.click());
-    await page.click('#restart');
+    await click(page, '#restart');
     await frames(page, 2);
     assert.equal(await digest(page), slow);
   }
@@ -67,7 +67,7 @@ test('any speed gives the same planes', async () => {
 test('the dice throw another seed, and typing the old one brings the old pavement back', async () => {
   const { page, close } = await site.newPage(SMALL);
   const [planes, seed] = [await digest(page), await get(page, 'seed')];
-  await page.click('#dice');
+  await click(page, '#dice');
   assert.notEqual(await get(page, 'seed'), seed);
   assert.equal(await page.$eval('#seed', (box) => box.value), await get(page, 'seed'));
   assert.notEqual(await digest(page), planes);
@@ -79,7 +79,7 @@ test('the dice throw another seed, and typing the old one brings the old pavemen
 test('the light can be moved while the packing is held', async () => {
   const { page, close } = await site.newPage(SMALL);
   await digest(page);
-  await page.click('#play');
+  await click(page, '#play');
   const before = await canvas(page);
   await set(page, 'el', '15');
   await digest(page);

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { open } from './harness.mjs';
-import { digest, done, get, message, reloading, SMALL } from './page.mjs';
+import { click, digest, done, get, message, reloading, SMALL } from './page.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
@@ -20,12 +20,12 @@ test('a break inside becomes a message with the recipe, and the page can start a
       throw new Error('The clock is broken.');
     };
   });
-  await page.click('#restart');
+  await click(page, '#restart');
   await message(page, 'alert', /mistake/);
   assert.equal(await page.evaluate(() => document.documentElement.dataset.stage), 'error');
   await assert.rejects(page.evaluate(() => window.bubblestone.digest()));
   assert.match(await page.$eval('[role=alert] a', (anchor) => anchor.href), /seed=77/);
-  await reloading(page, () => page.click('[role=alert] a'));
+  await reloading(page, () => click(page, '[role=alert] a'));
   await digest(page);
   assert.equal(await get(page, 'seed'), '77');
   await page.evaluate(() => {
@@ -33,9 +33,9 @@ test('a break inside becomes a message with the recipe, and the page can start a
       throw new Error('The clock is broken.');
     };
   });
-  await page.click('#restart');
+  await click(page, '#restart');
   await message(page, 'alert', /mistake/);
-  await reloading(page, () => page.click('[role=alert] .actions button'));
+  await reloading(page, () => click(page, '[role=alert] .actions button'));
   await done(page);
   assert.equal(await page.evaluate(() => window.bubblestone.link()), '');
   await close();
