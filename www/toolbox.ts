@@ -51,8 +51,8 @@ export class Toolbox {
       // Text that is dropped into a field goes there.
       if (files.length) event.preventDefault();
       sheet.classList.remove('dropping');
-      // Of several files the first one that may be an outline.
-      const file = files.find(({ name }) => /\.(svg|json)$/i.test(name)) ?? files[0];
+      // Of several files the first one that may be an outline or a recipe.
+      const file = files.find(({ name }) => /\.(svg|json|png)$/i.test(name)) ?? files[0];
       if (file) this.editing.take(file);
     });
     document.addEventListener('paste', ({ target, clipboardData }) => {

@@ -138,8 +138,9 @@ export class Desk {
   /** An outline's file, chosen or dropped. */
   async takeFile(file: File): Promise<boolean> {
     if (await (await import('../take/recipe-file')).openRecipe(this.work, file)) return true;
-    if (file.size <= LARGEST) return this.takeText(await file.text(), file.name);
-    alertOf('outline', tell('kept', { sentence: tell('too_large', { name: file.name }) }));
+    const refused = /^image\/(?!svg)/.test(file.type) ? 'only_picture' : file.size > LARGEST ? 'too_large' : undefined;
+    if (!refused) return this.takeText(await file.text(), file.name);
+    alertOf('outline', tell('kept', { sentence: tell(refused, { name: file.name }) }));
     return false;
   }
 

@@ -57,6 +57,30 @@ export async function png({ side, channels, bits, bytes }: PixelMap): Promise<Ui
   return writer.finish();
 }
 
+/** The bytes of the signature and of the first chunk, which has to be the first. */
+const HEAD = 33;
+
+/** A PNG file with a text inside; both are ASCII. */
+export async function withText(file: Blob, keyword: string, text: string): Promise<Blob> {
+  const head = new Uint8Array(await file.slice(0, HEAD).arrayBuffer());
+  const content = new TextEncoder().encode(`${keyword}\0${text}`);
+  return new Blob([joined([head, chunk('tEXt', content)]), file.slice(HEAD)], { type: file.type });
+}
+
+/** The text of this keyword in a PNG file, of which the first bytes are enough; undefined where there is none. */
+export function textIn(bytes: Uint8Array, keyword: string): string | undefined {
+  if (SIGNATURE.some((byte, k) => bytes[k] !== byte)) return undefined;
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
+  const words = new TextDecoder('latin1');
+  for (let at = SIGNATURE.length; at + 8 <= bytes.length; at += 12 + view.getUint32(at)) {
+    const [name, content] = [words.decode(bytes.subarray(at + 4, at + 8)), at + 8];
+    const text = words.decode(bytes.subarray(content, content + view.getUint32(at)));
+    if (name === 'tEXt' && text.startsWith(`${keyword}\0`)) return text.slice(keyword.length + 1);
+    if (name === 'IDAT') return undefined;
+  }
+  return undefined;
+}
+
 function chunk(name: string, content: Uint8Array): Uint8Array {
   const named = joined([new TextEncoder().encode(name), content]);
   const ends = new Uint8Array(8);

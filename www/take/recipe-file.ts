@@ -1,15 +1,17 @@
-/** Recipes as JSON files: `{"program", "version", "link", "recipe", "parameters": {...}}`; `recipe` is what counts. */
+/**
+ * Files that are opened as a recipe: JSON files `{"program", "version", "link", "recipe", "parameters": {...}}`,
+ * of which `recipe` is what counts, and pictures and drawings that were saved here.
+ */
 import { version } from '../../package.json';
 import type { Engine } from '../engine';
 import { pageAddress } from '../link';
 import { passing } from '../messages';
 import type { Parameter } from '../types';
 import type { Work } from '../work';
+import { originIn, PROGRAM } from './origin';
 import { t } from './words';
 
-const PROGRAM = 'Bubblestone';
-
-/** Bytes; a link of a thousand points has some ten thousand. */
+/** Of a file so many bytes are read; a link of a thousand points has some ten thousand. */
 const LARGEST = 200_000;
 
 export function recipeFile(engine: Engine): Blob {
@@ -23,16 +25,18 @@ function valueOf({ kind }: Parameter, text: string): string | number {
   return kind === 'number' || kind === 'int' ? Number(text) : text;
 }
 
-/** Opens a recipe's file; false where it is something else. */
+/** Opens the recipe that a file holds; false where it is something else. */
 export async function openRecipe(work: Work, file: File): Promise<boolean> {
-  const recipe = file.size <= LARGEST ? recipeIn(await file.text()) : undefined;
+  const bytes = new Uint8Array(await file.slice(0, LARGEST).arrayBuffer());
+  const origin = originIn(bytes);
+  const recipe = origin === undefined ? recipeIn(new TextDecoder().decode(bytes)) : origin.replace(/^[^#]*#?/, '');
   if (recipe === undefined) return false;
   work.open(recipe, true);
   passing('files', t('opened', { name: file.name }));
   return true;
 }
 
-/** The link that such a file's text holds; undefined where it is something else. */
+/** The link that a recipe's file holds; undefined where it is something else. */
 function recipeIn(text: string): string | undefined {
   try {
     const { program, recipe } = JSON.parse(text) as { program?: unknown; recipe?: unknown };

@@ -1,9 +1,11 @@
 /** The dialog of all that can be saved: pictures, drawings, an animation, files for other programs, the recipe. */
 import { make } from '../dom';
+import { pageAddress } from '../link';
 import { notice } from '../messages';
 import type { Work } from '../work';
 import { dialogOf } from './dialog';
 import { fileOf, type Job } from './job';
+import { signed, signedPng } from './origin';
 import { openRecipe, recipeFile } from './recipe-file';
 import { t } from './words';
 import { working, type Task } from './working';
@@ -16,7 +18,10 @@ export function save(work: Work, canvas: HTMLCanvasElement): void {
   /** What is made of the finished picture waits for it, or nobody has seen what it will show. */
   const made = (job: () => Job, finished = true) => (task: Task): Promise<Blob> => {
     if (finished && engine.stage() !== 'done') throw new Error(engine.problem() || t('wait'));
-    return fileOf(engine.link(), job(), task);
+    const what = job();
+    const link = engine.link();
+    const file = fileOf(link, what, task);
+    return what.file === 'picture' || what.file === 'svg' ? file.then((bare) => signed(bare, pageAddress(link))) : file;
   };
   const normals = make(
     'select',
@@ -39,12 +44,12 @@ export function save(work: Work, canvas: HTMLCanvasElement): void {
     const n = canvas.width * scale;
     const key =
       scale === 1
-        ? button('save-png', t('pixels', { n }), `-${shown}.png`, () => shownPng(canvas))
+        ? button('save-png', t('pixels', { n }), `-${shown}.png`, () => shownPng(canvas, engine.link()))
         : button(`save-png-${scale}`, t('pixels', { n }), `-${n}.png`, made(() => ({ file: 'picture', scale })));
     key.setAttribute('aria-label', t('pixels_label', { n }));
     return key;
   });
-  const file = make('input', { type: 'file', accept: '.json,application/json', hidden: '', 'aria-label': t('open_label') });
+  const file = make('input', { type: 'file', accept: '.json,.png,.svg', hidden: '', 'aria-label': t('open_label') });
   const open = make('button', { type: 'button', class: 'key', id: 'open-recipe', 'aria-label': t('open_label') }, t('open'));
   open.addEventListener('click', () => file.click());
   file.addEventListener('change', () => {
@@ -93,8 +98,8 @@ function row(what: string, note: string, ...ways: HTMLElement[]): HTMLElement {
   );
 }
 
-async function shownPng(canvas: HTMLCanvasElement): Promise<Blob> {
-  const blob = await new Promise<Blob | null>((resolve) => canvas.toBlob(resolve, 'image/png'));
-  if (!blob) throw new Error(t('no_png'));
-  return blob;
+async function shownPng(canvas: HTMLCanvasElement, link: string): Promise<Blob> {
+  const picture = await signedPng(canvas, pageAddress(link));
+  if (!picture) throw new Error(t('no_png'));
+  return picture;
 }

@@ -4,6 +4,7 @@ import type { Engine } from '../engine';
 import { address, embedAddress, valuesIn } from '../link';
 import type { Store } from '../store';
 import { dialogOf } from './dialog';
+import { signedPng } from './origin';
 import { MOST, qrCode } from './qr';
 import { t } from './words';
 
@@ -72,7 +73,7 @@ function systemButton(url: string, title: string, canvas: HTMLCanvasElement, tol
   const button = make('button', { type: 'button', class: 'key', id: 'share-system' }, t('system'));
   // Made beforehand: a sheet opens only right after a click.
   let picture: File | undefined;
-  canvas.toBlob((blob) => (picture = blob ? new File([blob], 'bubblestone.png', { type: 'image/png' }) : undefined), 'image/png');
+  void signedPng(canvas, url).then((blob) => (picture = blob && new File([blob], 'bubblestone.png', { type: blob.type })));
   button.addEventListener('click', () => {
     const plain: ShareData = { title, url };
     const whole: ShareData = picture ? { ...plain, files: [picture] } : plain;

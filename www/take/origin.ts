@@ -1,0 +1,31 @@
+/**
+ * Where a saved file comes from: pictures and drawings carry their link, and are opened by it again as recipes are.
+ * In a PNG file it is a text of the program's name, in an SVG file the metadata.
+ */
+import { textIn, withText } from './png';
+
+/** The program that writes these files, and reads no other ones. */
+export const PROGRAM = 'Bubblestone';
+
+/** The file with the address inside. */
+export async function signed(file: Blob, address: string): Promise<Blob> {
+  if (file.type === 'image/png') return withText(file, PROGRAM, address);
+  const text = await file.text();
+  const inside = text.indexOf('>') + 1;
+  const origin = `\n<metadata>${PROGRAM}: ${address.replaceAll('&', '&amp;')}</metadata>`;
+  return new Blob([text.slice(0, inside), origin, text.slice(inside)], { type: file.type });
+}
+
+/** What a canvas shows, as such a file; undefined where the browser cannot make one. */
+export async function signedPng(canvas: HTMLCanvasElement, address: string): Promise<Blob | undefined> {
+  const picture = await new Promise<Blob | null>((resolve) => canvas.toBlob(resolve, 'image/png'));
+  return picture ? signed(picture, address) : undefined;
+}
+
+/** The address in such a file's bytes, as far as they reach; undefined where there is none. */
+export function originIn(bytes: Uint8Array): string | undefined {
+  const inPicture = textIn(bytes, PROGRAM);
+  if (inPicture !== undefined) return inPicture;
+  const inDrawing = new RegExp(`^<svg [^>]*>\\s*<metadata>${PROGRAM}: ([^<]*)</metadata>`).exec(new TextDecoder().decode(bytes));
+  return inDrawing?.[1]?.replaceAll('&amp;', '&');
+}
