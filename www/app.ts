@@ -260,10 +260,21 @@ export class App {
     if (changed && (!this.still || stage === 'done' || paused)) this.view.draw();
     const status = this.engine.status();
     this.status.show(stage, status);
-    this.status.name(this.view.note, preset?.shown, preset?.recipe !== recipe, stage, status);
+    this.status.name(this.view.note || (preset ? '' : this.described()), preset?.shown, preset?.recipe !== recipe, stage, status);
     this.report(stage);
     if (stage === 'error') this.stuck();
     if (stage === 'done') this.face.done();
+  }
+
+  /** A recipe that has no name, in the words of its controls. */
+  private described(): string {
+    const { schema } = this.engine;
+    const keys = [this.engine.get('tile') === '1' ? 'tile' : 'outline', 'kind', 'stone', 'palette'];
+    const labels = keys.map((key) => {
+      const word = this.engine.get(key);
+      return schema.find((parameter) => parameter.key === key)?.choices.find((choice) => choice.word === word)?.label;
+    });
+    return t('own_recipe', { what: labels.join(' · ') });
   }
 
   /** This recipe gives no pavement; another one may. */

@@ -55,10 +55,9 @@ export class StatusLine {
     this.count('added', `+${status.added} −${status.removed}`);
   }
 
-  /** What is shown (of drawings, `note`), and where the papers print how long they took, their seconds beside ours. */
+  /** What is shown (of drawings and recipes without a name, `note`), and where the papers print how long they took, their seconds beside ours. */
   name(note: string, preset: Preset | undefined, changed: boolean, stage: string, status: Status): void {
-    if (note) return say(this.caption, note);
-    if (!preset) return say(this.caption, t('own_recipe'));
+    if (note || !preset) return say(this.caption, note);
     const name = preset.figure || preset.title;
     if (changed) return say(this.caption, t('after', { name }));
     const parts = [make('strong', {}, preset.note ? t('titled', { name }) : t('titled_only', { name })), ...(preset.note ? [` ${preset.note}`] : [])];
