@@ -43,6 +43,8 @@ export class App {
   private readonly status = new StatusLine();
   private readonly editing: Editing;
   private readonly face: ScriptFace;
+  /** Whether cells were shown. */
+  private begun = false;
   /** A timer: the end of the work is told once it lasts. */
   private telling = 0;
   /** Visitors who asked for less motion see no cells move until they choose a speed. */
@@ -73,7 +75,7 @@ export class App {
     notice('link', ...this.engine.notices());
     if (last && asked !== '' && last.own && last.recipe !== this.store.state.recipe && !isReload()) this.tellReplaced();
     remember(this.store);
-    this.loop.changed();
+    this.loop.begin();
   }
 
   /** Panel and rail, which are much to build: the first cells are shown before. */
@@ -87,10 +89,13 @@ export class App {
       edit: (key) => this.editing.toggle(key),
       kinds: () => kindsIn(this.engine),
     });
+    await controls.build();
     new Toolbox(this.work, controls, this.editing);
     makeChances(this.work, controls, () => this.push());
     controls.refresh();
+    controls.attach();
     store.on(['recipe'], () => controls.refresh());
+    this.loop.spare();
     await frame();
     const presets = new Presets(this.engine.presets, (preset) => {
       this.editing.end();
@@ -104,9 +109,9 @@ export class App {
     store.on(['recipe'], mark);
   }
 
-  /** Whether there are cells, or never will be. */
+  /** Whether cells were shown, or never will be. */
   private hasBegun(): boolean {
-    return this.engine.status().cells > 0 || this.store.state.stage === 'error' || !this.engine.alive;
+    return this.begun || this.store.state.stage === 'error' || !this.engine.alive;
   }
 
   /** What scripts may use. */
@@ -259,6 +264,7 @@ export class App {
     const { paused, preset, recipe } = this.store.state;
     if (changed && (!this.still || stage === 'done' || paused)) this.view.draw();
     const status = this.engine.status();
+    this.begun ||= changed && status.cells > 0;
     this.status.show(stage, status);
     this.status.name(this.view.note || (preset ? '' : this.described()), preset?.shown, preset?.recipe !== recipe, stage, status);
     this.report(stage);

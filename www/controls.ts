@@ -1,6 +1,6 @@
 /** The panel: every parameter of the schema as a control, in groups in the order of the pipeline. */
 import { differs, makeControl, type Change, type Control } from './control';
-import { byId, byIdAs, make, say } from './dom';
+import { byId, byIdAs, frame, make, say } from './dom';
 import type { Parameter } from './types';
 import { groupIn, t } from './words';
 
@@ -9,6 +9,9 @@ const ELSEWHERE = new Set(['seed', 'poly']);
 
 /** Groups that stand open at first where there is room; on a phone only the first of them does. */
 const OPEN_AT_FIRST = ['Outline', 'Cells', 'Size', 'Direction', 'Relief'];
+
+/** Milliseconds of building in a frame. */
+const SLICE = 8;
 
 interface Group {
   readonly details: HTMLDetailsElement;
@@ -35,16 +38,30 @@ export class Controls {
   constructor(schema: Parameter[], needs: ControlNeeds) {
     this.schema = schema;
     this.needs = needs;
-    const form = byIdAs('controls', HTMLFormElement);
-    form.replaceChildren();
-    form.addEventListener('submit', (event) => event.preventDefault());
+  }
+
+  /** Builds the controls, a few a frame: they are much, and the cells move meanwhile. */
+  async build(): Promise<void> {
+    const { schema, needs } = this;
+    let begin = performance.now();
     for (const parameter of schema) {
       if (ELSEWHERE.has(parameter.key)) continue;
       const control = makeControl(parameter, needs.change, needs.edit);
-      this.group(parameter.group, form).controls.push(control);
-      this.group(parameter.group, form).details.append(control.element);
+      const group = this.group(parameter.group);
+      group.controls.push(control);
+      group.details.append(control.element);
+      if (performance.now() - begin < SLICE) continue;
+      await frame();
+      begin = performance.now();
     }
+  }
+
+  /** Puts them on the page, once all of them are as they will be. */
+  attach(): void {
+    const form = byIdAs('controls', HTMLFormElement);
+    form.addEventListener('submit', (event) => event.preventDefault());
     hintFrom(form);
+    form.replaceChildren(...Array.from(this.groupings(), ([, element]) => element));
   }
 
   /** Appends something of the page's own to a group. */
@@ -85,7 +102,7 @@ export class Controls {
     return fits && this.applies(other);
   }
 
-  private group(name: string, form: HTMLFormElement): Group {
+  private group(name: string): Group {
     const known = this.groups.get(name);
     if (known) return known;
     const badge = make('span', { class: 'badge' });
@@ -94,7 +111,7 @@ export class Controls {
     details.open = narrow ? this.groups.size === 0 : OPEN_AT_FIRST.includes(name);
     const group = { details, badge, controls: [] };
     this.groups.set(name, group);
-    form.append(make('div', { class: 'grouping' }, details));
+    make('div', { class: 'grouping' }, details);
     return group;
   }
 }

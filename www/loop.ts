@@ -8,6 +8,12 @@ const BUDGET = 12;
 const DRAWN_ALWAYS = 8;
 const DRAWING_SHARE = 0.25;
 
+/** Milliseconds after which a page that has no cells yet shows the bare ground. */
+const BARE = 250;
+
+/** A frame in which work and drawing would take longer than this only works, and the next one only draws. */
+const LONG = 32;
+
 export class Loop {
   /** Packing steps that a frame may take at most; below 1, several frames share one. */
   stepsPerFrame = 1;
@@ -17,10 +23,15 @@ export class Loop {
   private held = false;
   /** While held: run up to the packing and what follows a finished packing, but take no packing step. */
   private settling = false;
-  private dirty = true;
+  private dirty = false;
   private frame = 0;
-  /** Not before this time is work in progress drawn again; what was asked for and what is done is drawn at once. */
+  /** Not before this time is work in progress drawn again; what was asked for, the first cells and what is done are drawn at once. */
   private nextDrawing = 0;
+  /** What a drawing takes, as those of late took: nobody knows of the first one. */
+  private drawing = LONG;
+  /** The next frame draws what was done in this one, and does no work. */
+  private owed = false;
+  private spared = false;
 
   /** `drawn` is called in every frame in which something was done. */
   constructor(engine: Engine, drawn: (stage: string, changed: boolean) => void) {
@@ -40,6 +51,13 @@ export class Loop {
     this.redraw();
   }
 
+  /** The first work: cells are the first thing to be drawn, unless they take long. */
+  begin(): void {
+    this.nextDrawing = performance.now() + BARE;
+    this.settling = true;
+    this.wake();
+  }
+
   /** Something was changed: work and draw again, up to where a pause holds the packing. */
   changed(): void {
     this.settling = true;
@@ -50,6 +68,11 @@ export class Loop {
   redraw(): void {
     this.dirty = true;
     this.wake();
+  }
+
+  /** The next frame is left to the browser, which has something new to lay out. */
+  spare(): void {
+    this.spared = true;
   }
 
   private wake(): void {
@@ -67,21 +90,32 @@ export class Loop {
   private show(stage: string, draw: boolean): void {
     const begin = performance.now();
     this.drawn(stage, draw);
+    if (!draw) return;
     const end = performance.now();
-    if (draw) this.nextDrawing = end - begin > DRAWN_ALWAYS ? end + (end - begin) * (1 / DRAWING_SHARE - 1) : end;
+    const spent = end - begin;
+    this.drawing = Math.max(spent, 0.8 * this.drawing);
+    this.nextDrawing = spent > DRAWN_ALWAYS ? end + spent * (1 / DRAWING_SHARE - 1) : end;
   }
 
   private run(): void {
     this.frame = 0;
     if (document.hidden || !this.engine.alive) return;
+    if (this.spared) {
+      this.spared = false;
+      return this.wake();
+    }
+    const begin = performance.now();
     const before = this.engine.stage();
-    const working = !isEnd(before) && (!this.held || this.settling);
+    const working = !this.owed && !isEnd(before) && (!this.held || this.settling);
     const changed = working && this.engine.tick(BUDGET, this.held ? 0 : this.stepsNow());
     const stage = this.engine.stage();
     // Held, work ends where only packing steps are left: the packing's first cells may take a slice of their own.
-    if (isEnd(stage) || (this.held && stage === 'packing' && !changed)) this.settling = false;
-    const due = changed && performance.now() >= this.nextDrawing;
-    const draw = this.dirty || due || isEnd(stage) || (this.held && stage !== before);
+    if (isEnd(stage) || (working && this.held && stage === 'packing' && !changed)) this.settling = false;
+    const now = performance.now();
+    const due = changed && now >= this.nextDrawing;
+    const draw = this.owed || this.dirty || due || isEnd(stage) || (stage !== before && (this.held || stage === 'packing'));
+    this.owed = working && draw && now - begin + this.drawing > LONG;
+    if (this.owed) return this.wake();
     this.dirty = false;
     this.show(stage, draw);
     if (!isEnd(stage) && (!this.held || this.settling)) this.wake();
