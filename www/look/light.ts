@@ -30,8 +30,9 @@ export class LightOnCanvas {
   private readonly store: Store;
   private readonly sheet = byId('sheet');
   private readonly layer = make('div', { class: 'light-layer' });
-  private readonly line = document.createElementNS(SVG, 'line');
-  private readonly horizon = document.createElementNS(SVG, 'circle');
+  /** Each is there twice, dark and wide below: a shadow by a filter costs seconds where the processor draws the page. */
+  private readonly lines = twice('line');
+  private readonly horizons = twice('circle');
   private readonly sun = handle('sun', 'sun_place');
   private readonly foot = handle('lamp', 'lamp_place');
   private readonly bulb = handle('bulb', 'lamp_height');
@@ -48,10 +49,8 @@ export class LightOnCanvas {
     const svg = document.createElementNS(SVG, 'svg');
     svg.setAttribute('viewBox', '0 0 1 1');
     svg.setAttribute('aria-hidden', 'true');
-    this.horizon.setAttribute('cx', '0.5');
-    this.horizon.setAttribute('cy', '0.5');
-    this.horizon.setAttribute('r', String(HORIZON));
-    svg.append(this.horizon, this.line);
+    for (const horizon of this.horizons) place(horizon, { cx: 0.5, cy: 0.5, r: HORIZON });
+    svg.append(...this.horizons, ...this.lines);
     this.kinds = [
       ['parallel', make('input', { type: 'radio', name: 'light-kind' })],
       ['point', make('input', { type: 'radio', name: 'light-kind' })],
@@ -175,7 +174,7 @@ export class LightOnCanvas {
     if (this.layer.parentElement !== over) over.append(this.layer);
     this.sun.hidden = lamp;
     this.foot.hidden = this.bulb.hidden = !lamp;
-    this.horizon.toggleAttribute('hidden', lamp);
+    for (const horizon of this.horizons) horizon.toggleAttribute('hidden', lamp);
     if (lamp) this.placeLamp();
     else this.placeSun();
   }
@@ -198,8 +197,18 @@ export class LightOnCanvas {
   }
 
   private draw(from: Spot, to: Spot): void {
-    for (const [name, value] of Object.entries({ x1: from.x, y1: from.y, x2: to.x, y2: to.y })) this.line.setAttribute(name, String(value));
+    for (const line of this.lines) place(line, { x1: from.x, y1: from.y, x2: to.x, y2: to.y });
   }
+}
+
+function twice(name: 'line' | 'circle'): SVGElement[] {
+  const [shade, bright] = [document.createElementNS(SVG, name), document.createElementNS(SVG, name)];
+  shade.setAttribute('class', 'shade');
+  return [shade, bright];
+}
+
+function place(element: SVGElement, values: Record<string, number>): void {
+  for (const [name, value] of Object.entries(values)) element.setAttribute(name, String(value));
 }
 
 function handle(name: string, word: 'sun_place' | 'lamp_place' | 'lamp_height'): HTMLElement {
