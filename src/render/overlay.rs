@@ -64,7 +64,10 @@ impl Board {
     pub fn fill(&mut self, rings: &[&[DVec2]], tint: Tint, round: f64) {
         let mut builder = PathBuilder::new();
         for ring in rings {
-            trace(&mut builder, &rounded(ring, round));
+            let ring = rounded(ring, round);
+            for shift in self.shifts(&ring) {
+                trace(&mut builder, &ring, shift);
+            }
         }
         self.fill_path(builder.finish(), tint);
     }
@@ -75,10 +78,13 @@ impl Board {
         let mut builder = PathBuilder::new();
         for ring in rings {
             let ring = rounded(ring, round);
-            trace(&mut builder, &beside(&ring, width / 2.0));
+            let outer = beside(&ring, width / 2.0);
             let mut inner = beside(&ring, -width / 2.0);
             inner.reverse();
-            trace(&mut builder, &inner);
+            for shift in self.shifts(&outer) {
+                trace(&mut builder, &outer, shift);
+                trace(&mut builder, &inner, shift);
+            }
         }
         self.fill_path(builder.finish(), tint);
     }
@@ -88,7 +94,10 @@ impl Board {
         // Bars to fill: tiny-skia's own strokes are a twentieth of the WebAssembly module.
         let mut builder = PathBuilder::new();
         for &line in lines {
-            trace(&mut builder, &bar(line, width));
+            let bar = bar(line, width);
+            for shift in self.shifts(&bar) {
+                trace(&mut builder, &bar, shift);
+            }
         }
         self.fill_path(builder.finish(), tint);
     }
@@ -101,20 +110,28 @@ impl Board {
     }
 
     fn fill_path(&mut self, path: Option<Path>, tint: Tint) {
-        let Some(path) = path else { return };
         let (paint, rule) = (paint(tint), FillRule::Winding);
-        let side = self.pixmap.width() as f32;
-        let bounds = path.bounds();
-        let shifts = |lo: f32, hi: f32| {
-            let over = [true, self.tile && hi > side, self.tile && lo < 0.0];
+        if let Some(path) = path {
+            let pixmap = &mut self.pixmap;
+            pixmap.fill_path(&path, &paint, rule, Transform::identity(), None);
+        }
+    }
+
+    /// Where a ring is to be drawn: in its place, and on a tile beyond each edge that it reaches over.
+    fn shifts(&self, ring: &[DVec2]) -> impl Iterator<Item = DVec2> + use<> {
+        let side = f64::from(self.pixmap.width());
+        let first = ring.first().copied().unwrap_or_default();
+        let corners = ring
+            .iter()
+            .fold((first, first), |(lo, hi), &p| (lo.min(p), hi.max(p)));
+        let tile = self.tile;
+        let along = move |lo: f64, hi: f64| {
+            let over = [true, tile && hi > side, tile && lo < 0.0];
             [0.0, -side, side].into_iter().zip(over).filter(|s| s.1)
         };
-        for (x, _) in shifts(bounds.left(), bounds.right()) {
-            for (y, _) in shifts(bounds.top(), bounds.bottom()) {
-                let moved = Transform::from_translate(x, y);
-                self.pixmap.fill_path(&path, &paint, rule, moved, None);
-            }
-        }
+        let (lo, hi) = corners;
+        along(lo.x, hi.x)
+            .flat_map(move |(x, _)| along(lo.y, hi.y).map(move |(y, _)| DVec2::new(x, y)))
     }
 
     /// Draws lines through points, `width` pixels wide.
@@ -183,10 +200,10 @@ pub fn round(centre: DVec2, radius: f64) -> Vec<DVec2> {
     (0..count).map(point).collect()
 }
 
-/// Adds a closed ring to a path.
-fn trace(builder: &mut PathBuilder, ring: &[DVec2]) {
-    for (k, p) in ring.iter().enumerate() {
-        let (x, y) = (p.x as f32, p.y as f32);
+/// Adds a closed ring to a path, moved by `shift`.
+fn trace(builder: &mut PathBuilder, ring: &[DVec2], shift: DVec2) {
+    for (k, &p) in ring.iter().enumerate() {
+        let (x, y) = ((p + shift).x as f32, (p + shift).y as f32);
         if k == 0 {
             builder.move_to(x, y);
         } else {
@@ -321,6 +338,33 @@ mod tests {
             assert_eq!(pixel(&board, x, y)[0], 255, "{x} {y}");
         }
         assert_eq!(pixel(&board, 32, 32)[0], 0);
+    }
+
+    #[test]
+    fn lines_that_leave_a_tile_come_in_again_and_fill_nothing() {
+        let mut board = Board::new(64, [0.0, 0.0, 0.0, 1.0]);
+        board.repeat();
+        board.edges(
+            &[&square(-10.0, 10.0), &square(20.0, 40.0)],
+            WHITE,
+            2.0,
+            0.0,
+        );
+        for (x, y) in [(10, 3), (54, 3), (54, 60), (3, 54), (20, 30)] {
+            assert!(pixel(&board, x, y)[0] > 100, "{x} {y}");
+        }
+        for (x, y) in [(3, 3), (60, 60), (60, 3), (30, 30), (50, 50)] {
+            assert_eq!(pixel(&board, x, y)[0], 0, "{x} {y}");
+        }
+        let mut bars = Board::new(64, [0.0, 0.0, 0.0, 1.0]);
+        bars.repeat();
+        bars.strokes(
+            &[[DVec2::new(60.0, 30.0), DVec2::new(70.0, 30.0)]],
+            WHITE,
+            4.0,
+        );
+        assert_eq!([pixel(&bars, 62, 30)[0], pixel(&bars, 3, 30)[0]], [255; 2]);
+        assert_eq!(pixel(&bars, 30, 30)[0], 0);
     }
 
     #[test]
