@@ -359,3 +359,22 @@ fn too_many_cells_get_a_sentence() {
     let sentence = Packing::new(&domain, &fields, PARAMS).unwrap_err();
     assert!(sentence.contains("Choose larger cells"), "{sentence}");
 }
+
+/// A line in the middle of a tile parts nothing over the tile's edges.
+#[test]
+fn the_first_cells_keep_apart_over_the_edges_of_a_tile_with_a_line() {
+    let line = [(150.0, 60.0), (160.0, 240.0)].map(DVec2::from).to_vec();
+    let torus = Domain::torus(300.0, &[line]);
+    let fields = fields(&torus, 20.0);
+    let particles = Packing::new(&torus, &fields, PARAMS).unwrap().particles();
+    let mut least = f64::INFINITY;
+    for (k, a) in particles.iter().enumerate() {
+        for b in &particles[..k] {
+            let way = torus.shortest(b.centre - a.centre);
+            if !torus.crosses_line(a.centre, a.centre + way) {
+                least = least.min(way.length());
+            }
+        }
+    }
+    assert!(least > 0.5 * 20.0, "{least}");
+}

@@ -157,7 +157,7 @@ impl Crowd {
         let reach = gap * 0.5 * (shape.length() + self.longest);
         !self.grid.any_near(domain.period(), p, reach, |k| {
             let r = domain.shortest(self.cells[k] - p);
-            shape.is_closer(&self.shapes[k], r, gap) && !domain.is_parted(p, self.cells[k])
+            shape.is_closer(&self.shapes[k], r, gap) && !domain.is_parted(p, p + r)
         })
     }
 }

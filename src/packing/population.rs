@@ -138,8 +138,8 @@ impl Census<'_> {
         let (domain, period) = (self.domain, self.domain.period());
         let reach = w * 0.5 * (shape.length() + self.longest);
         self.grid.any_near(period, at, reach, |k| {
-            let other = self.bodies[k].particle.centre;
-            !domain.is_parted(at, other) && test(k, domain.shortest(other - at))
+            let way = domain.shortest(self.bodies[k].particle.centre - at);
+            !domain.is_parted(at, at + way) && test(k, way)
         })
     }
 
