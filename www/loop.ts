@@ -76,7 +76,7 @@ export class Loop {
   }
 
   private wake(): void {
-    if (!this.frame && !document.hidden) this.frame = requestAnimationFrame(() => this.run());
+    if (!this.frame && !document.hidden) this.frame = requestAnimationFrame((begin) => this.run(begin));
   }
 
   /** Whole steps for this frame; what is left over goes to the next one. */
@@ -97,21 +97,21 @@ export class Loop {
     this.nextDrawing = spent > DRAWN_ALWAYS ? end + spent * (1 / DRAWING_SHARE - 1) : end;
   }
 
-  private run(): void {
+  /** `begin` is when the frame began. */
+  private run(begin: number): void {
     this.frame = 0;
     if (document.hidden || !this.engine.alive) return;
     if (this.spared) {
       this.spared = false;
       return this.wake();
     }
-    const begin = performance.now();
     const before = this.engine.stage();
     const working = !this.owed && !isEnd(before) && (!this.held || this.settling);
     const changed = working && this.engine.tick(BUDGET, this.held ? 0 : this.stepsNow());
     const stage = this.engine.stage();
     // Held, work ends where only packing steps are left: the packing's first cells may take a slice of their own.
     if (isEnd(stage) || (working && this.held && stage === 'packing' && !changed)) this.settling = false;
-    const now = performance.now();
+    const now = changed ? performance.now() : begin;
     const due = changed && now >= this.nextDrawing;
     const draw = this.owed || this.dirty || due || isEnd(stage) || (stage !== before && (this.held || stage === 'packing'));
     this.owed = working && draw && now - begin + this.drawing > LONG;
