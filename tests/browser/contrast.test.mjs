@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { open } from './harness.mjs';
-import { digest, SMALL } from './page.mjs';
+import { digest, edit, SMALL } from './page.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
@@ -59,7 +59,7 @@ for (const dark of [false, true]) {
       }
       document.querySelector('#alerts').append(document.querySelector('#notices .message').cloneNode(true));
     });
-    await page.$eval('#p-spots', (button) => button.click());
+    await edit(page, 'spots');
     await page.hover('[data-key=cs]');
     const { found, count } = await page.evaluate(faint);
     assert.ok(count > 100, `only ${count} texts`);

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { open } from './harness.mjs';
-import { canvas, digest, frames, get, set, SMALL } from './page.mjs';
+import { canvas, digest, edit, frames, get, set, SMALL } from './page.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
@@ -59,7 +59,7 @@ test('every control reaches the picture', async (t) => {
       if (key !== 'seed') assert.ok(await page.$eval(`[data-key="${key}"]`, (control) => !control.hidden), 'the control is hidden');
       const before = { planes: await digest(page), ...(await canvas(page)) };
       const value = parameter.kind === 'text' ? 'one more' : another(parameter, await get(page, key));
-      if (parameter.kind === 'text') await page.$eval(`#p-${key}`, (button) => button.click());
+      if (parameter.kind === 'text') await edit(page, key);
       else {
         await set(page, key, value);
         assert.equal(Number(await get(page, key)) || (await get(page, key)), Number(value) || value);

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { open } from './harness.mjs';
-import { click, digest, frames, get, link, phone, SQUARE } from './page.mjs';
+import { click, digest, edit, frames, get, link, phone, SQUARE } from './page.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
@@ -13,16 +13,6 @@ before(async () => {
 });
 
 after(() => site?.close());
-
-/** Opens a list over the canvas by its control in the panel. */
-async function edit(page, key) {
-  await page.$eval(`#p-${key}`, (button) => {
-    button.closest('details').open = true;
-    button.click();
-  });
-  await page.waitForSelector('#editor:not([hidden])');
-  await frames(page, 2);
-}
 
 /** Places of the handles on the screen. */
 function handles(page) {

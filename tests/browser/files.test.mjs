@@ -9,7 +9,7 @@ import { PNG } from 'pngjs';
 import sharp from 'sharp';
 import { kind } from './browsers.mjs';
 import { open } from './harness.mjs';
-import { click, digest, done, link, message, messages, set, SMALL } from './page.mjs';
+import { click, digest, done, drop, link, message, messages, set, SMALL } from './page.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
@@ -206,11 +206,7 @@ test('a recipe saved as JSON and opened again, by dialog or drop, gives the same
   assert.equal(await digest(page), planes);
   await click(page, '#undo');
   assert.notEqual(await digest(page), planes);
-  await page.evaluate((text) => {
-    const data = new DataTransfer();
-    data.items.add(new File([text], 'again.json', { type: 'application/json' }));
-    document.querySelector('#sheet').dispatchEvent(new DragEvent('drop', { dataTransfer: data, bubbles: true, cancelable: true }));
-  }, Buffer.from(bytes).toString());
+  await drop(page, 'again.json', bytes, 'application/json');
   await message(page, 'status', /again\.json is open/);
   assert.equal(await digest(page), planes);
   // Something else changes nothing.
@@ -230,18 +226,11 @@ test('pictures and drawings saved here open their recipe when they are dropped; 
   const { page, problems, close } = await opened(recipe);
   const planes = await digest(page);
   const work = await link(page);
-  const drop = (bytes, name, type) =>
-    page.evaluate((text, ...rest) => {
-      const data = new DataTransfer();
-      const [called, kind] = rest;
-      data.items.add(new File([Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0))], called, { type: kind }));
-      document.querySelector('#sheet').dispatchEvent(new DragEvent('drop', { dataTransfer: data, bubbles: true, cancelable: true }));
-    }, Buffer.from(bytes).toString('base64'), name, type);
   for (const button of ['#save-png', '#save-png-2', '#save-svg']) {
     const { name, bytes } = await saved(page, button);
     await click(page, '#dice');
     assert.notEqual(await link(page), work);
-    await drop(bytes, name, name.endsWith('svg') ? 'image/svg+xml' : 'image/png');
+    await drop(page, name, bytes, name.endsWith('svg') ? 'image/svg+xml' : 'image/png');
     await message(page, 'status', new RegExp(`${name.replaceAll('.', '\\.')} is open`));
     assert.equal(await link(page), work, name);
     assert.equal(await digest(page), planes);
@@ -250,7 +239,7 @@ test('pictures and drawings saved here open their recipe when they are dropped; 
     await click(page, '#redo');
   }
   const image = new PNG({ width: 2, height: 2 });
-  await drop(PNG.sync.write(image), 'holiday.png', 'image/png');
+  await drop(page, 'holiday.png', PNG.sync.write(image), 'image/png');
   await message(page, 'alert', /holiday\.png.* without a recipe/);
   assert.equal(await link(page), work);
   assert.deepEqual(problems, []);
@@ -263,12 +252,7 @@ test('a picture of the recipe that the page begins with opens that one', async (
   const { bytes } = await saved(page, '#save-svg');
   assert.match(Buffer.from(bytes.subarray(0, 400)).toString(), /<metadata>Bubblestone: http[^#<]*<\/metadata>/);
   await set(page, 'cs', '30');
-  await page.evaluate((text) => {
-    const file = new File([text], 'first.svg', { type: 'image/svg+xml' });
-    const data = new DataTransfer();
-    data.items.add(file);
-    document.querySelector('#sheet').dispatchEvent(new DragEvent('drop', { dataTransfer: data, bubbles: true, cancelable: true }));
-  }, Buffer.from(bytes).toString());
+  await drop(page, 'first.svg', bytes, 'image/svg+xml');
   await message(page, 'status', /first\.svg is open/);
   assert.equal(await link(page), '');
   await close();

@@ -118,3 +118,31 @@ export async function tool(page, name, finger = false) {
 export function click(page, selector, options) {
   return page.locator(selector).setWaitForStableBoundingBox(false).setTimeout(20_000).click(options);
 }
+
+/**
+ * Drops a file on the sheet.
+ * @param {Page} page @param {string} name @param {string | Uint8Array} content @param {string} type
+ */
+export async function drop(page, name, content, type) {
+  await page.evaluate(
+    (called, base64, kind) => {
+      const data = new DataTransfer();
+      data.items.add(new File([Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0))], called, { type: kind }));
+      const sheet = /** @type {Element} */ (document.querySelector('#sheet'));
+      sheet.dispatchEvent(new DragEvent('drop', { dataTransfer: data, bubbles: true, cancelable: true }));
+    },
+    name,
+    Buffer.from(content).toString('base64'),
+    type,
+  );
+}
+
+/** Opens a list over the canvas by its control in the panel; the editor is loaded first. @param {Page} page @param {string} key */
+export async function edit(page, key) {
+  await page.$eval(`#p-${key}`, (button) => {
+    /** @type {HTMLDetailsElement} */ (button.closest('details')).open = true;
+    /** @type {HTMLElement} */ (button).click();
+  });
+  await page.waitForSelector('#editor:not([hidden])');
+  await frames(page, 2);
+}

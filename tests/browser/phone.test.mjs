@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { kind } from './browsers.mjs';
 import { open } from './harness.mjs';
-import { click, digest, frames, get, SMALL, steps } from './page.mjs';
+import { click, digest, edit, frames, get, SMALL, steps } from './page.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
@@ -92,7 +92,7 @@ test('nothing is wider than the screen', async () => {
 
 for (const [device, size] of Object.entries({ phone: viewport, 'tablet on its side': { ...viewport, width: 1180, height: 820 } })) test(`everything to touch on a ${device} is at least 44 pixels high and wide`, async () => {
   const { page, close } = await unfolded(size);
-  await page.$eval('#p-spots', (button) => button.click());
+  await edit(page, 'spots');
   const small = await page.evaluate(() => {
     const targets = [...document.querySelectorAll('button, select, summary, input')].filter((target) => target.offsetParent);
     return targets

@@ -3,7 +3,7 @@ import { readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
 import jsQR from 'jsqr';
 import { open } from './harness.mjs';
-import { canvas, click, digest, done, frames, get, message, messages, phone, set, SMALL, steps } from './page.mjs';
+import { canvas, click, digest, done, drop, frames, get, message, messages, phone, set, SMALL, steps } from './page.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
@@ -84,11 +84,7 @@ test('a link of a hundred points stays short; one too long for a QR code is said
   const take = async (count) => {
     const before = await page.evaluate(() => window.bubblestone.link());
     const text = JSON.stringify({ size: [1, 1], outer: ring(count) });
-    await page.evaluate((content) => {
-      const data = new DataTransfer();
-      data.items.add(new File([content], 'ring.json', { type: 'application/json' }));
-      document.querySelector('#sheet').dispatchEvent(new DragEvent('drop', { dataTransfer: data, bubbles: true, cancelable: true }));
-    }, text);
+    await drop(page, 'ring.json', text, 'application/json');
     await page.waitForFunction((link) => window.bubblestone.link() !== link, { timeout: 20_000 }, before);
     await page.keyboard.press('Escape');
     await digest(page);
