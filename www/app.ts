@@ -1,4 +1,5 @@
 /** The wiring: what happens when something on the page is changed, and what is shown of it. */
+import { shown } from './control';
 import { Controls } from './controls';
 import { makeChances } from './chances';
 import { byId, byIdAs, frame, make, say } from './dom';
@@ -274,12 +275,9 @@ export class App {
 
   /** A recipe that has no name, in the words of its controls. */
   private described(): string {
-    const { schema } = this.engine;
-    const keys = [this.engine.get('tile') === '1' ? 'tile' : 'outline', 'kind', 'stone', 'palette'];
-    const labels = keys.map((key) => {
-      const word = this.engine.get(key);
-      return schema.find((parameter) => parameter.key === key)?.choices.find((choice) => choice.word === word)?.label;
-    });
+    const { engine } = this;
+    const keys = [engine.get('tile') === '1' ? 'tile' : 'outline', 'kind', 'stone', 'palette'];
+    const labels = engine.schema.filter(({ key }) => keys.includes(key)).map((parameter) => shown(parameter, engine.get(parameter.key)));
     return t('own_recipe', { what: labels.join(' · ') });
   }
 

@@ -86,7 +86,7 @@ function width(label: string): number {
 }
 
 /** How a value reads in a sentence. */
-function shown(parameter: Parameter, value: string): string {
+export function shown(parameter: Parameter, value: string): string {
   const choice = parameter.choices.find(({ word }) => word === value);
   if (parameter.kind === 'text') return t('none');
   return choice?.label ?? `${value}${parameter.unit && ` ${parameter.unit}`}`;

@@ -14,6 +14,7 @@ const OPEN_AT_FIRST = ['Outline', 'Cells', 'Size', 'Direction', 'Relief'];
 const SLICE = 8;
 
 interface Group {
+  readonly box: HTMLElement;
   readonly details: HTMLDetailsElement;
   readonly badge: HTMLElement;
   readonly controls: Control[];
@@ -61,7 +62,7 @@ export class Controls {
     const form = byIdAs('controls', HTMLFormElement);
     form.addEventListener('submit', (event) => event.preventDefault());
     hintFrom(form);
-    form.replaceChildren(...Array.from(this.groupings(), ([, element]) => element));
+    form.replaceChildren(...Array.from(this.groups.values(), ({ box }) => box));
   }
 
   /** Appends something of the page's own to a group. */
@@ -71,7 +72,7 @@ export class Controls {
 
   /** The groups' names with the elements that hold them. */
   *groupings(): Iterable<[name: string, element: HTMLElement]> {
-    for (const [name, { details }] of this.groups) if (details.parentElement) yield [name, details.parentElement];
+    for (const [name, { box }] of this.groups) yield [name, box];
   }
 
   /** Shows what the engine holds: values, which controls apply, how many differ from the default. */
@@ -109,9 +110,8 @@ export class Controls {
     const details = make('details', { class: 'group' }, make('summary', {}, make('span', {}, groupIn(name)), badge));
     const narrow = matchMedia('(max-width: 60rem)').matches;
     details.open = narrow ? this.groups.size === 0 : OPEN_AT_FIRST.includes(name);
-    const group = { details, badge, controls: [] };
+    const group = { box: make('div', { class: 'grouping' }, details), details, badge, controls: [] };
     this.groups.set(name, group);
-    make('div', { class: 'grouping' }, details);
     return group;
   }
 }

@@ -3,7 +3,7 @@
 use super::fixed::{push, push_whole};
 use crate::cells::Cell;
 use crate::domain::Domain;
-use crate::render::overlay::{Tint, lit};
+use crate::render::overlay::{Tint, copies, lit};
 use crate::render::overlay_tones::Tones;
 use glam::DVec2;
 
@@ -47,7 +47,10 @@ pub fn svg(
         push_whole(&mut file.0, index as u64);
         file.colour("\" fill=", tones.stone(cell.id));
         file.path(&[&cell.ring], true);
-        for shift in copies(domain, &cell.ring) {
+        let copies = domain
+            .period()
+            .map_or_else(Vec::new, |side| copies(&cell.ring, side));
+        for shift in copies {
             file.put("/>\n<use href=\"#cell-");
             push_whole(&mut file.0, index as u64);
             file.number("\" x=", shift.x);
@@ -122,19 +125,4 @@ impl File {
         }
         self.put("\"");
     }
-}
-
-/// Where the images of a ring are that reach into the picture of a tile.
-fn copies(domain: &Domain, ring: &[DVec2]) -> Vec<DVec2> {
-    let Some(side) = domain.period() else {
-        return Vec::new();
-    };
-    let lo = ring.iter().fold(DVec2::INFINITY, |lo, &p| lo.min(p));
-    let hi = ring.iter().fold(DVec2::NEG_INFINITY, |hi, &p| hi.max(p));
-    let steps = |lo: f64, hi: f64| {
-        let ways = [(0.0, true), (side, lo < 0.0), (-side, hi > side)];
-        ways.into_iter().filter(|way| way.1).map(|way| way.0)
-    };
-    let shifts = steps(lo.y, hi.y).flat_map(|y| steps(lo.x, hi.x).map(move |x| DVec2::new(x, y)));
-    shifts.filter(|&shift| shift != DVec2::ZERO).collect()
 }

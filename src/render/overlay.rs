@@ -64,10 +64,7 @@ impl Board {
     pub fn fill(&mut self, rings: &[&[DVec2]], tint: Tint, round: f64) {
         let mut builder = PathBuilder::new();
         for ring in rings {
-            let ring = rounded(ring, round);
-            for shift in self.shifts(&ring) {
-                trace(&mut builder, &ring, shift);
-            }
+            self.trace(&mut builder, &[&rounded(ring, round)]);
         }
         self.fill_path(builder.finish(), tint);
     }
@@ -81,10 +78,7 @@ impl Board {
             let outer = beside(&ring, width / 2.0);
             let mut inner = beside(&ring, -width / 2.0);
             inner.reverse();
-            for shift in self.shifts(&outer) {
-                trace(&mut builder, &outer, shift);
-                trace(&mut builder, &inner, shift);
-            }
+            self.trace(&mut builder, &[&outer, &inner]);
         }
         self.fill_path(builder.finish(), tint);
     }
@@ -94,10 +88,7 @@ impl Board {
         // Bars to fill: tiny-skia's own strokes are a twentieth of the WebAssembly module.
         let mut builder = PathBuilder::new();
         for &line in lines {
-            let bar = bar(line, width);
-            for shift in self.shifts(&bar) {
-                trace(&mut builder, &bar, shift);
-            }
+            self.trace(&mut builder, &[&bar(line, width)]);
         }
         self.fill_path(builder.finish(), tint);
     }
@@ -110,28 +101,20 @@ impl Board {
     }
 
     fn fill_path(&mut self, path: Option<Path>, tint: Tint) {
+        let Some(path) = path else { return };
         let (paint, rule) = (paint(tint), FillRule::Winding);
-        if let Some(path) = path {
-            let pixmap = &mut self.pixmap;
-            pixmap.fill_path(&path, &paint, rule, Transform::identity(), None);
-        }
+        let pixmap = &mut self.pixmap;
+        pixmap.fill_path(&path, &paint, rule, Transform::identity(), None);
     }
 
-    /// Where a ring is to be drawn: in its place, and on a tile beyond each edge that it reaches over.
-    fn shifts(&self, ring: &[DVec2]) -> impl Iterator<Item = DVec2> + use<> {
+    /// Adds rings to a path, of which the first one runs around the others; on a tile their copies, too.
+    fn trace(&self, builder: &mut PathBuilder, rings: &[&[DVec2]]) {
         let side = f64::from(self.pixmap.width());
-        let first = ring.first().copied().unwrap_or_default();
-        let corners = ring
-            .iter()
-            .fold((first, first), |(lo, hi), &p| (lo.min(p), hi.max(p)));
-        let tile = self.tile;
-        let along = move |lo: f64, hi: f64| {
-            let over = [true, tile && hi > side, tile && lo < 0.0];
-            [0.0, -side, side].into_iter().zip(over).filter(|s| s.1)
-        };
-        let (lo, hi) = corners;
-        along(lo.x, hi.x)
-            .flat_map(move |(x, _)| along(lo.y, hi.y).map(move |(y, _)| DVec2::new(x, y)))
+        let around = rings.first().filter(|_| self.tile);
+        let copies = around.map_or_else(Vec::new, |ring| copies(ring, side));
+        for shift in std::iter::once(DVec2::ZERO).chain(copies) {
+            rings.iter().for_each(|ring| trace(builder, ring, shift));
+        }
     }
 
     /// Draws lines through points, `width` pixels wide.
@@ -171,6 +154,18 @@ impl Board {
     pub fn fits(&self, side: usize) -> bool {
         self.pixmap.width() as usize == side
     }
+}
+
+/// Where the images of a ring are that reach into a tile of that side from beyond its edges.
+pub fn copies(ring: &[DVec2], side: f64) -> Vec<DVec2> {
+    let lo = ring.iter().fold(DVec2::INFINITY, |lo, &p| lo.min(p));
+    let hi = ring.iter().fold(DVec2::NEG_INFINITY, |hi, &p| hi.max(p));
+    let steps = |lo: f64, hi: f64| {
+        let ways = [(0.0, true), (side, lo < 0.0), (-side, hi > side)];
+        ways.into_iter().filter(|way| way.1).map(|way| way.0)
+    };
+    let shifts = steps(lo.y, hi.y).flat_map(|y| steps(lo.x, hi.x).map(move |x| DVec2::new(x, y)));
+    shifts.filter(|&shift| shift != DVec2::ZERO).collect()
 }
 
 /// The lines of open polylines.

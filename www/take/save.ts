@@ -18,10 +18,9 @@ export function save(work: Work, canvas: HTMLCanvasElement): void {
   /** What is made of the finished picture waits for it, or nobody has seen what it will show. */
   const made = (job: () => Job, finished = true) => (task: Task): Promise<Blob> => {
     if (finished && engine.stage() !== 'done') throw new Error(engine.problem() || t('wait'));
-    const what = job();
-    const link = engine.link();
-    const file = fileOf(link, what, task);
-    return what.file === 'picture' || what.file === 'svg' ? file.then((bare) => signed(bare, pageAddress(link))) : file;
+    const [link, order] = [engine.link(), job()];
+    const bare = fileOf(link, order, task);
+    return order.file === 'picture' || order.file === 'svg' ? bare.then((file) => signed(file, pageAddress(link))) : bare;
   };
   const normals = make(
     'select',
