@@ -34,6 +34,15 @@ const words = {
   },
 };
 
+/** Nothing is painted before the page is whole and in its language: browsers paint what has come of a page under load. */
+const whole = {
+  name: 'whole',
+  transformIndexHtml: {
+    order: /** @type {const} */ ('post'),
+    handler: (/** @type {string} */ html) => html.replace('<script type="module"', '$& blocking="render"'),
+  },
+};
+
 // Files of the site that are made have to be there before Vite looks for files.
 await buildThumbs();
 await buildIcons();
@@ -49,7 +58,7 @@ export default defineConfig({
   root: here('www'),
   // Relative, so that the site works from any folder of any host.
   base: './',
-  plugins: [words, packed, offline],
+  plugins: [words, whole, packed, offline],
   json: { namedExports: true },
   build: {
     outDir: here('dist'),

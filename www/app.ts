@@ -24,7 +24,7 @@ import { Toolbox } from './toolbox';
 import { tellCrash } from './trouble';
 import { View, VIEWS } from './view';
 import { makeViewBox } from './viewbox';
-import { LANGUAGES, language, speak, t } from './words';
+import { language, speak, t } from './words';
 import { presetOf, Work } from './work';
 
 /** Milliseconds that the picture stands still before listeners are told: a slider's steps are not told one by one. */
@@ -55,7 +55,7 @@ export class App {
     const last = lastWork();
     const asked = last && isReload() && last.past.includes(fragment()) ? last.recipe : fragment();
     this.engine = new Engine(asked === '' && last?.own ? last.recipe : asked, (error, link) => this.crashed(error, link));
-    this.face = scriptFace(this.engine);
+    this.face = scriptFace(this.engine, () => this.loop.rests);
     this.store = new Store(this.first(asked, last));
     this.work = new Work(this.engine, this.store);
     this.history = new History(this.store);
@@ -222,7 +222,6 @@ export class App {
       byId('about').focus({ preventScroll: true });
     });
     const select = byIdAs('language', HTMLSelectElement);
-    select.replaceChildren(...LANGUAGES.map(([code, name]) => make('option', { value: code, lang: code }, name)));
     select.value = language();
     select.addEventListener('change', () => speak(select.value));
   }

@@ -16,7 +16,7 @@ export function embed(): Bubblestone {
     document.documentElement.dataset['stage'] = 'error';
     tellCrash(error, link);
   });
-  const scripts = scriptFace(engine);
+  const scripts = scriptFace(engine, () => loop.rests);
   const button = make('button', { type: 'button', class: 'embed-play' });
   const home = make('a', { class: 'embed-home', target: '_blank', rel: 'noopener' }, 'Bubblestone');
   byId('sheet').append(make('h1', { class: 'said' }, 'Bubblestone'), button, home);

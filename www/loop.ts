@@ -51,6 +51,11 @@ export class Loop {
     this.redraw();
   }
 
+  /** Nothing is left to do or to draw, or nobody sees it. */
+  get rests(): boolean {
+    return this.frame === 0;
+  }
+
   /** The first work: cells are the first thing to be drawn, unless they take long. */
   begin(): void {
     this.nextDrawing = performance.now() + BARE;

@@ -3,7 +3,7 @@ import type { Engine } from './engine';
 import type { Parameter, Preset, Probe, Status } from './types';
 
 export interface Bubblestone {
-  /** The digest of the planes shown, once they are done. */
+  /** The digest of the planes, once they are done and drawn. */
   digest(): Promise<string>;
   /** The fragment of the recipe, without '#'. */
   link(): string;
@@ -23,13 +23,14 @@ declare global {
 
 export interface ScriptFace {
   readonly face: Bubblestone;
-  /** The planes are done: answers those who wait. */
+  /** The planes are done and drawn: answers those who wait. */
   done(): void;
   /** They never will be. */
   failed(sentence?: string): void;
 }
 
-export function scriptFace(engine: Engine): ScriptFace {
+/** `rests` tells that all that was done is drawn. */
+export function scriptFace(engine: Engine, rests: () => boolean): ScriptFace {
   const waiting: { resolve: (digest: string) => void; reject: (error: Error) => void }[] = [];
   const broken = (): Error => new Error('Bubblestone has stopped after an error; load the page again.');
   return {
@@ -38,7 +39,7 @@ export function scriptFace(engine: Engine): ScriptFace {
         new Promise((resolve, reject) => {
           if (!engine.alive) reject(broken());
           else if (engine.stage() === 'error') reject(new Error(engine.problem()));
-          else if (engine.stage() === 'done') resolve(engine.digest());
+          else if (engine.stage() === 'done' && rests()) resolve(engine.digest());
           else waiting.push({ resolve, reject });
         }),
       link: () => engine.link(),

@@ -1,16 +1,11 @@
 /** The page's words in the visitor's language. All of them stand in strings/; English is at hand, others come when asked for. */
+import { byIdAs } from './dom';
 import { choiceOf, choose } from './memory';
 import { words as english } from './strings/en.json';
 import type { Foreign } from './strings/foreign';
 import type { Parameter, Preset } from './types';
 
 export type Word = keyof typeof english;
-
-/** The languages with their own names. */
-export const LANGUAGES: readonly [code: string, name: string][] = [
-  ['en', 'English'],
-  ['ja', '日本語'],
-];
 
 let words: Record<Word, string> = english;
 let foreign: Foreign | undefined;
@@ -38,12 +33,20 @@ function filled(text: string, values: Record<string, string | number>): string {
 /** Takes the language that was chosen here before, or the first one of the browser's that the page has. */
 export async function takeLanguage(): Promise<void> {
   const wanted = [choiceOf('language'), ...navigator.languages].map((code) => code?.slice(0, 2));
-  if (wanted.find((code) => LANGUAGES.some(([known]) => known === code)) !== 'ja') return;
-  const japanese = await import('./strings/ja');
-  words = japanese.words;
-  foreign = japanese.foreign;
-  document.documentElement.lang = 'ja';
-  for (const element of document.querySelectorAll<HTMLElement>('[data-t]')) fill(element, japanese.page);
+  const known = [...byIdAs('language', HTMLSelectElement).options].map(({ value }) => value);
+  if (wanted.find((code) => code && known.includes(code)) !== 'ja') return;
+  const root = document.documentElement;
+  // Other words would flash by, and what is around them would jump.
+  root.toggleAttribute('data-wordless', true);
+  try {
+    const japanese = await import('./strings/ja');
+    words = japanese.words;
+    foreign = japanese.foreign;
+    root.lang = 'ja';
+    for (const element of document.querySelectorAll<HTMLElement>('[data-t]')) fill(element, japanese.page);
+  } finally {
+    root.toggleAttribute('data-wordless', false);
+  }
 }
 
 /** Loads the page anew in another language; the work stays. */

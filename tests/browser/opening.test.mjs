@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { open } from './harness.mjs';
-import { canvas, click, digest, done, frames, SMALL } from './page.mjs';
+import { canvas, click, digest, done, frames, set, SMALL } from './page.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
@@ -103,6 +103,37 @@ test('the state of the work is told in words and numbers', async () => {
   assert.equal(times.length, 8);
   for (const time of times) assert.match(time, /ms$/);
   await page.waitForFunction(() => /cells after \d+ steps/.test(document.querySelector('#live').textContent));
+  await close();
+});
+
+test('a digest is told when its picture is shown, also where drawing is slow', async () => {
+  const slow = () => {
+    const { putImageData } = CanvasRenderingContext2D.prototype;
+    CanvasRenderingContext2D.prototype.putImageData = function (...given) {
+      for (const begin = performance.now(); performance.now() < begin + 60; );
+      putImageData.apply(this, given);
+    };
+  };
+  const { page, close } = await site.newPage(SMALL, { before: (fresh) => fresh.evaluateOnNewDocument(slow) });
+  await digest(page);
+  for (const [key, value] of Object.entries({ hs: '60', el: '70', seed: '9' })) {
+    const before = await canvas(page);
+    await set(page, key, value);
+    // Asked in every frame, the answer comes as soon as it can.
+    const [told, later] = await page.evaluate(async () => {
+      const shown = () => document.querySelector('#canvas').toDataURL();
+      let told = '';
+      const tell = () => (told ||= shown());
+      while (!told) {
+        void window.bubblestone.digest().then(tell);
+        await new Promise(requestAnimationFrame);
+      }
+      for (let left = 4; left > 0; left -= 1) await new Promise(requestAnimationFrame);
+      return [told, shown()];
+    });
+    assert.ok(told === later, `${key}: told before it was drawn`);
+    assert.notEqual((await canvas(page)).hash, before.hash, key);
+  }
   await close();
 });
 
