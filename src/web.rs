@@ -167,6 +167,14 @@ impl Bubblestone {
         let _ = image.and_then(|image| context.put_image_data(&image, 0.0, 0.0));
     }
 
+    /// Draws beforehand, for about `budget` milliseconds, what is much to draw of a view; true when
+    /// [`Bubblestone::draw`] has only the rest to do.
+    pub fn prepare(&mut self, view: &str, budget: f64) -> bool {
+        let clock = &self.clock;
+        self.studio
+            .prepare(View::of_words(view), &mut || clock.now(), budget)
+    }
+
     /// The cell at a place in picture units: undefined where there is none, or `{ cell, x, y, kind,
     /// size, wanted, aspect, angle, off, outline, area, sides, neighbours }`, lengths in picture units,
     /// angles in degrees with y down. `angle` and `off` are null of circles; `area`, `sides` and

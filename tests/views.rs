@@ -290,3 +290,69 @@ fn overlays_show_only_what_is_there() {
         assert!(plain != seen(&format!("auto+{word}")), "{word}");
     }
 }
+
+/// A studio in the midst of its work: so many packing steps in, or so many slices past the packing.
+fn midway(link: &str, past: Option<u32>) -> Studio {
+    let (recipe, notices) = Recipe::from_link(link);
+    assert!(notices.is_empty(), "{notices:?}");
+    let mut studio = Studio::new(recipe);
+    (0..4).for_each(|_| studio.step(&mut || 0.0));
+    if let Some(slices) = past {
+        while studio.stage() != "solids" {
+            studio.tick(&mut || 0.0, 0.0, 1);
+        }
+        (0..slices).for_each(|_| _ = studio.tick(&mut || 0.0, 0.0, 1));
+    }
+    studio
+}
+
+#[test]
+fn a_drawing_made_in_pieces_is_the_one_made_at_once() {
+    let plain = "size=320&cs=14";
+    let tile = "size=320&cs=14&tile=1&lines=0.2,0.3,0.8,0.6&kind=ellipse";
+    for (link, words, past) in [
+        (plain, "auto", None),
+        (tile, "auto", None),
+        (plain, "packed", Some(0)),
+        (tile, "cells", Some(0)),
+        (plain, "mesh", Some(0)),
+        (plain, "auto", Some(0)),
+        (plain, "auto", Some(40)),
+        (plain, "paper", None),
+    ] {
+        let view = View::of_words(words);
+        let [mut whole, mut pieces] = [(); 2].map(|()| midway(link, past));
+        let mut count = 1;
+        while !pieces.prepare(view, &mut || 0.0, 0.0) {
+            count += 1;
+        }
+        assert!((3..30).contains(&count), "{words}: {count} pieces");
+        assert!(whole.view(view) == pieces.view(view), "{link}: {words}");
+        // What is drawn needs no more, until there is something new.
+        assert!(pieces.prepare(view, &mut || 0.0, 0.0));
+    }
+}
+
+#[test]
+fn work_in_between_begins_a_drawing_again() {
+    let [mut whole, mut pieces] = [(); 2].map(|()| midway("size=320&cs=14", None));
+    let view = View::of_words("auto");
+    for _ in 0..3 {
+        assert!(!pieces.prepare(view, &mut || 0.0, 0.0));
+        pieces.step(&mut || 0.0);
+        whole.step(&mut || 0.0);
+    }
+    assert!(whole.view(view) == pieces.view(view));
+}
+
+#[test]
+fn pictures_and_planes_need_no_preparation() {
+    let mut studio = Studio::new(Recipe::from_link("size=96&cs=14").0);
+    assert_eq!(studio.finish(&mut || 0.0), Ok(()));
+    for words in ["auto", "picture", "height", "albedo", "direction"] {
+        assert!(
+            studio.prepare(View::of_words(words), &mut || 0.0, 0.0),
+            "{words}"
+        );
+    }
+}

@@ -59,8 +59,8 @@ export class App {
     this.store = new Store(this.first(asked, last));
     this.work = new Work(this.engine, this.store);
     this.history = new History(this.store);
-    this.loop = new Loop(this.engine, (stage, changed) => this.drawn(stage, changed));
     this.view = new View(this.engine, this.store);
+    this.loop = new Loop(this.engine, (stage) => this.shownAt(stage), (stage, changed) => this.drawn(stage, changed));
     this.link = new Link((link, ours) => {
       const { own, recipe } = this.store.state;
       this.work.open(link);
@@ -258,11 +258,16 @@ export class App {
     this.loop.redraw();
   }
 
+  /** The view that is drawn at a stage: who asks for less motion gets what stays only. */
+  private shownAt(stage: string): string | undefined {
+    return !this.still || stage === 'done' || this.store.state.paused ? this.view.words : undefined;
+  }
+
   /** After each frame in which something was done. */
   private drawn(stage: string, changed: boolean): void {
     if (!this.engine.alive) return;
-    const { paused, preset, recipe } = this.store.state;
-    if (changed && (!this.still || stage === 'done' || paused)) this.view.draw();
+    const { preset, recipe } = this.store.state;
+    if (changed && this.shownAt(stage) !== undefined) this.view.draw();
     const status = this.engine.status();
     this.begun ||= changed && status.cells > 0;
     this.status.show(stage, status);

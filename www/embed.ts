@@ -21,11 +21,13 @@ export function embed(): Bubblestone {
   const home = make('a', { class: 'embed-home', target: '_blank', rel: 'noopener' }, 'Bubblestone');
   byId('sheet').append(make('h1', { class: 'said' }, 'Bubblestone'), button, home);
 
-  const loop = new Loop(engine, (stage, changed) => {
+  const shownAt = (stage: string): string | undefined => (!still || isEnd(stage) ? 'auto' : undefined);
+  const loop = new Loop(engine, shownAt, (stage, changed) => {
     document.documentElement.dataset['stage'] = stage;
-    if (context && changed && (!still || isEnd(stage))) {
+    const view = shownAt(stage);
+    if (context && changed && view) {
       if (canvas.width !== engine.side()) canvas.width = canvas.height = engine.side();
-      engine.draw(context, 'auto');
+      engine.draw(context, view);
     }
     if (stage === 'done') scripts.done();
     if (stage === 'error') {

@@ -128,6 +128,11 @@ export class Engine {
     return this.ask((core) => core.status() as Status, NO_STATUS);
   }
 
+  /** Draws a view's pieces for about `budget` milliseconds; true when `draw` has only the rest to do. */
+  prepare(view: string, budget: number): boolean {
+    return this.ask((core) => core.prepare(view, budget), true);
+  }
+
   /** Draws a view: words joined by '+', at most one of a base, any of overlays; see `draw` of the module. */
   draw(context: CanvasRenderingContext2D, view: string): void {
     this.ask((core) => core.draw(context, view), undefined);

@@ -14,11 +14,15 @@ const BARE = 250;
 /** A frame in which work and drawing would take longer than this only works, and the next one only draws. */
 const LONG = 32;
 
+/** Milliseconds of a frame for a drawing that is made in pieces, over as many frames as it takes. */
+const PIECE = 16;
+
 export class Loop {
   /** Packing steps that a frame may take at most; below 1, several frames share one. */
   stepsPerFrame = 1;
   private credit = 0;
   private readonly engine: Engine;
+  private readonly view: (stage: string) => string | undefined;
   private readonly drawn: (stage: string, changed: boolean) => void;
   private held = false;
   /** While held: run up to the packing and what follows a finished packing, but take no packing step. */
@@ -27,15 +31,18 @@ export class Loop {
   private frame = 0;
   /** Not before this time is work in progress drawn again; what was asked for, the first cells and what is done are drawn at once. */
   private nextDrawing = 0;
-  /** What a drawing takes, as those of late took: nobody knows of the first one. */
+  /** What is left of a drawing takes so long when its pieces are made, as those of late took: nobody knows of the first one. */
   private drawing = LONG;
+  /** What the pieces of the next drawing took so far. */
+  private pieces = 0;
   /** The next frame draws what was done in this one, and does no work. */
   private owed = false;
   private spared = false;
 
-  /** `drawn` is called in every frame in which something was done. */
-  constructor(engine: Engine, drawn: (stage: string, changed: boolean) => void) {
+  /** `view` is what is to be drawn at a stage, if anything; `drawn` is called in every frame in which something was done. */
+  constructor(engine: Engine, view: (stage: string) => string | undefined, drawn: (stage: string, changed: boolean) => void) {
     this.engine = engine;
+    this.view = view;
     this.drawn = drawn;
     document.addEventListener('visibilitychange', () => this.wake());
   }
@@ -92,13 +99,24 @@ export class Loop {
     return steps;
   }
 
+  /** Works on the pieces of a drawing; true when they are made. */
+  private prepared(stage: string): boolean {
+    const view = this.view(stage);
+    if (view === undefined) return true;
+    const begin = performance.now();
+    const ready = this.engine.prepare(view, PIECE);
+    this.pieces += performance.now() - begin;
+    return ready;
+  }
+
   private show(stage: string, draw: boolean): void {
     const begin = performance.now();
     this.drawn(stage, draw);
     if (!draw) return;
     const end = performance.now();
-    const spent = end - begin;
-    this.drawing = Math.max(spent, 0.8 * this.drawing);
+    this.drawing = Math.max(end - begin, 0.8 * this.drawing);
+    const spent = end - begin + this.pieces;
+    this.pieces = 0;
     this.nextDrawing = spent > DRAWN_ALWAYS ? end + spent * (1 / DRAWING_SHARE - 1) : end;
   }
 
@@ -119,7 +137,8 @@ export class Loop {
     const now = changed ? performance.now() : begin;
     const due = changed && now >= this.nextDrawing;
     const draw = this.owed || this.dirty || due || isEnd(stage) || (stage !== before && (this.held || stage === 'packing'));
-    this.owed = working && draw && now - begin + this.drawing > LONG;
+    const isLong = working && now - begin + this.drawing > LONG;
+    this.owed = draw && (isLong || !this.prepared(stage));
     if (this.owed) return this.wake();
     this.dirty = false;
     this.show(stage, draw);

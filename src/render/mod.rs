@@ -11,6 +11,7 @@ pub mod overlay_over;
 pub mod overlay_planes;
 pub mod overlay_potential;
 pub mod overlay_size;
+pub mod overlay_sketch;
 pub mod overlay_stages;
 pub mod overlay_stress;
 pub mod overlay_tones;

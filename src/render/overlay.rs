@@ -5,7 +5,8 @@
 //! no result depends on it.
 
 use glam::DVec2;
-use tiny_skia::{Color, FillRule, Paint, Path, PathBuilder, Pixmap, Shader, Transform};
+use std::ops::Range;
+use tiny_skia::{Color, FillRule, Paint, Path, PathBuilder, Pixmap, PixmapMut, Shader, Transform};
 
 /// A colour as red, green, blue (sRGB) and opacity, each 0..=1.
 pub type Tint = [f32; 4];
@@ -30,6 +31,8 @@ pub struct Board {
     pixmap: Pixmap,
     /// Does what reaches over an edge come in again at the opposite one?
     tile: bool,
+    /// The rows that are drawn on; all others stay as they are.
+    rows: Range<usize>,
 }
 
 impl Board {
@@ -44,7 +47,13 @@ impl Board {
         Self {
             pixmap,
             tile: false,
+            rows: 0..side as usize,
         }
+    }
+
+    /// Pixels along a side.
+    pub fn side(&self) -> usize {
+        self.pixmap.width() as usize
     }
 
     /// From now on what reaches over an edge comes in again at the opposite one.
@@ -52,10 +61,12 @@ impl Board {
         self.tile = true;
     }
 
-    /// Draws the outline's bed and boundary. Holes are rings that run against the outer one.
-    pub fn outline(&mut self, rings: &[&[DVec2]], paper: &Paper) {
-        self.fill(rings, paper.bed, 0.0);
-        self.edges(rings, paper.line, 1.25, 0.0);
+    /// Draws on these rows only.
+    pub fn within(&mut self, rows: Range<usize>, draw: impl FnOnce(&mut Self)) {
+        let all = 0..self.side();
+        self.rows = rows.start.min(all.end)..rows.end.min(all.end);
+        draw(self);
+        self.rows = all;
     }
 
     /// Fills the area that the rings run around, in one colour, corners rounded by up to `round`
@@ -63,7 +74,7 @@ impl Board {
     /// other is left out.
     pub fn fill(&mut self, rings: &[&[DVec2]], tint: Tint, round: f64) {
         let mut builder = PathBuilder::new();
-        for ring in rings {
+        for ring in rings.iter().filter(|ring| self.reaches(ring, 0.0)) {
             self.trace(&mut builder, &[&rounded(ring, round)]);
         }
         self.fill_path(builder.finish(), tint);
@@ -73,7 +84,10 @@ impl Board {
     /// are not darker.
     pub fn edges(&mut self, rings: &[&[DVec2]], tint: Tint, width: f64, round: f64) {
         let mut builder = PathBuilder::new();
-        for ring in rings {
+        for ring in rings
+            .iter()
+            .filter(|ring| self.reaches(ring, MITRE * width))
+        {
             let ring = rounded(ring, round);
             let outer = beside(&ring, width / 2.0);
             let mut inner = beside(&ring, -width / 2.0);
@@ -101,19 +115,42 @@ impl Board {
     }
 
     fn fill_path(&mut self, path: Option<Path>, tint: Tint) {
-        let Some(path) = path else { return };
+        let (Some(path), rows) = (path, self.rows.clone()) else {
+            return;
+        };
         let (paint, rule) = (paint(tint), FillRule::Winding);
-        let pixmap = &mut self.pixmap;
-        pixmap.fill_path(&path, &paint, rule, Transform::identity(), None);
+        let (side, count) = (self.side(), rows.len() as u32);
+        let bytes = &mut self.pixmap.data_mut()[4 * side * rows.start..4 * side * rows.end];
+        if let Some(mut pixmap) = PixmapMut::from_bytes(bytes, side as u32, count) {
+            pixmap.fill_path(&path, &paint, rule, Transform::identity(), None);
+        }
+    }
+
+    /// Does a ring, or on a tile an image of it, reach into the rows that are drawn on, or `by`
+    /// pixels beside them?
+    fn reaches(&self, ring: &[DVec2], by: f64) -> bool {
+        let side = self.side() as f64;
+        let lo = ring.iter().fold(f64::INFINITY, |lo, p| lo.min(p.y)) - by;
+        let hi = ring.iter().fold(f64::NEG_INFINITY, |hi, p| hi.max(p.y)) + by;
+        let (from, to) = (self.rows.start as f64, self.rows.end as f64);
+        let images: &[f64] = if self.tile {
+            &[0.0, side, -side]
+        } else {
+            &[0.0]
+        };
+        images.iter().any(|y| lo + y <= to && hi + y >= from)
     }
 
     /// Adds rings to a path, of which the first one runs around the others; on a tile their copies, too.
     fn trace(&self, builder: &mut PathBuilder, rings: &[&[DVec2]]) {
-        let side = f64::from(self.pixmap.width());
+        let side = self.side() as f64;
         let around = rings.first().filter(|_| self.tile);
         let copies = around.map_or_else(Vec::new, |ring| copies(ring, side));
+        let origin = DVec2::new(0.0, self.rows.start as f64);
         for shift in std::iter::once(DVec2::ZERO).chain(copies) {
-            rings.iter().for_each(|ring| trace(builder, ring, shift));
+            rings
+                .iter()
+                .for_each(|ring| trace(builder, ring, shift - origin));
         }
     }
 
@@ -152,7 +189,7 @@ impl Board {
 
     /// Has the board `side` pixels along a side?
     pub fn fits(&self, side: usize) -> bool {
-        self.pixmap.width() as usize == side
+        self.side() == side
     }
 }
 
@@ -249,7 +286,7 @@ fn beside(ring: &[DVec2], by: f64) -> Vec<DVec2> {
 }
 
 /// The corners of a line of some width; it reaches half of it beyond its ends, so that joints close.
-fn bar([from, to]: [DVec2; 2], width: f64) -> [DVec2; 4] {
+pub(super) fn bar([from, to]: [DVec2; 2], width: f64) -> [DVec2; 4] {
     let along = (to - from).normalize_or_zero() * (width / 2.0);
     let across = along.perp();
     [
@@ -315,7 +352,8 @@ mod tests {
         let mut hole = square(24.0, 40.0);
         hole.reverse();
         let mut board = Board::new(64, PAPER.surround);
-        board.outline(&[&square(8.0, 56.0), &hole], &PAPER);
+        let rings = [&square(8.0, 56.0)[..], &hole];
+        board.fill(&rings, PAPER.bed, 0.0);
         assert_eq!(pixel(&board, 2, 2), bytes(PAPER.surround));
         assert_eq!(pixel(&board, 32, 32), bytes(PAPER.surround));
         assert_eq!(pixel(&board, 16, 32), bytes(PAPER.bed));
@@ -360,6 +398,39 @@ mod tests {
         );
         assert_eq!([pixel(&bars, 62, 30)[0], pixel(&bars, 3, 30)[0]], [255; 2]);
         assert_eq!(pixel(&bars, 30, 30)[0], 0);
+    }
+
+    #[test]
+    fn rows_are_drawn_as_they_are_with_all_others() {
+        let draw = |board: &mut Board| {
+            board.fill(&[&round(DVec2::new(60.0, 55.0), 23.7)], WHITE, 0.0);
+            board.edges(&[&square(-10.2, 33.3)], PAPER.surround, 2.3, 4.0);
+            board.strokes(
+                &[[DVec2::new(3.0, 61.7), DVec2::new(50.0, 9.1)]],
+                PAPER.line,
+                1.6,
+            );
+        };
+        for tile in [false, true] {
+            let [mut whole, mut pieces] = [(); 2].map(|()| Board::new(64, PAPER.bed));
+            (whole.tile, pieces.tile) = (tile, tile);
+            draw(&mut whole);
+            for from in (0..64).step_by(16) {
+                let before = pieces.rgba().to_vec();
+                pieces.within(from..from + 16, draw);
+                let (start, end) = (256 * from, 256 * (from + 16));
+                assert_eq!(before[..start], pieces.rgba()[..start]);
+                assert_eq!(before[end..], pieces.rgba()[end..]);
+            }
+            // Lines that are cut at another row may pass another of a pixel's 16 samples.
+            let pairs = whole.rgba().iter().zip(pieces.rgba());
+            let others: Vec<u8> = pairs
+                .map(|(a, b)| a.abs_diff(*b))
+                .filter(|&d| d > 0)
+                .collect();
+            assert!(others.len() < 400, "{} bytes", others.len());
+            assert!(others.iter().all(|&d| d <= 17), "{others:?}");
+        }
     }
 
     #[test]

@@ -28,7 +28,7 @@ pub fn direction(board: &mut Board, domain: &Domain, fields: &Fields, side: f64)
     spots(board, &params.aspect_spots, ASPECT_SPOT, thin);
     let arms = crosses(board, domain, fields, side, (side / 30.0).max(9.0));
     board.strokes(&arms, CROSS, thin);
-    lines(board, domain, side);
+    lines(domain, side).draw(board);
     board.polylines(&params.strokes, STROKE, 2.5 * thin);
     singularities(board, domain, fields, side);
 }

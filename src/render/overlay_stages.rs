@@ -1,6 +1,7 @@
 //! What is drawn of each stage: packed cells, cells, mesh.
 
-use super::overlay::{Board, Tint, blend, lit};
+use super::overlay::{Paper, Tint, blend, lit};
+use super::overlay_sketch::Layer;
 use super::overlay_stress::stress;
 use super::overlay_tones::Tones;
 use crate::cells::Cell;
@@ -27,20 +28,31 @@ const FACE: Tint = [0.836, 0.800, 0.735, 1.0];
 const LONE: Tint = [0.800, 0.510, 0.350, 1.0];
 pub(super) const INK: Tint = [0.33, 0.27, 0.21, 1.0];
 
-/// Draws the packed cells in the tones of the stones to come: warmer and redder the deeper their
+/// The outline's bed and boundary. Holes are rings that run against the outer one.
+pub fn bed(rings: &[&[DVec2]], paper: &Paper) -> [Layer; 2] {
+    let rings: Vec<Vec<DVec2>> = rings.iter().map(|ring| ring.to_vec()).collect();
+    let line = Layer::edges(rings.clone(), paper.line, 1.25, 0.0);
+    [Layer::fill(rings, paper.bed, 0.0), line]
+}
+
+/// The packed cells in the tones of the stones to come: warmer and redder the deeper their
 /// neighbours stand in them, cooler the more of their sides are free.
-pub fn packed(board: &mut Board, domain: &Domain, particles: &[Particle], tones: &Tones) {
+pub fn packed(domain: &Domain, particles: &[Particle], tones: &Tones) -> Vec<Layer> {
     let rings: Vec<Vec<DVec2>> = particles.iter().map(|p| p.ring(1.0, 16)).collect();
-    for ((particle, ring), lot) in particles.iter().zip(&rings).zip(stress(domain, particles)) {
+    let lots = stress(domain, particles);
+    let cells = particles.iter().zip(&rings).zip(lots);
+    let cells = cells.map(|((particle, ring), lot)| {
         let own = tones.stone(particle.id);
         let own = lit(own, if particle.fixed { FIXED } else { 1.0 });
         let inside = blend(own, ALONE, MOST_ALONE * lot.alone * lot.alone.sqrt());
         let inside = blend(inside, PRESSED, MOST_PRESSED * lot.pressed);
-        board.fill(&[ring], inside, ROUND * particle.size);
-    }
+        Layer::fill(vec![ring.clone()], inside, ROUND * particle.size)
+    });
+    let mut layers: Vec<Layer> = cells.collect();
     let size = mean(particles.iter().map(|p| p.size));
-    let rings: Vec<&[DVec2]> = rings.iter().map(|r| r.as_slice()).collect();
-    board.edges(&rings, CELL_EDGE, line_width(size), ROUND * size);
+    let edges = Layer::edges(rings, CELL_EDGE, line_width(size), ROUND * size);
+    layers.push(edges);
+    layers
 }
 
 /// Lines of small cells are drawn thinner, so that they do not swallow the cells.
@@ -53,21 +65,19 @@ pub(super) fn mean(values: impl ExactSizeIterator<Item = f64>) -> f64 {
     values.sum::<f64>() / count as f64
 }
 
-/// Draws the cells' polygons in the tones of the stones to come, with joints in the bed's.
-pub fn cells(board: &mut Board, cells: &[Cell], tones: &Tones) {
-    for cell in cells {
+/// The cells' polygons in the tones of the stones to come, with joints in the bed's.
+pub fn cells(cells: &[Cell], tones: &Tones) -> Vec<Layer> {
+    let filled = cells.iter().map(|cell| {
         let round = 0.5 * ROUND * cell.size;
-        board.fill(&[&cell.ring], tones.stone(cell.id), round);
-    }
-    let rings: Vec<&[DVec2]> = cells.iter().map(|c| c.ring.as_slice()).collect();
+        Layer::fill(vec![cell.ring.clone()], tones.stone(cell.id), round)
+    });
+    let mut layers: Vec<Layer> = filled.collect();
+    let rings = cells.iter().map(|c| c.ring.clone()).collect();
     let size = mean(cells.iter().map(|c| c.size));
     let joint = lit(tones.paper.bed, 0.86);
-    board.edges(
-        &rings,
-        joint,
-        (0.11 * size).clamp(0.7, 5.0),
-        0.5 * ROUND * size,
-    );
+    let width = (0.11 * size).clamp(0.7, 5.0);
+    layers.push(Layer::edges(rings, joint, width, 0.5 * ROUND * size));
+    layers
 }
 
 /// The elements of a mesh, and which of them are triangles among cells with corners.
@@ -88,17 +98,21 @@ pub(super) fn mesh_width(elements: &[(Vec<DVec2>, bool)]) -> f64 {
     line_width(mean(elements.iter().map(|(ring, _)| first(ring))))
 }
 
-/// Draws the mesh. Triangles among cells with corners, which found no partner, stand out.
-pub fn mesh(board: &mut Board, mesh: &Mesh, fields: &Fields) {
+/// The mesh. Triangles among cells with corners, which found no partner, stand out.
+pub fn mesh(mesh: &Mesh, fields: &Fields) -> Vec<Layer> {
     let elements = elements(mesh, fields);
-    for (ring, is_lone) in &elements {
-        board.fill(&[ring], if *is_lone { LONE } else { FACE }, 0.0);
-    }
-    let rings: Vec<&[DVec2]> = elements.iter().map(|(ring, _)| ring.as_slice()).collect();
-    board.edges(&rings, INK, mesh_width(&elements), 0.0);
+    let width = mesh_width(&elements);
+    let filled = elements.iter().map(|(ring, is_lone)| {
+        let tint = if *is_lone { LONE } else { FACE };
+        Layer::fill(vec![ring.clone()], tint, 0.0)
+    });
+    let mut layers: Vec<Layer> = filled.collect();
+    let rings = elements.into_iter().map(|(ring, _)| ring).collect();
+    layers.push(Layer::edges(rings, INK, width, 0.0));
+    layers
 }
 
-/// Draws the constraint lines over what stands along them.
-pub fn lines(board: &mut Board, domain: &Domain, side: f64) {
-    board.polylines(domain.lines(), INK, (side / 300.0).max(1.2));
+/// The constraint lines, over what stands along them.
+pub fn lines(domain: &Domain, side: f64) -> Layer {
+    Layer::polylines(domain.lines(), INK, (side / 300.0).max(1.2))
 }

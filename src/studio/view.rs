@@ -7,6 +7,7 @@ use crate::export::{MapKind, maps};
 use crate::order;
 use crate::recipe::Stage;
 use crate::render::overlay::{Board, Paper};
+use crate::render::overlay_sketch::{Layer, Sketch};
 use crate::render::overlay_tones::{SHEET, Tones};
 use crate::render::{
     overlay_field, overlay_planes, overlay_potential, overlay_size, overlay_stages, row_slopes,
@@ -19,6 +20,8 @@ use glam::DVec2;
 pub(super) struct Gallery {
     frame: Option<Board>,
     drawn: Option<(Base, u64)>,
+    /// The next frame's drawing, begun.
+    begun: Option<((Base, u64), Sketch)>,
     preview: Preview,
     /// The frame with overlays.
     over: Option<Board>,
@@ -35,16 +38,32 @@ struct Preview {
     stones: usize,
 }
 
+/// What is to be seen on the way from the packing to the picture.
+#[derive(Clone, Copy, PartialEq)]
+enum Way {
+    /// Nothing but the outline yet.
+    Bare,
+    Packed,
+    /// Nothing new for a moment: what was there stays.
+    Stays,
+    /// The cells' polygons, before the ground is laid.
+    Cells,
+    /// The stones so far on them.
+    Stones,
+    Picture,
+}
+
 impl Studio {
     /// The picture of a view: opaque RGBA, [`Studio::side`] pixels a side, row after row from the
     /// top. While a stage has nothing to show yet, what was there before, or the bare outline.
     pub fn view(&mut self, view: View) -> &[u8] {
-        let stamp: u64 = self.changes.iter().sum();
+        let stamp = self.stamp();
         let mut gallery = std::mem::take(&mut self.gallery);
         let side = self.side();
         gallery.frame = gallery.frame.filter(|board| board.fits(side));
         if gallery.drawn != Some((view.base, stamp)) || gallery.frame.is_none() {
-            self.draw(view.base, &mut gallery);
+            let sketch = self.sketch(view.base, &mut gallery);
+            self.draw(view.base, &mut gallery, sketch);
             gallery.drawn = Some((view.base, stamp));
             gallery.drawn_over = None;
         }
@@ -63,61 +82,132 @@ impl Studio {
         shown.map_or(&[], Board::rgba)
     }
 
-    /// Draws a new frame, or leaves the last one where it should stay.
-    fn draw(&self, base: Base, gallery: &mut Gallery) {
+    /// Works for about `budget` milliseconds by `clock` on what is much to draw of a view, at least
+    /// one piece; true when nothing of it is left for [`Studio::view`]. Work on the recipe in between
+    /// makes it begin again.
+    pub fn prepare(&mut self, view: View, clock: &mut dyn FnMut() -> f64, budget: f64) -> bool {
+        let begin = clock();
+        let mut gallery = std::mem::take(&mut self.gallery);
+        let key = (view.base, self.stamp());
+        let is_drawn = gallery.drawn == Some(key);
+        let mut sketch = match is_drawn {
+            true => None,
+            false => self.sketch(view.base, &mut gallery),
+        };
+        let ready = sketch.as_mut().is_none_or(|sketch| {
+            loop {
+                if sketch.advance() {
+                    return true;
+                }
+                // Not `>=`: a clock that fails must not make this endless.
+                let inside = clock() - begin < budget;
+                if !inside {
+                    return false;
+                }
+            }
+        });
+        gallery.begun = sketch.map(|sketch| (key, sketch));
+        self.gallery = gallery;
+        ready
+    }
+
+    /// Changes whenever something else may be seen.
+    fn stamp(&self) -> u64 {
+        self.changes.iter().sum()
+    }
+
+    /// The drawing that a view is or lies on, as far as it was begun; nothing where there is none.
+    fn sketch(&self, base: Base, gallery: &mut Gallery) -> Option<Sketch> {
+        let key = (base, self.stamp());
+        match gallery.begun.take() {
+            Some((of, sketch)) if of == key => Some(sketch),
+            _ => self.new_sketch(base, gallery),
+        }
+    }
+
+    fn new_sketch(&self, base: Base, gallery: &Gallery) -> Option<Sketch> {
         let made = &self.made;
+        Some(match base {
+            Base::Auto | Base::Picture => match self.way(base, gallery) {
+                Way::Bare => self.bare(),
+                Way::Packed => self.packed(),
+                Way::Cells => {
+                    let tones = self.tones();
+                    let cells = overlay_stages::cells(&made.cells, &tones);
+                    self.on_paper(&tones.paper, cells)
+                }
+                Way::Stones if !self.goes_on(&gallery.preview) => self.bedded()?,
+                Way::Stones | Way::Stays | Way::Picture => return None,
+            },
+            Base::Paper => self.on_paper(&SHEET, Vec::new()),
+            Base::Packed => self.packed(),
+            Base::Cells | Base::Mesh if self.draft().is_some() => self.packed(),
+            Base::Cells => {
+                let tones = self.tones();
+                let mut layers = overlay_stages::cells(&made.cells, &tones);
+                layers.extend(self.lines());
+                self.on_paper(&tones.paper, layers)
+            }
+            Base::Mesh => {
+                let both = made.mesh.as_ref().zip(made.fields.as_ref());
+                let mut layers = both.map_or_else(Vec::new, |(mesh, fields)| {
+                    overlay_stages::mesh(mesh, fields)
+                });
+                layers.extend(self.lines());
+                self.on_paper(&SHEET, layers)
+            }
+            _ => return None,
+        })
+    }
+
+    /// Draws a new frame, or leaves the last one where it should stay.
+    fn draw(&self, base: Base, gallery: &mut Gallery, sketch: Option<Sketch>) {
         let planes = self.planes_to_show();
         let of_planes = |draw: fn(&Planes) -> Vec<u8>| {
             let mut board = Board::new(self.side(), SHEET.surround);
             match planes {
                 Some(planes) => board.show(&draw(planes)),
-                None => return self.bare(),
+                None => return self.bare().finish(),
             }
             board
         };
-        gallery.frame = Some(match base {
-            Base::Auto | Base::Picture => return self.unfold(base, gallery),
-            Base::Paper => self.on_paper(&SHEET, |_| {}),
-            Base::Packed => self.packed(),
-            Base::Cells | Base::Mesh if self.draft().is_some() => self.packed(),
-            Base::Cells => {
-                let tones = self.tones();
-                self.on_paper(&tones.paper, |board| {
-                    overlay_stages::cells(board, &made.cells, &tones);
-                    self.lines(board);
-                })
-            }
-            Base::Mesh => self.on_paper(&SHEET, |board| {
-                if let (Some(mesh), Some(fields)) = (&made.mesh, &made.fields) {
-                    overlay_stages::mesh(board, mesh, fields);
-                }
-                self.lines(board);
-            }),
-            Base::Direction => self.on_paper(&SHEET, |board| {
+        let sketched = sketch.map(Sketch::finish);
+        gallery.frame = match base {
+            Base::Auto | Base::Picture => match self.way(base, gallery) {
+                Way::Picture => Some(self.picture_on(gallery.frame.take())),
+                Way::Stones => self.stones_coming(&mut gallery.preview, sketched),
+                Way::Stays => return,
+                Way::Bare | Way::Packed | Way::Cells => sketched,
+            },
+            Base::Paper | Base::Packed | Base::Cells | Base::Mesh => sketched,
+            Base::Direction => {
+                let mut board = self.on_paper(&SHEET, Vec::new()).finish();
                 let shown = self.shown();
                 if let (Some(domain), Some(fields)) = (shown.domain, shown.fields) {
-                    overlay_field::direction(board, domain, fields, self.side() as f64);
+                    let side = self.side() as f64;
+                    overlay_field::direction(&mut board, domain, fields, side);
                 }
-            }),
+                Some(board)
+            }
             Base::Potential => {
                 let mut board = Board::new(self.side(), SHEET.bed);
                 let (kind, aspect) = translate::kind(&self.working);
                 overlay_potential::potential(&mut board, kind, aspect, self.side() as f64);
-                board
+                Some(board)
             }
-            Base::Height => of_planes(overlay_planes::height),
-            Base::Normals => of_planes(overlay_planes::normals),
-            Base::Ids => of_planes(overlay_planes::ids),
-            Base::Albedo => self.map_shown(MapKind::Albedo),
-            Base::Roughness => self.map_shown(MapKind::Roughness),
-            Base::Occlusion => self.map_shown(MapKind::Occlusion),
-        });
+            Base::Height => Some(of_planes(overlay_planes::height)),
+            Base::Normals => Some(of_planes(overlay_planes::normals)),
+            Base::Ids => Some(of_planes(overlay_planes::ids)),
+            Base::Albedo => Some(self.map_shown(MapKind::Albedo)),
+            Base::Roughness => Some(self.map_shown(MapKind::Roughness)),
+            Base::Occlusion => Some(self.map_shown(MapKind::Occlusion)),
+        };
     }
 
     /// A map as it is handed out, of the planes there are.
     fn map_shown(&self, kind: MapKind) -> Board {
         let Some(planes) = self.planes_to_show() else {
-            return self.bare();
+            return self.bare().finish();
         };
         let mut board = Board::new(self.side(), SHEET.surround);
         let optics = translate::optics(&self.working);
@@ -139,32 +229,37 @@ impl Studio {
         }
     }
 
-    /// The way from the packing to the picture.
-    fn unfold(&self, base: Base, gallery: &mut Gallery) {
+    /// What is to be seen on the way from the packing to the picture.
+    fn way(&self, base: Base, gallery: &Gallery) -> Way {
         let made = &self.made;
-        let side = self.side();
         if base == Base::Auto && self.draft().is_some() {
-            gallery.frame = Some(self.packed());
-            return;
+            return Way::Packed;
         }
-        let picture = made.picture.len() == 4 * side * side;
+        let picture = made.picture.len() == 4 * self.side() * self.side();
         let settled = !made.forming || matches!(self.at, Position::Failed(..));
         if picture && (settled || base == Base::Picture) {
-            let frame = gallery.frame.take();
-            let mut board = frame.unwrap_or_else(|| Board::new(side, SHEET.surround));
-            board.show(&made.picture);
-            gallery.frame = Some(board);
-            return;
+            return Way::Picture;
         }
         match self.at {
-            Position::At(stage) if stage >= Stage::Solids => {
-                gallery.frame = Some(self.stones_coming(&mut gallery.preview));
-            }
-            _ if made.packing_begun => gallery.frame = Some(self.packed()),
-            // Nothing new to see for a moment: what was there stays.
-            _ if gallery.frame.is_some() => {}
-            _ => gallery.frame = Some(self.bare()),
+            Position::At(stage) if stage >= Stage::Solids => match self.ground_shown() {
+                Some(_) => Way::Stones,
+                None => Way::Cells,
+            },
+            _ if made.packing_begun => Way::Packed,
+            _ if gallery.frame.is_some() => Way::Stays,
+            _ => Way::Bare,
         }
+    }
+
+    fn picture_on(&self, frame: Option<Board>) -> Board {
+        let mut board = frame.unwrap_or_else(|| Board::new(self.side(), SHEET.surround));
+        board.show(&self.made.picture);
+        board
+    }
+
+    /// The planes of stones that come, once the ground is laid.
+    fn ground_shown(&self) -> Option<&Planes> {
+        self.planes_to_show().filter(|_| self.made.bedded)
     }
 
     pub(super) fn tones(&self) -> Tones {
@@ -175,76 +270,74 @@ impl Studio {
         Tones::new(&translate::texture(&self.working)).wearing(&made.cells, &made.coats)
     }
 
-    fn on_paper(&self, paper: &Paper, draw: impl FnOnce(&mut Board)) -> Board {
-        let mut board = Board::new(self.side(), paper.surround);
-        self.bed(&mut board, paper);
-        draw(&mut board);
-        board
+    /// Layers over the area to pave, which is the outline or all of a tile.
+    fn on_paper(&self, paper: &Paper, layers: Vec<Layer>) -> Sketch {
+        self.on_board(Board::new(self.side(), paper.surround), paper, layers)
     }
 
-    /// The area to pave: the outline, or all of a tile.
-    fn bed(&self, board: &mut Board, paper: &Paper) {
+    fn on_board(&self, mut board: Board, paper: &Paper, layers: Vec<Layer>) -> Sketch {
+        let mut all = Vec::with_capacity(layers.len() + 2);
         if self.working.is_tile() {
             board.repeat();
             let side = self.side() as f64;
-            let all = [DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y].map(|p| side * p);
-            board.fill(&[&all], paper.bed, 0.0);
+            let ring = [DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y].map(|p| side * p);
+            all.push(Layer::fill(vec![ring.to_vec()], paper.bed, 0.0));
         } else {
-            board.outline(&self.shown().rings, paper);
+            all.extend(overlay_stages::bed(&self.shown().rings, paper));
         }
+        all.extend(layers);
+        Sketch::new(board, all)
     }
 
-    fn lines(&self, board: &mut Board) {
-        if let Some(domain) = self.shown().domain {
-            overlay_stages::lines(board, domain, self.side() as f64);
-        }
+    fn lines(&self) -> Option<Layer> {
+        let domain = self.shown().domain?;
+        Some(overlay_stages::lines(domain, self.side() as f64))
     }
 
-    fn bare(&self) -> Board {
-        self.on_paper(&self.tones().paper, |_| {})
+    fn bare(&self) -> Sketch {
+        self.on_paper(&self.tones().paper, Vec::new())
     }
 
-    fn packed(&self) -> Board {
+    fn packed(&self) -> Sketch {
         let shown = self.shown();
         let (Some(packing), Some(domain)) = (shown.packing, shown.domain) else {
             return self.bare();
         };
         let tones = self.tones();
-        self.on_paper(&tones.paper, |board| {
-            overlay_stages::packed(board, domain, &packing.particles(), &tones);
-            self.lines(board);
-        })
+        let mut layers = overlay_stages::packed(domain, &packing.particles(), &tones);
+        layers.extend(self.lines());
+        self.on_paper(&tones.paper, layers)
     }
 
-    /// The cells with the stones so far on them.
-    fn stones_coming(&self, preview: &mut Preview) -> Board {
+    /// Does the preview show the stones that come now?
+    fn goes_on(&self, preview: &Preview) -> bool {
+        let board = preview.board.as_ref().filter(|b| b.fits(self.side()));
+        board.is_some() && preview.pass == self.made.pass
+    }
+
+    /// The cells on the ground that is laid, before there are stones.
+    fn bedded(&self) -> Option<Sketch> {
+        let (planes, tones) = (self.ground_shown()?, self.tones());
+        let mut board = Board::new(planes.side, tones.paper.surround);
+        light_ground(planes, board.rgba_mut());
+        let cells = overlay_stages::cells(&self.made.cells, &tones);
+        Some(self.on_board(board, &tones.paper, cells))
+    }
+
+    /// The cells with the stones so far on them; `bedded` is what the first one lies on.
+    fn stones_coming(&self, preview: &mut Preview, bedded: Option<Board>) -> Option<Board> {
         let made = &self.made;
-        let tones = self.tones();
-        let planes = self.planes_to_show().filter(|_| made.bedded);
-        let Some(planes) = planes else {
-            return self.on_paper(&tones.paper, |board| {
-                overlay_stages::cells(board, &made.cells, &tones);
-            });
-        };
-        let old = preview.board.take().filter(|b| b.fits(planes.side));
-        let mut board = match old {
-            Some(board) if preview.pass == made.pass => board,
-            _ => {
-                preview.stones = 0;
-                let mut board = Board::new(planes.side, tones.paper.surround);
-                light_ground(planes, board.rgba_mut());
-                self.bed(&mut board, &tones.paper);
-                overlay_stages::cells(&mut board, &made.cells, &tones);
-                board
-            }
-        };
-        preview.pass = made.pass;
+        let planes = self.ground_shown()?;
+        if !self.goes_on(preview) {
+            (preview.board, preview.stones) = (bedded, 0);
+            preview.pass = made.pass;
+        }
+        let board = preview.board.as_mut()?;
         for k in preview.stones..made.stones {
             light_stone(planes, &made.cells[k], k, board.rgba_mut());
         }
         preview.stones = made.stones;
-        preview.board = Some(board.clone());
-        board
+        Some(board.clone())
     }
 }
 

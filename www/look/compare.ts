@@ -34,6 +34,8 @@ export class Compare {
   /** What the other engine works on. */
   private wanted = '';
   private waiting = false;
+  /** A drawing is made in pieces, before there is more work. */
+  private owed = false;
   private drawn = 0;
 
   constructor(work: Work, view: View) {
@@ -123,14 +125,15 @@ export class Compare {
     if (!engine || this.waiting) return;
     const open = !isEnd(engine.stage());
     say(this.progress, open ? t('compare_working') : engine.problem());
-    if (!open) return this.paint();
     this.waiting = true;
     whenIdle(() => {
       this.waiting = false;
-      if (document.hidden || !this.resting()) return;
-      engine.tick(SLICE, 100_000);
-      if (performance.now() >= this.drawn) this.paint();
-      this.wake();
+      if (document.hidden || (open && !this.resting())) return;
+      if (open && !this.owed) engine.tick(SLICE, 100_000);
+      const due = !open || performance.now() >= this.drawn;
+      this.owed = due && !engine.prepare(this.view.words, SLICE);
+      if (due && !this.owed) this.paint();
+      if (open || this.owed) this.wake();
     });
   }
 
