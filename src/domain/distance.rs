@@ -164,7 +164,8 @@ impl Domain {
         })
     }
 
-    /// Does the straight way from a to b cross a constraint line? On a torus of at most half a side.
+    /// Does the straight way from a to b cross a constraint line? On a torus b is the image that is
+    /// meant ([`Domain::shortest`]), at most half a side away.
     #[inline]
     pub fn crosses_line(&self, a: DVec2, b: DVec2) -> bool {
         let Some(network) = &self.network else {
@@ -212,7 +213,8 @@ impl Domain {
         islands.is_some_and(|i| i.is_near(a, b) && self.island(a) != self.island(b))
     }
 
-    /// Is there a constraint line or the gap between two islands between two places?
+    /// Is there a constraint line or the gap between two islands on the straight way between two
+    /// places? On a torus as for [`Domain::crosses_line`].
     #[inline]
     pub fn is_parted(&self, a: DVec2, b: DVec2) -> bool {
         self.is_gap_between(a, b) || self.crosses_line(a, b)
@@ -433,6 +435,19 @@ mod tests {
         assert_eq!(domain.nearest(DVec2::new(-3.0, -4.0)).distance, -5.0);
         assert_eq!(domain.nearest(DVec2::new(37.0, 36.0)).distance, 5.0);
         assert_eq!(domain.nearest(DVec2::new(-300.0, 50.0)).distance, -300.0);
+    }
+
+    #[test]
+    fn on_a_torus_lines_part_what_the_way_to_an_image_crosses() {
+        let p = |x: f64, y: f64| DVec2::new(x, y);
+        let torus = Domain::torus(100.0, &[vec![p(50.0, 5.0), p(50.0, 95.0)]]);
+        assert!(torus.crosses_line(p(45.0, 20.0), p(55.0, 20.0)));
+        assert!(torus.crosses_line(p(145.0, 20.0), p(155.0, 20.0)));
+        let (a, b) = (p(4.0, 20.0), p(96.0, 20.0));
+        assert!(!torus.crosses_line(a, a + torus.shortest(b - a)));
+        assert_eq!(torus.line_between(a, p(-4.0, 20.0)), None);
+        let [a, b] = torus.line_between(p(145.0, 20.0), p(155.0, 20.0)).unwrap();
+        assert_eq!((a.x, b.x), (150.0, 150.0));
     }
 
     #[test]

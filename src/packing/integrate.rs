@@ -178,7 +178,7 @@ impl Motion {
         let half = domain.period().map_or(f64::INFINITY, |side| 0.5 * side);
         r.abs().max_element() <= half
             && !domain.is_gap_between(a.centre, b.centre)
-            && (a.fixed || b.fixed || !domain.crosses_line(a.centre, b.centre))
+            && (a.fixed || b.fixed || !domain.crosses_line(a.centre, a.centre + r))
     }
 
     /// The pairs that may touch, each once.
