@@ -20,8 +20,8 @@ use glam::DVec2;
 pub(super) struct Gallery {
     frame: Option<Board>,
     drawn: Option<(Base, u64)>,
-    /// The next frame's drawing, begun.
-    begun: Option<((Base, u64), Sketch)>,
+    /// The next frame's drawing, begun, and of what it is.
+    begun: Option<((Base, u64, Way), Sketch)>,
     preview: Preview,
     /// The frame with overlays.
     over: Option<Board>,
@@ -39,7 +39,7 @@ struct Preview {
 }
 
 /// What is to be seen on the way from the packing to the picture.
-#[derive(Clone, Copy, PartialEq)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 enum Way {
     /// Nothing but the outline yet.
     Bare,
@@ -88,8 +88,7 @@ impl Studio {
     pub fn prepare(&mut self, view: View, clock: &mut dyn FnMut() -> f64, budget: f64) -> bool {
         let begin = clock();
         let mut gallery = std::mem::take(&mut self.gallery);
-        let key = (view.base, self.stamp());
-        let is_drawn = gallery.drawn == Some(key);
+        let is_drawn = gallery.drawn == Some((view.base, self.stamp()));
         let mut sketch = match is_drawn {
             true => None,
             false => self.sketch(view.base, &mut gallery),
@@ -106,6 +105,7 @@ impl Studio {
                 }
             }
         });
+        let key = (view.base, self.stamp(), self.way(view.base, &gallery));
         gallery.begun = sketch.map(|sketch| (key, sketch));
         self.gallery = gallery;
         ready
@@ -118,7 +118,7 @@ impl Studio {
 
     /// The drawing that a view is or lies on, as far as it was begun; nothing where there is none.
     fn sketch(&self, base: Base, gallery: &mut Gallery) -> Option<Sketch> {
-        let key = (base, self.stamp());
+        let key = (base, self.stamp(), self.way(base, gallery));
         match gallery.begun.take() {
             Some((of, sketch)) if of == key => Some(sketch),
             _ => self.new_sketch(base, gallery),
