@@ -119,22 +119,34 @@ export class Compare {
     say(this.progress, t('compare_failed'));
   }
 
-  /** Goes on while there is work, as long as the shown picture needs none and the page is seen. */
+  /** Goes on in an idle moment. */
   private wake(): void {
     const { engine } = this;
-    if (!engine || this.waiting) return;
-    const open = !isEnd(engine.stage());
-    say(this.progress, open ? t('compare_working') : engine.problem());
+    if (!engine) return;
+    if (!isEnd(engine.stage())) say(this.progress, t('compare_working'));
+    if (this.waiting) return;
     this.waiting = true;
     whenIdle(() => {
       this.waiting = false;
-      if (document.hidden || (open && !this.resting())) return;
-      if (open && !this.owed) engine.tick(SLICE, 100_000);
-      const due = !open || performance.now() >= this.drawn;
-      this.owed = due && !engine.prepare(this.view.words, SLICE);
-      if (due && !this.owed) this.paint();
-      if (open || this.owed) this.wake();
+      this.goOn();
     });
+  }
+
+  /** Works as long as the shown picture needs no work and the page is seen; what is finished is drawn before it is said to be. */
+  private goOn(): void {
+    const { engine } = this;
+    if (!engine || document.hidden) return;
+    const works = !isEnd(engine.stage());
+    if (works && !this.resting()) return;
+    if (works && !this.owed) engine.tick(SLICE, 100_000);
+    // Its failure was told.
+    if (this.engine !== engine) return;
+    const ended = isEnd(engine.stage());
+    const due = ended || performance.now() >= this.drawn;
+    this.owed = due && !engine.prepare(this.view.words, SLICE);
+    if (due && !this.owed) this.paint();
+    if (ended && !this.owed) say(this.progress, engine.problem());
+    else this.wake();
   }
 
   private resting(): boolean {
