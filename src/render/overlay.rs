@@ -100,11 +100,9 @@ impl Board {
     /// Draws separate lines of one colour, `width` pixels wide.
     pub fn strokes(&mut self, lines: &[[DVec2; 2]], tint: Tint, width: f64) {
         // Bars to fill: tiny-skia's own strokes are a twentieth of the WebAssembly module.
-        let mut builder = PathBuilder::new();
-        for &line in lines {
-            self.trace(&mut builder, &[&bar(line, width)]);
-        }
-        self.fill_path(builder.finish(), tint);
+        let bars: Vec<[DVec2; 4]> = lines.iter().map(|&line| bar(line, width)).collect();
+        let bars: Vec<&[DVec2]> = bars.iter().map(|bar| bar.as_slice()).collect();
+        self.fill(&bars, tint, 0.0);
     }
 
     /// Draws separate lines that stand out from whatever is below: light, with a dark rim.

@@ -73,7 +73,7 @@ impl Studio {
         clock: &mut dyn FnMut() -> f64,
         budget: f64,
     ) -> Result<PictureSlice, String> {
-        let stamp: u64 = self.changes.iter().sum();
+        let stamp = self.stamp();
         let goes_on = |b: &Bigger| (b.scale, b.stamp) == (scale, stamp) && b.at != At::Done;
         let kept = self.bigger.take().filter(goes_on);
         let side = self.side().saturating_mul(scale);
@@ -124,7 +124,7 @@ impl Studio {
     /// # Errors
     /// A sentence where there is none, or of another pavement.
     pub fn bigger_map(&self, kind: MapKind) -> Result<Map, String> {
-        let stamp: u64 = self.changes.iter().sum();
+        let stamp = self.stamp();
         let done = |b: &&Bigger| b.at == At::Done && b.stamp == stamp;
         let bigger = self.bigger.as_ref().filter(done);
         let planes = bigger.and_then(|b| b.planes.as_ref());

@@ -112,7 +112,7 @@ impl Studio {
     }
 
     /// Changes whenever something else may be seen.
-    fn stamp(&self) -> u64 {
+    pub(super) fn stamp(&self) -> u64 {
         self.changes.iter().sum()
     }
 
