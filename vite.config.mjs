@@ -78,9 +78,4 @@ export default defineConfig({
     },
   },
   worker: { format: 'es', plugins: () => [packed] },
-  server: {
-    host: '127.0.0.1',
-    // The module is beside www/.
-    fs: { allow: [here('www'), here('pkg'), here('node_modules')] },
-  },
 });

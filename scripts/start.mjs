@@ -1,7 +1,11 @@
-// `npm start`: sets up what is missing, builds the module, serves the page.
-import { say, start } from './lib/run.mjs';
+// `npm start`: sets up what is missing, builds the module and the site, and serves the site: the very files that the tests open.
+import { start } from './lib/run.mjs';
 import * as setup from './lib/setup.mjs';
+import { keepBuilt, serveSite } from './lib/site.mjs';
 import { buildWasm } from './lib/wasm.mjs';
+
+/** The first port that is tried. */
+const PORT = 5173;
 
 await start(async () => {
   setup.checkGivens();
@@ -9,14 +13,7 @@ await start(async () => {
   const env = setup.wasmRust();
   setup.wasmTools();
   await buildWasm('web', env);
-  await serve();
-});
-
-async function serve() {
-  say('Serving the page');
-  const { createServer } = await import('vite');
-  const server = await createServer({ clearScreen: false });
-  await server.listen();
-  const [address] = server.resolvedUrls?.local ?? [];
+  await keepBuilt();
+  const { address } = await serveSite(PORT);
   console.log(`\nBubblestone is at ${address} (Ctrl+C ends it)`);
-}
+});

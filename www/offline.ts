@@ -6,7 +6,7 @@ export type Offline = 'stored' | 'newer';
 /** To be called once the first picture is done: until then nothing but the picture is worth a request. */
 export function register(tell: (what: Offline) => void): void {
   // An embedded page leaves nothing behind.
-  if (!import.meta.env.PROD || !('serviceWorker' in navigator) || window.top !== window.self) return;
+  if (!('serviceWorker' in navigator) || window.top !== window.self) return;
   navigator.serviceWorker.addEventListener('message', ({ data }: MessageEvent<Offline>) => {
     document.documentElement.dataset['offline'] = data;
     tell(data);

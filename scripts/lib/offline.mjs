@@ -32,7 +32,6 @@ export function listOf(site) {
 /** The Vite plugin. */
 export const offline = {
   name: 'offline',
-  apply: /** @type {const} */ ('build'),
   /** @param {{ dir?: string }} output */
   writeBundle({ dir = '' }) {
     const file = join(dir, worker);

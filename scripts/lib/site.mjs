@@ -2,6 +2,7 @@
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { gzipSync } from 'node:zlib';
+import { host } from './host.mjs';
 import { filesOf, firstOf } from './offline.mjs';
 import { root, run, say, Stop } from './run.mjs';
 
@@ -21,6 +22,35 @@ export async function buildSite() {
   say('Building the page into dist/');
   run(process.execPath, [join(root, 'node_modules', 'vite', 'bin', 'vite.js'), 'build', '--logLevel', 'warn']);
   weigh();
+}
+
+/** The same, and again after every change of www/, until the program ends; answers when the site is there. */
+export async function keepBuilt() {
+  say('Building the page into dist/');
+  const { build } = await import('vite');
+  const config = { configFile: join(root, 'vite.config.mjs'), logLevel: /** @type {const} */ ('warn'), build: { watch: {} } };
+  const watcher = /** @type {import('rolldown').RolldownWatcher} */ (await build(config));
+  let there = false;
+  await new Promise((resolve, reject) => {
+    watcher.on('event', ({ code }) => {
+      if (code === 'BUNDLE_END' && there) say('Built anew: browsers that have stored the page show it from their second reload on');
+      if (code === 'BUNDLE_END') resolve((there = true));
+      // Vite has said what is wrong; later on the next change may mend it.
+      if (code === 'ERROR' && !there) reject(new Stop('The page could not be built.'));
+    });
+  }).catch(async (failure) => {
+    await watcher.close();
+    throw failure;
+  });
+}
+
+/**
+ * The site for the person at the keyboard; tests open the same.
+ * @param {number} port the first one to try
+ * @param {(path: string) => void} [asked] gets the path of each request
+ */
+export function serveSite(port, asked) {
+  return host(site, { port, asked });
 }
 
 /** Prints what the files weigh, gzipped, and what a first visit transfers; stops when that is over the budget. */

@@ -5,10 +5,8 @@
 //   ...
 //   assert.deepEqual(problems, []);
 //   await site.close();
-import { readFile } from 'node:fs/promises';
-import { createServer } from 'node:http';
-import { extname, join, normalize } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { host } from '../../scripts/lib/host.mjs';
 import { allowClipboard, blankPage, kind, launch } from './browsers.mjs';
 
 const dist = fileURLToPath(new URL('../../dist/', import.meta.url));
@@ -16,30 +14,17 @@ const dist = fileURLToPath(new URL('../../dist/', import.meta.url));
 // Not the root of the host: the site has to work from any folder.
 const folder = '/any/folder/';
 
-const contentTypes = {
-  '.avif': 'image/avif',
-  '.css': 'text/css',
-  '.html': 'text/html; charset=utf-8',
-  '.js': 'text/javascript',
-  '.json': 'application/json',
-  '.png': 'image/png',
-  '.svg': 'image/svg+xml',
-  '.wasm': 'application/wasm',
-  '.webmanifest': 'application/manifest+json',
-};
-
 /**
  * Serves dist/ and starts a browser with an empty profile.
  * @param {object} [options]
  * @param {string[]} [options.flags] more flags for Chromium
  * @param {string} [options.files] another folder than dist/
+ * @param {(asked: (path: string) => void) => ReturnType<typeof host>} [options.serve] another host
  */
-export async function open({ flags = [], files = dist } = {}) {
+export async function open({ flags = [], files = dist, serve = (asked) => host(files, { under: folder, asked }) } = {}) {
   /** The paths of all requests. @type {string[]} */
   const requests = [];
-  const server = await serve(files, requests);
-  const { port } = /** @type {import('node:net').AddressInfo} */ (server.address());
-  const origin = `http://127.0.0.1:${port}`;
+  const { origin, address, stop } = await serve((path) => requests.push(path));
   /** Chromium is one for all; Firefox is another one for each system. @type {Map<string, ReturnType<typeof launch>>} */
   const launched = new Map();
   /** @param {import('./browsers.mjs').System} system */
@@ -49,17 +34,13 @@ export async function open({ flags = [], files = dist } = {}) {
     launched.set(key, browser);
     return (await browser).browser;
   };
-  const stop = () => {
-    server.closeAllConnections();
-    server.close();
-  };
   return {
     origin,
     requests,
     /** Ends the host, as if there were no connection any more. */
     stop,
     /** The page's address. */
-    address: origin + folder,
+    address,
     /**
      * A page of its own context, opened at the address with a fragment.
      * @param {string} [fragment] such as `#seed=7`
@@ -68,7 +49,7 @@ export async function open({ flags = [], files = dist } = {}) {
     newPage: async (fragment = '', options = {}) => {
       const { dark = false, still = false, viewport } = options;
       const system = { dark, still, touch: viewport?.hasTouch ?? false };
-      return newPage(await browserFor(system), system, origin, fragment, options);
+      return newPage(await browserFor(system), system, address, fragment, options);
     },
     /** @param {import('puppeteer-core').Page} page */
     allowClipboard: (page) => allowClipboard(page, origin),
@@ -90,12 +71,13 @@ export async function open({ flags = [], files = dist } = {}) {
 /**
  * @param {import('puppeteer-core').Browser} browser
  * @param {import('./browsers.mjs').System} system
- * @param {string} origin
+ * @param {string} address
  * @param {string} fragment
  * @param {PageOptions} options
  */
-async function newPage(browser, system, origin, fragment, { viewport = { width: 1280, height: 800 }, before }) {
+async function newPage(browser, system, address, fragment, { viewport = { width: 1280, height: 800 }, before }) {
   const { page, close } = await blankPage(browser, system);
+  const { origin } = new URL(address);
   /** Errors on the console, uncaught errors, failed requests. @type {string[]} */
   const problems = [];
   /** Requests to anything but the site itself. @type {string[]} */
@@ -111,33 +93,6 @@ async function newPage(browser, system, origin, fragment, { viewport = { width: 
   });
   await page.setViewport(viewport);
   await before?.(page);
-  await page.goto(origin + folder + fragment, { waitUntil: 'load' });
+  await page.goto(address + fragment, { waitUntil: 'load' });
   return { page, problems, external, close };
-}
-
-/**
- * A static host on a free port.
- * @param {string} files the folder that it serves
- * @param {string[]} requests gets their paths
- * @returns {Promise<import('node:http').Server>}
- */
-function serve(files, requests) {
-  const server = createServer(async (request, response) => {
-    const { pathname } = new URL(request.url ?? '/', 'http://localhost');
-    const path = pathname.endsWith('/') ? `${pathname}index.html` : pathname;
-    const inside = path.startsWith(folder) ? normalize(path.slice(folder.length)) : '..';
-    requests.push(inside);
-    try {
-      if (inside.startsWith('..')) throw new Error('outside');
-      const body = await readFile(join(files, inside));
-      response.writeHead(200, { 'content-type': contentTypes[extname(inside)] ?? 'application/octet-stream' });
-      response.end(body);
-    } catch {
-      response.writeHead(404).end();
-    }
-  });
-  return new Promise((resolve, reject) => {
-    server.once('error', reject);
-    server.listen(0, '127.0.0.1', () => resolve(server));
-  });
 }

@@ -1,0 +1,65 @@
+// A static host: for the person at the keyboard, and for the tests, which open what that person gets.
+import { readFile } from 'node:fs/promises';
+import { createServer } from 'node:http';
+import { extname, join, normalize } from 'node:path';
+
+const contentTypes = {
+  '.avif': 'image/avif',
+  '.css': 'text/css',
+  '.html': 'text/html; charset=utf-8',
+  '.js': 'text/javascript',
+  '.json': 'application/json',
+  '.png': 'image/png',
+  '.svg': 'image/svg+xml',
+  '.wasm': 'application/wasm',
+  '.webmanifest': 'application/manifest+json',
+};
+
+/**
+ * Serves a folder to this machine only.
+ * @param {string} files the folder
+ * @param {object} [options]
+ * @param {number} [options.port] the first one to try: where it is taken the next ones are; 0 is any
+ * @param {string} [options.under] the path that the folder is served under
+ * @param {(path: string) => void} [options.asked] gets the path inside the folder of each request
+ */
+export async function host(files, { port = 0, under = '/', asked } = {}) {
+  const server = createServer(async (request, response) => {
+    const { pathname } = new URL(request.url ?? '/', 'http://localhost');
+    const path = pathname.endsWith('/') ? `${pathname}index.html` : pathname;
+    const inside = path.startsWith(under) ? normalize(path.slice(under.length)) : '..';
+    asked?.(inside);
+    try {
+      if (inside.startsWith('..')) throw new Error('outside');
+      const body = await readFile(join(files, inside));
+      response.writeHead(200, { 'content-type': contentTypes[extname(inside)] ?? 'application/octet-stream' });
+      response.end(body);
+    } catch {
+      response.writeHead(404).end();
+    }
+  });
+  const origin = `http://127.0.0.1:${await listening(server, port)}`;
+  return {
+    origin,
+    address: origin + under,
+    stop: () => {
+      server.closeAllConnections();
+      server.close();
+    },
+  };
+}
+
+/**
+ * @param {import('node:http').Server} server
+ * @param {number} port
+ * @returns {Promise<number>} the port that it got
+ */
+function listening(server, port) {
+  return new Promise((resolve, reject) => {
+    server.once('error', (/** @type {NodeJS.ErrnoException} */ error) => {
+      if (error.code === 'EADDRINUSE') resolve(listening(server, port + 1));
+      else reject(error);
+    });
+    server.listen(port, '127.0.0.1', () => resolve(/** @type {import('node:net').AddressInfo} */ (server.address()).port));
+  });
+}

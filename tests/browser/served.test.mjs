@@ -1,0 +1,92 @@
+// What `npm start` serves: every part of the page that is loaded late comes, with its styles, and without an error.
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { filesOf, firstOf } from '../../scripts/lib/offline.mjs';
+import { serveSite, site as dist } from '../../scripts/lib/site.mjs';
+import { open } from './harness.mjs';
+import { click, digest, drop, message, SMALL, tool } from './page.mjs';
+
+/** @type {Awaited<ReturnType<typeof open>>} */
+let site;
+
+before(async () => {
+  site = await open({ serve: (asked) => serveSite(0, asked) });
+});
+
+after(() => site?.close());
+
+/** Opens the page, without what stores the site: that asks for all files. @param {string} query with the fragment @param {string} [language] */
+async function visit(query, language = 'en') {
+  const opened = await site.newPage(query, {
+    before: (fresh) =>
+      fresh.evaluateOnNewDocument((spoken) => {
+        localStorage.setItem('bubblestone.language', spoken);
+        navigator.serviceWorker.register = () => new Promise(() => undefined);
+      }, language),
+  });
+  await digest(opened.page);
+  return opened;
+}
+
+/** What a part gives, and a style that the page has from that part only; `close` puts it out of the way. */
+const parts = [
+  { name: 'zoom', act: (page) => click(page, '#zoom-in'), of: '.walk svg', styles: { position: 'absolute' }, close: '#zoom-fit' },
+  { name: 'light', act: (page) => click(page, '#light-button'), of: '.light-layer', styles: { position: 'absolute', top: '0px' }, close: '#light-button' },
+  { name: 'layers', act: (page) => click(page, '#layers-button'), of: '#layers', styles: { position: 'absolute', overflow: 'auto' }, close: '#layers-button' },
+  { name: 'plots', act: (page) => click(page, '#plots-button'), of: '.plot canvas', styles: { display: 'block' }, close: '#plots-button' },
+  { name: 'tile', act: (page) => click(page, '#tile-button'), of: '.tiles', styles: { position: 'absolute' } },
+  { name: 'compare', act: (page) => click(page, '#compare-button'), of: '#divider', styles: { position: 'absolute', marginLeft: '0px' }, close: '#compare-button' },
+  { name: 'keys', act: (page) => click(page, '#keys-button'), of: '#keys', styles: { position: 'fixed' }, close: '#keys form button' },
+  { name: 'share', act: (page) => click(page, '#share'), of: '#share-dialog', styles: { position: 'fixed', width: '560px' }, close: '[data-close]' },
+  { name: 'save', act: (page) => click(page, '#save'), of: '#save-dialog', styles: { position: 'fixed', width: '560px' }, close: '[data-close]' },
+  { name: 'letters', act: (page) => tool(page, 'text'), of: '#text-dialog', styles: { position: 'fixed' }, close: '#leave-letters' },
+  { name: 'import', act: (page) => tool(page, 'import'), of: '#outline-text', styles: { display: 'block' }, close: 'dialog[open] #leave-import' },
+  { name: 'editor', act: (page) => tool(page, 'outline'), of: '.handle', styles: { position: 'absolute' } },
+  { name: 'chance', act: (page) => click(page, '#throw'), of: '#undo:enabled', styles: {} },
+];
+
+test('every part that is loaded late comes, with its styles', async () => {
+  const { page, problems, close } = await visit(SMALL);
+  for (const { name, act, of, styles, close: way } of parts) {
+    await act(page);
+    await page.waitForSelector(of);
+    const seen = await page.$eval(
+      of,
+      (element, properties) => {
+        const computed = getComputedStyle(element);
+        return Object.fromEntries(properties.map((property) => [property, computed[property]]));
+      },
+      Object.keys(styles),
+    );
+    assert.deepEqual(seen, styles, name);
+    if (way) await click(page, way);
+  }
+  await drop(page, 'mine.json', JSON.stringify({ program: 'Bubblestone', recipe: `${SMALL.slice(1)}&seed=5` }), 'application/json');
+  await message(page, 'status', /mine\.json/);
+  await digest(page);
+  await click(page, '#save');
+  await click(page, '#save-maps');
+  await message(page, 'status', /maps\.zip is saved/);
+  assert.deepEqual(problems, []);
+  await close();
+  const embedded = await visit(`?embed${SMALL}`);
+  assert.equal(await embedded.page.$eval('.embed-play', (button) => getComputedStyle(button).position), 'absolute');
+  assert.deepEqual(embedded.problems, []);
+  await embedded.close();
+  const japanese = await visit(SMALL, 'ja');
+  assert.equal(await japanese.page.$eval('html', (html) => html.lang), 'ja');
+  assert.deepEqual(japanese.problems, []);
+  await japanese.close();
+  const first = firstOf(dist);
+  const late = filesOf(dist).filter((path) => path.startsWith('assets/') && !first.includes(path));
+  assert.deepEqual(late.filter((path) => !site.requests.includes(path)), [], 'not asked for');
+});
+
+test('where a port is taken the next one is', async () => {
+  const { port } = new URL(site.origin);
+  const other = await serveSite(Number(port));
+  assert.ok(Number(new URL(other.origin).port) > Number(port));
+  assert.equal((await fetch(other.address)).headers.get('content-type'), 'text/html; charset=utf-8');
+  assert.equal((await fetch(`${other.address}%2e%2e/package.json`)).status, 404);
+  other.stop();
+});
