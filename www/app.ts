@@ -236,7 +236,7 @@ export class App {
 
   /** A control was moved. */
   private change(key: string, text: string, done: boolean): void {
-    if (key === 'outline' && text === 'polygon') return this.editing.begin('outline');
+    if (key === 'outline' && text === 'polygon') return this.editing.free();
     this.work.set(key, text, !done);
   }
 

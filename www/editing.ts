@@ -15,14 +15,14 @@ export class Editing {
     void this.desk.load();
   }
 
-  /** Ends the editing of this sort, or begins it, with a first figure where there is none. */
+  /** Ends the editing of this sort, or begins it, with a first figure where there is none; without a word what was edited last is just looked at. */
   toggle(word?: string): void {
     this.desk.ask((desk) => desk.toggle(word));
   }
 
-  /** Shows handles on figures of this sort. */
-  begin(word: string): void {
-    this.desk.ask((desk) => desk.begin(word));
+  /** The outline becomes a free one, whose points are shown. */
+  free(): void {
+    this.desk.ask((desk) => desk.free());
   }
 
   /** A tool of the box was chosen, by the keyboard or not. */

@@ -219,8 +219,8 @@ test('what is edited is chosen under the canvas, and only what does something', 
   await frames(page, 2);
   assert.deepEqual(await words(), ['outline', 'road', 'lines', 'parts', 'strokes', 'spots']);
   await page.select('#edit-what', 'outline');
-  assert.equal(await get(page, 'outline'), 'polygon');
-  assert.ok((await handles(page)).length >= 4);
+  assert.equal(await get(page, 'outline'), 'square');
+  assert.equal((await handles(page)).length, 4);
   assert.equal(await page.$eval('#add-figure', (button) => button.textContent), 'Add hole');
   await close();
 });

@@ -41,12 +41,12 @@ function handles(page) {
   );
 }
 
-test('an outline becomes free, and its points are dragged by the mouse', async () => {
+test('an outline becomes free when its points are dragged by the mouse', async () => {
   const { page, problems, close } = await site.newPage(SQUARE);
   const square = await digest(page);
   await click(page, '#edit-outline');
   await page.waitForSelector('.handle');
-  assert.equal(await get(page, 'outline'), 'polygon');
+  assert.equal(await get(page, 'outline'), 'square');
   const [corner] = await handles(page);
   const sheet = await page.$eval('#sheet', (element) => element.getBoundingClientRect().toJSON());
   await page.mouse.move(corner.x, corner.y);
@@ -56,6 +56,7 @@ test('an outline becomes free, and its points are dragged by the mouse', async (
   await frames(page, 2);
   assert.notEqual(await digest(page), square);
   assert.equal((await page.$$('[role=alert] .message')).length, 0);
+  assert.equal(await get(page, 'outline'), 'polygon');
   const link = await page.evaluate(() => window.bubblestone.link());
   assert.match(link, /poly=/);
   const again = await site.newPage(`#${link}`);
@@ -203,13 +204,15 @@ for (const [what, content, words] of [
   });
 }
 
-test('choosing the free polygon from the list keeps the shape, and another shape hides the points', async () => {
+test('choosing the free polygon from the list keeps the shape, and another shape shows its own points', async () => {
   const { page, close } = await site.newPage(SQUARE);
   await digest(page);
   await set(page, 'outline', 'polygon');
   await page.waitForSelector('.handle');
-  assert.equal(await page.$eval('#editor', (layer) => layer.hidden), false);
+  assert.equal(await get(page, 'outline'), 'polygon');
+  assert.equal((await handles(page)).length, 4);
   await set(page, 'outline', 'star');
-  assert.equal(await page.$eval('#editor', (layer) => layer.hidden), true);
+  assert.equal((await handles(page)).length, 10);
+  assert.equal(await get(page, 'outline'), 'star');
   await close();
 });

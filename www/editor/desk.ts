@@ -1,23 +1,29 @@
 /** The editor as the page uses it: who edits what over the canvas, and what becomes of it. */
 import { byId } from '../dom';
 import type { Engine } from '../engine';
+import { applies } from '../kinds';
 import { alertOf, clear, notice } from '../messages';
-import type { Point, Ring } from '../types';
+import type { Ring } from '../types';
 import type { Work } from '../work';
+import { ringOf, scaled } from './curve';
 import { exportDialog, importDialog, textDialog } from './dialogs';
 import { Editor } from './editor';
 import type { Figure, Sort } from './figures';
 import { looksLikeOutline, ringsOf } from './import';
 import { arranged, turned } from './rings';
 import { roadRings } from './road';
+import { simplify } from './simplify';
 import { Sorts } from './sorts';
 import { tell } from './words';
 
 /** Bytes of a file; the outline of a drawing of ten thousand points has some two hundred thousand. */
 const LARGEST = 4_000_000;
 
-/** Outlines whose roads are remembered. */
-const ROADS = 200;
+/** Outlines whose roads, or points, are remembered. */
+const REMEMBERED = 400;
+
+/** Points that the engine takes. */
+const POINTS = 4096;
 
 export class Desk {
   private readonly sorts: Sorts;
@@ -31,9 +37,9 @@ export class Desk {
   private writing = false;
   /** Points are in the hand. */
   private held = false;
-  /** The roads that gave an outline, with places in sides of the picture: they can be changed while the outline is still theirs. */
-  private readonly roads = new Map<string, Figure[]>();
-  private paved: Figure[] = [];
+  /** The figures that gave an outline, with places in sides of the picture: they are there again whenever the outline is. */
+  private readonly given = new Map<string, Figure[]>();
+  private giving: Figure[] = [];
   private rim: Ring[] = [];
   /** The width of the last road. */
   private width: number | undefined;
@@ -57,7 +63,7 @@ export class Desk {
       live: (on) => {
         engine.live(on);
         this.held = on;
-        if (!on && this.word === 'road') this.remember();
+        if (!on) this.remember();
         work.store.update({ held: on });
       },
       disarmed: () => work.store.update({ editing: this.word }),
@@ -74,11 +80,12 @@ export class Desk {
     return (sort.broad ? this.width : undefined) ?? sort.value?.first ?? 0;
   }
 
-  /** Ends the editing of this sort, or begins it, with a first figure where there is none and one is wanted. */
-  toggle(word = this.last, fresh = true): void {
+  /** Ends the editing of this sort, or begins it, with a first figure where there is none and one is wanted; without a word what was edited last is just looked at. */
+  toggle(asked?: string, fresh = true): void {
+    const word = asked ?? this.last;
     if (this.word === word && !this.editor.armed) return this.editor.close();
     this.begin(word);
-    if (fresh) this.editor.start();
+    if (fresh) this.editor.start(asked !== undefined);
   }
 
   /** A tool of the box; by the keyboard, a new figure comes without drawing. */
@@ -102,15 +109,19 @@ export class Desk {
     this.begin('outline', true);
   }
 
-  /** Shows handles on figures of this sort; of a built-in outline a free one of few points is made. */
+  /** The outline at hand becomes a free one. */
+  free(): void {
+    if (this.takeRings(this.engine.outline())) this.begin('outline');
+  }
+
+  /** Shows handles on figures of this sort. Nothing changes by that. */
   begin(word: string, armed = false): void {
     const now = this.sorts.now();
     const sort = now.find((other) => other.word === word) ?? now[0];
     if (!sort) return;
     this.last = sort.word;
-    const figures = sort.word === 'road' ? this.roadsNow() : this.sorts.read(sort);
-    if (sort.form === 'ring' && this.engine.get('outline') !== 'polygon') this.takeRings(figures.map(({ points }) => points));
     this.known = this.text(sort.word);
+    const figures = this.remembered(sort.word) ?? (sort.word === 'road' ? [] : this.sorts.read(sort));
     this.rim = sort.word === 'road' && figures.length ? arranged(roadRings(figures, this.engine.side())) : [];
     this.editor.show(sort, figures, armed);
     this.work.store.update({ editing: armed ? 'hole' : sort.word });
@@ -121,14 +132,15 @@ export class Desk {
     const word = this.word;
     if (word === undefined || this.writing || this.text(word) === this.known) return;
     clear('outline');
-    const there = word === 'road' || (word === 'outline' ? this.engine.get('outline') === 'polygon' : this.engine.get(word) !== '');
+    const there = applies(this.engine, word) && (isOutline(word) || this.engine.get(word) !== '');
     if (there) this.begin(word);
     else this.editor.close();
   }
 
-  /** What the recipe says of what is edited. */
+  /** What the recipe says of what is edited, and the units of its points. */
   private text(word: string): string {
-    return word === 'outline' || word === 'road' ? this.engine.get('outline') + this.engine.get('poly') : this.engine.get(word);
+    const keys = isOutline(word) ? ['tile', 'outline', 'poly', 'ow', 'on', 'oa'] : [word];
+    return ['size', ...keys].map((key) => this.engine.get(key)).join();
   }
 
   close(): void {
@@ -183,7 +195,7 @@ export class Desk {
 
   private take(sort: Sort, figures: Figure[]): boolean {
     if (sort.word === 'road') return this.takeRoads(figures);
-    if (sort.form === 'ring') return this.takeRings(turned(figures.map(({ points }) => points)));
+    if (sort.form === 'ring') return this.takeOutline(figures);
     return this.change(sort.word, () => {
       const sentence = this.work.write(sort.word, this.sorts.text(sort, figures), this.held);
       return { refused: sentence !== '', sentence };
@@ -196,21 +208,41 @@ export class Desk {
     this.rim = arranged(roadRings(figures, side));
     // The last road was removed: the outline stays as it is.
     if (!this.rim.length) return true;
-    if (!this.takeRings(this.rim)) return false;
-    this.paved = scaled(figures, 1 / side);
+    return this.takeRings(this.rim) && this.gave(figures);
+  }
+
+  private takeOutline(figures: Figure[]): boolean {
+    const side = this.engine.side();
+    const rings = turned(figures.map((figure) => ringOf(figure, side)));
+    return this.takeRings(simplify(rings, side, POINTS)) && this.gave(figures);
+  }
+
+  /** The outline is that of these figures. */
+  private gave(figures: Figure[]): true {
+    const side = this.engine.side();
+    this.giving = figures.map((figure) => scaled(figure, 1 / side));
     if (!this.held) this.remember();
     return true;
   }
 
-  /** The outline at hand is that of these roads. */
   private remember(): void {
-    const oldest = this.roads.keys().next().value;
-    if (this.roads.size >= ROADS && oldest !== undefined) this.roads.delete(oldest);
-    this.roads.set(this.known, this.paved);
+    const word = this.word;
+    if (!this.giving.length || word === undefined) return;
+    const oldest = this.given.keys().next().value;
+    if (this.given.size >= REMEMBERED && oldest !== undefined) this.given.delete(oldest);
+    this.given.set(this.shape(word), this.giving);
+    this.giving = [];
   }
 
-  private roadsNow(): Figure[] {
-    return scaled(this.roads.get(this.text('road')) ?? [], this.engine.side());
+  /** The figures that gave the outline at hand, where they are known. */
+  private remembered(word: string): Figure[] | undefined {
+    const side = this.engine.side();
+    return isOutline(word) ? this.given.get(this.shape(word))?.map((figure) => scaled(figure, side)) : undefined;
+  }
+
+  /** The outline at hand, at any size of the picture. */
+  private shape(word: string): string {
+    return [word, this.engine.get('outline'), this.engine.get('poly')].join();
   }
 
   /** A change from here, which the handles need not follow. */
@@ -225,6 +257,6 @@ export class Desk {
   }
 }
 
-function scaled(figures: Figure[], by: number): Figure[] {
-  return figures.map(({ points, value }) => ({ points: points.map(([x, y]): Point => [x * by, y * by]), value }));
+function isOutline(word: string): boolean {
+  return word === 'outline' || word === 'road';
 }

@@ -2,6 +2,7 @@
 import { byId } from '../dom';
 import type { Point } from '../types';
 import { EditorBar } from './bar';
+import { divide, join, nearest, nearestLine, settle } from './curve';
 import { drawn, type Figure, type Place, type Sort } from './figures';
 import { Gestures } from './gestures';
 import { Sheet } from './sheet';
@@ -107,9 +108,9 @@ export class Editor {
     if (focused && same) this.focus();
   }
 
-  /** Puts the keyboard on the marked point; where there is none, on one of a new figure. */
-  start(): void {
-    if (this.figures.length) this.focus();
+  /** Puts the keyboard on the marked point; where there is none, on one of a new figure if there may be one. */
+  start(fresh: boolean): void {
+    if (this.figures.length || !fresh) this.focus();
     else this.addFigure();
   }
 
@@ -232,8 +233,14 @@ export class Editor {
   /** The pointer or the key that changes something is held down: all is one step until it is let go. */
   hold(): void {
     if (this.holding) return;
+    this.settle();
     this.holding = true;
     this.needs.live(true);
+  }
+
+  /** What is moved next is moved from here. */
+  private settle(): void {
+    for (const figure of this.figures) settle(figure, this.side);
   }
 
   /** It is let go: by rising, by being cancelled, or as what it held is gone. */
@@ -259,6 +266,7 @@ export class Editor {
     const [x, y] = point;
     const go = (dx: number, dy: number) => (): void => {
       if (event.repeat) this.hold();
+      else this.settle();
       if (event.ctrlKey || event.metaKey) this.shift(place.figure, [dx * step, dy * step]);
       else this.move(place, [x + dx * step, y + dy * step]);
     };
@@ -309,13 +317,13 @@ export class Editor {
 
   /** Adds a point half the way to the next one; behind the end of a line, on the way on. */
   addAfter({ figure, index }: Place): void {
-    const points = this.figures[figure]?.points;
-    const here = points?.[index];
-    const closed = this.sort?.form === 'ring';
-    const before = points?.[index - 1];
-    const next = points?.[closed && points.length ? (index + 1) % points.length : index + 1] ?? (before && here && mirrored(before, here));
-    if (!points || !here || !next || !(closed || this.sort?.form === 'line')) return;
-    points.splice(index + 1, 0, this.clamped([(here[0] + next[0]) / 2, (here[1] + next[1]) / 2]));
+    const found = this.figures[figure];
+    const form = this.sort?.form;
+    const [before, here] = [found?.points[index - 1], found?.points[index]];
+    const next = found?.points[index + 1] ?? (before && here && mirrored(before, here));
+    if (found && form === 'ring') divide(found, index, undefined, this.side);
+    else if (found && here && next && form === 'line') found.points.splice(index + 1, 0, this.clamped([(here[0] + next[0]) / 2, (here[1] + next[1]) / 2]));
+    else return;
     this.restructured({ figure, index: index + 1 });
   }
 
@@ -326,27 +334,25 @@ export class Editor {
 
   /** Adds a point on the piece of a ring or a line that is nearest to this place. */
   split(figure: number, point: Point): void {
-    const points = this.figures[figure]?.points;
-    const closed = this.sort?.form === 'ring';
-    if (!points || !(closed || this.sort?.form === 'line')) return;
-    let nearest = { index: 0, distance: Infinity };
-    points.forEach((from, index) => {
-      const to = points[closed ? (index + 1) % points.length : index + 1];
-      const far = to ? toSegment(point, from, to) : Infinity;
-      if (far < nearest.distance) nearest = { index, distance: far };
-    });
-    points.splice(nearest.index + 1, 0, point);
-    this.restructured({ figure, index: nearest.index + 1 });
+    const found = this.figures[figure];
+    const form = this.sort?.form;
+    if (!found || !(form === 'ring' || form === 'line')) return;
+    const { points } = found;
+    const index = form === 'ring' ? nearestLine(found, point, this.side) : nearest(points.slice(1).map((to, k) => toSegment(point, points[k] ?? to, to)));
+    if (form === 'ring') divide(found, index, point, this.side);
+    else points.splice(index + 1, 0, point);
+    this.restructured({ figure, index: index + 1 });
   }
 
   /** Takes a point away; of a figure that has no more than it needs, all go. The last ring stays. */
   take({ figure, index }: Place): void {
     this.marked = { figure, index };
-    const points = this.figures[figure]?.points;
+    const found = this.figures[figure];
     const { sort } = this;
-    if (!points || !sort || !this.removable()) return;
-    if (points.length > sort.least) points.splice(index, 1);
-    else this.figures.splice(figure, 1);
+    if (!found || !sort || !this.removable()) return;
+    if (found.points.length <= sort.least) this.figures.splice(figure, 1);
+    else if (sort.form === 'ring') join(found, index, this.side);
+    else found.points.splice(index, 1);
     this.restructured({ figure, index });
   }
 

@@ -1,11 +1,14 @@
 /** What can be edited: figures with points to move. */
 import type { Point } from '../types';
+import type { Stretch } from './curve';
 
 /** A ring, a line, a spot (its middle and a point of its rim), or the seed of a part. */
 export interface Figure {
   points: Point[];
   /** Of a spot its factor or ratio, of a seed the place of its kind among the kinds, of a road its width in hundredths of the side. */
   value: number;
+  /** What runs from each point of a ring to the next one, where that is not a straight line. */
+  stretches?: Stretch[];
 }
 
 /** A point of a figure. */
@@ -59,7 +62,7 @@ export function knobs({ points: [from, to], value }: Figure, side: number): Poin
   ];
 }
 
-/** A figure as an SVG path. */
+/** A figure, or the points of its line, as an SVG path. */
 export function drawn(form: Sort['form'], points: Point[]): string {
   const [first, second] = points;
   if (form === 'seed' || !first) return '';

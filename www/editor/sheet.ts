@@ -1,6 +1,7 @@
 /** What the editor draws over the canvas: lines, handles, and guides. */
 import { make } from '../dom';
 import type { Point } from '../types';
+import { lines, middle } from './curve';
 import { drawn, knobs, type Figure, type Place, type Sort } from './figures';
 import { depth } from './rings';
 import { distance } from './simplify';
@@ -63,9 +64,10 @@ export class Sheet {
   place(sort: Sort, figures: Figure[], at: Place, side: number): void {
     const shortest = this.room * this.unit(side);
     this.lines.setAttribute('viewBox', `0 0 ${side} ${side}`);
-    const paths = figures.map(({ points }) => drawn(sort.form, points));
+    const courses = figures.map((figure) => lines(figure, side));
+    const rings = courses.map((course) => course.flat());
+    const paths = rings.map((ring) => drawn(sort.form, ring));
     this.paths.edge.setAttribute('d', paths.join(''));
-    const rings = figures.map(({ points }) => points);
     paths.forEach((d, figure) => {
       const grip = this.grips.children[figure];
       grip?.setAttribute('d', d);
@@ -89,7 +91,7 @@ export class Sheet {
         }
         handle = handle?.nextElementSibling ?? null;
         const next = figure.points[index + 1] ?? (sort.form === 'ring' ? figure.points[0] : undefined);
-        if (edge && put(edge, next ? [(point[0] + next[0]) / 2, (point[1] + next[1]) / 2] : point)) {
+        if (edge && put(edge, next ? middle(courses[f]?.[index] ?? [point], next) : point)) {
           edge.hidden = !next || distance(point, next) < shortest;
         }
         edge = edge?.nextElementSibling ?? null;

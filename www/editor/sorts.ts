@@ -3,13 +3,10 @@ import type { Engine } from '../engine';
 import { applies } from '../kinds';
 import type { Point } from '../types';
 import { hexagon, type Figure, type Place, type Sort } from './figures';
+import { handled } from './handles';
 import { depth } from './rings';
-import { distance, simplify, toSegment } from './simplify';
+import { distance, toSegment } from './simplify';
 import { tell, type EditorWord } from './words';
-
-/** Points of a built-in outline that is made free, and of a free one that is edited, at most. */
-const FROM_BUILT_IN = 36;
-const FROM_FREE = 300;
 
 /** Half the length of a new line and the radius of a new spot, in sides; the width of the first road, in hundredths. */
 const NEW_LINE = 0.12;
@@ -81,10 +78,7 @@ export class Sorts {
   /** The figures of a sort, in picture units. */
   read({ word, form }: Sort): Figure[] {
     const side = this.engine.side();
-    if (form === 'ring') {
-      const most = this.engine.get('outline') === 'polygon' ? FROM_FREE : FROM_BUILT_IN;
-      return simplify(this.engine.outline(), side, most).map((points) => ({ points: points.map(([x, y]): Point => [x, y]), value: 0 }));
-    }
+    if (form === 'ring') return handled(this.engine.outline(), side);
     return this.engine.list(word).map((row) => {
       const at = (k: number): Point => [(row[k] ?? 0) * side, (row[k + 1] ?? 0) * side];
       if (form === 'line') return { points: Array.from({ length: row.length / 2 }, (_, k) => at(2 * k)), value: 0 };
