@@ -6,9 +6,6 @@ const PAVEMENTS: &str = "Pavements";
 
 #[rustfmt::skip]
 pub(super) const PRESETS: &[Preset] = &[
-    free(PAVEMENTS, "ring", "Granite ring",
-        "Where every visit begins: cobbles run round and round.",
-        ""),
     free(PAVEMENTS, "piazza", "Sandstone piazza",
         "Flagstones part around flower beds in the evening sun.",
         "v=1&outline=plaza&cs=27&vs=0.06&stone=flag&sv=0.98&hs=12&dr=0.14&fd=1.35&af=1.3&palette=sandstone&ground=mortar&az=205&el=30"),
@@ -36,9 +33,6 @@ pub(super) const PRESETS: &[Preset] = &[
     free(PAVEMENTS, "cloister", "Old cloister",
         "Moss has crept over the limestone, dust lies in the joints.",
         "v=1&outline=plaza&on=1&cs=30&vs=0.1&stone=flag&hs=12&dr=0.15&palette=limestone&ground=soil&moss=0.8&dirt=0.3&el=38"),
-    free(PAVEMENTS, "via", "Via",
-        "Basalt that two thousand years of feet have rounded and polished.",
-        "v=1&tile=1&kind=circle&cs=60&vs=0.3&hs=20&palette=basalt&ground=soil&wear=0.9&dirt=0.7&el=32&amb=1.3&diff=1.4"),
     free(PAVEMENTS, "rain", "Fork in the rain",
         "Porphyry setts, wet to the joints, under one lamp.",
         "v=1&outline=y_fork&ow=1.6&cs=24&vs=0.1&hs=15&dr=0.35&palette=porphyry&ground=gravel&wet=0.75&light=point&lx=0.75&ly=0.25&lz=0.3&amb=1.2&diff=1.5&spec=1.4"),

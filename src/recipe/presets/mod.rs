@@ -4,7 +4,9 @@ mod gallery;
 mod house;
 mod kinds;
 mod pavements;
+mod showpieces;
 mod skins;
+mod textures;
 
 use super::{Recipe, Stage};
 
@@ -73,8 +75,10 @@ const fn free(
     }
 }
 
-const LISTS: [&[Preset]; 5] = [
+const LISTS: [&[Preset]; 7] = [
+    showpieces::PRESETS,
     house::PRESETS,
+    textures::PRESETS,
     gallery::PRESETS,
     kinds::PRESETS,
     pavements::PRESETS,
@@ -92,7 +96,7 @@ const COUNT: usize = {
 
 /// All presets, in the order of the page.
 pub const PRESETS: &[Preset] = &{
-    let mut all = [house::PRESETS[0]; COUNT];
+    let mut all = [showpieces::PRESETS[0]; COUNT];
     let (mut at, mut list) = (0, 0);
     while list < LISTS.len() {
         let mut k = 0;
