@@ -5,8 +5,8 @@ use super::crossing::{Contact, first_contact};
 use super::nesting::around;
 use super::{Outline, signed_area};
 use crate::decimal;
+use crate::planar::orientation;
 use glam::DVec2;
-use robust::{Coord, orient2d};
 use std::fmt;
 
 /// Most points that the rings of an outline may have together.
@@ -371,10 +371,4 @@ pub(crate) fn ring_contains(ring: &[DVec2], p: DVec2) -> bool {
         a = b;
     }
     inside
-}
-
-/// The sign of [`super::cross`], exactly.
-pub(super) fn orientation(a: DVec2, b: DVec2, c: DVec2) -> f64 {
-    let coord = |p: DVec2| Coord { x: p.x, y: p.y };
-    orient2d(coord(a), coord(b), coord(c))
 }

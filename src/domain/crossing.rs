@@ -1,6 +1,7 @@
 //! Do rings meet themselves or each other? Exact, by a grid of the segments' boxes.
 
-use super::check::{bounds, orientation};
+use super::check::bounds;
+use crate::planar::orientation;
 use glam::DVec2;
 
 /// Where rings meet that should not; rings by their place among all.

@@ -4,12 +4,11 @@
 //! segments inside the domain".
 
 use super::candidates::CandidateGrid;
-use super::check::orientation;
 use super::parts::Parts;
 use super::squares::Squares;
 use super::{Domain, closest_on_segment};
 use crate::order;
-use crate::planar::on_grain;
+use crate::planar::{on_grain, orientation};
 use glam::DVec2;
 
 /// Points nearer to each other, or to a line or the outline, than this part of the larger side of

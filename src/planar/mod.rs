@@ -1,6 +1,11 @@
 //! The one triangulation of the program (spade), and the grain its points are rounded to.
 
+mod boxes;
+mod snap;
+
 use glam::DVec2;
+use robust::{Coord, orient2d};
+use snap::snap;
 use spade::handles::FixedVertexHandle;
 use spade::{
     ConstrainedDelaunayTriangulation, Point2, PositionInTriangulation, Triangulation as _,
@@ -14,28 +19,47 @@ pub(crate) type Delaunay = ConstrainedDelaunayTriangulation<Point2<f64>>;
 /// of two, so that whole steps and pictures' sides add without rounding.
 const GRAIN: f64 = 1.0 / 65536.0;
 
+/// Lines are laid as far as this from the origin, along each axis (picture units): nothing that
+/// counts is farther, and products of three such ways, in steps of the grain, have 126 bits.
+const FAR: f64 = 8_388_608.0;
+
 /// Adds a point; nothing where it has no finite place. Kept as one function for the same reason.
 #[inline(never)]
 pub(crate) fn insert(mesh: &mut Delaunay, p: Point2<f64>) -> Option<FixedVertexHandle> {
     mesh.insert(p).ok()
 }
 
-/// Lays lines between points of the grain into an empty triangulation, divided where they cross.
+/// Lays lines into an empty triangulation, rounded to the grain and divided where they cross.
 pub(crate) fn lay(lines: impl Iterator<Item = [DVec2; 2]>) -> Delaunay {
+    let lines: Vec<[DVec2; 2]> = lines.filter_map(clipped).map(|l| l.map(on_grain)).collect();
+    let snapped = snap(&lines);
     let mut mesh = Delaunay::new();
-    let mut ends: Vec<[FixedVertexHandle; 2]> = Vec::new();
-    for line in lines {
-        let [a, b] = line.map(grain);
-        if let (Some(a), Some(b)) = (insert(&mut mesh, a), insert(&mut mesh, b))
-            && a != b
-        {
-            ends.push([a, b]);
+    let points = snapped.points.iter();
+    let handles: Vec<Option<FixedVertexHandle>> = points
+        .map(|p| insert(&mut mesh, Point2::new(p.x, p.y)))
+        .collect();
+    for piece in snapped.pieces {
+        if let [Some(a), Some(b)] = piece.map(|k| handles[k as usize]) {
+            mesh.add_constraint(a, b);
         }
     }
-    for [a, b] in ends {
-        mesh.add_constraint_and_split(a, b, |v| v);
-    }
     mesh
+}
+
+/// What lies nearer than [`FAR`] of a line; nothing where its ends have no finite place.
+fn clipped([a, b]: [DVec2; 2]) -> Option<[DVec2; 2]> {
+    if a.abs().max(b.abs()).max_element() <= FAR {
+        return Some([a, b]);
+    }
+    // The parts of the way at which the box's sides are met; none where the line runs beside them.
+    let (way, far) = (b - a, DVec2::splat(FAR));
+    let (s, t) = ((-far - a) / way, (far - a) / way);
+    let (from, to) = (
+        s.min(t).max_element().max(0.0),
+        s.max(t).min_element().min(1.0),
+    );
+    let ends = [a + way * from, a + way * to];
+    (from < to && ends.iter().all(|p| p.is_finite())).then_some(ends)
 }
 
 /// Rounds a point to the grain.
@@ -48,6 +72,12 @@ pub(crate) fn on_grain(p: DVec2) -> DVec2 {
 pub(crate) fn grain(p: DVec2) -> Point2<f64> {
     let q = on_grain(p);
     Point2::new(q.x, q.y)
+}
+
+/// The sign of [`crate::domain::cross`], exactly.
+pub(crate) fn orientation(a: DVec2, b: DVec2, c: DVec2) -> f64 {
+    let coord = |p: DVec2| Coord { x: p.x, y: p.y };
+    orient2d(coord(a), coord(b), coord(c))
 }
 
 /// A point of spade's.

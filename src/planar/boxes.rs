@@ -1,0 +1,74 @@
+//! Which segments come near a box: a tree of boxes.
+
+use crate::order;
+use glam::DVec2;
+
+/// Boxes that a box of the level above holds.
+const BRANCHES: usize = 4;
+/// Segments of a strip, about, for each strip.
+const STRIP: f64 = 4.0;
+
+/// The smallest and the largest corner.
+type Corners = [DVec2; 2];
+
+/// The boxes around segments, and boxes around some of those, and so on, up to a few. How far from
+/// each other the segments lie does not matter: they are told apart by their places in order.
+pub(super) struct Boxes {
+    /// The segments in the order of the boxes of the first level.
+    order: Vec<u32>,
+    levels: Vec<Vec<Corners>>,
+}
+
+impl Boxes {
+    pub fn new(segments: &[[DVec2; 2]]) -> Self {
+        let order = in_strips(segments);
+        let around = |&k: &u32| {
+            let [a, b] = segments[k as usize];
+            [a.min(b), a.max(b)]
+        };
+        let mut levels: Vec<Vec<Corners>> = vec![order.iter().map(around).collect()];
+        while levels[levels.len() - 1].len() > BRANCHES {
+            let below = levels[levels.len() - 1].chunks(BRANCHES);
+            levels.push(below.map(joined).collect());
+        }
+        Self { order, levels }
+    }
+
+    /// The numbers of the segments whose boxes share a point with this one.
+    pub fn near(&self, lo: DVec2, hi: DVec2, found: &mut Vec<u32>) {
+        found.clear();
+        let top = self.levels.len() - 1;
+        let mut open: Vec<(usize, usize)> = (0..self.levels[top].len()).map(|k| (top, k)).collect();
+        while let Some((level, k)) = open.pop() {
+            let [low, high] = self.levels[level][k];
+            if low.cmpgt(hi).any() || high.cmplt(lo).any() {
+                continue;
+            }
+            if level == 0 {
+                found.push(self.order[k]);
+            } else {
+                let end = self.levels[level - 1].len().min((k + 1) * BRANCHES);
+                open.extend((k * BRANCHES..end).map(|below| (level - 1, below)));
+            }
+        }
+    }
+}
+
+/// The segments strip by strip, in each from top to bottom, so that those beside each other in the
+/// list are so in the plane.
+fn in_strips(segments: &[[DVec2; 2]]) -> Vec<u32> {
+    let middle = |k: u32| segments[k as usize][0].midpoint(segments[k as usize][1]);
+    let mut order: Vec<u32> = (0..segments.len() as u32).collect();
+    order::sort(&mut order, |&k| (order::rank(middle(k).x), 0));
+    let strip = (STRIP * segments.len() as f64).sqrt().ceil().max(1.0);
+    for strip in order.chunks_mut(strip as usize) {
+        order::sort(strip, |&k| (order::rank(middle(k).y), 0));
+    }
+    order
+}
+
+fn joined(boxes: &[Corners]) -> Corners {
+    let first = boxes[0];
+    let join = |[lo, hi]: Corners, [l, h]: &Corners| [lo.min(*l), hi.max(*h)];
+    boxes.iter().fold(first, join)
+}
