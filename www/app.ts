@@ -17,6 +17,7 @@ import { alertOf, clear, notice, offerOf, passing } from './messages';
 import { Presets } from './presets';
 import { scriptFace, type ScriptFace } from './scripts';
 import { Seed, SEED, withSeed } from './seed';
+import { keepInSight } from './sight';
 import { StatusLine } from './status';
 import { Store, type State } from './store';
 import { Transport } from './transport';
@@ -76,6 +77,7 @@ export class App {
     notice('link', ...this.engine.notices());
     if (last && asked !== '' && last.own && last.recipe !== this.store.state.recipe && !isReload()) this.tellReplaced();
     remember(this.store);
+    keepInSight(this.store);
     this.loop.begin();
   }
 

@@ -1,11 +1,21 @@
 /** The panel: every parameter of the schema as a control, in groups in the order of the pipeline. */
 import { differs, makeControl, type Change, type Control } from './control';
 import { byId, byIdAs, frame, make, say } from './dom';
+import { choiceOf, choose } from './memory';
 import type { Parameter } from './types';
 import { groupIn, t } from './words';
 
 /** Parameters that have their own place on the page. */
 const ELSEWHERE = new Set(['seed', 'poly']);
+
+/**
+ * What matters most: four choices, and ten sliders of a recipe. Of some of them one stands for another, as the height of
+ * skin and the lamp's place do.
+ */
+const SIMPLE = new Set(['outline', 'kind', 'stone', 'palette', 'cs', 'ca', 'vs', 'sv', 'hs', 'sr', 'dr', 'wear', 'moss', 'wet', 'az', 'el', 'lx', 'ly']);
+
+/** The visitor's choice of how much of the panel is shown. */
+const EXTENT = 'panel';
 
 /** Groups that stand open at first where there is room; on a phone only the first of them does. */
 const OPEN_AT_FIRST = ['Outline', 'Cells', 'Size', 'Direction', 'Relief'];
@@ -18,6 +28,8 @@ interface Group {
   readonly details: HTMLDetailsElement;
   readonly badge: HTMLElement;
   readonly controls: Control[];
+  /** Whether it stands open among all groups. */
+  open: boolean;
 }
 
 export interface ControlNeeds {
@@ -35,10 +47,14 @@ export class Controls {
   private readonly groups = new Map<string, Group>();
   private readonly schema: Parameter[];
   private readonly needs: ControlNeeds;
+  private readonly rest = byIdAs('rest', HTMLButtonElement);
+  private readonly extents = [...byId('extent').querySelectorAll('input')];
+  private simple = choiceOf(EXTENT) !== 'all';
 
   constructor(schema: Parameter[], needs: ControlNeeds) {
     this.schema = schema;
     this.needs = needs;
+    for (const radio of this.extents) radio.checked = this.simple === (radio.value === 'simple');
   }
 
   /** Builds the controls, a few a frame: they are much, and the cells move meanwhile. */
@@ -63,6 +79,25 @@ export class Controls {
     form.addEventListener('submit', (event) => event.preventDefault());
     hintFrom(form);
     form.replaceChildren(...Array.from(this.groups.values(), ({ box }) => box));
+    this.bindExtent();
+  }
+
+  private bindExtent(): void {
+    const take = (extent: string): void => {
+      choose(EXTENT, extent);
+      this.simple = extent === 'simple';
+      for (const group of this.groups.values()) {
+        if (this.simple) group.open = group.details.open;
+        group.details.open = this.simple || group.open;
+      }
+      this.refresh();
+    };
+    for (const radio of this.extents) radio.addEventListener('change', () => take(radio.value));
+    this.rest.addEventListener('click', () => {
+      const all = this.extents.find(({ value }) => value === 'all');
+      all?.click();
+      all?.focus();
+    });
   }
 
   /** Appends something of the page's own to a group. */
@@ -77,6 +112,7 @@ export class Controls {
 
   /** Shows what the engine holds: values, which controls apply, how many differ from the default. */
   refresh(): void {
+    let apart = 0;
     for (const { controls, badge, details } of this.groups.values()) {
       let changed = 0;
       for (const control of controls) {
@@ -84,12 +120,19 @@ export class Controls {
         const value = this.needs.get(parameter.key);
         const standard = this.needs.defaultOf(parameter);
         control.show(value, standard);
-        element.hidden = !this.applies(parameter);
-        if (!element.hidden && differs(parameter, value, standard)) changed += 1;
+        const applies = this.applies(parameter);
+        const shown = !this.simple || SIMPLE.has(parameter.key);
+        element.hidden = !applies || !shown;
+        if (!applies || !differs(parameter, value, standard)) continue;
+        changed += 1;
+        if (!shown) apart += 1;
       }
       say(badge, changed ? t('changed', { n: changed }) : '');
       details.hidden = controls.every(({ element }) => element.hidden);
     }
+    this.rest.hidden = !this.simple;
+    say(this.rest, apart ? t('rest_changed', { n: apart }) : t('rest'));
+    byId('panel').dataset['extent'] = this.simple ? 'simple' : 'all';
   }
 
   /** Whether a parameter does anything, as the schema's rule and that of the parameter it names say. */
@@ -109,8 +152,9 @@ export class Controls {
     const badge = make('span', { class: 'badge' });
     const details = make('details', { class: 'group' }, make('summary', {}, make('span', {}, groupIn(name)), badge));
     const narrow = matchMedia('(max-width: 60rem)').matches;
-    details.open = narrow ? this.groups.size === 0 : OPEN_AT_FIRST.includes(name);
-    const group = { box: make('div', { class: 'grouping' }, details), details, badge, controls: [] };
+    const open = narrow ? this.groups.size === 0 : OPEN_AT_FIRST.includes(name);
+    details.open = this.simple || open;
+    const group = { box: make('div', { class: 'grouping' }, details), details, badge, controls: [], open };
     this.groups.set(name, group);
     return group;
   }

@@ -30,7 +30,7 @@ export function make<K extends keyof HTMLElementTagNameMap>(
 export function walkByArrows(toolbar: HTMLElement): void {
   toolbar.addEventListener('keydown', (event) => {
     const step = { ArrowDown: 1, ArrowRight: 1, ArrowUp: -1, ArrowLeft: -1 }[event.key];
-    const shown = [...toolbar.querySelectorAll('button')].filter((button) => !button.hidden);
+    const shown = [...toolbar.querySelectorAll('button')].filter(isShown);
     const at = shown.findIndex((button) => button === event.target);
     if (!step || at < 0) return;
     event.preventDefault();
@@ -38,6 +38,11 @@ export function walkByArrows(toolbar: HTMLElement): void {
     for (const button of shown) button.tabIndex = button === next ? 0 : -1;
     next?.focus();
   });
+}
+
+/** Whether an element has a place on the page now. */
+export function isShown(element: Element): boolean {
+  return element.getClientRects().length > 0;
 }
 
 /** Lets the browser show what there is; where it shows nothing, as in a hidden tab, a moment passes. */

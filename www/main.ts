@@ -6,6 +6,7 @@ import { choiceOf, choose } from './memory';
 import { alertOf, passing } from './messages';
 import { keepModule } from './module';
 import type { Bubblestone } from './scripts';
+import { followTheme } from './theme';
 import { t, takeLanguage } from './words';
 
 async function start(): Promise<void> {
@@ -24,6 +25,7 @@ async function start(): Promise<void> {
 }
 
 async function begin(): Promise<Bubblestone> {
+  followTheme();
   const app = new App();
   await app.furnish();
   return app.scripts();

@@ -1,4 +1,4 @@
-/** The last work and its history, kept in this browser: the only file that touches its storage. */
+/** The last work and its history, kept in this browser: the only file that touches its storage, but for public/theme.js, which reads there. */
 import type { State, Store } from './store';
 
 const WORK = 'bubblestone.work';

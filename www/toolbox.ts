@@ -1,6 +1,6 @@
 /** The editor's tools beside the canvas, the panel's button for the outline, and outlines that are dropped or pasted. */
 import type { Controls } from './controls';
-import { byId, make, say, walkByArrows } from './dom';
+import { byId, isShown, make, say, walkByArrows } from './dom';
 import type { Editing } from './editing';
 import type { Engine } from './engine';
 import { applies } from './kinds';
@@ -12,6 +12,7 @@ export class Toolbox {
   private readonly work: Work;
   private readonly editing: Editing;
   private readonly tools = [...byId('toolbox').querySelectorAll<HTMLButtonElement>('[data-tool]')];
+  private readonly more = byId('more-tools');
   private readonly edit = make('button', { type: 'button', class: 'wide', id: 'edit-outline', 'aria-keyshortcuts': 'E' });
 
   constructor(work: Work, controls: Controls, editing: Editing) {
@@ -26,10 +27,31 @@ export class Toolbox {
     }
     const box = byId('toolbox');
     walkByArrows(box);
+    this.foldRare(box);
     for (const near of ['pointerover', 'focusin']) box.addEventListener(near, () => editing.load(), { once: true });
     this.receive();
     work.store.on(['editing', 'recipe'], () => this.show());
     this.show();
+  }
+
+  /** Where there is little room the rare tools come and go by a button of their own; one that is chosen takes them away. */
+  private foldRare(box: HTMLElement): void {
+    const { more } = this;
+    const rare = byId('rare-tools');
+    const isOpen = (): boolean => more.getAttribute('aria-expanded') === 'true';
+    const open = (on: boolean): void => {
+      // What goes out of sight with the keyboard's place in it leaves that to the button.
+      const stop = rare.querySelector<HTMLElement>('[tabindex="0"]');
+      if (!on && stop && isShown(more)) [stop.tabIndex, more.tabIndex] = [-1, 0];
+      more.setAttribute('aria-expanded', String(on));
+    };
+    more.addEventListener('click', () => open(!isOpen()));
+    rare.addEventListener('click', () => open(false));
+    box.addEventListener('keydown', ({ key }) => {
+      if (key !== 'Escape' || !isOpen()) return;
+      open(false);
+      more.focus();
+    });
   }
 
   /** Outlines come by the clipboard and as files dropped anywhere: beside the picture a browser would open them instead of the page. */

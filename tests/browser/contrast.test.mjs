@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { open } from './harness.mjs';
-import { digest, edit, SMALL } from './page.mjs';
+import { all, digest, edit, SMALL } from './page.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
@@ -51,6 +51,7 @@ for (const dark of [false, true]) {
   test(`every text can be read on a ${dark ? 'dark' : 'light'} page`, async () => {
     const { page, close } = await site.newPage(`${SMALL}&junk=1`, { dark });
     await digest(page);
+    await all(page);
     await page.evaluate(() => {
       for (const details of document.querySelectorAll('details')) details.open = true;
       for (const control of document.querySelectorAll('.control')) {

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { open } from './harness.mjs';
-import { canvas, digest, edit, frames, get, set, SMALL } from './page.mjs';
+import { all, canvas, digest, edit, frames, get, set, SMALL } from './page.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
@@ -47,7 +47,8 @@ test('every control reaches the picture', async (t) => {
   const { page, problems, close } = await site.newPage(SMALL);
   await digest(page);
   const schema = await page.evaluate(() => window.bubblestone.schema);
-  await page.$$eval('details', (all) => all.forEach((details) => (details.open = true)));
+  await all(page);
+  await page.$$eval('details', (groups) => groups.forEach((details) => (details.open = true)));
   for (const parameter of schema) {
     const { key } = parameter;
     if (NO_CONTROL.has(key)) continue;
@@ -81,6 +82,7 @@ test('every control reaches the picture', async (t) => {
 test('controls that do not apply are hidden', async () => {
   const { page, close } = await site.newPage(SMALL);
   await digest(page);
+  await all(page);
   const schema = await page.evaluate(() => window.bubblestone.schema);
   const values = Object.fromEntries(await Promise.all(schema.map(async ({ key }) => [key, await get(page, key)])));
   const applies = (key) => {

@@ -35,7 +35,7 @@ async function tabTo(page, selector, most = 120) {
 test('the keyboard alone pauses, steps, and moves a slider', async () => {
   const { page, problems, close } = await site.newPage(SMALL);
   await digest(page);
-  await tabTo(page, '#play', 20);
+  await tabTo(page, '#play', 40);
   await page.keyboard.press(' ');
   assert.equal(await page.$eval('#play', (button) => button.textContent.trim()), 'Play');
   await tabTo(page, '#restart', 4);

@@ -322,7 +322,7 @@ test('the picture is repeated side by side, and cells are told of in each', asyn
   const { page, problems, close } = await finished('#size=192&cs=16&tile=1');
   await page.keyboard.press('t');
   await page.waitForSelector('.tiles', { visible: true });
-  assert.equal(await page.$eval('#tile-word', (word) => word.textContent), 'Repeat: 2 × 2');
+  assert.equal(await page.$eval('#tile-word', (word) => word.textContent), '2 × 2');
   const [same, side] = await page.$eval('.tiles', (tiles) => {
     const half = tiles.width / 2;
     const part = (x, y) => tiles.getContext('2d').getImageData(x * half, y * half, half, half).data.join();
@@ -408,7 +408,7 @@ test('on a phone everything for looking closer can be touched, and nothing is wi
   const { width, height } = await box(page, '#canvas');
   assert.deepEqual([width, height], [place.width, place.height]);
   const { small, wide } = await page.evaluate(() => {
-    const inside = '.frame, #layers, #plots';
+    const inside = '.frame, .viewbox, #layers, #plots';
     const seen = [...document.querySelectorAll(inside)].flatMap((part) => [...part.querySelectorAll('*')]).filter((element) => element.checkVisibility());
     const targets = seen.filter((element) => element.matches('button, input, select, [role=slider]'));
     const label = (element) => (element.matches('[type=radio], [type=checkbox]') ? element.closest('label') : element);
@@ -416,7 +416,7 @@ test('on a phone everything for looking closer can be touched, and nothing is wi
     const touched = (element) => element.getBoundingClientRect();
     return {
       small: targets.map(label).filter((element) => touched(element).width < 43.5 || touched(element).height < 43.5).map(name),
-      wide: seen.filter((element) => !element.closest('svg, .toolbox') && touched(element).right > innerWidth + 0.5).map(name),
+      wide: seen.filter((element) => !element.closest('svg') && touched(element).right > innerWidth + 0.5).map(name),
     };
   });
   assert.deepEqual(small, []);

@@ -64,11 +64,23 @@ export function steps(page) {
   return page.evaluate(() => /** @type {any} */ (window).bubblestone.status().steps);
 }
 
+/** Shows all parameters in the panel. @param {Page} page */
+export async function all(page) {
+  await page.$eval('#extent [value=all]', (radio) => /** @type {HTMLElement} */ (radio).click());
+}
+
+/** Shows them where the control of this one is not among the simple ones. @param {Page} page @param {string} key */
+async function reveal(page, key) {
+  const hidden = await page.$eval(`[data-key="${key}"]`, (control) => /** @type {HTMLElement} */ (control).hidden);
+  if (hidden) await all(page);
+}
+
 /**
  * Sets a parameter through its control.
  * @param {Page} page @param {string} key @param {string} value
  */
 export async function set(page, key, value) {
+  if (key !== 'seed') await reveal(page, key);
   const found = await page.evaluate((name, text) => {
     const box = name === 'seed' ? document.querySelector('#seed') : document.querySelector(`[data-key="${name}"]`);
     const changed = (element) => element.dispatchEvent(new Event('change', { bubbles: true }));
@@ -105,6 +117,8 @@ export async function message(page, role, words) {
 /** Chooses a tool of the editor by the mouse, or by a finger. @param {Page} page @param {string} name @param {boolean} [finger] */
 export async function tool(page, name, finger = false) {
   const button = `[data-tool=${name}]`;
+  const folded = await page.$eval(button, (element) => element.closest('.rare') !== null && !element.getClientRects().length);
+  if (folded) await click(page, '#more-tools');
   await page.$eval(button, (element) => element.scrollIntoView({ block: 'nearest', inline: 'center', behavior: 'instant' }));
   if (finger) await page.tap(button);
   else await click(page, button);
@@ -139,6 +153,7 @@ export async function drop(page, name, content, type) {
 
 /** Opens a list over the canvas by its control in the panel; the editor is loaded first. @param {Page} page @param {string} key */
 export async function edit(page, key) {
+  await reveal(page, key);
   await page.$eval(`#p-${key}`, (button) => {
     /** @type {HTMLDetailsElement} */ (button.closest('details')).open = true;
     /** @type {HTMLElement} */ (button).click();

@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { kind } from './browsers.mjs';
 import { open } from './harness.mjs';
-import { click, digest, edit, frames, get, SMALL, steps } from './page.mjs';
+import { all, click, digest, edit, frames, get, SMALL, steps } from './page.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
@@ -19,6 +19,7 @@ after(() => site?.close());
 async function unfolded(size = viewport) {
   const opened = await site.newPage(SMALL, { viewport: size });
   await digest(opened.page);
+  await all(opened.page);
   await opened.page.evaluate(() => {
     for (const details of document.querySelectorAll('details')) details.open = true;
     for (const control of document.querySelectorAll('.control')) {
@@ -33,37 +34,38 @@ async function unfolded(size = viewport) {
 const places = (page, ...names) =>
   page.evaluate((all) => all.map((name) => document.querySelector(name).getBoundingClientRect().toJSON()), names);
 
-test('the canvas comes first and as wide as the screen, then tools, presets and the rest', async () => {
+test('the canvas comes first and as wide as the screen, then presets, transport, tools and the rest', async () => {
   const { page, close } = await site.newPage(SMALL, { viewport });
   await digest(page);
-  const [canvas, tools, rail, play, panel] = await places(page, '#canvas', '#viewbox', '#rail', '#play', '#panel');
-  assert.ok(canvas.width >= 388 && canvas.top < 64, JSON.stringify(canvas));
-  assert.ok(tools.top >= canvas.bottom && rail.top >= tools.bottom);
-  assert.ok(play.top >= rail.bottom && play.bottom <= 844);
-  assert.ok(panel.top >= play.bottom);
+  const [canvas, rail, play, tools, panel] = await places(page, '#canvas', '#rail', '#play', '#toolbox', '#panel');
+  assert.ok(canvas.width >= 388 && canvas.top < 100, JSON.stringify(canvas));
+  assert.ok(rail.top >= canvas.bottom && play.top >= rail.bottom && play.bottom <= 844);
+  assert.ok(tools.top >= play.bottom && panel.top >= tools.bottom);
   await close();
 });
 
-test('buttons for what is edited, and plots, stand under the tools, names of controls beside them', async () => {
+test('buttons for what is edited stand under the picture, plots above the controls, names of controls beside them', async () => {
   const { page, close } = await site.newPage(SMALL, { viewport });
   await digest(page);
   await page.tap('[data-tool=outline]');
   await page.waitForSelector('.handle');
+  const [sheet, bar, tools] = await places(page, '#sheet', '#editor-bar', '#toolbox');
+  assert.ok(bar.top >= sheet.bottom && tools.top >= bar.bottom, JSON.stringify([sheet, bar, tools]));
   await page.tap('#plots-button');
   await page.waitForSelector('#plots canvas');
-  const [tools, bar, plots, rail] = await places(page, '#viewbox', '#editor-bar', '#plots', '#rail');
-  assert.ok(bar.top >= tools.bottom && plots.top >= bar.bottom && rail.top >= plots.bottom);
-  const [name, box] = await places(page, '#p-size-name', '#p-size');
+  const [viewbox, plots, panel] = await places(page, '#viewbox', '#plots', '#panel');
+  assert.ok(plots.top >= viewbox.bottom && panel.top >= plots.bottom, JSON.stringify([viewbox, plots, panel]));
+  const [name, box] = await places(page, '#p-cs-name', '#p-cs');
   assert.ok(name.left < 30 && name.right <= box.left && name.top < box.bottom && box.top < name.bottom, JSON.stringify([name, box]));
   await close();
 });
 
-test('on its side the phone shows the whole picture, the tools beside it', async () => {
+test('on its side the phone shows the whole picture, all the rest beside it', async () => {
   const { page, close } = await site.newPage(SMALL, { viewport: { ...viewport, width: 844, height: 390 } });
   await digest(page);
-  const [sheet, toolbox, viewbox] = await places(page, '#sheet', '#toolbox', '#viewbox');
-  assert.ok(sheet.bottom <= 390 && sheet.height > 300, JSON.stringify(sheet));
-  assert.ok(toolbox.right <= sheet.left && viewbox.left >= sheet.right && Math.max(toolbox.bottom, viewbox.bottom) <= 390);
+  const [sheet, ...rest] = await places(page, '#sheet', '.head', '#rail', '#play', '#toolbox', '#viewbox', '#panel');
+  assert.ok(sheet.top >= 0 && sheet.bottom <= 390 && sheet.height > 300, JSON.stringify(sheet));
+  for (const { left, right } of rest) assert.ok(left >= sheet.right && right <= 844, JSON.stringify([left, right]));
   await close();
 });
 
@@ -76,7 +78,7 @@ test('nothing is wider than the screen', async () => {
   const { wide, scroll } = await page.evaluate(() => ({
     scroll: document.documentElement.scrollWidth,
     wide: [...document.querySelectorAll('body *')]
-      .filter((element) => !element.closest('.rail, .editor, .toolbox') && element.getBoundingClientRect().right > innerWidth + 0.5)
+      .filter((element) => !element.closest('.rail, .editor') && element.getBoundingClientRect().right > innerWidth + 0.5)
       .map((element) => element.outerHTML.slice(0, 80)),
   }));
   assert.deepEqual(wide, []);

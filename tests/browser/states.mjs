@@ -1,5 +1,5 @@
 // The main states of the page, each with how to get there: tests look at all of them.
-import { digest, frames, message, SMALL, SQUARE } from './page.mjs';
+import { all, digest, frames, message, SMALL, SQUARE } from './page.mjs';
 
 /** @typedef {import('puppeteer-core').Page} Page */
 
@@ -45,10 +45,20 @@ export const states = {
   share: { few: true, arrange: shown('#share', '#share-dialog') },
   save: { few: true, arrange: shown('#save', '#save-dialog') },
   locked: {
-    arrange: change((document) => document.querySelectorAll('.lock').forEach((lock) => /** @type {HTMLElement} */ (lock).click())),
+    arrange: async (page) => {
+      await all(page);
+      await change((document) => document.querySelectorAll('.lock').forEach((lock) => /** @type {HTMLElement} */ (lock).click()))(page);
+    },
   },
   embedded: { few: true, query: '?embed' },
-  panel: { arrange: change((document) => document.querySelectorAll('details').forEach((details) => (details.open = true))) },
+  panel: {
+    arrange: async (page) => {
+      await all(page);
+      await change((document) => document.querySelectorAll('details').forEach((details) => (details.open = true)))(page);
+    },
+  },
+  rare: { arrange: click('#more-tools') },
+  dark: { arrange: click('#theme') },
   presets: { arrange: click('.rail h2:nth-of-type(3) button') },
   message: { fragment: `${SMALL}&nonsense=1&cs=banana`, arrange: (page) => message(page, 'status', /nonsense/) },
   error: {

@@ -2,6 +2,7 @@
 import uPlot from 'uplot';
 import { byId, make, say } from '../dom';
 import type { Engine } from '../engine';
+import { REPAINT } from '../theme';
 import type { Histogram } from '../types';
 import type { View } from '../view';
 import { t, type Word } from './words';
@@ -58,7 +59,7 @@ export class Plots {
     ];
     view.drawn(() => this.soon());
     this.narrow.addEventListener('change', () => this.settle());
-    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.plots.forEach(({ plot }) => plot?.redraw(false, true)));
+    addEventListener(REPAINT, () => this.plots.forEach(({ plot }) => plot?.redraw(false, true)));
     new ResizeObserver(() => this.fit()).observe(this.section);
     this.settle();
   }
