@@ -254,14 +254,12 @@ fn shifted(planes: &Planes, [dx, dy]: [usize; 2]) -> Planes {
     }
     let by = [dx, dy];
     Planes {
-        side: planes.side,
-        fine: planes.fine,
         bump: moved(&planes.bump, planes.side, by),
         colour: moved(&planes.colour, planes.side, by),
         optics: moved(&planes.optics, planes.side, by),
         id: moved(&planes.id, planes.side, by),
         openness: moved(&planes.openness, planes.side, by),
-        tile: planes.tile,
+        ..*planes
     }
 }
 

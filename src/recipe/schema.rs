@@ -147,7 +147,7 @@ parameters! {
     Sv: "Scale of the base in its cell; below 1 the joints get wider. Smoothing draws skin together, so it needs more.",
         number("sv", "Sv", "Base scale").range(0.5, 3.0, 0.01, 1.0).for_skin(1.4)
             .at(Solids, "Relief");
-    Hs: "Height of the stones.",
+    Hs: "Height of the stones: low ones lie flat, high ones have round heads and deep joints.",
         number("hs", "Hs", "Height").range(1.0, 128.0, 1.0, 18.0).unit("px").at(Solids, "Relief")
             .only_for(Key::Stone, &["cobble", "flag"]);
     Sr: "Height of skin, in skin sizes: the mean distance of a cell's corners from its middle.",

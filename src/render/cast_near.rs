@@ -65,6 +65,12 @@ impl Fan {
         (fan, [up, down, left, right])
     }
 
+    /// Puts the lamp on a ground of this height.
+    pub fn raise(&mut self, ground: f32) {
+        self.upper += ground;
+        self.lower += ground;
+    }
+
     /// Begins a quarter: nothing rises yet but the surface at the lamp's foot.
     pub fn turn(&mut self, course: &Course, bump: &[f32]) {
         let [x, y] = self.foot;

@@ -33,7 +33,7 @@ pub enum Light {
         /// Radians above the horizon, 0 exclusive to a right angle.
         elevation: f64,
     },
-    /// A lamp at a place, once: under it a tile does not repeat; coordinates are fractions of the picture's side, z above the base level.
+    /// A lamp at a place, once: under it a tile does not repeat; coordinates are fractions of the picture's side, z above the ground.
     Point {
         /// From the left edge, any number.
         x: f64,

@@ -88,14 +88,9 @@ mod tests {
         let side = 8;
         let n = side * side;
         Planes {
-            fine: 1,
-            side,
             bump: (0..n).map(|at| (at % side) as f32).collect(),
-            colour: vec![[0; 3]; n],
-            optics: vec![0; n],
             id: (0..n as u32).collect(),
-            openness: vec![255; n],
-            tile: false,
+            ..Planes::new(side)
         }
     }
 

@@ -162,10 +162,8 @@ impl Shader {
                 let s = self.side as f64 * f64::from(unit);
                 let at = [(x * s) as f32, (v * s) as f32, (z * s).max(1.0) as f32];
                 self.light_row(planes, y, |x, height| {
-                    near(
-                        [(x as f32 + 0.5) * unit, (y as f32 + 0.5) * unit, height],
-                        at,
-                    )
+                    let [x, y] = [x as f32, y as f32].map(|v| (v + 0.5) * unit);
+                    near([x, y, height - planes.ground], at)
                 });
             }
         }

@@ -68,8 +68,12 @@ impl Shadows {
     /// Carries the shadows on by about `lines` lines; true when all are done.
     pub fn advance(&mut self, planes: &Planes, lines: usize) -> bool {
         let bump = &planes.bump;
-        if !std::mem::replace(&mut self.begun, true) && planes.tile {
-            self.wrap(bump);
+        if !std::mem::replace(&mut self.begun, true) {
+            match &mut self.caster {
+                Caster::Near(fan) => fan.raise(planes.ground),
+                Caster::Far(_) if planes.tile => self.wrap(bump),
+                Caster::Far(_) => {}
+            }
         }
         let mut done = 0;
         while let Some(course) = self.courses.last_mut() {

@@ -32,16 +32,20 @@ const LEAST_HALF_JOINT: f64 = 0.85;
 const MOST_HALF_JOINT: f64 = 0.065;
 /// Heights of top corners differ by so much of the joint's depth at Dr = 0.3.
 const UNEVEN: f64 = 0.10;
-/// How deep the ground lies below the tops of cobbles, of the cell size...
-const COBBLE_JOINT: f64 = 0.36;
-/// ... and below the bevel of flagstones.
-const FLAG_JOINT: f64 = 0.10;
+/// So much of a low stone's height stands over the ground; of a tall one no more than its size, as it is
+/// held by what is between the stones.
+const STAND: f64 = 0.7;
+/// What stands over the ground of a flagstone as high as half its size, of its size: eq. (7) holds for it.
+const USUAL_FLAG: f64 = 0.25;
+/// How deep the ground lies below the bevel of flagstones, of what stands over the ground of cobbles.
+const FLAG_JOINT: f64 = 0.4;
 /// A joint's floor is never lower than this part of the stones' height.
 const DEEPEST: f64 = 0.92;
-/// How far a cobble's dome falls from its middle to half its width, of the joint's depth.
-const DOME: f64 = 0.16;
+/// How far a cobble's dome falls from its middle to half its width, of the joint's depth; here and below
+/// for low stones and for tall ones.
+const DOME: [f64; 2] = [0.08, 0.26];
 /// Distance of a cobble's side points from the corner, of its size: how round its corners are.
-const COBBLE_CORNER: f64 = 0.17;
+const COBBLE_CORNER: [f64; 2] = [0.14, 0.26];
 /// A side's two points at least leave its middle free.
 const LONGEST_CORNER: f64 = 0.42;
 /// Sine of the least turn of a corner that is displaced by itself.
@@ -59,11 +63,36 @@ const MOST_INSET: f64 = 0.72;
 
 /// How deep the ground lies below the tops of stones of `size`, in picture units.
 pub(super) fn joint_depth(params: &StoneParams, size: f64) -> f64 {
+    let stand = stand(params.height, size);
     let wanted = match params.kind {
-        StoneKind::Flagstone => FLAG_JOINT * size + bevel(params.bevel_vertical, size),
-        _ => COBBLE_JOINT * size,
+        StoneKind::Flagstone => FLAG_JOINT * stand + bevel_down(params, stand),
+        _ => stand,
     };
     wanted.min(DEEPEST * params.height)
+}
+
+/// How much of a stone stands over the ground: half the harmonic mean of what a low one and a tall one
+/// has there, so it grows with the height without end, and with the size.
+fn stand(height: f64, size: f64) -> f64 {
+    let low = STAND * height;
+    low * size / (low + size)
+}
+
+/// How far below the top the bevel of a flagstone begins: eq. (7), and so much less or more for one that
+/// stands lower or higher than usual over the ground.
+fn bevel_down(params: &StoneParams, stand: f64) -> f64 {
+    bevel(params.bevel_vertical, stand / USUAL_FLAG)
+}
+
+/// From a slab (0) to a stone far higher than wide (1).
+fn tallness(height: f64, size: f64) -> f64 {
+    let (height, size) = (height * height, size * size);
+    height / (height + size)
+}
+
+/// From what low stones have to what tall ones have.
+fn between([low, tall]: [f64; 2], tallness: f64) -> f64 {
+    low + (tall - low) * tallness
 }
 
 /// Eq. (7): distance from a corner.
@@ -76,7 +105,7 @@ fn half_joint(size: f64) -> f64 {
 }
 
 /// One ring of the control mesh.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Default)]
 struct Band {
     height: f64,
     /// Drawn in from the outline, in picture units.
@@ -89,41 +118,51 @@ struct Band {
 
 /// The bands from base to top, and how far a dome falls from the middle to half the stone's width.
 fn profile(params: &StoneParams, size: f64) -> ([Band; RINGS], f64) {
-    let top = params.height;
-    let depth = joint_depth(params, size);
+    match params.kind {
+        StoneKind::Flagstone => (flagstone(params, size), 0.0),
+        _ => cobble(params, size),
+    }
+}
+
+fn flagstone(params: &StoneParams, size: f64) -> [Band; RINGS] {
+    let (top, depth) = (params.height, joint_depth(params, size));
+    let down = bevel_down(params, stand(top, size)).min(DEEPEST * depth);
+    let across = bevel(params.bevel_horizontal, size);
     let band = |height: f64, inset: f64, sway: f64| Band {
         height,
         inset,
         sway,
-        round: 0.0,
+        ..Band::default()
     };
-    let rounder = |round: f64, band: Band| Band { round, ..band };
-    match params.kind {
-        StoneKind::Flagstone => {
-            let down = bevel(params.bevel_vertical, size).min(0.85 * top);
-            let across = bevel(params.bevel_horizontal, size);
-            (
-                [
-                    band(0.0, 0.0, 0.0),
-                    band(top - down, 0.0, 0.8),
-                    band(top - 0.3 * down, 0.15 * across, 1.0),
-                    band(top, across, 1.0),
-                    band(top, across + 0.12 * size, 1.0),
-                ],
-                0.0,
-            )
-        }
-        _ => (
-            [
-                band(0.0, 0.0, 0.0),
-                band(top - depth, 0.0, 0.7),
-                band(top - 0.28 * depth, 0.02 * size, 0.9),
-                rounder(0.2, band(top - 0.03 * depth, 0.13 * size, 1.0)),
-                rounder(0.8, band(top, 0.27 * size, 1.0)),
-            ],
-            DOME * depth,
-        ),
-    }
+    [
+        Band::default(),
+        band(top - down, 0.0, 0.8),
+        band(top - 0.3 * down, 0.15 * across, 1.0),
+        band(top, across, 1.0),
+        band(top, across + 0.12 * size, 1.0),
+    ]
+}
+
+/// Low setts have flat heads with edges all around, tall cobbles round ones. Of each band the drop from
+/// the top, of the joint's depth, the inset, of the size, and the roundness, of low ones and of tall ones.
+fn cobble(params: &StoneParams, size: f64) -> ([Band; RINGS], f64) {
+    let (top, depth) = (params.height, joint_depth(params, size));
+    let tall = tallness(top, size);
+    let of = |ends: [f64; 2]| between(ends, tall);
+    let band = |drop: [f64; 2], inset: [f64; 2], round: [f64; 2], sway: f64| Band {
+        height: top - of(drop) * depth,
+        inset: of(inset) * size,
+        sway,
+        round: of(round),
+    };
+    let bands = [
+        Band::default(),
+        band([1.0, 1.0], [0.0, 0.0], [0.0, 0.3], 0.7),
+        band([0.2, 0.44], [0.005, 0.05], [0.0, 0.6], 0.9),
+        band([0.0, 0.12], [0.10, 0.19], [0.0, 1.0], 1.0),
+        band([0.0, 0.0], [0.24, 0.33], [0.6, 1.0], 1.0),
+    ];
+    (bands, of(DOME) * depth)
 }
 
 /// A point of the outline and its share of the next corner's displacement.
@@ -169,24 +208,19 @@ fn arm(plan: &Footprint, params: &StoneParams, station: &Station, band: &Band) -
     let arm = (station.at - plan.centre) * crowded(params.scale, band.sway) * factor;
     // Drawn in by the same length along and across, so that joints of long cells are even.
     let inset = band.inset + half_joint(plan.size);
-    let narrow = |half: f64| 1.0 - (inset / half).min(MOST_INSET);
-    let arm = DVec2::new(
-        arm.dot(plan.axis) * narrow(plan.half.x),
-        arm.dot(plan.axis.perp()) * narrow(plan.half.y),
-    );
-    arm * (1.0 - band.round) + rounded(arm, plan.half) * band.round
+    let narrow = DVec2::ONE - (inset / plan.half).min(DVec2::splat(MOST_INSET));
+    let arm = DVec2::new(arm.dot(plan.axis), arm.dot(plan.axis.perp())) * narrow;
+    arm.lerp(rounded(arm, plan.half * narrow), band.round)
 }
 
-/// A point of a rectangle of half extents `half`, or of any outline like it, moved in direction of the
-/// arm as the rectangle's corners and sides move to the ellipse that fits in between.
+/// A point of the ellipse that fits in between the sides and corners of a rectangle of half extents
+/// `half`, in direction of the arm.
 fn rounded(arm: DVec2, half: DVec2) -> DVec2 {
-    let unit = arm / half;
-    let square = unit.abs().max_element();
-    let circle = unit.length();
-    if circle == 0.0 {
+    let away = (arm / half).length();
+    if away == 0.0 {
         return arm;
     }
-    arm * (BETWEEN * square / circle)
+    arm * (BETWEEN / away)
 }
 
 fn stations(plan: &Footprint, params: &StoneParams, id: u32) -> Vec<Station> {
@@ -198,7 +232,7 @@ fn stations(plan: &Footprint, params: &StoneParams, id: u32) -> Vec<Station> {
     even_out(corners, &mut [&mut factors, &mut lifts]);
     let spread = match params.kind {
         StoneKind::Flagstone => bevel(params.bevel_horizontal, plan.size).max(0.01 * plan.size),
-        _ => COBBLE_CORNER * plan.size,
+        _ => between(COBBLE_CORNER, tallness(params.height, plan.size)) * plan.size,
     };
     let mut stations = Vec::with_capacity(3 * n);
     for i in 0..n {

@@ -46,6 +46,8 @@ pub struct Planes {
     pub id: Vec<u32>,
     /// Ambient light that reaches the point past its surroundings, 255 = all of it.
     pub openness: Vec<u8>,
+    /// Height of the ground without its swells, in picture units above the base level.
+    pub ground: f32,
     /// Pixels for each picture unit, along a side.
     pub fine: usize,
     /// They repeat: what lies beyond an edge of the picture is beyond the other.
@@ -63,6 +65,7 @@ impl Planes {
             optics: vec![0; n],
             id: vec![GROUND; n],
             openness: vec![255; n],
+            ground: 0.0,
             fine: 1,
             tile: false,
         }

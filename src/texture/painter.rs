@@ -77,6 +77,12 @@ const PER_PIXEL: usize = SAMPLES * SAMPLES;
 const RELIEF: f64 = 0.3;
 /// Ground stays below the stones' tops by at least this part of the joint.
 const FILL: f64 = 0.9;
+/// The same deviation at most, of the joints' depth.
+const MOST_RELIEF: f64 = 0.2;
+/// Stones lie as unevenly as they may where joints are so deep, of their size, and less where they are not.
+const UNEVEN: f64 = 0.2;
+/// Joints deeper than this part of the size of cells do not make the ground more uneven.
+const SWELL: f64 = 0.33;
 
 /// The work of one slice, in triangles refined and scan converted or in pixels.
 const SLICE: usize = 60_000;
@@ -141,7 +147,8 @@ impl Painter {
         let stone_palette = palette(params.palette);
         let depth = joint_depth(&params.stone, params.size) * FILL;
         let level = top(&params.stone, params.size) - depth;
-        let (level, depth) = (level as f32, depth as f32);
+        let rough = depth.min(swell(&params));
+        let (level, depth, rough) = (level as f32, depth as f32, rough as f32);
         let band = 0..side.min(rows);
         let pixels = band.len() * side;
         Self {
@@ -149,11 +156,12 @@ impl Painter {
             planes: Planes {
                 tile: params.tile,
                 fine: params.fine,
+                ground: level,
                 ..Planes::new(side)
             },
             bed: Bed::new(
                 ground(params.ground, stone_palette),
-                [level, depth],
+                [level, rough],
                 params.seed,
                 params.tile.then_some(side),
                 pitch,
@@ -458,23 +466,44 @@ impl Painter {
     }
 }
 
-/// Deviation of the relief that is added to stones, in picture units; skin brings its noise along.
+/// Deviation of the relief that is added to stones, in picture units, or else the ground would swallow low
+/// ones not more than a part of the joints' depth; skin brings its noise along.
 pub(super) fn relief(params: &TextureParams) -> f32 {
     match params.stone.kind {
         StoneKind::Skin => 0.0,
-        _ => (params.amplitude * RELIEF) as f32 * palette(params.palette).relief,
+        _ => {
+            let wanted = params.amplitude * RELIEF * f64::from(palette(params.palette).relief);
+            wanted.min(MOST_RELIEF * joint_depth(&params.stone, params.size)) as f32
+        }
+    }
+}
+
+/// At most as if joints were so deep, in picture units, the ground swells: tall stones do not stand on
+/// hills.
+fn swell(params: &TextureParams) -> f64 {
+    match params.stone.kind {
+        StoneKind::Skin => f64::INFINITY,
+        _ => SWELL * params.size,
+    }
+}
+
+/// How deep the joints of a stone are, of those that have all their unevenness, 0..1: low stones lie even.
+fn laid_deep(stone: &StoneParams, size: f64) -> f64 {
+    match stone.kind {
+        StoneKind::Skin => 1.0,
+        _ => (joint_depth(stone, size) / (UNEVEN * size)).min(1.0),
     }
 }
 
 /// The face of a cell's stone. Not inlined: its draws are long.
 #[inline(never)]
 pub(super) fn skin(params: &TextureParams, cell: &Cell, coat: Coat) -> Skin {
-    let uneven = (params.stone.distortion / 0.3).min(1.0) as f32;
+    let uneven = (params.stone.distortion / 0.3).min(1.0) * laid_deep(&params.stone, cell.size);
     Skin::new(
         palette(params.palette),
         cell,
         params.seed,
-        (params.vary as f32, uneven),
+        (params.vary as f32, uneven as f32),
         coat,
         (params.colour.rim as f32, lean(cell, &params.stone)),
     )
