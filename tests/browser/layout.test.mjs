@@ -137,6 +137,11 @@ for (const [device, viewport] of Object.entries({ phone, 'upright tablet': table
     assert.deepEqual(tops, [...tops].sort(([, a], [, b]) => a - b), 'the order on the page');
     for (const selector of ['#language', '#theme', '#about-button', '#keys-button']) assert.ok((await place(page, selector)).bottom < 100, selector);
     assert.ok((await place(page, '#rail')).bottom < viewport.height, 'the presets are below the first screen');
+    // Tools stand side by side.
+    for (const box of ['.toolbox', '.viewbox']) {
+      const rows = await page.$$eval(`${box} > .key`, (buttons) => new Set(buttons.map((button) => button.getBoundingClientRect().top)).size);
+      assert.ok(rows <= (viewport === phone ? 2 : 1), `${box} has ${rows} rows`);
+    }
     await close();
   });
 }
