@@ -107,19 +107,21 @@ test('a keyboard that lies over the page leaves the picture and the controls in 
   await close();
 });
 
-test('a tool wants the picture large, with its buttons below', async () => {
-  const { page, problems, close } = await site.newPage(SMALL, { viewport: phone });
+for (const [device, viewport] of Object.entries({ phone, 'upright tablet': tablet })) test(`a tool wants the picture large, with its buttons below: ${device}`, async () => {
+  const { page, problems, close } = await site.newPage(SMALL, { viewport });
   await digest(page);
+  const large = (await sight(page)).width;
   for (const button of ['[data-tool=lines]', '#light-button']) {
     await scrollTo(page, button);
-    assert.ok((await sight(page)).width < 300);
+    assert.ok((await sight(page)).width < 0.8 * large);
     await page.tap(button);
-    await page.waitForFunction(() => document.querySelector('#canvas').getBoundingClientRect().width === 390);
+    await page.waitForFunction((width) => document.querySelector('#canvas').getBoundingClientRect().width === width, {}, large);
     const { top, bottom } = await sight(page);
-    assert.ok(top >= 0 && bottom <= 844);
+    assert.ok(top >= 0 && bottom <= viewport.height);
     if (button === '#light-button') continue;
     const [bar, tools] = [await place(page, '#editor-bar'), await place(page, '#toolbox')];
-    assert.ok(bar.top >= bottom && tools.top >= bar.bottom && tools.top < 844, JSON.stringify([bar, tools]));
+    assert.ok(bar.top >= bottom && tools.top >= bar.bottom && tools.top < viewport.height, JSON.stringify([bar, tools]));
+    assert.ok(bar.height < 160, `the buttons take ${bar.height} pixels`);
     await page.tap(button);
     await page.waitForSelector('#editor', { hidden: true });
   }
