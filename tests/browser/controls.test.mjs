@@ -165,6 +165,7 @@ test('untouched numbers go over to the defaults of skin and back with the stone'
 test('resets of skin go back to the defaults of skin', async () => {
   const { page, close } = await site.newPage(`${SMALL}&stone=skin&sv=1&af=2`);
   await digest(page);
+  await all(page);
   assert.deepEqual([(await told(page, 'sv')).changed, (await told(page, 'af')).changed, (await told(page, 'dr')).changed], [true, true, false]);
   await page.$eval('[data-key=sv] .reset', (button) => button.click());
   await page.$eval('[data-key=af] [type=range]', (range) => range.dispatchEvent(new MouseEvent('dblclick', { bubbles: true })));

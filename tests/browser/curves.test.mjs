@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { open } from './harness.mjs';
-import { digest, frames, get, link, set, SMALL } from './page.mjs';
+import { all, digest, frames, get, link, set, SMALL } from './page.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
@@ -71,6 +71,7 @@ function turns(ring) {
 test('to look is not to edit', async () => {
   const { page, problems, close } = await site.newPage(RING);
   const made = await digest(page);
+  await all(page);
   const was = await link(page);
   const untouched = async (what) => {
     assert.equal(await link(page), was, what);

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { open } from './harness.mjs';
-import { click, digest, edit, frames, get, link, phone, SQUARE } from './page.mjs';
+import { all, click, digest, edit, frames, get, link, phone, SQUARE } from './page.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
@@ -78,6 +78,7 @@ test('a whole line is moved by its middle, and a double click gives it a point',
 test('a line is added, moved, lengthened and removed by the keyboard alone', async () => {
   const { page, problems, close } = await site.newPage(SQUARE);
   const plain = await digest(page);
+  await all(page);
   await page.focus('#p-lines');
   await page.keyboard.press('Enter');
   await page.waitForSelector('.handle');

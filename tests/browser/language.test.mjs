@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
 import { open } from './harness.mjs';
-import { digest, frames, get, messages, phone, reloading, set, SMALL } from './page.mjs';
+import { all, digest, frames, get, messages, phone, reloading, set, SMALL } from './page.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
@@ -110,12 +110,16 @@ for (const [name, viewport] of Object.entries({ desk: { width: 1280, height: 800
     await digest(page);
     await frames(page, 5);
     assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), 'the page is wider than the window');
-    const cut = await page.$$eval('button, summary', (all) =>
-      all.filter((button) => button.offsetParent && button.scrollWidth > button.clientWidth + 1).map((button) => button.textContent.trim()),
-    );
-    assert.deepEqual(cut, []);
+    const cut = () =>
+      page.$$eval('button, summary', (buttons) =>
+        buttons.filter((button) => button.offsetParent && button.scrollWidth > button.clientWidth + 1).map((button) => button.textContent.trim()),
+      );
+    assert.deepEqual(await cut(), []);
     const shifts = await page.evaluate(() => window.shifts.reduce((sum, value) => sum + value, 0));
     assert.ok(shifts < 0.02, `layout shifts: ${shifts}`);
+    await page.$eval('#more-tools', (button) => button.click());
+    await all(page);
+    assert.deepEqual(await cut(), []);
     await close();
   });
 }

@@ -3,7 +3,7 @@ import { readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
 import jsQR from 'jsqr';
 import { open } from './harness.mjs';
-import { canvas, click, digest, done, drop, frames, get, message, messages, phone, set, SMALL, steps } from './page.mjs';
+import { all, canvas, click, digest, done, drop, frames, get, message, messages, phone, set, SMALL, steps } from './page.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
@@ -247,6 +247,7 @@ test('the seed: the next one, the ones before, and a lock that presets respect',
 test('X throws what is not locked, in one step; the dice of a group throws that group', async () => {
   const { page, problems, close } = await site.newPage(`${SMALL}&palette=marble`);
   await digest(page);
+  await all(page);
   const values = () => page.evaluate(() => Object.fromEntries(window.bubblestone.schema.map(({ key, group }) => [key, [group, window.bubblestone.get(key)]])));
   const first = await values();
   const changedGroups = (before, after) => [...new Set(Object.keys(before).filter((key) => before[key][1] !== after[key][1]).map((key) => before[key][0]))];
