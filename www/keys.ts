@@ -30,6 +30,7 @@ const ON_PICTURE: readonly [shown: string[], word: Word][] = [
   [['Ctrl'], 'key_whole'],
   [['Insert'], 'key_insert'],
   [['Delete'], 'key_delete'],
+  [['Enter'], 'key_turn'],
   [['Enter'], 'key_finish'],
   [['Esc'], 'key_escape'],
 ];

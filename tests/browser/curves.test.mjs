@@ -205,3 +205,31 @@ test('corners stay corners: straight sides beside a corner stay straight, a poly
   assert.equal(same.length, 21);
   await close();
 });
+
+test('a corner is made round and a corner again, by the keyboard and by its button', async () => {
+  const { page, close } = await site.newPage(`${SMALL}&outline=square`);
+  await digest(page);
+  await look(page);
+  const square = async () => {
+    const [ring] = await rings(page);
+    assert.equal(ring.length, 4);
+  };
+  await press(page, 'Enter');
+  const [round] = await rings(page);
+  assert.ok(round.length > 12);
+  assert.equal(turns(round).filter((turn) => turn > 0.6).length, 3, 'three corners are left');
+  assert.equal((await handles(page)).length, 4);
+  await page.click('#turn-point');
+  await frames(page, 3);
+  await square();
+  // All four of them make the square a disc.
+  for (let k = 0; k < 4; k += 1) {
+    await page.$$eval('button.handle', (all, at) => all[at].focus(), k);
+    await press(page, 'Enter');
+  }
+  const [disc] = await rings(page);
+  const corner = (0.5 - 3 / 64) * Math.SQRT2;
+  assert.ok(Math.max(...turns(disc)) < 0.12);
+  for (const [x, y] of disc) assert.ok(Math.abs(Math.hypot(x - 0.5, y - 0.5) - corner) < 0.001);
+  await close();
+});

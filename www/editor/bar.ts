@@ -8,6 +8,7 @@ export interface BarNeeds {
   addFigure(): void;
   addPoint(): void;
   remove(): void;
+  turnOver(): void;
   /** `last` is false while a slider is still on its way. */
   value(value: number, last: boolean): void;
   /** What is being drawn is finished as it is, or taken back. */
@@ -18,6 +19,8 @@ export interface BarNeeds {
 
 export interface BarState {
   marked: Figure | undefined;
+  /** The line goes round the marked point. */
+  smooth: boolean;
   removable: boolean;
   drawing: boolean;
   /** A hole is to be drawn next. */
@@ -31,6 +34,7 @@ export class EditorBar {
   private readonly what = make('select', { id: 'edit-what', 'aria-label': tell('edited') });
   private readonly addFigure = button('add-figure');
   private readonly addPoint = button('add-point', tell('add_point'), tell('add_point_title'));
+  private readonly turnOver = button('turn-point', '', tell('turn_title'));
   private readonly remove = button('remove-point', '', tell('remove_title'));
   private readonly name = make('label', { for: 'figure-value' });
   private readonly number = make('input', { type: 'number', id: 'figure-value', inputmode: 'decimal' });
@@ -46,6 +50,7 @@ export class EditorBar {
     this.what.addEventListener('change', () => needs.choose(this.what.value));
     this.addFigure.addEventListener('click', () => needs.addFigure());
     this.addPoint.addEventListener('click', () => needs.addPoint());
+    this.turnOver.addEventListener('click', () => needs.turnOver());
     this.remove.addEventListener('click', () => needs.remove());
     this.number.addEventListener('change', () => needs.value(this.number.valueAsNumber, true));
     this.slide.addEventListener('input', () => needs.value(this.slide.valueAsNumber, false));
@@ -54,8 +59,8 @@ export class EditorBar {
     this.finish.addEventListener('click', () => needs.finish());
     this.cancel.addEventListener('click', () => needs.cancel());
     this.done.addEventListener('click', () => needs.close());
-    const { what, tip, addFigure, addPoint, kinds, name, number, slide, remove, finish, cancel, done } = this;
-    bar.replaceChildren(what, tip, addFigure, addPoint, kinds, name, number, slide, remove, finish, cancel, done);
+    const { what, tip, addFigure, addPoint, turnOver, kinds, name, number, slide, remove, finish, cancel, done } = this;
+    bar.replaceChildren(what, tip, addFigure, addPoint, turnOver, kinds, name, number, slide, remove, finish, cancel, done);
   }
 
   hide(): void {
@@ -68,7 +73,7 @@ export class EditorBar {
   }
 
   /** Shows what fits the sort, and the marked figure's value. */
-  show(sorts: Sort[], sort: Sort, { marked, removable, drawing, armed }: BarState): void {
+  show(sorts: Sort[], sort: Sort, { marked, smooth, removable, drawing, armed }: BarState): void {
     this.bar.hidden = false;
     const words = sorts.map(({ word }) => word).join();
     if (this.what.dataset['words'] !== words) {
@@ -83,6 +88,8 @@ export class EditorBar {
     this.addFigure.hidden = drawing;
     say(this.addFigure, tell('add_figure', { figure: sort.figure }));
     this.addPoint.hidden = !pointwise || busy || !marked;
+    this.turnOver.hidden = sort.form !== 'ring' || busy || !marked;
+    say(this.turnOver, tell(smooth ? 'make_corner' : 'make_smooth'));
     const last = !pointwise || (removable && marked !== undefined && marked.points.length <= sort.least);
     say(this.remove, last ? tell('remove_figure', { figure: sort.figure }) : tell('remove_point'));
     this.remove.hidden = busy || !marked;

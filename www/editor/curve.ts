@@ -50,7 +50,7 @@ export function settle(figure: Figure, side: number): void {
   const now = lines(figure, side);
   figure.stretches = stretches.map((stretch, k) => {
     const [from, to] = [points[k] ?? stretch.from, points[(k + 1) % points.length] ?? stretch.to];
-    return same(from, stretch.from) && same(to, stretch.to) ? stretch : stretchAlong([[...from], ...(now[k] ?? []).slice(1), [...to]], stretch.smooth);
+    return same(from, stretch.from) && same(to, stretch.to) ? stretch : stretchAlong([...(now[k] ?? [from]), to], stretch.smooth);
   });
 }
 
@@ -83,7 +83,12 @@ function direction(stretches: Stretch[], index: number): Point {
   const [before, behind] = [stretches.at(index - 1), stretches[index]];
   if (!before || !behind) return [1, 0];
   const [last, next] = [before.inner.at(-1)?.at ?? before.from, behind.inner[0]?.at ?? behind.to];
-  return unit(sum(unit(minus(behind.from, last)), unit(minus(next, behind.from))));
+  return through(last, behind.from, next);
+}
+
+/** Half way between the directions to a place and from it. */
+function through(a: Point, b: Point, c: Point): Point {
+  return unit(sum(unit(minus(b, a)), unit(minus(c, b))));
 }
 
 /** How a smooth handle turned: if it was moved, as the direction from the handle before it to the one behind it did. */
@@ -91,8 +96,7 @@ function swing(stretches: Stretch[], points: Point[], index: number): Point {
   const [before, here, next] = [points.at(index - 1), points[index], points[(index + 1) % points.length]];
   const [last, base] = [stretches.at(index - 1), stretches[index]];
   if (!before || !here || !next || !last || !base || same(here, base.from)) return [1, 0];
-  const through = (a: Point, b: Point, c: Point): Point => sum(unit(minus(b, a)), unit(minus(c, b)));
-  return unit(over(through(before, here, next), through(last.from, base.from, base.to)));
+  return over(through(before, here, next), through(last.from, base.from, base.to));
 }
 
 /** The places of a stretch, with further ones on the curve through them: in all as many parts as that, and each piece at least as often divided as `least` says. */
@@ -164,57 +168,64 @@ export function nearestLine(figure: Figure, place: Point, side: number): number 
   return nearest(all.map((line, k) => Math.min(...line.map((from, n) => toSegment(place, from, line[n + 1] ?? all[(k + 1) % all.length]?.[0] ?? from)))));
 }
 
-/** Takes a handle out of a ring: one line, as smooth as the two were at their other ends, comes in the place of two. */
+/** Takes a handle out of a ring: one line comes in the place of two. */
 export function join(figure: Figure, index: number, side: number): void {
-  const { points } = figure;
+  const [before, next] = beside(figure, index);
   const all = stretched(figure, side);
-  const before = (index + points.length - 1) % points.length;
-  const [first, second] = [lines(figure, side)[before] ?? [], lines(figure, side)[index] ?? []];
-  const [from, to] = [points[before], points[(index + 1) % points.length]];
-  const [start, end] = [all[before], all[(index + 1) % points.length]];
-  if (!from || !to || !start || !end) return;
-  const leaves = start.smooth || first.length > 1 ? heading(figure, before, start.smooth, true, side) : undefined;
-  const comes = end.smooth || second.length > 1 ? heading(figure, (index + 1) % points.length, end.smooth, false, side) : undefined;
-  all[before] = stretchAlong(swung(from, to, leaves, comes, side), start.smooth);
-  points.splice(index, 1);
+  const ways = [way(all, before), way(all, next)] as const;
+  lay(figure, before, next, ...ways, side);
+  figure.points.splice(index, 1);
   all.splice(index, 1);
 }
 
-/** The direction in which a ring goes through a handle; where that is a corner, of what leaves it or comes to it. */
-function heading(figure: Figure, index: number, smooth: boolean, leaves: boolean, side: number): number {
-  const all = lines(figure, side);
-  const here = all[index]?.[0] ?? [0, 0];
-  const before = all.at(index - 1)?.at(-1) ?? here;
-  const next = all[index]?.[1] ?? all[(index + 1) % all.length]?.[0] ?? here;
-  const [dx, dy] = smooth ? sum(unit(minus(here, before)), unit(minus(next, here))) : leaves ? minus(next, here) : minus(here, before);
-  return Math.atan2(dy, dx);
+/** Makes a corner smooth, or a smooth handle a corner; the lines beside it become as simple as they can be. */
+export function turnOver(figure: Figure, index: number, side: number): void {
+  const [before, next] = beside(figure, index);
+  const all = stretched(figure, side);
+  const [stretch, from, here, to] = [all[index], ...[before, index, next].map((k) => figure.points[k])];
+  if (!stretch || !from || !here || !to) return;
+  const [first, last] = [way(all, before), way(all, next)];
+  stretch.smooth = !stretch.smooth;
+  const turned = stretch.smooth ? through(from, here, to) : undefined;
+  lay(figure, before, index, first, turned, side);
+  lay(figure, index, next, turned, last, side);
+}
+
+function beside({ points }: Figure, index: number): [before: number, next: number] {
+  return [(index + points.length - 1) % points.length, (index + 1) % points.length];
+}
+
+/** The direction of a smooth handle. */
+function way(stretches: Stretch[], index: number): Point | undefined {
+  return stretches[index]?.smooth ? direction(stretches, index) : undefined;
+}
+
+/** Makes the stretch behind a handle anew: a curve in these directions, or a straight line. */
+function lay({ points, stretches }: Figure, index: number, next: number, leaves: Point | undefined, comes: Point | undefined, side: number): void {
+  const [from, to, stretch] = [points[index], points[next], stretches?.[index]];
+  if (from && to && stretches && stretch) stretches[index] = stretchAlong(swung(from, to, leaves, comes, side), stretch.smooth);
 }
 
 /** A curve that leaves and comes in these directions, nearly a circle's arc where it can be; where just one is given, an arc. */
-function swung(from: Point, to: Point, leaves: number | undefined, comes: number | undefined, side: number): Ring {
+function swung(from: Point, to: Point, leaves: Point | undefined, comes: Point | undefined, side: number): Ring {
   const chord = minus(to, from);
-  const along = Math.atan2(chord[1], chord[0]);
-  const off = (angle: number): number => Math.atan2(Math.sin(angle - along), Math.cos(angle - along));
-  const [a, b] = [leaves ?? (comes === undefined ? along : along - off(comes)), comes ?? (leaves === undefined ? along : along - off(leaves))];
-  const arm = Math.hypot(...chord) / (3 * Math.max(0.25, Math.cos((Math.abs(off(a)) + Math.abs(off(b))) / 4) ** 2));
-  const [p, q]: Point[] = [
-    [from[0] + arm * Math.cos(a), from[1] + arm * Math.sin(a)],
-    [to[0] - arm * Math.cos(b), to[1] - arm * Math.sin(b)],
-  ] as [Point, Point];
-  const bend = Math.max(...[[from, p, q], [p, q, to]].map(([u, v, w]) => (u && v && w ? Math.hypot(u[0] - 2 * v[0] + w[0], u[1] - 2 * v[1] + w[1]) : 0)));
-  const pieces = Math.max(1, Math.ceil(Math.sqrt((0.75 * bend) / (SAGITTA * side)) - 1e-6));
-  return Array.from({ length: pieces + 1 }, (_, k) => {
-    const t = k / pieces;
-    const ends = [between(between(from, p, t), between(p, q, t), t), between(between(p, q, t), between(q, to, t), t)] as const;
-    return k === 0 ? from : k === pieces ? to : between(...ends, t);
-  });
+  const way = unit(chord);
+  const mirrored = ([x, y]: Point): Point => times(times(way, way), [x, -y]);
+  const a = leaves ?? (comes ? mirrored(comes) : way);
+  const b = comes ?? (leaves ? mirrored(leaves) : way);
+  const turn = [a, b].reduce((whole, angle) => whole + Math.abs(Math.atan2(way[0] * angle[1] - way[1] * angle[0], way[0] * angle[0] + way[1] * angle[1])), 0);
+  const speed: Point = [Math.hypot(...chord) / Math.max(0.25, Math.cos(turn / 4) ** 2), 0];
+  const [out, back] = [times(a, speed), times(b, speed)];
+  const bend = Math.max(...[[4, 2], [2, 4]].map(([m = 0, n = 0]) => Math.hypot(6 * chord[0] - m * out[0] - n * back[0], 6 * chord[1] - m * out[1] - n * back[1])));
+  const pieces = Math.max(1, Math.ceil(Math.sqrt(bend / (8 * SAGITTA * side)) - 1e-6));
+  return [from, ...Array.from({ length: pieces - 1 }, (_, k) => hermite(from, out, to, back, (k + 1) / pieces)), to];
 }
 
 /** The stretches of a ring as it is now; straight ones where it has none yet. */
 function stretched(figure: Figure, side: number): Stretch[] {
   const { points } = figure;
   settle(figure, side);
-  return (figure.stretches ??= points.map((from, k) => stretchAlong([[...from], [...(points[(k + 1) % points.length] ?? from)]], false)));
+  return (figure.stretches ??= points.map((from, k) => stretchAlong([from, points[(k + 1) % points.length] ?? from], false)));
 }
 
 /** Many times as large. */

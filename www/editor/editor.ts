@@ -2,7 +2,7 @@
 import { byId } from '../dom';
 import type { Point } from '../types';
 import { EditorBar } from './bar';
-import { divide, join, nearest, nearestLine, settle } from './curve';
+import { divide, join, nearest, nearestLine, settle, turnOver } from './curve';
 import { drawn, type Figure, type Place, type Sort } from './figures';
 import { Gestures } from './gestures';
 import { Sheet } from './sheet';
@@ -58,6 +58,7 @@ export class Editor {
       addFigure: () => this.addFigure(),
       addPoint: () => this.addAfter(this.marked),
       remove: () => this.take(this.marked),
+      turnOver: () => this.turnOver(this.marked),
       value: (value, last) => this.setValue(value, last),
       finish: () => this.gestures.finish(),
       cancel: () => this.gestures.cancel(),
@@ -149,7 +150,9 @@ export class Editor {
     if (!this.sort) return;
     this.sheet.rim(this.needs.rim().map((ring) => drawn('ring', ring)).join(''));
     const { drawing } = this.gestures;
-    this.bar.show(this.needs.sorts(), this.sort, { marked: this.figures[this.marked.figure], removable: this.removable(), drawing, armed: this.armed });
+    const marked = this.figures[this.marked.figure];
+    const smooth = marked?.stretches?.[this.marked.index]?.smooth ?? false;
+    this.bar.show(this.needs.sorts(), this.sort, { marked, smooth, removable: this.removable(), drawing, armed: this.armed });
   }
 
   /** The value that a line being drawn will have. */
@@ -207,10 +210,7 @@ export class Editor {
       const [back, on] = [Math.min(0, -Math.min(...places)), Math.max(0, this.side - Math.max(...places))];
       return Math.min(on, Math.max(back, by[axis] ?? 0));
     });
-    points.forEach((point) => {
-      point[0] += dx ?? 0;
-      point[1] += dy ?? 0;
-    });
+    points.forEach(([x, y], k) => (points[k] = [x + (dx ?? 0), y + (dy ?? 0)]));
     this.changed();
   }
 
@@ -278,6 +278,7 @@ export class Editor {
       Delete: () => this.take(place),
       Backspace: () => this.take(place),
       Insert: () => this.addAfter(place),
+      Enter: () => this.turnOver(place),
     };
     const act = moves[event.key];
     if (!act) return;
@@ -354,6 +355,14 @@ export class Editor {
     else if (sort.form === 'ring') join(found, index, this.side);
     else found.points.splice(index, 1);
     this.restructured({ figure, index });
+  }
+
+  /** Makes a ring's corner smooth, or a smooth point a corner. */
+  private turnOver({ figure, index }: Place): void {
+    const found = this.figures[figure];
+    if (!found || this.sort?.form !== 'ring') return;
+    turnOver(found, index, this.side);
+    this.changed();
   }
 
   private restructured(marked: Place): void {

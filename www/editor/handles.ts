@@ -29,66 +29,81 @@ const LONGER = 2.5;
 /** A curve turns the other way once it has done so by this many radians. */
 const OTHER_WAY = 0.06;
 
-/** Rings with handles. Where they have far too many corners, the least of them are points of the stretches between. */
-export function handled(rings: Ring[], side: number): Figure[] {
-  const kept = new Set(simplify(rings, side, MOST).flat());
-  for (let sweep = SWEEP; ; sweep *= 1.5) {
-    const figures = rings.map((ring) => figureOf(ring, side, kept, sweep));
-    if (sweep > 20 || figures.reduce((total, { points }) => total + points.length, 0) <= MOST + 3 * rings.length) return figures;
-  }
-}
-
 interface Vertex {
+  at: Point;
   /** Radians by which the ring turns here, with a sign. */
   turn: number;
   /** Length from here to the next one. */
   length: number;
-  sort: 'point' | 'corner' | 'smooth';
+  /** May be a handle at all. */
+  kept: boolean;
+  /** What handle it is; most are none. */
+  handle?: 'corner' | 'smooth';
 }
 
-function figureOf(ring: Ring, side: number, kept: Set<Point>, sweep: number): Figure {
-  const all = vertices(ring);
-  const at = (k: number): Vertex => all[(k + all.length) % all.length] as Vertex;
+/** Vertices from a handle to the next one, both included. */
+type Run = Vertex[];
+
+/** Rings with handles. Where they have far too many corners, the least of them are points of the stretches between. */
+export function handled(rings: Ring[], side: number): Figure[] {
+  const kept = new Set(simplify(rings, side, MOST).flat());
+  for (let sweep = SWEEP; ; sweep *= 1.5) {
+    const figures = rings.map((ring) => figureOf(verticesOf(ring, kept), side, sweep));
+    if (sweep > 20 || figures.reduce((total, { points }) => total + points.length, 0) <= MOST + 3 * rings.length) return figures;
+  }
+}
+
+function verticesOf(ring: Ring, kept: Set<Point>): Vertex[] {
+  return ring.map((at, k) => {
+    const before = ring.at(k - 1) ?? at;
+    const next = ring[(k + 1) % ring.length] ?? at;
+    const [ux, uy, vx, vy] = [at[0] - before[0], at[1] - before[1], next[0] - at[0], next[1] - at[1]];
+    return { at, turn: Math.atan2(ux * vy - uy * vx, ux * vx + uy * vy), length: distance(at, next), kept: kept.has(at) };
+  });
+}
+
+function figureOf(all: Vertex[], side: number, sweep: number): Figure {
+  corners(all, side);
+  const begun = runs(all);
+  for (const run of begun) bounds(run, side);
+  // A circle's first handle is at the right.
+  const right = all[nearest(all.map(({ at }) => -at[0]))];
+  if (!begun.length) bounds([...all, ...all.slice(0, 1)], side);
+  if (right && !runs(all).length) right.handle = 'smooth';
+  const bounded = runs(all);
+  for (const run of bounded) divide(run, side, sweep, Math.ceil(3 / bounded.length));
+  const last = runs(all);
+  return {
+    points: last.flatMap(([first]) => (first ? [first.at] : [])),
+    value: 0,
+    stretches: last.map((run) => stretchAlong(run.map(({ at }) => at), run[0]?.handle === 'smooth')),
+  };
+}
+
+/** From each handle to the next one. */
+function runs(all: Vertex[]): Run[] {
+  const first = all.findIndex(({ handle }) => handle);
+  if (first < 0) return [];
+  const found: Run[] = [];
+  for (const vertex of [...all.slice(first), ...all.slice(0, first + 1)]) {
+    found.at(-1)?.push(vertex);
+    if (vertex.handle) found.push([vertex]);
+  }
+  return found.slice(0, -1);
+}
+
+/** Marks corners: what is no point of a curve. */
+function corners(all: Vertex[], side: number): void {
   all.forEach((vertex, k) => {
     const turn = Math.abs(vertex.turn);
-    const flat = turn <= TURN && (turn * Math.min(vertex.length, at(k - 1).length)) / 8 <= FLAT * side;
-    if (!flat && kept.has(ring[k] as Point)) vertex.sort = 'corner';
+    const off = (turn * Math.min(vertex.length, all.at(k - 1)?.length ?? 0)) / 8;
+    if (vertex.kept && (turn > TURN || off > FLAT * side)) vertex.handle = 'corner';
   });
-  const marked = (sort?: Vertex['sort']): number[] => [...all.keys()].filter((k) => (sort ? at(k).sort === sort : at(k).sort !== 'point'));
-  const runs = (ends: number[]): [from: number, to: number][] => ends.map((from, k) => [from, k + 1 < ends.length ? (ends[k + 1] as number) : (ends[0] as number) + all.length]);
-  const inside = (from: number, to: number): Vertex[] => Array.from({ length: to - from - 1 }, (_, k) => at(from + 1 + k));
-  for (const [from, to] of runs(marked())) {
-    const vertices = inside(from, to);
-    if (vertices.length >= POINTS && turning(vertices) >= BEND) bounds(all, from, to, side);
-    else for (let k = from + 1; k < to; k += 1) if (kept.has(ring[k % ring.length] as Point)) at(k).sort = 'corner';
+  for (const run of runs(all)) {
+    const inside = run.slice(1, -1);
+    if (inside.length >= POINTS && turning(inside) >= BEND) continue;
+    for (const vertex of inside) if (vertex.kept) vertex.handle = 'corner';
   }
-  if (!marked().length) {
-    bounds(all, 0, all.length, side);
-    // A circle's first handle is at the right.
-    if (!marked().length) at(nearest(ring.map(([x]) => -x))).sort = 'smooth';
-  }
-  const ends = marked();
-  const least = Math.ceil(3 / ends.length);
-  for (const [from, to] of runs(ends)) {
-    const vertices = inside(from, to);
-    const lengths = [at(from), ...vertices].map(({ length }) => length);
-    const most = Math.floor(lengths.reduce((sum, length) => sum + length, 0) / (LENGTH * side));
-    const pieces = Math.max(least, Math.min(Math.ceil(turning(vertices) / sweep - SPARE), most));
-    for (const k of spread(vertices, lengths, pieces)) at(from + 1 + k).sort = 'smooth';
-  }
-  const handles = marked();
-  const points = handles.map((k) => [...(ring[k] as Point)] as Point);
-  const stretches = runs(handles).map(([from, to]) => stretchAlong(Array.from({ length: to - from + 1 }, (_, k) => ring[(from + k) % ring.length] as Point), at(from).sort === 'smooth'));
-  return { points, value: 0, stretches };
-}
-
-function vertices(ring: Ring): Vertex[] {
-  return ring.map((here, k) => {
-    const before = ring.at(k - 1) ?? here;
-    const next = ring[(k + 1) % ring.length] ?? here;
-    const [ux, uy, vx, vy] = [here[0] - before[0], here[1] - before[1], next[0] - here[0], next[1] - here[1]];
-    return { turn: Math.atan2(ux * vy - uy * vx, ux * vx + uy * vy), length: distance(here, next), sort: 'point' };
-  });
 }
 
 function turning(vertices: Vertex[]): number {
@@ -96,31 +111,35 @@ function turning(vertices: Vertex[]): number {
 }
 
 /** Marks where a curve goes over into a straight line or begins to turn the other way. */
-function bounds(all: Vertex[], from: number, to: number, side: number): void {
-  const at = (k: number): Vertex => all[(k + all.length) % all.length] as Vertex;
-  let [way, other, begin] = [0, 0, from];
-  for (let k = from + 1; k < to; k += 1) {
-    const vertex = at(k);
-    const [before, behind] = [at(k - 1).length, vertex.length].sort((a, b) => a - b) as [number, number];
-    if (behind > STRAIGHT * side && behind > LONGER * before) vertex.sort = 'smooth';
+function bounds(run: Run, side: number): void {
+  let [way, other] = [0, 0];
+  let begin: Vertex | undefined;
+  run.slice(1, -1).forEach((vertex, k) => {
+    const [shorter, longer] = [Math.min, Math.max].map((end) => end(run[k]?.length ?? 0, vertex.length)) as [number, number];
+    if (longer > STRAIGHT * side && longer > LONGER * shorter) vertex.handle = 'smooth';
     if (vertex.turn * way >= 0) {
       // Small turns to and fro count for nothing.
-      other = vertex.turn ? 0 : other;
+      if (vertex.turn) other = 0;
       way ||= Math.sign(vertex.turn);
-    } else {
-      if (!other) begin = k;
-      other += Math.abs(vertex.turn);
-      if (other <= OTHER_WAY) continue;
-      at(begin).sort = 'smooth';
-      [way, other] = [-way, 0];
+      return;
     }
-  }
+    if (!other) begin = vertex;
+    other += Math.abs(vertex.turn);
+    if (other <= OTHER_WAY || !begin) return;
+    begin.handle = 'smooth';
+    [way, other] = [-way, 0];
+  });
 }
 
-/** The places that divide a curve into so many pieces that are about as long and turn by as much. */
-function spread(vertices: Vertex[], lengths: number[], pieces: number): number[] {
-  const [turns, length] = [turning(vertices) || 1, lengths.reduce((sum, length) => sum + length, 0)];
+/** Marks the places that divide a curve into pieces, at least so many, that are about as long and turn by as much. */
+function divide(run: Run, side: number, sweep: number, least: number): void {
+  const inside = run.slice(1, -1);
+  const [turns, length] = [turning(inside), run.slice(0, -1).reduce((sum, vertex) => sum + vertex.length, 0)];
+  const pieces = Math.max(least, Math.min(Math.ceil(turns / sweep - SPARE), Math.floor(length / (LENGTH * side))));
   let done = 0;
-  const sums = vertices.map(({ turn }, k) => (done += Math.abs(turn) / turns + (lengths[k] ?? 0) / length));
-  return Array.from({ length: Math.min(pieces - 1, vertices.length) }, (_, n) => nearest(sums.map((sum) => Math.abs(sum - (2 * (n + 1)) / pieces))));
+  const sums = inside.map(({ turn }, k) => (done += Math.abs(turn) / (turns || 1) + (run[k]?.length ?? 0) / length));
+  for (let n = 1; n < pieces; n += 1) {
+    const vertex = inside[nearest(sums.map((sum) => Math.abs(sum - (2 * n) / pieces)))];
+    if (vertex) vertex.handle = 'smooth';
+  }
 }
