@@ -7,12 +7,12 @@ use super::palette::Ground;
 pub const GROUNDS: &[Ground] = &[
     Ground {
         name: "sand",
-        colours: [[152, 138, 115], [112, 98, 79]],
+        colours: [[168, 156, 134], [132, 119, 99]],
         speckle: 0.10,
         grain: 0.16,
         swell: 0.16,
         pebbles: 0.24,
-        pebble: [150, 142, 130],
+        pebble: [166, 158, 146],
         dirt: [120, 106, 86],
         optics: EARTH,
     },
