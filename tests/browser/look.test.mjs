@@ -405,8 +405,15 @@ test('on a phone everything for looking closer can be touched, and nothing is wi
   const place = await box(page, '#canvas');
   for (const id of ['light', 'layers', 'plots', 'compare']) await page.$eval(`#${id}-button`, (button) => button.click());
   for (const selector of ['#light-sun', '#layers', '#plots canvas', '#divider']) await page.waitForSelector(selector, { visible: true });
-  const { width, height } = await box(page, '#canvas');
-  assert.deepEqual([width, height], [place.width, place.height]);
+  // The page has gone to the plots.
+  await page.waitForFunction(
+    (side) => {
+      window.scrollTo({ top: 0, behavior: 'instant' });
+      return document.querySelector('#canvas').getBoundingClientRect().width === side;
+    },
+    {},
+    place.width,
+  );
   const { small, wide } = await page.evaluate(() => {
     const inside = '.frame, .viewbox, #layers, #plots';
     const seen = [...document.querySelectorAll(inside)].flatMap((part) => [...part.querySelectorAll('*')]).filter((element) => element.checkVisibility());

@@ -277,6 +277,7 @@ test('X throws what is not locked, in one step; the dice of a group throws that 
 test('every throw is valid, and its link says no more than what counts', async () => {
   const { page, problems, close } = await site.newPage(SMALL);
   await digest(page);
+  await all(page);
   await click(page, '#play');
   for (let count = 0; count < 25; count += 1) {
     const before = await page.evaluate(() => window.bubblestone.link());
