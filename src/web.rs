@@ -175,6 +175,20 @@ impl Bubblestone {
             .prepare(View::of_words(view), &mut || clock.now(), budget)
     }
 
+    /// What of a view shows nothing, and why: each as its word, ':' and 'not_yet', 'at_rest', 'no_point',
+    /// 'no_mesh', 'one_size' or 'all_even'.
+    pub fn absences(&mut self, view: &str) -> Vec<String> {
+        let found = self.studio.absences(View::of_words(view));
+        let told = found.iter().map(|(word, why)| [word, why.word()].join(":"));
+        told.collect()
+    }
+
+    /// From black to white in the view 'height', in picture units; 0 before there are planes.
+    #[wasm_bindgen(js_name = heightRange)]
+    pub fn height_range(&self) -> f64 {
+        self.studio.height_range()
+    }
+
     /// The cell at a place in picture units: undefined where there is none, or `{ cell, x, y, kind,
     /// size, wanted, aspect, angle, off, outline, area, sides, neighbours }`, lengths in picture units,
     /// angles in degrees with y down. `angle` and `off` are null of circles; `area`, `sides` and

@@ -2,7 +2,7 @@
 #![cfg(not(target_arch = "wasm32"))]
 
 use bubblestone::recipe::Recipe;
-use bubblestone::studio::{Base, Overlay, Studio, View};
+use bubblestone::studio::{Absence, Base, Overlay, Studio, View};
 
 const SIDE: usize = 160;
 
@@ -230,6 +230,77 @@ fn overlays_let_the_picture_through() {
             of(&below, m, &above, n) / (of(&below, m, &below, m) * of(&above, n, &above, n)).sqrt();
         assert!(alike > 0.4, "{word}: {alike}");
     }
+}
+
+/// The contrast of two pixels, 1 to 21: of their luminances, as for texts.
+fn contrast(a: &[u8], b: &[u8]) -> f64 {
+    let linear = |c: u8| libm::pow((f64::from(c) / 255.0 + 0.055) / 1.055, 2.4);
+    let light =
+        |p: &[u8]| 0.05 + 0.2126 * linear(p[0]) + 0.7152 * linear(p[1]) + 0.0722 * linear(p[2]);
+    let (a, b) = (light(a), light(b));
+    a.max(b) / a.min(b)
+}
+
+#[test]
+fn fields_stand_out_from_pale_stones_and_from_dark_ones() {
+    for palette in ["limestone", "marble", "granite", "basalt"] {
+        for word in ["direction", "anisotropy"] {
+            let link = format!("kind=ellipse&outline=square&palette={palette}");
+            let mut studio = finished(&link);
+            let picture = studio.view(View::of_words("picture")).to_vec();
+            let over = studio.view(View::of_words(&format!("picture+{word}")));
+            let pairs = picture.chunks(4).zip(over.chunks(4));
+            let drawn: Vec<f64> = pairs
+                .filter(|(a, b)| a != b)
+                .map(|(a, b)| contrast(a, b))
+                .collect();
+            let clear = drawn.iter().filter(|&&ratio| ratio > 2.0).count();
+            let share = clear as f64 / drawn.len() as f64;
+            assert!(share > 0.36, "{word} on {palette}: {share}");
+        }
+    }
+}
+
+/// What of a view shows nothing.
+fn absent(studio: &mut Studio, words: &str) -> Vec<(&'static str, Absence)> {
+    studio.absences(View::of_words(words))
+}
+
+#[test]
+fn what_shows_nothing_says_why() {
+    const ALL: &str =
+        "height+size+packed+energy+cells+mesh+anisotropy+direction+forces+singularities";
+    // A ring has squares of one size, and its direction turns about no point of it.
+    let mut ring = finished("");
+    let ours = [
+        ("size", Absence::OneSize),
+        ("anisotropy", Absence::AllEven),
+        ("singularities", Absence::NoPoint),
+    ];
+    assert_eq!(absent(&mut ring, ALL), ours);
+    assert_eq!(absent(&mut ring, "auto+direction"), []);
+    let mut full = finished("outline=star&kind=ellipse&gx=0.5");
+    assert_eq!(absent(&mut full, ALL), []);
+    // Squares in rows that fill a tile press on each other alike from all sides.
+    let mut rows = finished("tile=1&dir=constant&cs=20");
+    assert_eq!(absent(&mut rows, "forces"), [("forces", Absence::AtRest)]);
+}
+
+#[test]
+fn what_is_still_to_come_is_missed_until_then() {
+    let (recipe, _) = Recipe::from_link(&format!("size={SIDE}&cs=14&outline=star"));
+    let mut studio = Studio::new(recipe);
+    for _ in 0..3 {
+        studio.step(&mut || 0.0);
+    }
+    let coming = absent(&mut studio, "ids+packed+energy+cells+mesh+forces");
+    let words: Vec<&str> = coming.iter().map(|(word, _)| *word).collect();
+    assert_eq!(words, ["ids", "cells", "mesh"]);
+    assert!(coming.iter().all(|(_, why)| *why == Absence::NotYet));
+    assert_eq!(studio.height_range(), 0.0);
+    assert_eq!(studio.finish(&mut || 0.0), Ok(()));
+    assert_eq!(absent(&mut studio, "ids+cells+mesh"), []);
+    assert!(studio.height_range() > 5.0);
 }
 
 #[test]

@@ -273,7 +273,7 @@ export class App {
     const status = this.engine.status();
     this.begun ||= changed && status.cells > 0;
     this.status.show(stage, status);
-    this.status.name(this.view.note || (preset ? '' : this.described()), preset?.shown, preset?.recipe !== recipe, stage, status);
+    this.status.name(this.view.note || (preset ? '' : this.described()), this.view.absences().values(), preset?.shown, preset?.recipe !== recipe, stage, status);
     this.report(stage);
     if (stage === 'error') this.stuck();
     if (stage === 'done') this.face.done();

@@ -4,7 +4,7 @@
  */
 import { Bubblestone, presets, random_seed, schema } from '../pkg/bubblestone.js';
 import { loadModule } from './module';
-import type { Histograms, Parameter, Point, Preset, Probe, Ring, Series, Status } from './types';
+import type { Absence, Histograms, Parameter, Point, Preset, Probe, Ring, Series, Status } from './types';
 import { parameterIn, presetIn, sentenceIn, t } from './words';
 
 /** The schema gives the defaults of numbers as numbers. */
@@ -136,6 +136,17 @@ export class Engine {
   /** Draws a view: words joined by '+', at most one of a base, any of overlays; see `draw` of the module. */
   draw(context: CanvasRenderingContext2D, view: string): void {
     this.ask((core) => core.draw(context, view), undefined);
+  }
+
+  /** What of a view shows nothing, by its word, and why. */
+  absences(view: string): Map<string, Absence> {
+    const told = this.ask((core) => core.absences(view), []);
+    return new Map(told.map((one) => one.split(':') as [string, Absence]));
+  }
+
+  /** From black to white in the view 'height', in pixels; 0 before there is anything. */
+  heightRange(): number {
+    return this.ask((core) => core.heightRange(), 0);
   }
 
   /** The cell at a place in picture units. */

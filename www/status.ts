@@ -55,12 +55,18 @@ export class StatusLine {
     this.count('added', `+${status.added} −${status.removed}`);
   }
 
-  /** What is shown (of drawings and recipes without a name, `note`), and where the papers print how long they took, their seconds beside ours. */
-  name(note: string, preset: Preset | undefined, changed: boolean, stage: string, status: Status): void {
-    if (note || !preset) return say(this.caption, note);
+  /** What is shown (of drawings and recipes without a name, `note`), what of it shows nothing, and where the papers print how long they took, their seconds beside ours. */
+  name(note: string, absent: Iterable<string>, preset: Preset | undefined, changed: boolean, stage: string, status: Status): void {
+    const parts = note || !preset ? [note] : this.named(preset, changed, stage, status);
+    for (const sentence of new Set(absent)) parts.push(' – ', make('span', { class: 'absent' }, sentence));
+    const text = parts.map((part) => (typeof part === 'string' ? part : part.textContent)).join('');
+    if (this.caption.textContent !== text) this.caption.replaceChildren(...parts);
+  }
+
+  private named(preset: Preset, changed: boolean, stage: string, status: Status): (string | HTMLElement)[] {
     const name = preset.figure || preset.title;
-    if (changed) return say(this.caption, t('after', { name }));
-    const parts = [make('strong', {}, preset.note ? t('titled', { name }) : t('titled_only', { name })), ...(preset.note ? [` ${preset.note}`] : [])];
+    if (changed) return [t('after', { name })];
+    const parts: (string | HTMLElement)[] = [make('strong', {}, preset.note ? t('titled', { name }) : t('titled_only', { name })), ...(preset.note ? [` ${preset.note}`] : [])];
     if (preset.timing) {
       const { machine, parts: timed } = preset.timing;
       const what = capital(timed.map(({ name }) => sentenceIn(name)).join(t('and')));
@@ -68,8 +74,7 @@ export class StatusLine {
       const ours = stage === 'done' ? timed.map((part) => ourSeconds(part.stages, status)).join(t('and')) : '…';
       parts.push(make('span', { class: 'seconds', title: t('timing_title', { what, machine }) }, t(stage === 'done' ? 'timing' : 'timing_open', { what, theirs, ours })));
     }
-    const text = parts.map((part) => (typeof part === 'string' ? part : part.textContent)).join('');
-    if (this.caption.textContent !== text) this.caption.replaceChildren(...parts);
+    return parts;
   }
 
   /** The bar under the canvas, while work takes long. */

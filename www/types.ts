@@ -54,6 +54,9 @@ export interface Status {
   ms: Record<string, number>;
 }
 
+/** Why something of a view shows nothing. */
+export type Absence = 'not_yet' | 'at_rest' | 'no_point' | 'no_mesh' | 'one_size' | 'all_even';
+
 /** A cell, as found at a place of the picture: lengths in picture units, angles in degrees, y down. */
 export interface Probe {
   /** Its place in the list of cells, from 0; while they are packed, in that of the packing. */

@@ -8,7 +8,7 @@ import { t } from './words';
 export const VIEWS = ['auto', 'picture', 'packed', 'cells', 'mesh', 'direction', 'height', 'normals', 'ids', 'potential', 'albedo', 'roughness', 'ao', 'paper'] as const;
 
 /** Views that need a sentence about what they show. */
-const DRAWINGS = ['packed', 'cells', 'mesh', 'direction', 'potential'] as const;
+const DRAWINGS = ['packed', 'cells', 'mesh', 'direction', 'potential', 'height', 'normals', 'albedo', 'roughness', 'ao', 'ids', 'paper'] as const;
 
 export class View {
   readonly canvas = byIdAs('canvas', HTMLCanvasElement);
@@ -32,7 +32,14 @@ export class View {
   /** What a drawing shows, in a sentence; '' for pictures. */
   get note(): string {
     const drawing = DRAWINGS.find((word) => word === this.store.state.view);
-    return drawing ? t(`note_${drawing}`) : '';
+    return drawing ? t(`note_${drawing}`, { n: this.engine.heightRange().toFixed(1) }) : '';
+  }
+
+  /** What of the view shows nothing, by its word, with a sentence that says why; while work goes on all of it may still come. */
+  absences(): Map<string, string> {
+    const { stage, paused } = this.store.state;
+    const found = stage === 'done' || paused ? this.engine.absences(this.words) : [];
+    return new Map([...found].map(([word, why]) => [word, t(`absent_${why}`)]));
   }
 
   draw(): void {

@@ -33,7 +33,7 @@ export function makeViewBox(work: Work, view: View, leave: () => void): void {
   sheet.addEventListener('touchstart', (event) => event.touches.length > 1 && event.cancelable && event.preventDefault(), { passive: false });
 
   tool(store, 'light', async () => new (await import('./look/light')).LightOnCanvas(work));
-  tool(store, 'layers', async () => new (await import('./look/layers')).Layers(store));
+  tool(store, 'layers', async () => new (await import('./look/layers')).Layers(store, view));
   tool(store, 'compare', async () => new (await import('./look/compare')).Compare(work, view));
   tool(store, 'plots', async () => new (await import('./look/plots')).Plots(work.engine, view));
 

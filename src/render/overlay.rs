@@ -25,6 +25,9 @@ pub struct Paper {
 /// The rim of lines over pictures.
 pub const CASING: Tint = [0.08, 0.06, 0.05, 0.50];
 
+/// The rim of thin lines over pictures.
+const RIM: Tint = [0.06, 0.04, 0.07, 0.82];
+
 /// A square picture to draw on; all its pixels are opaque.
 #[derive(Clone, Debug)]
 pub struct Board {
@@ -109,6 +112,14 @@ impl Board {
     #[inline(never)]
     pub fn cased(&mut self, lines: &[[DVec2; 2]], tint: Tint, width: f64) {
         self.strokes(lines, CASING, 2.0 * width + 0.6);
+        self.strokes(lines, tint, width);
+    }
+
+    /// The same for few thin lines: the rim is as wide as the line on each side, and nearly black, so that
+    /// pale stones do not swallow it.
+    #[inline(never)]
+    pub fn rimmed(&mut self, lines: &[[DVec2; 2]], tint: Tint, width: f64) {
+        self.strokes(lines, RIM, 3.0 * width + 0.4);
         self.strokes(lines, tint, width);
     }
 

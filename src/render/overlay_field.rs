@@ -40,13 +40,13 @@ pub fn direction_over(board: &mut Board, domain: &Domain, fields: &Fields, side:
     for spots in [&params.size_spots, &params.aspect_spots] {
         for spot in spots {
             let rim = [0.54, 1.0].map(|share| round(spot.centre, share * spot.radius));
-            board.cased(&lines_of(&[&rim[0], &rim[1]]), SPOT_OVER, thin);
+            board.rimmed(&lines_of(&[&rim[0], &rim[1]]), SPOT_OVER, thin);
         }
     }
     let arms = crosses(board, domain, fields, side, (side / 23.0).max(12.0));
-    board.cased(&arms, CROSS_OVER, thin);
-    board.cased(&pieces_of(domain.lines()), CROSS_OVER, 1.3 * thin);
-    board.cased(&pieces_of(&params.strokes), STROKE_OVER, 2.0 * thin);
+    board.rimmed(&arms, CROSS_OVER, thin);
+    board.rimmed(&pieces_of(domain.lines()), CROSS_OVER, 1.3 * thin);
+    board.rimmed(&pieces_of(&params.strokes), STROKE_OVER, 2.0 * thin);
 }
 
 /// Draws the singular points of the direction with their index.

@@ -29,10 +29,10 @@ pub fn forces(board: &mut Board, loads: &[(Particle, Load)]) {
     let width = 0.9 * line_width(size);
     let (mut shafts, mut heads, mut rims) = (Vec::new(), Vec::new(), Vec::new());
     for (particle, load) in loads {
-        let force = load.force.length();
-        if particle.fixed || force.is_nan() || force < LEAST {
+        if !is_seen(particle, load) {
             continue;
         }
+        let force = load.force.length();
         let length = particle.size * (LENGTH * force.sqrt()).min(LONGEST);
         let along = load.force / force;
         let head = (0.5 * length).min(5.0 * width);
@@ -54,6 +54,15 @@ pub fn forces(board: &mut Board, loads: &[(Particle, Load)]) {
     board.fill(&refs(&rims), CASING, 0.0);
     board.strokes(&shafts, ARROW, width);
     board.fill(&refs(&heads), ARROW, 0.0);
+}
+
+/// Is no force worth an arrow?
+pub fn at_rest(loads: &[(Particle, Load)]) -> bool {
+    !loads.iter().any(|(particle, load)| is_seen(particle, load))
+}
+
+fn is_seen(particle: &Particle, load: &Load) -> bool {
+    !particle.fixed && load.force.length() >= LEAST
 }
 
 #[inline(never)]

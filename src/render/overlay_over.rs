@@ -68,13 +68,8 @@ pub fn packed(board: &mut Board, particles: &[Particle], stress: &[Stress]) {
     let lots: Vec<f32> = stress.iter().map(lot).collect();
     in_steps(board, &rings, &lots, &scale([ALONE, FREE, PRESSED], STEPS));
     let width = line_width(mean(particles.iter().map(|p| p.size)));
-    outlines(board, &rings, PACKED, width);
-}
-
-#[inline(never)]
-fn outlines(board: &mut Board, rings: &[Vec<DVec2>], tint: Tint, width: f64) {
     let rings: Vec<&[DVec2]> = rings.iter().map(Vec::as_slice).collect();
-    board.cased(&lines_of(&rings), tint, width);
+    board.cased(&lines_of(&rings), PACKED, width);
 }
 
 /// Draws the cells' polygons as lines.
@@ -120,5 +115,6 @@ pub fn anisotropy(board: &mut Board, domain: &Domain, fields: &Fields, side: f64
         &longer,
         &scale([EVEN, middle, STRETCHED], STEPS),
     );
-    outlines(board, &rings, RIM, (side / 460.0).clamp(0.9, 3.0));
+    let rings: Vec<&[DVec2]> = rings.iter().map(Vec::as_slice).collect();
+    board.rimmed(&lines_of(&rings), RIM, (side / 460.0).clamp(0.9, 3.0));
 }

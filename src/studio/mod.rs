@@ -4,6 +4,7 @@
 //! the first stale stage for about the time given; what is finished stays until its successor is
 //! finished, too. No result depends on how the work was cut into slices or on the clock.
 
+mod absence;
 mod bigger;
 mod draft;
 mod files;
@@ -15,6 +16,7 @@ mod products;
 mod translate;
 mod view;
 
+pub use absence::Absence;
 pub use bigger::{MOST_PIXELS, PictureSlice};
 pub use files::MeshSlice;
 pub use look::{Base, Overlay, View};

@@ -218,7 +218,7 @@ impl Studio {
     }
 
     /// The planes to look at: the finished ones unless they are of another pavement.
-    fn planes_to_show(&self) -> Option<&Planes> {
+    pub(super) fn planes_to_show(&self) -> Option<&Planes> {
         let finished = self.made.planes.as_ref();
         let finished = finished.filter(|p| p.side == self.side());
         let coming = self.made.painter.as_ref().map(|p| p.planes());

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { open } from './harness.mjs';
-import { canvas, click, digest, done, frames, get, message, phone, set, SQUARE, steps, tool } from './page.mjs';
+import { canvas, click, digest, done, frames, get, message, phone, set, SMALL, SQUARE, steps, tool } from './page.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
@@ -281,6 +281,47 @@ test('layers are drawn over the picture, each with a sentence, and the canvas ke
   await page.keyboard.press('Escape');
   assert.equal(await page.$eval('#layers', (layers) => layers.hidden), true);
   assert.equal(await page.evaluate(() => document.activeElement.id), 'layers-button');
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('a caption tells what colours mean in each view of planes', async () => {
+  const { page, problems, close } = await finished();
+  const caption = () => page.$eval('#caption', (element) => element.textContent);
+  const captions = new Set([await caption()]);
+  for (const view of ['height', 'normals', 'ids', 'albedo', 'roughness', 'ao', 'paper']) {
+    await page.select('#view', view);
+    await page.waitForFunction((told) => !told.includes(document.querySelector('#caption').textContent), {}, [...captions]);
+    captions.add(await caption());
+    if (view === 'height') assert.ok(Number(/([\d.]+) px/.exec(await caption())?.[1]) > 3, await caption());
+  }
+  assert.equal(captions.size, 8);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('what shows nothing says why, beside the picture and in its layer, until there is something', async () => {
+  const { page, problems, close } = await finished(SMALL);
+  const absent = () => page.$$eval('#caption .absent', (spans) => spans.map((span) => span.textContent));
+  assert.deepEqual(await absent(), []);
+  await click(page, '#layers-button');
+  await page.waitForSelector('#layers', { visible: true });
+  const turn = (word) => page.$eval(`#layers [type=checkbox][value=${word}]`, (input) => input.click());
+  await turn('cells');
+  await turn('singularities');
+  await page.waitForSelector('#caption .absent');
+  const [sentence] = await absent();
+  assert.match(sentence, /no singular point/);
+  const legend = await page.$$eval('.layers-legend dd', (notes) => notes.map((note) => note.textContent));
+  assert.deepEqual(
+    legend.map((note) => note.includes(sentence)),
+    [false, false, true],
+  );
+  await set(page, 'outline', 'star');
+  await page.waitForSelector('#caption .absent', { hidden: true });
+  await digest(page);
+  assert.deepEqual(await absent(), []);
+  assert.equal((await page.$$eval('.layers-legend dd', (notes) => notes.map((note) => note.textContent))).some((note) => note.includes(sentence)), false);
   assert.deepEqual(problems, []);
   await close();
 });

@@ -1,7 +1,7 @@
 /** What is drawn below and what over it, with a sentence for each about what one sees. */
 import { byId, make } from '../dom';
 import type { Store } from '../store';
-import { VIEWS } from '../view';
+import { VIEWS, type View } from '../view';
 import { t } from './words';
 import '../styles/look.css';
 
@@ -10,13 +10,15 @@ const OVERLAYS = ['size', 'packed', 'energy', 'cells', 'mesh', 'anisotropy', 'di
 
 export class Layers {
   private readonly store: Store;
+  private readonly view: View;
   private readonly box = make('section', { class: 'layers-box', id: 'layers', 'aria-label': t('layers_over') });
   private readonly bases: HTMLInputElement[];
   private readonly overlays: HTMLInputElement[];
   private readonly legend = make('dl', { class: 'layers-legend' });
 
-  constructor(store: Store) {
+  constructor(store: Store, view: View) {
     this.store = store;
+    this.view = view;
     this.bases = VIEWS.map((word) => make('input', { type: 'radio', name: 'base', value: word }));
     this.overlays = OVERLAYS.map((word) => make('input', { type: 'checkbox', value: word }));
     this.box.append(
@@ -38,7 +40,7 @@ export class Layers {
       });
     }
     byId('viewbox').after(this.box);
-    store.on(['view', 'overlays'], () => this.follow());
+    store.on(['view', 'overlays', 'stage', 'paused'], () => this.follow());
   }
 
   show(on: boolean): void {
@@ -56,10 +58,11 @@ export class Layers {
       check.disabled = lone;
     }
     const seen = [
-      ...VIEWS.filter((word) => word === view).map((word) => [t(`view_${word}`), t(`note_${word}`)] as const),
-      ...OVERLAYS.filter((word) => !lone && overlays.includes(word)).map((word) => [t(`over_${word}`), t(`note_over_${word}`)] as const),
+      ...VIEWS.filter((word) => word === view).map((word) => [word, t(`view_${word}`), this.view.note || t(word === 'auto' ? 'note_auto' : 'note_picture')] as const),
+      ...OVERLAYS.filter((word) => !lone && overlays.includes(word)).map((word) => [word, t(`over_${word}`), t(`note_over_${word}`)] as const),
     ];
-    this.legend.replaceChildren(...seen.map(([name, note]) => make('div', {}, make('dt', {}, name), make('dd', {}, note))));
+    const absent = this.view.absences();
+    this.legend.replaceChildren(...seen.map(([word, name, note]) => make('div', {}, make('dt', {}, name), make('dd', {}, [note, absent.get(word)].filter(Boolean).join(' ')))));
   }
 }
 
