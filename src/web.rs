@@ -406,15 +406,10 @@ fn rings_of(points: &[f64], lengths: &[u32]) -> Result<Outline, String> {
             2 * total
         ));
     }
-    let mut rest: Vec<DVec2> = points.chunks_exact(2).map(DVec2::from_slice).collect();
-    let mut rings = Vec::new();
-    for &length in lengths {
-        let after = rest.split_off(length as usize);
-        rings.push(rest);
-        rest = after;
-    }
+    let mut points = points.chunks_exact(2).map(DVec2::from_slice);
+    let ring = |&length: &u32| points.by_ref().take(length as usize).collect();
     Ok(Outline {
-        rings,
+        rings: lengths.iter().map(ring).collect(),
         ..Outline::default()
     })
 }

@@ -113,6 +113,8 @@ fn outlines_go_in_and_out() {
         (vec![10., 10., 100., 100., 100., 10., 10., 100.], vec![4]),
         (vec![], vec![]),
         (vec![1., 2.], vec![u32::MAX, 2]),
+        // So many that a copy of the rest for each would not fit into memory.
+        (vec![10.; 400_000], vec![2; 100_000]),
     ] {
         assert!(page.set_outline(&points, &rings).ends_with('.'));
         assert_eq!(page.link(), link);

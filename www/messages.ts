@@ -3,7 +3,7 @@ import { byId, make } from './dom';
 import { t } from './words';
 
 /** Notices of the same topic replace each other. */
-type Topic = 'link' | 'value' | 'outline' | 'done' | 'files' | 'busy' | 'replaced' | 'offline' | 'trouble' | 'part';
+export type Topic = 'link' | 'value' | 'outline' | 'done' | 'files' | 'busy' | 'replaced' | 'offline' | 'trouble' | 'part';
 
 /** Milliseconds that a passing word stays; longer texts stay until dismissed. */
 const PASSING = 4000;
@@ -22,10 +22,11 @@ export function offerOf(topic: Topic, sentence: string, ...actions: HTMLElement[
 }
 
 /** Work that goes on until it ends or is stopped: it cannot be put out of sight. */
-export function underWay(topic: Topic, sentence: string, ...actions: HTMLElement[]): void {
+export function underWay(topic: Topic, sentence: string, ...actions: HTMLElement[]): HTMLElement | undefined {
   const note = put(notices, topic, [sentence]);
   note?.querySelector('.close')?.remove();
   note?.append(make('div', { class: 'actions' }, ...actions));
+  return note;
 }
 
 /** A word that goes by itself. */

@@ -289,7 +289,7 @@ test('Stop stops what is being made, and then another file can be saved', async 
     await click(page, button);
     await page.waitForSelector('.message progress');
     assert.equal(await page.$('.message:has(progress) .close'), null, 'the way to stop can be put out of sight');
-    await page.$eval('#stop-file', (stop) => stop.click());
+    await page.$eval('#stop-files', (stop) => stop.click());
     await message(page, 'status', /was stopped/);
     await page.$eval('.message .close', (close) => close.click());
     assert.equal(await page.evaluate(() => window.saved), undefined);

@@ -134,6 +134,7 @@ test('an outline file is opened, holes and all', async () => {
     }),
   );
   await page.waitForFunction(() => window.bubblestone.get('outline') === 'polygon', { timeout: 20_000 });
+  await page.waitForSelector('.handle');
   assert.equal((await handles(page)).length, 8);
   assert.notEqual(await digest(page), square);
   assert.deepEqual(problems, []);
@@ -153,6 +154,7 @@ test('an outline file may be dropped anywhere, also among other files', async ()
     }
   });
   await page.waitForFunction(() => window.bubblestone.get('outline') === 'polygon', { timeout: 20_000 });
+  await page.waitForSelector('.handle');
   assert.equal((await handles(page)).length, 3);
   assert.match(await digest(page), /^[0-9a-f]+$/);
   assert.deepEqual(problems, []);
@@ -175,6 +177,7 @@ test('an outline file of several islands is opened, and each is paved', async ()
     }),
   );
   await page.waitForFunction(() => window.bubblestone.get('outline') === 'polygon', { timeout: 20_000 });
+  await page.waitForSelector('.handle');
   assert.match(await digest(page), /^[0-9a-f]+$/);
   assert.equal((await handles(page)).length, 16);
   assert.equal((await page.$$('[role=alert] .message')).length, 0);

@@ -161,3 +161,68 @@ export async function edit(page, key) {
   await page.waitForSelector('#editor:not([hidden])');
   await frames(page, 2);
 }
+
+/** Brings text to the page as the import's dialog takes it, and waits until it is taken or refused. @param {Page} page @param {string} text */
+export async function bring(page, text) {
+  await begin(page, text);
+  await read(page);
+}
+
+/** The same without waiting. @param {Page} page @param {string} text */
+export async function begin(page, text) {
+  await tool(page, 'import');
+  await page.waitForSelector('#outline-text');
+  await page.$eval(
+    '#outline-text',
+    (box, value) => {
+      /** @type {HTMLTextAreaElement} */ (box).value = value;
+      box.dispatchEvent(new Event('input', { bubbles: true }));
+    },
+    text,
+  );
+  await unread(page);
+  await click(page, '#take-text');
+}
+
+/** From now on `read` waits for the end of the next reading, which is that of its worker, or a message in its place. @param {Page} page */
+export function unread(page) {
+  return page.evaluate(() => {
+    const all = /** @type {any} */ (window);
+    const end = (all.end ??= Worker.prototype.terminate);
+    Worker.prototype.terminate = function () {
+      all.ended = true;
+      end.call(this);
+    };
+    all.ended = false;
+    for (const note of document.querySelectorAll('.message')) note.setAttribute('data-old', '');
+  });
+}
+
+/** @param {Page} page */
+export async function read(page) {
+  await page.waitForFunction(() => /** @type {any} */ (window).ended || document.querySelector('[role=alert] .message:not([data-old])'), { timeout: 120_000, polling: 100 });
+  await frames(page, 3);
+}
+
+/** The outline as the export writes it. @param {Page} page @param {string} kind @returns {Promise<string>} */
+export async function exported(page, kind) {
+  await page.evaluate(() => {
+    const create = URL.createObjectURL;
+    URL.createObjectURL = (blob) => {
+      void /** @type {Blob} */ (blob).text().then((text) => (/** @type {any} */ (window).saved = text));
+      return create(blob);
+    };
+    HTMLAnchorElement.prototype.click = function () {};
+    /** @type {any} */ (window).saved = undefined;
+  });
+  await tool(page, 'export');
+  await click(page, `#export-${kind}`);
+  await page.waitForFunction(() => /** @type {any} */ (window).saved);
+  return page.evaluate(() => /** @type {any} */ (window).saved);
+}
+
+/** The outline's rings in sides of the picture. @param {Page} page @returns {Promise<[number, number][][]>} */
+export async function rings(page) {
+  const { size, rings: found } = JSON.parse(await exported(page, 'json'));
+  return found.map((ring) => ring.map(([x, y]) => [x / size[0], y / size[1]]));
+}

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { open } from './harness.mjs';
-import { click, digest, frames, get, link, message, phone, SQUARE, tool } from './page.mjs';
+import { bring, click, digest, exported, frames, get, link, message, phone, rings, SQUARE, tool } from './page.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
@@ -37,44 +37,6 @@ async function drag(page, from, to, between = 6) {
   await page.mouse.down();
   await page.mouse.move(...to, { steps: between });
   await page.mouse.up();
-  await frames(page, 3);
-}
-
-/** The outline's rings in sides of the picture, from the link's own text by way of the export. */
-async function exported(page, kind) {
-  await page.evaluate(() => {
-    const create = URL.createObjectURL;
-    URL.createObjectURL = (blob) => {
-      void blob.text().then((text) => (window.saved = text));
-      return create(blob);
-    };
-    HTMLAnchorElement.prototype.click = function () {};
-    window.saved = undefined;
-  });
-  await tool(page, 'export');
-  await click(page, `#export-${kind}`);
-  await page.waitForFunction(() => window.saved);
-  return page.evaluate(() => window.saved);
-}
-
-async function rings(page) {
-  const { size, rings: found } = JSON.parse(await exported(page, 'json'));
-  return found.map((ring) => ring.map(([x, y]) => [x / size[0], y / size[1]]));
-}
-
-/** Brings text to the page as the import's dialog takes it. */
-async function bring(page, text) {
-  await tool(page, 'import');
-  await page.waitForSelector('#outline-text');
-  await page.$eval(
-    '#outline-text',
-    (box, value) => {
-      box.value = value;
-      box.dispatchEvent(new Event('input', { bubbles: true }));
-    },
-    text,
-  );
-  await click(page, '#take-text');
   await frames(page, 3);
 }
 
@@ -408,7 +370,7 @@ test('a list of points is an outline, and one that crosses itself becomes what i
   const last = await link(page);
   for (const [text, words] of [
     ['[[1, 2]]', /no outline that encloses an area/],
-    ['M 0 0 L 50 50 L 100 100 z', /on one line/],
+    ['M 0 0 L 50 50 L 100 100 z', /encloses an area/],
     ['[[1, 2], [3, 4], [5, "x"]]', /point 3 in ring 1/],
   ]) {
     await bring(page, text);
@@ -435,6 +397,7 @@ test('an outline is pasted, and other text is not', async () => {
   assert.deepEqual(await messages(page), []);
   await paste('m 2,2 h 8 v 8 h -8 z');
   await page.waitForFunction(() => window.bubblestone.get('outline') === 'polygon');
+  await page.waitForSelector('.handle');
   assert.equal((await handles(page)).length, 4);
   await paste('{"outer": [[1, 2], [3]]}');
   await message(page, 'alert', /point 2 in ring 1.*outline stays/);

@@ -3,13 +3,14 @@ import { byId } from '../dom';
 import type { Engine } from '../engine';
 import { applies } from '../kinds';
 import { alertOf, clear, notice } from '../messages';
-import type { Ring } from '../types';
+import type { Point, Ring } from '../types';
 import type { Work } from '../work';
 import { ringOf, scaled } from './curve';
 import { exportDialog, importDialog, textDialog } from './dialogs';
 import { Editor } from './editor';
 import type { Figure, Sort } from './figures';
-import { looksLikeOutline, ringsOf } from './import';
+import type { Try } from './outline/read';
+import { read, remarks } from './outline/reading';
 import { arranged, turned } from './rings';
 import { roadRings } from './road';
 import { simplify } from './simplify';
@@ -24,6 +25,12 @@ const REMEMBERED = 400;
 
 /** Points that the engine takes. */
 const POINTS = 4096;
+
+/** Whether text may be an outline, so that it is worth a sentence if it is not. */
+const OUTLINE = /^\s*(<(\?xml|!--|!doctype svg|svg|path)|[[{]|m\s*[-+.\d])/i;
+
+/** An outline from elsewhere of more rings or points comes without handles, which would hide it. */
+const SHOWN = { rings: 50, points: 1500 };
 
 export class Desk {
   private readonly sorts: Sorts;
@@ -96,7 +103,7 @@ export class Desk {
     dialog({
       side: () => this.engine.side(),
       outline: () => this.engine.outline(),
-      take: (rings) => this.takeNew(rings),
+      take: (rings) => this.takeNew([{ rings: arranged(rings), left: {} }]),
       takeFile: (file) => this.takeFile(file),
       takeText: (text, name) => this.takeText(text, name),
     });
@@ -158,38 +165,55 @@ export class Desk {
 
   /** Text from the clipboard, where that is an outline. */
   paste(text: string): void {
-    if (looksLikeOutline(text)) this.takeText(text, tell('pasted'));
+    if (OUTLINE.test(text)) void this.takeText(text, tell('pasted'));
   }
 
   /** Text that has an outline. */
-  takeText(text: string, name: string): boolean {
+  async takeText(text: string, name: string): Promise<boolean> {
+    if (this.tiled()) return false;
+    const side = this.engine.side();
     try {
-      const { rings, loose } = ringsOf(text, name, this.engine.side());
-      return this.takeNew(rings, loose);
+      const tries = await read(text, name, side);
+      const by = this.engine.side() / side;
+      return tries !== undefined && this.takeNew(tries.map((one) => ({ ...one, rings: one.rings.map((ring) => ring.map(([x, y]): Point => [x * by, y * by])) })));
     } catch (error) {
       alertOf('outline', tell('kept', { sentence: error instanceof Error ? error.message : String(error) }));
       return false;
     }
   }
 
-  /** An outline from elsewhere; where its rings cannot be used as they are, `loose` gives what they enclose together. */
-  private takeNew(rings: Ring[], loose?: () => Ring[]): boolean {
-    if (this.engine.get('tile') === '1') {
-      alertOf('outline', tell('tile_has_none'));
-      return false;
-    }
-    if (!this.takeRings(arranged(rings), loose && (() => arranged(loose())))) return false;
-    this.begin('outline');
+  /** Whether there is no outline to be changed, which is told. */
+  private tiled(): boolean {
+    const tiled = this.engine.get('tile') === '1';
+    if (tiled) alertOf('outline', tell('tile_has_none'));
+    return tiled;
+  }
+
+  /** An outline from elsewhere: the first of these that can be used. */
+  private takeNew(tries: Try[]): boolean {
+    if (this.tiled()) return false;
+    const taken = this.change('outline', () => {
+      let first = '';
+      for (const one of tries) {
+        const { refused, sentence } = this.work.outline(one.rings, this.held);
+        if (!refused) return { refused, sentences: [sentence, ...remarks(one)] };
+        first ||= sentence;
+      }
+      return { refused: true, sentences: [tell('last_good', { sentence: first })] };
+    });
+    if (!taken) return false;
+    const rings = this.engine.outline();
+    if (rings.length > SHOWN.rings || rings.flat().length > SHOWN.points) this.editor.close();
+    // Both at once would hold the page.
+    else setTimeout(() => this.begin('outline'));
     return true;
   }
 
   /** Gives an outline to the engine; false where it was refused. */
-  private takeRings(rings: Ring[], loose?: () => Ring[]): boolean {
+  private takeRings(rings: Ring[]): boolean {
     return this.change('outline', () => {
-      const first = this.work.outline(rings, this.held);
-      const second = first.refused ? (loose?.() ?? []) : [];
-      const { refused, sentence } = second.length ? this.work.outline(second, this.held) : first;
-      return { refused, sentence: refused ? tell('last_good', { sentence }) : sentence };
+      const { refused, sentence } = this.work.outline(rings, this.held);
+      return { refused, sentences: [refused ? tell('last_good', { sentence }) : sentence] };
     });
   }
 
@@ -198,7 +222,7 @@ export class Desk {
     if (sort.form === 'ring') return this.takeOutline(figures);
     return this.change(sort.word, () => {
       const sentence = this.work.write(sort.word, this.sorts.text(sort, figures), this.held);
-      return { refused: sentence !== '', sentence };
+      return { refused: sentence !== '', sentences: [sentence] };
     });
   }
 
@@ -246,13 +270,13 @@ export class Desk {
   }
 
   /** A change from here, which the handles need not follow. */
-  private change(word: string, act: () => { refused: boolean; sentence: string }): boolean {
+  private change(word: string, act: () => { refused: boolean; sentences: string[] }): boolean {
     this.writing = true;
-    const { refused, sentence } = act();
+    const { refused, sentences } = act();
     this.writing = false;
     this.known = this.text(word);
-    if (refused) alertOf('outline', sentence);
-    else notice('outline', ...(sentence ? [sentence] : []));
+    if (refused) alertOf('outline', sentences.join(' '));
+    else notice('outline', ...sentences.filter(Boolean));
     return !refused;
   }
 }

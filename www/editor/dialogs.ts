@@ -2,9 +2,9 @@
 import { make, say } from '../dom';
 import { offer } from '../download';
 import type { Ring } from '../types';
+import { jsonFile, svgFile } from './export';
 import { drawn } from './figures';
 import { FACES, letters, type Face } from './paint';
-import { jsonFile, svgFile } from './svg';
 import { tell } from './words';
 
 export interface DialogNeeds {
@@ -13,7 +13,7 @@ export interface DialogNeeds {
   /** Takes an outline over; false where it was refused. */
   take(rings: Ring[]): boolean;
   takeFile(file: File): Promise<unknown>;
-  takeText(text: string, name: string): boolean;
+  takeText(text: string, name: string): Promise<boolean>;
 }
 
 /** A dialog that is there until it is closed; Escape and its ground close it. */
@@ -84,7 +84,7 @@ export function importDialog(needs: DialogNeeds): void {
   });
   const use = button('take-text', tell('import_use'), () => {
     dialog.close();
-    needs.takeText(text.value, tell('pasted'));
+    void needs.takeText(text.value, tell('pasted'));
   });
   use.disabled = true;
   text.addEventListener('input', () => (use.disabled = text.value.trim() === ''));

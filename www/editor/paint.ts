@@ -1,4 +1,4 @@
-/** Outlines by way of pixels: what rings enclose together, and the shapes of letters. */
+/** The shapes of letters, by way of pixels. */
 import { make } from '../dom';
 import type { Ring } from '../types';
 import { contour, tidy } from './contour';
@@ -32,21 +32,6 @@ function painted(width: number, height: number, draw: (context: CanvasRenderingC
   const { data } = context.getImageData(0, 0, canvas.width, canvas.height);
   const values = Float32Array.from({ length: data.length / 4 }, (_, k) => (data[4 * k + 3] ?? 0) - 127.5);
   return tidy(contour(values, canvas.width), TOLERANCE, MOST);
-}
-
-/** What is in an odd number of rings of a picture of this side. */
-export function paint(rings: Ring[], side: number): Ring[] {
-  const scale = PIXELS / side;
-  const found = painted(PIXELS, PIXELS, (context) => {
-    const path = new Path2D();
-    for (const ring of rings) {
-      ring.forEach(([x, y], k) => (k ? path.lineTo(x * scale, y * scale) : path.moveTo(x * scale, y * scale)));
-      path.closePath();
-    }
-    context.fill(path, 'evenodd');
-  });
-  // Nodes are the middles of pixels.
-  return found.map((ring) => ring.map(([x, y]) => [(x - RIM + 0.5) / scale, (y - RIM + 0.5) / scale]));
 }
 
 /** Letters as an outline of a picture of this side; each word has a line. */

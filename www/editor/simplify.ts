@@ -10,10 +10,10 @@ export function simplify(rings: Ring[], side: number, most: number): Ring[] {
   return count(rings) > most ? thinned(rings, FIRST_TOLERANCE * side, most) : rings;
 }
 
-/** The same outline without points that lie within `tolerance` of it anyway, and without more until there are at most `most`. */
-export function thinned(rings: Ring[], tolerance: number, most: number): Ring[] {
+/** The same outline without points that lie within `tolerance` of it anyway, and without more, up to `coarser` times that, until there are at most `most`. */
+export function thinned(rings: Ring[], tolerance: number, most: number, coarser = 1000): Ring[] {
   let fewer = rings.map((ring) => thin(ring, tolerance));
-  for (let wider = tolerance * GROWTH; count(fewer) > most && wider < 1000 * tolerance; wider *= GROWTH) {
+  for (let wider = tolerance * GROWTH; count(fewer) > most && wider < coarser * tolerance; wider *= GROWTH) {
     fewer = rings.map((ring) => thin(ring, wider));
   }
   return fewer;
@@ -36,12 +36,17 @@ function thin(ring: Ring, tolerance: number): Ring {
 
 /** The same for an open line. */
 export function thinLine(line: Ring, tolerance: number): Ring {
-  const from = line[0];
-  const to = line[line.length - 1];
-  if (!from || !to || line.length < 3) return line;
-  const { index, distance } = farthest(line, (point) => toSegment(point, from, to));
-  if (distance <= tolerance) return [from, to];
-  return [...thinLine(line.slice(0, index + 1), tolerance).slice(0, -1), ...thinLine(line.slice(index), tolerance)];
+  const kept: Ring = line.slice(0, 1);
+  // What is left to be looked at, the next part last: calls within calls could be as many as points.
+  const parts = [line];
+  for (let part = parts.pop(); part; part = parts.pop()) {
+    const [from, to] = [part[0], part.at(-1)];
+    if (!from || !to || part.length < 2) continue;
+    const { index, distance } = farthest(part, (point) => toSegment(point, from, to));
+    if (part.length < 3 || distance <= tolerance) kept.push(to);
+    else parts.push(part.slice(index), part.slice(0, index + 1));
+  }
+  return kept;
 }
 
 function farthest(line: Ring, measure: (point: Point) => number): { index: number; distance: number } {

@@ -1,7 +1,7 @@
 /** Files of a recipe, made in a worker that packs it anew, so that the page stays free; to stop it frees all it held. */
 import { sentenceIn } from '../words';
 import { t } from './words';
-import type { Task } from './working';
+import type { Task } from '../stoppable';
 
 /** What is to be made; `normals` is the word of the normal map. */
 export type Job =

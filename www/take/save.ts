@@ -8,7 +8,8 @@ import { fileOf, type Job } from './job';
 import { signed, signedPng } from './origin';
 import { openRecipe, recipeFile } from './recipe-file';
 import { t } from './words';
-import { working, type Task } from './working';
+import { working } from './working';
+import type { Task } from '../stoppable';
 
 export function save(work: Work, canvas: HTMLCanvasElement): void {
   const { engine, store } = work;

@@ -1,0 +1,188 @@
+// Drawings become outlines as they are seen, or a sentence tells why not, and the page stays free meanwhile.
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { kind } from './browsers.mjs';
+import { open } from './harness.mjs';
+import { begin, bring, click, digest, frames, link, message, messages, read, rings, SQUARE, unread } from './page.mjs';
+
+/** @type {Awaited<ReturnType<typeof open>>} */
+let site;
+
+before(async () => {
+  site = await open();
+});
+
+after(() => site?.close());
+
+/** A drawing of the side 100. */
+const svg = (inner, more = '') => `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 100 100" ${more}>${inner}</svg>`;
+
+/** Squares side by side. */
+function squares(count, width) {
+  const columns = Math.ceil(Math.sqrt(count));
+  const step = 100 / columns;
+  return svg(Array.from({ length: count }, (_, k) => `<rect x="${(k % columns) * step}" y="${Math.floor(k / columns) * step}" width="${width * step}" height="${width * step}"/>`).join(''));
+}
+
+/** What the outline covers, in the units of such a drawing. */
+async function area(page) {
+  const sum = (ring) => ring.reduce((total, [x, y], k) => total + (x * ring[(k + 1) % ring.length][1] - y * ring[(k + 1) % ring.length][0]) / 2, 0);
+  return 1e4 * (await rings(page)).reduce((total, ring) => total + sum(ring), 0);
+}
+
+test('a drawing becomes what is seen of it', async () => {
+  const { page, problems, close } = await site.newPage(SQUARE);
+  await digest(page);
+  const line = 'fill="none" stroke="currentColor" stroke-width="8"';
+  const bend = 'M20 80V20H80';
+  for (const [what, inner, expected, count] of [
+    ['a stroke with butt ends', `<line x1="20" y1="50" x2="80" y2="50" stroke="#000" stroke-width="8"/>`, 480, 1],
+    ['square ends', `<path d="M20 50H80" ${line} stroke-linecap="square"/>`, 544, 1],
+    ['round ends', `<path d="M20 50H80" ${line} stroke-linecap="round"/>`, 480 + Math.PI * 16, 1],
+    ['a mitre', `<path d="${bend}" ${line}/>`, 960, 1],
+    ['a bevel', `<path d="${bend}" ${line} stroke-linejoin="bevel"/>`, 960 - 8, 1],
+    ['a round join', `<path d="${bend}" ${line} stroke-linejoin="round"/>`, 960 - 16 + Math.PI * 4, 1],
+    ['a circle', `<circle cx="50" cy="50" r="30" ${line}/>`, Math.PI * 2 * 30 * 8, 2],
+    ['a width that is inherited, with a unit, and scaled', `<g stroke-width="3pt" stroke="red" transform="translate(10) scale(2)"><path d="M5 25H35" fill="none"/></g>`, 60 * 8, 1],
+    ['dashes', `<path d="M10 50H90" ${line} stroke-dasharray="10 5"/>`, 8 * (5 * 10 + 5), 6],
+    ['a filling with a stroke', `<rect x="20" y="20" width="60" height="60" stroke="#123" stroke-width="8"/>`, 68 * 68, 1],
+    ['strokes that cross', `<path d="M20 50H80M50 20V80" ${line}/>`, 960 - 64, 1],
+    ['shapes that overlap, one of them run the other way', '<path d="M10 10H60V60H10Z"/><path d="M40 40V90H90V40Z"/>', 2500 + 2500 - 400, 1],
+    ['fill-rule: nonzero', '<path d="M10 10H90V90H10ZM30 30H70V70H30Z"/>', 6400, 1],
+    ['fill-rule: evenodd', '<path fill-rule="evenodd" d="M10 10H90V90H10ZM30 30H70V70H30Z"/>', 4800, 2],
+    ['white over black', '<path d="M10 10H90V90H10Z"/><circle cx="50" cy="50" r="20" fill="#fff"/>', 6400 - Math.PI * 400, 2],
+    ['white alone', '<path d="M10 10H90V90H10Z" fill="white"/>', 6400, 1],
+    ['a page of white paper', '<rect width="100%" height="100%" fill="#fefefe"/><path d="M10 10H90V50H10Z"/>', 3200, 1],
+    ['a clip path in a clip path', '<clipPath id="a"><path d="M0 0H50V100H0Z"/></clipPath><clipPath id="b" clip-path="url(#a)"><path d="M0 0H100V50H0Z"/></clipPath><g clip-path="url(#b)"><path d="M10 10H90V90H10Z"/></g>', 1600, 1],
+    ['a clip path in parts of the shape', '<clipPath id="a" clipPathUnits="objectBoundingBox"><path d="M0 0H.5V.5H0Z"/></clipPath><path clip-path="url(#a)" d="M10 10H90V90H10Z"/>', 1600, 1],
+    ['a rule that hides', '<style>.a, #b { display: none } g > .c { visibility: hidden } .d { fill: none } .e { opacity: 0 }</style><g fill="red"><path class="a" d="M0 0H9V9Z"/><path id="b" d="M0 0H9V9Z"/><path class="c" d="M0 0H9V9Z"/></g><path class="d" d="M0 0H9V9Z"/><g class="e"><path d="M0 0H9V9Z"/></g><path d="M10 10H90V90H10Z"/>', 6400, 1],
+    ['a rule that wins by its weight, and one that is important', '<style>#b { fill: red } .c { fill: none } path { fill: none !important }</style><rect id="b" class="c" x="10" y="10" width="80" height="80"/><path d="M0 0H9V9Z" style="fill: red"/>', 6400, 1],
+    ['a rule for print', '<style>@media print { rect { display: none } } @media screen { path { display: none } }</style><path d="M0 0H9V9Z"/><rect x="10" y="10" width="80" height="80"/>', 6400, 1],
+    ['what reaches over the rim', '<path d="M-50 10H150V50H-50Z"/>', 4000, 1],
+  ]) {
+    await bring(page, svg(inner));
+    assert.deepEqual(await messages(page), [], what);
+    const found = await area(page);
+    assert.ok(Math.abs(found - expected) <= 0.005 * expected, `${what}: ${found} instead of ${expected}`);
+    assert.equal((await rings(page)).length, count, what);
+  }
+  assert.match(await digest(page), /^[0-9a-f]+$/);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('the icons of a well-known set come as they are drawn', async () => {
+  const { page, problems, close } = await site.newPage(SQUARE);
+  await digest(page);
+  const icon = (inner) => `<svg xmlns="http://www.w3.org/2000/svg" width="24" height="24" viewBox="0 0 24 24" fill="none" stroke="currentColor" stroke-width="2" stroke-linecap="round" stroke-linejoin="round">${inner}</svg>`;
+  const unit = (100 / 24) ** 2;
+  await bring(page, icon('<circle cx="11" cy="11" r="8"/><line x1="21" y1="21" x2="16.65" y2="16.65"/>'));
+  // The handle's round end lies in the ring of the glass by some hundredths only.
+  const expected = unit * (2 * Math.PI * 8 * 2 + Math.hypot(4.35, 4.35) * 2 + Math.PI / 2);
+  assert.ok(Math.abs((await area(page)) / expected - 1) < 0.02, `${await area(page)} instead of ${expected}`);
+  await bring(page, icon('<polyline points="20 6 9 17 4 12"/>'));
+  const check = unit * (2 * (Math.hypot(11, 11) + Math.hypot(5, 5)) + Math.PI - (1 - Math.PI / 4));
+  assert.ok(Math.abs((await area(page)) / check - 1) < 0.01, `${await area(page)} instead of ${check}`);
+  // Points that are given are all taken.
+  const points = Array.from({ length: 600 }, (_, k) => [50 + 40 * Math.cos((Math.PI * k) / 300), 50 + 40 * Math.sin((Math.PI * k) / 300)]);
+  await bring(page, svg(`<polygon points="${points.join(' ')}"/>`));
+  assert.deepEqual((await rings(page)).map((ring) => ring.length), [600]);
+  assert.deepEqual([await messages(page), problems], [[], []]);
+  await close();
+});
+
+test('what cannot be taken is counted in one sentence', async () => {
+  const { page, problems, close } = await site.newPage(SQUARE);
+  await digest(page);
+  await bring(page, svg('<text y="9">a</text><text y="20">b</text><text display="none">c</text><image href="x.png" width="9" height="9"/><path mask="url(#m)" d="M10 10H90V90H10Z"/><path d="M95 95h1v1z"/>'));
+  await message(page, 'status', /^Taken without 2 texts, 1 picture, 1 mask, and 1 speck too small for stones\./);
+  assert.ok(Math.abs((await area(page)) - 6400) < 6);
+  await bring(page, svg('<text y="9">a</text>'));
+  await message(page, 'alert', /no path or shape.* It has 1 text, which cannot be taken\. The outline stays as it was\./);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('a drawing that is too much, or makes no sense, gets a sentence or a picture', async () => {
+  const { page, problems, close } = await site.newPage(SQUARE);
+  await digest(page);
+  const before = await link(page);
+  const laughs = Array.from({ length: 9 }, (_, k) => `<g id="a${k + 1}">${`<use href="#a${k}"/>`.repeat(10)}</g>`).join('');
+  for (const [text, words] of [
+    [squares(1600, 0.8), /1,600 separate rings, which need 6,400 points; at most 4,096 are allowed\. The outline stays/],
+    [squares(5000, 0.8), /5,000 separate rings, which need 20,000 points/],
+    [svg(`<defs><g id="a0"><rect width="9" height="9"/></g>${laughs}</defs><use href="#a9"/>`), /more than 50,000 shapes/],
+    [svg(`${'<g>'.repeat(9000)}<rect width="9" height="9"/>${'</g>'.repeat(9000)}`), /more than 200 deep/],
+    [svg(`<path d="M0 0${'l1 1 1-1'.repeat(400_000)}"/>`), /more than 200,000 points/],
+    [svg('<rect x="NaN" width="1e999" height="9"/><circle r="-5"/><path d="M0 0L1e400 9"/><rect width="0" height="50"/>'), /no path or shape/],
+    [svg('<rect width="1e300" height="9" x="1e300"/>'), /1 shape too far away, which cannot be taken/],
+    [JSON.stringify(Array.from({ length: 9000 }, (_, k) => [k, (k * k) % 977])), /9,000 points; at most 4,096/],
+  ]) {
+    await bring(page, text);
+    await message(page, 'alert', words);
+    assert.equal(await link(page), before);
+  }
+  // What uses itself is drawn but for that; and a square beside numbers that are none is a square.
+  await bring(page, svg('<g id="a"><rect x="20" y="20" width="50" height="50"/><use href="#a" x="5"/></g><rect x="1e-400" width="1e-300" height="9"/><path transform="scale(0)" d="M0 0H9V9"/>'));
+  assert.ok(Math.abs((await area(page)) - 55 * 50) < 3);
+  // As many squares as may be, and twice as many that overlap.
+  await bring(page, squares(300, 0.7));
+  assert.equal((await rings(page)).length, 300);
+  await bring(page, squares(625, 1.1));
+  assert.equal((await rings(page)).length, 1);
+  assert.match(await digest(page), /^[0-9a-f]+$/);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('Stop leaves the outline as it was, and another file takes the place of one that is being read', async () => {
+  const { page, problems, close } = await site.newPage(SQUARE);
+  await digest(page);
+  const before = await link(page);
+  const endless = svg(`<path d="M50 50${Array.from({ length: 150_000 }, (_, k) => `L${((k * 7919) % 1009) / 10} ${((k * 104729) % 997) / 10}`).join('')}"/>`);
+  await begin(page, endless);
+  await page.waitForSelector('#stop-outline');
+  assert.equal(await page.$('.message:has(progress) .close'), null, 'the way to stop can be put out of sight');
+  await click(page, '#stop-outline');
+  await message(page, 'status', /Reading .* was stopped\. The outline stays as it was\./);
+  assert.equal(await link(page), before);
+  await begin(page, endless);
+  await page.waitForSelector('#stop-outline');
+  await begin(page, svg('<path d="M10 10H90V90H10Z"/>'));
+  await page.waitForFunction(() => window.bubblestone.get('outline') === 'polygon');
+  await page.waitForFunction(() => !document.querySelector('progress'));
+  assert.ok(Math.abs((await area(page)) - 6400) < 6);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('reading a busy drawing never holds the page for more than 50 milliseconds', { skip: kind !== 'chromium' && 'only Chromium tells of long tasks' }, async () => {
+  const { page, problems, close } = await site.newPage(SQUARE);
+  await digest(page);
+  for (const drawing of [squares(5000, 0.8), squares(900, 0.8), squares(49, 0.8)]) {
+    const runs = [];
+    // What comes first takes the browser longer.
+    while (runs.length < 3 && !(runs.at(-1) < 50)) runs.push(await longest(page, drawing));
+    assert.ok(runs.at(-1) < 50, `tasks of ${runs.join(', ')} ms`);
+  }
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+/** Milliseconds of the longest task while the page takes a drawing: as the processor counts them, which may be at something else meanwhile. */
+async function longest(page, drawing) {
+  await unread(page);
+  await page.tracing.start({ categories: ['toplevel', 'devtools.timeline'] });
+  await page.evaluate((text) => {
+    const clipboardData = new DataTransfer();
+    clipboardData.setData('text/plain', text);
+    document.body.dispatchEvent(new ClipboardEvent('paste', { clipboardData, bubbles: true }));
+  }, drawing);
+  await read(page);
+  await frames(page, 20);
+  const { traceEvents } = JSON.parse(Buffer.from(await page.tracing.stop()).toString());
+  const pages = new Set(traceEvents.filter(({ name, args }) => name === 'thread_name' && args.name === 'CrRendererMain').map(({ pid, tid }) => `${pid}:${tid}`));
+  const tasks = traceEvents.filter(({ name, pid, tid }) => name.endsWith('RunTask') && pages.has(`${pid}:${tid}`));
+  assert.ok(tasks.length > 20, 'no tasks were seen');
+  return Math.max(...tasks.map(({ tdur = 0 }) => tdur / 1000));
+}

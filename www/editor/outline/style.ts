@@ -1,0 +1,93 @@
+/** What a drawing's style sheets, style attributes and attributes say of its elements. */
+import { compile } from 'css-select';
+import { AttributeAction, parse, SelectorType, type Selector } from 'css-what';
+import type { Element } from 'domhandler';
+
+/** What an element is told, by property. */
+export type Said = ReadonlyMap<string, string>;
+
+interface Rule {
+  fits: (element: Element) => boolean;
+  weight: number;
+  tells: Declaration[];
+}
+
+interface Declaration {
+  key: string;
+  value: string;
+  important: boolean;
+}
+
+/** What is passed on to what is inside. */
+export const INHERITED = [
+  'clip-rule', 'color', 'fill', 'fill-opacity', 'fill-rule', 'marker-end', 'marker-mid', 'marker-start', 'stroke', 'stroke-dasharray', 'stroke-dashoffset',
+  'stroke-linecap', 'stroke-linejoin', 'stroke-miterlimit', 'stroke-opacity', 'stroke-width', 'visibility',
+];
+
+/** Rules for other media than a light screen, and what is no rule for elements. */
+const ELSEWHERE = /@(?:media\b(?=[^{]*\b(?:print|speech|dark|not|reduce)\b)|font-face|(?:-\w+-)?keyframes|page|property|counter-style)/i;
+
+export class Sheet {
+  private readonly rules: Rule[] = [];
+
+  constructor(texts: string[]) {
+    for (const text of texts) this.read(text.replace(/\/\*[^]*?(?:\*\/|$)|<!--|-->/g, ''));
+    this.rules.sort((a, b) => a.weight - b.weight);
+  }
+
+  /** Rules within braces of their own, such as those for media, are read like all others. */
+  private read(text: string): void {
+    for (const { head, body } of blocks(text)) {
+      if (ELSEWHERE.test(head)) continue;
+      if (head.startsWith('@')) this.read(body);
+      else this.add(head, declarations(body));
+    }
+  }
+
+  private add(selectors: string, tells: Declaration[]): void {
+    try {
+      for (const selector of parse(selectors)) this.rules.push({ fits: compile<Element, Element>([selector], { xmlMode: true }), weight: weight(selector), tells });
+    } catch {
+      // A selector with a mistake, or for what is not in a file, such as a pointer over it.
+    }
+  }
+
+  /** Later ones and heavier ones win, important ones over all. */
+  of(element: Element): Said {
+    const own = declarations(element.attribs['style'] ?? '');
+    const told = [...this.rules.filter(({ fits }) => fits(element)).flatMap(({ tells }) => tells), ...own];
+    const last = [...told.filter(({ important }) => !important), ...told.filter(({ important }) => important)];
+    return new Map([...Object.entries(element.attribs), ...last.map(({ key, value }): [string, string] => [key, value])].map(([key, value]) => [key, value.trim()]));
+  }
+}
+
+/** What stands before braces and in them. */
+function* blocks(text: string): Generator<{ head: string; body: string }> {
+  let [from, open, deep] = [0, 0, 0];
+  for (const { index, 0: sign } of text.matchAll(/[{};]|"[^"]*"|'[^']*'/g)) {
+    if (sign === '{' && deep++ === 0) open = index;
+    // A rule without braces, such as one that imports.
+    if (sign === ';' && deep === 0) from = index + 1;
+    if (sign === '}' && deep > 0 && --deep === 0) {
+      yield { head: text.slice(from, open).trim(), body: text.slice(open + 1, index) };
+      from = index + 1;
+    }
+  }
+}
+
+function declarations(text: string): Declaration[] {
+  return [...text.matchAll(/(?<![-\w])([-\w]+)\s*:\s*((?:[^;"'(]|"[^"]*"|'[^']*'|\([^)]*\))*)/g)].map(([, key = '', said = '']) => {
+    const value = said.replace(/!\s*important\s*$/i, '');
+    return { key: key.startsWith('--') ? key : key.toLowerCase(), value: value.trim(), important: value !== said };
+  });
+}
+
+/** How much a selector counts: by its ids, then by classes and the like, then by elements. */
+function weight(selector: Selector[]): number {
+  return selector.reduce((sum, part) => {
+    if (part.type === SelectorType.Attribute) return sum + (part.name === 'id' && part.action === AttributeAction.Equals ? 1e6 : 1e3);
+    if (part.type === SelectorType.Tag || part.type === SelectorType.PseudoElement) return sum + 1;
+    if (part.type !== SelectorType.Pseudo || part.name === 'where') return sum;
+    return sum + (Array.isArray(part.data) ? Math.max(...part.data.map(weight)) : 1e3);
+  }, 0);
+}

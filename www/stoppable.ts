@@ -1,0 +1,33 @@
+/** Work that goes on for a while: how far it is, and a way to stop it. */
+import { make } from './dom';
+import { underWay, type Topic } from './messages';
+
+/** What is done sooner than this, in milliseconds, is not told. */
+const SOON = 250;
+
+export interface Task {
+  /** How much is done, 0..1; nothing is known where it is never said. */
+  progress(done: number): void;
+  readonly signal: AbortSignal;
+}
+
+/** Says what is done, with a bar and a button to stop it; throws where the work does, and when it was stopped. */
+export async function stoppable<T>(
+  { topic, sentence, name, stop }: { topic: Topic; sentence: string; name: string; stop: string },
+  stopping: AbortController,
+  work: (task: Task) => Promise<T>,
+): Promise<T> {
+  const bar = make('progress', { max: '1', 'aria-label': name });
+  const button = make('button', { type: 'button', id: `stop-${topic}` }, stop);
+  button.addEventListener('click', () => stopping.abort());
+  let note: HTMLElement | undefined;
+  const timer = setTimeout(() => (note = underWay(topic, sentence, bar, button)), SOON);
+  try {
+    const made = await work({ progress: (done) => (bar.value = done), signal: stopping.signal });
+    stopping.signal.throwIfAborted();
+    return made;
+  } finally {
+    clearTimeout(timer);
+    note?.remove();
+  }
+}
