@@ -2,8 +2,9 @@
 
 use super::Cell;
 use super::dual::Dual;
-use super::seams::{self, ATTEMPTS, Lined};
+use super::seams::{self, Lined};
 use crate::domain::Domain;
+use crate::mesh::torus::{Joining, TRIES};
 use crate::mesh::{Mesh, Weave};
 use crate::packing::Particle;
 
@@ -26,7 +27,7 @@ enum Step {
 enum Try {
     Within(Vec<Particle>, usize),
     Lines(Lined),
-    Seams(bool),
+    Seams(Joining),
 }
 
 /// What came of it.
@@ -73,8 +74,8 @@ impl Making {
                 Some(Made::Dual(Dual::within(domain, &mesh, (cells, rim), plain)))
             }
             Try::Lines(lined) => lined.cells(domain, &mesh).map(Made::Cells),
-            Try::Seams(pairs) => {
-                Dual::over_seams(domain, &mesh, &self.particles, (pairs, plain)).map(Made::Dual)
+            Try::Seams(joining) => {
+                Dual::over_seams(domain, &mesh, &self.particles, (joining, plain)).map(Made::Dual)
             }
         }
     }
@@ -88,13 +89,13 @@ impl Making {
         let lined = !self.plain && !domain.lines().is_empty();
         let number = self.begun;
         self.begun += 1;
-        if lined && number < ATTEMPTS.len() {
-            let (lined, nodes) = Lined::new(side, particles, ATTEMPTS[number]);
+        if lined && number < TRIES.len() {
+            let (lined, nodes) = Lined::new(side, particles, TRIES[number]);
             return (Try::Lines(lined), Step::Weave(Weave::new(nodes)));
         }
-        let number = number - if lined { ATTEMPTS.len() } else { 0 };
-        let attempt = ATTEMPTS[number.min(ATTEMPTS.len() - 1)];
-        let nodes = seams::nodes(side, particles, attempt, self.plain);
-        (Try::Seams(attempt.1), Step::Weave(Weave::new(nodes)))
+        let number = number - if lined { TRIES.len() } else { 0 };
+        let joining = TRIES[number.min(TRIES.len() - 1)];
+        let nodes = seams::nodes(side, particles, joining, self.plain);
+        (Try::Seams(joining), Step::Weave(Weave::new(nodes)))
     }
 }

@@ -3,7 +3,7 @@
 use super::Cell;
 use super::dual::{Dual, On, node, without_rim};
 use crate::domain::Domain;
-use crate::mesh::torus::{LONE, TRIES, closes, spread};
+use crate::mesh::torus::{Joining, closes, spread};
 use crate::mesh::{Mesh, Node};
 use crate::order;
 use crate::packing::Particle;
@@ -14,27 +14,11 @@ use glam::DVec2;
 /// crosses a line is rounded here and at its image, each on its own.
 const SAME: f64 = 4.0 / 65536.0;
 
-/// A try at cells that meet over the seams. Pairs of triangles are chosen one after the other, so that
-/// far from the picture other ones may be chosen; should that reach as far as the seams, more images
-/// are taken, and in the end lone triangles, which depend on nothing but their own corners.
-pub(super) const ATTEMPTS: [(f64, bool); 3] = [TRIES[0], TRIES[1], LONE];
-
 /// The nodes of these particles and their images.
-pub(super) fn nodes(
-    side: f64,
-    particles: &[Particle],
-    (margin, pairs): (f64, bool),
-    plain: bool,
-) -> Vec<Node> {
-    let (all, _) = spread(side, particles, margin);
-    let nodes = all.iter().map(|p| node(p, plain));
-    nodes.map(|node| paired(node, pairs)).collect()
-}
-
-/// Of nodes without corners no quadrilaterals are made.
-fn paired(mut node: Node, pairs: bool) -> Node {
-    node.corners &= pairs;
-    node
+pub(super) fn nodes(side: f64, particles: &[Particle], joining: Joining, plain: bool) -> Vec<Node> {
+    let (all, _) = spread(side, particles, joining);
+    let nodes = all.iter().map(|p| joining.node(node(p, plain)));
+    nodes.collect()
 }
 
 /// Cells and images of cells, and their nodes, to be cut by constraint lines.
@@ -45,12 +29,8 @@ pub(super) struct Lined {
 
 impl Lined {
     /// With the nodes.
-    pub fn new(
-        side: f64,
-        particles: &[Particle],
-        (margin, pairs): (f64, bool),
-    ) -> (Self, Vec<Node>) {
-        let (all, of) = spread(side, particles, margin);
+    pub fn new(side: f64, particles: &[Particle], joining: Joining) -> (Self, Vec<Node>) {
+        let (all, of) = spread(side, particles, joining);
         // Where they really are, of the same images.
         let placed = all.iter().zip(&of).map(|(p, &k)| {
             let (real, near) = (&particles[k as usize], &all[k as usize]);
@@ -65,7 +45,7 @@ impl Lined {
         let (cells, rim) = in_order(placed.collect());
         let (first, last) = in_order(all);
         let nodes = first.iter().chain(&last).map(Node::of);
-        let nodes = nodes.map(|node| paired(node, pairs)).collect();
+        let nodes = nodes.map(|node| joining.node(node)).collect();
         let rim = rim.len();
         (Self { cells, rim }, nodes)
     }
@@ -94,12 +74,12 @@ impl Lined {
 
 impl Dual {
     /// On the torus, of the mesh of [`nodes`], where the cells close over the seams or are those of
-    /// lone triangles.
+    /// Delaunay's triangles.
     pub fn over_seams(
         domain: &Domain,
         mesh: &Mesh,
         particles: &[Particle],
-        (pairs, plain): (bool, bool),
+        (joining, plain): (Joining, bool),
     ) -> Option<Self> {
         let mut dual = Self::of(Vec::new(), mesh, plain);
         for face in &mesh.faces {
@@ -107,7 +87,7 @@ impl Dual {
         }
         let rings: Vec<Vec<DVec2>> = (0..particles.len()).map(|k| dual.ring(k)).collect();
         dual.particles = particles.to_vec();
-        (!pairs || closes(domain, &rings)).then_some(dual)
+        (joining == Joining::Delaunay || closes(domain, &rings)).then_some(dual)
     }
 }
 

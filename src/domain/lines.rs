@@ -192,12 +192,7 @@ impl<'a> Cutter<'a> {
         for line in lines {
             let mut points: Vec<DVec2> = Vec::with_capacity(line.len());
             for &p in line {
-                let near = domain.nearest(p);
-                let on_outline = near.distance.abs() <= cutter.near;
-                let p = cutter.node(if on_outline { near.point } else { p });
-                if on_outline {
-                    cutter.touches.push((near.segment, p));
-                }
+                let p = cutter.node(p);
                 if points.last() != Some(&p) {
                     points.push(p);
                 }
@@ -207,9 +202,12 @@ impl<'a> Cutter<'a> {
         cutter
     }
 
-    /// The node at a place, a new one where there is none near.
+    /// The node at a place, a new one where there is none near: on the outline where that is near, so
+    /// that no node is so near to it without lying on it.
     fn node(&mut self, p: DVec2) -> DVec2 {
-        let p = on_grain(p);
+        let foot = self.domain.nearest(p);
+        let on_outline = foot.distance.abs() <= self.near;
+        let p = on_grain(if on_outline { foot.point } else { p });
         for &node in &self.nodes {
             // The node's image nearest to the place: exact, as all lies on the grain.
             let by = node - p;
@@ -219,6 +217,9 @@ impl<'a> Cutter<'a> {
             }
         }
         self.nodes.push(p);
+        if on_outline {
+            self.touches.push((foot.segment, p));
+        }
         p
     }
 
@@ -233,10 +234,9 @@ impl<'a> Cutter<'a> {
         }
         let domain = self.domain;
         for piece in &mut pieces {
-            for (index, &outline) in domain.segments().iter().enumerate() {
+            for &outline in domain.segments() {
                 if let Some(p) = self.crossing(piece.ends, outline) {
                     piece.cut(p);
-                    self.touches.push((index, p));
                 }
             }
         }

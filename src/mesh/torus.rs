@@ -11,23 +11,65 @@ use crate::packing::Particle;
 use crate::planar::on_grain;
 use glam::DVec2;
 
-/// Images are made so many sizes around the picture. Pairs of triangles are chosen one after the
-/// other, so that far from the picture other ones may be chosen; should that reach as far as the
-/// seams, more images are taken. Each with whether triangles may be paired at all.
-pub(crate) const TRIES: [(f64, bool); 2] = [(5.0, true), (12.0, true)];
-/// The last resort: lone triangles, which depend on nothing but their own corners.
-pub(crate) const LONE: (f64, bool) = (5.0, false);
+/// How cells and their images are joined.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Joining {
+    /// Triangles are paired where they can be; with images up to so many sizes around the picture.
+    Pairs(u32),
+    /// Lone triangles, made Delaunay in the local metric; with images as far.
+    Lone(u32),
+    /// Lone triangles, Delaunay's.
+    Delaunay,
+}
+
+/// The tries, until one closes over the seams. Pairs are chosen and sides flipped one after the other,
+/// so that far from the picture others may be; should that reach as far as the seams, more images are
+/// taken. In the end stand Delaunay's triangles, which depend on nothing but their own corners.
+pub(crate) const TRIES: [Joining; 4] = [
+    Joining::Pairs(5),
+    Joining::Pairs(12),
+    Joining::Lone(5),
+    Joining::Delaunay,
+];
 
 /// Images farther than this many pictures away are not made.
 const FARTHEST: f64 = 8.0;
+/// Around a triangle of points that repeat with the picture no circle without points is wider than
+/// its diagonal: with images as far as this (sides) all of Delaunay's triangles in it are there.
+const DIAGONAL: f64 = 1.5;
 
-/// The cells with their places on the grain, then their images up to `margin` sizes around the
-/// picture; and for each the number of the cell that it is, or is an image of. All are moved a
+impl Joining {
+    /// How far around the picture there are images, of cells up to a size.
+    fn margin(self, side: f64, largest: f64) -> f64 {
+        match self {
+            Self::Pairs(sizes) | Self::Lone(sizes) => {
+                (f64::from(sizes) * largest).min(FARTHEST * side)
+            }
+            Self::Delaunay => DIAGONAL * side,
+        }
+    }
+
+    /// The node as this way of joining sees it.
+    pub fn node(self, node: Node) -> Node {
+        let node = match self {
+            Self::Delaunay => Node::plain(node.at),
+            _ => node,
+        };
+        let corners = node.corners && matches!(self, Self::Pairs(_));
+        Node { corners, ..node }
+    }
+}
+
+/// The cells with their places on the grain, then their images around the picture; and for each the number of the cell that it is, or is an image of. All are moved a
 /// little, by less than a thousandth of a picture unit and each by its id: on an even lattice it
 /// would be for chance to choose a diagonal, once here and once at the image.
-pub(crate) fn spread(side: f64, particles: &[Particle], margin: f64) -> (Vec<Particle>, Vec<u32>) {
+pub(crate) fn spread(
+    side: f64,
+    particles: &[Particle],
+    joining: Joining,
+) -> (Vec<Particle>, Vec<u32>) {
     let largest = particles.iter().fold(0.0_f64, |m, p| m.max(p.size));
-    let margin = (margin * largest).min(FARTHEST * side);
+    let margin = joining.margin(side, largest);
     let mut all: Vec<Particle> = particles.to_vec();
     for p in &mut all {
         let noise = p.id.wrapping_mul(0x9e37_79b1);
@@ -78,8 +120,8 @@ pub(crate) fn closes(domain: &Domain, rings: &[Vec<DVec2>]) -> bool {
 /// The tries at a mesh that closes over the seams.
 pub(super) struct Seams {
     side: f64,
-    tries: std::array::IntoIter<(f64, bool), 3>,
-    pairs: bool,
+    /// Tries begun so far.
+    begun: usize,
     /// The cells and their images, and the number of the cell that each is or is an image of.
     all: Vec<Particle>,
     of: Vec<u32>,
@@ -88,11 +130,9 @@ pub(super) struct Seams {
 impl Seams {
     /// Nothing tried yet.
     pub fn new(side: f64) -> Self {
-        let [first, second] = TRIES;
         Self {
             side,
-            tries: [first, second, LONE].into_iter(),
-            pairs: false,
+            begun: 0,
             all: Vec::new(),
             of: Vec::new(),
         }
@@ -100,18 +140,17 @@ impl Seams {
 
     /// The nodes of the next try.
     pub fn nodes(&mut self, particles: &[Particle]) -> Vec<Node> {
-        let (margin, pairs) = self.tries.next().unwrap_or(LONE);
-        (self.all, self.of) = spread(self.side, particles, margin);
-        self.pairs = pairs;
-        let mut nodes: Vec<Node> = self.all.iter().map(Node::of).collect();
-        nodes.iter_mut().for_each(|node| node.corners &= pairs);
-        nodes
+        let joining = TRIES[self.begun.min(TRIES.len() - 1)];
+        self.begun += 1;
+        (self.all, self.of) = spread(self.side, particles, joining);
+        let nodes = self.all.iter().map(Node::of);
+        nodes.map(|node| joining.node(node)).collect()
     }
 
     /// See [`Mesh::build`]; nothing where elements do not agree over the seams. In the end they give
-    /// way to lone triangles.
+    /// way to Delaunay's triangles.
     pub fn mesh(&self, domain: &Domain, particles: &[Particle], weave: Weave) -> Option<Mesh> {
-        let Self { all, of, pairs, .. } = self;
+        let Self { all, of, begun, .. } = self;
         let places = |k: &[u32]| -> Vec<DVec2> {
             let place = |&k: &u32| all[k as usize].centre;
             k.iter().map(place).collect()
@@ -134,7 +173,8 @@ impl Seams {
         let mut faces = quads::pair(&nodes, &triangles, keep).faces;
         faces.retain(|face| is_home(face.nodes()));
         rings.extend(faces.iter().map(|face| places(face.nodes())));
-        (!pairs || closes(domain, &rings)).then(|| Mesh::with_images(particles, (all, of), faces))
+        (*begun == TRIES.len() || closes(domain, &rings))
+            .then(|| Mesh::with_images(particles, (all, of), faces))
     }
 }
 
