@@ -22,7 +22,7 @@ const OWN_AREA: f64 = 0.6;
 const COMPACT: f64 = 0.45;
 /// Cells smaller than this (in squared sizes) join a neighbour.
 const SMALL: f64 = 0.45;
-/// Edges with their middle this near to a constraint line (picture units) are pieces of it.
+/// Cells this near to a constraint line (picture units) stand on it.
 const ON_LINE: f64 = 1e-4;
 /// The two halves of a cell on a line are looked for this far from it (in sizes).
 const ASIDE: f64 = 0.05;
@@ -76,7 +76,7 @@ enum Between {
     Open,
     /// A line.
     Side,
-    /// A constraint line: no cell is on both its sides.
+    /// The outline or a constraint line: no cell is on both its sides.
     Wall,
 }
 
@@ -102,10 +102,11 @@ pub(super) struct Arrangement {
 }
 
 impl Arrangement {
-    pub fn new(domain: &Domain, lines: Vec<Line>) -> Self {
-        // The outline first: its lines do not cross, the sides are divided by them.
+    pub fn new(lines: Vec<Line>) -> Self {
+        // The outline and the constraint lines first: they are told from the sides.
         let (boundary, sides): (Vec<Line>, Vec<Line>) = lines.into_iter().partition(|l| l.boundary);
-        let mesh = planar::lay(boundary.iter().chain(&sides).map(|line| line.ends));
+        let all = boundary.iter().chain(&sides).map(|line| line.ends);
+        let (mesh, walls) = planar::lay(all, boundary.len());
         let count = mesh.num_inner_faces();
         let mut arrangement = Self {
             corners: Vec::with_capacity(count),
@@ -115,23 +116,22 @@ impl Arrangement {
             joined: Vec::new(),
             mesh,
         };
-        arrangement.read_triangles(domain);
+        arrangement.read_triangles(&walls);
         arrangement.flood();
         arrangement
     }
 
-    fn read_triangles(&mut self, domain: &Domain) {
+    fn read_triangles(&mut self, walls: &[[u32; 2]]) {
         for face in self.mesh.inner_faces() {
             self.corners.push(face.positions().map(position));
             self.across.push(face.adjacent_edges().map(|edge| {
                 let other = edge.rev().face().as_inner();
                 // Inner faces are numbered from 1: 0 is the outer face.
                 let index = other.map(|f| f.fix().index() as u32 - 1);
-                let [a, b] = edge.positions().map(position);
-                let on_line = || domain.nearest_line(a.midpoint(b));
+                let ends = planar::edge_of(edge.from().fix(), edge.to().fix());
                 let between = if !edge.is_constraint_edge() {
                     Between::Open
-                } else if on_line().is_some_and(|near| near.distance < ON_LINE) {
+                } else if walls.binary_search(&ends).is_ok() {
                     Between::Wall
                 } else {
                     Between::Side

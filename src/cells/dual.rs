@@ -305,7 +305,7 @@ impl Dual {
     fn cut(&self, domain: &Domain, band: &[bool], inner: &[Cell]) -> Vec<Cell> {
         let mut lines = self.outline(domain);
         lines.extend(self.sides(domain, band));
-        let mut arrangement = Arrangement::new(domain, lines);
+        let mut arrangement = Arrangement::new(lines);
         let inner = Inner::new(domain, inner);
         arrangement.mark(domain, &self.particles, band, |p| inner.contains(p));
         arrangement.assign(!self.plain);

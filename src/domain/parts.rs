@@ -29,7 +29,7 @@ impl Parts {
             let frame = [at(-1., -1.), at(2., -1.), at(2., 2.), at(-1., 2.)];
             lines.extend((0..4).map(|k| [frame[k], frame[(k + 1) % 4]]));
         }
-        let mesh = planar::lay(lines.into_iter());
+        let (mesh, _) = planar::lay(lines.into_iter(), 0);
         let mut parts = Self {
             part: vec![0; mesh.num_inner_faces()],
             mesh,

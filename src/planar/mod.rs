@@ -3,6 +3,7 @@
 mod boxes;
 mod snap;
 
+use crate::order;
 use glam::DVec2;
 use robust::{Coord, orient2d};
 use snap::snap;
@@ -29,8 +30,13 @@ pub(crate) fn insert(mesh: &mut Delaunay, p: Point2<f64>) -> Option<FixedVertexH
     mesh.insert(p).ok()
 }
 
-/// Lays lines into an empty triangulation, rounded to the grain and divided where they cross.
-pub(crate) fn lay(lines: impl Iterator<Item = [DVec2; 2]>) -> Delaunay {
+/// Lays lines into an empty triangulation, rounded to the grain and divided where they cross. With
+/// the edges that the first `walls` of them have become: the numbers of two vertices, the smaller
+/// first, in rising order.
+pub(crate) fn lay(
+    lines: impl Iterator<Item = [DVec2; 2]>,
+    walls: usize,
+) -> (Delaunay, Vec<[u32; 2]>) {
     let lines: Vec<[DVec2; 2]> = lines.filter_map(clipped).map(|l| l.map(on_grain)).collect();
     let snapped = snap(&lines);
     let mut mesh = Delaunay::new();
@@ -38,12 +44,23 @@ pub(crate) fn lay(lines: impl Iterator<Item = [DVec2; 2]>) -> Delaunay {
     let handles: Vec<Option<FixedVertexHandle>> = points
         .map(|p| insert(&mut mesh, Point2::new(p.x, p.y)))
         .collect();
-    for piece in snapped.pieces {
+    let mut edges = Vec::new();
+    for (line, piece) in snapped.pieces {
         if let [Some(a), Some(b)] = piece.map(|k| handles[k as usize]) {
             mesh.add_constraint(a, b);
+            if (line as usize) < walls {
+                edges.push(edge_of(a, b));
+            }
         }
     }
-    mesh
+    order::sort(&mut edges, |e| (order::pair(e[0], e[1]), 0));
+    (mesh, edges)
+}
+
+/// The numbers of two vertices, the smaller first.
+pub(crate) fn edge_of(a: FixedVertexHandle, b: FixedVertexHandle) -> [u32; 2] {
+    let [a, b] = [a, b].map(|v| v.index() as u32);
+    [a.min(b), a.max(b)]
 }
 
 /// What lies nearer than [`FAR`] of a line; nothing where its ends have no finite place.

@@ -16,8 +16,8 @@ use glam::DVec2;
 pub(super) struct Snapped {
     /// All different: the ends of the lines as they come, then the crossings.
     pub points: Vec<DVec2>,
-    /// The numbers of points; where lines run through the same two points more than once.
-    pub pieces: Vec<[u32; 2]>,
+    /// The line's number and those of two points; more than one where lines run together.
+    pub pieces: Vec<(u32, [u32; 2])>,
 }
 
 /// Rounds lines between points of the grain.
@@ -40,7 +40,7 @@ pub(super) fn snap(lines: &[[DVec2; 2]]) -> Snapped {
     }
     order::sort(&mut passed, |p| (p.0.into(), order::rank(p.1)));
     let pairs = passed.windows(2).filter(|w| w[0].0 == w[1].0);
-    let pieces = pairs.map(|w| [w[0].2, w[1].2]).collect();
+    let pieces = pairs.map(|w| (w[0].0, [w[0].2, w[1].2])).collect();
     Snapped { points, pieces }
 }
 
@@ -151,7 +151,7 @@ mod tests {
 
     fn pieces(lines: &[[DVec2; 2]]) -> Lines {
         let Snapped { points, pieces } = snap(lines);
-        let ends = |piece: [u32; 2]| piece.map(|k| points[k as usize]);
+        let ends = |(_, piece): (u32, [u32; 2])| piece.map(|k| points[k as usize]);
         pieces.into_iter().map(ends).collect()
     }
 
