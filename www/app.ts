@@ -1,4 +1,5 @@
 /** The wiring: what happens when something on the page is changed, and what is shown of it. */
+import { Ahead } from './ahead';
 import { shown } from './control';
 import { Controls } from './controls';
 import { makeChances } from './chances';
@@ -11,8 +12,8 @@ import { bindKeys, listenToKeys } from './keys';
 import { address, fragment, isReload, Link } from './link';
 import { Later } from './later';
 import { isLocked, keptLocks } from './locks';
-import { Loop } from './loop';
-import { lastWork, remember, type LastWork } from './memory';
+import { isEnd, Loop } from './loop';
+import { isFirstVisit, lastWork, remember, type LastWork } from './memory';
 import { alertOf, clear, notice, offerOf, passing } from './messages';
 import { Presets } from './presets';
 import { scriptFace, type ScriptFace } from './scripts';
@@ -20,11 +21,14 @@ import { Seed, SEED, withSeed } from './seed';
 import { keepInSight } from './sight';
 import { StatusLine } from './status';
 import { Store, type State } from './store';
+import { Subtitle } from './subtitle';
 import { Transport } from './transport';
 import { Toolbox } from './toolbox';
 import { tellCrash } from './trouble';
+import { STAGES } from './types';
 import { View, VIEWS } from './view';
 import { makeViewBox } from './viewbox';
+import { Watch } from './watch';
 import { language, speak, t } from './words';
 import { presetOf, Work } from './work';
 
@@ -43,10 +47,17 @@ export class App {
   private readonly view: View;
   private readonly transport: Transport;
   private readonly status = new StatusLine();
+  private readonly subtitle = new Subtitle();
   private readonly editing: Editing;
   private readonly face: ScriptFace;
   /** Whether cells were shown. */
   private begun = false;
+  /** The picture that the page begins with forms slowly, for a newcomer: scripts are to be told ahead. */
+  private newcomer: boolean;
+  private ahead: Ahead | undefined;
+  /** The first picture is done. */
+  readonly finished: Promise<void>;
+  private finish = (): void => undefined;
   /** A timer: the end of the work is told once it lasts. */
   private telling = 0;
   /** Visitors who asked for less motion see no cells move until they choose a speed. */
@@ -55,8 +66,10 @@ export class App {
   constructor() {
     const last = lastWork();
     const asked = last && isReload() && last.past.includes(fragment()) ? last.recipe : fragment();
+    this.newcomer = isFirstVisit() && asked === '' && !this.still;
+    this.finished = new Promise((resolve) => (this.finish = resolve));
     this.engine = new Engine(asked === '' && last?.own ? last.recipe : asked, (error, link) => this.crashed(error, link));
-    this.face = scriptFace(this.engine, () => this.loop.rests);
+    this.face = scriptFace(this.engine, () => this.loop.rests, () => this.ahead);
     this.store = new Store(this.first(asked, last));
     this.work = new Work(this.engine, this.store);
     this.history = new History(this.store);
@@ -78,6 +91,7 @@ export class App {
     if (last && asked !== '' && last.own && last.recipe !== this.store.state.recipe && !isReload()) this.tellReplaced();
     remember(this.store);
     keepInSight(this.store);
+    if (this.newcomer) this.watch();
     this.loop.begin();
   }
 
@@ -161,18 +175,20 @@ export class App {
       if (!text && note.textContent) note.ariaLive = 'off';
       say(note, text);
     };
-    const showTransport = ({ paused, pace }: State): void => {
+    const showTransport = ({ paused, pace, stage }: State): void => {
       if (this.loop.paused !== paused) this.loop.paused = paused;
       this.loop.stepsPerFrame = pace;
-      this.transport.show(paused, pace);
+      this.transport.show(isEnd(stage) ? 'again' : paused ? 'play' : 'pause', pace);
     };
+    store.on(['recipe', 'editing'], () => this.leave());
     store.on(['recipe'], ({ recipe }) => {
+      this.endAhead();
       this.link.write(recipe);
       this.editing.follow();
       this.loop.changed();
     });
     store.on(['past', 'future', 'stored', 'own'], showHistory);
-    store.on(['paused', 'pace'], showTransport);
+    store.on(['paused', 'pace', 'stage'], showTransport);
     store.on(['held'], () => this.loop.changed());
     store.on(['view', 'overlays'], () => this.loop.redraw());
     this.link.write(store.state.recipe);
@@ -183,15 +199,12 @@ export class App {
   private makeTransport(): Transport {
     const { store } = this;
     const transport = new Transport({
-      toggle: () => store.update({ paused: !store.state.paused }),
+      toggle: () => (isEnd(this.engine.stage()) ? this.again() : store.update({ paused: !store.state.paused })),
       step: () => this.step(),
-      restart: () => {
-        this.engine.restart();
-        this.loop.changed();
-      },
       speed: (pace) => {
         this.still = false;
         store.update({ pace });
+        if (pace === this.transport.fastest()) this.leave();
       },
     });
     if (this.still) store.update({ pace: transport.fastest() });
@@ -203,7 +216,7 @@ export class App {
     bindKeys(
       { keys: [' '], shown: ['Space'], word: 'key_play', act: press('play') },
       { keys: ['s', '.'], word: 'key_step', act: press('step'), repeats: true },
-      { keys: ['r'], word: 'key_restart', act: press('restart') },
+      { keys: ['r'], word: 'key_restart', act: () => this.again() },
       { keys: ['d'], word: 'key_dice', act: press('dice') },
       { keys: ['x'], word: 'key_throw', act: press('throw') },
       { keys: ['ctrl+z'], shown: ['Ctrl+Z'], word: 'key_undo', act: press('undo'), repeats: true },
@@ -214,6 +227,7 @@ export class App {
     );
     listenToKeys();
     const sharing = new Later(() => import('./take/share'));
+    for (const id of ['share', 'save']) byId(id).addEventListener('click', () => this.leave());
     byId('share').addEventListener('click', () => sharing.ask(({ share }) => share(this.engine, this.store, this.view.canvas)));
     const saving = new Later(() => import('./take/save'));
     byId('save').addEventListener('click', () => saving.ask(({ save }) => save(this.work, this.view.canvas)));
@@ -252,8 +266,42 @@ export class App {
     offerOf('replaced', t('replaced'), back);
   }
 
+  /** The forming from its start, at a pace to watch it, or held there. */
+  private again(paused = false): void {
+    this.still = false;
+    this.store.update({ paused });
+    this.watch();
+    this.engine.restart();
+    this.loop.changed();
+  }
+
+  /** From now on the work goes at the pace of who watches. */
+  private watch(): void {
+    const watch = new Watch();
+    if (isEnd(this.engine.stage())) watch.expected = this.engine.status().steps;
+    this.loop.watch = watch;
+    this.subtitle.begin(this.engine.get('stone') === 'skin');
+  }
+
+  /** Nobody watches any more: the work goes on at its own pace. */
+  private leave(): void {
+    this.newcomer = false;
+    if (!this.loop.watch) return;
+    this.loop.watch = undefined;
+    this.subtitle.end(true);
+  }
+
+  private endAhead(): void {
+    this.ahead?.end();
+    this.ahead = undefined;
+  }
+
   private step(): void {
+    const stage = this.engine.stage();
+    if (isEnd(stage)) return this.again(true);
     this.store.update({ paused: true });
+    // The first cells come by themselves.
+    if (STAGES.findIndex((word) => word === stage) < STAGES.indexOf('packing')) return;
     const before = this.engine.status().steps;
     this.engine.step();
     if (this.engine.status().steps === before && this.engine.alive) passing('done', t('settled'));
@@ -272,11 +320,35 @@ export class App {
     if (changed && this.shownAt(stage) !== undefined) this.view.draw();
     const status = this.engine.status();
     this.begun ||= changed && status.cells > 0;
-    this.status.show(stage, status);
+    this.watched(stage);
+    this.status.show(stage, status, this.loop.watch !== undefined);
     this.status.name(this.view.note || (preset ? '' : this.described()), this.view.absences().values(), preset?.shown, preset?.recipe !== recipe, stage, status);
     this.report(stage);
     if (stage === 'error') this.stuck();
+    if (stage === 'done') this.finish();
+  }
+
+  /** What is said of the forming, and to scripts ahead of it. */
+  private watched(stage: string): void {
+    const { loop } = this;
+    if (isEnd(stage)) {
+      loop.watch = undefined;
+      this.subtitle.end(false);
+      return this.endAhead();
+    }
+    if (!loop.watch || !this.begun) return;
+    this.subtitle.show(loop.watch.phase);
+    if (this.newcomer) this.ahead = new Ahead(this.store.state.recipe, (error, link) => this.crashed(error, link), () => this.told());
+    this.newcomer = false;
+  }
+
+  /** Tells scripts the stage of the recipe: on the screen it may be an earlier one. */
+  private told(): void {
+    const stage = this.ahead?.stage ?? this.engine.stage();
+    const { dataset } = document.documentElement;
+    if (dataset['stage'] !== stage) dataset['stage'] = stage;
     if (stage === 'done') this.face.done();
+    if (this.ahead?.planes && this.loop.watch) this.loop.watch.expected = this.ahead.planes.status.steps;
   }
 
   /** A recipe that has no name, in the words of its controls. */
@@ -296,11 +368,12 @@ export class App {
 
   /** Names the stage at work to scripts, and the end of the work to listeners. */
   private report(stage: string): void {
+    this.told();
     const before = this.store.state.stage;
     if (stage === before) return;
     if (before === 'error') clear('trouble');
-    this.store.update({ stage });
-    document.documentElement.dataset['stage'] = stage;
+    // A pause holds one forming, not the next.
+    this.store.update(isEnd(stage) ? { stage, paused: false } : { stage });
     const { cells, steps } = this.engine.status();
     clearTimeout(this.telling);
     say(byId('live'), '');

@@ -50,16 +50,22 @@ export class Engine {
   private readonly crashed: (error: unknown, link: string) => void;
   private dead = false;
   private lastLink: string;
-  readonly schema: Parameter[];
-  readonly presets: Preset[];
+  private rows: Parameter[] | undefined;
+  private known: Preset[] | undefined;
 
   /** Never throws; a failure reaches `crashed` with the last known link. */
   constructor(link: string, crashed: (error: unknown, link: string) => void) {
     this.crashed = crashed;
     this.lastLink = link.replace(/^#/, '');
-    this.schema = this.guard(() => (schema() as RawParameter[]).map((row) => parameterIn({ ...row, default: String(row.default) })), []);
-    this.presets = this.guard(() => (presets() as Preset[]).map(presetIn), []);
     this.core = this.guard(() => new Bubblestone(link), undefined);
+  }
+
+  get schema(): Parameter[] {
+    return (this.rows ??= this.guard(() => (schema() as RawParameter[]).map((row) => parameterIn({ ...row, default: String(row.default) })), []));
+  }
+
+  get presets(): Preset[] {
+    return (this.known ??= this.guard(() => (presets() as Preset[]).map(presetIn), []));
   }
 
   get alive(): boolean {

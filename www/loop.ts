@@ -1,5 +1,7 @@
 /** The animation frames: a slice of work in each, none when there is nothing to do or to see. */
 import type { Engine } from './engine';
+import { STAGES } from './types';
+import type { Watch } from './watch';
 
 /** Milliseconds of work in a frame; the rest of it belongs to the browser. */
 const BUDGET = 12;
@@ -20,6 +22,8 @@ const PIECE = 16;
 export class Loop {
   /** Packing steps that a frame may take at most; below 1, several frames share one. */
   stepsPerFrame = 1;
+  /** The pace while somebody watches. */
+  watch: Watch | undefined;
   private credit = 0;
   private readonly engine: Engine;
   private readonly view: (stage: string) => string | undefined;
@@ -53,7 +57,8 @@ export class Loop {
 
   set paused(paused: boolean) {
     this.held = paused;
-    this.settling = false;
+    // What has no cells yet goes on to its first ones.
+    this.settling = STAGES.findIndex((word) => word === this.engine.stage()) <= STAGES.indexOf('packing');
     // A pause shows the step that it holds, which may not have been drawn.
     this.redraw();
   }
@@ -130,7 +135,7 @@ export class Loop {
     }
     const before = this.engine.stage();
     const working = !this.owed && !isEnd(before) && (!this.held || this.settling);
-    const changed = working && this.engine.tick(BUDGET, this.held ? 0 : this.stepsNow());
+    const changed = working && this.work(begin);
     const stage = this.engine.stage();
     // Held, work ends where only packing steps are left: the packing's first cells may take a slice of their own.
     if (isEnd(stage) || (working && this.held && stage === 'packing' && !changed)) this.settling = false;
@@ -143,6 +148,15 @@ export class Loop {
     this.dirty = false;
     this.show(stage, draw);
     if (!isEnd(stage) && (!this.held || this.settling)) this.wake();
+  }
+
+  /** A slice of the work in a frame that began then; true when what is shown may have changed. */
+  private work(begin: number): boolean {
+    const { engine, watch } = this;
+    if (this.held) return engine.tick(BUDGET, 0);
+    if (!watch) return engine.tick(BUDGET, this.stepsNow());
+    // Who asked for slow steps gets them.
+    return watch.tick(engine, begin, BUDGET, this.stepsPerFrame < 1 ? this.stepsNow() : undefined);
   }
 }
 

@@ -5,7 +5,6 @@ import { load } from './engine';
 import { choiceOf, choose } from './memory';
 import { alertOf, passing } from './messages';
 import { keepModule } from './module';
-import type { Bubblestone } from './scripts';
 import { followTheme } from './theme';
 import { t, takeLanguage } from './words';
 
@@ -14,21 +13,20 @@ async function start(): Promise<void> {
     const embedded = isEmbedded();
     document.documentElement.toggleAttribute('data-embed', embedded);
     const [embed] = await Promise.all([embedded ? import('./embed') : undefined, load(), takeLanguage()]);
-    const scripts = embed ? embed.embed() : await begin();
-    window.bubblestone = scripts;
-    // Within another page there is nothing to install.
-    if (!embed) scripts.digest().then(storeSite, () => undefined);
+    if (embed) window.bubblestone = embed.embed();
+    else await begin();
   } catch (error) {
     document.documentElement.dataset['stage'] = 'error';
     alertOf('trouble', error instanceof Error ? error.message : String(error));
   }
 }
 
-async function begin(): Promise<Bubblestone> {
+async function begin(): Promise<void> {
   followTheme();
   const app = new App();
   await app.furnish();
-  return app.scripts();
+  window.bubblestone = app.scripts();
+  void app.finished.then(storeSite);
 }
 
 /** The first picture is done: now there is time for the next visit. */

@@ -24,6 +24,17 @@ function areLinks(list: unknown): list is string[] {
   return Array.isArray(list) && list.every((link) => typeof link === 'string');
 }
 
+/** Whether nothing is stored here from an earlier visit; from now on something is. */
+export function isFirstVisit(): boolean {
+  try {
+    const isFirst = !Object.keys(localStorage).some((key) => key.startsWith(CHOICE));
+    choose('visited', 'yes');
+    return isFirst;
+  } catch {
+    return true;
+  }
+}
+
 /** A choice of the visitor's about the page: its language, for one. */
 export function choiceOf(name: string): string | undefined {
   try {

@@ -1,9 +1,10 @@
 /** `window.bubblestone`: the words of the page for scripts. */
+import type { Ahead } from './ahead';
 import type { Engine } from './engine';
 import type { Parameter, Preset, Probe, Status } from './types';
 
 export interface Bubblestone {
-  /** The digest of the planes, once they are done and drawn. */
+  /** The digest of the planes, once they are done and drawn; on a first visit, while they still form on the screen. */
   digest(): Promise<string>;
   /** The fragment of the recipe, without '#'. */
   link(): string;
@@ -23,15 +24,16 @@ declare global {
 
 export interface ScriptFace {
   readonly face: Bubblestone;
-  /** The planes are done and drawn: answers those who wait. */
+  /** The planes are done, and drawn or worked out ahead: answers those who wait. */
   done(): void;
   /** They never will be. */
   failed(sentence?: string): void;
 }
 
-/** `rests` tells that all that was done is drawn. */
-export function scriptFace(engine: Engine, rests: () => boolean): ScriptFace {
+/** `rests` tells that all that was done is drawn; `ahead` is where the recipe was worked out before. */
+export function scriptFace(engine: Engine, rests: () => boolean, ahead: () => Ahead | undefined = () => undefined): ScriptFace {
   const waiting: { resolve: (digest: string) => void; reject: (error: Error) => void }[] = [];
+  const digest = (): string => ahead()?.planes?.digest ?? engine.digest();
   const broken = (): Error => new Error('Bubblestone has stopped after an error; load the page again.');
   return {
     face: {
@@ -39,20 +41,20 @@ export function scriptFace(engine: Engine, rests: () => boolean): ScriptFace {
         new Promise((resolve, reject) => {
           if (!engine.alive) reject(broken());
           else if (engine.stage() === 'error') reject(new Error(engine.problem()));
-          else if (engine.stage() === 'done' && rests()) resolve(engine.digest());
+          else if (ahead()?.planes ?? (engine.stage() === 'done' && rests())) resolve(digest());
           else waiting.push({ resolve, reject });
         }),
       link: () => engine.link(),
       get: (key) => engine.get(key),
-      status: () => engine.status(),
+      status: () => ahead()?.status ?? engine.status(),
       probe: (x, y) => engine.probe([x, y]),
       schema: engine.schema,
       presets: engine.presets,
     },
     done: () => {
       if (!waiting.length) return;
-      const digest = engine.digest();
-      for (const { resolve } of waiting.splice(0)) resolve(digest);
+      const answer = digest();
+      for (const { resolve } of waiting.splice(0)) resolve(answer);
     },
     failed: (sentence) => {
       for (const { reject } of waiting.splice(0)) reject(sentence ? new Error(sentence) : broken());

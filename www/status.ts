@@ -4,8 +4,9 @@ import { progressOf } from './progress';
 import { STAGES, type Preset, type Status } from './types';
 import { sentenceIn, t } from './words';
 
-/** Milliseconds; shorter work does not show how far it is. */
+/** Milliseconds; shorter work does not show how far it is, nor does what takes its time because somebody watches. */
 const LONG = 400;
+const WATCHED = 6000;
 
 const COUNTS = ['cells', 'steps', 'move', 'added'] as const;
 
@@ -36,7 +37,7 @@ export class StatusLine {
     }
   }
 
-  show(stage: string, status: Status): void {
+  show(stage: string, status: Status, watched: boolean): void {
     const at = STAGES.findIndex((word) => word === stage);
     STAGES.forEach((word, index) => {
       const parts = this.stages.get(word);
@@ -48,7 +49,7 @@ export class StatusLine {
       const spent = status.ms[word];
       say(parts.time, state === 'next' || spent === undefined ? '–' : `${milliseconds(spent)} ms`);
     });
-    this.progress(stage, status);
+    this.progress(stage, status, watched ? WATCHED : LONG);
     this.count('cells', String(status.cells));
     this.count('steps', String(status.steps));
     this.count('move', status.steps ? status.largestMove.toFixed(3) : '–');
@@ -78,11 +79,11 @@ export class StatusLine {
   }
 
   /** The bar under the canvas, while work takes long. */
-  private progress(stage: string, status: Status): void {
+  private progress(stage: string, status: Status, long: number): void {
     const word = STAGES.find((each) => each === stage);
     const now = performance.now();
     this.began = word && (this.began ?? now);
-    this.work.hidden = this.began === undefined || now - this.began < LONG;
+    this.work.hidden = this.began === undefined || now - this.began < long;
     if (!word || this.work.hidden) return;
     const done = progressOf(word, status);
     const n = Math.round(100 * done);

@@ -1,13 +1,15 @@
-/** The buttons under the canvas: play and pause, step, restart, speed. */
+/** The buttons under the canvas: pause, play and watch again, step, speed. */
 import { byId, byIdAs, say } from './dom';
 import { t } from './words';
 
 export interface TransportNeeds {
   toggle(): void;
   step(): void;
-  restart(): void;
   speed(stepsPerFrame: number): void;
 }
+
+/** What the first button does. */
+export type Main = 'pause' | 'play' | 'again';
 
 export class Transport {
   private readonly play = byIdAs('play', HTMLButtonElement);
@@ -16,13 +18,13 @@ export class Transport {
   constructor(needs: TransportNeeds) {
     this.play.addEventListener('click', () => needs.toggle());
     byId('step').addEventListener('click', () => needs.step());
-    byId('restart').addEventListener('click', () => needs.restart());
     for (const radio of this.speeds) radio.addEventListener('change', () => needs.speed(Number(radio.value)));
   }
 
-  show(paused: boolean, pace: number): void {
-    this.play.toggleAttribute('data-paused', paused);
-    say(byId('play-word'), t(paused ? 'play' : 'pause'));
+  show(main: Main, pace: number): void {
+    this.play.dataset['does'] = main;
+    this.play.title = t(`${main}_title`);
+    say(byId('play-word'), t(main));
     for (const radio of this.speeds) radio.checked = Number(radio.value) === pace;
   }
 

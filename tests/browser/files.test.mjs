@@ -122,8 +122,7 @@ test('all maps come in one zip file, those of a tile without a seam', async () =
 test('before the picture is done a sentence says so', async () => {
   const { page, problems, close } = await opened(`${SMALL}&vs=0.1`);
   await digest(page);
-  await click(page, '#play');
-  await click(page, '#restart');
+  await click(page, '#step');
   for (const button of ['#save-maps', '#save-glb', '#save-png-2']) {
     await dialog(page);
     await click(page, button);

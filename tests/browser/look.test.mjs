@@ -346,8 +346,7 @@ test('plots follow the packing, in points and in words', async () => {
   assert.ok((await said('plot-energy')).startsWith(`After ${taken} steps`));
   assert.match(await said('plot-size'), /^\d+ % of \d+ cells/);
   const before = await inked('plot-energy');
-  await click(page, '#play');
-  await click(page, '#restart');
+  await click(page, '#step');
   await page.waitForFunction(() => window.bubblestone.stage !== 'done' && document.documentElement.dataset.stage === 'packing');
   for (let k = 0; k < 3; k += 1) await click(page, '#step');
   await page.waitForFunction(() => /^After 3 steps/.test(document.querySelector('#plot-energy .plot-said').textContent));

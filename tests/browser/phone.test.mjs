@@ -112,8 +112,7 @@ for (const [device, size] of Object.entries({ phone: viewport, 'tablet on its si
 test('a finger pauses, steps and moves a slider', async () => {
   const { page, problems, close } = await site.newPage(SMALL, { viewport });
   await digest(page);
-  await page.tap('#play');
-  await page.tap('#restart');
+  await page.tap('#step');
   await page.waitForFunction(() => document.documentElement.dataset.stage === 'packing', { timeout: 20_000 });
   const before = await steps(page);
   await page.tap('#step');

@@ -278,7 +278,7 @@ test('every throw is valid, and its link says no more than what counts', async (
   const { page, problems, close } = await site.newPage(SMALL);
   await digest(page);
   await all(page);
-  await click(page, '#play');
+  await click(page, '#step');
   for (let count = 0; count < 25; count += 1) {
     const before = await page.evaluate(() => window.bubblestone.link());
     await page.keyboard.press('x');

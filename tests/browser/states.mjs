@@ -41,7 +41,7 @@ export const states = {
   letters: { fragment: SQUARE, arrange: opening('[data-tool=text]', '#letters') },
   import: { fragment: SQUARE, arrange: opening('[data-tool=import]', '#outline-text') },
   spots: { fragment: `${SQUARE}&spots=0.5,0.5,0.2,0.4`, arrange: opening('#p-spots', '.handle') },
-  paused: { arrange: click('#play') },
+  paused: { arrange: click('#step') },
   share: { few: true, arrange: shown('#share', '#share-dialog') },
   save: { few: true, arrange: shown('#save', '#save-dialog') },
   locked: {
@@ -69,7 +69,7 @@ export const states = {
           throw new Error('The clock is broken.');
         };
       });
-      await click('#restart')(page);
+      await click('#play')(page);
       await message(page, 'alert', /\S/);
       await page.evaluate(() => delete (/** @type {any} */ (performance).now));
     },

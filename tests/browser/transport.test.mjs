@@ -16,8 +16,7 @@ after(() => site?.close());
 async function held() {
   const opened = await site.newPage(SMALL);
   await digest(opened.page);
-  await click(opened.page, '#play');
-  await click(opened.page, '#restart');
+  await click(opened.page, '#step');
   await opened.page.waitForFunction(() => document.documentElement.dataset.stage === 'packing', { timeout: 20_000 });
   return opened;
 }
@@ -57,8 +56,8 @@ test('any speed gives the same planes', async () => {
   const slow = await digest(page);
   for (const speed of await page.$$('#speed input')) {
     await speed.evaluate((radio) => radio.click());
-    await click(page, '#restart');
-    await frames(page, 2);
+    await click(page, '#play');
+    await page.waitForFunction(() => document.documentElement.dataset.stage !== 'done');
     assert.equal(await digest(page), slow);
   }
   await close();
@@ -76,13 +75,20 @@ test('the dice throw another seed, and typing the old one brings the old pavemen
   await close();
 });
 
-test('the light can be moved while the packing is held', async () => {
-  const { page, close } = await site.newPage(SMALL);
-  await digest(page);
-  await click(page, '#play');
-  const before = await canvas(page);
+test('a change of the light ends the watching, and a pause holds one forming only', async () => {
+  const { page, close } = await held();
+  const taken = await steps(page);
   await set(page, 'el', '15');
-  await digest(page);
+  await frames(page, 10);
+  assert.equal(await steps(page), taken);
+  await click(page, '#play');
+  const planes = await digest(page);
+  assert.ok((await steps(page)) > taken);
+  const before = await canvas(page);
+  await set(page, 'el', '50');
+  assert.equal(await digest(page), planes);
   assert.notEqual((await canvas(page)).hash, before.hash);
+  await set(page, 'seed', '5');
+  assert.notEqual(await digest(page), planes);
   await close();
 });

@@ -20,7 +20,7 @@ test('a break inside becomes a message with the recipe, and the page can start a
       throw new Error('The clock is broken.');
     };
   });
-  await click(page, '#restart');
+  await click(page, '#play');
   await message(page, 'alert', /mistake/);
   assert.equal(await page.evaluate(() => document.documentElement.dataset.stage), 'error');
   await assert.rejects(page.evaluate(() => window.bubblestone.digest()));
@@ -33,7 +33,7 @@ test('a break inside becomes a message with the recipe, and the page can start a
       throw new Error('The clock is broken.');
     };
   });
-  await click(page, '#restart');
+  await click(page, '#play');
   await message(page, 'alert', /mistake/);
   await reloading(page, () => click(page, '[role=alert] .actions button'));
   await done(page);

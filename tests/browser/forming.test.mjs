@@ -1,0 +1,159 @@
+// The forming as a newcomer sees it, and as it is watched again.
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { open } from './harness.mjs';
+import { canvas, click, digest, frames, get, link, set, SMALL } from './page.mjs';
+
+/** @type {Awaited<ReturnType<typeof open>>} */
+let site;
+
+before(async () => {
+  site = await open();
+});
+
+after(() => site?.close());
+
+/** Notes in every frame what is told and what is seen, where it is something new. */
+function watchFrames() {
+  window.film = [];
+  const look = () => {
+    const now = {
+      told: document.documentElement.dataset.stage,
+      seen: document.querySelector('[data-state=now]')?.dataset.word,
+      words: document.querySelectorAll('#subtitle[data-on] [data-shown]').length,
+      main: document.querySelector('#play')?.dataset.does,
+    };
+    const last = window.film.at(-1);
+    if (JSON.stringify(now) !== JSON.stringify(last?.now)) window.film.push({ at: performance.now(), now });
+    requestAnimationFrame(look);
+  };
+  requestAnimationFrame(look);
+}
+
+/** @param {string} fragment */
+const visit = (fragment) => site.newPage(fragment, { before: (fresh) => fresh.evaluateOnNewDocument(watchFrames) });
+
+const film = (page) => page.evaluate(() => window.film);
+
+/** Waits for the end of what is seen. */
+const rested = (page) => page.waitForSelector('#play[data-does=again]', { timeout: 60_000 });
+
+/** Waits until the packing is seen. */
+const forms = (page) => page.waitForSelector('[data-word=packing][data-state=now]', { timeout: 60_000 });
+
+const count = (page) => page.$eval('#count-steps', (value) => Number(value.textContent));
+
+test('on a first visit the forming takes its time, and scripts need not wait for it', async () => {
+  const { page, problems, close } = await visit('');
+  const planes = await digest(page);
+  const { cells, steps } = await page.evaluate(() => window.bubblestone.status());
+  await rested(page);
+  const seen = await film(page);
+  const told = seen.slice(seen.findIndex(({ now }) => now.told === 'done')).map(({ now }) => now);
+  assert.equal(told[0].main, 'pause', 'told when the forming was over');
+  assert.ok(told.every((now) => now.told === 'done'), 'told, and taken back');
+  const words = seen.map(({ now }) => now.words);
+  assert.deepEqual([...new Set(words)], [0, 1, 2, 3], String(words));
+  const begin = seen.find(({ now }) => now.seen === 'packing').at;
+  const end = seen.find(({ now }) => now.main === 'again').at;
+  assert.ok(end - begin > 2500, `${end - begin} ms`);
+  assert.equal(await page.$eval('#subtitle .said', (text) => text.textContent), 'Bubbles push each other into place, settle, and turn to stone.');
+  assert.equal(await page.$eval('#play', (button) => button.textContent.trim()), 'Watch again');
+  // What scripts were told is what is seen in the end, and what the link gives anywhere.
+  assert.deepEqual(await page.evaluate(() => [window.bubblestone.status().cells, window.bubblestone.status().steps]), [cells, steps]);
+  assert.equal(await digest(page), planes);
+  const shown = await canvas(page);
+  assert.deepEqual(problems, []);
+  await close();
+  const linked = await visit('#seed=1');
+  assert.equal(await digest(linked.page), planes);
+  assert.deepEqual(await canvas(linked.page), shown);
+  assert.ok((await film(linked.page)).every(({ now }) => now.words === 0), 'a link has words');
+  await linked.close();
+});
+
+test('a second visit does not wait, and what is done meanwhile ends the watching', async () => {
+  const { page, problems, close } = await visit('');
+  await forms(page);
+  await page.waitForSelector('#subtitle[data-on]');
+  await page.waitForSelector('[data-key=size] [type=number]');
+  await set(page, 'size', '192');
+  await page.waitForSelector('#subtitle:not([data-on])');
+  const planes = await digest(page);
+  assert.equal(await get(page, 'size'), '192');
+  assert.equal(await page.$eval('#play', (button) => button.dataset.does), 'again');
+  await click(page, '#undo');
+  assert.notEqual(await digest(page), planes);
+  assert.equal(await link(page), '');
+  await page.reload({ waitUntil: 'load' });
+  await digest(page);
+  assert.equal(await page.$eval('#play', (button) => button.dataset.does), 'again');
+  assert.ok((await film(page)).every(({ now }) => now.words === 0), 'words on the second visit');
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('the forming can be held, stepped and hurried on a first visit, while scripts have their answer', async () => {
+  const { page, problems, close } = await visit('');
+  await forms(page);
+  await page.keyboard.press(' ');
+  await page.waitForSelector('#play[data-does=play]');
+  const planes = await digest(page);
+  const taken = await count(page);
+  await frames(page, 10);
+  assert.equal(await count(page), taken);
+  await page.keyboard.press('s');
+  await frames(page, 2);
+  assert.equal(await count(page), taken + 1);
+  await page.keyboard.press(' ');
+  await page.waitForFunction((before) => Number(document.querySelector('#count-steps').textContent) > before + 1, {}, taken);
+  await page.$$eval('#speed input', (radios) => radios.at(-1).click());
+  await page.waitForSelector('#subtitle:not([data-on])');
+  await rested(page);
+  assert.equal(await digest(page), planes);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('any picture is watched again, from its start', async () => {
+  const { page, problems, close } = await visit(`${SMALL}&stone=skin`);
+  const planes = await digest(page);
+  const shown = await canvas(page);
+  for (const again of [() => click(page, '#play'), () => page.keyboard.press('r')]) {
+    await page.evaluate(() => (window.film = []));
+    await again();
+    await forms(page);
+    assert.equal(await page.$eval('#subtitle .said', (text) => text.textContent), 'Bubbles push each other into place, settle, and turn to scales.');
+    assert.equal(await digest(page), planes);
+    assert.deepEqual(await canvas(page), shown);
+    const words = new Set((await film(page)).map(({ now }) => now.words));
+    for (const number of [1, 2, 3]) assert.ok(words.has(number), `${number} of the words are not seen`);
+  }
+  // In the middle of it, it begins anew.
+  await page.keyboard.press('r');
+  await page.waitForFunction(() => Number(document.querySelector('#count-steps').textContent) > 5);
+  await page.keyboard.press('r');
+  await page.waitForFunction(() => Number(document.querySelector('#count-steps').textContent) < 5);
+  assert.equal(await digest(page), planes);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('who asks for less motion is shown it when it is asked for', async () => {
+  const { page, close } = await site.newPage(SMALL, { still: true });
+  await digest(page);
+  const shown = await canvas(page);
+  await click(page, '#play');
+  await forms(page);
+  await page.waitForFunction(
+    (colours) => {
+      const canvas = document.querySelector('#canvas');
+      return new Set(new Uint32Array(canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data.buffer)).size < colours / 2;
+    },
+    {},
+    shown.colours,
+  );
+  await digest(page);
+  assert.deepEqual(await canvas(page), shown);
+  await close();
+});
