@@ -55,6 +55,8 @@ pub(super) enum On {
 /// The mesh of cells and ghosts with the middles of its elements.
 pub(super) struct Dual {
     pub particles: Vec<Particle>,
+    /// The sizes of the mesh's first vertices, which are cells.
+    sizes: Vec<f64>,
     fans: Fans,
     /// The dual's vertices: one per element, and more where a constraint line divides elements.
     middles: Vec<DVec2>,
@@ -98,7 +100,8 @@ impl Dual {
         (cells, rim): (Vec<Particle>, usize),
         plain: bool,
     ) -> Self {
-        let mut dual = Self::of(cells, mesh, plain);
+        let sizes = cells.iter().map(|p| p.size).collect();
+        let mut dual = Self::of(cells, sizes, mesh, plain);
         dual.put_middles(domain, mesh, rim);
         if !plain && !domain.lines().is_empty() {
             dual.divide(domain, mesh);
@@ -107,10 +110,11 @@ impl Dual {
     }
 
     /// Without vertices yet.
-    pub fn of(particles: Vec<Particle>, mesh: &Mesh, plain: bool) -> Self {
+    pub fn of(particles: Vec<Particle>, sizes: Vec<f64>, mesh: &Mesh, plain: bool) -> Self {
         let count = mesh.faces.len();
         Self {
             particles,
+            sizes,
             fans: mesh.fans(),
             middles: Vec::with_capacity(count),
             mixed: Vec::with_capacity(count),
@@ -125,8 +129,28 @@ impl Dual {
     pub fn middle(&self, mesh: &Mesh, face: &Face) -> DVec2 {
         match *face.nodes() {
             [a, b, c] if self.plain => circumcentre([a, b, c].map(|k| mesh.vertices[k as usize])),
-            _ => face.centroid(&mesh.vertices),
+            ref nodes => {
+                let meeting = self.meeting(mesh, nodes);
+                meeting.unwrap_or_else(|| face.centroid(&mesh.vertices))
+            }
         }
+    }
+
+    /// Where the corners' cells meet: the larger a cell, the farther from it; nothing where one of
+    /// them is no cell.
+    fn meeting(&self, mesh: &Mesh, nodes: &[u32]) -> Option<DVec2> {
+        let corner = |&k: &u32| Some((mesh.vertices[k as usize], *self.sizes.get(k as usize)?));
+        let mut corners: Vec<(DVec2, f64)> = nodes.iter().map(corner).collect::<Option<_>>()?;
+        // In one order, by ways that are exact on the grain: an element's image on a torus has the
+        // vertex's image.
+        order::sort(&mut corners, |c| (order::rank(c.0.x), order::rank(c.0.y)));
+        let first = corners[0].0;
+        let (mut way, mut total) = (DVec2::ZERO, 0.0);
+        for (p, size) in corners {
+            way += (p - first) / size;
+            total += 1.0 / size;
+        }
+        Some(first + on_grain(way / total))
     }
 
     /// The vertices of all elements; `rim` cells fixed on the rim come next to the cells.

@@ -8,6 +8,9 @@ use crate::mesh::torus::{Joining, TRIES};
 use crate::mesh::{Mesh, Weave};
 use crate::packing::Particle;
 
+/// The fewest corners that the mesh leaves to a cell: of three it would be a wedge.
+const CORNERS: u32 = 4;
+
 /// The dual in the making.
 pub(super) struct Making {
     particles: Vec<Particle>,
@@ -27,7 +30,7 @@ enum Step {
 enum Try {
     Within(Vec<Particle>, usize),
     Lines(Lined),
-    Seams(Joining),
+    Seams(Joining, Vec<f64>),
 }
 
 /// What came of it.
@@ -57,11 +60,14 @@ impl Making {
             None => self.begin(domain),
         };
         let plain = self.plain;
+        // On a torus the edges that stay would reach so far that cells do not close over the seams.
+        let within = matches!(what, Try::Within(..));
+        let least = if within { CORNERS } else { 0 };
         let mesh = match step {
             Step::Mesh(mesh) => mesh,
             Step::Weave(mut weave) => {
                 let next = if weave.advance() {
-                    Step::Mesh(Mesh::whole(weave, |_| plain))
+                    Step::Mesh(Mesh::whole(weave, |_| plain, least))
                 } else {
                     Step::Weave(weave)
                 };
@@ -74,8 +80,9 @@ impl Making {
                 Some(Made::Dual(Dual::within(domain, &mesh, (cells, rim), plain)))
             }
             Try::Lines(lined) => lined.cells(domain, &mesh).map(Made::Cells),
-            Try::Seams(joining) => {
-                Dual::over_seams(domain, &mesh, &self.particles, (joining, plain)).map(Made::Dual)
+            Try::Seams(joining, sizes) => {
+                let cells = (&self.particles[..], sizes);
+                Dual::over_seams(domain, &mesh, cells, (joining, plain)).map(Made::Dual)
             }
         }
     }
@@ -95,7 +102,8 @@ impl Making {
         }
         let number = number - if lined { TRIES.len() } else { 0 };
         let joining = TRIES[number.min(TRIES.len() - 1)];
-        let nodes = seams::nodes(side, particles, joining, self.plain);
-        (Try::Seams(joining), Step::Weave(Weave::new(nodes)))
+        let (nodes, sizes) = seams::nodes(side, particles, joining, self.plain);
+        let what = Try::Seams(joining, sizes);
+        (what, Step::Weave(Weave::new(nodes)))
     }
 }

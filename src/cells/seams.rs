@@ -14,11 +14,16 @@ use glam::DVec2;
 /// crosses a line is rounded here and at its image, each on its own.
 const SAME: f64 = 4.0 / 65536.0;
 
-/// The nodes of these particles and their images.
-pub(super) fn nodes(side: f64, particles: &[Particle], joining: Joining, plain: bool) -> Vec<Node> {
+/// The nodes of these particles and their images, and their sizes.
+pub(super) fn nodes(
+    side: f64,
+    particles: &[Particle],
+    joining: Joining,
+    plain: bool,
+) -> (Vec<Node>, Vec<f64>) {
     let (all, _) = spread(side, particles, joining);
     let nodes = all.iter().map(|p| joining.node(node(p, plain)));
-    nodes.collect()
+    (nodes.collect(), all.iter().map(|p| p.size).collect())
 }
 
 /// Cells and images of cells, and their nodes, to be cut by constraint lines.
@@ -53,7 +58,8 @@ impl Lined {
     /// The cells of a torus with constraint lines, where they agree over the seams: all images are cut
     /// by the lines, then those in the picture are taken.
     pub fn cells(self, domain: &Domain, mesh: &Mesh) -> Option<Vec<Cell>> {
-        let mut dual = Dual::of(self.cells, mesh, false);
+        let sizes = self.cells.iter().map(|p| p.size).collect();
+        let mut dual = Dual::of(self.cells, sizes, mesh, false);
         dual.put_middles(domain, mesh, self.rim);
         dual.divide(domain, mesh);
         let mut cells = dual.cells(domain);
@@ -78,10 +84,10 @@ impl Dual {
     pub fn over_seams(
         domain: &Domain,
         mesh: &Mesh,
-        particles: &[Particle],
+        (particles, sizes): (&[Particle], Vec<f64>),
         (joining, plain): (Joining, bool),
     ) -> Option<Self> {
-        let mut dual = Self::of(Vec::new(), mesh, plain);
+        let mut dual = Self::of(Vec::new(), sizes, mesh, plain);
         for face in &mesh.faces {
             dual.push(dual.middle(mesh, face), false, On::Nothing);
         }

@@ -16,7 +16,7 @@ const ROUNDS: u32 = 12;
 /// How much of the way a corner goes in a round.
 const PACE: f64 = 0.6;
 /// How strongly a cell asks for the mean area: 0 not at all, 1 at once.
-const EVEN_AREA: f64 = 0.35;
+const EVEN_AREA: f64 = 0.7;
 /// A turn of the boundary sharper than this (cosine of 30 degrees) is a corner of the cell.
 const CORNER: f64 = 0.866;
 /// Two pieces of the boundary are one straight line up to this (cosine of 1 degree).

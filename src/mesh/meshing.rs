@@ -121,7 +121,7 @@ impl Meshing {
     /// The elements made of them.
     fn faces(&self, island: &Domain, nodes: &mut [Node], triangles: &Triangles) -> Faces {
         let keep = self.keep(island);
-        let mut made = quads::pair(nodes, triangles, &keep);
+        let mut made = quads::pair(nodes, triangles, &keep, 0);
         made.leave_out(|face| is_sliver(face, nodes));
         // Of cells that stand at the walls it is no mesh of the outline, only a picture of the rows.
         if self.own.iter().any(|p| p.fixed) {

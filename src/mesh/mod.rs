@@ -117,11 +117,11 @@ impl Mesh {
     }
 
     /// The mesh of all points over their convex hull. Edges for which `keep` holds are never
-    /// dissolved into a quadrilateral. Points that coincide with an earlier one get no element.
-    pub(crate) fn whole(weave: Weave, keep: impl Fn([u32; 2]) -> bool) -> Self {
+    /// dissolved into a quadrilateral, and `least` edges around each inner node stay. Points that coincide with an earlier one get no element.
+    pub(crate) fn whole(weave: Weave, keep: impl Fn([u32; 2]) -> bool, least: u32) -> Self {
         let (nodes, mut triangles) = weave.finish();
         triangles.stretch(&nodes, &keep);
-        let faces = quads::pair(&nodes, &triangles, &keep).faces;
+        let faces = quads::pair(&nodes, &triangles, &keep, least).faces;
         Self {
             vertices: nodes.iter().map(|n| n.at).collect(),
             faces,

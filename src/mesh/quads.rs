@@ -45,11 +45,12 @@ struct Candidate {
 }
 
 /// The best pairs first; ties by the triangles' order. Edges for which `keep` holds stay, and so do
-/// triangles with a node that has no corners.
+/// triangles with a node that has no corners, and `least` edges around each inner node.
 pub(super) fn pair(
     nodes: &[Node],
     triangles: &Triangles,
     keep: impl Fn([u32; 2]) -> bool,
+    least: u32,
 ) -> Faces {
     let mut candidates = candidates(nodes, triangles, keep);
     order::sort(&mut candidates, |c| {
@@ -59,9 +60,13 @@ pub(super) fn pair(
     // The element that each triangle has become.
     let mut into = vec![NONE; triangles.nodes.len()];
     let mut made = Faces::default();
+    let mut valence = valences(nodes.len(), triangles);
     for candidate in candidates {
         let [a, b] = candidate.triangles.map(|t| t as usize);
-        if into[a] == NONE && into[b] == NONE {
+        let ends = [candidate.nodes[1], candidate.nodes[3]].map(|k| k as usize);
+        let to_spare = ends.iter().all(|&k| valence[k] > least);
+        if into[a] == NONE && into[b] == NONE && to_spare {
+            ends.into_iter().for_each(|k| valence[k] -= 1);
             into[a] = made.faces.len() as u32;
             into[b] = into[a];
             made.faces.push(Face::quad(candidate.nodes));
@@ -81,6 +86,25 @@ pub(super) fn pair(
         }
     }
     made
+}
+
+/// How many edges meet at each node; without end at the rim.
+fn valences(nodes: usize, triangles: &Triangles) -> Vec<u32> {
+    let mut valence = vec![0; nodes];
+    for corners in &triangles.nodes {
+        for &k in corners {
+            valence[k as usize] += 1;
+        }
+    }
+    for (corners, sides) in triangles.nodes.iter().zip(&triangles.beside) {
+        for k in (0..3).filter(|&k| sides[k] == NONE) {
+            // The side between the two corners that follow.
+            for s in [1, 2] {
+                valence[corners[(k + s) % 3] as usize] = u32::MAX;
+            }
+        }
+    }
+    valence
 }
 
 fn candidates(

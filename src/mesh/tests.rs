@@ -25,7 +25,7 @@ fn lattice(n: u32) -> Vec<DVec2> {
 
 #[test]
 fn a_lattice_becomes_quads_with_four_around_each_inner_node() {
-    let mesh = Mesh::whole(even_weave(lattice(6)), |_| false);
+    let mesh = Mesh::whole(even_weave(lattice(6)), |_| false, 0);
     assert_eq!(mesh.faces.len(), 25);
     assert!(mesh.faces.iter().all(|f| f.nodes().len() == 4));
     let fans = mesh.fans();
@@ -40,7 +40,7 @@ fn a_lattice_becomes_quads_with_four_around_each_inner_node() {
 fn fans_run_clockwise_on_screen() {
     let mut points = lattice(5);
     points[12] += DVec2::new(0.21, -0.13);
-    let mesh = Mesh::whole(even_weave(points), |_| false);
+    let mesh = Mesh::whole(even_weave(points), |_| false, 0);
     let ring: Vec<DVec2> = mesh
         .fans()
         .around(12)
@@ -53,10 +53,14 @@ fn fans_run_clockwise_on_screen() {
 #[test]
 fn degenerate_points_give_no_elements() {
     let line: Vec<DVec2> = (0..9).map(|k| DVec2::new(f64::from(k), 0.0)).collect();
-    assert!(Mesh::whole(even_weave(line), |_| false).faces.is_empty());
-    assert!(Mesh::whole(even_weave(vec![]), |_| false).faces.is_empty());
+    assert!(Mesh::whole(even_weave(line), |_| false, 0).faces.is_empty());
     assert!(
-        Mesh::whole(even_weave(vec![DVec2::ONE; 4]), |_| false)
+        Mesh::whole(even_weave(vec![]), |_| false, 0)
+            .faces
+            .is_empty()
+    );
+    assert!(
+        Mesh::whole(even_weave(vec![DVec2::ONE; 4]), |_| false, 0)
             .faces
             .is_empty()
     );
@@ -157,18 +161,18 @@ fn stretched_lattices_become_quads_and_round_cells_triangles() {
             node.at = axis * node.at.x * aspect + axis.perp() * node.at.y;
             node.metric = Metric::new(axis, aspect);
         }
-        let mesh = Mesh::whole(Weave::new(nodes.clone()), |_| false);
+        let mesh = Mesh::whole(Weave::new(nodes.clone()), |_| false, 0);
         // Slivers of rounding along the rim are triangles, too.
         assert_eq!(mesh.faces.len() - lone(&mesh), 64);
         for node in &mut nodes {
             node.corners = false;
         }
-        let mesh = Mesh::whole(Weave::new(nodes.clone()), |_| false);
+        let mesh = Mesh::whole(Weave::new(nodes.clone()), |_| false, 0);
         assert_eq!(mesh.faces.len(), lone(&mesh));
         // One round cell keeps what lies around it in triangles.
         let mut nodes = even(lattice(9));
         nodes[40].corners = false;
-        let mesh = Mesh::whole(Weave::new(nodes.clone()), |_| false);
+        let mesh = Mesh::whole(Weave::new(nodes.clone()), |_| false, 0);
         assert!((4..=8).contains(&lone(&mesh)));
     }
 }
@@ -179,7 +183,7 @@ fn joining_leaves_few_triangles_and_a_valid_mesh() {
         let mut nodes = jittered(24, 0.3, seed);
         let mut triangles = delaunay(&nodes);
         triangles.stretch(&nodes, |_| false);
-        let mut made = quads::pair(&nodes, &triangles, |_| false);
+        let mut made = quads::pair(&nodes, &triangles, |_| false, 0);
         let lone = |made: &Faces| made.faces.iter().filter(|f| f.sides == 3).count();
         let paired = lone(&made);
         let at = |k: usize| (k % 24, k / 24);
@@ -221,7 +225,7 @@ fn sides_to_be_kept_are_not_dissolved() {
     let triangles = delaunay(&nodes);
     let held: Vec<[u32; 2]> = sides(&triangles).into_iter().step_by(5).collect();
     let keep = |side| held.binary_search(&side).is_ok();
-    let mut made = quads::pair(&nodes, &triangles, keep);
+    let mut made = quads::pair(&nodes, &triangles, keep, 0);
     patch::better(&nodes, &mut made, 0.2, 0, keep);
     for &[a, b] in &held {
         let has = |face: &Face| {
@@ -232,5 +236,25 @@ fn sides_to_be_kept_are_not_dissolved() {
             })
         };
         assert!(made.faces.iter().any(|f| f.sides > 0 && has(f)));
+    }
+}
+
+#[test]
+fn every_inner_node_of_a_whole_mesh_keeps_four_elements() {
+    for seed in 0..6 {
+        let nodes = jittered(24, 0.3, seed);
+        let mut before = vec![0; nodes.len()];
+        for &k in delaunay(&nodes).nodes.iter().flatten() {
+            before[k as usize] += 1;
+        }
+        let mesh = Mesh::whole(Weave::new(nodes), |_| false, 4);
+        let fans = mesh.fans();
+        for (k, before) in before.into_iter().enumerate() {
+            let after = fans.around(k).len();
+            assert!(
+                after == 0 || after >= before.min(4),
+                "{k}: {before}, {after}"
+            );
+        }
     }
 }

@@ -170,7 +170,7 @@ impl Seams {
         let cut = triangles.nodes.iter().filter(|t| is_home(*t) && is_cut(t));
         let mut rings: Vec<Vec<DVec2>> = cut.map(|t| places(t)).collect();
         triangles.retain(|t| !is_cut(t));
-        let mut faces = quads::pair(&nodes, &triangles, keep).faces;
+        let mut faces = quads::pair(&nodes, &triangles, keep, 0).faces;
         faces.retain(|face| is_home(face.nodes()));
         rings.extend(faces.iter().map(|face| places(face.nodes())));
         (*begun == TRIES.len() || closes(domain, &rings))

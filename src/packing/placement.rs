@@ -19,6 +19,12 @@ const LEAF_GAP: f64 = 0.6;
 /// The fewest sizes from the boundary at which a cell is placed inside.
 const INSIDE_CLEARANCE: f64 = 0.35;
 
+/// Where it is nearer than this from the middle of an outline to its walls, in sizes, cells go into
+/// the middle ...
+const NARROW: f64 = 0.4;
+/// ... but not where it is nearer than this.
+const NARROWEST: f64 = 0.25;
+
 /// Places that are looked at in one slice of the work.
 const PLACES: usize = 2000;
 
@@ -160,6 +166,26 @@ impl Crowd {
             shape.is_closer(&self.shapes[k], r, gap) && !domain.is_parted(p, p + r)
         })
     }
+}
+
+/// Where the outline is too narrow for a cell: the middle between its walls there. Nothing where it is
+/// wide enough, and where it is so narrow that a cell would be a sliver.
+pub(super) fn narrowed(p: DVec2, around: Surroundings, edge: Edge) -> Option<DVec2> {
+    let Surroundings {
+        domain,
+        fields,
+        facing,
+    } = around;
+    let (lo, hi) = domain.bounds();
+    let in_box = p.cmpgt(lo).all() && p.cmplt(hi).all();
+    if edge == Edge::On || !in_box || !facing.is_near(p) {
+        return None;
+    }
+    let near = domain.nearest(p);
+    let extent = Shape::gauge(fields, p).extent(near.inward);
+    let depth = domain.medial_depth(near.point, near.inward, NARROW * extent);
+    let is_narrow = depth >= NARROWEST * extent && depth < NARROW * extent;
+    is_narrow.then(|| near.point + near.inward * depth)
 }
 
 /// Is there room for a cell between the walls at this place?

@@ -3,16 +3,17 @@
 //! Miyata, Itoh, Shimada (2000), section 4.3; the rule with the smallest w is that of Itoh, Miyata,
 //! Shimada (2003), section 5.1. Attraction keeps the smallest w near 1 beside the largest gaps, so
 //! by default the places around a cell, four of squares and six of round cells, are tested for an empty
-//! one instead.
+//! one instead. Rows and columns hold a whole number of cells: what is left over may lie in several
+//! gaps, none of them as wide as a cell, so rows are measured over some cells, too.
 
 use super::front::slots;
 use super::grid::Grid;
 use super::integrate::Surroundings;
-use super::placement::has_room;
+use super::placement::{has_room, narrowed};
 use super::shape::Shape;
 use super::{Body, Edge, PackingParams, Population};
 use crate::domain::{Domain, Facing};
-use crate::field::Kind;
+use crate::field::{Fields, Kind};
 use crate::order::{self, lesser};
 use glam::DVec2;
 
@@ -28,6 +29,17 @@ const fn limits(kind: Kind) -> (f64, f64) {
 }
 /// The papers' rule adds beside a cell whose nearest neighbour is farther than this.
 const LONELY: f64 = 1.02;
+/// Rows and columns: one more cell comes into the widest gap of a row that is looser than so many
+/// stable distances, gaps taken together ...
+const LOOSE: f64 = 0.6;
+/// ... over so many gaps on each side of it ...
+const WINDOW: usize = 3;
+/// ... where that gap is at least so wide ...
+const GAP: f64 = 1.2;
+/// ... and its middle at least so far from all cells.
+const SQUEEZED: f64 = 0.58;
+/// The next cell of a row is nearer than this to where it would touch.
+const ROW: f64 = 0.55;
 /// The largest share of the cells changed in one look.
 const MOST_CHANGED: f64 = 0.1;
 
@@ -46,11 +58,7 @@ struct Census<'a> {
 }
 
 pub(super) fn change(around: Surroundings, bodies: &[Body], params: &PackingParams) -> Change {
-    let Surroundings {
-        domain,
-        fields,
-        facing,
-    } = around;
+    let Surroundings { domain, fields, .. } = around;
     let shapes: Vec<Shape> = bodies.iter().map(|b| Shape::of(&b.particle)).collect();
     let longest = shapes.iter().fold(0.0_f64, |m, s| m.max(s.length()));
     let (lo, hi) = domain.bounds();
@@ -78,20 +86,9 @@ pub(super) fn change(around: Surroundings, bodies: &[Body], params: &PackingPara
         if params.population == Population::Smallest && nearest[i] < LONELY {
             continue;
         }
-        for place in slots(bodies[i].particle.centre, census.shapes[i], fields) {
-            let place = domain.wrap(place);
-            let shape = Shape::gauge(fields, place);
-            let (_, room) = limits(shape.kind());
-            let free = census.is_free(place, &shape, room)
-                && add
-                    .iter()
-                    .all(|&other| !shape.is_closer(&shape, domain.shortest(other - place), room));
-            if free
-                && has_room(place, around, params.edge)
-                && clear_of_walls(place, &shape, facing, params.edge)
-            {
-                add.push(place);
-            }
+        for (place, room) in census.places(i, fields) {
+            let place = census.fitting(domain.wrap(place), room, &add, (around, params.edge));
+            add.extend(place);
         }
     }
     Change { remove, add }
@@ -107,6 +104,93 @@ fn clear_of_walls(place: DVec2, shape: &Shape, facing: &Facing, edge: Edge) -> b
 }
 
 impl Census<'_> {
+    /// Where a cell may come beside a body: places, and the least distance from all cells that each
+    /// must have, in stable distances.
+    fn places(&self, i: usize, fields: &Fields) -> Vec<(DVec2, f64)> {
+        let centre = self.bodies[i].particle.centre;
+        let mut places = Vec::with_capacity(8);
+        for place in slots(centre, self.shapes[i], fields) {
+            let kind = fields.kind(self.domain.wrap(place));
+            places.push((place, limits(kind).1));
+            let in_row = self.in_loose_row(i, place).filter(|_| kind.has_corners());
+            places.extend(in_row.map(|middle| (middle, SQUEEZED)));
+        }
+        places
+    }
+
+    /// Where at a place there is room for one more cell; where the outline is narrow, in its middle.
+    fn fitting(
+        &self,
+        place: DVec2,
+        room: f64,
+        add: &[DVec2],
+        (around, edge): (Surroundings, Edge),
+    ) -> Option<DVec2> {
+        let domain = around.domain;
+        let is_free = |place: DVec2| {
+            let shape = Shape::gauge(around.fields, place);
+            let is_near =
+                |&other: &DVec2| shape.is_closer(&shape, domain.shortest(other - place), room);
+            self.is_free(place, &shape, room) && !add.iter().any(is_near)
+        };
+        if !is_free(place) {
+            return None;
+        }
+        let shape = Shape::gauge(around.fields, place);
+        if has_room(place, around, edge) && clear_of_walls(place, &shape, around.facing, edge) {
+            return Some(place);
+        }
+        narrowed(place, around, edge).filter(|&middle| is_free(middle))
+    }
+
+    /// The middle of the gap between a body and the next one of its row at `to`, where the row
+    /// around is loose and has no wider gap.
+    fn in_loose_row(&self, i: usize, to: DVec2) -> Option<DVec2> {
+        if !self.shapes[i].kind().has_corners() {
+            return None;
+        }
+        let (next, way, gap) = self.next(i, to)?;
+        if gap < GAP {
+            return None;
+        }
+        let mut slack = gap - 1.0;
+        for (mut at, mut along) in [(next, way), (i, -way)] {
+            for _ in 0..WINDOW {
+                let touching = along / self.shapes[at].cells_along(along);
+                let to = self.bodies[at].particle.centre + touching;
+                let Some((beyond, further, width)) = self.next(at, to) else {
+                    break;
+                };
+                if width > gap {
+                    return None;
+                }
+                slack += width - 1.0;
+                (at, along) = (beyond, further);
+            }
+        }
+        (slack > LOOSE).then(|| self.bodies[i].particle.centre + 0.5 * way)
+    }
+
+    /// The next body of a row, that at the place where it would touch this one: with the way to it,
+    /// and how far that is in stable distances.
+    fn next(&self, i: usize, to: DVec2) -> Option<(usize, DVec2, f64)> {
+        let (centre, shape) = (self.bodies[i].particle.centre, &self.shapes[i]);
+        let mut best = None;
+        let mut least = ROW;
+        self.any_near(to, shape, ROW, |k, r| {
+            let far = shape.closeness(&self.shapes[k], r);
+            if k != i && far < least {
+                (least, best) = (far, Some(k));
+            }
+            false
+        });
+        let k = best?;
+        let way = self
+            .domain
+            .shortest(self.bodies[k].particle.centre - centre);
+        Some((k, way, shape.closeness(&self.shapes[k], way)))
+    }
+
     /// The smallest w between a body and the others (2 where none is near).
     fn nearest(&self, i: usize) -> f64 {
         let (at, shape) = (self.bodies[i].particle.centre, &self.shapes[i]);
