@@ -144,17 +144,26 @@ fn bad_links_are_mended_and_told() {
             "",
             &[
                 "(stone)",
-                "cobble, flag or skin",
+                "Cobblestone (cobble), Flagstone (flag) or Skin",
                 "\"brick\"",
-                "kept cobble",
+                "kept Cobblestone (cobble)",
             ],
         ),
         (
             "kind=hexagon",
             "",
-            &["(kind)", "circle or ellipse", "\"hexagon\"", "kept square"],
+            &["(kind)", "Circle or Ellipse", "\"hexagon\"", "kept Square"],
         ),
-        ("tile=yes", "", &["(tile)", "0 or 1", "\"yes\"", "kept 0"]),
+        (
+            "tile=yes",
+            "",
+            &[
+                "(tile)",
+                "Outline (0) or Seamless tile (1)",
+                "\"yes\"",
+                "kept Outline (0)",
+            ],
+        ),
         ("lines=!", "", &["(lines)", "\"!\"", "kept what was there"]),
         (
             "lines=0.1,0.2",
@@ -193,7 +202,14 @@ fn bad_links_are_mended_and_told() {
         (
             "outline=donut",
             "",
-            &["(outline)", "road_s", "\"donut\"", "kept annulus"],
+            &[
+                "(outline)",
+                "S-curve (road_s)",
+                "Plaza with holes (plaza)",
+                "Star, Square or Free polygon (polygon)",
+                "\"donut\"",
+                "kept Ring (annulus)",
+            ],
         ),
         ("foo=1", "", &["\"foo\"", "not a parameter", "dropped"]),
         ("about", "", &["\"about\"", "not a parameter"]),
@@ -211,38 +227,56 @@ fn bad_links_are_mended_and_told() {
         (
             "outline=polygon",
             "",
-            &["(outline)", "(poly)", "missing", "kept annulus"],
+            &[
+                "(outline)",
+                "(poly)",
+                "Free polygon",
+                "missing",
+                "kept Ring (annulus)",
+            ],
         ),
         (
             "outline=star&poly=AAAA",
             "v=1&outline=star",
-            &["(poly)", "\"star\"", "dropped"],
+            &["(poly)", "Free polygon", "is Star", "dropped"],
         ),
         (
             "poly=A",
             "",
-            &["(poly)", "lost its y", "kept outline=annulus"],
+            &["(poly)", "lost its y", "kept the outline Ring (annulus)"],
         ),
         (
             "poly=g",
             "",
-            &["(poly)", "end is missing", "kept outline=annulus"],
+            &[
+                "(poly)",
+                "end is missing",
+                "kept the outline Ring (annulus)",
+            ],
         ),
         (
             "poly=gggggggA",
             "",
-            &["(poly)", "too large", "kept outline=annulus"],
+            &["(poly)", "too large", "kept the outline Ring (annulus)"],
         ),
-        ("poly=!", "", &["(poly)", "\"!\"", "kept outline=annulus"]),
+        (
+            "poly=!",
+            "",
+            &["(poly)", "\"!\"", "kept the outline Ring (annulus)"],
+        ),
         (
             "outline=polygon&poly=AA",
             "",
-            &["outer ring", "3 different points", "Kept outline=annulus"],
+            &[
+                "outer ring",
+                "3 different points",
+                "Kept the outline Ring (annulus)",
+            ],
         ),
         (
             "poly=gggBgggBCCCCCC",
             "",
-            &["outer ring", "one line", "Kept outline=annulus"],
+            &["outer ring", "one line", "Kept the outline Ring (annulus)"],
         ),
     ];
     for (link, canonical, words) in cases {

@@ -18,6 +18,8 @@ export function makeChances(work: Work, controls: Controls, push: () => void): v
       if (groups.length > 1 && !isLocked(store, SEED)) values.push([SEED, String(engine.randomSeed())]);
       push();
       work.setAll(values);
+      // A throw of all is no change of what was there before.
+      if (groups.length > 1) store.update({ preset: undefined });
     });
   };
   const names: string[] = [];

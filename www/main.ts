@@ -1,8 +1,8 @@
 /** Starts the page. */
 import { App } from './app';
+import { byId } from './dom';
 import { isEmbedded } from './link';
 import { load } from './engine';
-import { choiceOf, choose } from './memory';
 import { alertOf, passing } from './messages';
 import { keepModule } from './module';
 import { followTheme } from './theme';
@@ -35,10 +35,9 @@ async function storeSite(): Promise<void> {
   keepModule().catch(() => undefined);
   const { register } = await import('./offline');
   register((what) => {
-    // Said once; the next visits are told of newer builds only.
-    if (what === 'stored' && choiceOf('offline') === what) return;
-    choose('offline', 'stored');
-    passing('offline', t(what === 'stored' ? 'offline_stored' : 'offline_newer'));
+    if (what === 'newer') passing('offline', t('offline_newer'));
+    // Nothing to do about it: it stands at the foot of the page.
+    else byId('offline').textContent = t('offline_stored');
   });
 }
 

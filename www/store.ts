@@ -13,7 +13,7 @@ export interface State {
   /** Recipes before and after this one, the nearest last and first. */
   readonly past: readonly string[];
   readonly future: readonly string[];
-  /** The preset that was opened last, and its recipe. */
+  /** The preset that the recipe is, or was made from by hand, and its recipe; undefined of recipes that came otherwise. */
   readonly preset: { shown: Preset; recipe: string } | undefined;
   /** The recipe is the visitor's own work, not just a link or a preset that was opened. */
   readonly own: boolean;

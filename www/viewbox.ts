@@ -27,6 +27,18 @@ export function makeViewBox(work: Work, view: View, leave: () => void): void {
   byId('zoom-fit').addEventListener('click', zoom(0));
   const sheet = byId('sheet');
   for (const sign of ['pointerover', 'pointerdown', 'focusin']) sheet.addEventListener(sign, () => void hand.load(), { once: true, passive: true });
+  // Wheel and double click may come before what answers them, and are kept for it.
+  sheet.addEventListener(
+    'wheel',
+    (event) => {
+      if (hand.here) return;
+      // All the way out, the wheel scrolls the page.
+      if (event.deltaY < 0 || event.ctrlKey) event.preventDefault();
+      hand.ask((it) => it.glass.wheel(event));
+    },
+    { passive: false },
+  );
+  sheet.addEventListener('dblclick', (event) => hand.here || hand.ask((it) => it.glass.twice(event)));
   // The first tap comes before what answers it.
   sheet.addEventListener('click', (event) => hand.ask((it) => it.telling.tap(event)));
   // Two fingers zoom the picture, not the page.

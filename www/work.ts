@@ -13,6 +13,8 @@ export class Work {
     this.store = store;
     store.on(['recipe'], ({ recipe }) => {
       if (engine.link() !== recipe) engine.open(recipe);
+      const preset = presetOf(engine.presets, recipe);
+      if (preset) store.update({ preset });
     });
   }
 
@@ -49,7 +51,7 @@ export class Work {
     clear('value');
     clear('outline');
     const recipe = this.engine.link();
-    this.store.update({ recipe, held: false, own, preset: preset ? { shown: preset, recipe } : (presetOf(this.engine.presets, recipe) ?? this.store.state.preset) });
+    this.store.update({ recipe, held: false, own, preset: preset ? { shown: preset, recipe } : presetOf(this.engine.presets, recipe) });
   }
 
   private changed(held: boolean): void {

@@ -2,7 +2,7 @@
 //! in the order of the schema. Reading never fails: what does not fit is clamped or dropped, and a
 //! sentence says so.
 
-use super::value::{differing, name, quote};
+use super::value::{choice_name, differing, name, quote};
 use super::{Key, POLYGON, Recipe};
 
 /// The version that links are written in.
@@ -89,16 +89,20 @@ impl Recipe {
             // The points themselves choose the polygon.
             (Some(Key::Outline), _) if value.trim().eq_ignore_ascii_case(POLYGON) => {
                 if !pairs.iter().any(|(key, _)| key == "poly") {
-                    let kept = self.choice(Key::Outline);
+                    let (what, points) = (Key::Outline.parameter(), name(Key::Poly.parameter()));
+                    let (is, kept) = (choice_name(what, POLYGON), self.shown(Key::Outline));
+                    let what = name(what);
                     notices.push(format!(
-                        "Outline (outline) is polygon, but its points (poly) are missing; kept {kept}."
+                        "{what} is {is}, but {points} are missing; kept {kept}."
                     ));
                 }
             }
             (Some(Key::Poly), Some((_, word))) if !word.trim().eq_ignore_ascii_case(POLYGON) => {
-                let word = quote(word);
+                let (points, row) = (name(Key::Poly.parameter()), Key::Outline.parameter());
+                let is = choice_name(row, &word.trim().to_ascii_lowercase());
+                let (what, needed) = (name(row), choice_name(row, POLYGON));
                 notices.push(format!(
-                    "Points (poly) need outline=polygon, but outline is {word}; they were dropped."
+                    "{points} need the outline {needed}, but {what} is {is}; they were dropped."
                 ));
             }
             _ => match self.set(key, value) {

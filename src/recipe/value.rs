@@ -83,9 +83,10 @@ impl Recipe {
     }
 
     /// The value of a key for a sentence.
-    fn shown(&self, key: Key) -> String {
+    pub(super) fn shown(&self, key: Key) -> String {
         match key.parameter().kind {
-            Kind::Text => format!("outline={}", self.choice(Key::Outline)),
+            Kind::Text => format!("the outline {}", self.shown(Key::Outline)),
+            Kind::Choice => choice_name(key.parameter(), self.choice(key)),
             _ => self.text(key),
         }
     }
@@ -180,7 +181,7 @@ impl Recipe {
         let row = key.parameter();
         let word = text.to_ascii_lowercase();
         let Some(place) = row.choice(&word) else {
-            let (what, given, kept) = (name(row), quote(text), self.choice(key));
+            let (what, given, kept) = (name(row), quote(text), self.shown(key));
             return Err(format!(
                 "{what} must be {}; {given} was given, kept {kept}.",
                 one_of(row)
@@ -255,8 +256,21 @@ pub(super) fn quote(text: &str) -> String {
     format!("\"{short}\"")
 }
 
+/// A choice as sentences name it: as the page does, with the link's word where that is another one.
+pub(super) fn choice_name(row: &Parameter, word: &str) -> String {
+    let choice = row.choices.iter().find(|c| c.word == word);
+    choice.map_or_else(
+        || quote(word),
+        |c| match c.label.eq_ignore_ascii_case(word) {
+            true => c.label.to_owned(),
+            false => format!("{} ({word})", c.label),
+        },
+    )
+}
+
 fn one_of(row: &Parameter) -> String {
-    let words: Vec<&str> = row.choices.iter().map(|c| c.word).collect();
+    let all = row.choices.iter();
+    let words: Vec<String> = all.map(|c| choice_name(row, c.word)).collect();
     match words.as_slice() {
         [only] => format!("{only} so far"),
         [most @ .., last] => format!("{} or {last}", most.join(", ")),

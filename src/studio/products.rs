@@ -307,7 +307,7 @@ impl Products {
 }
 
 /// Said where a stage would run before the ones it needs, which the order of stages rules out.
-const MISSING: &str = "A stage is missing what it works on. Start again with the restart button.";
+const MISSING: &str = "A stage is missing what it works on. Begin again (R).";
 
 /// Said where nothing is left of a packing.
 const NO_CELLS: &str =

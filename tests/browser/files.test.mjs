@@ -330,3 +330,23 @@ test('saving never holds the page for more than 50 milliseconds', { skip: kind !
   assert.deepEqual(problems, []);
   await close();
 });
+
+test('the caption of a recipe that was dropped is its own', async () => {
+  const { page, problems, close } = await opened('');
+  await digest(page);
+  const file = (recipe) => JSON.stringify({ program: 'Bubblestone', recipe });
+  const caption = (words) => page.waitForFunction((source) => new RegExp(source).test(document.querySelector('#caption').textContent), { timeout: 20_000 }, words);
+  const [{ title }, other] = await page.evaluate(() => window.bubblestone.presets);
+  await caption(`^${title}:`);
+  await drop(page, 'mine.json', file('v=1&size=192&cs=16&outline=star'), 'application/json');
+  await caption('^This recipe: Star · Square');
+  await set(page, 'seed', '7');
+  await digest(page);
+  await caption('^This recipe: Star · Square');
+  for (let step = 0; step < 2; step += 1) await click(page, '#undo');
+  await caption(`^${title}:`);
+  await drop(page, 'theirs.json', file(other.link.replace('#', '')), 'application/json');
+  await caption(`^${other.title}:`);
+  assert.deepEqual(problems, []);
+  await close();
+});

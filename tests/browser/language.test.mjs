@@ -96,11 +96,14 @@ test('a browser in Japanese gets a page in Japanese, which may be changed to Eng
 });
 
 test('links that are wrong are answered in Japanese', async () => {
-  const { page, close } = await inJapanese(`${SMALL}&v=99&kind=blob&foo=1&spots=0.5,0.5,9,1&hs=&poly=x&seed=1&seed=2`);
+  const { page, close } = await inJapanese(`${SMALL}&v=99&kind=blob&outline=donut&foo=1&spots=0.5,0.5,9,1&hs=&poly=x&seed=1&seed=2`);
   await digest(page);
   const said = await page.$$eval('.message p, .message li', (all) => all.map((item) => item.textContent));
   assert.ok(said.length >= 6, String(said));
   for (const sentence of said) assert.match(sentence, /[ぁ-ん]/, sentence);
+  // Choices are called as the page calls them.
+  assert.ok(said.includes('種類 (kind)は正方形 (square)、長方形 (rectangle)、円 (circle)、楕円 (ellipse)のどれかでなければなりません。"blob"が与えられたので、正方形 (square)にしました。'), String(said));
+  assert.match(said.find((sentence) => sentence.includes('"donut"')), /輪 \(annulus\)、S字の道 \(road_s\)、/);
   await close();
 });
 

@@ -471,3 +471,25 @@ test('on a phone everything for looking closer can be touched, and nothing is wi
   assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 390);
   await close();
 });
+
+test('the first turn of the wheel and the first double click zoom, though what answers them comes later', async () => {
+  for (const [first, zoom] of [['wheel', '1.2×'], ['dblclick', '3×']]) {
+    const { page, problems, close } = await site.newPage(SMALL);
+    await digest(page);
+    const scrolls = await page.$eval(
+      '#canvas',
+      (canvas, name) => {
+        const { left, top, width, height } = canvas.getBoundingClientRect();
+        const at = { clientX: left + width / 2, clientY: top + height / 2, bubbles: true, cancelable: true };
+        return canvas.dispatchEvent(name === 'wheel' ? new WheelEvent(name, { ...at, deltaY: -100 }) : new MouseEvent(name, at));
+      },
+      first,
+    );
+    assert.equal(scrolls, first !== 'wheel', 'the page scrolls, too');
+    await page.waitForSelector('.sheet[data-zoomed]');
+    await frames(page, 3);
+    assert.equal(await page.$eval('#zoom-now', (text) => text.textContent), zoom);
+    assert.deepEqual(problems, []);
+    await close();
+  }
+});

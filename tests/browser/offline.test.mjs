@@ -29,6 +29,9 @@ test('after the first visit all works without a host, and nothing was fetched tw
   const { page, external, close } = await site.newPage(SMALL);
   const planes = await digest(page);
   await told(page, 'stored');
+  // That is told at the foot of the page: nothing lies over the picture.
+  assert.match(await page.$eval('#offline', (text) => text.textContent), /works offline/);
+  assert.equal(await page.$('.message'), null);
   // Chromium keeps the tab's icon apart.
   const asked = site.requests.filter((path, at, all) => path !== 'sw.js' && (path !== 'favicon.svg' || all.indexOf(path) === at));
   assert.deepEqual(asked.filter((path, at) => asked.indexOf(path) !== at), []);

@@ -95,7 +95,7 @@ export class Glass {
   }
 
   /** All the way out, the wheel scrolls the page again. */
-  private wheel(event: WheelEvent): void {
+  wheel(event: WheelEvent): void {
     const { deltaY, deltaMode, ctrlKey } = event;
     if (deltaY > 0 && this.zoom === 1 && !ctrlKey) return;
     event.preventDefault();
@@ -103,7 +103,8 @@ export class Glass {
     this.to(this.zoom * Math.exp(-deltaY * lines * (ctrlKey ? 0.01 : 0.002)), this.at(event));
   }
 
-  private twice(event: MouseEvent): void {
+  /** A double click: closer, or all of the picture again. */
+  twice(event: MouseEvent): void {
     if (this.wanted(event) || this.store.state.editing !== undefined) return;
     if (this.zoom > 1) this.step(0);
     else this.to(CLOSER, this.at(event));

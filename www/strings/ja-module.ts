@@ -204,5 +204,8 @@ export const foreign: Foreign = {
   },
   presets,
   figure: (text) => text.replace(/Fig\. (\d+ \(\w+\)) of (\d{4})/g, '$2年 図$1').replace(', ', '・'),
-  sentence: japanese((key) => parameters[key]?.name),
+  sentence: japanese(
+    (key) => parameters[key]?.name,
+    (key, word) => parameters[key]?.choices?.[word],
+  ),
 };

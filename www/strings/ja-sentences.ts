@@ -3,21 +3,35 @@
 /** Replacements of whole sentences; `named` gives a parameter's name, `said` what a part of a sentence says. */
 type Pattern = [pattern: RegExp, sentence: (...parts: string[]) => string];
 
-/** A parameter as a sentence names it: “Cell size (cs)”. `names` are by key. */
-export function japanese(names: (key: string) => string | undefined): (text: string) => string {
+/** Parameters as sentences name them: “Cell size (cs)”, and their choices: “S-curve (road_s)”, “Star”. `names` are by key, `choices` by key and word. */
+export function japanese(names: (key: string) => string | undefined, choices: (key: string, word: string) => string | undefined): (text: string) => string {
   const named = (text: string): string => text.replace(/^.+ \((\w+)\)$/, (whole, key: string) => (names(key) ? `${names(key) ?? ''} (${key})` : whole));
+  const chosen = (key: string, text: string): string => {
+    const word = /\((\w+)\)$/.exec(text)?.[1] ?? text.toLowerCase();
+    const label = choices(key, word);
+    return label === undefined ? text : `${label} (${word})`;
+  };
+  /** What is allowed, or kept, of the parameter that a sentence names. */
+  const value = (what: string, text: string): string => {
+    const outline = /^the outline (.+)$/.exec(text)?.[1];
+    if (outline) return `${names('outline') ?? ''}「${chosen('outline', outline)}」`;
+    if (/^a (whole )?number |^[-\d.]+$/.test(text)) return said(text);
+    const key = /\((\w+)\)$/.exec(what)?.[1] ?? '';
+    const all = text.split(/, | or /).map((each) => chosen(key, each));
+    return all.length > 1 ? `${all.join('、')}のどれか` : (all[0] ?? text);
+  };
   const patterns: Pattern[] = [
-    [/^(.+) must be (.+); (".*"|[-\d.]+) was given, kept (.+)\.$/, (what, allowed, given, kept) => `${named(what)}は${said(allowed)}でなければなりません。${given}が与えられたので、${kept}にしました。`],
-    [/^(.+) has no value; kept (.+)\.$/, (what, kept) => `${named(what)}に値がありません。${kept}のままです。`],
+    [/^(.+) must be (.+); (".*"|[-\d.]+) was given, kept (.+)\.$/, (what, allowed, given, kept) => `${named(what)}は${value(what, allowed)}でなければなりません。${given}が与えられたので、${value(what, kept)}にしました。`],
+    [/^(.+) has no value; kept (.+)\.$/, (what, kept) => `${named(what)}に値がありません。${value(what, kept)}のままです。`],
     [/^(".*") is not a parameter; it was dropped\.$/, (what) => `${what}というパラメーターはありません。無視しました。`],
     [/^(.+) is given more than once; the last value counts\.$/, (what) => `${named(what)}が何度も与えられています。最後の値を使います。`],
     [/^(.+) cannot be read: (.+); kept what was there\.$/, (what, why) => `${named(what)}を読めません（${said(why)}）。元のままです。`],
-    [/^(.+) cannot be read: (.+); kept (.+)\.$/, (what, why, kept) => `${named(what)}を読めません（${said(why)}）。${kept}のままです。`],
+    [/^(.+) cannot be read: (.+); kept (.+)\.$/, (what, why, kept) => `${named(what)}を読めません（${said(why)}）。${value(what, kept)}のままです。`],
     [/^The lines cannot be taken: (.+)\.$/, (why) => `拘束線を使えません（${said(why)}）。`],
     [/^Only the first (\d+) values of the link were read\.$/, (n) => `リンクの初めの${n}個の値だけを読みました。`],
     [/^The link has (\d+) more things to complain of\.$/, (n) => `リンクにはほかにも${n}か所、直したところがあります。`],
-    [/^Outline \(outline\) is polygon, but its points \(poly\) are missing; kept (.+)\.$/, (kept) => `輪郭 (outline) は polygon ですが、点 (poly) がありません。${kept}のままです。`],
-    [/^Points \(poly\) need outline=polygon, but outline is (.+); they were dropped\.$/, (word) => `点 (poly) には outline=polygon が必要ですが、outline は${word}です。点は使いません。`],
+    [/^(Outline \(outline\)) is (.+), but (.+) are missing; kept (.+)\.$/, (what, is, points, kept) => `${named(what)}は${value(what, is)}ですが、${named(points)}がありません。${value(what, kept)}のままです。`],
+    [/^(.+) need (the outline .+), but (.+) is (.+); they were dropped\.$/, (points, needed, what, is) => `${named(points)}には${value(what, needed)}が必要ですが、${named(what)}は${value(what, is)}です。点は使いません。`],
     [/^The link was made by a newer version \((\d+); this one knows (\d+)\); it was read as well as possible\.$/, (newer, known) => `リンクは新しい版（${newer}。ここは${known}）で作られたものです。読めるだけ読みました。`],
     [/^The version \(v\) must be a whole number from 1 to (\d+); (.+) was given, the link was read as version \d+\.$/, (most, given) => `版 (v) は1から${most}までの整数でなければなりません。${given}が与えられたので、版${most}として読みました。`],
     [/^The outline has (\d+) points; at most (\d+) are allowed\.$/, (n, most) => `輪郭に${n}個の点があります。${most}個までです。`],
@@ -34,9 +48,9 @@ export function japanese(names: (key: string) => string | undefined): (text: str
     [/^(.+) repeats a point at (.+); dropped\.$/, (ring, place) => `${said(ring)}の${place}の点が重複していたので、取り除きました。`],
     [/^(.+) repeats (\d+) points, the first at (.+); dropped\.$/, (ring, n, place) => `${said(ring)}で${n}個の点（最初は${place}）が重複していたので、取り除きました。`],
     [/^(\d+) more things like these were mended\.$/, (n) => `ほかにも${n}か所、同様に直しました。`],
-    [/^Kept (.+)\.$/, (kept) => `${kept}のままです。`],
+    [/^Kept (.+)\.$/, (kept) => `${value('', kept)}のままです。`],
     [/^Not one cell fits into the outline\. Choose a smaller cell size or a larger outline\.$/, () => '輪郭にセルが一つも入りません。セルを小さくするか、輪郭を大きくしてください。'],
-    [/^A stage is missing what it works on\. Start again with the restart button\.$/, () => '前の段階の結果がありません。「最初から」でやり直してください。'],
+    [/^A stage is missing what it works on\. Begin again \(R\)\.$/, () => '前の段階の結果がありません。最初からやり直してください（R）。'],
     [/^There is not enough memory for a picture of (\d+) pixels: choose a smaller one\.$/, (side) => `一辺${side}画素の画像を作るにはメモリーが足りません。小さいものを選んでください。`],
   ];
   const whole = (text: string): string | undefined => {
@@ -63,7 +77,6 @@ function said(text: string): string {
     [/^a whole number from (\S+) to (\S+?)( px|°)?( in a picture of (\d+) px)?$/, '$1から$2$3までの整数'],
     [/^a number from (\S+) to (\S+?)( px|°)? in a picture of (\d+) px$/, '$1から$2$3までの数（画像の一辺$4 px）'],
     [/^a number from (\S+) to (\S+?)( px|°)?$/, '$1から$2$3までの数'],
-    [/^(.+) or (\w+)$/, '$1, $2 のどれか'],
     [/^[Tt]he outer ring$/, '外周'],
     [/^[Oo]uter ring (\d+)$/, '外周$1'],
     [/^[Rr]ing (\d+)$/, '輪$1'],
