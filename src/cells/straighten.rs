@@ -21,6 +21,8 @@ const EVEN_AREA: f64 = 0.7;
 const CORNER: f64 = 0.866;
 /// Two pieces of the boundary are one straight line up to this (cosine of 1 degree).
 const STRAIGHT: f64 = 0.9998;
+/// What is farther from the boundary (picture units) does not lie on it.
+const OFF: f64 = 1.0 / 4096.0;
 /// Corners whose sine is smaller are straight: only rounding decides their sign.
 const FLAT: f64 = 1e-6;
 /// A vertex slides at most this share of the way to the next one on the boundary.
@@ -99,6 +101,9 @@ impl Straightening {
             }
             Next::Round(number) => {
                 self.rings.round(cells, self.share);
+                if number == ROUNDS {
+                    self.rings.settle(domain);
+                }
                 Next::Round(number + 1)
             }
         };
@@ -315,6 +320,23 @@ impl Rings {
                 self.points[vertex] = old;
             }
             self.follow(vertex);
+        }
+    }
+
+    /// Puts back onto the boundary what has left it: pieces that hardly turn passed for one straight line.
+    fn settle(&mut self, domain: &Domain) {
+        for vertex in 0..self.points.len() {
+            let old = self.points[vertex];
+            if !matches!(self.free[vertex], Freedom::Slides(_)) || self.on_line[vertex] {
+                continue;
+            }
+            let near = domain.nearest(old);
+            if near.distance.abs() > OFF {
+                self.points[vertex] = near.point;
+                if !self.is_sound(vertex, old) {
+                    self.points[vertex] = old;
+                }
+            }
         }
     }
 
