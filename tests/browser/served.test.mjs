@@ -32,7 +32,7 @@ async function visit(query, language = 'en') {
 const parts = [
   { name: 'zoom', act: (page) => click(page, '#zoom-in'), of: '.walk svg', styles: { position: 'absolute' }, close: '#zoom-fit' },
   { name: 'light', act: (page) => click(page, '#light-button'), of: '.light-layer', styles: { position: 'absolute', top: '0px' }, close: '#light-button' },
-  { name: 'layers', act: (page) => click(page, '#layers-button'), of: '#layers', styles: { position: 'absolute', overflow: 'auto' }, close: '#layers-button' },
+  { name: 'layers', act: (page) => click(page, '#layers-button'), of: '#layers', styles: { overflow: 'auto', width: '304px' }, close: '#layers-button' },
   { name: 'plots', act: (page) => click(page, '#plots-button'), of: '.plot canvas', styles: { display: 'block' }, close: '#plots-button' },
   { name: 'tile', act: (page) => click(page, '#tile-button'), of: '.tiles', styles: { position: 'absolute' } },
   { name: 'compare', act: (page) => click(page, '#compare-button'), of: '#divider', styles: { position: 'absolute', marginLeft: '0px' }, close: '#compare-button' },
@@ -63,6 +63,9 @@ test('every part that is loaded late comes, with its styles', async () => {
   }
   await drop(page, 'mine.json', JSON.stringify({ program: 'Bubblestone', recipe: `${SMALL.slice(1)}&seed=5` }), 'application/json');
   await message(page, 'status', /mine\.json/);
+  await digest(page);
+  await drop(page, 'shape.svg', '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><path d="M1 1h7v7H1z"/></svg>', 'image/svg+xml');
+  await page.waitForFunction(() => window.bubblestone.get('outline') === 'polygon', { timeout: 60_000 });
   await digest(page);
   await click(page, '#save');
   await click(page, '#save-maps');
