@@ -230,11 +230,11 @@ test('the seed: the next one, the ones before, and a lock that presets respect',
   await set(page, 'seed', '12');
   await click(page, '#seed-lock');
   assert.equal(await page.$eval('#seed-lock', (button) => button.getAttribute('aria-pressed')), 'true');
-  await click(page, '[data-preset=star]');
-  assert.deepEqual([await seed(), await get(page, 'palette')], ['12', 'terracotta']);
-  assert.equal(await page.$eval('[aria-current=true]', (button) => button.dataset.preset), 'star');
+  await click(page, '[data-preset=tortoise]');
+  assert.deepEqual([await seed(), await get(page, 'palette')], ['12', 'tortoise']);
+  assert.equal(await page.$eval('[aria-current=true]', (button) => button.dataset.preset), 'tortoise');
   await click(page, '#throw');
-  await page.waitForFunction(() => window.bubblestone.get('outline') !== 'star' || window.bubblestone.get('cs') !== '19', { timeout: 20_000 });
+  await page.waitForFunction(() => window.bubblestone.get('outline') !== 'polygon' || window.bubblestone.get('cs') !== '98', { timeout: 20_000 });
   assert.equal(await seed(), '12');
   // The lock is kept.
   await page.reload();
