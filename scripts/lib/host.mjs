@@ -25,7 +25,8 @@ const contentTypes = {
  */
 export async function host(files, { port = 0, under = '/', asked } = {}) {
   const server = createServer(async (request, response) => {
-    const { pathname } = new URL(request.url ?? '/', 'http://localhost');
+    // Cut, not parsed: no request, however odd, may end the host.
+    const pathname = (request.url ?? '/').replace(/[?#].*$/, '');
     const path = pathname.endsWith('/') ? `${pathname}index.html` : pathname;
     const inside = path.startsWith(under) ? normalize(path.slice(under.length)) : '..';
     asked?.(inside);
