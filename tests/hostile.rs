@@ -229,7 +229,7 @@ fn every_view() -> Vec<String> {
 
 #[test]
 fn whatever_is_asked_for_the_work_ends_well() {
-    let many = if cfg!(target_arch = "wasm32") { 6 } else { 40 };
+    let many = if cfg!(target_arch = "wasm32") { 4 } else { 16 };
     let (count, seed) = (
         wished("BUBBLESTONE_RECIPES", many),
         wished("BUBBLESTONE_SEED", 1),
@@ -244,7 +244,7 @@ fn whatever_is_asked_for_the_work_ends_well() {
 /// The polygons of cells that have hardly been packed, all at the mercy of the outline and the lines.
 #[test]
 fn cells_fill_the_outline_wherever_they_are() {
-    let many = if cfg!(target_arch = "wasm32") { 6 } else { 40 };
+    let many = if cfg!(target_arch = "wasm32") { 4 } else { 16 };
     let (count, seed) = (
         wished("BUBBLESTONE_RECIPES", many),
         wished("BUBBLESTONE_SEED", 1),
@@ -344,6 +344,12 @@ const ONCE_BAD: &[&str] = &[
     "outline=polygon&poly=u_8BgggBzqBswOxgKihL5lOo8CnsN3nCz9M99Fn9Gl9MnCl2OokHt4MqhMrgIwoO5vB80M2iGklJymK.x2Ms1GxyEpjFtqGphDnkH8X1gGogEjyDmsGmBkrHyuDyuG8uGg_Ck2G6jB8iHhuBogFxwFsVloH&tile=1&size=160&ow=1.2564638705552793&kind=ellipse&cb=0.2&cd=0.02&stretch=p-IkieoiBukI.qp0CymU86hByvH&cs=43.60954242208002&gx=-0.8&gd=1&spots=6ksCmxrB0nZ-jC._lZ_unB49yB6mC&fx=2&fy=-0.18044241901185443&fa=-33.79600988409786&dp=2&strokes=4v1B2nd0HszRr22Bl0d.s7xB6xR06NziSt67B_1X&seed=2481010007&stone=flag&sr=0.05&tilt=1&sa=-180&tc=1&flat=0.49795875777976617&keel=1&rings=3&bh=0&bv=0.7742764410246804&fd=1.05&palette=terracotta&pattern=size&pa=-180&ps=1&pc=0.7096879605047305&belly=0.663118569607021&wear=1&moss=1&dirt=1&az=0&amb=0&diff=2&spec=0&shin=4",
     // Cells so near to a line that their sides passed for pieces of it: a sliver without area.
     "outline=polygon&poly=oopBgggBnhCslEnwDqoC32DqqClzEhZ_zCv5DhUtlEoa7hE61ClvDmrEhLmjE-Y4iDu-C.0_J__KxTgoB1hB2VzjBqWjsBvHlZtkBhGhoB8H_mB4ZphB4pBpDsnBuH0dsc&lines=450B0n7Bn3mBiiKroUt8zB2mlBtzZo0iB-vxCz-jCvvK.oitBhjR8_apyP&tile=1&size=128&ow=0.3&gx=-0.22566601303102518&gb=0.2040566128993505&dir=spiral&fx=1.8239314525978547&fy=-1&reach=0.3435073144345211&edge=on&seed=1986920345&sv=0.5&tilt=0.7251293887450077&sa=180&flat=0.34709299220035417&dr=0.7424945990748157&bh=0.3634958516626776&bv=0&fd=1.4625288100345717&vary=2&pattern=boundary&ps=0.2916035508663344&pm=0&ba=180&lx=-1&spec=0&shin=3.822991577885844&occl=0",
+    // Few large cells, one of them around a small hole and all its triangles on one side of that.
+    "outline=polygon&poly=qw3BgggBhoNy7MjoP8gJvhSp5KpxCrtXwjTvhQwxRwvO._tF6mQhclXxe2ZiEulB8coRsYtOmVxU&size=160&oa=180&cb=0.989480329187922&gb=3&seed=3492690740",
+    // One cell, which is its own neighbour all around: its diagonals were those of chance.
+    "tile=1&size=160&ow=0.3&oa=-58.88455499318016&kind=circle&parts=g-lBrrME.gsQmgzBE&ca=5&cb=0.905339651809409&cd=1&stretch=gnXqxoB-re-jH.35a5kzB4zlB8iG.-w5B-kY2hkB6-E&cs=80&gx=-0.8&gy=0.8&gr=-0.7704751108622153&gb=0.2&gd=1&spots=izgC-5sB-6X-hB.77X14vBo94B8kC&dir=strokes&angle=-90&fx=2&fy=-1&strokes=69hB0nrBshMqwN_uUs5Jt-jBx8VqrU_sfz9N-pO.yxzBwoG9piBzma.ultBovlB_jpBumOyvoBmsN9_jBlziB&reach=1&edge=on&start=quadtree&seed=1980953555",
+    // All cells stand on lines and are lost to their images: nothing at all closed over the seams.
+    "outline=road_s&lines=76H0_rCyrK_tD.4mSturB4h2Br9e9vDotpB._6lB9voBzuMsySz2Ym6rB&tile=1&size=128&ow=1.7&oa=-180&kind=ellipse&parts=uyIiuuBE&ca=1&cb=5&cs=64&gx=-0.8&gy=-0.636876357165556&gr=0.8&gb=3&dir=constant&fx=-1&fy=0.14725976208763125&fa=90&ends=1&strokes=50KkjiBmzcihD.6pwB_gmBnm7B9oDwzZ-6P8wPznF&edge=on&pop=smallest&vs=0.48244997841116666&seed=2473601616",
 ];
 
 #[test]
@@ -351,6 +357,7 @@ fn what_once_was_bad_is_good() {
     for link in ONCE_BAD {
         let (recipe, notices) = Recipe::from_link(link);
         assert!(notices.is_empty(), "{notices:?}");
+        fills_at_once(recipe.clone());
         let mut studio = Studio::new(recipe);
         assert_eq!(studio.finish(&mut || 0.0), Ok(()), "{link}");
         sound(&mut studio);

@@ -353,22 +353,35 @@ impl Arrangement {
             let outer = rings.iter().flatten().sum::<DVec2>();
             let count = rings.iter().map(Vec::len).sum::<usize>();
             let across = (outer / count as f64 - middle).normalize_or(DVec2::X);
-            let pieces = self.cut(region, middle, across);
-            if pieces.len() > 1 {
-                let mut edges = self.edges();
-                let taken = |r: u32| (r, std::mem::take(&mut edges[r as usize]));
-                outlines.extend(pieces.into_iter().map(taken));
-            }
+            let pieces = self.halves(region, middle, across);
+            let mut edges = self.edges();
+            let taken = |r: u32| (r, std::mem::take(&mut edges[r as usize]));
+            outlines.extend(pieces.into_iter().map(taken));
         }
     }
 
-    /// Divides a region by the line through `middle` square to `across`. The largest piece keeps
-    /// the region's owner; all pieces are named.
-    fn cut(&mut self, region: u32, middle: DVec2, across: DVec2) -> Vec<u32> {
-        let side = |t: usize| {
-            let [a, b, c] = self.corners[t];
-            across.dot((a + b + c) / 3.0 - middle) >= 0.0
-        };
+    /// Divides a region by a line through `middle`, square to `across` where that gives pieces.
+    fn halves(&mut self, mut region: u32, middle: DVec2, across: DVec2) -> Vec<u32> {
+        let aslant = across + across.perp();
+        for way in [across, across.perp(), aslant, aslant.perp()] {
+            let pieces = self.cut(region, |[a, b, c]| {
+                way.dot((a + b + c) / 3.0 - middle) >= 0.0
+            });
+            if pieces.len() > 1 {
+                return pieces;
+            }
+            region = pieces[0];
+        }
+        // Few large triangles, all on one side: any of them makes the rest smaller.
+        let first = (0..self.region.len()).find(|&t| self.root_of(t) == region);
+        let first = first.map(|t| self.corners[t]);
+        self.cut(region, |corners| Some(corners) == first)
+    }
+
+    /// Divides a region between its triangles on one `side` and those on the other. The largest
+    /// piece keeps the region's owner; all pieces are named.
+    fn cut(&mut self, region: u32, side: impl Fn([DVec2; 3]) -> bool) -> Vec<u32> {
+        let side = |t: usize| side(self.corners[t]);
         let mut piece = vec![u32::MAX; self.region.len()];
         let mut areas: Vec<f64> = Vec::new();
         for start in 0..piece.len() {

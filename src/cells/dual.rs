@@ -7,7 +7,7 @@ use super::arrangement::{Arrangement, Line};
 use super::fitted::cell;
 use super::voronoi::circumcentre;
 use super::{Cell, across, ghosts};
-use crate::domain::{Domain, closest_on_segment, divided, ring_contains, shifts};
+use crate::domain::{Domain, closest_on_segment, divided, ring_contains, shifts, signed_area};
 use crate::mesh::{Face, Fans, Mesh, Node};
 use crate::order;
 use crate::packing::{Grid, Particle};
@@ -308,8 +308,17 @@ impl Dual {
     }
 
     /// Which cells take part in the arrangement: all but those whose polygon surely keeps off the
-    /// boundary, because no corner of it is as far from the centre as the boundary is.
+    /// boundary, because no corner of it is as far from the centre as the boundary is; and what lies
+    /// inside out, with all around it.
     fn band(&self, domain: &Domain) -> Vec<bool> {
+        let mut is_over = vec![false; self.middles.len()];
+        for k in 0..self.particles.len() {
+            if signed_area(&self.ring(k)) <= 0.0 {
+                self.around(k)
+                    .iter()
+                    .for_each(|&f| is_over[f as usize] = true);
+            }
+        }
         let inside = |(k, p): (usize, &Particle)| {
             let around = self.around(k);
             let line = domain.nearest_line(p.centre);
@@ -318,7 +327,7 @@ impl Dual {
             around.len() >= 3
                 && around.iter().all(|&f| {
                     let f = f as usize;
-                    !self.mixed[f] && self.middles[f].distance(p.centre) < free
+                    !is_over[f] && !self.mixed[f] && self.middles[f].distance(p.centre) < free
                 })
         };
         let cells = self.particles.iter().enumerate();

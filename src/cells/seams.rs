@@ -2,7 +2,7 @@
 
 use super::Cell;
 use super::dual::{Dual, On, node, without_rim};
-use crate::domain::Domain;
+use crate::domain::{Domain, signed_area};
 use crate::mesh::torus::{Joining, closes, spread};
 use crate::mesh::{Mesh, Node};
 use crate::order;
@@ -93,7 +93,8 @@ impl Dual {
         }
         let rings: Vec<Vec<DVec2>> = (0..particles.len()).map(|k| dual.ring(k)).collect();
         dual.particles = particles.to_vec();
-        (joining == Joining::Delaunay || closes(domain, &rings)).then_some(dual)
+        let whole = || closes(domain, &rings) && rings.iter().all(|ring| signed_area(ring) > 0.0);
+        (joining == Joining::Delaunay || whole()).then_some(dual)
     }
 }
 

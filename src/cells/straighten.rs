@@ -351,7 +351,7 @@ impl Rings {
         }
     }
 
-    /// Has the vertex, come from `old`, turned no corner inside out?
+    /// Has the vertex, come from `old`, turned no corner and no cell inside out?
     fn is_sound(&self, vertex: usize, old: DVec2) -> bool {
         let at = |k: u32| self.points[k as usize];
         let before = |k: u32| if k as usize == vertex { old } else { at(k) };
@@ -370,7 +370,11 @@ impl Rings {
                 let ends = [n - 1, 1].map(|shift| ring[(place as usize + shift) % n]);
                 held && k as usize != vertex && ends.into_iter().any(past)
             };
-            if ring.iter().any(swept) {
+            // Twice the area, seen from the vertex.
+            let own = at(vertex as u32);
+            let spans = (1..n - 1).map(|k| [k, k + 1].map(|k| ring[(place as usize + k) % n]));
+            let area: f64 = spans.map(|[a, b]| cross(own, at(a), at(b))).sum();
+            if area <= 0.0 || ring.iter().any(swept) {
                 return false;
             }
             // The turns at the vertex and at its two neighbours.

@@ -4,8 +4,9 @@
 //! exactly one side away, and what lies on the two sides of a seam agrees to the last bit.
 
 use super::meshing::{is_cut, lies_on_line};
+use super::metric::Metric;
 use super::{Face, Mesh, Node, Weave, quads};
-use crate::domain::{Domain, shifts};
+use crate::domain::{Domain, shifts, signed_area};
 use crate::order;
 use crate::packing::Particle;
 use crate::planar::on_grain;
@@ -37,6 +38,12 @@ const FARTHEST: f64 = 8.0;
 /// Around a triangle of points that repeat with the picture no circle without points is wider than
 /// its diagonal: with images as far as this (sides) all of Delaunay's triangles in it are there.
 const DIAGONAL: f64 = 1.5;
+/// The metric in which they are Delaunay's, but for so little: of four points on one circle, as a cell
+/// and its images can be, it chooses the diagonal, and at each image the same. Axis and aspect.
+const TILT: (DVec2, f64) = (
+    DVec2::new(0.809_016_994_374_947_5, 0.587_785_252_292_473_1),
+    1.0001,
+);
 
 impl Joining {
     /// How far around the picture there are images, of cells up to a size.
@@ -52,7 +59,10 @@ impl Joining {
     /// The node as this way of joining sees it.
     pub fn node(self, node: Node) -> Node {
         let node = match self {
-            Self::Delaunay => Node::plain(node.at),
+            Self::Delaunay => Node {
+                metric: Metric::new(TILT.0, TILT.1),
+                ..Node::plain(node.at)
+            },
             _ => node,
         };
         let corners = node.corners && matches!(self, Self::Pairs(_));
@@ -93,7 +103,7 @@ pub(crate) fn spread(
 }
 
 /// Do the rings close up over the seams: has every side of one the same side of another, run the
-/// other way?
+/// other way, and do they fill the picture once?
 pub(crate) fn closes(domain: &Domain, rings: &[Vec<DVec2>]) -> bool {
     let key = |p: DVec2| (order::rank(p.x), order::rank(p.y));
     // Every side by its start in the picture and the way to its end; adding 0 makes of -0 a 0.
@@ -109,7 +119,10 @@ pub(crate) fn closes(domain: &Domain, rings: &[Vec<DVec2>]) -> bool {
     order::sort(&mut sides, |s| key(s[1]));
     order::sort(&mut sides, |s| key(s[0]));
     let name = |s: &[DVec2; 2]| (key(s[0]), key(s[1]));
-    rings.iter().all(|ring| ring.len() >= 3)
+    // What closes covers the picture a whole number of times.
+    let times = rings.iter().map(|ring| signed_area(ring)).sum::<f64>() / domain.area();
+    (times - 1.0).abs() < 0.5
+        && rings.iter().all(|ring| ring.len() >= 3)
         && sides.windows(2).all(|w| name(&w[0]) != name(&w[1]))
         && sides.iter().all(|&[a, by]| {
             let back = name(&[domain.wrap(a + by), 0.0 - by]);
