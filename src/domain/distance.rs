@@ -12,6 +12,8 @@ pub struct Domain {
     rings: Vec<Vec<DVec2>>,
     segments: Vec<[DVec2; 2]>,
     area: f64,
+    /// The smallest and the largest corner of the box around it.
+    bounds: (DVec2, DVec2),
     /// Nothing on a torus, which has no boundary.
     grid: Option<CandidateGrid>,
     /// The side of the torus.
@@ -24,6 +26,9 @@ pub struct Domain {
 
 /// How far the boundary is where there is none.
 const NOWHERE: f64 = 1e30;
+
+/// Places along a side of the raster on which the deepest one is looked for, a power of two.
+const RASTER: u32 = 64;
 
 /// The boundary as seen from a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -54,12 +59,16 @@ impl Domain {
     pub(super) fn of_rings(rings: Vec<Vec<DVec2>>, whole: Option<&Domain>) -> Self {
         let segments: Vec<[DVec2; 2]> = rings.iter().flat_map(|r| ring_segments(r)).collect();
         let area = rings.iter().map(|r| signed_area(r)).sum();
+        let start = rings[0][0];
+        let points = rings.iter().flatten();
+        let bounds = points.fold((start, start), |(lo, hi), &p| (lo.min(p), hi.max(p)));
         let grid = whole.and_then(|whole| whole.grid.as_ref());
         let grid = Some(CandidateGrid::like(&segments, grid));
         Self {
             rings,
             segments,
             area,
+            bounds,
             grid,
             period: None,
             network: None,
@@ -75,6 +84,7 @@ impl Domain {
             rings: Vec::new(),
             segments: Vec::new(),
             area: side * side,
+            bounds: (DVec2::ZERO, DVec2::splat(side)),
             grid: None,
             period: Some(side),
             network: None,
@@ -281,13 +291,16 @@ impl Domain {
     }
 
     /// The smallest and the largest corner of the box around the outline.
+    #[inline]
     pub fn bounds(&self) -> (DVec2, DVec2) {
-        if let Some(side) = self.period {
-            return (DVec2::ZERO, DVec2::splat(side));
-        }
-        let start = self.rings[0][0];
-        let points = self.rings.iter().flatten();
-        points.fold((start, start), |(lo, hi), &p| (lo.min(p), hi.max(p)))
+        self.bounds
+    }
+
+    /// Is a place inside the box around the outline, not on its edge?
+    #[inline]
+    pub(crate) fn is_in_box(&self, p: DVec2) -> bool {
+        let (lo, hi) = self.bounds;
+        p.cmpgt(lo).all() && p.cmplt(hi).all()
     }
 
     /// How far one can go from a place of the boundary along its inward normal, `most` at the farthest,
@@ -309,21 +322,36 @@ impl Domain {
         low
     }
 
-    /// The innermost point of a coarse sample: where the only cell of a narrow island goes.
+    /// The innermost place of a coarse raster: where the only cell of a narrow island goes.
     pub(crate) fn deepest(&self) -> Option<DVec2> {
         let (lo, hi) = self.bounds();
-        let mut best = (0.0, None);
-        for row in 0..64 {
-            for column in 0..64 {
-                let t = DVec2::new(f64::from(column) + 0.5, f64::from(row) + 0.5) / 64.0;
-                let p = lo + (hi - lo) * t;
-                let depth = self.nearest(p).distance;
-                if depth > best.0 {
-                    best = (depth, Some(p));
+        let step = (hi - lo) / f64::from(RASTER);
+        let mut best = (0.0, 0, None);
+        // Squares of places: the first column and row, and how many along a side.
+        let mut open = vec![(0, 0, RASTER)];
+        while let Some((column, row, side)) = open.pop() {
+            let at = |k: u32| f64::from(k) + f64::from(side) / 2.0;
+            let middle = lo + step * DVec2::new(at(column), at(row));
+            let depth = self.nearest(middle).distance;
+            if side == 1 {
+                let index = row * RASTER + column;
+                // Of equal ones the first, row by row.
+                if depth > best.0 || (depth == best.0 && index < best.1) {
+                    best = (depth, index, Some(middle));
                 }
+                continue;
+            }
+            // Nowhere is it deeper than here by more than the way there.
+            let most = depth + step.length() * f64::from(side) / 2.0;
+            if most < best.0 {
+                continue;
+            }
+            let half = side / 2;
+            for (x, y) in [(half, half), (0, half), (half, 0), (0, 0)] {
+                open.push((column + x, row + y, half));
             }
         }
-        best.1
+        best.2
     }
 
     /// Is the point inside? Points on the boundary may count either way.

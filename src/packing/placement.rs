@@ -176,9 +176,7 @@ pub(super) fn narrowed(p: DVec2, around: Surroundings, edge: Edge) -> Option<DVe
         fields,
         facing,
     } = around;
-    let (lo, hi) = domain.bounds();
-    let in_box = p.cmpgt(lo).all() && p.cmplt(hi).all();
-    if edge == Edge::On || !in_box || !facing.is_near(p) {
+    if edge == Edge::On || !domain.is_in_box(p) || !facing.is_near(p) {
         return None;
     }
     let near = domain.nearest(p);
@@ -195,8 +193,7 @@ pub(super) fn has_room(p: DVec2, around: Surroundings, edge: Edge) -> bool {
         fields,
         facing,
     } = around;
-    let (lo, hi) = domain.bounds();
-    if !(p.cmpgt(lo).all() && p.cmplt(hi).all()) {
+    if !domain.is_in_box(p) {
         return false;
     }
     if !facing.is_near(p) {

@@ -45,10 +45,8 @@ pub(super) fn stays_clear(distance: f64, by: f64, length: f64) -> bool {
 /// its own side; on a torus, back into the picture.
 pub(super) fn keep_inside(from: DVec2, to: DVec2, shape: Shape, around: Surroundings) -> DVec2 {
     let domain = around.domain;
-    let (lo, hi) = domain.bounds();
-    let in_box = to.cmpgt(lo).all() && to.cmplt(hi).all();
     // A single move is shorter than the reach of the walls: whoever is beyond them is near them.
-    if in_box && !around.facing.is_near(to) {
+    if domain.is_in_box(to) && !around.facing.is_near(to) {
         return to;
     }
     let near = domain.nearest(to);
