@@ -1,0 +1,37 @@
+// How long the page is held, in Chromium, which tells what its tasks cost.
+import { kind } from './browsers.mjs';
+
+/** For tests that ask. */
+export const skip = kind !== 'chromium' && 'only Chromium tells what tasks cost';
+
+/**
+ * The longest task of the page's own thread while something is done, as a share of one that takes
+ * some 50 milliseconds on a common machine: on a slow one that is longer, too. What counts is the
+ * time with a processor, not what other programs take meanwhile.
+ * @param {import('puppeteer-core').Page} page
+ * @param {() => Promise<unknown>} act
+ */
+export async function longestTask(page, act) {
+  await page.tracing.start({ categories: ['toplevel', 'blink.user_timing'] });
+  await page.evaluate(yardstick);
+  await act();
+  const trace = (await page.tracing.stop()) ?? new Uint8Array();
+  /** @type {{ traceEvents: { name: string, ph: string, pid: number, tid: number, ts: number, dur: number, tdur?: number }[] }} */
+  const { traceEvents } = JSON.parse(Buffer.from(trace).toString());
+  const mark = traceEvents.find(({ name }) => name === 'yardstick');
+  const tasks = traceEvents.filter(({ name, ph, pid, tid }) => name.endsWith('RunTask') && ph === 'X' && pid === mark?.pid && tid === mark.tid);
+  const measure = tasks.find(({ ts, dur }) => mark && ts <= mark.ts && mark.ts <= ts + dur);
+  if (!measure || tasks.length < 20) throw new Error(`Of ${tasks.length} tasks none can be measured.`);
+  return Math.max(...tasks.filter((task) => task !== measure).map(({ tdur = 0 }) => tdur)) / (measure.tdur ?? 0);
+}
+
+function yardstick() {
+  return new Promise((resolve) => {
+    setTimeout(() => {
+      performance.mark('yardstick');
+      let sum = 0;
+      for (let k = 0; k < 17e6; k += 1) sum += Math.sqrt(k);
+      resolve(sum);
+    });
+  });
+}
