@@ -14,7 +14,7 @@ use super::shape::Shape;
 use super::{Body, Edge, PackingParams, Population};
 use crate::domain::{Domain, Facing};
 use crate::field::{Fields, Kind};
-use crate::order::{self, lesser};
+use crate::order;
 use glam::DVec2;
 
 /// A cell goes where its nearest neighbour is nearer than the first, in stable distances; one comes
@@ -47,6 +47,22 @@ const MOST_CHANGED: f64 = 0.1;
 pub(super) struct Change {
     pub remove: Vec<bool>,
     pub add: Vec<DVec2>,
+}
+
+/// Where a cell may come.
+struct Site {
+    place: DVec2,
+    /// What the cell would be there.
+    shape: Shape,
+    /// The least distance from all cells, in stable distances.
+    room: f64,
+}
+
+impl Site {
+    fn new(place: DVec2, shape: Shape) -> Self {
+        let room = limits(shape.kind()).1;
+        Self { place, shape, room }
+    }
 }
 
 struct Census<'a> {
@@ -86,9 +102,8 @@ pub(super) fn change(around: Surroundings, bodies: &[Body], params: &PackingPara
         if params.population == Population::Smallest && nearest[i] < LONELY {
             continue;
         }
-        for (place, room) in census.places(i, fields) {
-            let place = census.fitting(domain.wrap(place), room, &add, (around, params.edge));
-            add.extend(place);
+        for site in census.sites(i, fields) {
+            add.extend(census.fitting(site, &add, around, params.edge));
         }
     }
     Change { remove, add }
@@ -104,43 +119,52 @@ fn clear_of_walls(place: DVec2, shape: &Shape, facing: &Facing, edge: Edge) -> b
 }
 
 impl Census<'_> {
-    /// Where a cell may come beside a body: places, and the least distance from all cells that each
-    /// must have, in stable distances.
-    fn places(&self, i: usize, fields: &Fields) -> Vec<(DVec2, f64)> {
+    /// Where a cell may come beside a body.
+    fn sites(&self, i: usize, fields: &Fields) -> Vec<Site> {
         let centre = self.bodies[i].particle.centre;
-        let mut places = Vec::with_capacity(8);
+        let at = |p: DVec2| {
+            let place = self.domain.wrap(p);
+            Site::new(place, Shape::gauge(fields, place))
+        };
+        let mut sites = Vec::with_capacity(8);
         for place in slots(centre, self.shapes[i], fields) {
-            let kind = fields.kind(self.domain.wrap(place));
-            places.push((place, limits(kind).1));
-            let in_row = self.in_loose_row(i, place).filter(|_| kind.has_corners());
-            places.extend(in_row.map(|middle| (middle, SQUEEZED)));
+            let site = at(place);
+            let has_corners = site.shape.kind().has_corners();
+            sites.push(site);
+            if has_corners && let Some(middle) = self.in_loose_row(i, place) {
+                sites.push(Site {
+                    room: SQUEEZED,
+                    ..at(middle)
+                });
+            }
         }
-        places
+        sites
     }
 
-    /// Where at a place there is room for one more cell; where the outline is narrow, in its middle.
+    /// The place of a site where there is room for one more cell; where the outline is narrow, the
+    /// middle there.
     fn fitting(
         &self,
-        place: DVec2,
-        room: f64,
+        Site { place, shape, room }: Site,
         add: &[DVec2],
-        (around, edge): (Surroundings, Edge),
+        around: Surroundings,
+        edge: Edge,
     ) -> Option<DVec2> {
-        let domain = around.domain;
-        let is_free = |place: DVec2| {
-            let shape = Shape::gauge(around.fields, place);
-            let is_near =
-                |&other: &DVec2| shape.is_closer(&shape, domain.shortest(other - place), room);
-            self.is_free(place, &shape, room) && !add.iter().any(is_near)
+        let is_free = |place: DVec2, shape: &Shape| {
+            let is_near = |&other: &DVec2| {
+                let way = around.domain.shortest(other - place);
+                shape.is_closer(shape, way, room)
+            };
+            self.is_free(place, shape, room) && !add.iter().any(is_near)
         };
-        if !is_free(place) {
+        if !is_free(place, &shape) {
             return None;
         }
-        let shape = Shape::gauge(around.fields, place);
         if has_room(place, around, edge) && clear_of_walls(place, &shape, around.facing, edge) {
             return Some(place);
         }
-        narrowed(place, around, edge).filter(|&middle| is_free(middle))
+        narrowed(place, around, edge)
+            .filter(|&middle| is_free(middle, &Shape::gauge(around.fields, middle)))
     }
 
     /// The middle of the gap between a body and the next one of its row at `to`, where the row
@@ -179,7 +203,7 @@ impl Census<'_> {
         let mut least = ROW;
         self.any_near(to, shape, ROW, |k, r| {
             let far = shape.closeness(&self.shapes[k], r);
-            if k != i && far < least {
+            if k != i && far < least && !self.domain.is_parted(to, to + r) {
                 (least, best) = (far, Some(k));
             }
             false
@@ -196,8 +220,9 @@ impl Census<'_> {
         let (at, shape) = (self.bodies[i].particle.centre, &self.shapes[i]);
         let mut least = 2.0_f64;
         self.any_near(at, shape, 1.0, |k, r| {
-            if k != i {
-                least = lesser(least, shape.closeness(&self.shapes[k], r));
+            let far = shape.closeness(&self.shapes[k], r);
+            if k != i && far < least && !self.domain.is_parted(at, at + r) {
+                least = far;
             }
             false
         });
@@ -207,11 +232,12 @@ impl Census<'_> {
     /// Is every body at least `room` stable distances away from this place?
     fn is_free(&self, at: DVec2, shape: &Shape, room: f64) -> bool {
         !self.any_near(at, shape, room, |k, r| {
-            shape.is_closer(&self.shapes[k], r, room)
+            shape.is_closer(&self.shapes[k], r, room) && !self.domain.is_parted(at, at + r)
         })
     }
 
-    /// Does it hold for any body that may be nearer than `w` stable distances, with no wall between?
+    /// Does it hold for any body that may be nearer than `w` stable distances? It is told the body's
+    /// number and the way to it, which walls may cut.
     fn any_near(
         &self,
         at: DVec2,
@@ -222,8 +248,7 @@ impl Census<'_> {
         let (domain, period) = (self.domain, self.domain.period());
         let reach = w * 0.5 * (shape.length() + self.longest);
         self.grid.any_near(period, at, reach, |k| {
-            let way = domain.shortest(self.bodies[k].particle.centre - at);
-            !domain.is_parted(at, at + way) && test(k, way)
+            test(k, domain.shortest(self.bodies[k].particle.centre - at))
         })
     }
 
