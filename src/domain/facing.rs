@@ -35,6 +35,7 @@ pub struct Facing {
     /// For each segment its island; empty where there is only one.
     island: Vec<u32>,
     period: Option<f64>,
+    reach: f64,
 }
 
 /// Most squares along a side of the look-up grid.
@@ -66,7 +67,13 @@ impl Facing {
             before: before(domain),
             blunt,
             period: domain.period(),
+            reach,
         }
+    }
+
+    /// How far from the boundary it finds feet (picture units).
+    pub fn reach(&self) -> f64 {
+        self.reach
     }
 
     /// The picture that a point lies in, as the shift from the first one; zero without a period.

@@ -23,7 +23,7 @@ pub(super) fn reach(length: f64) -> f64 {
 pub(super) fn wall_force(body: &Body, facing: &Facing, feet: &mut Vec<Foot>) -> (DVec2, f64) {
     let centre = body.particle.centre;
     let shape = Shape::of(&body.particle);
-    let reach = reach(shape.length());
+    let reach = reach(shape.length()).min(facing.reach());
     if !facing.is_near(centre) {
         return (DVec2::ZERO, reach);
     }
@@ -33,7 +33,8 @@ pub(super) fn wall_force(body: &Body, facing: &Facing, feet: &mut Vec<Foot>) -> 
         let half = shape.half_extent(foot.inward);
         force += foot.inward * (STIFFNESS * 2.0 * half * bubble_force(foot.distance / half));
     }
-    (force, feet.first().map_or(reach, |foot| foot.distance))
+    // None where it stands on the boundary.
+    (force, feet.first().map_or(0.0, |foot| foot.distance))
 }
 
 /// Does a cell of this length stay clear of walls at least this far away when it moves by `by`?
@@ -45,8 +46,9 @@ pub(super) fn stays_clear(distance: f64, by: f64, length: f64) -> bool {
 /// its own side; on a torus, back into the picture.
 pub(super) fn keep_inside(from: DVec2, to: DVec2, shape: Shape, around: Surroundings) -> DVec2 {
     let domain = around.domain;
-    // A single move is shorter than the reach of the walls: whoever is beyond them is near them.
-    if domain.is_in_box(to) && !around.facing.is_near(to) {
+    // After a move that is shorter than the reach of the walls, whoever is beyond them is near them.
+    let is_short = from.distance(to) < around.facing.reach();
+    if is_short && domain.is_in_box(to) && !around.facing.is_near(to) {
         return to;
     }
     let near = domain.nearest(to);
@@ -55,7 +57,11 @@ pub(super) fn keep_inside(from: DVec2, to: DVec2, shape: Shape, around: Surround
     if near.distance < least {
         // Where the outline is narrower than that, in its middle.
         let depth = domain.medial_depth(near.point, near.inward, least);
-        centre = near.point + near.inward * depth;
+        centre = if depth > 0.0 {
+            near.point + near.inward * depth
+        } else {
+            from
+        };
     }
     if domain.is_parted(from, centre) {
         centre = from;
@@ -65,7 +71,7 @@ pub(super) fn keep_inside(from: DVec2, to: DVec2, shape: Shape, around: Surround
         let away = line.point + line.inward * least;
         if line.distance < least
             && domain.nearest(away).distance > 0.0
-            && !domain.crosses_line(centre, away)
+            && !domain.is_parted(centre, away)
         {
             centre = away;
         }
