@@ -21,6 +21,8 @@ const EVEN_AREA: f64 = 0.7;
 const CORNER: f64 = 0.866;
 /// Two pieces of the boundary are one straight line up to this (cosine of 1 degree).
 const STRAIGHT: f64 = 0.9998;
+/// The ends of a piece lie on the grain: a shorter one (picture units) tells the way only roughly.
+const ROUGH: f64 = 1.0 / 64.0;
 /// What is farther from the boundary (picture units) does not lie on it.
 const OFF: f64 = 1.0 / 4096.0;
 /// Corners whose sine is smaller are straight: only rounding decides their sign.
@@ -198,8 +200,10 @@ impl Rings {
                 }),
                 (&[a], &[b]) if line.is_none() && self.uses_of(vertex).len() > 1 => {
                     let (a, b) = (self.points[a as usize], self.points[b as usize]);
-                    let along = (b - p).normalize();
-                    let straight = (p - a).normalize().dot(along) > STRAIGHT;
+                    let (here, ahead) = (p - a, b - p);
+                    let straight = here.normalize().dot(ahead.normalize()) > STRAIGHT;
+                    let is_rough = ahead.length() < ROUGH.min(here.length());
+                    let along = if is_rough { here } else { ahead }.normalize();
                     if straight && on_boundary(p.midpoint(a)) && on_boundary(p.midpoint(b)) {
                         Freedom::Slides(along)
                     } else {
