@@ -38,6 +38,8 @@ pub(super) struct CandidateGrid {
 const SQUARES: f64 = 64.0;
 /// Squares along the side of a block, for which segments are sorted out first; a power of two.
 const BLOCK: usize = 8;
+/// So few segments are not sorted out any further.
+const FEW: usize = 4;
 
 impl CandidateGrid {
     /// For segments that stay the same; there must be one.
@@ -97,10 +99,14 @@ impl CandidateGrid {
         let corner = DVec2::new(left as f64, top as f64);
         let middle = self.origin + self.step * (corner + DVec2::splat(side as f64 / 2.0));
         let near = nearest_to(segments, among, middle, side as f64 * self.step);
-        if side == 1 {
+        if side == 1 || near.len() <= FEW {
             let first = self.list.len() as u32;
             self.list.extend(near);
-            self.spans[top * self.columns + left] = (first, self.list.len() as u32);
+            let span = (first, self.list.len() as u32);
+            let right = self.columns.min(left + side);
+            for row in top..self.rows.min(top + side) {
+                self.spans[row * self.columns + left..row * self.columns + right].fill(span);
+            }
             return;
         }
         let half = side / 2;
