@@ -83,11 +83,13 @@ impl Studio {
     }
 
     /// Works for about `budget` milliseconds by `clock` on what is much to draw of a view, at least
-    /// one piece; true when nothing of it is left for [`Studio::view`]. Work on the recipe in between
-    /// makes it begin again.
+    /// one piece (to begin is one); true when nothing of it is left for [`Studio::view`]. Work on the
+    /// recipe in between makes it begin again.
     pub fn prepare(&mut self, view: View, clock: &mut dyn FnMut() -> f64, budget: f64) -> bool {
         let begin = clock();
         let mut gallery = std::mem::take(&mut self.gallery);
+        let key = (view.base, self.stamp(), self.way(view.base, &gallery));
+        let mut worked = gallery.begun.as_ref().is_none_or(|(of, _)| *of != key);
         let is_drawn = gallery.drawn == Some((view.base, self.stamp()));
         let mut sketch = match is_drawn {
             true => None,
@@ -95,17 +97,17 @@ impl Studio {
         };
         let ready = sketch.as_mut().is_none_or(|sketch| {
             loop {
+                // Not `>=`: a clock that fails must not make this endless.
+                let inside = clock() - begin < budget;
+                if worked && !inside {
+                    return false;
+                }
                 if sketch.advance() {
                     return true;
                 }
-                // Not `>=`: a clock that fails must not make this endless.
-                let inside = clock() - begin < budget;
-                if !inside {
-                    return false;
-                }
+                worked = true;
             }
         });
-        let key = (view.base, self.stamp(), self.way(view.base, &gallery));
         gallery.begun = sketch.map(|sketch| (key, sketch));
         self.gallery = gallery;
         ready
