@@ -54,7 +54,7 @@ pub(super) const PRESETS: &[Preset] = &[
         "v=1&outline=road_s&on=1&cs=18&vs=0.1", 2.1, 8.8),
     paper!("fig13-3b", "13 (3b)", "12 (3b)",
         "The sizes of the stones vary widely.",
-        "v=1&outline=road_s&on=1&vs=0.3", 2.1, 8.7),
+        "v=1&outline=road_s&on=1&vs=0.3&seed=45", 2.1, 8.7),
     paper!("fig14-b", "14 (b)", "13 (b)",
         "Cobblestones; the flagstones of (c) have the same packing.",
         "v=1&outline=road_s&ow=1.2&cs=20&hs=20&palette=sandstone&ground=moss&az=205&el=36", 11.9, 10.5),
