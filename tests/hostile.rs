@@ -356,6 +356,8 @@ const ONCE_BAD: &[&str] = &[
     "outline=polygon&poly=ithBgggBhI8a5X6NlbuC1X3P5FrbyFxbmY3OocrCyZyP.i_WymSjI8a3X4NlbwC3X3P3FrbwFxboY3OocrCyZyP&size=128&ow=1.7&on=4&oa=180&kind=circle&parts=yxqCyhBC.lkoCq5kCC.9-H7sjBE&cd=0.6190008715119147&stretch=p6ElhLup9B48C&gx=-0.8&gy=0.18825494799876596&gr=0.8&gb=3&gd=0.8700034244383092&spots=-wgC6wqCivPwsC&angle=-90&fx=0.6373659130097269&fy=-1&fa=16.070256731370378&dp=2&strokes=8wX65lC7jBhnTlmY8_EuipCqqU.ly4B_nSoh4B9ziB&reach=0.02&pop=smallest&vs=0.005978422789189919&seed=565230639",
     // A side of a cell so short at the tip of the outline that its corner did not slide along that.
     "outline=polygon&poly=yg9BgggBxgdsqdpqdrqdqqdv2c.A06Z59C87C69C69C88C59C&lines=2vkBymnCzytBrwG-jlC36nBntS0noB.h-Cv-iBoqTzxC&size=160&ow=1.7&oa=-180&ca=5&cd=1&stretch=i-iBqnDmhaghH.q3gBm5R8mwB6kH.s1B2xEqmGu-F&gr=-0.8&gd=1&spots=wqZ0hU09oB4e&dir=radial&angle=13.420705950591156&fx=-0.8953660245674165&fy=-1&fa=69.45608006349838&dp=3&strokes=8noCu-D_7Yw0jB56gB7zI9mFj8I10Bu1Gg_Wi-rB.59VhlXuyzBjnyBpqKujpC&reach=1&move=rk4&pop=smallest&seed=3856895728",
+    // A cell far from the outline that crosses itself like a bow.
+    "outline=polygon&poly=i49BgggBvmFwlOjoJmqMtpPqmBzmN_5Et6LvtI5mCvuOo8DzvNuzJ5qKm4N9nDs8LyvGw8HulJ&lines=_Ps9pBkgFvvtBg7_BwpErqqB2gV77eypjB.yruC9pyBn2J34D5oRw5Thpb_hY--Y38H&size=128&ow=0.3&parts=grmB0pgBC.6liBrsSE.j0rC6jxBA&ca=5&cd=0.7669837068831826&stretch=s_U6xnCqraumD.g_2B3x0BqjkB4qE&gx=0.8&gy=-0.8&gr=-0.42426013464676005&spots=mpsBg-1B459B6U.x2tB37hB0lfuwB&dir=strokes&fy=2&fa=-90&strokes=u-dkjrBh4kBj8C6pGgiF.2w7BkjUqsP9hV.v5oBi8f3vO_m8ByyRp4GhnMw6oB_gXjrG8ovBnhd&vs=0.34668819774053516&seed=2388191930",
 ];
 
 #[test]

@@ -1,8 +1,8 @@
 //! Cells of the torus, which meet over the seams.
 
 use super::Cell;
-use super::dual::{Dual, On, node, without_rim};
-use crate::domain::{Domain, signed_area};
+use super::dual::{Dual, On, is_tangled, node, without_rim};
+use crate::domain::Domain;
 use crate::mesh::torus::{Joining, closes, spread};
 use crate::mesh::{Mesh, Node};
 use crate::order;
@@ -93,7 +93,7 @@ impl Dual {
         }
         let rings: Vec<Vec<DVec2>> = (0..particles.len()).map(|k| dual.ring(k)).collect();
         dual.particles = particles.to_vec();
-        let whole = || closes(domain, &rings) && rings.iter().all(|ring| signed_area(ring) > 0.0);
+        let whole = || closes(domain, &rings) && !rings.iter().any(|ring| is_tangled(ring));
         (joining == Joining::Delaunay || whole()).then_some(dual)
     }
 }

@@ -144,7 +144,7 @@ pub(crate) fn shifts(period: Option<f64>, far: i32) -> Vec<DVec2> {
 
 /// Do a to b and the segment c to d cross? Not where a or b lies on it; its ends count so that a way
 /// through a point that two segments share crosses one of them.
-pub(super) fn crosses(a: DVec2, b: DVec2, c: DVec2, d: DVec2) -> bool {
+pub(crate) fn crosses(a: DVec2, b: DVec2, c: DVec2, d: DVec2) -> bool {
     if a.min(b).cmpgt(c.max(d)).any() || c.min(d).cmpgt(a.max(b)).any() {
         return false;
     }

@@ -26,7 +26,7 @@ pub(crate) use check::ring_contains;
 pub use check::{MAX_LINE_POINTS, MAX_POINTS, OutlineError, Ring, check_lines};
 pub use distance::{Domain, Nearest};
 pub use facing::{Facing, Foot};
-pub(crate) use lines::shifts;
+pub(crate) use lines::{crosses, shifts};
 pub(crate) use parts::divided;
 
 use glam::DVec2;
