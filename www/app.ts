@@ -272,6 +272,8 @@ export class App {
     this.store.update({ paused });
     this.watch();
     this.engine.restart();
+    // Buttons tell at once what they do now, not with the next frame.
+    this.report(this.engine.stage());
     this.loop.changed();
   }
 
