@@ -5,11 +5,10 @@
 
 use super::arrangement::{Arrangement, Line};
 use super::fitted::cell;
+use super::rings::is_tangled;
 use super::voronoi::circumcentre;
 use super::{Cell, across, ghosts};
-use crate::domain::{
-    Domain, closest_on_segment, crosses, divided, ring_contains, shifts, signed_area,
-};
+use crate::domain::{Domain, closest_on_segment, divided, ring_contains, shifts};
 use crate::mesh::{Face, Fans, Mesh, Node};
 use crate::order;
 use crate::packing::{Grid, Particle};
@@ -443,18 +442,6 @@ impl Dual {
                 line.distance < near || domain.nearest(middle).distance.abs() < near
             })
     }
-}
-
-/// Does a ring lie inside out, or cross itself?
-pub(super) fn is_tangled(ring: &[DVec2]) -> bool {
-    let n = ring.len();
-    let side = |k: usize| (ring[k], ring[(k + 1) % n]);
-    let cross = |i: usize, j: usize| {
-        let ((a, b), (c, d)) = (side(i), side(j));
-        // The last side meets the first one at a corner.
-        (j + 1) % n != i && crosses(a, b, c, d)
-    };
-    signed_area(ring) <= 0.0 || (0..n).any(|i| (i + 2..n).any(|j| cross(i, j)))
 }
 
 /// The cells that are not in the band, to be asked whether one of them holds a point.

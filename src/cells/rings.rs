@@ -1,5 +1,6 @@
-//! Chains edges to rings.
+//! Rings: chained of edges, and whether they are tangled.
 
+use crate::domain::{crosses, signed_area};
 use crate::order;
 use glam::DVec2;
 
@@ -47,4 +48,16 @@ fn angle_rank(u: DVec2, v: DVec2) -> f64 {
     } else {
         c / length - 1.0
     }
+}
+
+/// Does a ring lie inside out, or cross itself?
+pub(super) fn is_tangled(ring: &[DVec2]) -> bool {
+    let n = ring.len();
+    let side = |k: usize| (ring[k], ring[(k + 1) % n]);
+    let cross = |i: usize, j: usize| {
+        let ((a, b), (c, d)) = (side(i), side(j));
+        // The last side meets the first one at a corner.
+        (j + 1) % n != i && crosses(a, b, c, d)
+    };
+    signed_area(ring) <= 0.0 || (0..n).any(|i| (i + 2..n).any(|j| cross(i, j)))
 }

@@ -1,7 +1,8 @@
 //! Cells of the torus, which meet over the seams.
 
 use super::Cell;
-use super::dual::{Dual, On, is_tangled, node, without_rim};
+use super::dual::{Dual, On, node, without_rim};
+use super::rings::is_tangled;
 use crate::domain::Domain;
 use crate::mesh::torus::{Joining, closes, spread};
 use crate::mesh::{Mesh, Node};

@@ -200,12 +200,11 @@ impl Rings {
                 }),
                 (&[a], &[b]) if line.is_none() && self.uses_of(vertex).len() > 1 => {
                     let (a, b) = (self.points[a as usize], self.points[b as usize]);
-                    let (here, ahead) = (p - a, b - p);
-                    let straight = here.normalize().dot(ahead.normalize()) > STRAIGHT;
-                    let is_rough = ahead.length() < ROUGH.min(here.length());
-                    let along = if is_rough { here } else { ahead }.normalize();
+                    let (here, ahead) = ((p - a).normalize(), (b - p).normalize());
+                    let straight = here.dot(ahead) > STRAIGHT;
                     if straight && on_boundary(p.midpoint(a)) && on_boundary(p.midpoint(b)) {
-                        Freedom::Slides(along)
+                        let is_rough = p.distance(b) < ROUGH.min(p.distance(a));
+                        Freedom::Slides(if is_rough { here } else { ahead })
                     } else {
                         Freedom::Fixed
                     }
