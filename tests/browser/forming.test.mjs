@@ -35,8 +35,8 @@ const visit = (fragment) => site.newPage(fragment, { before: (fresh) => fresh.ev
 
 const film = (page) => page.evaluate(() => window.film);
 
-/** Waits for the end of what is seen. */
-const rested = (page) => page.waitForSelector('#play[data-does=again]', { timeout: 60_000 });
+/** Waits for the end of what is seen, and until the film has it: it is noted with the next frame. */
+const rested = (page) => page.waitForFunction(() => window.film.at(-1)?.now.main === 'again', { timeout: 60_000 });
 
 /** Waits until the packing is seen. */
 const forms = (page) => page.waitForSelector('[data-word=packing][data-state=now]', { timeout: 60_000 });
