@@ -246,7 +246,7 @@ fn skin(clock: Clock) -> Timing {
         // A run that fails shows as missing time.
         let _ = studio.finish(clock);
         let stages = studio.milliseconds();
-        let of_skin = |t: &&StageTime| ["solids", "planes"].contains(&t.stage);
+        let of_skin = |t: &&StageTime| ["planes", "weather"].contains(&t.stage);
         stages.iter().filter(of_skin).map(|t| t.ms).sum()
     });
     Timing {

@@ -35,6 +35,7 @@ mod decimal;
 pub mod domain;
 pub mod export;
 pub mod field;
+mod graph;
 pub mod mesh;
 pub mod metrics;
 mod order;

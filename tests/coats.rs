@@ -6,7 +6,7 @@ mod finished;
 use bubblestone::cells::Cell;
 use bubblestone::domain::Domain;
 use bubblestone::field::Kind;
-use bubblestone::texture::{Coat, Coats, ColourParams, Pattern, TextureParams};
+use bubblestone::texture::{Coat, Coats, ColourParams, Pattern};
 use finished::finished;
 use glam::DVec2;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
@@ -38,11 +38,7 @@ fn rows(count: usize) -> Vec<Cell> {
 }
 
 fn coats(domain: &Domain, cells: &[Cell], colour: ColourParams, slice: usize) -> Vec<Coat> {
-    let mut coats = Coats::new(&TextureParams {
-        side: SIDE as usize,
-        colour,
-        ..TextureParams::default()
-    });
+    let mut coats = Coats::new(colour, 1, SIDE);
     while !coats.advance(domain, cells, slice) {}
     coats.finish(domain, cells)
 }

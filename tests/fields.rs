@@ -236,12 +236,12 @@ fn parts_have_kinds_and_directions_of_their_own() {
     assert_eq!(cut.parts(), 2);
     let mut params = params(Direction::Boundary, Kind::Square);
     params.aspect = 2.0;
-    params.kinds = [at(250., 100.), at(250., 400.)]
-        .map(|p| (cut.part(p), p))
-        .iter()
-        .map(|_| Kind::Square)
-        .collect();
-    params.kinds[cut.part(at(250., 400.))] = Kind::Ellipse;
+    // The later of two places in a part counts; one outside the outline is in none.
+    params.part_kinds = vec![
+        (at(300., 400.), Kind::Circle),
+        (at(250., 400.), Kind::Ellipse),
+        (at(250., -9.), Kind::Rectangle),
+    ];
     let fields = FieldBuilder::build(&cut, params);
     assert_eq!(fields.kind(at(250., 100.)), Kind::Square);
     assert_eq!(fields.kind(at(250., 400.)), Kind::Ellipse);

@@ -79,7 +79,7 @@ fn finished(link: &str, rings: &[Vec<DVec2>]) -> Studio {
     // The link tells the same.
     let recipe = Recipe::from_link(&recipe.link()).0;
     let mut studio = Studio::new(recipe);
-    while !["solids", "done", "error"].contains(&studio.stage()) {
+    while !["planes", "done", "error"].contains(&studio.stage()) {
         studio.tick(&mut || 0.0, 0.0, 1);
     }
     assert_eq!(studio.problem(), None, "{link}");

@@ -100,7 +100,10 @@ fn what_stays_is_what_the_link_gives() {
         }
         assert_eq!(studio.recipe().link(), last.link());
         studio.set_live(false);
-        assert_eq!(studio.stage(), "domain", "{link}");
+        // Of a tile without lines only a spot was dragged: the outline does not count.
+        let moved = link.contains("tile=1") && !link.contains("lines=");
+        let first_stale = if moved { "fields" } else { "domain" };
+        assert_eq!(studio.stage(), first_stale, "{link}");
         let fresh = finished(&last);
         assert_eq!(studio.finish(&mut clock), Ok(()));
         assert_eq!(studio.digest(), fresh.digest(), "{link}");

@@ -90,9 +90,14 @@ fn only_stale_stages_run_again() {
     let base = recipe(LINK);
     for (key, text, stage) in [
         ("az", "10", "shading"),
-        ("af", "5", "solids"),
-        ("palette", "basalt", "solids"),
-        ("dr", "0.9", "solids"),
+        ("gloss", "glossy", "shading"),
+        ("moss", "0.5", "weather"),
+        ("wet", "0.5", "weather"),
+        ("af", "5", "planes"),
+        ("palette", "basalt", "planes"),
+        ("pattern", "spots", "planes"),
+        ("stone", "skin", "planes"),
+        ("dr", "0.9", "planes"),
         ("cells", "packed", "cells"),
         ("cells", "lloyd", "cells"),
         ("seed", "77", "packing"),
@@ -102,6 +107,7 @@ fn only_stale_stages_run_again() {
         let mut studio = finished(&base);
         let steps = studio.packing().map(|p| p.particles());
         let (cells, planes) = (studio.cells().to_vec(), studio.planes().cloned());
+        let before = studio.runs();
         let changed = with(&base, key, text);
         studio.set_recipe(changed.clone());
         assert_eq!(studio.stage(), stage, "{key}");
@@ -110,14 +116,19 @@ fn only_stale_stages_run_again() {
         let kept = |same: bool, from: &str| assert_eq!(same, rank(stage) > rank(from), "{key}");
         kept(studio.packing().map(|p| p.particles()) == steps, "packing");
         kept(studio.cells() == cells, "cells");
-        kept(studio.planes() == planes.as_ref(), "planes");
+        kept(studio.planes() == planes.as_ref(), "weather");
+        for ((word, runs), (_, old)) in studio.runs().into_iter().zip(before) {
+            // The mesh is of the packing, not of what cells are made of.
+            let is_due = rank(word) >= rank(stage) && (word, stage) != ("mesh", "cells");
+            assert_eq!(runs - old, u64::from(is_due), "{key}: {word}");
+        }
         assert_eq!(studio.digest(), finished(&changed).digest(), "{key}");
     }
 }
 
 fn rank(stage: &str) -> usize {
     let words = [
-        "domain", "fields", "packing", "mesh", "cells", "solids", "planes", "shading",
+        "domain", "fields", "packing", "mesh", "cells", "planes", "weather", "shading",
     ];
     words.iter().position(|w| *w == stage).unwrap()
 }
@@ -137,6 +148,7 @@ fn the_latest_recipe_wins() {
     let changes = [
         ("az", ["30", "200"]),
         ("af", ["0", "4"]),
+        ("moss", ["0.3", "0"]),
         ("vary", ["0.5", "1.5"]),
         ("hs", ["9", "22"]),
         ("cells", ["lloyd", "fitted"]),

@@ -3,7 +3,7 @@
 mod common;
 
 use bubblestone::domain::Outline;
-use bubblestone::recipe::{Key, Kind, PRESETS, Parameter, Recipe, SCHEMA, Stage};
+use bubblestone::recipe::{Key, Kind, PRESETS, Parameter, Recipe, SCHEMA};
 use common::{star, valid};
 use glam::DVec2;
 
@@ -247,29 +247,4 @@ fn a_bad_polygon_leaves_the_recipe_as_it_was() {
     assert_eq!(recipe, before);
     assert!(recipe.set("poly", "junk!").is_err());
     assert_eq!(recipe, before);
-}
-
-#[test]
-fn stale_stages_follow_the_schema() {
-    let base = Recipe::default();
-    assert_eq!(base.stale_from(&base), None);
-    let stage = |pairs: &[(&str, &str)]| {
-        let mut other = base.clone();
-        for (key, text) in pairs {
-            other.set(key, text).unwrap();
-        }
-        base.stale_from(&other)
-    };
-    assert_eq!(stage(&[("az", "10")]), Some(Stage::Shading));
-    assert_eq!(stage(&[("az", "10"), ("af", "3")]), Some(Stage::Planes));
-    assert_eq!(stage(&[("dr", "0.1")]), Some(Stage::Solids));
-    assert_eq!(stage(&[("seed", "2")]), Some(Stage::Packing));
-    assert_eq!(stage(&[("cs", "20")]), Some(Stage::Fields));
-    assert_eq!(stage(&[("size", "256")]), Some(Stage::Domain));
-    assert_eq!(stage(&[("outline", "polygon")]), Some(Stage::Domain));
-    // A polygon that is remembered but not in use changes nothing.
-    assert_eq!(
-        stage(&[("outline", "polygon"), ("outline", "annulus")]),
-        None
-    );
 }

@@ -2,6 +2,7 @@
 #![cfg(not(target_arch = "wasm32"))]
 
 mod finished;
+mod quarry;
 
 use bubblestone::cells::Cell;
 use bubblestone::field::Kind;
@@ -10,6 +11,7 @@ use bubblestone::solid::{Prism, Quarry, SkinParams, StoneKind, StoneParams};
 use bubblestone::texture::{GROUND, Painter, Planes, TextureParams};
 use finished::{finished, refined};
 use glam::{DVec2, DVec3};
+use quarry::in_fair_weather;
 
 /// A regular polygon about the middle of a picture, its first corner to the right.
 fn polygon(n: usize, radius: f64) -> Vec<DVec2> {
@@ -163,8 +165,7 @@ fn painted(cells: &[Cell], stone: StoneParams) -> Planes {
     for (k, cell) in cells.iter().enumerate() {
         painter.paint(&mut quarry, cell, k);
     }
-    while !painter.finish(usize::MAX) {}
-    painter.into_planes()
+    in_fair_weather(painter)
 }
 
 #[test]
@@ -288,7 +289,7 @@ fn noise_on_a_flat_cell_has_its_dimension() {
             ..TextureParams::default()
         });
         painter.paint(&mut Quarry::new(), &cell(ring.clone(), 1), 0);
-        painter.into_planes().bump
+        painter.finish().planes.bump
     };
     let smooth = bump(1.5, 0.0, 1);
     for tenth in 11..=19 {

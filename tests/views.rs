@@ -369,7 +369,7 @@ fn midway(link: &str, past: Option<u32>) -> Studio {
     let mut studio = Studio::new(recipe);
     (0..4).for_each(|_| studio.step(&mut || 0.0));
     if let Some(slices) = past {
-        while studio.stage() != "solids" {
+        while studio.stage() != "planes" {
             studio.tick(&mut || 0.0, 0.0, 1);
         }
         (0..slices).for_each(|_| _ = studio.tick(&mut || 0.0, 0.0, 1));

@@ -77,7 +77,7 @@ function waysOf(parameter: Parameter, id: string, change: Change, edit: (key: st
     const letters = parameter.choices.reduce((sum, { label }) => sum + width(label) + SEGMENT_ROOM, 0);
     return letters > SEGMENT_LETTERS ? list(parameter, id, change) : segments(parameter, id, change);
   }
-  return parameter.kind === 'flag' ? tick(parameter, id, change) : numberAndSlider(parameter, id, change);
+  return numberAndSlider(parameter, id, change);
 }
 
 /** Letters, of which those of Chinese origin are twice as wide. */
@@ -231,8 +231,3 @@ function drawnList(parameter: Parameter, id: string, edit: (key: string) => void
   };
 }
 
-function tick(parameter: Parameter, id: string, change: Change): Parts {
-  const box = make('input', { type: 'checkbox', id, 'aria-labelledby': `${id}-name`, 'aria-describedby': `${id}-help` });
-  box.addEventListener('change', () => change(parameter.key, box.checked ? '1' : '0', true));
-  return { inputs: [box], show: (value) => void (box.checked = value === '1' || value === 'true' || value === 'on') };
-}

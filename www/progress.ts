@@ -2,7 +2,7 @@
 import { STAGES, type Status } from './types';
 
 /** Where each stage begins, by its share of the time of common recipes. */
-const BEGINS: Record<string, number> = { domain: 0, fields: 0.02, packing: 0.1, mesh: 0.6, cells: 0.62, solids: 0.66, planes: 0.92, shading: 0.95 };
+const BEGINS: Record<string, number> = { domain: 0, fields: 0.02, packing: 0.1, mesh: 0.6, cells: 0.62, planes: 0.66, weather: 0.92, shading: 0.95 };
 
 /** Packing steps in which half of the way that is left is gone: nobody knows how many it takes. */
 const HALF = 60;
@@ -13,6 +13,6 @@ export function progressOf(stage: string, { steps, stones, cells }: Status): num
   if (at < 0) return 1;
   const begin = BEGINS[stage] ?? 0;
   const end = BEGINS[STAGES[at + 1] ?? ''] ?? 1;
-  const within = stage === 'packing' ? 1 - 2 ** (-steps / HALF) : stage === 'solids' && cells ? Math.min(1, stones / cells) : 0;
+  const within = stage === 'packing' ? 1 - 2 ** (-steps / HALF) : stage === 'planes' && cells ? Math.min(1, stones / cells) : 0;
   return begin + (end - begin) * within;
 }

@@ -6,7 +6,7 @@ export interface Parameter {
   /** The papers' symbol, or ''. */
   symbol: string;
   name: string;
-  kind: 'number' | 'int' | 'choice' | 'flag' | 'text';
+  kind: 'number' | 'int' | 'choice' | 'text';
   min: number;
   max: number;
   step: number;
@@ -14,7 +14,6 @@ export interface Parameter {
   unit: string;
   help: string;
   group: string;
-  stage: string;
   choices: { word: string; label: string }[];
   /** The parameter applies only while another one has one of these words. */
   shownFor?: { key: string; words: string[] } | undefined;
@@ -134,4 +133,4 @@ export type Point = [number, number];
 export type Ring = Point[];
 
 /** The stages in their order. */
-export const STAGES = ['domain', 'fields', 'packing', 'mesh', 'cells', 'solids', 'planes', 'shading'] as const;
+export const STAGES = ['domain', 'fields', 'packing', 'mesh', 'cells', 'planes', 'weather', 'shading'] as const;

@@ -23,7 +23,7 @@ const SETTLING = 0.62;
 export const PHASES = ['push', 'settle', 'stone'] as const;
 export type Phase = (typeof PHASES)[number];
 
-const [packing, solids] = [STAGES.indexOf('packing'), STAGES.indexOf('solids')];
+const [packing, planes] = [STAGES.indexOf('packing'), STAGES.indexOf('planes')];
 
 export class Watch {
   /** Steps that the packing takes, as far as known. */
@@ -38,7 +38,7 @@ export class Watch {
   get phase(): Phase {
     const at = STAGES.findIndex((word) => word === this.stage);
     if (at < packing || (at === packing && this.passed < SETTLING * PACKING)) return 'push';
-    return at < solids ? 'settle' : 'stone';
+    return at < planes ? 'settle' : 'stone';
   }
 
   /**
@@ -48,7 +48,7 @@ export class Watch {
   tick(engine: Engine, now: number, budget: number, steps?: number): boolean {
     const before = this.follow(engine.stage(), now);
     if (this.stage === 'packing') return engine.tick(budget, steps ?? this.steps(before));
-    return this.stage === 'solids' ? this.stones(engine, budget) : engine.tick(budget, 0);
+    return this.stage === 'planes' ? this.stones(engine, budget) : engine.tick(budget, 0);
   }
 
   /** Lets the time pass; answers what had passed of the stage before. */

@@ -4,7 +4,7 @@ use super::follow::{layers, ray};
 use super::grid::{COARSE, Grid};
 use super::sources::{Sources, Sum, line_weight, printed_vector};
 use super::symmetry::representation;
-use super::{ASPECT_RANGE, Direction, FieldParams, Fields, Layer, SIZE_RANGE};
+use super::{ASPECT_RANGE, Direction, FieldParams, Fields, Kind, Layer, SIZE_RANGE};
 use super::{scalar, torus};
 use crate::domain::Domain;
 use crate::order;
@@ -48,7 +48,12 @@ impl FieldBuilder {
             Some(side) => Grid::torus(side, step),
             None => Grid::over(domain.bounds(), step),
         };
-        let (layers, sources) = layers(domain, &params);
+        let kinds = params.kinds(domain);
+        let has = |of: &dyn Fn(Kind) -> bool| of(params.kind) || kinds.iter().copied().any(of);
+        let symmetries =
+            [4, 2].map(|symmetry| has(&|kind| kind.symmetry() == symmetry).then_some(symmetry));
+        let stretch = has(&Kind::is_stretched) && params.varies_aspect();
+        let (layers, sources) = layers(domain, &params, symmetries);
         let sampled = !layers.is_empty();
         let mut along = DVec2::new(libm::cos(params.angle), libm::sin(params.angle));
         if let (Some(side), false) = (period, sampled) {
@@ -67,7 +72,7 @@ impl FieldBuilder {
             symmetry,
             nodes: vec![DVec2::ZERO; grid.len()],
         };
-        let (growth, stretch) = (params.has_growth(periodic), params.has_stretch());
+        let growth = params.has_growth(periodic);
         Self {
             sources,
             inside: nodes(sampled),
@@ -86,7 +91,7 @@ impl FieldBuilder {
                 growth: nodes(growth),
                 stretch: nodes(stretch),
                 periodic,
-                parts: (!params.kinds.is_empty()).then(|| domain.clone()),
+                parts: (!kinds.is_empty()).then(|| (domain.clone(), kinds)),
                 params,
             },
         }

@@ -24,19 +24,21 @@ pub(super) fn ray(params: &FieldParams, p: DVec2, periodic: bool) -> (DVec2, f64
 }
 
 /// The symmetries of the direction's layers and the sources of each; nothing where the direction is
-/// the same everywhere.
-pub(super) fn layers(domain: &Domain, params: &FieldParams) -> (Vec<u32>, Vec<Sources>) {
+/// the same everywhere. `symmetries` are those that the cells' kinds have.
+pub(super) fn layers(
+    domain: &Domain,
+    params: &FieldParams,
+    symmetries: [Option<u32>; 2],
+) -> (Vec<u32>, Vec<Sources>) {
     if params.direction == Direction::Printed && !domain.segments().is_empty() {
         return (vec![1], vec![Sources::default()]);
     }
     let mut layers = (Vec::new(), Vec::new());
-    for symmetry in [4, 2] {
-        if params.has_symmetry(symmetry) {
-            let list = sources(domain, params, symmetry);
-            if params.direction == Direction::Spiral || !list.is_empty() {
-                layers.0.push(symmetry);
-                layers.1.push(Sources::new(list));
-            }
+    for symmetry in symmetries.into_iter().flatten() {
+        let list = sources(domain, params, symmetry);
+        if params.direction == Direction::Spiral || !list.is_empty() {
+            layers.0.push(symmetry);
+            layers.1.push(Sources::new(list));
         }
     }
     layers

@@ -41,8 +41,8 @@ pub struct Fields {
     /// Sampled aspect ratios of stretched cells; empty where it is one everywhere.
     stretch: Vec<f64>,
     periodic: bool,
-    /// Where parts have kinds of their own: tells the part of a point.
-    parts: Option<Domain>,
+    /// Where parts have kinds of their own: tells the part of a point, and the kinds by part.
+    parts: Option<(Domain, Vec<Kind>)>,
 }
 
 /// Representation vectors of directions of one symmetry at the nodes.
@@ -118,8 +118,9 @@ impl Fields {
     /// The kind of a cell at this point.
     #[inline(never)]
     pub fn kind(&self, p: DVec2) -> Kind {
-        let part = self.parts.as_ref().map_or(0, |domain| domain.part(p));
-        self.params.kind_of(part)
+        let own = self.parts.as_ref();
+        let own = own.and_then(|(domain, kinds)| kinds.get(domain.part(p)));
+        *own.unwrap_or(&self.params.kind)
     }
 
     /// Length over width of a cell at this point: 1 for squares and circles, else 1..5.

@@ -1,6 +1,7 @@
 //! What the fields are made from.
 
 use super::{Kind, Rim, Spot};
+use crate::domain::Domain;
 use glam::DVec2;
 
 /// Where the direction of the cells comes from.
@@ -46,9 +47,9 @@ pub struct FieldParams {
     pub reach: f64,
     /// Kind of the cells.
     pub kind: Kind,
-    /// Kinds by the index of the part that constraint lines cut the outline into; `kind` for those
-    /// beyond the list's end.
-    pub kinds: Vec<Kind>,
+    /// Kinds of the parts that constraint lines cut the outline into, each with a place in its part;
+    /// later ones over earlier ones, `kind` where there is none.
+    pub part_kinds: Vec<(DVec2, Kind)>,
     /// Aspect ratio of stretched cells (Ca), 1..5: length along the direction over width.
     pub aspect: f64,
     /// The aspect ratio's change towards the boundary.
@@ -81,7 +82,7 @@ impl Default for FieldParams {
             strokes: Vec::new(),
             reach: 64.0,
             kind: Kind::Square,
-            kinds: Vec::new(),
+            part_kinds: Vec::new(),
             aspect: 1.0,
             aspect_rim: Rim::default(),
             aspect_spots: Vec::new(),
@@ -96,15 +97,20 @@ impl Default for FieldParams {
 }
 
 impl FieldParams {
-    /// The kind of the cells in a part of the outline.
-    pub fn kind_of(&self, part: usize) -> Kind {
-        *self.kinds.get(part).unwrap_or(&self.kind)
-    }
-
-    /// Is there a cell kind of this symmetry?
-    pub(super) fn has_symmetry(&self, symmetry: u32) -> bool {
-        let mut kinds = std::iter::once(&self.kind).chain(&self.kinds);
-        kinds.any(|kind| kind.symmetry() == symmetry)
+    /// The kinds by the index of the domain's part; none where all have the same.
+    pub(super) fn kinds(&self, domain: &Domain) -> Vec<Kind> {
+        let mut kinds = vec![self.kind; domain.parts()];
+        for &(place, own) in &self.part_kinds {
+            if domain.contains(place)
+                && let Some(kind) = kinds.get_mut(domain.part(place))
+            {
+                *kind = own;
+            }
+        }
+        if kinds.iter().all(|&own| own == self.kind) {
+            kinds.clear();
+        }
+        kinds
     }
 
     /// Is the wished size or aspect ratio other than a number and a gradient?
@@ -113,9 +119,8 @@ impl FieldParams {
         waves || !self.size_rim.is_flat() || !self.size_spots.is_empty()
     }
 
-    pub(super) fn has_stretch(&self) -> bool {
-        let mut kinds = std::iter::once(&self.kind).chain(&self.kinds);
-        kinds.any(|kind| kind.is_stretched())
-            && (!self.aspect_rim.is_flat() || !self.aspect_spots.is_empty())
+    /// Is the wished aspect ratio other than a number?
+    pub(super) fn varies_aspect(&self) -> bool {
+        !self.aspect_rim.is_flat() || !self.aspect_spots.is_empty()
     }
 }

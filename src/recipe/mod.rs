@@ -21,7 +21,7 @@ pub use schema::{Key, SCHEMA};
 use crate::domain::Outline;
 use crate::domain::shape::{ShapeParams, built_in};
 
-/// The stages of the pipeline that parameters enter, in their order.
+/// The stages of the pipeline, in their order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Stage {
     /// The outline with its distances.
@@ -34,10 +34,10 @@ pub enum Stage {
     Mesh,
     /// One polygon per cell.
     Cells,
-    /// One refined triangle mesh per cell.
-    Solids,
-    /// Bump, colour, optics, id.
+    /// Stones, painted as they are made into planes of bump, colour, optics and id.
     Planes,
+    /// What years and weather do to the planes, and how much of the sky each place sees.
+    Weather,
     /// The picture.
     Shading,
 }
@@ -50,8 +50,8 @@ impl Stage {
         Stage::Packing,
         Stage::Mesh,
         Stage::Cells,
-        Stage::Solids,
         Stage::Planes,
+        Stage::Weather,
         Stage::Shading,
     ];
 
@@ -63,8 +63,8 @@ impl Stage {
             Stage::Packing => "packing",
             Stage::Mesh => "mesh",
             Stage::Cells => "cells",
-            Stage::Solids => "solids",
             Stage::Planes => "planes",
+            Stage::Weather => "weather",
             Stage::Shading => "shading",
         }
     }
@@ -174,20 +174,5 @@ impl Recipe {
             Some(own) if self.is_skin() => own,
             _ => row.default,
         }
-    }
-
-    /// The earliest stage that must be done again to go from this recipe to another.
-    pub fn stale_from(&self, other: &Recipe) -> Option<Stage> {
-        let in_use = |r: &Recipe| (r.choice(Key::Outline) == POLYGON).then(|| r.polygon.clone());
-        if in_use(self) != in_use(other) {
-            return Some(Stage::Domain);
-        }
-        Key::ALL
-            .iter()
-            .filter(|&&key| {
-                self.number(key) != other.number(key) || self.rows(key) != other.rows(key)
-            })
-            .map(|key| key.parameter().stage)
-            .min()
     }
 }

@@ -1,7 +1,6 @@
 //! What a row of the schema tells of a parameter.
 
-use super::Stage::Domain;
-use super::{Key, Stage};
+use super::Key;
 
 /// What kind of value a parameter takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -65,8 +64,6 @@ pub struct Parameter {
     pub help: &'static str,
     /// The group of controls that it belongs to.
     pub group: &'static str,
-    /// The first stage that reads it.
-    pub stage: Stage,
     /// The words of a choice, the default first.
     pub choices: &'static [Choice],
     /// Only worth showing while the choice `.0` is one of the words `.1`, or, where there are no
@@ -89,7 +86,6 @@ impl Parameter {
             unit: "",
             help: "",
             group: "",
-            stage: Domain,
             choices: &[],
             shown_for: None,
         }
@@ -111,8 +107,8 @@ impl Parameter {
         self
     }
 
-    pub(super) const fn at(mut self, stage: Stage, group: &'static str) -> Self {
-        (self.stage, self.group) = (stage, group);
+    pub(super) const fn group(mut self, group: &'static str) -> Self {
+        self.group = group;
         self
     }
 

@@ -28,11 +28,6 @@ pub struct Veil {
 }
 
 impl Veil {
-    /// The state of the fields that it is of.
-    pub fn stamp(&self) -> u64 {
-        self.stamp
-    }
-
     /// Lays it over a board; made anew where the stamp is another one.
     pub fn lay(
         &mut self,

@@ -72,24 +72,17 @@ impl Default for Quarry {
 impl Quarry {
     /// A quarry that has made no stone yet.
     pub fn new() -> Self {
-        Self::finer(0)
+        Self::for_picture(1, 0)
     }
 
-    /// A quarry whose skin has so many Loop steps more than a picture needs, or below 0 fewer.
-    pub fn finer(steps: i32) -> Self {
+    /// A quarry for pictures with `fine` pixels for each picture unit, along a side. Skin has `finer`
+    /// Loop steps more than such a picture needs, or below 0 fewer.
+    pub fn for_picture(fine: usize, finer: i32) -> Self {
         Self {
             patterns: vec![None; 2 * SLOTS],
             growing: None,
-            finer: steps,
-            pixels: 1.0,
-        }
-    }
-
-    /// A quarry for pictures with `fine` pixels for each picture unit, along a side.
-    pub fn for_pixels(fine: usize) -> Self {
-        Self {
+            finer,
             pixels: (fine * fine) as f64,
-            ..Self::new()
         }
     }
 

@@ -79,30 +79,26 @@ impl Studio {
 
     fn overlay_absence(&mut self, overlay: Overlay) -> Option<Absence> {
         let [packs, meshed, celled] = [
-            self.made.packing_begun,
+            self.made.is_packing(),
             self.is_past(Stage::Mesh),
             self.is_past(Stage::Cells),
         ];
-        let made = &mut self.made;
         let not_yet = |there: bool| (!there).then_some(Absence::NotYet);
-        let (Some(domain), Some(fields)) = (&made.domain, &made.fields) else {
+        if overlay == Overlay::Forces && packs {
+            let packing = self.made.packing_mut();
+            let loads = packing.map(|(packing, domain)| packing.loads(domain));
+            let still = loads.is_some_and(|loads| overlay_loads::at_rest(&loads));
+            return still.then_some(Absence::AtRest);
+        }
+        let made = &self.made;
+        let Some((domain, fields)) = made.terrain.made() else {
             return Some(Absence::NotYet);
         };
         match overlay {
-            Overlay::Packed | Overlay::Energy => not_yet(packs),
-            Overlay::Forces => match made.packing.as_mut().filter(|_| packs) {
-                None => Some(Absence::NotYet),
-                Some(packing) => {
-                    let still = overlay_loads::at_rest(&packing.loads(domain));
-                    still.then_some(Absence::AtRest)
-                }
-            },
+            Overlay::Packed | Overlay::Energy | Overlay::Forces => not_yet(packs),
             Overlay::Cells => not_yet(celled),
             Overlay::Mesh => not_yet(meshed).or_else(|| {
-                let some = made
-                    .mesh
-                    .as_ref()
-                    .is_some_and(|mesh| !mesh.faces.is_empty());
+                let some = made.mesh().is_some_and(|mesh| !mesh.faces.is_empty());
                 (!some).then_some(Absence::NoMesh)
             }),
             Overlay::Size => {

@@ -1,10 +1,10 @@
 //! The finished picture once more, with more pixels: the same cells, stones and noises, seen finer.
 
-use super::{Studio, translate};
-use crate::export::{Map, MapKind, maps};
-use crate::render::Shader;
-use crate::solid::Quarry;
-use crate::texture::{Painter, Planes};
+use super::files::map_of;
+use super::height_field::{Bodies, HeightField, Passes, ROWS, Revisions};
+use super::{Studio, params};
+use crate::export::{Map, MapKind};
+use crate::recipe::Stage;
 
 /// Most pixels along the side: more would not fit into the memory that browsers give a page.
 pub const MOST_PIXELS: usize = 4096;
@@ -12,8 +12,6 @@ pub const MOST_PIXELS: usize = 4096;
 const MOST_SCALE: usize = 4;
 /// Pixels that stones are put into at a time: what is known of their samples is held for these only.
 const BAND: usize = 1 << 21;
-/// Rows of one slice of what goes by rows.
-const ROWS: usize = 16;
 /// Bytes of all that is held at once, for each pixel, besides the band.
 const BYTES: usize = 28;
 
@@ -35,30 +33,20 @@ pub struct PictureSlice {
 /// A bigger picture in the making, or what is left of it.
 pub(super) struct Bigger {
     scale: usize,
-    /// State of the work that it is made of.
-    stamp: u64,
-    quarry: Quarry,
-    painter: Option<Painter>,
-    /// Bands of rows in which all stones are, and stones in the band at hand.
-    bands: usize,
-    stones: usize,
-    at: At,
-    /// Slices since `at` is what it is.
-    turns: usize,
-    planes: Option<Planes>,
-    shader: Option<Shader>,
+    /// Which of the pictures it is.
+    revision: u64,
+    finish: HeightField,
+    /// Slices of the stage at work.
+    slices: usize,
+    /// Bytes of the picture that were handed out.
     given: usize,
 }
 
-/// What is being made, in this order.
-#[derive(Clone, Copy, PartialEq)]
-enum At {
-    Ground,
-    Stones,
-    Weather,
-    Light,
-    Done,
-}
+/// A bigger picture has no inputs that change.
+const INPUTS: Revisions = Revisions {
+    domain: 0,
+    cells: 0,
+};
 
 impl Studio {
     /// Works for about `budget` milliseconds by `clock` on the finished picture with `scale` times as
@@ -73,8 +61,8 @@ impl Studio {
         clock: &mut dyn FnMut() -> f64,
         budget: f64,
     ) -> Result<PictureSlice, String> {
-        let stamp = self.stamp();
-        let goes_on = |b: &Bigger| (b.scale, b.stamp) == (scale, stamp) && b.at != At::Done;
+        let revision = self.made.finish.light.revision();
+        let goes_on = |b: &Bigger| (b.scale, b.revision) == (scale, revision) && b.at().is_some();
         let kept = self.bigger.take().filter(goes_on);
         let side = self.side().saturating_mul(scale);
         if !self.done() {
@@ -91,11 +79,11 @@ impl Studio {
         let begun = kept.is_none();
         let mut bigger = match kept {
             Some(bigger) => bigger,
-            None => self.begin_bigger(scale, side, stamp)?,
+            None => self.begin_bigger(scale, side, revision)?,
         };
         let begin = clock();
         // Not `>=`: a clock that fails must not make this endless.
-        while bigger.at != At::Done {
+        while bigger.at().is_some() {
             self.add_to(&mut bigger);
             let inside = clock() - begin < budget;
             if !inside {
@@ -107,7 +95,7 @@ impl Studio {
             progress: self.progress_of(&bigger, side),
             side,
             rows: bigger.take(),
-            done: bigger.at == At::Done,
+            done: bigger.at().is_none(),
         };
         self.bigger = Some(bigger);
         Ok(slice)
@@ -124,17 +112,15 @@ impl Studio {
     /// # Errors
     /// A sentence where there is none, or of another pavement.
     pub fn bigger_map(&self, kind: MapKind) -> Result<Map, String> {
-        let stamp = self.stamp();
-        let done = |b: &&Bigger| b.at == At::Done && b.stamp == stamp;
-        let bigger = self.bigger.as_ref().filter(done);
-        let planes = bigger.and_then(|b| b.planes.as_ref());
+        let revision = self.made.finish.light.revision();
+        let done = |b: &&Bigger| b.at().is_none() && b.revision == revision;
+        let bigger = self.bigger.as_ref().filter(|_| self.done()).filter(done);
+        let planes = bigger.and_then(|b| b.finish.weather.made());
         let planes = planes.ok_or("Maps are made of a finished picture: make that first.")?;
-        let optics = translate::optics(&self.working);
-        let shininess = translate::shading(&self.working).shininess;
-        Ok(maps::map(kind, planes, &optics, shininess))
+        Ok(map_of(kind, planes, &self.working.params.finish.light))
     }
 
-    fn begin_bigger(&self, scale: usize, side: usize, stamp: u64) -> Result<Bigger, String> {
+    fn begin_bigger(&self, scale: usize, side: usize, revision: u64) -> Result<Bigger, String> {
         let mut room: Vec<u8> = Vec::new();
         if room.try_reserve_exact(BYTES * side * side).is_err() {
             return Err(format!(
@@ -142,101 +128,73 @@ impl Studio {
             ));
         }
         drop(room);
-        let mut params = translate::texture(&self.working);
-        params.fine = scale;
-        let mut painter = Painter::banded(params, (BAND / side).max(ROWS));
-        painter.dress(&self.made.coats);
+        let params = params::finish(&self.working.recipe, scale, self.finer);
         Ok(Bigger {
             scale,
-            stamp,
-            quarry: Quarry::for_pixels(scale),
-            painter: Some(painter),
-            bands: 0,
-            stones: 0,
-            at: At::Ground,
-            turns: 0,
-            planes: None,
-            shader: None,
+            revision,
+            finish: HeightField::new(params, Passes::One, band(side)),
+            slices: 0,
             given: 0,
         })
     }
 
     /// One slice of the work.
     fn add_to(&self, bigger: &mut Bigger) {
-        bigger.turns += 1;
-        let over = match (&mut bigger.painter, &self.made.domain) {
-            (Some(painter), Some(domain)) => match bigger.at {
-                At::Ground => painter.prepare(ROWS),
-                At::Stones => {
-                    if let Some(cell) = self.scales().get(bigger.stones) {
-                        let done = painter.paint_slice(&mut bigger.quarry, cell, bigger.stones);
-                        bigger.stones += usize::from(done);
-                        false
-                    } else {
-                        (bigger.bands, bigger.stones) = (bigger.bands + 1, 0);
-                        !painter.next_band()
-                    }
-                }
-                _ => painter.weather(domain, ROWS) && painter.finish(ROWS),
-            },
-            _ => self.light(bigger),
+        let (Some(domain), Some(at)) = (self.made.terrain.domain.made(), bigger.at()) else {
+            return;
         };
-        if over {
-            bigger.turns = 0;
-            bigger.at = match bigger.at {
-                At::Ground => At::Stones,
-                At::Stones => At::Weather,
-                At::Weather => {
-                    bigger.planes = bigger.painter.take().map(Painter::into_planes);
-                    At::Light
-                }
-                _ => At::Done,
-            };
-        }
-    }
-
-    fn light(&self, bigger: &mut Bigger) -> bool {
-        let Some(planes) = &bigger.planes else {
-            return true;
+        let bodies = Bodies {
+            domain,
+            cells: self.made.scales(),
+            coats: self.made.coats(),
         };
-        let params = translate::shading(&self.working);
-        let new = || Shader::new(&params, planes.side, planes.fine);
-        let shader = bigger.shader.get_or_insert_with(new);
-        shader.advance(planes, &translate::optics(&self.working), ROWS)
+        bigger.finish.advance(at, bodies, INPUTS);
+        bigger.slices = match bigger.at() == Some(at) {
+            true => bigger.slices + 1,
+            false => 0,
+        };
     }
 
     fn progress_of(&self, bigger: &Bigger, side: usize) -> f64 {
-        let turns = bigger.turns as f64;
+        let slices = bigger.slices as f64;
         let rows = side.div_ceil(ROWS) as f64;
         let cells = self.scales().len().max(1);
-        let bands = side.div_ceil((BAND / side).max(ROWS)) as f64;
-        let (from, to, part) = match bigger.at {
-            At::Ground => (0.0, 0.05, turns / (2.0 * rows)),
-            At::Stones => {
-                let stones = bigger.stones as f64 / cells as f64;
-                (0.05, 0.75, (bigger.bands as f64 + stones) / bands)
+        let bands = side.div_ceil(band(side)) as f64;
+        let (from, to, part) = match bigger.at() {
+            Some(Stage::Planes) if !bigger.finish.is_bedded() => (0.0, 0.05, slices / (2.0 * rows)),
+            Some(Stage::Planes) => {
+                let stones = bigger.finish.stones_coming() as f64 / cells as f64;
+                let done = bigger.finish.bands_done() as f64 + stones;
+                (0.05, 0.75, done / bands)
             }
-            At::Weather => (0.75, 0.9, turns / (3.0 * rows)),
-            At::Light => (0.9, 1.0, turns / (2.0 * rows)),
-            At::Done => (1.0, 1.0, 0.0),
+            Some(Stage::Weather) => (0.75, 0.9, slices / (3.0 * rows)),
+            Some(_) => (0.9, 1.0, slices / (2.0 * rows)),
+            None => (1.0, 1.0, 0.0),
         };
         from + (to - from) * part.min(1.0)
     }
 }
 
+/// Rows of a picture that stones are put into at a time.
+fn band(side: usize) -> usize {
+    (BAND / side).max(ROWS)
+}
+
 impl Bigger {
+    /// The stage at work; none where all is done.
+    fn at(&self) -> Option<Stage> {
+        self.finish.due(INPUTS).map(|(stage, _)| stage)
+    }
+
     /// The rows that are finished and were not given yet.
     fn take(&mut self) -> Vec<u8> {
-        let Some(shader) = &self.shader else {
-            return Vec::new();
-        };
-        let finished = shader.finished();
-        let fresh = &finished[self.given..];
-        self.given = finished.len();
+        let finished = self.finish.shaded();
+        let fresh = &finished[self.given.min(finished.len())..];
         let pixels = fresh.chunks_exact(4);
         let rows = pixels.flat_map(|p| [p[0], p[1], p[2]]).collect();
-        if self.at == At::Done {
-            self.shader = None;
+        self.given = finished.len();
+        if self.at().is_none() {
+            self.finish.drop_shader();
         }
         rows
     }

@@ -2,11 +2,12 @@
 //! particles that are there, in the outline and the fields of the latest recipe. When the point is
 //! let go the packing is made from its own start, as ever, and takes the place of the draft.
 
-use super::{Position, Studio, translate};
+use super::terrain::Terrain;
+use super::{Studio, Wish};
 use crate::domain::{Domain, Outline};
-use crate::field::{FieldBuilder, Fields};
+use crate::field::Fields;
 use crate::packing::Packing;
-use crate::recipe::{Recipe, Stage};
+use crate::recipe::Stage;
 use crate::render::overlay_tones::Tones;
 use glam::DVec2;
 
@@ -15,10 +16,8 @@ const STEPS: u32 = 4;
 
 /// A packing that flows, and what it lies in.
 pub(super) struct Draft {
-    pub recipe: Recipe,
-    pub outline: Outline,
-    pub domain: Domain,
-    pub fields: Fields,
+    wish: Wish,
+    terrain: Terrain,
     pub packing: Packing,
     pub tones: Tones,
 }
@@ -41,15 +40,13 @@ impl Studio {
 
     /// Is the packing a draft now?
     pub(super) fn flows(&self) -> bool {
-        let stale = || self.recipe.stale_from(&self.working);
-        self.live
-            && self.recipe.side() == self.working.side()
-            && stale().is_some_and(|stage| stage <= Stage::Packing)
+        let stale = self.stale.is_some_and(|stage| stage <= Stage::Packing);
+        self.live && stale && self.keeps_side()
     }
 
     /// The draft, while it is to be seen.
     pub(super) fn draft(&self) -> Option<&Draft> {
-        let packs = matches!(self.at, Position::At(stage) if stage <= Stage::Packing);
+        let packs = self.at_work().is_some_and(|stage| stage <= Stage::Packing);
         self.draft.as_ref().filter(|_| packs || self.flows())
     }
 
@@ -68,7 +65,8 @@ impl Studio {
     /// Works on the draft; true when it may look different.
     pub(super) fn flow(&mut self, clock: &mut dyn FnMut() -> f64, budget: f64) -> bool {
         let begin = clock();
-        let stale = self.draft.take_if(|draft| draft.recipe != self.recipe);
+        let is_old = |draft: &mut Draft| draft.wish.params != self.latest.params;
+        let stale = self.draft.take_if(is_old);
         let mut worked = stale.is_some() || self.draft.is_none();
         if worked {
             self.draft = self.drafted(stale);
@@ -78,7 +76,7 @@ impl Studio {
                 if draft.packing.done() {
                     break;
                 }
-                draft.packing.step(&draft.domain, &draft.fields);
+                draft.step();
                 worked = true;
                 // Not `>=`: a clock that fails must not make this slower than it is.
                 let inside = clock() - begin < budget;
@@ -87,57 +85,74 @@ impl Studio {
                 }
             }
         }
-        self.changes[Stage::Packing as usize] += u64::from(worked);
+        self.changes += u64::from(worked);
         worked
     }
 
     /// A draft for the latest recipe with the particles of the last one, or of the last packing;
     /// nothing where no cell fits.
     fn drafted(&self, last: Option<Draft>) -> Option<Draft> {
-        let recipe = self.recipe.clone();
-        let outline = translate::outline(&recipe, self.exact.as_ref());
-        let domain = translate::domain(&recipe, &outline);
-        let fields = FieldBuilder::build(&domain, translate::fields(&recipe, &domain));
-        let params = translate::packing(&recipe);
-        let (packing, tones) = match last {
-            Some(last) => (Some(last.packing), last.tones),
-            None => (self.made.packing.clone(), self.tones()),
+        let wish = self.latest.clone();
+        let asked = wish.params.terrain.clone();
+        let (mut terrain, packing, tones) = match last {
+            Some(last) => (last.terrain, Some(last.packing), last.tones),
+            None => (
+                Terrain::new(asked.clone()),
+                self.made.packing().cloned(),
+                self.tones(),
+            ),
         };
+        terrain.want(asked);
+        terrain.finish();
+        let (domain, fields) = terrain.made()?;
+        let params = wish.params.packing;
         let carried = packing.map(|mut packing| {
-            packing.carry(&domain, &fields, params);
+            packing.carry(domain, fields, params);
             packing
         });
         let packing = match carried.filter(|packing| packing.report().cells > 0) {
             Some(packing) => packing,
-            None => Packing::new(&domain, &fields, params).ok()?,
+            None => Packing::new(domain, fields, params).ok()?,
         };
         Some(Draft {
-            recipe,
-            outline,
-            domain,
-            fields,
+            wish,
+            terrain,
             packing,
             tones,
         })
     }
 
-    /// The recipe, domain, fields and packing to look at: those of the draft while it is to be seen.
+    /// The outline, domain, fields and packing to look at: those of the draft while it is to be seen.
     pub(super) fn shown(&self) -> Shown<'_> {
-        let made = &self.made;
-        match self.draft() {
-            Some(draft) => Shown {
-                rings: rings(&draft.outline),
-                domain: Some(&draft.domain),
-                fields: Some(&draft.fields),
-                packing: Some(&draft.packing),
-            },
-            None => Shown {
-                rings: rings(&made.outline),
-                domain: made.domain.as_ref(),
-                fields: made.fields.as_ref(),
-                packing: made.packing.as_ref(),
-            },
+        let (outline, terrain, packing) = match self.draft() {
+            Some(draft) => (&draft.wish.outline, &draft.terrain, Some(&draft.packing)),
+            None => (
+                &self.working.outline,
+                &self.made.terrain,
+                self.made.packing(),
+            ),
+        };
+        Shown {
+            rings: rings(outline),
+            domain: terrain.domain.made(),
+            fields: terrain.fields.made(),
+            packing,
         }
+    }
+}
+
+impl Draft {
+    /// One step of the packing.
+    fn step(&mut self) {
+        if let Some((domain, fields)) = self.terrain.made() {
+            self.packing.step(domain, fields);
+        }
+    }
+
+    /// The packing's potential energy, in units of a cell's.
+    pub fn energy(&mut self) -> f64 {
+        let domain = self.terrain.domain.made();
+        domain.map_or(0.0, |domain| self.packing.energy(domain))
     }
 }
 

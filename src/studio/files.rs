@@ -1,9 +1,10 @@
 //! What can be taken out of a finished studio: maps, and the mesh of all cells.
 
-use super::{Studio, translate};
+use super::Studio;
+use super::height_field::LightParams;
 use crate::export::{self, Map, MapKind, MeshFile, MeshFormat, maps};
-use crate::recipe::Stage;
 use crate::solid::Quarry;
+use crate::texture::Planes;
 
 /// Said where the picture is still in the making.
 const NOT_YET: &str =
@@ -29,8 +30,8 @@ pub(super) struct Saving {
     file: MeshFile,
     quarry: Quarry,
     format: MeshFormat,
-    /// State of the work that it is made of.
-    stamp: u64,
+    /// Which of the planes it is made of.
+    revision: u64,
 }
 
 impl Studio {
@@ -39,22 +40,20 @@ impl Studio {
     /// # Errors
     /// A sentence where the picture is not finished.
     pub fn map(&self, kind: MapKind) -> Result<Map, String> {
-        let planes = self.made.planes.as_ref().filter(|_| self.done());
+        let planes = self.made.planes().filter(|_| self.done());
         let planes = planes.ok_or(NOT_YET)?;
-        let optics = translate::optics(&self.working);
-        let shininess = translate::shading(&self.working).shininess;
-        Ok(maps::map(kind, planes, &optics, shininess))
+        Ok(map_of(kind, planes, &self.working.params.finish.light))
     }
 
     /// The cells last finished as a standalone SVG file of the picture's size; '' before there are any.
     pub fn svg(&self) -> String {
         let made = &self.made;
-        match &made.domain {
-            Some(domain) if !made.cells.is_empty() => export::svg(
+        match made.terrain.domain.made() {
+            Some(domain) if !made.cells().is_empty() => export::svg(
                 self.side(),
                 domain,
                 &self.rings(),
-                &made.cells,
+                made.cells(),
                 &self.tones(),
             ),
             _ => String::new(),
@@ -72,19 +71,19 @@ impl Studio {
         clock: &mut dyn FnMut() -> f64,
         budget: f64,
     ) -> Result<MeshSlice, String> {
-        let stamp = self.changes[..=Stage::Planes as usize].iter().sum();
-        let fits = |s: &Saving| (s.format, s.stamp) == (format, stamp);
+        let revision = self.made.finish.weather.revision();
+        let fits = |s: &Saving| (s.format, s.revision) == (format, revision);
         let kept = self.saving.take().filter(fits);
         if !self.done() {
             return Err(NOT_YET.to_owned());
         }
         let begun = kept.is_none();
-        let params = translate::texture(&self.working);
+        let asked = &self.working.params.finish;
         let mut saving = kept.unwrap_or_else(|| Saving {
-            file: MeshFile::new(format, params, &translate::optics(&self.working)),
-            quarry: Quarry::finer(MESH_STEPS),
+            file: MeshFile::new(format, asked.planes.texture, &asked.light.optics),
+            quarry: Quarry::for_picture(1, MESH_STEPS),
             format,
-            stamp,
+            revision,
         });
         let done = self.add_cells(&mut saving.file, &mut saving.quarry, clock, budget);
         let mut parts = saving.file.take();
@@ -104,8 +103,8 @@ impl Studio {
         clock: &mut dyn FnMut() -> f64,
         budget: f64,
     ) -> bool {
-        let stone = translate::texture(&self.working).stone;
-        let Some(planes) = &self.made.planes else {
+        let stone = self.stone_params();
+        let Some(planes) = self.made.planes() else {
             return true;
         };
         let begin = clock();
@@ -119,4 +118,9 @@ impl Studio {
         }
         true
     }
+}
+
+/// A map of planes under this light.
+pub(super) fn map_of(kind: MapKind, planes: &Planes, light: &LightParams) -> Map {
+    maps::map(kind, planes, &light.optics, light.shade.shininess)
 }

@@ -1,6 +1,6 @@
 //! Which stage works next, and for how long.
 
-use super::{Position, Studio, translate};
+use super::{Studio, Wish, params};
 use crate::domain::Outline;
 use crate::recipe::{Recipe, Stage};
 
@@ -15,8 +15,8 @@ impl Studio {
     /// Takes a new recipe; the stages it makes stale run again in the ticks to come. The latest
     /// recipe wins over one still at work.
     pub fn set_recipe(&mut self, recipe: Recipe) {
-        self.recipe = recipe;
-        if !self.live || self.recipe.side() != self.working.side() {
+        self.ask(recipe);
+        if !self.live || !self.keeps_side() {
             self.draft = None;
         }
         if !self.flows() && !self.lets_finish() {
@@ -29,17 +29,30 @@ impl Studio {
     /// # Errors
     /// The sentence that says what is wrong with the outline; the last good one stays.
     pub fn set_exact_outline(&mut self, outline: &Outline) -> Result<Vec<String>, String> {
-        let (outline, notices) = translate::checked(outline, &self.recipe)?;
+        let (outline, notices) = params::checked(outline, self.recipe())?;
         self.exact = Some(outline);
+        self.ask(self.latest.recipe.clone());
         self.restart();
         Ok(notices)
     }
 
     /// Runs all stages again, from the same recipe.
     pub fn restart(&mut self) {
-        self.working = self.recipe.clone();
         self.draft = None;
+        self.take_up();
+        self.made.forget();
         self.begin(Stage::Domain);
+    }
+
+    /// From now on this recipe is the latest.
+    pub(super) fn ask(&mut self, recipe: Recipe) {
+        self.latest = Wish::new(recipe, self.exact.as_ref(), self.finer);
+        self.stale = self.latest.params.first_difference(&self.working.params);
+    }
+
+    /// Is the latest picture as large as the one at work?
+    pub(super) fn keeps_side(&self) -> bool {
+        self.latest.recipe.side() == self.working.recipe.side()
     }
 
     /// Works for about `budget` milliseconds by `clock`, at least one slice, and makes at most
@@ -62,8 +75,8 @@ impl Studio {
         };
         let begin = clock();
         let (mut now, mut steps, mut worked) = (begin, 0, false);
-        while let Position::At(stage) = self.at {
-            if stage == Stage::Packing && self.made.packing_begun {
+        while let Some(stage) = self.at_work() {
+            if stage == Stage::Packing && self.made.is_packing() {
                 if steps >= max_steps {
                     break;
                 }
@@ -83,7 +96,7 @@ impl Studio {
 
     /// Is a finished pavement being lit anew, and can that be done in a frame?
     fn shades_in_one(&self) -> bool {
-        let shading = self.at == Position::At(Stage::Shading) && !self.made.forming;
+        let shading = self.at_work() == Some(Stage::Shading) && !self.made.is_forming();
         shading && self.last_shading <= ONE_FRAME
     }
 
@@ -94,11 +107,11 @@ impl Studio {
             return;
         }
         self.draft = None;
-        while let Position::At(stage) = self.at {
+        while let Some(stage) = self.at_work() {
             if stage > Stage::Packing {
                 return;
             }
-            let stepping = stage == Stage::Packing && self.made.packing_begun;
+            let stepping = stage == Stage::Packing && self.made.is_packing();
             let before = clock();
             self.timed_slice(stage, before, clock);
             if stepping {
@@ -113,95 +126,58 @@ impl Studio {
     /// The sentence that says why no pavement can be made.
     pub fn finish(&mut self, clock: &mut dyn FnMut() -> f64) -> Result<(), String> {
         self.set_live(false);
-        while matches!(self.at, Position::At(_)) {
+        while self.at_work().is_some() {
             self.tick(clock, f64::INFINITY, u32::MAX);
         }
-        match &self.at {
-            Position::Failed(_, sentence) => Err(sentence.clone()),
-            _ => Ok(()),
-        }
+        self.made
+            .failure()
+            .map_or(Ok(()), |why| Err(why.to_owned()))
     }
 
-    /// One slice of a stage, begun at `before`, and on to the next stage when it was the last one.
-    /// Answers with the time after it.
+    /// The stage that has work to do.
+    pub(super) fn at_work(&self) -> Option<Stage> {
+        self.made.at().filter(|_| self.made.failure().is_none())
+    }
+
+    /// One slice of a stage, begun at `before`. Answers with the time after it.
     fn timed_slice(&mut self, stage: Stage, before: f64, clock: &mut dyn FnMut() -> f64) -> f64 {
-        self.changes[stage as usize] += 1;
-        let result = self.made.slice(stage, &self.working);
+        self.made.advance();
         let after = clock();
         self.spent[stage as usize] += (after - before).max(0.0);
-        match result {
-            Ok(false) => {}
-            Ok(true) => self.after(stage),
-            Err(sentence) => self.at = Position::Failed(stage, sentence),
+        if self.made.at().is_none() {
+            self.last_shading = self.spent[Stage::Shading as usize];
+            if self.stale.is_some() {
+                self.take_up();
+            }
         }
         after
     }
 
-    fn after(&mut self, stage: Stage) {
-        if stage == Stage::Shading {
-            self.last_shading = self.spent[stage as usize];
-        }
-        self.at = match Stage::ALL.get(stage as usize + 1) {
-            Some(&next) => Position::At(next),
-            None => Position::Done,
-        };
-        if self.at == Position::Done && self.recipe.stale_from(&self.working).is_some() {
-            self.take_up();
-        }
-    }
-
     /// Is the work so near its end that it should finish before the new recipe begins?
     pub(super) fn lets_finish(&self) -> bool {
-        let Position::At(at) = self.at else {
+        let (Some(at), Some(stale)) = (self.at_work(), self.stale) else {
             return false;
         };
-        let Some(stale) = self.recipe.stale_from(&self.working) else {
-            return false;
-        };
-        let late = at >= Stage::Solids && stale >= Stage::Solids;
-        let pass: f64 = self.spent[Stage::Solids as usize..].iter().sum();
+        let late = at >= Stage::Planes && stale >= Stage::Planes;
+        let pass: f64 = self.spent[Stage::Planes as usize..].iter().sum();
         late && (at == Stage::Shading || pass < SHORT_PASS)
     }
 
     /// Makes the latest recipe the one at work.
     pub(super) fn take_up(&mut self) {
-        let stale = self.recipe.stale_from(&self.working);
-        self.working = self.recipe.clone();
-        let failed = match &self.at {
-            Position::Failed(stage, _) => Some(*stage),
-            _ => None,
-        };
-        let Some(stale) = earlier(stale, failed) else {
+        self.working = self.latest.clone();
+        let Some(stale) = self.stale.take() else {
             return;
         };
-        // Stones are cut and painted in one go.
-        let stale = if stale == Stage::Planes {
-            Stage::Solids
-        } else {
-            stale
-        };
-        match self.at {
-            Position::At(at) if at < stale => {}
-            _ => self.begin(stale),
-        }
+        self.made.want(self.working.params.clone());
+        self.begin(stale);
     }
 
+    /// A stage has got something else to do, if there is work at all.
     fn begin(&mut self, stage: Stage) {
-        if stage == Stage::Domain {
-            self.made.outline = translate::outline(&self.working, self.exact.as_ref());
+        self.changes += 1;
+        if let Some(at) = self.made.at() {
+            self.spent[at.max(stage) as usize..].fill(0.0);
         }
-        self.at = Position::At(stage);
-        self.made.forget_work(stage);
-        for k in stage as usize..Stage::ALL.len() {
-            self.spent[k] = 0.0;
-            self.changes[k] += 1;
-        }
-    }
-}
-
-fn earlier(a: Option<Stage>, b: Option<Stage>) -> Option<Stage> {
-    match (a, b) {
-        (Some(a), Some(b)) => Some(a.min(b)),
-        (a, b) => a.or(b),
     }
 }

@@ -12,39 +12,41 @@ impl Studio {
     /// Draws a view's overlays, each as soon as there is something to show of the pavement at work.
     pub(super) fn draw_over(&mut self, view: View, board: &mut Board, veil: &mut Veil) {
         let side = self.side();
-        // While the fields are made anew, the last ones are shown.
-        let stamp = match self.is_past(Stage::Fields) {
-            true => self.changes[..=Stage::Fields as usize].iter().sum(),
-            false => veil.stamp(),
-        };
         let [meshed, celled] = [Stage::Mesh, Stage::Cells].map(|stage| self.is_past(stage));
-        let made = &mut self.made;
-        let (Some(domain), Some(fields)) = (&made.domain, &made.fields) else {
-            return;
-        };
-        if domain.period().is_some() {
+        let packs = self.made.is_packing();
+        let domain = self.made.terrain.domain.made();
+        if domain.is_some_and(|domain| domain.period().is_some()) {
             board.repeat();
         }
-        let begun = made.packing_begun;
-        let mut packing = made.packing.as_mut().filter(|_| begun);
         for overlay in view.overlays() {
+            let loads = match overlay {
+                Overlay::Energy | Overlay::Forces if packs => self.made.packing_mut(),
+                _ => None,
+            };
+            let loads = loads.map(|(packing, domain)| packing.loads(domain));
+            let made = &self.made;
+            let Some((domain, fields)) = made.terrain.made() else {
+                return;
+            };
             match overlay {
-                Overlay::Size => veil.lay(board, stamp, side, domain, fields),
+                Overlay::Size => {
+                    veil.lay(board, made.terrain.revision(), side, domain, fields);
+                }
                 Overlay::Packed => {
-                    let particles = packing.as_deref().map_or(Vec::new(), Packing::particles);
+                    let packing = made.packing().filter(|_| packs);
+                    let particles = packing.map_or(Vec::new(), Packing::particles);
                     overlay_over::packed(board, &particles, &stress(domain, &particles));
                 }
                 Overlay::Energy | Overlay::Forces => {
-                    let loads = packing.as_deref_mut().map(|packing| packing.loads(domain));
                     let draw = match overlay {
                         Overlay::Energy => overlay_loads::energy,
                         _ => overlay_loads::forces,
                     };
                     draw(board, &loads.unwrap_or_default());
                 }
-                Overlay::Cells if celled => overlay_over::cells(board, &made.cells),
+                Overlay::Cells if celled => overlay_over::cells(board, made.cells()),
                 Overlay::Mesh if meshed => {
-                    if let Some(mesh) = &made.mesh {
+                    if let Some(mesh) = made.mesh() {
                         overlay_over::mesh(board, mesh, fields);
                     }
                 }

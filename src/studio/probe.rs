@@ -1,6 +1,6 @@
 //! What the cell at a place is like, and how all of them are.
 
-use super::{Position, Studio};
+use super::Studio;
 use crate::cells::Cell;
 use crate::domain::{Domain, ring_contains};
 use crate::field::Kind;
@@ -70,17 +70,15 @@ const REACH: [f64; 2] = [0.03, 0.25];
 /// Boxes around the cells, so that not every polygon is looked at.
 #[derive(Default)]
 pub(super) struct Boxes {
-    stamp: u64,
+    /// Of the cells.
+    revision: u64,
     boxes: Vec<[DVec2; 2]>,
 }
 
 impl Studio {
     /// Are the products of this stage those of the pass at work?
     pub(super) fn is_past(&self, stage: Stage) -> bool {
-        match &self.at {
-            Position::Done => true,
-            Position::At(at) | Position::Failed(at, _) => *at > stage,
-        }
+        self.made.at().is_none_or(|at| at > stage)
     }
 
     /// The cell at a place of the picture: of the polygons once they are there, while they form of
@@ -96,8 +94,8 @@ impl Studio {
 
     fn packed_at(&self, p: DVec2) -> Option<Probe> {
         let made = &self.made;
-        let packing = made.packing.as_ref().filter(|_| made.packing_begun)?;
-        let (domain, fields) = (made.domain.as_ref()?, made.fields.as_ref()?);
+        let packing = made.packing().filter(|_| made.is_packing())?;
+        let (domain, fields) = made.terrain.made()?;
         let (cell, particle) = packing.at(domain, p)?;
         let shift = domain.shortest(particle.centre - p) + p - particle.centre;
         let has_axis = particle.kind != Kind::Circle && particle.axis != DVec2::ZERO;
@@ -118,16 +116,16 @@ impl Studio {
 
     fn polygon_at(&mut self, p: DVec2) -> Option<Probe> {
         let made = &self.made;
-        let (domain, fields) = (made.domain.as_ref()?, made.fields.as_ref()?);
-        let stamp = self.changes[..=Stage::Cells as usize].iter().sum();
-        if self.boxes.stamp != stamp {
-            let boxes = made.cells.iter().map(bounds).collect();
-            self.boxes = Boxes { stamp, boxes };
+        let (domain, fields) = made.terrain.made()?;
+        let (cells, revision) = (made.cells(), made.cells_revision());
+        if self.boxes.revision != revision {
+            let boxes = cells.iter().map(bounds).collect();
+            self.boxes = Boxes { revision, boxes };
         }
-        let (index, image) = self.boxes.find(domain, &made.cells, p)?;
-        let cell = made.cells.get(index)?;
+        let (index, image) = self.boxes.find(domain, cells, p)?;
+        let cell = cells.get(index)?;
         let figure = Figure::new(cell);
-        let neighbours = self.boxes.neighbours(domain, &made.cells, index);
+        let neighbours = self.boxes.neighbours(domain, cells, index);
         let shift = p - image;
         Some(Probe {
             cell: index,
@@ -149,8 +147,8 @@ impl Studio {
 
     /// How the packing at work went so far, or the last one, by rising steps.
     pub fn samples(&self) -> &[Sample] {
-        let packing = self.made.packing.as_ref();
-        let begun = packing.filter(|_| self.made.packing_begun);
+        let packing = self.made.packing();
+        let begun = packing.filter(|_| self.made.is_packing());
         begun.map_or(&[], |packing| packing.samples())
     }
 
@@ -160,14 +158,20 @@ impl Studio {
     /// and angles by the rows that they stand in.
     pub fn histograms(&mut self) -> [Histogram; 2] {
         let past = self.is_past(Stage::Cells);
-        let made = &mut self.made;
-        let (Some(domain), Some(fields)) = (&made.domain, &made.fields) else {
+        let stands = match past || !self.made.is_packing() {
+            true => Vec::new(),
+            false => {
+                let packing = self.made.packing_mut();
+                packing.map_or(Vec::new(), |(packing, domain)| packing.stands(domain))
+            }
+        };
+        let Some(fields) = self.made.terrain.fields.made() else {
             return Default::default();
         };
         let mut found: Vec<(f64, Option<f64>)> = Vec::new();
         let mut widest = 0.0;
         if past {
-            for cell in &made.cells {
+            for cell in self.made.cells() {
                 let figure = Figure::new(cell);
                 let off = figure.off(cell.kind, fields.direction(cell.centre));
                 found.push((figure.size / fields.size(cell.centre), off));
@@ -175,16 +179,15 @@ impl Studio {
                     widest = period(cell.kind).max(widest);
                 }
             }
-        } else if let (Some(packing), true) = (&mut made.packing, made.packing_begun) {
-            for (particle, stand) in packing.stands(domain) {
-                let size = particle.size * stand.spacing;
-                found.push((size / fields.size(particle.centre), stand.off));
-                widest = match particle.kind {
-                    Kind::Circle => widest,
-                    Kind::Ellipse => 180.0,
-                    Kind::Square | Kind::Rectangle => widest.max(90.0),
-                };
-            }
+        }
+        for (particle, stand) in stands {
+            let size = particle.size * stand.spacing;
+            found.push((size / fields.size(particle.centre), stand.off));
+            widest = match particle.kind {
+                Kind::Circle => widest,
+                Kind::Ellipse => 180.0,
+                Kind::Square | Kind::Rectangle => widest.max(90.0),
+            };
         }
         let sizes = found.iter().map(|&(size, _)| size);
         let angles = found.iter().filter_map(|&(_, off)| off);

@@ -1,9 +1,10 @@
 //! What can be looked at, as pictures of the recipe's size.
 
+use super::files::map_of;
 use super::look::{Base, View};
-use super::{Position, Studio, translate};
+use super::{Studio, params};
 use crate::cells::Cell;
-use crate::export::{MapKind, maps};
+use crate::export::MapKind;
 use crate::order;
 use crate::recipe::Stage;
 use crate::render::overlay::{Board, Paper};
@@ -115,7 +116,7 @@ impl Studio {
 
     /// Changes whenever something else may be seen.
     pub(super) fn stamp(&self) -> u64 {
-        self.changes.iter().sum()
+        self.changes + self.made.slices()
     }
 
     /// The drawing that a view is or lies on, as far as it was begun; nothing where there is none.
@@ -135,7 +136,7 @@ impl Studio {
                 Way::Packed => self.packed(),
                 Way::Cells => {
                     let tones = self.tones();
-                    let cells = overlay_stages::cells(&made.cells, &tones);
+                    let cells = overlay_stages::cells(made.cells(), &tones);
                     self.on_paper(&tones.paper, cells)
                 }
                 Way::Stones if !self.goes_on(&gallery.preview) => self.bedded()?,
@@ -146,12 +147,12 @@ impl Studio {
             Base::Cells | Base::Mesh if self.draft().is_some() => self.packed(),
             Base::Cells => {
                 let tones = self.tones();
-                let mut layers = overlay_stages::cells(&made.cells, &tones);
+                let mut layers = overlay_stages::cells(made.cells(), &tones);
                 layers.extend(self.lines());
                 self.on_paper(&tones.paper, layers)
             }
             Base::Mesh => {
-                let both = made.mesh.as_ref().zip(made.fields.as_ref());
+                let both = made.mesh().zip(made.terrain.fields.made());
                 let mut layers = both.map_or_else(Vec::new, |(mesh, fields)| {
                     overlay_stages::mesh(mesh, fields)
                 });
@@ -193,7 +194,7 @@ impl Studio {
             }
             Base::Potential => {
                 let mut board = Board::new(self.side(), SHEET.bed);
-                let (kind, aspect) = translate::kind(&self.working);
+                let (kind, aspect) = params::kind(&self.working.recipe);
                 overlay_potential::potential(&mut board, kind, aspect, self.side() as f64);
                 Some(board)
             }
@@ -212,19 +213,17 @@ impl Studio {
             return self.bare().finish();
         };
         let mut board = Board::new(self.side(), SHEET.surround);
-        let optics = translate::optics(&self.working);
-        let shininess = translate::shading(&self.working).shininess;
-        let map = maps::map(kind, planes, &optics, shininess);
+        let map = map_of(kind, planes, &self.working.params.finish.light);
         board.show(&map.rgba());
         board
     }
 
     /// The planes to look at: the finished ones unless they are of another pavement.
     pub(super) fn planes_to_show(&self) -> Option<&Planes> {
-        let finished = self.made.planes.as_ref();
+        let finished = self.made.planes();
         let finished = finished.filter(|p| p.side == self.side());
-        let coming = self.made.painter.as_ref().map(|p| p.planes());
-        if self.made.forming {
+        let coming = self.made.planes_coming();
+        if self.made.is_forming() {
             coming.or(finished)
         } else {
             finished.or(coming)
@@ -237,17 +236,17 @@ impl Studio {
         if base == Base::Auto && self.draft().is_some() {
             return Way::Packed;
         }
-        let picture = made.picture.len() == 4 * self.side() * self.side();
-        let settled = !made.forming || matches!(self.at, Position::Failed(..));
+        let picture = made.picture().len() == 4 * self.side() * self.side();
+        let settled = !made.is_forming() || made.failure().is_some();
         if picture && (settled || base == Base::Picture) {
             return Way::Picture;
         }
-        match self.at {
-            Position::At(stage) if stage >= Stage::Solids => match self.ground_shown() {
+        match self.at_work() {
+            Some(stage) if stage >= Stage::Planes => match self.ground_shown() {
                 Some(_) => Way::Stones,
                 None => Way::Cells,
             },
-            _ if made.packing_begun => Way::Packed,
+            _ if made.is_packing() => Way::Packed,
             _ if gallery.frame.is_some() => Way::Stays,
             _ => Way::Bare,
         }
@@ -255,13 +254,13 @@ impl Studio {
 
     fn picture_on(&self, frame: Option<Board>) -> Board {
         let mut board = frame.unwrap_or_else(|| Board::new(self.side(), SHEET.surround));
-        board.show(&self.made.picture);
+        board.show(self.made.picture());
         board
     }
 
     /// The planes of stones that come, once the ground is laid.
     fn ground_shown(&self) -> Option<&Planes> {
-        self.planes_to_show().filter(|_| self.made.bedded)
+        self.planes_to_show().filter(|_| self.made.is_bedded())
     }
 
     pub(super) fn tones(&self) -> Tones {
@@ -269,7 +268,8 @@ impl Studio {
             return draft.tones.clone();
         }
         let made = &self.made;
-        Tones::new(&translate::texture(&self.working)).wearing(&made.cells, &made.coats)
+        let texture = &self.working.params.finish.planes.texture;
+        Tones::new(texture).wearing(made.cells(), made.coats())
     }
 
     /// Layers over the area to pave, which is the outline or all of a tile.
@@ -279,7 +279,7 @@ impl Studio {
 
     fn on_board(&self, mut board: Board, paper: &Paper, layers: Vec<Layer>) -> Sketch {
         let mut all = Vec::with_capacity(layers.len() + 2);
-        if self.working.is_tile() {
+        if self.working.recipe.is_tile() {
             board.repeat();
             let side = self.side() as f64;
             let ring = [DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y].map(|p| side * p);
@@ -314,7 +314,7 @@ impl Studio {
     /// Does the preview show the stones that come now?
     fn goes_on(&self, preview: &Preview) -> bool {
         let board = preview.board.as_ref().filter(|b| b.fits(self.side()));
-        board.is_some() && preview.pass == self.made.pass
+        board.is_some() && preview.pass == self.made.finish.planes.passes()
     }
 
     /// The cells on the ground that is laid, before there are stones.
@@ -322,7 +322,7 @@ impl Studio {
         let (planes, tones) = (self.ground_shown()?, self.tones());
         let mut board = Board::new(planes.side, tones.paper.surround);
         light_ground(planes, board.rgba_mut());
-        let cells = overlay_stages::cells(&self.made.cells, &tones);
+        let cells = overlay_stages::cells(self.made.cells(), &tones);
         Some(self.on_board(board, &tones.paper, cells))
     }
 
@@ -332,13 +332,14 @@ impl Studio {
         let planes = self.ground_shown()?;
         if !self.goes_on(preview) {
             (preview.board, preview.stones) = (bedded, 0);
-            preview.pass = made.pass;
+            preview.pass = made.finish.planes.passes();
         }
         let board = preview.board.as_mut()?;
-        for k in preview.stones..made.stones {
-            light_stone(planes, &made.cells[k], k, board.rgba_mut());
+        let stones = made.stones();
+        for k in preview.stones..stones {
+            light_stone(planes, &made.cells()[k], k, board.rgba_mut());
         }
-        preview.stones = made.stones;
+        preview.stones = stones;
         Some(board.clone())
     }
 }

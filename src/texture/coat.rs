@@ -5,7 +5,6 @@
 //! rule gives each cell a value that is spread about evenly over 0..1; the share of cells asked for
 //! that have the highest are marked, with a soft border between them and the others.
 
-use super::TextureParams;
 use super::noise::Tile;
 use super::reaction::Reaction;
 use crate::cells::{Cell, Graph};
@@ -136,13 +135,15 @@ pub struct Coats {
 
 impl Coats {
     /// Coats to be made by [`Coats::advance`].
-    pub fn new(params: &TextureParams) -> Self {
+    ///
+    /// `side` is the picture's, in picture units.
+    pub fn new(colour: ColourParams, seed: u64, side: f64) -> Self {
         Self {
-            colour: params.colour,
-            seed: params.seed,
-            side: params.side as f64,
-            phase: Random::new(params.seed, Purpose::Pattern, u64::MAX).unit(),
-            noise: Tile::new(params.seed, 21, 6, 4, 1.2),
+            colour,
+            seed,
+            side,
+            phase: Random::new(seed, Purpose::Pattern, u64::MAX).unit(),
+            noise: Tile::new(seed, 21, 6, 4, 1.2),
             values: Vec::new(),
             graph: None,
             reaction: None,

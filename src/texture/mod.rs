@@ -26,7 +26,7 @@ pub use painter::{Painter, TextureParams};
 pub use palette::{Ground, PALETTES, Palette, ground, palette};
 pub use skin::stone_colour;
 pub use surface::{Surface, Surfaces};
-pub use weather::WeatherParams;
+pub use weather::{Painted, WeatherParams, Weathering};
 
 /// Id of the ground in [`Planes::id`]; a stone has its cell's index + 1.
 pub const GROUND: u32 = 0;

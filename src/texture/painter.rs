@@ -8,14 +8,12 @@
 use super::Planes;
 use super::coat::{Coat, ColourParams};
 use super::ground::Bed;
-use super::occlusion::Occlusion;
 use super::palette::{Palette, ground, palette};
 use super::pitch::Pitch;
 use super::scan::{Raster, SAMPLES};
 use super::skin::{Patterns, Skin};
-use super::weather::{Weather, WeatherParams};
+use super::weather::Painted;
 use crate::cells::Cell;
-use crate::domain::Domain;
 use crate::order::{greater, lesser};
 use crate::solid::{Quarry, Solid, StoneKind, StoneParams, joint_depth, lean, top};
 use glam::{DVec2, Vec3};
@@ -46,8 +44,6 @@ pub struct TextureParams {
     pub vary: f64,
     /// Colours by rule.
     pub colour: ColourParams,
-    /// Wear, dirt, moss and wet.
-    pub weather: WeatherParams,
     /// The planes repeat without a seam: what reaches over an edge comes in at the other.
     pub tile: bool,
 }
@@ -66,7 +62,6 @@ impl Default for TextureParams {
             ground: "sand",
             vary: 1.0,
             colour: ColourParams::default(),
-            weather: WeatherParams::default(),
             tile: false,
         }
     }
@@ -99,8 +94,6 @@ pub struct Painter {
     bed: Bed,
     patterns: Patterns,
     coats: Vec<Coat>,
-    weather: Weather,
-    occlusion: Occlusion,
     raster: Raster,
     pitch: Pitch,
     /// Pixels along a side of the picture.
@@ -168,13 +161,6 @@ impl Painter {
             ),
             patterns: Patterns::new(params.seed, params.size, params.dimension, pitch),
             coats: Vec::new(),
-            weather: Weather::new(
-                params.weather,
-                [side, params.fine],
-                params.size,
-                [level, depth],
-            ),
-            occlusion: Occlusion::new(params.size, params.fine, params.tile),
             raster: Raster::default(),
             pitch,
             side,
@@ -351,29 +337,20 @@ impl Painter {
         done
     }
 
-    /// Lets the weather do its work on the finished stones, about `rows` rows of it; true when done.
-    /// To be done before [`Painter::finish`], or not at all.
-    pub fn weather(&mut self, domain: &Domain, rows: usize) -> bool {
-        self.prepare(usize::MAX);
-        self.weather
-            .advance(&mut self.planes, &self.bed, domain, rows)
-    }
-
-    /// Computes what follows from the finished bump plane (the openness), `rows` rows of it; true
-    /// when done.
-    pub fn finish(&mut self, rows: usize) -> bool {
-        self.prepare(usize::MAX);
-        self.occlusion.advance(&mut self.planes, rows)
-    }
-
     /// The planes as they are by now.
     pub fn planes(&self) -> &Planes {
         &self.planes
     }
 
-    /// The planes, to keep.
-    pub fn into_planes(self) -> Planes {
-        self.planes
+    /// The planes with all stones in them, for the weather.
+    pub fn finish(mut self) -> Painted {
+        self.prepare(usize::MAX);
+        Painted {
+            planes: self.planes,
+            bed: self.bed.into(),
+            size: self.params.size,
+            depth: self.depth,
+        }
     }
 
     fn pixel(

@@ -1,15 +1,17 @@
 //! What years and weather do to the planes: wear, dirt, moss, wet.
 //!
-//! One pass over the finished stones, before the openness is worked out of them. Tops and hollows are
+//! One pass over the finished stones; then the openness is worked out of them. Tops and hollows are
 //! told apart by the mean height around each pixel.
 
 use super::coat::smooth;
 use super::ground::Bed;
+use super::occlusion::Occlusion;
 use super::optics::{DIRT, FINISHES, MOSS, ROWS, WATER};
 use super::{GROUND, Planes};
 use crate::domain::Domain;
 use crate::order::{self, greater, lesser};
 use glam::DVec2;
+use std::rc::Rc;
 
 /// How much of each, 0..1.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -51,8 +53,64 @@ const GREENS: [[f32; 3]; 2] = [[54.0, 66.0, 30.0], [102.0, 108.0, 53.0]];
 const SKY: [f32; 3] = [126.0, 138.0, 148.0];
 const MIRROR: f32 = 0.42;
 
+/// Planes with all stones in them, dry and new and with all of the sky's light everywhere.
+#[derive(Clone)]
+pub struct Painted {
+    /// The planes.
+    pub planes: Planes,
+    pub(super) bed: Rc<Bed>,
+    /// The size cells were asked to have on average, in picture units.
+    pub(super) size: f64,
+    /// The joints' depth, in picture units.
+    pub(super) depth: f32,
+}
+
+/// The weather over all stones, and then how much of the sky's light comes to each place.
+pub struct Weathering {
+    planes: Planes,
+    bed: Rc<Bed>,
+    weather: Weather,
+    occlusion: Occlusion,
+}
+
+impl Weathering {
+    /// Weather to come over planes as they were painted.
+    pub fn new(params: WeatherParams, painted: Painted) -> Self {
+        let Painted {
+            planes,
+            bed,
+            size,
+            depth,
+        } = painted;
+        let joints = [planes.ground, depth];
+        Self {
+            weather: Weather::new(params, [planes.side, planes.fine], size, joints),
+            occlusion: Occlusion::new(size, planes.fine, planes.tile),
+            planes,
+            bed,
+        }
+    }
+
+    /// Goes on by about `rows` rows; true when all is done. The domain must stay the same.
+    pub fn advance(&mut self, domain: &Domain, rows: usize) -> bool {
+        let planes = &mut self.planes;
+        let weathered = self.weather.advance(planes, &self.bed, domain, rows);
+        weathered && self.occlusion.advance(planes, rows)
+    }
+
+    /// The planes as they are by now.
+    pub fn planes(&self) -> &Planes {
+        &self.planes
+    }
+
+    /// The planes, to keep.
+    pub fn finish(self) -> Planes {
+        self.planes
+    }
+}
+
 /// The weather at work.
-pub(super) struct Weather {
+struct Weather {
     params: WeatherParams,
     /// Pixels along the picture's side, and for each picture unit.
     side: usize,
@@ -71,7 +129,7 @@ pub(super) struct Weather {
 impl Weather {
     /// Weather for joints of a ground at `level` and of `depth` between stones of about `size`, in a
     /// picture of `side` pixels with `fine` of them for each unit.
-    pub fn new(
+    fn new(
         params: WeatherParams,
         [side, fine]: [usize; 2],
         size: f64,
@@ -93,13 +151,7 @@ impl Weather {
     }
 
     /// Goes on by about `rows` rows; true when all is done.
-    pub fn advance(
-        &mut self,
-        planes: &mut Planes,
-        bed: &Bed,
-        domain: &Domain,
-        rows: usize,
-    ) -> bool {
+    fn advance(&mut self, planes: &mut Planes, bed: &Bed, domain: &Domain, rows: usize) -> bool {
         if self.params.is_fair() {
             return true;
         }

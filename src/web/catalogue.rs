@@ -34,7 +34,6 @@ fn parameter_object(p: &Parameter) -> Object {
         ("unit", p.unit.into()),
         ("help", p.help.into()),
         ("group", p.group.into()),
-        ("stage", p.stage.word().into()),
         ("choices", choices.into()),
     ]);
     if let Some((key, words)) = p.shown_for {

@@ -4,11 +4,11 @@
 #![allow(dead_code)]
 
 use bubblestone::cells::Cell;
-use bubblestone::domain::signed_area;
+use bubblestone::domain::{Domain, signed_area};
 use bubblestone::field::Kind;
 use bubblestone::random::{Purpose, Random};
 use bubblestone::solid::Quarry;
-use bubblestone::texture::{Painter, Planes, TextureParams};
+use bubblestone::texture::{Painter, Planes, TextureParams, WeatherParams, Weathering};
 use glam::DVec2;
 use std::f64::consts::TAU;
 
@@ -69,8 +69,15 @@ pub fn painted(params: TextureParams, cells: &[Cell]) -> Planes {
     for (index, cell) in cells.iter().enumerate() {
         painter.paint(&mut quarry, cell, index);
     }
-    while !painter.finish(17) {}
-    painter.into_planes()
+    in_fair_weather(painter)
+}
+
+/// The planes that a painter leaves where there is no weather.
+pub fn in_fair_weather(painter: Painter) -> Planes {
+    let mut weather = Weathering::new(WeatherParams::default(), painter.finish());
+    let domain = Domain::torus(1.0, &[]);
+    while !weather.advance(&domain, 17) {}
+    weather.finish()
 }
 
 /// Small pictures of small stones.

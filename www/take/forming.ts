@@ -38,7 +38,7 @@ export function formingGif(studio: Bubblestone, progress: Progress): Blob {
         stride *= 2;
         packing.splice(0, packing.length, ...packing.filter((_, index) => index % 2 === 0));
       }
-    } else if (stage === 'solids' && stones >= placed && stones) {
+    } else if (stage === 'planes' && stones >= placed && stones) {
       later.push(frame(SHOWN.stones));
       placed += cells / STONES;
     }

@@ -1,10 +1,12 @@
 //! From the recipe's words and numbers to the small parameter structures of the stages.
 
-use crate::cells::ScatterParams;
-use crate::domain::{Domain, Outline};
+use super::height_field::{HeightFieldParams, LightParams, PlaneParams};
+use super::pavement::{CellParams, CoatParams};
+use super::terrain::{DomainParams, TerrainParams};
+use crate::domain::Outline;
 use crate::field::{Direction, FieldParams, Kind, Rim, Spot};
 use crate::packing::{Edge, Integrator, PackingParams, Population, Start};
-use crate::recipe::{Key, Recipe};
+use crate::recipe::{Key, Recipe, Stage};
 use crate::render::{Light, ShadeParams};
 use crate::solid::{SkinParams, Spread, StoneKind, StoneParams};
 use crate::texture::{
@@ -14,6 +16,55 @@ use glam::DVec2;
 
 /// Rounds of Lloyd's relaxation: after these it hardly gets better.
 const LLOYD_ROUNDS: u32 = 50;
+
+/// What a recipe asks of each stage.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Params {
+    pub terrain: TerrainParams,
+    pub packing: PackingParams,
+    pub cells: CellParams,
+    /// Are the stones skin, whose flow has one sense?
+    pub is_skin: bool,
+    pub coats: CoatParams,
+    pub finish: HeightFieldParams,
+}
+
+impl Params {
+    /// Of a recipe for this outline ([`outline`]); skin gets `finer` Loop steps more than it needs.
+    pub fn new(recipe: &Recipe, outline: &Outline, finer: i32) -> Self {
+        Self {
+            terrain: terrain(recipe, outline),
+            packing: packing(recipe),
+            cells: cells(recipe),
+            is_skin: recipe.is_skin(),
+            coats: CoatParams {
+                colour: colour(recipe),
+                seed: seed(recipe),
+                side: recipe.side(),
+            },
+            finish: finish(recipe, 1, finer),
+        }
+    }
+
+    /// The first stage of which others ask something else.
+    pub fn first_difference(&self, other: &Params) -> Option<Stage> {
+        let differences = [
+            (Stage::Domain, self.terrain.domain != other.terrain.domain),
+            (Stage::Fields, self.terrain.fields != other.terrain.fields),
+            (Stage::Packing, self.packing != other.packing),
+            (Stage::Cells, self.cells != other.cells),
+            (Stage::Planes, self.is_skin != other.is_skin),
+            (Stage::Planes, self.coats != other.coats),
+            (Stage::Planes, self.finish.planes != other.finish.planes),
+            (Stage::Weather, self.finish.weather != other.finish.weather),
+            (Stage::Shading, self.finish.light != other.finish.light),
+        ];
+        let mut differences = differences.into_iter();
+        differences
+            .find(|&(_, differs)| differs)
+            .map(|(stage, _)| stage)
+    }
+}
 
 /// Pixels along the picture's side.
 pub(super) fn side(recipe: &Recipe) -> usize {
@@ -38,12 +89,23 @@ pub(super) fn outline(recipe: &Recipe, exact: Option<&Outline>) -> Outline {
     outline
 }
 
-/// The domain of an outline, or of the whole picture as a tile.
-pub(super) fn domain(recipe: &Recipe, outline: &Outline) -> Domain {
+/// The domain and its fields.
+pub(super) fn terrain(recipe: &Recipe, outline: &Outline) -> TerrainParams {
+    TerrainParams {
+        domain: domain(recipe, outline),
+        fields: fields(recipe),
+    }
+}
+
+/// An outline's rings and lines, or the whole picture as a tile.
+fn domain(recipe: &Recipe, outline: &Outline) -> DomainParams {
     if recipe.is_tile() {
-        Domain::torus(recipe.side(), &outline.lines)
+        DomainParams::Torus {
+            side: recipe.side(),
+            lines: outline.lines.clone(),
+        }
     } else {
-        Domain::from_checked(outline)
+        DomainParams::Plane(outline.clone())
     }
 }
 
@@ -65,7 +127,7 @@ pub(super) fn kind(recipe: &Recipe) -> (Kind, f64) {
     (kind, drawn(kind, ca))
 }
 
-pub(super) fn fields(recipe: &Recipe, domain: &Domain) -> FieldParams {
+fn fields(recipe: &Recipe) -> FieldParams {
     let number = |key| recipe.number(key);
     let side = recipe.side();
     let (direction, angle) = match recipe.choice(Key::Dir) {
@@ -103,7 +165,7 @@ pub(super) fn fields(recipe: &Recipe, domain: &Domain) -> FieldParams {
         strokes: recipe.strokes(),
         reach: side * number(Key::Reach),
         kind,
-        kinds: kinds(recipe, domain, kind),
+        part_kinds: part_kinds(recipe, kind),
         aspect,
         aspect_rim: rim(Key::Cb, Key::Cd),
         aspect_spots: spots(aspect_spots),
@@ -116,20 +178,10 @@ pub(super) fn fields(recipe: &Recipe, domain: &Domain) -> FieldParams {
     }
 }
 
-/// The kinds of the domain's parts; none where all have the same.
-fn kinds(recipe: &Recipe, domain: &Domain, kind: Kind) -> Vec<Kind> {
-    let mut kinds = vec![kind; domain.parts()];
-    for (seed, word) in recipe.part_kinds() {
-        if domain.contains(seed)
-            && let Some(own) = kinds.get_mut(domain.part(seed))
-        {
-            *own = Kind::from_word(word).unwrap_or(kind);
-        }
-    }
-    if kinds.iter().all(|&own| own == kind) {
-        kinds.clear();
-    }
-    kinds
+fn part_kinds(recipe: &Recipe, kind: Kind) -> Vec<(DVec2, Kind)> {
+    let seeds = recipe.part_kinds().into_iter();
+    let own = |word| Kind::from_word(word).unwrap_or(kind);
+    seeds.map(|(place, word)| (place, own(word))).collect()
 }
 
 pub(super) fn packing(recipe: &Recipe) -> PackingParams {
@@ -160,23 +212,17 @@ fn seed(recipe: &Recipe) -> u64 {
     recipe.number(Key::Seed) as u64
 }
 
-/// Are the cells the packed squares as they are?
-pub(super) fn as_packed(recipe: &Recipe) -> bool {
-    recipe.choice(Key::Cells) == "packed"
-}
-
-/// Where the cells are those of scattered points: as many as `count`, and how they are evened out.
-pub(super) fn scatter(recipe: &Recipe, count: usize) -> Option<ScatterParams> {
-    let rounds = match recipe.choice(Key::Cells) {
-        "voronoi" => 0,
-        "lloyd" => LLOYD_ROUNDS,
-        _ => return None,
-    };
-    Some(ScatterParams {
-        count,
+fn cells(recipe: &Recipe) -> CellParams {
+    let scattered = |rounds| CellParams::Scattered {
         rounds,
         seed: seed(recipe),
-    })
+    };
+    match recipe.choice(Key::Cells) {
+        "packed" => CellParams::Packed,
+        "voronoi" => scattered(0),
+        "lloyd" => scattered(LLOYD_ROUNDS),
+        _ => CellParams::Fitted,
+    }
 }
 
 pub(super) fn stone(recipe: &Recipe) -> StoneParams {
@@ -211,6 +257,22 @@ pub(super) fn stone(recipe: &Recipe) -> StoneParams {
     }
 }
 
+/// Planes, weather and light with `fine` pixels for each of the recipe, along a side.
+pub(super) fn finish(recipe: &Recipe, fine: usize, finer: i32) -> HeightFieldParams {
+    let texture = TextureParams {
+        fine,
+        ..texture(recipe)
+    };
+    HeightFieldParams {
+        planes: PlaneParams { texture, finer },
+        weather: weather(recipe),
+        light: LightParams {
+            shade: shading(recipe),
+            optics: optics(recipe),
+        },
+    }
+}
+
 pub(super) fn texture(recipe: &Recipe) -> TextureParams {
     TextureParams {
         side: side(recipe),
@@ -224,13 +286,16 @@ pub(super) fn texture(recipe: &Recipe) -> TextureParams {
         ground: recipe.choice(Key::Ground),
         vary: recipe.number(Key::Vary),
         colour: colour(recipe),
-        weather: WeatherParams {
-            wear: recipe.number(Key::Wear),
-            moss: recipe.number(Key::Moss),
-            dirt: recipe.number(Key::Dirt),
-            wet: recipe.number(Key::Wet),
-        },
         tile: recipe.is_tile(),
+    }
+}
+
+fn weather(recipe: &Recipe) -> WeatherParams {
+    WeatherParams {
+        wear: recipe.number(Key::Wear),
+        moss: recipe.number(Key::Moss),
+        dirt: recipe.number(Key::Dirt),
+        wet: recipe.number(Key::Wet),
     }
 }
 

@@ -1,0 +1,245 @@
+//! Stages as things: what a stage made is kept by a node that knows what it was made of.
+//!
+//! A [`Node`] is a memo. It is stale when its parameters differ from those that its value was made
+//! by, or an input's revision from the one that it was made of, and nothing else decides that. Who
+//! wires nodes together lends the inputs to every slice of work, so that work in progress holds no
+//! borrows.
+
+/// Where a node stands, for inputs of a certain revision.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum State {
+    /// Its value is what is asked for.
+    Fresh,
+    /// Its value is to be made.
+    Stale,
+    /// Its value cannot be made.
+    Failed,
+}
+
+/// A stage's memo: parameters `P`, work in progress `W`, and the value `T` that was made last, which
+/// stays to be shown until the next one is there.
+#[derive(Debug)]
+pub struct Node<P, W, T> {
+    params: P,
+    /// The work, and the revision of the inputs that it or its failure is of.
+    work: Option<W>,
+    work_inputs: u64,
+    failure: Option<String>,
+    made: Option<Made<P, T>>,
+    revision: u64,
+    passes: u64,
+    slices: u64,
+}
+
+/// A value, and what it was made of.
+#[derive(Debug)]
+struct Made<P, T> {
+    value: T,
+    params: P,
+    inputs: u64,
+    /// Is it by the parameters of the node?
+    is_wanted: bool,
+}
+
+impl<P: Clone + PartialEq, W, T> Node<P, W, T> {
+    /// A node that has made nothing yet.
+    pub fn new(params: P) -> Self {
+        Self {
+            params,
+            work: None,
+            work_inputs: 0,
+            failure: None,
+            made: None,
+            revision: 0,
+            passes: 0,
+            slices: 0,
+        }
+    }
+
+    /// From now on the value is to be made by these parameters; work by others is dropped.
+    pub fn want(&mut self, params: P) {
+        if params == self.params {
+            return;
+        }
+        self.drop_work();
+        if let Some(made) = &mut self.made {
+            made.is_wanted = made.params == params;
+        }
+        self.params = params;
+    }
+
+    /// The value is to be made again, whatever it was made of.
+    pub fn forget(&mut self) {
+        self.drop_work();
+        if let Some(made) = &mut self.made {
+            made.is_wanted = false;
+        }
+    }
+
+    fn drop_work(&mut self) {
+        (self.work, self.failure) = (None, None);
+        self.slices += 1;
+    }
+
+    /// What the value is to be made by.
+    pub fn params(&self) -> &P {
+        &self.params
+    }
+
+    /// Where it stands for inputs of this revision: the sum of those of all nodes that are read, which
+    /// never fall.
+    pub fn state(&self, inputs: u64) -> State {
+        let is_fresh = |made: &Made<P, T>| made.is_wanted && made.inputs == inputs;
+        if self.made.as_ref().is_some_and(is_fresh) {
+            State::Fresh
+        } else if self.failure.is_some() && self.work_inputs == inputs {
+            State::Failed
+        } else {
+            State::Stale
+        }
+    }
+
+    /// One slice of the work, which `slice` begins, goes on with, or ends with a value. Work on other
+    /// inputs is dropped before.
+    pub fn advance(
+        &mut self,
+        inputs: u64,
+        slice: impl FnOnce(&P, &mut Option<W>) -> Result<Option<T>, String>,
+    ) {
+        self.slices += 1;
+        if self.work_inputs != inputs {
+            (self.work, self.work_inputs) = (None, inputs);
+        }
+        self.failure = None;
+        self.passes += u64::from(self.work.is_none());
+        match slice(&self.params, &mut self.work) {
+            Ok(None) => {}
+            Ok(Some(value)) => {
+                self.work = None;
+                self.revision += 1;
+                self.made = Some(Made {
+                    value,
+                    params: self.params.clone(),
+                    inputs,
+                    is_wanted: true,
+                });
+            }
+            Err(sentence) => {
+                self.work = None;
+                self.failure = Some(sentence);
+            }
+        }
+    }
+
+    /// The value that was made last, stale or not.
+    pub fn made(&self) -> Option<&T> {
+        self.made.as_ref().map(|made| &made.value)
+    }
+
+    /// The same, for values that keep what they work out when they are asked.
+    pub fn made_mut(&mut self) -> Option<&mut T> {
+        self.made.as_mut().map(|made| &mut made.value)
+    }
+
+    /// The value if it was made of inputs of this revision, by whatever parameters.
+    pub fn made_of(&self, inputs: u64) -> Option<&T> {
+        let made = self.made.as_ref().filter(|made| made.inputs == inputs);
+        made.map(|made| &made.value)
+    }
+
+    /// The work in progress.
+    pub fn work(&self) -> Option<&W> {
+        self.work.as_ref()
+    }
+
+    /// The same, for work that is looked at closely.
+    pub fn work_mut(&mut self) -> Option<&mut W> {
+        self.work.as_mut()
+    }
+
+    /// Why the value cannot be made, in a sentence.
+    pub fn failure(&self) -> Option<&str> {
+        self.failure.as_deref()
+    }
+
+    /// How many values were made.
+    pub fn revision(&self) -> u64 {
+        self.revision
+    }
+
+    /// How often the work was begun.
+    pub fn passes(&self) -> u64 {
+        self.passes
+    }
+
+    /// Grows with every slice of work, and where work is dropped.
+    pub fn slices(&self) -> u64 {
+        self.slices
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Counts up to its parameter, plus what is lent.
+    type Counter = Node<u32, u32, u32>;
+
+    fn advance(node: &mut Counter, inputs: u64, lent: u32) {
+        node.advance(inputs, |&wanted, work| {
+            let count = work.get_or_insert(0);
+            *count += 1;
+            match wanted {
+                0 => Err("Nothing is to be counted.".to_owned()),
+                _ => Ok((*count == wanted).then_some(wanted + lent)),
+            }
+        });
+    }
+
+    #[test]
+    fn a_node_is_stale_by_its_parameters_and_inputs_only() {
+        let mut node = Counter::new(2);
+        assert_eq!(node.state(5), State::Stale);
+        advance(&mut node, 5, 10);
+        assert_eq!((node.state(5), node.work()), (State::Stale, Some(&1)));
+        advance(&mut node, 5, 10);
+        assert_eq!((node.state(5), node.made()), (State::Fresh, Some(&12)));
+        assert_eq!(node.state(6), State::Stale);
+        node.want(2);
+        assert_eq!(node.state(5), State::Fresh);
+        node.want(3);
+        assert_eq!((node.state(5), node.made()), (State::Stale, Some(&12)));
+        // Back again before anything else was made: there is nothing to do.
+        advance(&mut node, 5, 10);
+        node.want(2);
+        assert_eq!((node.state(5), node.work()), (State::Fresh, None));
+        node.forget();
+        assert_eq!(node.state(5), State::Stale);
+    }
+
+    #[test]
+    fn work_on_other_inputs_is_begun_anew() {
+        let mut node = Counter::new(3);
+        advance(&mut node, 1, 0);
+        advance(&mut node, 1, 0);
+        advance(&mut node, 2, 0);
+        assert_eq!((node.work(), node.passes()), (Some(&1), 2));
+        advance(&mut node, 2, 0);
+        advance(&mut node, 2, 7);
+        assert_eq!((node.made_of(2), node.made_of(1)), (Some(&10), None));
+        assert_eq!(node.revision(), 1);
+    }
+
+    #[test]
+    fn a_failure_stands_for_its_parameters_and_inputs() {
+        let mut node = Counter::new(1);
+        advance(&mut node, 1, 4);
+        node.want(0);
+        advance(&mut node, 1, 4);
+        assert_eq!((node.state(1), node.made()), (State::Failed, Some(&5)));
+        assert_eq!(node.failure(), Some("Nothing is to be counted."));
+        assert_eq!(node.state(2), State::Stale);
+        node.want(1);
+        assert_eq!((node.state(1), node.failure()), (State::Fresh, None));
+    }
+}
