@@ -2,9 +2,11 @@
 //! into them.
 
 mod coat;
+mod effects;
 mod ground;
 mod grounds;
 mod hides;
+mod mean;
 mod noise;
 mod occlusion;
 mod optics;

@@ -3,13 +3,13 @@
 //! One pass over the finished stones; then the openness is worked out of them. Tops and hollows are
 //! told apart by the mean height around each pixel.
 
-use super::coat::smooth;
+use super::effects::{Effects, Place, Skin, soft};
 use super::ground::Bed;
+use super::mean::Mean;
 use super::occlusion::Occlusion;
-use super::optics::{DIRT, FINISHES, MOSS, ROWS, WATER};
 use super::{GROUND, Planes};
 use crate::domain::Domain;
-use crate::order::{self, greater, lesser};
+use crate::order::greater;
 use glam::DVec2;
 use std::rc::Rc;
 
@@ -39,19 +39,10 @@ const STEP: usize = 8;
 const REACH: [f64; 2] = [0.1, 0.5];
 /// How trodden a tile is, which has no middle.
 const EVERYWHERE: f32 = 0.75;
-/// What wear takes off at most, of the joints' depth.
-const LOSS: f32 = 0.44;
-/// How far below and above that the edge it leaves is rounded, and how deep it rubs off what is rough.
-const EDGE: f32 = 0.22;
-const RUB: f32 = 0.06;
-/// Thickness of moss and of dirt, of the joints' depth.
-const PAD: f32 = 0.13;
-const SILT: f32 = 0.06;
-/// Colours of moss: in the shade and in the light.
-const GREENS: [[f32; 3]; 2] = [[54.0, 66.0, 30.0], [102.0, 108.0, 53.0]];
-/// What still water shows of the sky, and how much.
-const SKY: [f32; 3] = [126.0, 138.0, 148.0];
-const MIRROR: f32 = 0.42;
+/// How fast treading grows from the boundary to the middle of the way.
+const TRODDEN: f32 = 1.15;
+/// Broad noise is taken so far off that of the ground, in picture units.
+const BROAD_OFF: [i32; 2] = [211, 97];
 
 /// Planes with all stones in them, dry and new and with all of the sky's light everywhere.
 #[derive(Clone)]
@@ -111,12 +102,12 @@ impl Weathering {
 
 /// The weather at work.
 struct Weather {
-    params: WeatherParams,
+    is_fair: bool,
+    effects: Effects,
     /// Pixels along the picture's side, and for each picture unit.
     side: usize,
     fine: usize,
-    /// Height of the joints' ground, and their depth.
-    level: f32,
+    /// Of the joints.
     depth: f32,
     size: f32,
     means: [Mean; 2],
@@ -127,21 +118,16 @@ struct Weather {
 }
 
 impl Weather {
-    /// Weather for joints of a ground at `level` and of `depth` between stones of about `size`, in a
-    /// picture of `side` pixels with `fine` of them for each unit.
-    fn new(
-        params: WeatherParams,
-        [side, fine]: [usize; 2],
-        size: f64,
-        [level, depth]: [f32; 2],
-    ) -> Self {
+    /// Weather for `joints`, of which the ground's height and the depth are given, between stones of
+    /// about `size`, in a picture of `side` pixels with `fine` of them for each unit.
+    fn new(params: WeatherParams, [side, fine]: [usize; 2], size: f64, joints: [f32; 2]) -> Self {
         let radius = |reach: f64| (reach * size) as usize * fine + fine / 2;
         Self {
-            params,
+            is_fair: params.is_fair(),
+            effects: Effects::new(params, joints),
             side,
             fine,
-            level,
-            depth,
+            depth: joints[1],
             size: size as f32,
             means: REACH.map(|reach| Mean::new(radius(reach), side)),
             distances: Vec::new(),
@@ -152,7 +138,7 @@ impl Weather {
 
     /// Goes on by about `rows` rows; true when all is done.
     fn advance(&mut self, planes: &mut Planes, bed: &Bed, domain: &Domain, rows: usize) -> bool {
-        if self.params.is_fair() {
+        if self.is_fair {
             return true;
         }
         let side = self.side;
@@ -215,184 +201,30 @@ impl Weather {
     }
 
     fn pixel(&self, planes: &mut Planes, bed: &Bed, [x, y]: [usize; 2], [near, wide]: [f32; 2]) {
-        let WeatherParams {
-            wear,
-            moss,
-            dirt,
-            wet,
-        } = self.params;
-        let (wear, moss, dirt, wet) = (wear as f32, moss as f32, dirt as f32, wet as f32);
         let i = y * self.side + x;
         let (px, py, fine) = (x as i32, y as i32, self.fine as i32);
-        let (broad, grains) = (
-            bed.broad(px + 211 * fine, py + 97 * fine),
-            bed.grains(px, py),
-        );
+        let [right, down] = BROAD_OFF.map(|off| off * fine);
         let distance = self.distance([x, y]);
-        let trodden = soft(distance / self.farthest * 1.15);
-        let mut height = planes.bump[i];
-        let mut colour = planes.colour[i].map(f32::from);
-        let mut optics = planes.optics[i];
-        let stone = planes.id[i] != GROUND;
-        // 1/2 on level ground, towards 1 in joints and towards 0 on tops.
-        let hollow = (0.5 + (wide - height) / self.depth).clamp(0.0, 1.0);
-        if wear > 0.0 && stone {
-            let worn = lesser(wear * trodden * (1.0 + 0.35 * broad), 1.0);
-            let stand = (height - self.level) / self.depth;
-            let rub = RUB * self.depth;
-            let flat = order::within(near, height - rub, height + rub);
-            height += (flat - height) * worn * soft(3.0 * stand - 1.0);
-            // Tops are cut off, with a soft edge.
-            let stand = (height - self.level) / self.depth;
-            let ceiling = 1.0 + EDGE - (LOSS + EDGE) * worn;
-            let over = greater(EDGE - (stand - ceiling).abs(), 0.0);
-            let cut = lesser(stand, ceiling) - over * over / (4.0 * EDGE);
-            height += (cut - stand) * self.depth * lesser(4.0 * worn, 1.0);
-            if worn > 0.3 {
-                optics = (optics + 1 + u8::from(worn > 0.6)).min(FINISHES as u8);
-            }
-            // Dust and weathered crust are off.
-            colour = colour.map(|v| v * (1.0 + 0.05 * worn));
-        }
-        let mut soaks = !stone;
-        if dirt > 0.0 {
-            let lies = hollow + 0.10 * broad + 0.04 * grains - 0.96 + dirt;
-            let cover = (0.35 + 0.6 * dirt) * soft(1.9 * lies);
-            let grain = 1.0 + 0.06 * grains + 0.05 * broad;
-            mix(&mut colour, bed.dirt().map(|v| v * grain), cover);
-            height += SILT * self.depth * cover * soft(2.0 * hollow - 0.6);
-            if cover > 0.45 {
-                optics = DIRT;
-                soaks = true;
-            }
-        }
-        if moss > 0.0 {
-            let shade = 0.72 * hollow + 0.15 * broad + 0.06 * grains - 0.14 * trodden;
-            let cover = soft((shade - 0.86 + 0.98 * moss) * 7.0);
-            let light = (0.5 - 0.55 * (hollow - 0.5) + 0.2 * grains + 0.25 * bed.broad(py, px))
-                .clamp(0.0, 1.0);
-            let mut green = GREENS[0];
-            mix(&mut green, GREENS[1], light);
-            let grain = 1.0 + 0.16 * grains;
-            mix(&mut colour, green.map(|v| v * grain), cover);
-            height += self.depth * PAD * cover * (0.75 + 0.22 * grains);
-            if cover > 0.5 {
-                optics = MOSS;
-                soaks = true;
-            }
-        }
-        if wet > 0.0 {
-            let lies = 1.5 * wet - 0.2 + 0.5 * (hollow - 0.5) + 0.2 * broad;
-            let soaked = soft(lies) * soft(4.0 * wet);
-            let grey = (colour[0] + colour[1] + colour[2]) / 3.0;
-            let dark = 1.0 - soaked * if soaks { 0.46 } else { 0.36 };
-            colour = colour.map(|v| (grey + (v - grey) * (1.0 + 0.3 * soaked)) * dark);
-            optics += ROWS * (u8::from(soaked > 0.33) + u8::from(soaked > 0.7));
-            // Around the pavement water runs off.
-            let away = soft(0.5 - 2.0 * distance / self.size);
-            let surface = self.level + self.depth * (0.85 * wet - 0.5 - 0.6 * away);
-            let deep = surface - height;
-            if deep > 0.0 {
-                let clear = lesser(deep, 1.0);
-                let murk = 0.35 * deep / (deep + 2.0);
-                colour = colour.map(|v| v * (1.0 - murk));
-                mix(&mut colour, SKY, MIRROR * clear);
-                height = surface;
-                if clear > 0.5 {
-                    optics = WATER;
-                }
-            }
-        }
-        planes.bump[i] = height;
-        planes.colour[i] = colour.map(|v| (v.clamp(0.0, 255.0) + 0.5) as u8);
-        planes.optics[i] = optics;
+        let height = planes.bump[i];
+        let place = Place {
+            at: [px, py],
+            is_stone: planes.id[i] != GROUND,
+            hollow: (0.5 + (wide - height) / self.depth).clamp(0.0, 1.0),
+            near,
+            trodden: soft(distance / self.farthest * TRODDEN),
+            inside: distance / self.size,
+            broad: bed.broad(px + right, py + down),
+            grains: bed.grains(px, py),
+        };
+        let mut skin = Skin {
+            height,
+            colour: planes.colour[i].map(f32::from),
+            optics: planes.optics[i],
+            soaks: !place.is_stone,
+        };
+        self.effects.apply(&place, bed, &mut skin);
+        planes.bump[i] = skin.height;
+        planes.colour[i] = skin.colour.map(|v| (v.clamp(0.0, 255.0) + 0.5) as u8);
+        planes.optics[i] = skin.optics;
     }
-}
-
-fn soft(t: f32) -> f32 {
-    smooth(f64::from(t)) as f32
-}
-
-fn mix(colour: &mut [f32; 3], other: [f32; 3], share: f32) {
-    for (own, other) in colour.iter_mut().zip(other) {
-        *own += (other - *own) * share;
-    }
-}
-
-/// The mean height of the square around each pixel: sums of rows first, then running sums of these.
-struct Mean {
-    radius: usize,
-    /// Sums along rows.
-    along: Vec<f32>,
-    filled: usize,
-    /// Sums of `along` over the rows around the one at hand.
-    sums: Vec<f64>,
-}
-
-impl Mean {
-    fn new(radius: usize, side: usize) -> Self {
-        Self {
-            radius: radius.clamp(1, side / 2),
-            along: Vec::new(),
-            filled: 0,
-            sums: Vec::new(),
-        }
-    }
-
-    /// Some more sums along rows; false when all are there.
-    fn fill(&mut self, planes: &Planes, rows: usize) -> bool {
-        let (side, tile) = (planes.side, planes.tile);
-        let end = side.min(self.filled.saturating_add(rows));
-        for y in self.filled..end {
-            let row = &planes.bump[y * side..][..side];
-            let of = |x: i64| f64::from(row[place(x, side, tile)]);
-            let reach = self.radius as i64;
-            let mut sum: f64 = (-reach..=reach).map(of).sum();
-            for x in 0..side as i64 {
-                self.along.push(sum as f32);
-                sum += of(x + reach + 1) - of(x - reach);
-            }
-        }
-        let more = self.filled < end;
-        self.filled = end;
-        more
-    }
-
-    /// The means of a row; rows must be asked for in turn.
-    fn row(&mut self, y: usize, tile: bool, out: &mut [f32]) {
-        let side = out.len();
-        let (y, reach) = (y as i64, self.radius as i64);
-        let along = &self.along;
-        let of = |y: i64| &along[place(y, side, tile) * side..][..side];
-        if y == 0 {
-            self.sums = vec![0.0; side];
-            for row in (-reach..=reach).map(of) {
-                add(&mut self.sums, row, 1.0);
-            }
-        } else {
-            add(&mut self.sums, of(y + reach), 1.0);
-            add(&mut self.sums, of(y - reach - 1), -1.0);
-        }
-        let width = (2 * self.radius + 1) as f64;
-        for (out, sum) in out.iter_mut().zip(&self.sums) {
-            *out = (sum / (width * width)) as f32;
-        }
-    }
-}
-
-fn add(sums: &mut [f64], row: &[f32], factor: f64) {
-    for (sum, &v) in sums.iter_mut().zip(row) {
-        *sum += factor * f64::from(v);
-    }
-}
-
-/// The pixel at a place beyond an edge: the last one there, or on a tile that at the other edge.
-fn place(at: i64, side: usize, tile: bool) -> usize {
-    let side = side as i64;
-    let at = if tile {
-        at.rem_euclid(side)
-    } else {
-        at.clamp(0, side - 1)
-    };
-    at as usize
 }
