@@ -457,7 +457,7 @@ impl Arrangement {
                 continue;
             };
             if let Owner::Particle(k) = self.regions[region].owner {
-                cells.push(super::fitted::cell(&particles[k as usize], ring));
+                cells.push(Cell::new(&particles[k as usize], ring));
             } else {
                 let centre = ring.iter().sum::<DVec2>() / ring.len() as f64;
                 cells.push(Cell {

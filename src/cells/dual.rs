@@ -4,7 +4,6 @@
 //! around it; on the boundary and on constraint lines it ends at the middles of their sides.
 
 use super::arrangement::{Arrangement, Line};
-use super::fitted::cell;
 use super::rings::is_tangled;
 use super::voronoi::circumcentre;
 use super::{Cell, across, ghosts};
@@ -287,7 +286,7 @@ impl Dual {
         };
         let mut cells: Vec<Cell> = (0..self.particles.len())
             .filter(|&k| !band[k])
-            .map(|k| cell(&self.particles[k], self.ring(k)))
+            .map(|k| Cell::new(&self.particles[k], self.ring(k)))
             .collect();
         if is_cut {
             cells.extend(self.cut(domain, &band, &cells));

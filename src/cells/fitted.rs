@@ -12,7 +12,6 @@ use super::{Cell, torus};
 use crate::domain::Domain;
 use crate::order;
 use crate::packing::Particle;
-use glam::DVec2;
 
 /// The dual of the packed cells, filling the outline, all at once; see [`Fitting`].
 pub fn fitted(domain: &Domain, particles: &[Particle]) -> Vec<Cell> {
@@ -144,17 +143,5 @@ impl Fitting {
     /// The cells in the order of their ids.
     pub fn finish(self) -> Vec<Cell> {
         self.cells
-    }
-}
-
-pub(super) fn cell(p: &Particle, ring: Vec<DVec2>) -> Cell {
-    Cell {
-        id: p.id,
-        centre: p.centre,
-        kind: p.kind,
-        size: p.size,
-        aspect: p.aspect,
-        axis: p.axis,
-        ring,
     }
 }

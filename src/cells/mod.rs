@@ -21,6 +21,7 @@ pub use packed::packed;
 pub use voronoi::{Scatter, ScatterParams};
 
 use crate::field::Kind;
+use crate::packing::Particle;
 use glam::DVec2;
 
 /// The ground plan of one stone.
@@ -40,4 +41,19 @@ pub struct Cell {
     pub axis: DVec2,
     /// A simple ring, not closed, of positive shoelace area (clockwise on screen), at least 3 points.
     pub ring: Vec<DVec2>,
+}
+
+impl Cell {
+    /// The cell that a particle gets.
+    pub(crate) fn new(p: &Particle, ring: Vec<DVec2>) -> Self {
+        Self {
+            id: p.id,
+            centre: p.centre,
+            kind: p.kind,
+            size: p.size,
+            aspect: p.aspect,
+            axis: p.axis,
+            ring,
+        }
+    }
 }

@@ -30,15 +30,7 @@ pub fn packed(particles: &[Particle]) -> Vec<Cell> {
         .map(|p| {
             let scale =
                 (closeness(p, particles, &grid, largest) / (1.0 - OVERLAP)).clamp(SMALLEST, 1.0);
-            Cell {
-                id: p.id,
-                centre: p.centre,
-                kind: p.kind,
-                size: p.size,
-                aspect: p.aspect,
-                axis: p.axis,
-                ring: p.ring(scale, CORNERS),
-            }
+            Cell::new(p, p.ring(scale, CORNERS))
         })
         .collect()
 }

@@ -1,6 +1,6 @@
 //! Do rings meet themselves or each other? Exact, by a grid of the segments' boxes.
 
-use super::check::bounds;
+use super::ring::bounds;
 use crate::planar::orientation;
 use glam::DVec2;
 

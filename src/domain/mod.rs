@@ -18,16 +18,17 @@ mod islands;
 mod lines;
 mod nesting;
 mod parts;
+mod ring;
 pub mod shape;
 mod squares;
 
 pub(crate) use candidates::closest_on_segment;
-pub(crate) use check::ring_contains;
 pub use check::{MAX_LINE_POINTS, MAX_POINTS, OutlineError, Ring, check_lines};
 pub use distance::{Domain, Nearest};
 pub use facing::{Facing, Foot};
 pub(crate) use lines::{crosses, shifts};
 pub(crate) use parts::divided;
+pub(crate) use ring::ring_contains;
 
 use glam::DVec2;
 

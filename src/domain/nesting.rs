@@ -1,6 +1,6 @@
 //! Which ring lies inside which.
 
-use super::check::{bounds, ring_contains};
+use super::ring::{bounds, ring_contains};
 use glam::DVec2;
 
 /// For each ring the numbers of the rings around it, in rising order. An even number of them makes it

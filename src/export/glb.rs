@@ -3,7 +3,7 @@
 //! One mesh of one primitive. A vertex is its position and normal, three floats each, and its colour:
 //! linear red, green, blue and a full alpha of 16 bits each, as 8 bits are too few for dark colours.
 
-use super::surface::Frame;
+use super::frame::Frame;
 use crate::decimal;
 use crate::order::{greater, lesser};
 use crate::render::decoded;

@@ -3,6 +3,7 @@
 
 mod figures;
 mod fixed;
+mod frame;
 mod glb;
 mod json;
 pub mod maps;

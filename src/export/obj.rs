@@ -1,7 +1,7 @@
 //! Surfaces as an OBJ file: text, one object for each cell.
 
 use super::fixed::{push, push_whole};
-use super::surface::Frame;
+use super::frame::Frame;
 use crate::texture::Surface;
 
 /// Bytes after which another part of the file begins.

@@ -5,13 +5,13 @@
 //! side, with the middle of the picture at x = z = 0 and the base level at y = 0, so the files of
 //! tiles repeat after 1.
 
+use super::frame::Frame;
 use super::glb::Glb;
 use super::maps::roughness;
 use super::obj::Obj;
 use crate::cells::Cell;
 use crate::solid::Solid;
 use crate::texture::{FINISHES, Optics, Planes, Surfaces, TextureParams};
-use glam::Vec3;
 
 /// A kind of mesh file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -26,30 +26,6 @@ impl MeshFormat {
     /// All kinds with the endings of their files' names.
     pub const ALL: [(MeshFormat, &'static str); 2] =
         [(MeshFormat::Obj, "obj"), (MeshFormat::Glb, "glb")];
-}
-
-/// From picture units to those of the files.
-pub(super) struct Frame {
-    unit: f32,
-}
-
-impl Frame {
-    pub fn place(&self, p: Vec3) -> [f32; 3] {
-        [
-            p.x * self.unit - 0.5,
-            p.z * self.unit,
-            p.y * self.unit - 0.5,
-        ]
-    }
-
-    pub fn direction(&self, n: Vec3) -> [f32; 3] {
-        [n.x, n.z, n.y]
-    }
-
-    /// Exchanging two axes turns triangles over: here they go counter-clockwise seen from outside.
-    pub fn turned(&self, [a, b, c]: [u32; 3]) -> [u32; 3] {
-        [a, c, b]
-    }
 }
 
 enum Body {

@@ -5,7 +5,7 @@ use super::grid::{COARSE, Grid};
 use super::sources::{Sources, Sum, line_weight, printed_vector};
 use super::symmetry::representation;
 use super::{ASPECT_RANGE, Direction, FieldParams, Fields, Kind, Layer, SIZE_RANGE};
-use super::{scalar, torus};
+use super::{torus, wishes};
 use crate::domain::Domain;
 use crate::order;
 use glam::DVec2;
@@ -272,10 +272,10 @@ impl FieldBuilder {
             let at = self.row * grid.columns + column;
             let p = grid.node(column, self.row);
             if let Some(growth) = growth.get_mut(at) {
-                *growth = scalar::growth(params, domain, p).clamp(SIZE_RANGE.0, SIZE_RANGE.1);
+                *growth = wishes::growth(params, domain, p).clamp(SIZE_RANGE.0, SIZE_RANGE.1);
             }
             if let Some(stretch) = stretch.get_mut(at) {
-                *stretch = scalar::stretch(params, domain, p).clamp(ASPECT_RANGE.0, ASPECT_RANGE.1);
+                *stretch = wishes::stretch(params, domain, p).clamp(ASPECT_RANGE.0, ASPECT_RANGE.1);
             }
         }
     }

@@ -15,6 +15,7 @@ mod singular;
 mod sources;
 mod symmetry;
 mod torus;
+mod wishes;
 
 pub use builder::FieldBuilder;
 pub use kind::Kind;

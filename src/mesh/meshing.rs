@@ -1,5 +1,6 @@
 //! From the cells' centres to the mesh, in slices.
 
+use super::lines::{is_cut, lies_on_line};
 use super::quads::{self, Faces};
 use super::triangles::{NONE, Triangles};
 use super::{Face, Mesh, Node, Weave, patch, relax, torus};
@@ -23,11 +24,6 @@ const RIM_TRIANGLES: f64 = 6.0;
 const MOST_TRIANGLES: f64 = 0.08;
 /// The least score of quadrilaterals that replace lone triangles, falling.
 const STANDARDS: [f64; 6] = [0.5, 0.4, 0.3, 0.2, 0.2, 0.15];
-
-/// A side is looked at without this share of it at both ends: those may stand on a constraint line.
-const SHRINK: f64 = 0.02;
-/// A point nearer to a constraint line than this (in sizes) lies on it.
-const ON_LINE: f64 = 0.05;
 
 /// A mesh in the making.
 pub struct Meshing {
@@ -202,22 +198,6 @@ pub(super) fn join_lone(
         patch::better(nodes, made, worst, few, &keep);
         relax::relax(nodes, &made.faces, &free);
     }
-}
-
-/// Does a constraint line cross a side of the triangle?
-pub(super) fn is_cut(domain: &Domain, [a, b, c]: [DVec2; 3]) -> bool {
-    [[a, b], [b, c], [c, a]]
-        .iter()
-        .any(|&[p, q]| domain.crosses_line(p.lerp(q, SHRINK), q.lerp(p, SHRINK)))
-}
-
-/// Do both cells stand on a constraint line, and what is between them, too?
-pub(super) fn lies_on_line(domain: &Domain, [a, b]: [&Particle; 2]) -> bool {
-    let on = |p: DVec2| {
-        let near = domain.nearest_line(p);
-        near.is_some_and(|near| near.distance < ON_LINE * a.size)
-    };
-    on(a.centre.midpoint(b.centre)) && on(a.centre) && on(b.centre)
 }
 
 /// How deep a triangle of cells that all stand at a wall has to lie; 0 where one is fixed on it.

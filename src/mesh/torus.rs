@@ -3,7 +3,7 @@
 //! Places are rounded to the grain, in which a picture's side is a whole number: an image is then
 //! exactly one side away, and what lies on the two sides of a seam agrees to the last bit.
 
-use super::meshing::{is_cut, lies_on_line};
+use super::lines::{is_cut, lies_on_line};
 use super::metric::Metric;
 use super::{Face, Mesh, Node, Weave, quads};
 use crate::domain::{Domain, shifts, signed_area};

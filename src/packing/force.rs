@@ -5,20 +5,13 @@
 //! constant k0 of a pair is l0 squared, so that k0 / l0 = l0, the pair's stable distance.
 
 use super::Particle;
-use super::shape::Shape;
+use super::shape::{CUT, Shape};
 use crate::field::Kind;
 use crate::order::{greater, lesser};
 use glam::DVec2;
 
 /// Weight of the four corner potentials in eq. (4).
 pub const CORNER_WEIGHT: f64 = std::f64::consts::SQRT_2 - 1.0;
-
-/// Where the bubble force ends, in stable distances.
-pub const CUT: f64 = 1.5;
-
-/// How far a square cell reaches, in stable distances of its pair: from a corner (half a diagonal)
-/// to where the corner's own force ends (eq. 2's cut at 1.5 corner distances).
-pub const SQUARE_REACH: f64 = std::f64::consts::FRAC_1_SQRT_2 * (1.0 + CUT);
 
 /// Equation (2) in units of k0 / l0: positive repels (w < 1), negative attracts (1 < w < 1.5).
 pub fn bubble_force(w: f64) -> f64 {

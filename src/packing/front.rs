@@ -1,8 +1,8 @@
 //! A front of cells that grows over the inside.
 
 use super::Edge;
-use super::integrate::Surroundings;
-use super::placement::{Crowd, FRONT_GAP, has_room};
+use super::Surroundings;
+use super::crowd::{Crowd, FRONT_GAP, has_room};
 use super::shape::Shape;
 use crate::domain::Domain;
 use crate::field::{Fields, Kind};

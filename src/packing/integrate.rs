@@ -2,13 +2,13 @@
 //!
 //! Time is in units of sqrt(m d^2 / k0), so that one set of constants serves all sizes.
 
-use super::force::{Pair, SQUARE_REACH, force_between};
+use super::force::{Pair, force_between};
 use super::grid::{Grid, images};
-use super::shape::Shape;
+use super::shape::{SQUARE_REACH, Shape};
 use super::wall::{keep_inside, stays_clear, wall_force};
-use super::{Body, Integrator, Particle};
-use crate::domain::{Domain, Facing, Foot};
-use crate::field::{Fields, Kind};
+use super::{Body, Integrator, Particle, Surroundings};
+use crate::domain::{Domain, Foot};
+use crate::field::Kind;
 use crate::order::greater;
 use glam::DVec2;
 
@@ -87,14 +87,6 @@ impl Gauge {
             is_square: particle.kind == Kind::Square,
         }
     }
-}
-
-/// What one step needs to know of its surroundings.
-#[derive(Clone, Copy)]
-pub(super) struct Surroundings<'a> {
-    pub domain: &'a Domain,
-    pub fields: &'a Fields,
-    pub facing: &'a Facing,
 }
 
 impl Motion {

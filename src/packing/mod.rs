@@ -6,6 +6,7 @@
 //! time; nothing in it knows of time or frames.
 
 mod carry;
+mod crowd;
 pub mod force;
 mod front;
 mod grid;
@@ -13,6 +14,7 @@ mod integrate;
 mod loads;
 mod placement;
 mod population;
+mod quadtree;
 mod rim;
 mod shape;
 mod wall;
@@ -26,7 +28,7 @@ use crate::field::{Fields, Kind};
 use crate::order;
 use crate::random::{Purpose, Random};
 use glam::DVec2;
-use integrate::{Motion, Surroundings};
+use integrate::Motion;
 use shape::Shape;
 
 /// How the cells meet the boundary.
@@ -117,6 +119,14 @@ const TUNING: Tuning = Tuning {
     most_steps: 200,
     most_cells: 250_000.0,
 };
+
+/// What lies around the cells.
+#[derive(Clone, Copy)]
+struct Surroundings<'a> {
+    pub domain: &'a Domain,
+    pub fields: &'a Fields,
+    pub facing: &'a Facing,
+}
 
 /// A packed cell.
 #[derive(Clone, Copy, Debug, PartialEq)]

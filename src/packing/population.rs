@@ -6,10 +6,10 @@
 //! one instead. Rows and columns hold a whole number of cells: what is left over may lie in several
 //! gaps, none of them as wide as a cell, so rows are measured over some cells, too.
 
+use super::Surroundings;
+use super::crowd::{has_room, narrowed};
 use super::front::slots;
 use super::grid::Grid;
-use super::integrate::Surroundings;
-use super::placement::{has_room, narrowed};
 use super::shape::Shape;
 use super::{Body, Edge, PackingParams, Population};
 use crate::domain::{Domain, Facing};

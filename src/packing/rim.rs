@@ -1,6 +1,6 @@
 //! The cells along the boundary.
 
-use super::placement::{Crowd, is_clear};
+use super::crowd::{Crowd, is_clear};
 use super::shape::Shape;
 use crate::domain::Domain;
 use crate::field::Fields;

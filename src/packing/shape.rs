@@ -1,9 +1,15 @@
 //! The metric that a cell's kind, size and aspect ratio make.
 
 use super::Particle;
-use super::force::{CUT, SQUARE_REACH};
 use crate::field::{Fields, Kind};
 use glam::DVec2;
+
+/// Where the bubble force ends, in stable distances.
+pub(super) const CUT: f64 = 1.5;
+
+/// How far a square cell reaches, in stable distances of its pair: from a corner (half a diagonal)
+/// to where the corner's own force ends (eq. 2's cut at 1.5 corner distances).
+pub(super) const SQUARE_REACH: f64 = std::f64::consts::FRAC_1_SQRT_2 * (1.0 + CUT);
 
 /// A cell without its place.
 #[derive(Clone, Copy, Debug)]

@@ -1,9 +1,8 @@
 //! The soft wall: the boundary keeps the cells' edges on it.
 
-use super::Body;
-use super::force::{CUT, bubble_force};
-use super::integrate::Surroundings;
-use super::shape::Shape;
+use super::force::bubble_force;
+use super::shape::{CUT, Shape};
+use super::{Body, Surroundings};
 use crate::domain::{Facing, Foot};
 use glam::DVec2;
 

@@ -5,7 +5,7 @@
 //! it is interpolated.
 
 use super::course::Course;
-use super::shadow::{NOWHERE, seen};
+use super::penumbra::{NOWHERE, seen};
 use crate::order::{greater, within};
 
 /// Half the angle under which the lamp is seen, in radians: more than the sun's, as in haze.

@@ -11,7 +11,7 @@
 //! ```
 
 use super::course::Course;
-use super::shadow::{NOWHERE, seen};
+use super::penumbra::{NOWHERE, seen};
 use crate::order::greater;
 use std::ops::Range;
 

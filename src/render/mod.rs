@@ -15,6 +15,7 @@ pub mod overlay_sketch;
 pub mod overlay_stages;
 pub mod overlay_stress;
 pub mod overlay_tones;
+mod penumbra;
 mod shader;
 mod shadow;
 mod tone;

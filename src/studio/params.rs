@@ -1,7 +1,6 @@
 //! From the recipe's words and numbers to the small parameter structures of the stages.
 
 use super::height_field::{HeightFieldParams, LightParams, PlaneParams};
-use super::pavement::{CellParams, CoatParams};
 use super::terrain::{DomainParams, TerrainParams};
 use crate::domain::Outline;
 use crate::field::{Direction, FieldParams, Kind, Rim, Spot};
@@ -16,6 +15,26 @@ use glam::DVec2;
 
 /// Rounds of Lloyd's relaxation: after these it hardly gets better.
 const LLOYD_ROUNDS: u32 = 50;
+
+/// What cells are made of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum CellParams {
+    /// The dual of the packing's mesh.
+    Fitted,
+    /// The packed squares as they are.
+    Packed,
+    /// The Voronoi diagram of as many scattered points, evened out in so many rounds.
+    Scattered { rounds: u32, seed: u64 },
+}
+
+/// What coats are made by.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct CoatParams {
+    pub colour: ColourParams,
+    pub seed: u64,
+    /// Of the picture.
+    pub side: f64,
+}
 
 /// What a recipe asks of each stage.
 #[derive(Clone, Debug, PartialEq)]

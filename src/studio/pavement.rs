@@ -1,7 +1,7 @@
 //! The stages of a pavement: what each has made, and how they hang together.
 
 use super::height_field::{Bodies, HeightField, Passes, Revisions};
-use super::params::Params;
+use super::params::{CellParams, CoatParams, Params};
 use super::terrain::Terrain;
 use crate::cells::{self, Cell, Fitting, Graph, Scatter, ScatterParams};
 use crate::domain::Domain;
@@ -10,7 +10,7 @@ use crate::mesh::{Mesh, Meshing};
 use crate::packing::{Packing, PackingParams, Placing};
 use crate::recipe::Stage;
 use crate::solid::oriented;
-use crate::texture::{Coat, Coats, ColourParams, Planes};
+use crate::texture::{Coat, Coats, Planes};
 
 /// Cells whose neighbours are found, or whose coats are made, in one slice.
 const CELLS: usize = 500;
@@ -18,26 +18,6 @@ const CELLS: usize = 500;
 /// Said where nothing is left of a packing.
 const NO_CELLS: &str =
     "Not one cell fits into the outline. Choose a smaller cell size or a larger outline.";
-
-/// What cells are made of.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum CellParams {
-    /// The dual of the packing's mesh.
-    Fitted,
-    /// The packed squares as they are.
-    Packed,
-    /// The Voronoi diagram of as many scattered points, evened out in so many rounds.
-    Scattered { rounds: u32, seed: u64 },
-}
-
-/// What coats are made by.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct CoatParams {
-    pub colour: ColourParams,
-    pub seed: u64,
-    /// Of the picture.
-    pub side: f64,
-}
 
 /// A packing on its way.
 pub(super) enum Packs {

@@ -12,6 +12,7 @@ mod occlusion;
 mod optics;
 mod painter;
 mod palette;
+mod palettes;
 mod pitch;
 mod reaction;
 mod scan;
@@ -21,14 +22,16 @@ mod surface;
 mod weather;
 
 pub use coat::{Coat, Coats, ColourParams, Pattern};
+pub use effects::WeatherParams;
 pub use grounds::GROUNDS;
 pub use noise::Tile;
-pub use optics::{FINISHES, Gloss, Optics, optics_table};
+pub use optics::{FINISHES, Gloss, Optics};
 pub use painter::{Painter, TextureParams};
-pub use palette::{Ground, PALETTES, Palette, ground, palette};
+pub use palette::{Ground, Palette};
+pub use palettes::{PALETTES, ground, optics_table, palette};
 pub use skin::stone_colour;
 pub use surface::{Surface, Surfaces};
-pub use weather::{Painted, WeatherParams, Weathering};
+pub use weather::{Painted, Weathering};
 
 /// Id of the ground in [`Planes::id`]; a stone has its cell's index + 1.
 pub const GROUND: u32 = 0;

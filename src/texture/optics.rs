@@ -1,7 +1,5 @@
 //! How surfaces give back light, and the table of all that may be in a picture.
 
-use super::palette::{ground, palette};
-
 /// Phong's optical attributes (section 3.2 of the paper: A, D, S, N).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Optics {
@@ -87,10 +85,10 @@ pub(super) const PEARL: [Optics; FINISHES] = [
 pub(super) const EARTH: Optics = optics(1.0, 1.0, 0.0, 4.0);
 
 /// Moss takes the light up.
-const PADS: Optics = optics(0.97, 0.98, 0.0, 4.0);
+pub(super) const PADS: Optics = optics(0.97, 0.98, 0.0, 4.0);
 
 /// Still water: what it mirrors of the sky is in its colour.
-const POOL: Optics = optics(1.15, 0.55, 0.85, 150.0);
+pub(super) const POOL: Optics = optics(1.15, 0.55, 0.85, 150.0);
 
 /// What a palette's finishes are made to shine like.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -117,7 +115,7 @@ impl Gloss {
         }
     }
 
-    fn of(self, own: Optics) -> Optics {
+    pub(super) fn of(self, own: Optics) -> Optics {
         // What is lost of the diffuse light, what highlights gain, factor and gain of the exponent.
         let [matt, factor, gain, power, narrower] = match self {
             Gloss::Own => return own,
@@ -141,28 +139,3 @@ pub(super) const DIRT: u8 = MOSS + 1;
 pub(super) const ROWS: u8 = DIRT + 1;
 /// The last row.
 pub(super) const WATER: u8 = 3 * ROWS;
-
-/// The table that [`super::Planes::optics`] indexes: the ground first, then the palette's finishes,
-/// moss and dirt; the same rows damp, and wet; and at last water.
-pub fn optics_table(palette_name: &str, ground_name: &str, gloss: Gloss) -> Vec<Optics> {
-    let palette = palette(palette_name);
-    let mut table = vec![ground(ground_name, palette).optics];
-    table.extend(palette.optics.map(|own| gloss.of(own)));
-    table.extend([PADS, EARTH]);
-    for wet in [0.45, 1.0] {
-        for row in 0..usize::from(ROWS) {
-            let dry = table[row];
-            // Loose and soft things soak water up.
-            let is_face = (1..=FINISHES).contains(&row);
-            let gain = if is_face { 0.34 } else { 0.11 };
-            table.push(Optics {
-                ambient: dry.ambient,
-                diffuse: dry.diffuse * (1.0 - 0.06 * wet),
-                specular: dry.specular + gain * wet,
-                shininess: dry.shininess * (1.0 + wet) + 26.0 * wet,
-            });
-        }
-    }
-    table.push(POOL);
-    table
-}

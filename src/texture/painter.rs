@@ -8,7 +8,8 @@
 use super::Planes;
 use super::coat::{Coat, ColourParams};
 use super::ground::Bed;
-use super::palette::{Palette, ground, palette};
+use super::palette::Palette;
+use super::palettes::{ground, palette};
 use super::pitch::Pitch;
 use super::scan::{Raster, SAMPLES};
 use super::skin::{Patterns, Skin};

@@ -4,10 +4,7 @@
 //! draws for each stone. Colours are sRGB as one would pick them from a photograph taken in even
 //! light; amounts are parts of the colour's own lightness.
 
-use super::grounds::GROUNDS;
-use super::hides::HIDES;
 use super::optics::{FINISHES, Optics};
-use super::stones::STONES;
 
 /// A kind of stone or of hide.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -66,38 +63,3 @@ pub struct Ground {
     /// How the ground gives back light.
     pub optics: Optics,
 }
-
-/// All palettes, stones first; the first is the default.
-pub const PALETTES: &[Palette] = &{
-    let mut all = [STONES[0]; STONES.len() + HIDES.len()];
-    let mut k = 0;
-    while k < all.len() {
-        all[k] = if k < STONES.len() {
-            STONES[k]
-        } else {
-            HIDES[k - STONES.len()]
-        };
-        k += 1;
-    }
-    all
-};
-
-/// The palette of that name, the default where there is none.
-pub fn palette(name: &str) -> &'static Palette {
-    let found = PALETTES.iter().find(|p| p.name == name);
-    found.unwrap_or(&PALETTES[0])
-}
-
-/// The ground of that name, the default where there is none. Hide is the palette's flesh.
-pub fn ground(name: &str, palette: &Palette) -> Ground {
-    let found = GROUNDS.iter().find(|g| g.name == name);
-    let mut ground = *found.unwrap_or(&GROUNDS[0]);
-    if ground.name == HIDE {
-        let light = |factor: f32| palette.flesh.map(|v| (f32::from(v) * factor) as u8);
-        ground.colours = [light(1.07), light(0.9)];
-    }
-    ground
-}
-
-/// The word of the ground that is bare skin.
-const HIDE: &str = "hide";

@@ -3,7 +3,7 @@
 //! One pass over the finished stones; then the openness is worked out of them. Tops and hollows are
 //! told apart by the mean height around each pixel.
 
-use super::effects::{Effects, Place, Skin, soft};
+use super::effects::{Effects, Place, Skin, WeatherParams, soft};
 use super::ground::Bed;
 use super::mean::Mean;
 use super::occlusion::Occlusion;
@@ -12,25 +12,6 @@ use crate::domain::Domain;
 use crate::order::greater;
 use glam::DVec2;
 use std::rc::Rc;
-
-/// How much of each, 0..1.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct WeatherParams {
-    /// Trodden tops are lowered, rounded and polished, most of all along the middle of the way.
-    pub wear: f64,
-    /// Moss, in the joints first.
-    pub moss: f64,
-    /// Dust and mud in hollows.
-    pub dirt: f64,
-    /// Damp, then wet, then puddles.
-    pub wet: f64,
-}
-
-impl WeatherParams {
-    fn is_fair(&self) -> bool {
-        *self == Self::default()
-    }
-}
 
 /// Picture units from one distance to the boundary to the next; between them it is interpolated.
 const STEP: usize = 8;

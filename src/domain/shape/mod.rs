@@ -5,7 +5,7 @@ mod areas;
 mod curve;
 mod roads;
 
-use super::{Outline, check::bounds, signed_area};
+use super::{Outline, ring::bounds, signed_area};
 use glam::DVec2;
 
 /// What a built-in outline can be told.

@@ -1,0 +1,50 @@
+//! One cell in every leaf of a quadtree: the papers' way to fill the inside at first.
+
+use super::crowd::{Crowd, has_room};
+use super::{Edge, Surroundings};
+use crate::domain::Domain;
+use crate::field::Fields;
+use glam::DVec2;
+
+/// The least distance at which a cell of a quadtree's leaf is put beside others.
+const LEAF_GAP: f64 = 0.6;
+
+/// One cell in the middle of every leaf; a square is divided while it is larger than the size
+/// field asks for at its middle. For a constant size the leaves have just that size.
+pub(super) struct Quadtree {
+    /// Squares to come, the next one last: corner and side.
+    open: Vec<(DVec2, f64)>,
+}
+
+impl Quadtree {
+    pub fn new(domain: &Domain, fields: &Fields) -> Self {
+        let (lo, hi) = domain.bounds();
+        let mut side = fields.params().size;
+        while side < (hi - lo).max_element() {
+            side *= 2.0;
+        }
+        let corner = lo.midpoint(hi) - DVec2::splat(side / 2.0);
+        Self {
+            open: vec![(corner, side)],
+        }
+    }
+
+    /// Looks at the next square; true when there is none.
+    pub fn grow(&mut self, crowd: &mut Crowd, around: Surroundings, edge: Edge) -> bool {
+        let Surroundings { domain, fields, .. } = around;
+        let Some((corner, side)) = self.open.pop() else {
+            return true;
+        };
+        let middle = corner + DVec2::splat(side / 2.0);
+        if side > 1.414 * fields.size(middle) {
+            let half = side / 2.0;
+            for (x, y) in [(half, half), (0.0, half), (half, 0.0), (0.0, 0.0)] {
+                self.open.push((corner + DVec2::new(x, y), half));
+            }
+        } else if crowd.is_free(domain, fields, middle, LEAF_GAP) && has_room(middle, around, edge)
+        {
+            crowd.push(fields, middle);
+        }
+        false
+    }
+}

@@ -1,0 +1,312 @@
+//! What weather does to one pixel: wear, dirt, moss and wet, one after the other.
+//!
+//! Heights and thicknesses are parts of the joints' depth, noises have a deviation of about 1, and all
+//! that covers is a share, 0..1. Numbers are chosen by eye.
+
+use super::coat::smooth;
+use super::ground::Bed;
+use super::optics::{DIRT, FINISHES, MOSS, ROWS, WATER};
+use crate::order::{self, greater, lesser};
+
+/// How much of each, 0..1.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct WeatherParams {
+    /// Trodden tops are lowered, rounded and polished, most of all along the middle of the way.
+    pub wear: f64,
+    /// Moss, in the joints first.
+    pub moss: f64,
+    /// Dust and mud in hollows.
+    pub dirt: f64,
+    /// Damp, then wet, then puddles.
+    pub wet: f64,
+}
+
+impl WeatherParams {
+    /// Is there nothing of any?
+    pub(super) fn is_fair(&self) -> bool {
+        *self == Self::default()
+    }
+}
+
+/// What is known of a pixel's place.
+pub(super) struct Place {
+    /// In pixels.
+    pub at: [i32; 2],
+    pub is_stone: bool,
+    /// 1/2 on level ground, towards 1 in joints and towards 0 on tops.
+    pub hollow: f32,
+    /// The mean height close around it.
+    pub near: f32,
+    /// How much feet come here, 0..1.
+    pub trodden: f32,
+    /// The distance to the boundary in cell sizes, below 0 outside.
+    pub inside: f32,
+    /// Noise, broad and fine.
+    pub broad: f32,
+    pub grains: f32,
+}
+
+/// What a pixel looks like, and what becomes of it.
+pub(super) struct Skin {
+    pub height: f32,
+    /// 0..255.
+    pub colour: [f32; 3],
+    pub optics: u8,
+    /// Does it take water in, as stone does not?
+    pub soaks: bool,
+}
+
+/// The weather's strengths, and the joints that it works on.
+pub(super) struct Effects {
+    wear: f32,
+    moss: f32,
+    dirt: f32,
+    wet: f32,
+    /// Height of the joints' ground, and their depth, in picture units.
+    level: f32,
+    depth: f32,
+}
+
+mod wear {
+    /// How much noise there is in what is worn.
+    pub const NOISE: f32 = 0.35;
+    /// How deep what is rough is rubbed off.
+    pub const RUB: f32 = 0.06;
+    /// Feet reach what stands above the ground by a third and more: the slope and the start of that.
+    pub const REACHED: [f32; 2] = [3.0, 1.0];
+    /// What it takes off at most.
+    pub const LOSS: f32 = 0.44;
+    /// How far below and above that the edge it leaves is rounded.
+    pub const EDGE: f32 = 0.22;
+    /// Tops are cut off wholly from a quarter of the wear on.
+    pub const SOON: f32 = 4.0;
+    /// From here on a place is polished, and from there on once more.
+    pub const POLISHED: [f32; 2] = [0.3, 0.6];
+    /// How much lighter it gets: dust and weathered crust are off.
+    pub const LIGHTER: f32 = 0.05;
+}
+
+mod dirt {
+    /// How much noise there is in where it lies, broad and fine.
+    pub const NOISE: [f32; 2] = [0.10, 0.04];
+    /// It lies where hollows, noise and its strength are more than this.
+    pub const FROM: f32 = 0.96;
+    /// How soon it covers.
+    pub const SLOPE: f32 = 1.9;
+    /// How much of the colour it covers: at least, and more with its strength.
+    pub const COVER: [f32; 2] = [0.35, 0.6];
+    /// Noise in its colour, fine and broad.
+    pub const TONE: [f32; 2] = [0.06, 0.05];
+    /// Its thickness.
+    pub const SILT: f32 = 0.06;
+    /// It gathers in hollows: the slope and the start of that.
+    pub const GATHERS: [f32; 2] = [2.0, 0.6];
+    /// From this cover on the surface is dirt.
+    pub const SOLID: f32 = 0.45;
+}
+
+mod moss {
+    /// What it likes: hollows, and noise, broad and fine; and how much it minds feet.
+    pub const HOLLOW: f32 = 0.72;
+    pub const NOISE: [f32; 2] = [0.15, 0.06];
+    pub const TRODDEN: f32 = 0.14;
+    /// It grows where that is more than this, less so much of its strength.
+    pub const FROM: f32 = 0.86;
+    pub const STRENGTH: f32 = 0.98;
+    /// How soon it covers.
+    pub const SLOPE: f32 = 7.0;
+    /// Its colours, in the shade and in the light.
+    pub const GREENS: [[f32; 3]; 2] = [[54.0, 66.0, 30.0], [102.0, 108.0, 53.0]];
+    /// It is lighter on tops, and by noise, fine and broad.
+    pub const LIGHT: f32 = 0.55;
+    pub const TONE: [f32; 2] = [0.2, 0.25];
+    /// Fine noise in its colour.
+    pub const GRAIN: f32 = 0.16;
+    /// Its thickness, the part of it that is everywhere, and what fine noise adds.
+    pub const PAD: f32 = 0.13;
+    pub const THICKNESS: [f32; 2] = [0.75, 0.22];
+    /// From this cover on the surface is moss.
+    pub const SOLID: f32 = 0.5;
+}
+
+mod wet {
+    /// Damp comes with the strength, from this on, in hollows and by noise.
+    pub const STRENGTH: f32 = 1.5;
+    pub const FROM: f32 = 0.2;
+    pub const HOLLOW: f32 = 0.5;
+    pub const NOISE: f32 = 0.2;
+    /// Little strength makes nothing soaked.
+    pub const SOON: f32 = 4.0;
+    /// How much darker is what soaks, and what does not.
+    pub const DARKER: [f32; 2] = [0.46, 0.36];
+    /// Colours are so much stronger.
+    pub const VIVID: f32 = 0.3;
+    /// From here on a place is damp, and from there on wet.
+    pub const FINISHES: [f32; 2] = [0.33, 0.7];
+    /// The water's surface: it rises with the strength from below the ground, and runs off around the
+    /// pavement.
+    pub const RISE: f32 = 0.85;
+    pub const BELOW: f32 = 0.5;
+    pub const RUNS_OFF: f32 = 0.6;
+    /// Beyond the boundary it runs off: the start, and the slope by the distance in cell sizes.
+    pub const AWAY: [f32; 2] = [0.5, 2.0];
+    /// Light lost in the depth: at most, and the depth of half of that, in picture units.
+    pub const MURK: f32 = 0.35;
+    pub const HALF: f32 = 2.0;
+    /// What still water shows of the sky, and how much.
+    pub const SKY: [f32; 3] = [126.0, 138.0, 148.0];
+    pub const MIRROR: f32 = 0.42;
+    /// From this depth on, in picture units, the surface is water.
+    pub const SOLID: f32 = 0.5;
+}
+
+impl Effects {
+    /// Effects on joints of a ground at `level` and of `depth`, in picture units.
+    pub fn new(params: WeatherParams, [level, depth]: [f32; 2]) -> Self {
+        Self {
+            wear: params.wear as f32,
+            moss: params.moss as f32,
+            dirt: params.dirt as f32,
+            wet: params.wet as f32,
+            level,
+            depth,
+        }
+    }
+
+    /// All of them.
+    pub fn apply(&self, place: &Place, bed: &Bed, skin: &mut Skin) {
+        if self.wear > 0.0 && place.is_stone {
+            self.wear(place, skin);
+        }
+        if self.dirt > 0.0 {
+            self.dirt(place, bed, skin);
+        }
+        if self.moss > 0.0 {
+            self.moss(place, bed, skin);
+        }
+        if self.wet > 0.0 {
+            self.soak(place, skin);
+            self.flood(place, skin);
+        }
+    }
+
+    /// Trodden tops are lowered, rounded and polished.
+    fn wear(&self, place: &Place, skin: &mut Skin) {
+        let worn = lesser(
+            self.wear * place.trodden * (1.0 + wear::NOISE * place.broad),
+            1.0,
+        );
+        let stand = self.stand(skin);
+        let rub = wear::RUB * self.depth;
+        let flat = order::within(place.near, skin.height - rub, skin.height + rub);
+        let [slope, start] = wear::REACHED;
+        skin.height += (flat - skin.height) * worn * soft(slope * stand - start);
+        // Tops are cut off, with a soft edge.
+        let stand = self.stand(skin);
+        let ceiling = 1.0 + wear::EDGE - (wear::LOSS + wear::EDGE) * worn;
+        let over = greater(wear::EDGE - (stand - ceiling).abs(), 0.0);
+        let cut = lesser(stand, ceiling) - over * over / (4.0 * wear::EDGE);
+        skin.height += (cut - stand) * self.depth * lesser(wear::SOON * worn, 1.0);
+        let [once, twice] = wear::POLISHED;
+        if worn > once {
+            skin.optics = (skin.optics + 1 + u8::from(worn > twice)).min(FINISHES as u8);
+        }
+        skin.colour = skin.colour.map(|v| v * (1.0 + wear::LIGHTER * worn));
+    }
+
+    /// The height above the joints' ground.
+    fn stand(&self, skin: &Skin) -> f32 {
+        (skin.height - self.level) / self.depth
+    }
+
+    /// Dust and mud in hollows.
+    fn dirt(&self, place: &Place, bed: &Bed, skin: &mut Skin) {
+        let Place { broad, grains, .. } = *place;
+        let noise = dirt::NOISE;
+        let lies = place.hollow + noise[0] * broad + noise[1] * grains - dirt::FROM + self.dirt;
+        let [least, more] = dirt::COVER;
+        let cover = (least + more * self.dirt) * soft(dirt::SLOPE * lies);
+        let tone = 1.0 + dirt::TONE[0] * grains + dirt::TONE[1] * broad;
+        mix(&mut skin.colour, bed.dirt().map(|v| v * tone), cover);
+        let [slope, start] = dirt::GATHERS;
+        skin.height += dirt::SILT * self.depth * cover * soft(slope * place.hollow - start);
+        if cover > dirt::SOLID {
+            skin.optics = DIRT;
+            skin.soaks = true;
+        }
+    }
+
+    /// Moss, in the joints first.
+    fn moss(&self, place: &Place, bed: &Bed, skin: &mut Skin) {
+        let Place {
+            hollow,
+            broad,
+            grains,
+            ..
+        } = *place;
+        let noise = moss::NOISE;
+        let shade = moss::HOLLOW * hollow + noise[0] * broad + noise[1] * grains
+            - moss::TRODDEN * place.trodden;
+        let cover = soft((shade - moss::FROM + moss::STRENGTH * self.moss) * moss::SLOPE);
+        let [x, y] = place.at;
+        let [fine, patches] = moss::TONE;
+        let light = 0.5 - moss::LIGHT * (hollow - 0.5) + fine * grains + patches * bed.broad(y, x);
+        let [mut green, lit] = moss::GREENS;
+        mix(&mut green, lit, light.clamp(0.0, 1.0));
+        let tone = 1.0 + moss::GRAIN * grains;
+        mix(&mut skin.colour, green.map(|v| v * tone), cover);
+        let [pad, tufts] = moss::THICKNESS;
+        skin.height += self.depth * moss::PAD * cover * (pad + tufts * grains);
+        if cover > moss::SOLID {
+            skin.optics = MOSS;
+            skin.soaks = true;
+        }
+    }
+
+    /// Damp, then wet.
+    fn soak(&self, place: &Place, skin: &mut Skin) {
+        let lies = wet::STRENGTH * self.wet - wet::FROM
+            + wet::HOLLOW * (place.hollow - 0.5)
+            + wet::NOISE * place.broad;
+        let soaked = soft(lies) * soft(wet::SOON * self.wet);
+        let [r, g, b] = skin.colour;
+        let grey = (r + g + b) / 3.0;
+        let [deep, slight] = wet::DARKER;
+        let dark = 1.0 - soaked * if skin.soaks { deep } else { slight };
+        let vivid = 1.0 + wet::VIVID * soaked;
+        skin.colour = skin.colour.map(|v| (grey + (v - grey) * vivid) * dark);
+        let [damp, soaking] = wet::FINISHES;
+        skin.optics += ROWS * (u8::from(soaked > damp) + u8::from(soaked > soaking));
+    }
+
+    /// Puddles.
+    fn flood(&self, place: &Place, skin: &mut Skin) {
+        let [start, slope] = wet::AWAY;
+        let away = soft(start - slope * place.inside);
+        let stand = wet::RISE * self.wet - wet::BELOW - wet::RUNS_OFF * away;
+        let surface = self.level + self.depth * stand;
+        let deep = surface - skin.height;
+        if deep <= 0.0 {
+            return;
+        }
+        let clear = lesser(deep, 1.0);
+        let murk = wet::MURK * deep / (deep + wet::HALF);
+        skin.colour = skin.colour.map(|v| v * (1.0 - murk));
+        mix(&mut skin.colour, wet::SKY, wet::MIRROR * clear);
+        skin.height = surface;
+        if clear > wet::SOLID {
+            skin.optics = WATER;
+        }
+    }
+}
+
+/// From 0 at 0 to 1 at 1 without a kink.
+pub(super) fn soft(t: f32) -> f32 {
+    smooth(f64::from(t)) as f32
+}
+
+fn mix(colour: &mut [f32; 3], other: [f32; 3], share: f32) {
+    for (own, other) in colour.iter_mut().zip(other) {
+        *own += (other - *own) * share;
+    }
+}
