@@ -43,6 +43,27 @@ const whole = {
   },
 };
 
+/** The Japanese of the module's notices: one table has all languages, and the module brings its English itself. */
+const notices = {
+  name: 'notices',
+  /** @param {string} id */
+  resolveId: (id) => (id === 'virtual:notices-ja' ? `\0${id}` : undefined),
+  /** @param {string} id */
+  load: (id) => (id === '\0virtual:notices-ja' ? `export default ${JSON.stringify(japanese())}` : undefined),
+};
+
+/** By code. */
+function japanese() {
+  /** @type {Record<string, string>} */
+  const words = {};
+  let code = '';
+  for (const line of readFileSync(here('src/notice/words.txt'), 'utf8').split('\n')) {
+    if (/^\w/.test(line)) code = line;
+    else if (line.startsWith('  ja ')) words[code] = line.slice(5);
+  }
+  return words;
+}
+
 // Files of the site that are made have to be there before Vite looks for files.
 await buildThumbs();
 await buildIcons();
@@ -58,7 +79,7 @@ export default defineConfig({
   root: here('www'),
   // Relative, so that the site works from any folder of any host.
   base: './',
-  plugins: [words, whole, packed, offline],
+  plugins: [words, notices, whole, packed, offline],
   json: { namedExports: true },
   build: {
     outDir: here('dist'),

@@ -5,6 +5,8 @@
 //! wires nodes together lends the inputs to every slice of work, so that work in progress holds no
 //! borrows.
 
+use crate::notice::Notice;
+
 /// Where a node stands, for inputs of a certain revision.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum State {
@@ -24,7 +26,7 @@ pub struct Node<P, W, T> {
     /// The work, and the revision of the inputs that it or its failure is of.
     work: Option<W>,
     work_inputs: u64,
-    failure: Option<String>,
+    failure: Option<Notice>,
     made: Option<Made<P, T>>,
     revision: u64,
     passes: u64,
@@ -104,7 +106,7 @@ impl<P: Clone + PartialEq, W, T> Node<P, W, T> {
     pub fn advance(
         &mut self,
         inputs: u64,
-        slice: impl FnOnce(&P, &mut Option<W>) -> Result<Option<T>, String>,
+        slice: impl FnOnce(&P, &mut Option<W>) -> Result<Option<T>, Notice>,
     ) {
         self.slices += 1;
         if self.work_inputs != inputs {
@@ -124,9 +126,9 @@ impl<P: Clone + PartialEq, W, T> Node<P, W, T> {
                     is_wanted: true,
                 });
             }
-            Err(sentence) => {
+            Err(why) => {
                 self.work = None;
-                self.failure = Some(sentence);
+                self.failure = Some(why);
             }
         }
     }
@@ -157,9 +159,9 @@ impl<P: Clone + PartialEq, W, T> Node<P, W, T> {
         self.work.as_mut()
     }
 
-    /// Why the value cannot be made, in a sentence.
-    pub fn failure(&self) -> Option<&str> {
-        self.failure.as_deref()
+    /// Why the value cannot be made.
+    pub fn failure(&self) -> Option<&Notice> {
+        self.failure.as_ref()
     }
 
     /// How many values were made.
@@ -181,6 +183,7 @@ impl<P: Clone + PartialEq, W, T> Node<P, W, T> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::notice::Code;
 
     /// Counts up to its parameter, plus what is lent.
     type Counter = Node<u32, u32, u32>;
@@ -190,7 +193,7 @@ mod tests {
             let count = work.get_or_insert(0);
             *count += 1;
             match wanted {
-                0 => Err("Nothing is to be counted.".to_owned()),
+                0 => Err(Code::NoCells.into()),
                 _ => Ok((*count == wanted).then_some(wanted + lent)),
             }
         });
@@ -237,7 +240,7 @@ mod tests {
         node.want(0);
         advance(&mut node, 1, 4);
         assert_eq!((node.state(1), node.made()), (State::Failed, Some(&5)));
-        assert_eq!(node.failure(), Some("Nothing is to be counted."));
+        assert_eq!(node.failure(), Some(&Code::NoCells.into()));
         assert_eq!(node.state(2), State::Stale);
         node.want(1);
         assert_eq!((node.state(1), node.failure()), (State::Fresh, None));

@@ -38,6 +38,7 @@ pub mod field;
 mod graph;
 pub mod mesh;
 pub mod metrics;
+pub mod notice;
 mod order;
 pub mod packing;
 mod planar;

@@ -1,21 +1,24 @@
 //! The face towards the browser and Node: only what stands here knows JavaScript.
 //!
-//! Everything is said in numbers, strings and plain objects. Nothing here throws for bad input:
-//! sentences come back instead.
+//! Everything is said in numbers, strings and plain objects, whose types are declared where they are
+//! made. Nothing here throws for bad input: notices come back instead.
 
 #[cfg(feature = "bench")]
 mod bench;
 mod catalogue;
+mod objects;
+mod said;
 
 pub use catalogue::{presets, schema};
 
 use crate::domain::Outline;
 use crate::export::{Map, MapKind, MeshFormat};
-use crate::packing::Sample;
+use crate::notice::{Code, Notice};
 use crate::recipe::{Key, Recipe};
-use crate::studio::{Histogram, Probe, Studio, View};
+use crate::studio::{Studio, View};
 use glam::DVec2;
-use js_sys::{Array, Date, Float64Array, Object, Reflect, Uint8Array, Uint32Array};
+use js_sys::{Array, Date, Object, Reflect};
+use said::{all, answer, notice, or_why};
 use wasm_bindgen::prelude::*;
 use wasm_bindgen::{Clamped, JsCast};
 use web_sys::{CanvasRenderingContext2d, ImageData, Performance};
@@ -39,7 +42,7 @@ impl Clock {
 #[wasm_bindgen]
 pub struct Bubblestone {
     studio: Studio,
-    notices: Vec<String>,
+    notices: Vec<Notice>,
     clock: Clock,
 }
 
@@ -61,16 +64,18 @@ impl Bubblestone {
     }
 
     /// Opens another link; answers with what was clamped, dropped or refused.
-    pub fn open(&mut self, link: &str) -> Vec<String> {
+    #[wasm_bindgen(unchecked_return_type = "Notice[]")]
+    pub fn open(&mut self, link: &str) -> Array {
         let (recipe, notices) = Recipe::from_link(link);
         self.studio.set_recipe(recipe);
         self.notices = notices;
-        self.notices.clone()
+        self.notices()
     }
 
     /// What the last link opened said.
-    pub fn notices(&self) -> Vec<String> {
-        self.notices.clone()
+    #[wasm_bindgen(unchecked_return_type = "Notice[]")]
+    pub fn notices(&self) -> Array {
+        all(&self.notices)
     }
 
     /// The recipe's link, without '#'.
@@ -78,17 +83,20 @@ impl Bubblestone {
         self.studio.recipe().link()
     }
 
-    /// Sets a parameter from text: '' or a sentence that says what was clamped or refused.
-    pub fn set(&mut self, key: &str, text: &str) -> String {
+    /// Sets a parameter from text.
+    #[wasm_bindgen(unchecked_return_type = "Answer")]
+    pub fn set(&mut self, key: &str, text: &str) -> Object {
         let mut recipe = self.studio.recipe().clone();
         let said = recipe.set(key, text);
+        self.take(recipe, said)
+    }
+
+    /// Works by a recipe from now on, where it was not refused.
+    fn take(&mut self, recipe: Recipe, said: Result<Vec<Notice>, Notice>) -> Object {
         if said.is_ok() {
             self.studio.set_recipe(recipe);
         }
-        match said {
-            Ok(notice) => notice.unwrap_or_default(),
-            Err(sentence) => sentence,
-        }
+        answer(&said)
     }
 
     /// A parameter's value as text.
@@ -126,32 +134,24 @@ impl Bubblestone {
         self.studio.stage().to_string()
     }
 
-    /// Why there is 'error'; '' while all is well.
-    pub fn problem(&self) -> String {
-        self.studio.problem().unwrap_or_default().to_string()
+    /// Why there is 'error'; undefined while all is well.
+    #[wasm_bindgen(unchecked_return_type = "Notice | undefined")]
+    pub fn problem(&self) -> JsValue {
+        let problem = self.studio.problem();
+        problem.map_or(JsValue::UNDEFINED, |why| notice(why).into())
     }
 
-    /// `{ cells, steps, largestMove, energy, added, removed, converged, stones, ms }`
+    /// How far the work is.
+    #[wasm_bindgen(unchecked_return_type = "Status")]
     pub fn status(&mut self) -> Object {
         let energy = self.studio.energy();
-        let last = self.studio.progress();
-        object(&[
-            ("cells", last.cells.into()),
-            ("steps", last.step.into()),
-            ("largestMove", last.largest_move.into()),
-            ("energy", energy.into()),
-            ("added", last.added.into()),
-            ("removed", last.removed.into()),
-            ("converged", last.converged.into()),
-            ("stones", self.studio.stones().into()),
-            ("ms", self.milliseconds().into()),
-        ])
-    }
-
-    fn milliseconds(&self) -> Object {
-        let times = self.studio.milliseconds();
-        let entries: Vec<(&str, JsValue)> = times.iter().map(|t| (t.stage, t.ms.into())).collect();
-        object(&entries)
+        let studio = &self.studio;
+        objects::status(
+            &studio.progress(),
+            energy,
+            studio.stones(),
+            &studio.milliseconds(),
+        )
     }
 
     /// Draws a view at the context's upper left corner: words joined by '+', at most one of what lies
@@ -189,38 +189,24 @@ impl Bubblestone {
         self.studio.height_range()
     }
 
-    /// The cell at a place in picture units: undefined where there is none, or `{ cell, x, y, kind,
-    /// size, wanted, aspect, angle, off, outline, area, sides, neighbours }`, lengths in picture units,
-    /// angles in degrees with y down. `angle` and `off` are null of circles; `area`, `sides` and
-    /// `neighbours` are null while the cells are packed.
+    /// The cell at a place in picture units.
+    #[wasm_bindgen(unchecked_return_type = "Probe | undefined")]
     pub fn probe(&mut self, x: f64, y: f64) -> JsValue {
         let probe = self.studio.probe(x, y);
-        probe.map_or(JsValue::UNDEFINED, |probe| probe_object(&probe).into())
+        probe.map_or(JsValue::UNDEFINED, |probe| objects::probe(&probe).into())
     }
 
-    /// `{ step, energy, move }`: how the packing went so far, three lists of the same length.
+    /// How the packing went so far.
+    #[wasm_bindgen(unchecked_return_type = "Series")]
     pub fn series(&self) -> Object {
-        let rows = self.studio.samples();
-        let column = |value: fn(&Sample) -> f64| {
-            let column: Vec<f64> = rows.iter().map(value).collect();
-            Float64Array::from(&column[..]).into()
-        };
-        object(&[
-            ("step", column(|row| row.step.into())),
-            ("energy", column(|row| row.energy)),
-            ("move", column(|row| row.largest_move)),
-        ])
+        objects::series(self.studio.samples())
     }
 
-    /// `{ size, angle }`, each `{ from, to, counts }`: how many cells have a size so many times the
-    /// wanted one, and how many stand so many degrees off the direction field.
+    /// How many cells have a size so many times the wanted one, and how many stand so many degrees off
+    /// the direction field.
+    #[wasm_bindgen(unchecked_return_type = "Histograms")]
     pub fn histograms(&mut self) -> Object {
-        let [size, angle] = self.studio.histograms();
-        let histogram = |Histogram { from, to, counts }: Histogram| -> JsValue {
-            let counts = Uint32Array::from(&counts[..]).into();
-            object(&[("from", from.into()), ("to", to.into()), ("counts", counts)]).into()
-        };
-        object(&[("size", histogram(size)), ("angle", histogram(angle))])
+        objects::histograms(&self.studio.histograms())
     }
 
     /// The cells as a standalone SVG file; '' before there are any.
@@ -228,62 +214,41 @@ impl Bubblestone {
         self.studio.svg()
     }
 
-    /// `{ side, channels, bits, bytes }`: a map of the finished picture ('height', 'normal-opengl',
-    /// 'normal-directx', 'albedo', 'roughness', 'ao', 'id'), values of 16 bits with the high byte
-    /// first; or the sentence that says why there is none.
-    pub fn map(&self, word: &str) -> JsValue {
-        map_object(word, |kind| self.studio.map(kind))
+    /// A map of the finished picture ('height', 'normal-opengl', 'normal-directx', 'albedo',
+    /// 'roughness', 'ao', 'id'), or why there is none.
+    #[wasm_bindgen(unchecked_return_type = "PixelMap | Notice")]
+    pub fn map(&self, word: &str) -> Object {
+        map_of(word, |kind| self.studio.map(kind))
     }
 
-    /// Works for about `budget` milliseconds on the file of all cells' surfaces ('glb' or 'obj'):
-    /// `{ begun, parts, done }`, the next parts of the file as bytes, whether it begins with them, and
-    /// whether it ends; or the sentence that says why there is none.
-    #[wasm_bindgen(js_name = meshFile)]
-    pub fn mesh_file(&mut self, ending: &str, budget: f64) -> JsValue {
-        let Some(&(format, _)) = MeshFormat::ALL.iter().find(|(_, word)| *word == ending) else {
-            return NO_SUCH_FILE.into();
-        };
+    /// Works for about `budget` milliseconds on the file of all cells' surfaces ('glb' or 'obj').
+    #[wasm_bindgen(js_name = meshFile, unchecked_return_type = "MeshSlice | Notice")]
+    pub fn mesh_file(&mut self, ending: &str, budget: f64) -> Object {
+        let format = MeshFormat::ALL.iter().find(|(_, word)| *word == ending);
+        let format = format.ok_or(Code::NoSuchFile.into());
         let clock = &self.clock;
-        match self.studio.mesh_file(format, &mut || clock.now(), budget) {
-            Ok(slice) => {
-                let parts = slice.parts.iter().map(|part| Uint8Array::from(&part[..]));
-                object(&[
-                    ("begun", slice.begun.into()),
-                    ("parts", parts.collect::<Array>().into()),
-                    ("done", slice.done.into()),
-                ])
-                .into()
-            }
-            Err(sentence) => sentence.into(),
-        }
+        let made = format.and_then(|&(format, _)| {
+            let slice = self.studio.mesh_file(format, &mut || clock.now(), budget);
+            slice.map(|slice| objects::mesh_slice(&slice))
+        });
+        or_why(made)
     }
 
-    /// Works for about `budget` milliseconds on the finished picture at `scale` (1 to 4) times its side:
-    /// `{ begun, done, progress, side, rows }`, where `rows` are red, green, blue of the next whole rows,
-    /// mostly none yet; or the sentence that says why there is none. `stopFile` frees what it holds.
-    #[wasm_bindgen(js_name = pictureFile)]
-    pub fn picture_file(&mut self, scale: u32, budget: f64) -> JsValue {
+    /// Works for about `budget` milliseconds on the finished picture at `scale` (1 to 4) times its side.
+    /// `stopFile` frees what it holds.
+    #[wasm_bindgen(js_name = pictureFile, unchecked_return_type = "PictureSlice | Notice")]
+    pub fn picture_file(&mut self, scale: u32, budget: f64) -> Object {
         let clock = &self.clock;
         let made = self
             .studio
             .picture_file(scale as usize, &mut || clock.now(), budget);
-        match made {
-            Ok(slice) => object(&[
-                ("begun", slice.begun.into()),
-                ("done", slice.done.into()),
-                ("progress", slice.progress.into()),
-                ("side", (slice.side as u32).into()),
-                ("rows", Uint8Array::from(&slice.rows[..]).into()),
-            ])
-            .into(),
-            Err(sentence) => sentence.into(),
-        }
+        or_why(made.map(|slice| objects::picture_slice(&slice)))
     }
 
     /// As `map`, of the picture that `pictureFile` finished last.
-    #[wasm_bindgen(js_name = biggerMap)]
-    pub fn bigger_map(&self, word: &str) -> JsValue {
-        map_object(word, |kind| self.studio.bigger_map(kind))
+    #[wasm_bindgen(js_name = biggerMap, unchecked_return_type = "PixelMap | Notice")]
+    pub fn bigger_map(&self, word: &str) -> Object {
+        map_of(word, |kind| self.studio.bigger_map(kind))
     }
 
     /// Stops `meshFile` or `pictureFile` and frees what they hold.
@@ -311,38 +276,30 @@ impl Bubblestone {
         self.studio.digest()
     }
 
-    /// Makes a free polygon of rings (x, y, x, y, ...; in any order) the outline:
-    /// '' or the sentence that says what is wrong with it; then the last good outline stays.
-    #[wasm_bindgen(js_name = setOutline)]
-    pub fn set_outline(&mut self, points: &[f64], ring_lengths: &[u32]) -> String {
-        let outline = match rings_of(points, ring_lengths) {
-            Ok(outline) => outline,
-            Err(sentence) => return sentence,
-        };
+    /// Makes a free polygon of rings (x, y, x, y, ...; in any order) the outline; refused, the last good
+    /// outline stays.
+    #[wasm_bindgen(js_name = setOutline, unchecked_return_type = "Answer")]
+    pub fn set_outline(&mut self, points: &[f64], ring_lengths: &[u32]) -> Object {
         let mut recipe = self.studio.recipe().clone();
-        let said = recipe.set_polygon(&outline);
-        if said.is_ok() {
-            self.studio.set_recipe(recipe);
-        }
-        match said {
-            Ok(notices) => notices.join(" "),
-            Err(sentence) => sentence,
-        }
+        let outline = rings_of(points, ring_lengths);
+        let said = outline.and_then(|outline| recipe.set_polygon(&outline));
+        self.take(recipe, said)
     }
 
-    /// `{ points, rings }`: the outline in use, x, y, x, y, ... and the rings' lengths in points.
+    /// The outline in use.
+    #[wasm_bindgen(unchecked_return_type = "Rings")]
     pub fn outline(&self) -> Object {
         let numbers = |ring: &&[DVec2]| ring.iter().flat_map(|p| [p.x, p.y]).collect();
         let rings: Vec<Vec<f64>> = self.studio.rings().iter().map(numbers).collect();
-        rows_object(&rings, 2, ["points", "rings"])
+        objects::rows(&rings, 2, ["points", "rings"])
     }
 
-    /// `{ numbers, rows }`: a list parameter's numbers row after row, lengths in sides of the
-    /// picture, and how many numbers each row has. `set` takes them back as text, with commas
-    /// between numbers and semicolons between rows.
+    /// A list parameter. `set` takes it back as text, with commas between numbers and semicolons
+    /// between rows.
+    #[wasm_bindgen(unchecked_return_type = "Rows")]
     pub fn list(&self, key: &str) -> Object {
         let rows = Key::from_word(key).map_or(Vec::new(), |key| self.studio.recipe().list(key));
-        rows_object(&rows, 1, ["numbers", "rows"])
+        objects::rows(&rows, 1, ["numbers", "rows"])
     }
 
     /// Which of the parts that lines cut the outline into holds this point; -1 outside.
@@ -358,53 +315,17 @@ impl Bubblestone {
     }
 }
 
-fn probe_object(probe: &Probe) -> Object {
-    let number = |x: Option<f64>| x.map_or(JsValue::NULL, JsValue::from);
-    let outline: Vec<f64> = probe.outline.iter().flat_map(|p| [p.x, p.y]).collect();
-    let polygon = probe.polygon;
-    object(&[
-        ("cell", probe.cell.into()),
-        ("x", probe.centre.x.into()),
-        ("y", probe.centre.y.into()),
-        ("kind", probe.kind.word().into()),
-        ("size", probe.size.into()),
-        ("wanted", probe.wanted.into()),
-        ("aspect", probe.aspect.into()),
-        ("angle", number(probe.angle)),
-        ("off", number(probe.off)),
-        ("outline", Float64Array::from(&outline[..]).into()),
-        ("area", number(polygon.map(|p| p.area))),
-        ("sides", number(polygon.map(|p| p.sides as f64))),
-        ("neighbours", number(polygon.map(|p| p.neighbours as f64))),
-    ])
-}
-
-/// Said of words that name no file.
-const NO_SUCH_FILE: &str = "There is no file of that name.";
-
-fn map_object(word: &str, made: impl Fn(MapKind) -> Result<Map, String>) -> JsValue {
-    let kind = MapKind::of_word(word).ok_or(NO_SUCH_FILE.to_owned());
-    match kind.and_then(made) {
-        Ok(map) => object(&[
-            ("side", (map.side as u32).into()),
-            ("channels", map.channels.into()),
-            ("bits", map.bits.into()),
-            ("bytes", Uint8Array::from(&map.bytes[..]).into()),
-        ])
-        .into(),
-        Err(sentence) => sentence.into(),
-    }
+fn map_of(word: &str, made: impl Fn(MapKind) -> Result<Map, Notice>) -> Object {
+    let kind = MapKind::of_word(word).ok_or(Code::NoSuchFile.into());
+    or_why(kind.and_then(made).map(|map| objects::map(&map)))
 }
 
 /// Cuts a list of coordinates into rings.
-fn rings_of(points: &[f64], lengths: &[u32]) -> Result<Outline, String> {
+fn rings_of(points: &[f64], lengths: &[u32]) -> Result<Outline, Notice> {
     let total: u64 = lengths.iter().map(|&n| u64::from(n)).sum();
     if lengths.is_empty() || 2 * total != points.len() as u64 {
-        return Err(format!(
-            "The outline has {} numbers, but its rings ask for {}; the last outline is kept.",
-            points.len(),
-            2 * total
-        ));
+        let notice = Notice::new(Code::OutlineNumbers).with("n", points.len());
+        return Err(notice.with("asked", (2 * total).to_string()));
     }
     let mut points = points.chunks_exact(2).map(DVec2::from_slice);
     let ring = |&length: &u32| points.by_ref().take(length as usize).collect();
@@ -412,15 +333,6 @@ fn rings_of(points: &[f64], lengths: &[u32]) -> Result<Outline, String> {
         rings: lengths.iter().map(ring).collect(),
         ..Outline::default()
     })
-}
-
-/// Rows of numbers one after the other, and their lengths in units of `size` numbers.
-fn rows_object(rows: &[Vec<f64>], size: usize, [numbers, lengths]: [&str; 2]) -> Object {
-    let counts: Vec<u32> = rows.iter().map(|row| (row.len() / size) as u32).collect();
-    object(&[
-        (numbers, Float64Array::from(&rows.concat()[..]).into()),
-        (lengths, Uint32Array::from(&counts[..]).into()),
-    ])
 }
 
 fn object(entries: &[(&str, JsValue)]) -> Object {
@@ -447,7 +359,7 @@ pub fn digest_of_link(link: &str) -> String {
     let mut studio = Studio::new(recipe);
     match studio.finish(&mut || 0.0) {
         Ok(()) => studio.digest(),
-        Err(sentence) => sentence,
+        Err(why) => why.to_string(),
     }
 }
 
@@ -463,8 +375,8 @@ pub fn report_of_link(link: &str) -> Object {
     report.notices = notices;
     let parsed = js_sys::JSON::parse(&report.json()).map(JsCast::unchecked_into);
     let object: Object = parsed.unwrap_or_default();
-    if let Some(sentence) = problem {
-        let _ = Reflect::set(&object, &"problem".into(), &sentence.into());
+    if let Some(why) = problem {
+        let _ = Reflect::set(&object, &"problem".into(), &why.to_string().into());
     }
     object
 }

@@ -6,6 +6,7 @@ mod finished;
 mod quarry;
 
 use bubblestone::export::{MapKind, MeshFormat, maps};
+use bubblestone::notice::Code;
 use bubblestone::recipe::Recipe;
 use bubblestone::solid::{Quarry, SkinParams, StoneKind, StoneParams};
 use bubblestone::studio::Studio;
@@ -234,8 +235,8 @@ fn slices_do_not_matter_and_changes_begin_anew() {
         let before = studio.recipe().clone();
         let (recipe, _) = Recipe::from_link(&format!("{LINK}&palette=basalt"));
         studio.set_recipe(recipe);
-        let sentence = slice(&mut studio).unwrap_err();
-        assert!(sentence.ends_with('.') && studio.map(MapKind::Id) == Err(sentence));
+        let why = slice(&mut studio).unwrap_err();
+        assert!(why.code == Code::NotYet && studio.map(MapKind::Id) == Err(why));
         studio.finish(&mut || 0.0).unwrap();
         assert!(slice(&mut studio).is_ok_and(|next| next.begun));
         let other = file(&mut studio, format);

@@ -318,6 +318,7 @@ fn ends_well(recipe: Recipe) -> bool {
     match studio.problem() {
         Some(sentence) => {
             println!("  {sentence}");
+            let sentence = sentence.to_string();
             assert!(sentence.ends_with('.') && sentence.len() > 20, "{sentence}");
             return false;
         }

@@ -24,7 +24,7 @@ fn outline(lines: Vec<Vec<DVec2>>) -> Outline {
 
 fn domain(lines: Vec<Vec<DVec2>>) -> Domain {
     let (checked, notices) = outline(lines).check(SIDE).unwrap();
-    assert_eq!(notices, Vec::<String>::new());
+    assert_eq!(notices, vec![]);
     Domain::from_checked(&checked)
 }
 

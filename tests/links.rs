@@ -3,6 +3,7 @@
 mod common;
 
 use bubblestone::domain::Outline;
+use bubblestone::notice::text;
 use bubblestone::random::{Purpose, Random};
 use bubblestone::recipe::{Key, Kind, Recipe, SCHEMA};
 use common::{star, valid};
@@ -12,7 +13,7 @@ use proptest::prelude::*;
 fn open(link: &str) -> (Recipe, String) {
     let (recipe, notices) = Recipe::from_link(link);
     valid(&recipe);
-    (recipe, notices.join(" "))
+    (recipe, text(&notices))
 }
 
 #[test]
@@ -294,17 +295,20 @@ fn bad_links_are_mended_and_told() {
 #[test]
 fn junk_of_any_length_is_told_shortly() {
     let (_, notices) = Recipe::from_link(&format!("cs={}", "9x".repeat(100_000)));
-    assert!(notices.len() == 1 && notices[0].len() < 200, "{notices:?}");
+    assert!(
+        notices.len() == 1 && text(&notices).len() < 200,
+        "{notices:?}"
+    );
     let (recipe, notices) = Recipe::from_link(&"a=1&".repeat(100_000));
     assert_eq!(recipe, Recipe::default());
     assert!(notices.len() < 20, "{}", notices.len());
     let (_, notices) = Recipe::from_link(&format!("poly={}", "CC".repeat(100_000)));
     assert!(
-        notices.concat().contains("more than 4096 points"),
+        text(&notices).contains("more than 4096 points"),
         "{notices:?}"
     );
     let (_, notices) = Recipe::from_link("a%0Ab=1");
-    assert!(!notices.concat().contains('\n'));
+    assert!(!text(&notices).contains('\n'));
 }
 
 #[test]
@@ -419,7 +423,7 @@ fn outlines_of_many_rings_come_back_from_the_link() {
         .unwrap();
     assert_eq!(recipe.outline().rings.len(), 16);
     let (back, notices) = Recipe::from_link(&recipe.link());
-    assert_eq!(notices, Vec::<String>::new());
+    assert_eq!(notices, vec![]);
     assert_eq!(back.outline(), recipe.outline());
 }
 
@@ -433,7 +437,7 @@ fn numbers_are_written_as_short_as_can_be() {
         ("-0", "0"),
         ("1e-7", "1e-7"),
     ] {
-        assert_eq!(recipe.set("vs", given), Ok(None));
+        assert_eq!(recipe.set("vs", given), Ok(vec![]));
         assert_eq!(recipe.get("vs"), text);
     }
     assert_eq!(recipe.get("nothing"), "");
@@ -477,7 +481,7 @@ fn lists_are_read_in_decimals_and_written_compactly() {
     back.set("size", "512").unwrap();
     assert_eq!(back.lines()[0][0], DVec2::splat(128.0));
     // An empty text clears a list.
-    assert_eq!(recipe.set("strokes", ""), Ok(None));
+    assert_eq!(recipe.set("strokes", ""), Ok(vec![]));
     assert!(recipe.strokes().is_empty());
 }
 
@@ -485,10 +489,10 @@ fn lists_are_read_in_decimals_and_written_compactly() {
 fn lists_that_are_too_long_are_told() {
     let many = vec!["0,0,1,1"; 65].join(";");
     let (_, told) = Recipe::from_link(&format!("strokes={many}"));
-    assert!(told[0].contains("more than 64 rows"), "{told:?}");
+    assert!(text(&told).contains("more than 64 rows"), "{told:?}");
     let long = vec!["0,0"; 257].join(",");
     let (_, told) = Recipe::from_link(&format!("strokes={long}"));
-    assert!(told[0].contains("more than 256 points"), "{told:?}");
+    assert!(text(&told).contains("more than 256 points"), "{told:?}");
 }
 
 /// A value for a row: in its range, at its ends, or a word.
@@ -531,7 +535,7 @@ proptest! {
         valid(&recipe);
         let link = recipe.link();
         let (back, notices) = Recipe::from_link(&link);
-        prop_assert_eq!(&notices, &Vec::<String>::new(), "{}", link);
+        prop_assert_eq!(&notices, &vec![], "{}", link);
         prop_assert_eq!(back.link(), link);
         prop_assert_eq!(back.outline(), recipe.outline());
         for row in SCHEMA.iter().filter(|row| row.key != "poly") {

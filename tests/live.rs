@@ -190,7 +190,7 @@ fn where_nothing_changes_nothing_is_done_again() {
     assert_eq!(studio.digest(), digest);
     // What enters later stages goes its usual way.
     let mut lit = first;
-    assert_eq!(lit.set("az", "10"), Ok(None));
+    assert_eq!(lit.set("az", "10"), Ok(vec![]));
     studio.set_recipe(lit);
     assert_eq!(studio.stage(), "shading");
     studio.set_live(false);

@@ -356,8 +356,8 @@ fn centres_on_the_boundary_stay_there() {
 fn too_many_cells_get_a_sentence() {
     let (_, domain) = outlines().swap_remove(0);
     let fields = fields(&domain, 0.5);
-    let sentence = Packing::new(&domain, &fields, PARAMS).unwrap_err();
-    assert!(sentence.contains("Choose larger cells"), "{sentence}");
+    let why = Packing::new(&domain, &fields, PARAMS).unwrap_err();
+    assert!(why.to_string().contains("Choose larger cells"), "{why}");
 }
 
 /// A line in the middle of a tile parts nothing over the tile's edges.

@@ -211,9 +211,9 @@ fn the_polygon_scales_with_the_picture_there_and_back() {
 fn choosing_polygon_starts_from_the_shape_shown() {
     for choice in Key::Outline.parameter().choices {
         let mut recipe = Recipe::default();
-        assert_eq!(recipe.set("outline", choice.word), Ok(None));
+        assert_eq!(recipe.set("outline", choice.word), Ok(vec![]));
         let shown = recipe.outline();
-        assert_eq!(recipe.set("outline", "polygon"), Ok(None));
+        assert_eq!(recipe.set("outline", "polygon"), Ok(vec![]));
         assert_eq!(
             recipe.outline().rings[0].len(),
             shown.rings[0].len(),
@@ -243,7 +243,7 @@ fn a_bad_polygon_leaves_the_recipe_as_it_was() {
             ..Outline::default()
         })
         .unwrap_err();
-    assert!(error.contains("outer ring crosses"), "{error}");
+    assert!(error.to_string().contains("outer ring crosses"), "{error}");
     assert_eq!(recipe, before);
     assert!(recipe.set("poly", "junk!").is_err());
     assert_eq!(recipe, before);

@@ -102,7 +102,7 @@ fn a_stone_named_twice_leaves_the_defaults_of_the_last() {
 fn untouched_numbers_go_over_to_the_other_defaults_and_back() {
     let mut recipe = Recipe::default();
     for stone in ["skin", "flag", "skin", "skin", "cobble"] {
-        assert_eq!(recipe.set("stone", stone), Ok(None));
+        assert_eq!(recipe.set("stone", stone), Ok(vec![]));
         for (word, plain, own) in OWN {
             let wanted = if stone == "skin" { own } else { plain };
             assert_eq!(number(&recipe, word), wanted, "{word} of {stone}");

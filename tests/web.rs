@@ -16,6 +16,20 @@ fn number(object: &JsValue, key: &str) -> f64 {
     property(object, key).as_f64().unwrap()
 }
 
+/// The code of a notice, whose sentence ends well.
+fn code(notice: &JsValue) -> String {
+    let text = property(notice, "text").as_string().unwrap();
+    assert!(text.ends_with('.'), "{text}");
+    property(notice, "code").as_string().unwrap()
+}
+
+/// Whether something was refused, and the codes of what was said.
+fn answer(answer: &JsValue) -> (bool, String) {
+    let notices: Array = property(answer, "notices").unchecked_into();
+    let codes: Vec<String> = notices.iter().map(|notice| code(&notice)).collect();
+    (property(answer, "refused").is_truthy(), codes.join(" "))
+}
+
 fn run(page: &mut Bubblestone) {
     while !["done", "error"].contains(&page.stage().as_str()) {
         page.tick(8.0, 4);
@@ -25,16 +39,14 @@ fn run(page: &mut Bubblestone) {
 #[wasm_bindgen_test]
 fn a_link_becomes_planes() {
     let mut page = Bubblestone::new(LINK);
-    assert!(page.notices().is_empty());
+    assert_eq!(page.notices().length(), 0);
     assert_eq!(
         (page.stage().as_str(), page.digest().as_str()),
         ("domain", "")
     );
     run(&mut page);
-    assert_eq!(
-        (page.stage().as_str(), page.problem().as_str()),
-        ("done", "")
-    );
+    assert_eq!(page.stage(), "done");
+    assert_eq!(page.problem(), JsValue::UNDEFINED);
     assert_eq!(page.digest(), digest_of_link(LINK));
     assert_eq!(page.side(), 160);
     let again = digest_of_link(&format!("https://example.org/#{}", page.link()));
@@ -66,15 +78,30 @@ fn the_status_has_its_figures() {
 #[wasm_bindgen_test]
 fn parameters_are_set_by_text() {
     let mut page = Bubblestone::new(LINK);
-    assert_eq!(page.set("cs", "20"), "");
-    assert_eq!(page.get("cs"), "20");
-    assert!(page.set("cs", "1e9").contains("cs"));
-    let kept = page.get("cs");
-    assert!(page.set("cs", "many").ends_with('.'));
-    assert_eq!(page.get("cs"), kept);
-    assert!(page.set("nonsense", "1").ends_with('.'));
-    assert!(page.open("cs=12&nonsense=1").len() == 1);
-    assert_eq!((page.get("cs").as_str(), page.notices().len()), ("12", 1));
+    let set = |page: &mut Bubblestone, key, text| {
+        let (refused, codes) = answer(&page.set(key, text));
+        (refused, codes, page.get("cs"))
+    };
+    let is = |refused, code: &str, cs: &str| (refused, code.to_owned(), cs.to_owned());
+    assert_eq!(set(&mut page, "cs", "20"), is(false, "", "20"));
+    assert_eq!(set(&mut page, "cs", "1e9"), is(false, "must_be", "80"));
+    assert_eq!(set(&mut page, "cs", "many"), is(true, "must_be", "80"));
+    assert_eq!(
+        set(&mut page, "nonsense", "1"),
+        is(true, "not_a_parameter", "80")
+    );
+    assert_eq!(page.open("cs=12&nonsense=1").length(), 1);
+    assert_eq!(
+        (page.get("cs").as_str(), page.notices().length()),
+        ("12", 1)
+    );
+    // Arguments come apart from the words.
+    let notice = page.open("stone=brick").get(0);
+    let args = property(&notice, "args");
+    assert_eq!(property(&property(&args, "what"), "key"), "stone".into());
+    assert_eq!(property(&args, "given"), "\"brick\"".into());
+    let allowed: Array = property(&args, "allowed").unchecked_into();
+    assert_eq!(property(&allowed.get(1), "word"), "flag".into());
 }
 
 #[wasm_bindgen_test]
@@ -98,7 +125,10 @@ fn pausing_stepping_and_starting_again() {
 fn outlines_go_in_and_out() {
     let mut page = Bubblestone::new(LINK);
     let points = [20., 20., 140., 24., 136., 130., 18., 140.];
-    assert_eq!(page.set_outline(&points, &[4]), "");
+    assert_eq!(
+        answer(&page.set_outline(&points, &[4])),
+        (false, String::new())
+    );
     assert_eq!(page.get("outline"), "polygon");
     let outline = page.outline();
     let back: Float64Array = property(&outline, "points").unchecked_into();
@@ -116,7 +146,7 @@ fn outlines_go_in_and_out() {
         // So many that a copy of the rest for each would not fit into memory.
         (vec![10.; 400_000], vec![2; 100_000]),
     ] {
-        assert!(page.set_outline(&points, &rings).ends_with('.'));
+        assert!(answer(&page.set_outline(&points, &rings)).0);
         assert_eq!(page.link(), link);
     }
 }
@@ -141,7 +171,7 @@ fn lists_and_parts_are_asked_for() {
 fn maps_and_meshes_come_as_bytes() {
     let mut page = Bubblestone::new(LINK);
     for early in [page.map("height"), page.mesh_file("glb", 1e9)] {
-        assert!(early.as_string().unwrap().ends_with('.'));
+        assert_eq!(code(&early), "not_yet");
     }
     run(&mut page);
     let map = page.map("height");
@@ -163,7 +193,7 @@ fn maps_and_meshes_come_as_bytes() {
         assert!(parts.iter().map(length).sum::<u32>() > 100_000, "{ending}");
     }
     for none in [page.map("nothing"), page.mesh_file("", 1.0)] {
-        assert!(none.as_string().unwrap().ends_with('.'));
+        assert_eq!(code(&none), "no_such_file");
     }
     assert!(page.report().contains("\"height_range\""));
 }
@@ -173,14 +203,14 @@ fn tables_are_plain_objects() {
     let schema: Array = schema();
     assert!(schema.length() > 30);
     for row in schema.iter() {
-        for key in ["key", "name", "kind", "help", "group", "stage"] {
+        for key in ["key", "name", "kind", "help", "group"] {
             assert!(property(&row, key).as_string().is_some(), "{key}");
         }
         assert!(number(&row, "min") <= number(&row, "max"));
     }
     for row in presets().iter() {
         let link = property(&row, "link").as_string().unwrap();
-        assert!(Bubblestone::new(&link).notices().is_empty(), "{link}");
+        assert_eq!(Bubblestone::new(&link).notices().length(), 0, "{link}");
     }
 }
 
@@ -200,19 +230,9 @@ fn reports_and_dice() {
 #[wasm_bindgen_test]
 fn a_bigger_picture_comes_in_rows() {
     let mut page = Bubblestone::new(LINK);
-    assert!(
-        page.picture_file(2, 1e9)
-            .as_string()
-            .unwrap()
-            .ends_with('.')
-    );
+    assert_eq!(code(&page.picture_file(2, 1e9)), "not_yet");
     run(&mut page);
-    assert!(
-        page.picture_file(9, 1e9)
-            .as_string()
-            .unwrap()
-            .ends_with('.')
-    );
+    assert_eq!(code(&page.picture_file(9, 1e9)), "bad_scale");
     let (mut bytes, mut slices) = (0, 0);
     loop {
         let slice = page.picture_file(2, 4.0);
@@ -227,10 +247,5 @@ fn a_bigger_picture_comes_in_rows() {
     assert_eq!(bytes, 3 * 320 * 320);
     assert_eq!(number(&page.bigger_map("height"), "side"), 320.0);
     page.stop_file();
-    assert!(
-        page.bigger_map("height")
-            .as_string()
-            .unwrap()
-            .ends_with('.')
-    );
+    assert_eq!(code(&page.bigger_map("height")), "no_bigger_picture");
 }

@@ -4,19 +4,18 @@
  */
 import { Bubblestone, presets, random_seed, schema } from '../pkg/bubblestone.js';
 import { loadModule } from './module';
-import type { Absence, Histograms, Parameter, Point, Preset, Probe, Ring, Series, Status } from './types';
-import { parameterIn, presetIn, sentenceIn, t } from './words';
+import type { Absence, Answer, Histograms, Parameter, Point, Preset, Probe, Ring, Series, Status } from './types';
+import { parameterIn, presetIn, said, t } from './words';
 
-/** The schema gives the defaults of numbers as numbers. */
-type RawParameter = Omit<Parameter, 'default'> & { default: string | number };
-
-/** What became of an outline. */
-export interface OutlineAnswer {
-  /** It cannot be used, and the last good one stays. */
+/** What became of what was asked for. */
+export interface Told {
+  /** It cannot be used, and what was there stays. */
   refused: boolean;
-  /** Why it was refused, or what was mended; '' where there is nothing to say. */
-  sentence: string;
+  /** Why it was refused, or what was clamped or mended. */
+  sentences: string[];
 }
+
+const NO_ANSWER: Answer = { refused: true, notices: [] };
 
 const NO_STATUS: Status = {
   cells: 0,
@@ -61,11 +60,11 @@ export class Engine {
   }
 
   get schema(): Parameter[] {
-    return (this.rows ??= this.guard(() => (schema() as RawParameter[]).map((row) => parameterIn({ ...row, default: String(row.default) })), []));
+    return (this.rows ??= this.guard(() => schema().map(parameterIn), []));
   }
 
   get presets(): Preset[] {
-    return (this.known ??= this.guard(() => (presets() as Preset[]).map(presetIn), []));
+    return (this.known ??= this.guard(() => presets().map(presetIn), []));
   }
 
   get alive(): boolean {
@@ -74,11 +73,11 @@ export class Engine {
 
   open(link: string): string[] {
     this.lastLink = link.replace(/^#/, '');
-    return this.ask((core) => core.open(link), []).map(sentenceIn);
+    return this.ask((core) => core.open(link), []).map(said);
   }
 
   notices(): string[] {
-    return this.ask((core) => core.notices(), []).map(sentenceIn);
+    return this.ask((core) => core.notices(), []).map(said);
   }
 
   /** The link's fragment, without '#'. */
@@ -87,9 +86,8 @@ export class Engine {
     return this.lastLink;
   }
 
-  /** '' or a sentence about what was clamped or refused. */
-  set(key: string, text: string): string {
-    return sentenceIn(this.ask((core) => core.set(key, text), ''));
+  set(key: string, text: string): Told {
+    return told(this.ask((core) => core.set(key, text), NO_ANSWER));
   }
 
   get(key: string): string {
@@ -127,11 +125,12 @@ export class Engine {
 
   /** Why the stage is 'error'; '' while all is well. */
   problem(): string {
-    return sentenceIn(this.ask((core) => core.problem(), ''));
+    const problem = this.ask((core) => core.problem(), undefined);
+    return problem ? said(problem) : '';
   }
 
   status(): Status {
-    return this.ask((core) => core.status() as Status, NO_STATUS);
+    return this.ask((core) => core.status(), NO_STATUS);
   }
 
   /** Draws a view's pieces for about `budget` milliseconds; true when `draw` has only the rest to do. */
@@ -157,18 +156,18 @@ export class Engine {
 
   /** The cell at a place in picture units. */
   probe([x, y]: Point): Probe | undefined {
-    return this.ask((core) => core.probe(x, y) as Probe | undefined, undefined);
+    return this.ask((core) => core.probe(x, y), undefined);
   }
 
   /** How the packing went so far. */
   series(): Series {
     const none = { step: new Float64Array(), energy: new Float64Array(), move: new Float64Array() };
-    return this.ask((core) => core.series() as Series, none);
+    return this.ask((core) => core.series(), none);
   }
 
   histograms(): Histograms {
     const none = { from: 0, to: 0, counts: new Uint32Array() };
-    return this.ask((core) => core.histograms() as Histograms, { size: none, angle: none });
+    return this.ask((core) => core.histograms(), { size: none, angle: none });
   }
 
   digest(): string {
@@ -179,21 +178,15 @@ export class Engine {
     return this.ask((core) => core.side(), 512);
   }
 
-  setOutline(rings: Ring[]): OutlineAnswer {
+  setOutline(rings: Ring[]): Told {
     const points = new Float64Array(rings.flat(2));
     const lengths = new Uint32Array(rings.map((ring) => ring.length));
-    const before = this.get('poly');
-    const sentence = sentenceIn(this.ask((core) => core.setOutline(points, lengths), ''));
-    const same = this.get('outline') !== 'polygon' || this.get('poly') === before;
-    return { refused: sentence !== '' && same, sentence };
+    return told(this.ask((core) => core.setOutline(points, lengths), NO_ANSWER));
   }
 
   outline(): Ring[] {
     const none = { points: new Float64Array(), rings: new Uint32Array() };
-    const { points, rings } = this.ask(
-      (core) => core.outline() as { points: Float64Array; rings: Uint32Array },
-      none,
-    );
+    const { points, rings } = this.ask((core) => core.outline(), none);
     let at = 0;
     return Array.from(rings, (count) =>
       Array.from({ length: count }, (): Point => {
@@ -207,7 +200,7 @@ export class Engine {
   /** The rows of a list parameter; lengths in sides of the picture. */
   list(key: string): number[][] {
     const none = { numbers: new Float64Array(), rows: new Uint32Array() };
-    const { numbers, rows } = this.ask((core) => core.list(key) as { numbers: Float64Array; rows: Uint32Array }, none);
+    const { numbers, rows } = this.ask((core) => core.list(key), none);
     let at = 0;
     return Array.from(rows, (count) => Array.from(numbers.slice(at, (at += count))));
   }
@@ -241,4 +234,8 @@ export class Engine {
       return otherwise;
     }
   }
+}
+
+function told({ refused, notices }: Answer): Told {
+  return { refused, sentences: notices.map(said) };
 }

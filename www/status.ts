@@ -2,7 +2,7 @@
 import { byId, make, say } from './dom';
 import { progressOf } from './progress';
 import { STAGES, type Preset, type Status } from './types';
-import { sentenceIn, t } from './words';
+import { partIn, t } from './words';
 
 /** Milliseconds; shorter work does not show how far it is, nor does what takes its time because somebody watches. */
 const LONG = 400;
@@ -70,7 +70,7 @@ export class StatusLine {
     const parts: (string | HTMLElement)[] = [make('strong', {}, preset.note ? t('titled', { name }) : t('titled_only', { name })), ...(preset.note ? [` ${preset.note}`] : [])];
     if (preset.timing) {
       const { machine, parts: timed } = preset.timing;
-      const what = capital(timed.map(({ name }) => sentenceIn(name)).join(t('and')));
+      const what = capital(timed.map(({ name }) => partIn(name)).join(t('and')));
       const theirs = timed.map((part) => `${part.seconds} s`).join(t('and'));
       const ours = stage === 'done' ? timed.map((part) => ourSeconds(part.stages, status)).join(t('and')) : '…';
       parts.push(make('span', { class: 'seconds', title: t('timing_title', { what, machine }) }, t(stage === 'done' ? 'timing' : 'timing_open', { what, theirs, ours })));

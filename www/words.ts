@@ -3,7 +3,7 @@ import { byIdAs } from './dom';
 import { choiceOf, choose } from './memory';
 import { words as english } from './strings/en.json';
 import type { Foreign } from './strings/foreign';
-import type { Parameter, Preset } from './types';
+import type { Notice, Parameter, Preset } from './types';
 
 export type Word = keyof typeof english;
 
@@ -88,7 +88,12 @@ export function presetIn(preset: Preset): Preset {
   return foreign && own ? { ...preset, title: own.title || foreign.figure(preset.figure), note: own.note, figure: foreign.figure(preset.figure) } : preset;
 }
 
-/** Sentences of the module's in the language in use. */
-export function sentenceIn(sentence: string): string {
-  return foreign && sentence ? foreign.sentence(sentence) : sentence;
+/** What the module says, in the language in use. */
+export function said(notice: Notice): string {
+  return foreign?.said(notice) ?? notice.text;
+}
+
+/** What a paper calls a part of its work, in the language in use. */
+export function partIn(name: string): string {
+  return foreign?.parts[name] ?? name;
 }

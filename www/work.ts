@@ -1,5 +1,5 @@
 /** The recipe in the store, which the engine follows: everything that changes it goes this way. */
-import type { Engine } from './engine';
+import type { Engine, Told } from './engine';
 import { clear, notice } from './messages';
 import type { State, Store } from './store';
 import type { Preset, Ring } from './types';
@@ -20,16 +20,15 @@ export class Work {
 
   /** A parameter's new value; `held` while a slider is still on its way. */
   set(key: string, text: string, held = false): void {
-    const sentence = this.engine.set(key, text);
-    notice('value', ...(sentence ? [sentence] : []));
+    notice('value', ...this.engine.set(key, text).sentences);
     this.changed(held);
   }
 
-  /** The same without a word to the visitor: answers the sentence, '' where all is well. */
-  write(key: string, text: string, held = false): string {
-    const sentence = this.engine.set(key, text);
+  /** The same without a word to the visitor: answers what is to be said. */
+  write(key: string, text: string, held = false): Told {
+    const told = this.engine.set(key, text);
     this.changed(held);
-    return sentence;
+    return told;
   }
 
   /** Many values in one step; those that do not fit are kept within their limits. */
@@ -39,10 +38,10 @@ export class Work {
   }
 
   /** Rings of a free outline: whether they were refused, and what is to be said. */
-  outline(rings: Ring[], held = false): { refused: boolean; sentence: string } {
-    const answer = this.engine.setOutline(rings);
+  outline(rings: Ring[], held = false): Told {
+    const told = this.engine.setOutline(rings);
     this.changed(held);
-    return answer;
+    return told;
   }
 
   /** A whole other recipe; a link's mistakes are told. `preset` is the one it is, where it does not say so itself. */

@@ -3,6 +3,7 @@
 
 use bubblestone::domain::Outline;
 use bubblestone::export::{Map, MapKind, MeshFormat, cells_json, mesh_json, metrics_json};
+use bubblestone::notice::Notice;
 use bubblestone::studio::{Base, Overlay, Studio, View};
 use serde_json::Value;
 use std::path::Path;
@@ -122,7 +123,7 @@ fn ring_of(ring: &Value, name: &str) -> Result<Vec<glam::DVec2>, String> {
 }
 
 /// Writes the pictures, the cells, the mesh and the report of a finished studio.
-pub fn write_all(studio: &mut Studio, notices: Vec<String>, dir: &Path) -> Result<(), String> {
+pub fn write_all(studio: &mut Studio, notices: Vec<Notice>, dir: &Path) -> Result<(), String> {
     std::fs::create_dir_all(dir).map_err(|e| format!("Cannot make {}: {e}.", dir.display()))?;
     let mut report = studio.report();
     report.notices = notices;

@@ -74,7 +74,7 @@ function sources() {
  */
 function picture(studio, name) {
   while (studio.stage() !== 'done') {
-    if (studio.stage() === 'error') throw new Stop(`The preset ${name} gives no picture: ${studio.problem()}`);
+    if (studio.stage() === 'error') throw new Stop(`The preset ${name} gives no picture: ${studio.problem()?.text}`);
     studio.tick(...all);
   }
   const canvas = new Canvas();

@@ -1,13 +1,13 @@
 //! Is an outline fit to be paved? What can be mended is mended and told; for the rest there is one
-//! sentence that names the ring and the place.
+//! notice that names the ring and the place.
 
 use super::crossing::{Contact, first_contact};
 use super::nesting::around;
 use super::{Outline, signed_area};
 use crate::decimal;
+use crate::notice::{Code, Notice};
 use crate::planar::orientation;
 use glam::DVec2;
-use std::fmt;
 
 /// Most points that the rings of an outline may have together.
 pub const MAX_POINTS: usize = 4096;
@@ -38,154 +38,69 @@ pub enum Ring {
 }
 
 impl Ring {
-    /// At the beginning of a sentence.
-    fn first(self) -> String {
-        match self {
-            Ring::Outer => "The outer ring".into(),
-            Ring::Hole(number) => format!("Hole {number}"),
-            Ring::Island(number) => format!("Island {number}"),
-            Ring::Line(number) => format!("Line {number}"),
-        }
+    /// As sentences name it.
+    fn said(self) -> Notice {
+        let (code, number) = match self {
+            Ring::Outer => return Code::OuterRing.into(),
+            Ring::Hole(number) => (Code::Hole, number),
+            Ring::Island(number) => (Code::Island, number),
+            Ring::Line(number) => (Code::Line, number),
+        };
+        Notice::new(code).with("n", number)
     }
 }
 
-impl fmt::Display for Ring {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Ring::Outer => f.write_str("the outer ring"),
-            Ring::Hole(number) => write!(f, "hole {number}"),
-            Ring::Island(number) => write!(f, "island {number}"),
-            Ring::Line(number) => write!(f, "line {number}"),
-        }
-    }
+/// What is said of a ring, or of a line.
+fn of(code: Code, ring: Ring) -> Notice {
+    Notice::new(code).with("ring", ring.said())
 }
 
-/// Why an outline is refused; `Display` is the sentence.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum OutlineError {
-    /// Too many points in all.
-    TooManyPoints(usize),
-    /// The ring's point of that number (from 1) has a coordinate that is no finite number.
-    NotFinite(Ring, usize),
-    /// A point lies farther outside the picture than half of its side.
-    FarOutside(Ring, DVec2),
-    /// Too many points in all constraint lines.
-    TooManyLinePoints(usize),
-    /// All points of the constraint line are one.
-    NoLength(Ring),
-    /// The ring has fewer than three different points, this many.
-    TooFewPoints(Ring, usize),
-    /// All points of the ring lie on one line.
-    OnOneLine(Ring, DVec2),
-    /// The ring turns back on itself at a point.
-    FoldsBack(Ring, DVec2),
-    /// The ring crosses or touches itself.
-    CrossesItself(Ring, DVec2),
-    /// Two rings cross, touch or overlap.
-    RingsCross(Ring, Ring, DVec2),
-    /// The ring's area, in square picture units, is below the smallest (the last number).
-    TooSmall(Ring, DVec2, f64, f64),
+/// What is said of a place of it.
+fn at(code: Code, ring: Ring, place: DVec2) -> Notice {
+    of(code, ring).with("place", said(place))
 }
 
 /// A place in a sentence: tenths of a picture unit are fine enough to find it.
-struct Place(DVec2);
-
-impl fmt::Display for Place {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        // Far away in the wrong units there are no tenths. Adding 0 makes of -0 a 0.
-        let tenth = |x: f64| {
-            if x.abs() < 1e6 {
-                (x * 10.0).round() / 10.0 + 0.0
-            } else {
-                x
-            }
-        };
-        let [x, y] = [self.0.x, self.0.y].map(|x| decimal::text(tenth(x)));
-        write!(f, "({x}, {y})")
-    }
+fn said(place: DVec2) -> String {
+    // Far away in the wrong units there are no tenths. Adding 0 makes of -0 a 0.
+    let tenth = |x: f64| {
+        if x.abs() < 1e6 {
+            (x * 10.0).round() / 10.0 + 0.0
+        } else {
+            x
+        }
+    };
+    let [x, y] = [place.x, place.y].map(|x| decimal::text(tenth(x)));
+    format!("({x}, {y})")
 }
 
 fn thousandths(x: f64) -> String {
     decimal::text((x * 1000.0).round() / 1000.0)
 }
 
-impl fmt::Display for OutlineError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        use OutlineError::*;
-        match *self {
-            TooManyPoints(n) => write!(
-                f,
-                "The outline has {n} points; at most {MAX_POINTS} are allowed."
-            ),
-            TooManyLinePoints(n) => write!(
-                f,
-                "The lines have {n} points; at most {MAX_LINE_POINTS} are allowed."
-            ),
-            NoLength(line) => write!(f, "{} needs at least 2 different points.", line.first()),
-            NotFinite(ring, number) => write!(
-                f,
-                "Point {number} of {ring} is not a pair of finite numbers."
-            ),
-            FarOutside(ring, p) => write!(
-                f,
-                "{} has a point far outside the picture, at {}; \
-                 at most half of the picture's side is allowed.",
-                ring.first(),
-                Place(p)
-            ),
-            TooFewPoints(ring, n) => write!(
-                f,
-                "{} needs at least 3 different points; it has {n}.",
-                ring.first()
-            ),
-            OnOneLine(ring, p) => write!(
-                f,
-                "All points of {ring} lie on one line through {}.",
-                Place(p)
-            ),
-            FoldsBack(ring, p) => {
-                let ring = ring.first();
-                write!(f, "{ring} turns back on itself at {}.", Place(p))
-            }
-            CrossesItself(ring, p) => {
-                let ring = ring.first();
-                write!(f, "{ring} crosses or touches itself at {}.", Place(p))
-            }
-            RingsCross(a, b, p) => {
-                let a = a.first();
-                write!(f, "{a} and {b} cross or touch at {}.", Place(p))
-            }
-            TooSmall(ring, p, area, least) => write!(
-                f,
-                "{} at {} is too small: its area is {} square pixels, at least {} is needed.",
-                ring.first(),
-                Place(p),
-                thousandths(area),
-                thousandths(least)
-            ),
-        }
-    }
+/// What is said of more points than there may be.
+fn too_many(code: Code, count: usize, most: usize) -> Notice {
+    Notice::new(code).with("n", count).with("most", most)
 }
-
-impl std::error::Error for OutlineError {}
 
 impl Outline {
     /// Checks the rings for a picture of a side: gives the outline with repeated points dropped and
-    /// the orientation of the module's doc, and a sentence for each thing mended.
+    /// the orientation of the module's doc, and a notice for each thing mended.
     ///
     /// # Errors
     /// The first fault that cannot be mended: too many, non-finite or far points, rings that are
     /// degenerate, cross or touch themselves or each other, or are smaller than a square of 1/128 of
     /// the side.
-    pub fn check(&self, side: f64) -> Result<(Outline, Vec<String>), OutlineError> {
+    pub fn check(&self, side: f64) -> Result<(Outline, Vec<Notice>), Notice> {
         let lengths = self.rings.iter().map(Vec::len);
         let count: usize = lengths.clone().sum();
         // Rings without points count, too.
         if count.max(lengths.len()) > MAX_POINTS {
-            return Err(OutlineError::TooManyPoints(count.max(lengths.len())));
+            let count = count.max(lengths.len());
+            return Err(too_many(Code::OutlinePoints, count, MAX_POINTS));
         }
         if count == 0 {
-            return Err(OutlineError::TooFewPoints(Ring::Outer, 0));
+            return Err(of(Code::TooFewPoints, Ring::Outer).with("n", 0));
         }
         let lines = check_lines(&self.lines, side)?;
         let mut notices = Vec::new();
@@ -196,10 +111,12 @@ impl Outline {
         }
         match first_contact(&rings) {
             Some(Contact::Within(ring, p)) => {
-                return Err(OutlineError::CrossesItself(names[ring], p));
+                return Err(at(Code::CrossesItself, names[ring], p));
             }
             Some(Contact::Between(a, b, p)) => {
-                return Err(OutlineError::RingsCross(names[a], names[b], p));
+                let rings = Notice::new(Code::RingsCross);
+                let rings = rings.with("a", names[a].said()).with("b", names[b].said());
+                return Err(rings.with("place", said(p)));
             }
             None => {}
         }
@@ -213,7 +130,7 @@ impl Outline {
         if notices.len() > TOLD {
             let more = notices.len() - TOLD;
             notices.truncate(TOLD);
-            notices.push(format!("{more} more things like these were mended."));
+            notices.push(Notice::new(Code::MoreMended).with("n", more));
         }
         Ok((Outline { rings, lines }, notices))
     }
@@ -234,10 +151,10 @@ fn names(rings: &[Vec<DVec2>]) -> Vec<Ring> {
 /// # Errors
 /// A line has too many points in all, a point that is not finite or far outside the picture, or no
 /// two different points.
-pub fn check_lines(lines: &[Vec<DVec2>], side: f64) -> Result<Vec<Vec<DVec2>>, OutlineError> {
+pub fn check_lines(lines: &[Vec<DVec2>], side: f64) -> Result<Vec<Vec<DVec2>>, Notice> {
     let count = lines.iter().map(Vec::len).sum();
     if count > MAX_LINE_POINTS {
-        return Err(OutlineError::TooManyLinePoints(count));
+        return Err(too_many(Code::LinePoints, count, MAX_LINE_POINTS));
     }
     let mut checked = Vec::with_capacity(lines.len());
     for (index, line) in lines.iter().enumerate() {
@@ -246,7 +163,7 @@ pub fn check_lines(lines: &[Vec<DVec2>], side: f64) -> Result<Vec<Vec<DVec2>>, O
         let mut points = line.clone();
         points.dedup_by(|a, b| (*a - *b).abs().max_element() <= SAME * side);
         if points.len() < 2 {
-            return Err(OutlineError::NoLength(which));
+            return Err(of(Code::LineShort, which));
         }
         checked.push(points);
     }
@@ -254,13 +171,13 @@ pub fn check_lines(lines: &[Vec<DVec2>], side: f64) -> Result<Vec<Vec<DVec2>>, O
 }
 
 /// Refuses points that are not finite or lie far outside the picture.
-fn check_places(points: &[DVec2], which: Ring, side: f64) -> Result<(), OutlineError> {
+fn check_places(points: &[DVec2], which: Ring, side: f64) -> Result<(), Notice> {
     if let Some(bad) = points.iter().position(|p| !p.is_finite()) {
-        return Err(OutlineError::NotFinite(which, bad + 1));
+        return Err(of(Code::NotFinite, which).with("n", bad + 1));
     }
     let far = |p: &&DVec2| (**p / side - 0.5).abs().max_element() > 0.5 + OUTSIDE;
     match points.iter().find(far) {
-        Some(&p) => Err(OutlineError::FarOutside(which, p)),
+        Some(&p) => Err(at(Code::FarOutside, which, p)),
         None => Ok(()),
     }
 }
@@ -270,8 +187,8 @@ fn check_points(
     ring: &[DVec2],
     which: Ring,
     side: f64,
-    notices: &mut Vec<String>,
-) -> Result<Vec<DVec2>, OutlineError> {
+    notices: &mut Vec<Notice>,
+) -> Result<Vec<DVec2>, Notice> {
     check_places(ring, which, side)?;
     let same = |a: DVec2, b: DVec2| (a - b).abs().max_element() <= SAME * side;
     let mut points: Vec<DVec2> = Vec::with_capacity(ring.len());
@@ -286,20 +203,12 @@ fn check_points(
         repeated.extend(points.pop());
     }
     if points.len() < 3 {
-        return Err(OutlineError::TooFewPoints(which, points.len()));
+        return Err(of(Code::TooFewPoints, which).with("n", points.len()));
     }
     if let Some(&p) = repeated.first() {
         notices.push(match repeated.len() {
-            1 => format!(
-                "{} repeats a point at {}; dropped.",
-                which.first(),
-                Place(p)
-            ),
-            n => format!(
-                "{} repeats {n} points, the first at {}; dropped.",
-                which.first(),
-                Place(p)
-            ),
+            1 => at(Code::RepeatsPoint, which, p),
+            n => at(Code::RepeatsPoints, which, p).with("n", n),
         });
     }
     check_corners(&points, which)?;
@@ -307,7 +216,7 @@ fn check_points(
 }
 
 /// Refuses rings on one line and corners that turn back.
-fn check_corners(points: &[DVec2], which: Ring) -> Result<(), OutlineError> {
+fn check_corners(points: &[DVec2], which: Ring) -> Result<(), Notice> {
     let n = points.len();
     let mut on_one_line = true;
     let mut fold = None;
@@ -320,8 +229,8 @@ fn check_corners(points: &[DVec2], which: Ring) -> Result<(), OutlineError> {
         }
     }
     match fold {
-        _ if on_one_line => Err(OutlineError::OnOneLine(which, points[0])),
-        Some(p) => Err(OutlineError::FoldsBack(which, p)),
+        _ if on_one_line => Err(at(Code::OnOneLine, which, points[0])),
+        Some(p) => Err(at(Code::FoldsBack, which, p)),
         None => Ok(()),
     }
 }
@@ -332,19 +241,18 @@ fn orient(
     is_outer: bool,
     which: Ring,
     side: f64,
-    notices: &mut Vec<String>,
-) -> Result<(), OutlineError> {
+    notices: &mut Vec<Notice>,
+) -> Result<(), Notice> {
     let area = signed_area(ring);
     let least = (SMALLEST * side) * (SMALLEST * side);
     if area.abs() < least {
-        return Err(OutlineError::TooSmall(which, ring[0], area.abs(), least));
+        let small = at(Code::TooSmall, which, ring[0]);
+        let small = small.with("area", thousandths(area.abs()));
+        return Err(small.with("least", thousandths(least)));
     }
     if (area > 0.0) != is_outer {
         ring.reverse();
-        notices.push(format!(
-            "{} ran the wrong way round; turned.",
-            which.first()
-        ));
+        notices.push(of(Code::WrongWay, which));
     }
     Ok(())
 }

@@ -23,7 +23,7 @@ pub mod shape;
 mod squares;
 
 pub(crate) use candidates::closest_on_segment;
-pub use check::{MAX_LINE_POINTS, MAX_POINTS, OutlineError, Ring, check_lines};
+pub use check::{MAX_LINE_POINTS, MAX_POINTS, Ring, check_lines};
 pub use distance::{Domain, Nearest};
 pub use facing::{Facing, Foot};
 pub(crate) use lines::{crosses, shifts};

@@ -2,6 +2,7 @@
 
 use super::json::{list, text};
 use crate::decimal;
+use crate::notice::Notice;
 
 /// The time one stage took.
 #[derive(Clone, Debug, PartialEq)]
@@ -40,7 +41,7 @@ pub struct Report {
     /// What [`super::metrics_json`] made of the figures, where they were asked for.
     pub metrics: Option<String>,
     /// What was clamped, dropped or given up, in words.
-    pub notices: Vec<String>,
+    pub notices: Vec<Notice>,
     /// Digest of the planes, in hex.
     pub hash: String,
 }
@@ -82,7 +83,10 @@ impl Report {
                 "height_range",
                 list([low, high].into_iter().map(|h| number(h.into()))),
             ),
-            ("notices", list(self.notices.iter().map(|n| text(n)))),
+            (
+                "notices",
+                list(self.notices.iter().map(|n| text(&n.to_string()))),
+            ),
             ("hash", text(&self.hash)),
         ];
         fields.extend(self.metrics.clone().map(|metrics| ("metrics", metrics)));
@@ -98,11 +102,12 @@ impl Report {
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod tests {
     use super::*;
+    use crate::notice::Code;
 
     #[test]
     fn a_report_is_json() {
         let report = Report {
-            notices: vec!["cs was \"big\"".into()],
+            notices: vec![Notice::new(Code::NotAParameter).with("given", "\"big\"".to_owned())],
             milliseconds: vec![StageTime {
                 stage: "packing",
                 ms: 1.23456,
@@ -113,6 +118,9 @@ mod tests {
         let value: serde_json::Value = serde_json::from_str(&report.json()).unwrap();
         assert_eq!(value["milliseconds"]["packing"], 1.235);
         assert!(value["metrics"]["mesh"].is_object());
-        assert_eq!(value["notices"][0], "cs was \"big\"");
+        assert_eq!(
+            value["notices"][0],
+            "\"big\" is not a parameter; it was dropped."
+        );
     }
 }

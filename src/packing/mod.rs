@@ -25,6 +25,7 @@ pub use placement::Placing;
 
 use crate::domain::{Domain, Facing};
 use crate::field::{Fields, Kind};
+use crate::notice::Notice;
 use crate::order;
 use crate::random::{Purpose, Random};
 use glam::DVec2;
@@ -226,7 +227,7 @@ impl Packing {
     ///
     /// # Errors
     /// A sentence where the outline would take more cells than can be packed.
-    pub fn new(domain: &Domain, fields: &Fields, params: PackingParams) -> Result<Self, String> {
+    pub fn new(domain: &Domain, fields: &Fields, params: PackingParams) -> Result<Self, Notice> {
         let mut placing = Placing::new(domain, fields, params)?;
         while !placing.advance(domain, fields) {}
         Ok(placing.finish(domain, fields))

@@ -9,6 +9,7 @@ use super::{Edge, Packing, PackingParams, Start, Surroundings, TUNING, greatest_
 use crate::decimal;
 use crate::domain::{Domain, Facing};
 use crate::field::Fields;
+use crate::notice::{Code, Notice};
 use glam::DVec2;
 
 /// Places that are looked at in one slice of the work.
@@ -34,18 +35,14 @@ impl Placing {
     /// The cells along the boundary, none inside yet.
     ///
     /// # Errors
-    /// A sentence where the outline would take more cells than can be packed.
-    pub fn new(domain: &Domain, fields: &Fields, params: PackingParams) -> Result<Self, String> {
+    /// A notice where the outline would take more cells than can be packed.
+    pub fn new(domain: &Domain, fields: &Fields, params: PackingParams) -> Result<Self, Notice> {
         let size = fields.params().size;
         let expected = domain.area() / (size * size);
         if expected > TUNING.most_cells {
-            return Err(format!(
-                "About {} cells of size {} fit into this outline; at most {} are packed. Choose larger \
-                 cells.",
-                decimal::text(expected.round()),
-                decimal::text(size),
-                decimal::text(TUNING.most_cells)
-            ));
+            let notice = Notice::new(Code::TooManyCells).with("n", decimal::text(expected.round()));
+            let notice = notice.with("size", decimal::text(size));
+            return Err(notice.with("most", decimal::text(TUNING.most_cells)));
         }
         let facing = Facing::new(domain, reach(greatest_length(domain, fields, &params)));
         let mut crowd = along_boundary(domain, fields, params.edge == Edge::On);

@@ -1,9 +1,10 @@
 //! The link: `v=1&cs=18&stone=flag`, in the page's fragment. It holds what differs from the default,
 //! in the order of the schema. Reading never fails: what does not fit is clamped or dropped, and a
-//! sentence says so.
+//! notice says so.
 
-use super::value::{choice_name, differing, name, quote};
+use super::value::{chosen, differing, quote};
 use super::{Key, POLYGON, Recipe};
+use crate::notice::{Code, Notice};
 
 /// The version that links are written in.
 pub const VERSION: u32 = 1;
@@ -15,9 +16,9 @@ const TOLD: usize = 12;
 const PAIRS: usize = 200;
 
 impl Recipe {
-    /// Reads a whole address, a fragment with its `#`, or a bare fragment; with the sentences about
-    /// all that was clamped or dropped.
-    pub fn from_link(link: &str) -> (Recipe, Vec<String>) {
+    /// Reads a whole address, a fragment with its `#`, or a bare fragment; with what was
+    /// clamped or dropped.
+    pub fn from_link(link: &str) -> (Recipe, Vec<Notice>) {
         let mut notices = Vec::new();
         let mut pieces = fragment(link).split('&').filter(|p| !p.trim().is_empty());
         let mut pairs: Vec<(String, String)> = pieces
@@ -27,9 +28,7 @@ impl Recipe {
             .map(|(key, value)| (decode(key).trim().to_ascii_lowercase(), decode(value)))
             .collect();
         if pieces.next().is_some() {
-            notices.push(format!(
-                "Only the first {PAIRS} values of the link were read."
-            ));
+            notices.push(Notice::new(Code::FirstValues).with("n", PAIRS));
         }
         notices.extend(take_version(&mut pairs));
         let pairs: Vec<(String, String)> = pairs.into_iter().flat_map(modern).collect();
@@ -51,7 +50,7 @@ impl Recipe {
         if notices.len() > TOLD {
             let more = notices.len() - TOLD;
             notices.truncate(TOLD);
-            notices.push(format!("The link has {more} more things to complain of."));
+            notices.push(Notice::new(Code::MoreNotices).with("n", more));
         }
         (recipe, notices)
     }
@@ -75,39 +74,34 @@ impl Recipe {
         value: &str,
         repeated: bool,
         pairs: &[(String, String)],
-    ) -> Vec<String> {
+    ) -> Vec<Notice> {
         let known = Key::from_word(key);
         let mut notices = Vec::new();
         if let (Some(known), true) = (known, repeated) {
-            let what = name(known.parameter());
-            notices.push(format!(
-                "{what} is given more than once; the last value counts."
-            ));
+            notices.push(Notice::new(Code::Repeated).with("what", known.parameter()));
         }
         let outline = pairs.iter().rfind(|(key, _)| key == "outline");
         match (known, outline) {
             // The points themselves choose the polygon.
             (Some(Key::Outline), _) if value.trim().eq_ignore_ascii_case(POLYGON) => {
                 if !pairs.iter().any(|(key, _)| key == "poly") {
-                    let (what, points) = (Key::Outline.parameter(), name(Key::Poly.parameter()));
-                    let (is, kept) = (choice_name(what, POLYGON), self.shown(Key::Outline));
-                    let what = name(what);
-                    notices.push(format!(
-                        "{what} is {is}, but {points} are missing; kept {kept}."
-                    ));
+                    let what = Key::Outline.parameter();
+                    let notice = Notice::new(Code::PointsMissing).with("what", what);
+                    let notice = notice.with("is", chosen(what, POLYGON));
+                    let notice = notice.with("points", Key::Poly.parameter());
+                    notices.push(notice.with("kept", self.shown(Key::Outline)));
                 }
             }
             (Some(Key::Poly), Some((_, word))) if !word.trim().eq_ignore_ascii_case(POLYGON) => {
-                let (points, row) = (name(Key::Poly.parameter()), Key::Outline.parameter());
-                let is = choice_name(row, &word.trim().to_ascii_lowercase());
-                let (what, needed) = (name(row), choice_name(row, POLYGON));
-                notices.push(format!(
-                    "{points} need the outline {needed}, but {what} is {is}; they were dropped."
-                ));
+                let what = Key::Outline.parameter();
+                let notice = Notice::new(Code::PointsDropped).with("what", what);
+                let notice = notice.with("points", Key::Poly.parameter());
+                let notice = notice.with("needed", chosen(what, POLYGON));
+                notices.push(notice.with("is", chosen(what, &word.trim().to_ascii_lowercase())));
             }
             _ => match self.set(key, value) {
-                Ok(notice) => notices.extend(notice),
-                Err(sentence) => notices.push(sentence),
+                Ok(mended) => notices.extend(mended),
+                Err(why) => notices.push(why),
             },
         }
         notices
@@ -148,22 +142,18 @@ fn decode(text: &str) -> String {
     String::from_utf8_lossy(&plain).into_owned()
 }
 
-/// Takes the version out of the pairs; a sentence where it is not one that this program writes.
-fn take_version(pairs: &mut Vec<(String, String)>) -> Option<String> {
+/// Takes the version out of the pairs; a notice where it is not one that this program writes.
+fn take_version(pairs: &mut Vec<(String, String)>) -> Option<Notice> {
+    let about = |code| Notice::new(code).with("known", VERSION.to_string());
     let mut notice = None;
     pairs.retain(|(key, value)| {
         if key == "v" {
             notice = match value.trim().parse::<u32>() {
                 Ok(1..=VERSION) => None,
-                Ok(newer @ VERSION..) => Some(format!(
-                    "The link was made by a newer version ({newer}; this one knows {VERSION}); \
-                     it was read as well as possible."
-                )),
-                _ => Some(format!(
-                    "The version (v) must be a whole number from 1 to {VERSION}; {} was given, \
-                     the link was read as version {VERSION}.",
-                    quote(value)
-                )),
+                Ok(newer @ VERSION..) => {
+                    Some(about(Code::NewerVersion).with("newer", newer.to_string()))
+                }
+                _ => Some(about(Code::BadVersion).with("given", quote(value))),
             };
         }
         key != "v"

@@ -5,6 +5,7 @@
 use super::rows::{self, Form, POINTS, STEPS};
 use super::{Key, Recipe, poly};
 use crate::decimal;
+use crate::notice::{Code, Notice};
 use crate::order;
 use glam::DVec2;
 
@@ -66,37 +67,35 @@ impl Item {
         }
     }
 
-    /// Why a row is none of these, in half a sentence.
-    fn flaw(self, row: &[i64]) -> Option<String> {
+    /// Why a row is none of these, but for its number.
+    fn flaw(self, row: &[i64]) -> Option<Notice> {
         let coordinates = &row[..row.len().min(self.form().coordinates)];
         let far = |&x: &i64| (x as f64 / STEPS - 0.5).abs() > 0.5 + OUTSIDE;
         if coordinates.iter().any(far) {
-            return Some("has a point more than half a side outside the picture".to_owned());
+            return Some(Code::RowOutside.into());
         }
         match (self, row) {
             (Item::Line, [_, _, _, _, ..]) => None,
-            (Item::Line, _) => Some("needs at least 2 different points".to_owned()),
+            (Item::Line, _) => Some(Code::RowShort.into()),
             (Item::Spot(min, max), &[_, _, radius, value]) => {
                 let (radius, value) = (radius as f64 / STEPS, value as f64 / VALUE);
                 // The limits themselves may lie between two of the numbers that a link can hold.
                 let within = |x: f64, min: f64, max: f64| x > min - 1e-3 && x < max + 1e-3;
                 if !within(radius, RADIUS.0, RADIUS.1) {
-                    let (min, max) = (decimal::text(RADIUS.0), decimal::text(RADIUS.1));
-                    Some(format!("must have a radius from {min} to {max} sides"))
+                    Some(between(Code::RowRadius, RADIUS.0, RADIUS.1))
                 } else if !within(value, min, max) {
-                    let (min, max) = (decimal::text(min), decimal::text(max));
-                    Some(format!("must have a value from {min} to {max}"))
+                    Some(between(Code::RowValue, min, max))
                 } else {
                     None
                 }
             }
-            (Item::Spot(..), _) => Some("must be x, y, radius and value".to_owned()),
+            (Item::Spot(..), _) => Some(Code::RowSpot.into()),
             (Item::Seed, &[_, _, kind]) => {
-                let count = Key::Kind.parameter().choices.len() as i64;
-                let most = count - 1;
-                (!(0..count).contains(&kind)).then(|| format!("must have a kind from 0 to {most}"))
+                let most = Key::Kind.parameter().choices.len() - 1;
+                let known = (0..=most as i64).contains(&kind);
+                (!known).then(|| Notice::new(Code::RowKind).with("most", most))
             }
-            (Item::Seed, _) => Some("must be x, y and the kind's number".to_owned()),
+            (Item::Seed, _) => Some(Code::RowSeed.into()),
         }
     }
 }
@@ -125,8 +124,8 @@ impl Recipe {
     /// Takes a list from its text; an empty one clears it.
     ///
     /// # Errors
-    /// Half a sentence that says what is wrong; the old list stays.
-    pub(super) fn take_list(&mut self, key: Key, text: &str) -> Result<(), String> {
+    /// A part of a sentence that says what is wrong; the old list stays.
+    pub(super) fn take_list(&mut self, key: Key, text: &str) -> Result<(), Notice> {
         let Some(at) = place(key) else {
             return Ok(());
         };
@@ -143,11 +142,11 @@ impl Recipe {
     /// Takes the constraint lines of an outline.
     ///
     /// # Errors
-    /// Half a sentence that says what is wrong; the old lines stay.
-    pub(super) fn take_lines(&mut self, lines: &[Vec<DVec2>]) -> Result<(), String> {
+    /// A part of a sentence that says what is wrong; the old lines stay.
+    pub(super) fn take_lines(&mut self, lines: &[Vec<DVec2>]) -> Result<(), Notice> {
         let rows: Rows = lines.iter().map(|l| poly::row(l, self.side())).collect();
         if rows.iter().map(Vec::len).sum::<usize>() > 2 * MAX_ROW_POINTS {
-            return Err(format!("they have more than {MAX_ROW_POINTS} points"));
+            return Err(Notice::new(Code::TooManyPoints).with("most", MAX_ROW_POINTS));
         }
         self.lists[0] = checked(rows, Item::Line)?;
         Ok(())
@@ -203,10 +202,16 @@ impl Recipe {
     }
 }
 
+/// What is said of limits.
+fn between(code: Code, min: f64, max: f64) -> Notice {
+    let limits = Notice::new(code).with("min", decimal::text(min));
+    limits.with("max", decimal::text(max))
+}
+
 /// A list without repeated points in lines.
-fn checked(mut rows: Rows, item: Item) -> Result<Rows, String> {
+fn checked(mut rows: Rows, item: Item) -> Result<Rows, Notice> {
     if rows.len() > MAX_ROWS {
-        return Err(format!("it has more than {MAX_ROWS} rows"));
+        return Err(Notice::new(Code::TooManyRows).with("most", MAX_ROWS));
     }
     for (index, row) in rows.iter_mut().enumerate() {
         if item == Item::Line {
@@ -220,7 +225,7 @@ fn checked(mut rows: Rows, item: Item) -> Result<Rows, String> {
             row.truncate(kept);
         }
         if let Some(flaw) = item.flaw(row) {
-            return Err(format!("row {} {flaw}", index + 1));
+            return Err(flaw.with("row", index + 1));
         }
     }
     Ok(rows)

@@ -2,6 +2,7 @@
 
 use super::rows::{self, POINTS, STEPS};
 use crate::domain::{MAX_POINTS, Outline};
+use crate::notice::Notice;
 use glam::DVec2;
 
 fn map(outline: &Outline, f: impl Fn(DVec2) -> DVec2) -> Outline {
@@ -43,8 +44,8 @@ pub fn encode(outline: &Outline, side: f64) -> String {
 /// Reads what [`encode`] writes.
 ///
 /// # Errors
-/// Half a sentence that says why the text is no polygon.
-pub fn decode(text: &str, side: f64) -> Result<Outline, String> {
+/// A part of a sentence that says why the text is no polygon.
+pub fn decode(text: &str, side: f64) -> Result<Outline, Notice> {
     let rows = rows::decode(text, POINTS, MAX_POINTS)?;
     Ok(Outline {
         rings: rows.iter().map(|row| points(row, side)).collect(),

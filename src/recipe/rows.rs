@@ -11,6 +11,7 @@
 
 use super::value::quote;
 use crate::decimal;
+use crate::notice::{Code, Notice};
 
 /// Grid steps along the picture's side; a power of two, so that the scaling is exact.
 pub const STEPS: f64 = 32768.0;
@@ -78,8 +79,8 @@ fn push(text: &mut String, value: i64) {
 /// Reads what [`encode`] writes, or decimal numbers.
 ///
 /// # Errors
-/// Half a sentence that says why the text cannot be read.
-pub fn decode(text: &str, form: Form, most_points: usize) -> Result<Vec<Vec<i64>>, String> {
+/// A part of a sentence that says why the text cannot be read.
+pub fn decode(text: &str, form: Form, most_points: usize) -> Result<Vec<Vec<i64>>, Notice> {
     let readable = text.contains(',');
     let mut rows = Vec::new();
     let mut last = [0; 2];
@@ -92,10 +93,10 @@ pub fn decode(text: &str, form: Form, most_points: usize) -> Result<Vec<Vec<i64>
         };
         points += row.len().min(form.coordinates) / 2;
         if points > most_points {
-            return Err(format!("it has more than {most_points} points"));
+            return Err(Notice::new(Code::TooManyPoints).with("most", most_points));
         }
         if row.len().min(form.coordinates) % 2 == 1 {
-            return Err("a point has lost its y".to_owned());
+            return Err(Code::LostY.into());
         }
         for (k, number) in row.iter_mut().enumerate().take(form.coordinates) {
             if !readable {
@@ -109,18 +110,16 @@ pub fn decode(text: &str, form: Form, most_points: usize) -> Result<Vec<Vec<i64>
 }
 
 /// The whole numbers of a row's text.
-fn numbers(text: &str) -> Result<Vec<i64>, String> {
+fn numbers(text: &str) -> Result<Vec<i64>, Notice> {
     let mut numbers = Vec::new();
     let (mut value, mut shift) = (0u64, 0);
     for c in text.chars() {
         let Some(code) = ALPHABET.iter().position(|&a| a as char == c) else {
-            return Err(format!(
-                "it has the character {}",
-                quote(c.encode_utf8(&mut [0; 4]))
-            ));
+            let given = quote(c.encode_utf8(&mut [0; 4]));
+            return Err(Notice::new(Code::BadCharacter).with("given", given));
         };
         if shift > 25 {
-            return Err("a number is too large".to_owned());
+            return Err(Code::TooLarge.into());
         }
         value |= (code as u64 & 31) << shift;
         shift += 5;
@@ -130,20 +129,20 @@ fn numbers(text: &str) -> Result<Vec<i64>, String> {
         }
     }
     if shift > 0 {
-        return Err("its end is missing".to_owned());
+        return Err(Code::EndMissing.into());
     }
     Ok(numbers)
 }
 
 /// The whole numbers of a row in decimal numbers.
-fn decimals(text: &str, form: Form) -> Result<Vec<i64>, String> {
+fn decimals(text: &str, form: Form) -> Result<Vec<i64>, Notice> {
     let mut row = Vec::new();
     for word in text.split(',') {
         let unit = form.unit(row.len());
         match decimal::parse(word.trim()).map(|v| (v * unit).round()) {
             Some(v) if v.abs() < MOST as f64 => row.push(v as i64),
-            Some(_) => return Err("a number is too large".to_owned()),
-            None => return Err("a number in it is none".to_owned()),
+            Some(_) => return Err(Code::TooLarge.into()),
+            None => return Err(Code::NotANumber.into()),
         }
     }
     Ok(row)

@@ -3,34 +3,31 @@
 use super::{Key, Kind, POLYGON, Parameter, Recipe, poly};
 use crate::decimal;
 use crate::domain::Outline;
+use crate::notice::{Arg, Code, Notice};
 use crate::order;
 
 /// What became of a text that was meant as a value; see [`Recipe::set`].
-type Taken = Result<Option<String>, String>;
+type Taken = Result<Vec<Notice>, Notice>;
 
 /// Characters of a foreign text that a sentence repeats.
 const QUOTED: usize = 24;
 
 impl Recipe {
-    /// Sets one parameter from text: `Ok(None)` where it was taken as it is, `Ok(Some(sentence))`
-    /// where it was clamped to the limits or mended. Choosing `outline=polygon` without a polygon
+    /// Sets one parameter from text: `Ok` holds what was clamped to the limits or mended. Choosing `outline=polygon` without a polygon
     /// makes one of the outline that was chosen before.
     ///
     /// # Errors
-    /// The text does not fit and the old value stays. Every sentence says what was given, what is
+    /// The text does not fit and the old value stays. Every notice says what was given, what is
     /// allowed and what was kept.
-    pub fn set(&mut self, key: &str, text: &str) -> Result<Option<String>, String> {
+    pub fn set(&mut self, key: &str, text: &str) -> Result<Vec<Notice>, Notice> {
         let Some(key) = Key::from_word(key) else {
-            return Err(format!(
-                "{} is not a parameter; it was dropped.",
-                quote(key)
-            ));
+            return Err(Notice::new(Code::NotAParameter).with("given", quote(key)));
         };
         let text = text.trim();
         let list = key.parameter().kind == Kind::Text && key != Key::Poly;
         if text.is_empty() && !list {
-            let (what, kept) = (name(key.parameter()), self.shown(key));
-            return Err(format!("{what} has no value; kept {kept}."));
+            let notice = Notice::new(Code::NoValue).with("what", key.parameter());
+            return Err(notice.with("kept", self.shown(key)));
         }
         match key.parameter().kind {
             Kind::Number | Kind::Int => self.set_number(key, text),
@@ -51,18 +48,17 @@ impl Recipe {
     /// ones that a link can hold (1/32768 of the picture's side).
     ///
     /// # Errors
-    /// The sentence of [`Outline::check`]; the recipe stays as it was. `Ok` holds what was mended.
-    pub fn set_polygon(&mut self, outline: &Outline) -> Result<Vec<String>, String> {
+    /// What [`Outline::check`] says; the recipe stays as it was. `Ok` holds what was mended.
+    pub fn set_polygon(&mut self, outline: &Outline) -> Result<Vec<Notice>, Notice> {
         let side = self.side();
-        let check = |outline: &Outline| outline.check(side).map_err(|error| error.to_string());
-        // Before the points are moved, too: a sentence should tell the places that were given.
-        let (given, mut notices) = check(outline)?;
-        let (mut checked, more) = check(&poly::snap(&given, side))?;
+        // Before the points are moved, too: a notice should tell the places that were given.
+        let (given, mut notices) = outline.check(side)?;
+        let (mut checked, more) = poly::snap(&given, side).check(side)?;
         notices.extend(more);
         let lines = std::mem::take(&mut checked.lines);
         if !lines.is_empty() {
             self.take_lines(&lines)
-                .map_err(|why| format!("The lines cannot be taken: {why}."))?;
+                .map_err(|why| Notice::new(Code::LinesRefused).with("why", why))?;
         }
         self.polygon = Some(checked);
         self.choose(Key::Outline, POLYGON);
@@ -82,13 +78,25 @@ impl Recipe {
         }
     }
 
-    /// The value of a key for a sentence.
-    pub(super) fn shown(&self, key: Key) -> String {
+    /// The value of a key for a notice.
+    pub(super) fn shown(&self, key: Key) -> Arg {
         match key.parameter().kind {
-            Kind::Text => format!("the outline {}", self.shown(Key::Outline)),
-            Kind::Choice => choice_name(key.parameter(), self.choice(key)),
-            _ => self.text(key),
+            Kind::Text => {
+                let outline = self.shown(Key::Outline);
+                Notice::new(Code::TheOutline)
+                    .with("outline", outline)
+                    .into()
+            }
+            Kind::Choice => chosen(key.parameter(), self.choice(key)),
+            _ => self.text(key).into(),
         }
+    }
+
+    /// What is said of a value that does not fit.
+    fn must_be(&self, key: Key, given: String, kept: Arg) -> Notice {
+        let notice = Notice::new(Code::MustBe).with("what", key.parameter());
+        let notice = notice.with("allowed", self.allowed(key));
+        notice.with("given", given).with("kept", kept)
     }
 
     fn put(&mut self, key: Key, value: f64) {
@@ -104,11 +112,7 @@ impl Recipe {
     fn set_number(&mut self, key: Key, text: &str) -> Taken {
         let row = key.parameter();
         let Some(given) = decimal::parse(text).filter(|v| v.is_finite()) else {
-            let (allowed, kept) = (self.allowed(key), self.shown(key));
-            let (what, given) = (name(row), quote(text));
-            return Err(format!(
-                "{what} must be {allowed}; {given} was given, kept {kept}."
-            ));
+            return Err(self.must_be(key, quote(text), self.shown(key)));
         };
         let (min, max) = self.limits(key);
         let whole = if row.kind == Kind::Int {
@@ -117,43 +121,42 @@ impl Recipe {
             given
         };
         let value = order::within(whole, min, max);
-        let allowed = self.allowed(key);
+        let kept = decimal::text(value).into();
+        let clamped = (value != given).then(|| self.must_be(key, quote(text), kept));
+        let mut notices = Vec::from_iter(clamped);
         let old_side = self.side();
         self.put(key, value);
-        let mut notice = (value != given).then(|| {
-            let (what, given, kept) = (name(row), quote(text), decimal::text(value));
-            format!("{what} must be {allowed}; {given} was given, kept {kept}.")
-        });
         if key == Key::Size {
             self.resize(old_side);
-            if let Some(sentence) = self.settle() {
-                notice = Some(notice.map_or(sentence.clone(), |n| format!("{n} {sentence}")));
-            }
+            notices.extend(self.settle());
         }
-        Ok(notice)
+        Ok(notices)
     }
 
-    /// What a number may be, in words.
-    fn allowed(&self, key: Key) -> String {
-        let (min, max) = self.limits(key);
-        let whole = match key.parameter().kind {
-            Kind::Int => "whole ",
-            _ => "",
+    /// What a value may be.
+    fn allowed(&self, key: Key) -> Arg {
+        let row = key.parameter();
+        if row.kind == Kind::Choice {
+            let all = row.choices.iter();
+            return Arg::AnyOf(all.map(|c| chosen(row, c.word)).collect());
+        }
+        let code = match row.kind {
+            Kind::Int => Code::WholeNumber,
+            _ if key == Key::Cs => Code::NumberIn,
+            _ => Code::Number,
         };
-        let unit = match key.parameter().unit {
+        let unit = match row.unit {
             "" => String::new(),
             "°" => "°".to_owned(),
             unit => format!(" {unit}"),
         };
-        let mut words = format!(
-            "a {whole}number from {} to {}{unit}",
-            decimal::text(min),
-            decimal::text(max)
-        );
-        if key == Key::Cs {
-            words += &format!(" in a picture of {} px", decimal::text(self.side()));
+        let (min, max) = self.limits(key);
+        let allowed = Notice::new(code).with("min", decimal::text(min));
+        let allowed = allowed.with("max", decimal::text(max)).with("unit", unit);
+        match code {
+            Code::NumberIn => allowed.with("side", decimal::text(self.side())).into(),
+            _ => allowed.into(),
         }
-        words
     }
 
     /// The free polygon grows with the picture, as the built-in outlines do. Its points lie on a grid
@@ -166,14 +169,14 @@ impl Recipe {
     }
 
     /// Brings what depends on the picture's side back into its limits.
-    pub(super) fn settle(&mut self) -> Option<String> {
+    pub(super) fn settle(&mut self) -> Option<Notice> {
         let (given, (min, max)) = (self.number(Key::Cs), self.limits(Key::Cs));
         let value = order::within(given, min, max);
         (value != given).then(|| {
-            let (allowed, what) = (self.allowed(Key::Cs), name(Key::Cs.parameter()));
+            let kept = decimal::text(value).into();
+            let notice = self.must_be(Key::Cs, decimal::text(given), kept);
             self.put(Key::Cs, value);
-            let (given, kept) = (decimal::text(given), decimal::text(value));
-            format!("{what} must be {allowed}; {given} was given, kept {kept}.")
+            notice
         })
     }
 
@@ -181,25 +184,18 @@ impl Recipe {
         let row = key.parameter();
         let word = text.to_ascii_lowercase();
         let Some(place) = row.choice(&word) else {
-            let (what, given, kept) = (name(row), quote(text), self.shown(key));
-            return Err(format!(
-                "{what} must be {}; {given} was given, kept {kept}.",
-                one_of(row)
-            ));
+            return Err(self.must_be(key, quote(text), self.shown(key)));
         };
         if key == Key::Outline && word == POLYGON && self.polygon.is_none() {
             // The shape on the screen becomes the polygon to start from.
-            return match self.set_polygon(&self.outline()) {
-                Ok(notices) => Ok(notices.into_iter().next()),
-                Err(sentence) => Err(sentence),
-            };
+            return self.set_polygon(&self.outline());
         }
         if key == Key::Stone {
             self.set_stone(place as f64);
         } else {
             self.put(key, place as f64);
         }
-        Ok(None)
+        Ok(Vec::new())
     }
 
     /// Numbers that were at their default stay at it.
@@ -219,28 +215,35 @@ impl Recipe {
     }
 
     fn set_list(&mut self, key: Key, text: &str) -> Taken {
-        self.take_list(key, text).map(|()| None).map_err(|why| {
-            let what = name(key.parameter());
-            format!("{what} cannot be read: {why}; kept what was there.")
-        })
+        self.take_list(key, text)
+            .map(|()| Vec::new())
+            .map_err(|why| {
+                let notice = Notice::new(Code::ListUnreadable).with("what", key.parameter());
+                notice.with("why", why)
+            })
     }
 
     fn set_poly(&mut self, text: &str) -> Taken {
         let kept = self.shown(Key::Poly);
-        let what = name(Key::Poly.parameter());
-        let outline = poly::decode(text, self.side())
-            .map_err(|why| format!("{what} cannot be read: {why}; kept {kept}."))?;
-        match self.set_polygon(&outline) {
-            Ok(notices) if notices.is_empty() => Ok(None),
-            Ok(notices) => Ok(Some(notices.join(" "))),
-            Err(sentence) => Err(format!("{sentence} Kept {kept}.")),
-        }
+        let outline = poly::decode(text, self.side()).map_err(|why| {
+            let notice = Notice::new(Code::PolygonUnreadable).with("what", Key::Poly.parameter());
+            notice.with("why", why).with("kept", kept.clone())
+        })?;
+        self.set_polygon(&outline).map_err(|why| {
+            Notice::new(Code::Refused)
+                .with("why", why)
+                .with("kept", kept)
+        })
     }
 }
 
-/// A parameter as sentences name it.
-pub(super) fn name(row: &Parameter) -> String {
-    format!("{} ({})", row.name, row.key)
+impl From<&'static Parameter> for Arg {
+    fn from(row: &'static Parameter) -> Self {
+        Arg::Parameter {
+            key: row.key,
+            name: row.name,
+        }
+    }
 }
 
 /// Foreign text made fit for a sentence: short and without control characters.
@@ -256,26 +259,17 @@ pub(super) fn quote(text: &str) -> String {
     format!("\"{short}\"")
 }
 
-/// A choice as sentences name it: as the page does, with the link's word where that is another one.
-pub(super) fn choice_name(row: &Parameter, word: &str) -> String {
+/// A word of a choice as notices name it.
+pub(super) fn chosen(row: &'static Parameter, word: &str) -> Arg {
     let choice = row.choices.iter().find(|c| c.word == word);
     choice.map_or_else(
-        || quote(word),
-        |c| match c.label.eq_ignore_ascii_case(word) {
-            true => c.label.to_owned(),
-            false => format!("{} ({word})", c.label),
+        || quote(word).into(),
+        |c| Arg::Choice {
+            key: row.key,
+            word: c.word,
+            label: c.label,
         },
     )
-}
-
-fn one_of(row: &Parameter) -> String {
-    let all = row.choices.iter();
-    let words: Vec<String> = all.map(|c| choice_name(row, c.word)).collect();
-    match words.as_slice() {
-        [only] => format!("{only} so far"),
-        [most @ .., last] => format!("{} or {last}", most.join(", ")),
-        [] => String::new(),
-    }
 }
 
 /// Parameters whose value differs from the default, in the order of the schema.

@@ -4,6 +4,7 @@ use super::files::map_of;
 use super::height_field::{Bodies, HeightField, Passes, ROWS, Revisions};
 use super::{Studio, params};
 use crate::export::{Map, MapKind};
+use crate::notice::{Code, Notice};
 use crate::recipe::Stage;
 
 /// Most pixels along the side: more would not fit into the memory that browsers give a page.
@@ -54,27 +55,25 @@ impl Studio {
     /// last time, or the last one was done. What it holds is let go by [`Studio::stop_file`].
     ///
     /// # Errors
-    /// A sentence where the picture is not finished, or would be too large.
+    /// A notice where the picture is not finished, or would be too large.
     pub fn picture_file(
         &mut self,
         scale: usize,
         clock: &mut dyn FnMut() -> f64,
         budget: f64,
-    ) -> Result<PictureSlice, String> {
+    ) -> Result<PictureSlice, Notice> {
         let revision = self.made.finish.light.revision();
         let goes_on = |b: &Bigger| (b.scale, b.revision) == (scale, revision) && b.at().is_some();
         let kept = self.bigger.take().filter(goes_on);
         let side = self.side().saturating_mul(scale);
         if !self.done() {
-            return Err("The picture is not finished: save it when it is done.".to_owned());
+            return Err(Code::NotYet.into());
         }
         if !(1..=MOST_SCALE).contains(&scale) || side > MOST_PIXELS {
             let most = (MOST_PIXELS / self.side()).clamp(1, MOST_SCALE);
-            return Err(format!(
-                "A picture of {} pixels can be saved at 1 to {most} times its side, not at {scale}: \
-                 {MOST_PIXELS} pixels a side are the most.",
-                self.side()
-            ));
+            let notice = Notice::new(Code::BadScale).with("side", self.side());
+            let notice = notice.with("most", most).with("given", scale);
+            return Err(notice.with("pixels", MOST_PIXELS));
         }
         let begun = kept.is_none();
         let mut bigger = match kept {
@@ -110,22 +109,20 @@ impl Studio {
     /// A map of the planes of the bigger picture that was finished last.
     ///
     /// # Errors
-    /// A sentence where there is none, or of another pavement.
-    pub fn bigger_map(&self, kind: MapKind) -> Result<Map, String> {
+    /// A notice where there is none, or of another pavement.
+    pub fn bigger_map(&self, kind: MapKind) -> Result<Map, Notice> {
         let revision = self.made.finish.light.revision();
         let done = |b: &&Bigger| b.at().is_none() && b.revision == revision;
         let bigger = self.bigger.as_ref().filter(|_| self.done()).filter(done);
         let planes = bigger.and_then(|b| b.finish.weather.made());
-        let planes = planes.ok_or("Maps are made of a finished picture: make that first.")?;
+        let planes = planes.ok_or(Code::NoBiggerPicture)?;
         Ok(map_of(kind, planes, &self.working.params.finish.light))
     }
 
-    fn begin_bigger(&self, scale: usize, side: usize, revision: u64) -> Result<Bigger, String> {
+    fn begin_bigger(&self, scale: usize, side: usize, revision: u64) -> Result<Bigger, Notice> {
         let mut room: Vec<u8> = Vec::new();
         if room.try_reserve_exact(BYTES * side * side).is_err() {
-            return Err(format!(
-                "There is not enough memory for a picture of {side} pixels: choose a smaller one."
-            ));
+            return Err(Notice::new(Code::NoMemory).with("side", side));
         }
         drop(room);
         let params = params::finish(&self.working.recipe, scale, self.finer);

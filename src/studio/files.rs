@@ -3,12 +3,9 @@
 use super::Studio;
 use super::height_field::LightParams;
 use crate::export::{self, Map, MapKind, MeshFile, MeshFormat, maps};
+use crate::notice::{Code, Notice};
 use crate::solid::Quarry;
 use crate::texture::Planes;
-
-/// Said where the picture is still in the making.
-const NOT_YET: &str =
-    "Maps and meshes are made of the finished picture: save them when it is done.";
 
 /// Loop steps of skin in a file, beyond those of the picture: its triangles are still about a pixel
 /// large, and a file is a quarter as long.
@@ -38,10 +35,10 @@ impl Studio {
     /// A map of the finished picture's planes.
     ///
     /// # Errors
-    /// A sentence where the picture is not finished.
-    pub fn map(&self, kind: MapKind) -> Result<Map, String> {
+    /// A notice where the picture is not finished.
+    pub fn map(&self, kind: MapKind) -> Result<Map, Notice> {
         let planes = self.made.planes().filter(|_| self.done());
-        let planes = planes.ok_or(NOT_YET)?;
+        let planes = planes.ok_or(Code::NotYet)?;
         Ok(map_of(kind, planes, &self.working.params.finish.light))
     }
 
@@ -64,18 +61,18 @@ impl Studio {
     /// anew where the pavement or the format is another one than the last time.
     ///
     /// # Errors
-    /// A sentence where the picture is not finished.
+    /// A notice where the picture is not finished.
     pub fn mesh_file(
         &mut self,
         format: MeshFormat,
         clock: &mut dyn FnMut() -> f64,
         budget: f64,
-    ) -> Result<MeshSlice, String> {
+    ) -> Result<MeshSlice, Notice> {
         let revision = self.made.finish.weather.revision();
         let fits = |s: &Saving| (s.format, s.revision) == (format, revision);
         let kept = self.saving.take().filter(fits);
         if !self.done() {
-            return Err(NOT_YET.to_owned());
+            return Err(Code::NotYet.into());
         }
         let begun = kept.is_none();
         let asked = &self.working.params.finish;

@@ -2,6 +2,7 @@
 
 use super::{Studio, Wish, params};
 use crate::domain::Outline;
+use crate::notice::Notice;
 use crate::recipe::{Recipe, Stage};
 
 /// A pass over the stones shorter than this many milliseconds is let finish before a newer recipe
@@ -27,8 +28,8 @@ impl Studio {
     /// Paves exactly this outline from now on, whatever outline the recipe names.
     ///
     /// # Errors
-    /// The sentence that says what is wrong with the outline; the last good one stays.
-    pub fn set_exact_outline(&mut self, outline: &Outline) -> Result<Vec<String>, String> {
+    /// What is wrong with the outline; the last good one stays.
+    pub fn set_exact_outline(&mut self, outline: &Outline) -> Result<Vec<Notice>, Notice> {
         let (outline, notices) = params::checked(outline, self.recipe())?;
         self.exact = Some(outline);
         self.ask(self.latest.recipe.clone());
@@ -123,15 +124,13 @@ impl Studio {
     /// Works until the picture is finished or cannot be made.
     ///
     /// # Errors
-    /// The sentence that says why no pavement can be made.
-    pub fn finish(&mut self, clock: &mut dyn FnMut() -> f64) -> Result<(), String> {
+    /// Why no pavement can be made.
+    pub fn finish(&mut self, clock: &mut dyn FnMut() -> f64) -> Result<(), Notice> {
         self.set_live(false);
         while self.at_work().is_some() {
             self.tick(clock, f64::INFINITY, u32::MAX);
         }
-        self.made
-            .failure()
-            .map_or(Ok(()), |why| Err(why.to_owned()))
+        self.made.failure().map_or(Ok(()), |why| Err(why.clone()))
     }
 
     /// The stage that has work to do.

@@ -4,15 +4,13 @@
 use crate::cells::Cell;
 use crate::domain::Domain;
 use crate::graph::{Node, State};
+use crate::notice::{Code, Notice};
 use crate::recipe::Stage;
 use crate::render::{ShadeParams, Shader};
 use crate::solid::Quarry;
 use crate::texture::{
     Coat, Optics, Painted, Painter, Planes, TextureParams, WeatherParams, Weathering,
 };
-
-/// Said where a stage would run before the ones it needs, which the order of stages rules out.
-pub(super) const MISSING: &str = "A stage is missing what it works on. Begin again (R).";
 
 /// Rows of the picture in one slice.
 pub(super) const ROWS: usize = 16;
@@ -153,7 +151,7 @@ impl HeightField {
                     Passes::Many => painted.clone(),
                     Passes::One => painted.take(),
                 });
-                let painted = painted.ok_or(MISSING)?;
+                let painted = painted.ok_or(Code::StageMissing)?;
                 *work = Some(Weathering::new(*params, painted));
             }
             let over = work.take_if(|weathering| weathering.advance(domain, ROWS));
@@ -184,7 +182,7 @@ impl HeightField {
     }
 
     /// Why a stage cannot go on.
-    pub fn failure(&self) -> Option<&str> {
+    pub fn failure(&self) -> Option<&Notice> {
         self.weather.failure()
     }
 

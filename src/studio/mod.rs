@@ -30,6 +30,7 @@ use crate::export::{Report, StageTime};
 use crate::field::Fields;
 use crate::mesh::Mesh;
 use crate::metrics::Metrics;
+use crate::notice::Notice;
 use crate::packing::{Packing, StepReport};
 use crate::recipe::{Recipe, Stage};
 use crate::solid::StoneParams;
@@ -100,8 +101,8 @@ impl Studio {
     /// what was mended.
     ///
     /// # Errors
-    /// The sentence that says what is wrong with the outline.
-    pub fn with_outline(recipe: Recipe, outline: &Outline) -> Result<(Self, Vec<String>), String> {
+    /// What is wrong with the outline.
+    pub fn with_outline(recipe: Recipe, outline: &Outline) -> Result<(Self, Vec<Notice>), Notice> {
         let (outline, notices) = params::checked(outline, &recipe)?;
         Ok((Self::start(recipe, Some(outline)), notices))
     }
@@ -160,8 +161,8 @@ impl Studio {
         self.made.at().is_none() && !self.flows()
     }
 
-    /// Why the work stopped, in a sentence; `None` while all is well.
-    pub fn problem(&self) -> Option<&str> {
+    /// Why the work stopped; `None` while all is well.
+    pub fn problem(&self) -> Option<&Notice> {
         self.made.failure().filter(|_| !self.flows())
     }
 

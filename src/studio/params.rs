@@ -4,6 +4,7 @@ use super::height_field::{HeightFieldParams, LightParams, PlaneParams};
 use super::terrain::{DomainParams, TerrainParams};
 use crate::domain::Outline;
 use crate::field::{Direction, FieldParams, Kind, Rim, Spot};
+use crate::notice::Notice;
 use crate::packing::{Edge, Integrator, PackingParams, Population, Start};
 use crate::recipe::{Key, Recipe, Stage};
 use crate::render::{Light, ShadeParams};
@@ -94,8 +95,8 @@ pub(super) fn side(recipe: &Recipe) -> usize {
 pub(super) fn checked(
     outline: &Outline,
     recipe: &Recipe,
-) -> Result<(Outline, Vec<String>), String> {
-    outline.check(recipe.side()).map_err(|e| e.to_string())
+) -> Result<(Outline, Vec<Notice>), Notice> {
+    outline.check(recipe.side())
 }
 
 /// The outline to pave: the exact one where there is one, the recipe's constraint lines in either.

@@ -7,6 +7,7 @@ use crate::cells::{self, Cell, Fitting, Graph, Scatter, ScatterParams};
 use crate::domain::Domain;
 use crate::graph::{Node, State};
 use crate::mesh::{Mesh, Meshing};
+use crate::notice::{Code, Notice};
 use crate::packing::{Packing, PackingParams, Placing};
 use crate::recipe::Stage;
 use crate::solid::oriented;
@@ -14,10 +15,6 @@ use crate::texture::{Coat, Coats, Planes};
 
 /// Cells whose neighbours are found, or whose coats are made, in one slice.
 const CELLS: usize = 500;
-
-/// Said where nothing is left of a packing.
-const NO_CELLS: &str =
-    "Not one cell fits into the outline. Choose a smaller cell size or a larger outline.";
 
 /// A packing on its way.
 pub(super) enum Packs {
@@ -143,8 +140,8 @@ impl Pavement {
         self.due().map(|(task, _)| task.stage())
     }
 
-    /// Why the stage at work cannot go on, in a sentence.
-    pub fn failure(&self) -> Option<&str> {
+    /// Why the stage at work cannot go on.
+    pub fn failure(&self) -> Option<&Notice> {
         let (task, _) = self.due().filter(|&(_, state)| state == State::Failed)?;
         match task {
             Task::Terrain(_) => None,
@@ -194,7 +191,7 @@ impl Pavement {
             }
             let packing = placing.finish(domain, fields);
             if packing.report().cells == 0 {
-                return Err(NO_CELLS.into());
+                return Err(Code::NoCells.into());
             }
             *work = Some(Packs::Moving(Box::new(packing)));
             Ok(None)
@@ -253,7 +250,7 @@ impl Pavement {
                 }
             };
             if cells.is_empty() {
-                return Err(NO_CELLS.into());
+                return Err(Code::NoCells.into());
             }
             Ok(Some(cells))
         });

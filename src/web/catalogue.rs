@@ -1,19 +1,62 @@
 //! What there is to choose from: parameters and presets.
 
 use super::object;
+use crate::decimal;
 use crate::recipe::{Kind, PRESETS, Parameter, Part, Preset, SCHEMA, Timing};
 use js_sys::{Array, Object, Reflect};
 use wasm_bindgen::prelude::*;
 
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = r"
+/** One row of the parameter schema. */
+export interface Parameter {
+  key: string;
+  /** The papers' symbol, or ''. */
+  symbol: string;
+  name: string;
+  kind: 'number' | 'int' | 'choice' | 'text';
+  min: number;
+  max: number;
+  step: number;
+  default: string;
+  unit: string;
+  help: string;
+  group: string;
+  choices: { word: string; label: string }[];
+  /** The parameter applies only while another one has one of these words. */
+  shownFor?: { key: string; words: string[] } | undefined;
+}
+
+export interface Preset {
+  name: string;
+  title: string;
+  /** What it stands under on the page. */
+  group: string;
+  /** The figure of the paper, or ''. */
+  figure: string;
+  note: string;
+  link: string;
+  /** How long it took in the paper, where that is printed. */
+  timing: Timing | null;
+}
+
+export interface Timing {
+  /** What it was measured on. */
+  machine: string;
+  /** The paper's parts of the work, and the stages here that do the same. */
+  parts: { name: string; stages: string[]; seconds: number }[];
+}
+";
+
 /// All parameters, in the order of the pipeline.
-#[wasm_bindgen]
+#[wasm_bindgen(unchecked_return_type = "Parameter[]")]
 pub fn schema() -> Array {
     SCHEMA.iter().map(parameter_object).collect()
 }
 
 fn parameter_object(p: &Parameter) -> Object {
     let default = match p.kind {
-        Kind::Number | Kind::Int => p.default.into(),
+        Kind::Number | Kind::Int => decimal::text(p.default).into(),
         Kind::Choice => p.choices.first().map_or("", |c| c.word).into(),
         Kind::Text => "".into(),
     };
@@ -45,7 +88,7 @@ fn parameter_object(p: &Parameter) -> Object {
 }
 
 /// The papers' figures as links.
-#[wasm_bindgen]
+#[wasm_bindgen(unchecked_return_type = "Preset[]")]
 pub fn presets() -> Array {
     PRESETS.iter().map(preset_object).collect()
 }

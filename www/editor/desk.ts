@@ -1,6 +1,6 @@
 /** The editor as the page uses it: who edits what over the canvas, and what becomes of it. */
 import { byId } from '../dom';
-import type { Engine } from '../engine';
+import type { Engine, Told } from '../engine';
 import { applies } from '../kinds';
 import { alertOf, clear, notice } from '../messages';
 import type { Point, Ring } from '../types';
@@ -195,9 +195,9 @@ export class Desk {
     const taken = this.change('outline', () => {
       let first = '';
       for (const one of tries) {
-        const { refused, sentence } = this.work.outline(one.rings, this.held);
-        if (!refused) return { refused, sentences: [sentence, ...remarks(one)] };
-        first ||= sentence;
+        const { refused, sentences } = this.work.outline(one.rings, this.held);
+        if (!refused) return { refused, sentences: [...sentences, ...remarks(one)] };
+        first ||= sentences.join(' ');
       }
       return { refused: true, sentences: [tell('last_good', { sentence: first })] };
     });
@@ -212,18 +212,15 @@ export class Desk {
   /** Gives an outline to the engine; false where it was refused. */
   private takeRings(rings: Ring[]): boolean {
     return this.change('outline', () => {
-      const { refused, sentence } = this.work.outline(rings, this.held);
-      return { refused, sentences: [refused ? tell('last_good', { sentence }) : sentence] };
+      const { refused, sentences } = this.work.outline(rings, this.held);
+      return { refused, sentences: refused ? [tell('last_good', { sentence: sentences.join(' ') })] : sentences };
     });
   }
 
   private take(sort: Sort, figures: Figure[]): boolean {
     if (sort.word === 'road') return this.takeRoads(figures);
     if (sort.form === 'ring') return this.takeOutline(figures);
-    return this.change(sort.word, () => {
-      const sentence = this.work.write(sort.word, this.sorts.text(sort, figures), this.held);
-      return { refused: sentence !== '', sentences: [sentence] };
-    });
+    return this.change(sort.word, () => this.work.write(sort.word, this.sorts.text(sort, figures), this.held));
   }
 
   private takeRoads(figures: Figure[]): boolean {
@@ -270,13 +267,13 @@ export class Desk {
   }
 
   /** A change from here, which the handles need not follow. */
-  private change(word: string, act: () => { refused: boolean; sentences: string[] }): boolean {
+  private change(word: string, act: () => Told): boolean {
     this.writing = true;
     const { refused, sentences } = act();
     this.writing = false;
     this.known = this.text(word);
     if (refused) alertOf('outline', sentences.join(' '));
-    else notice('outline', ...sentences.filter(Boolean));
+    else notice('outline', ...sentences);
     return !refused;
   }
 }

@@ -1,3 +1,5 @@
+import type { Notice } from '../types';
+
 /** What a language other than English says for the words that come from the module. */
 export interface Foreign {
   /** By the parameter's key. */
@@ -9,6 +11,8 @@ export interface Foreign {
   presets: Record<string, { title: string; note: string }>;
   /** The papers' figures that a preset names. */
   figure(text: string): string;
-  /** One or more sentences of the module. */
-  sentence(text: string): string;
+  /** The parts of the work that papers have timed. */
+  parts: Record<string, string>;
+  /** A notice of the module; nothing where its code has no words. */
+  said(notice: Notice): string | undefined;
 }

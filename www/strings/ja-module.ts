@@ -1,6 +1,6 @@
 /** The module's words in Japanese. The terms are those of Miyata, Itoh and Shimada (2001). */
 import type { Foreign } from './foreign';
-import { japanese } from './ja-sentences';
+import { japanese } from './ja-notices';
 
 /** By key: the name, the help, and the choices' labels. */
 const parameters: Foreign['parameters'] = {
@@ -204,8 +204,6 @@ export const foreign: Foreign = {
   },
   presets,
   figure: (text) => text.replace(/Fig\. (\d+ \(\w+\)) of (\d{4})/g, '$2年 図$1').replace(', ', '・'),
-  sentence: japanese(
-    (key) => parameters[key]?.name,
-    (key, word) => parameters[key]?.choices?.[word],
-  ),
+  parts: { packing: '充填', texture: 'テクスチャ', tessellation: '分割', skin: '皮膚' },
+  said: japanese(parameters),
 };

@@ -1,7 +1,8 @@
 /** Files of a recipe, made in a worker that packs it anew, so that the page stays free; to stop it frees all it held. */
-import { sentenceIn } from '../words';
-import { t } from './words';
 import type { Task } from '../stoppable';
+import type { Notice } from '../types';
+import { said } from '../words';
+import { t } from './words';
 
 /** What is to be made; `normals` is the word of the normal map. */
 export type Job =
@@ -13,14 +14,14 @@ export type Job =
 export type Order = [link: string, job: Job];
 
 /** What it says: how far it is, then the file; or what went wrong. */
-export type Said = { progress: number } | { file: Blob } | { trouble: string };
+export type Said = { progress: number } | { file: Blob } | { trouble: Notice | string };
 
 /** Throws a sentence where the file cannot be made. */
 export function fileOf(link: string, job: Job, task: Task): Promise<Blob> {
   if ((job.file === 'picture' || job.file === 'maps') && typeof CompressionStream !== 'function') throw new Error(t('old'));
   const worker = new Worker(new URL('./job.worker.ts', import.meta.url), { type: 'module' });
   const made = new Promise<Blob>((resolve, reject) => {
-    const failed = (reason: string): void => reject(new Error(t('not_made', { reason: sentenceIn(reason) })));
+    const failed = (why: Notice | string): void => reject(new Error(t('not_made', { reason: typeof why === 'string' ? why : said(why) })));
     worker.addEventListener('error', ({ message }) => failed(message));
     worker.addEventListener('message', ({ data }: MessageEvent<Said>) => {
       if ('progress' in data) task.progress(data.progress);

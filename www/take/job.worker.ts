@@ -7,13 +7,14 @@ import { mapsZip } from './maps-zip';
 import { meshFile } from './mesh-file';
 import { pavement, type Progress } from './pavement';
 import { pictureFile } from './picture';
+import { Refusal } from './refusal';
 
 const say = (said: Said): void => postMessage(said);
 
 addEventListener('message', ({ data: [link, job] }: MessageEvent<Order>) => {
   made(link, job, (progress) => say({ progress })).then(
     (file) => say({ file }),
-    (error: unknown) => say({ trouble: error instanceof Error ? error.message : String(error) }),
+    (error: unknown) => say({ trouble: error instanceof Refusal ? error.notice : error instanceof Error ? error.message : String(error) }),
   );
 });
 

@@ -1,11 +1,11 @@
 /** All maps in one zip file. */
 import { strToU8, Zip, ZipPassThrough } from 'fflate';
 import type { Bubblestone } from '../../pkg/bubblestone.js';
-import type { PixelMap } from '../types';
 import type { Progress } from './pavement';
 import { png } from './png';
+import { given } from './refusal';
 
-/** `normals` is the word of the normal map. Throws a sentence where there are no maps. */
+/** `normals` is the word of the normal map. Throws a Refusal where there are no maps. */
 export async function mapsZip(studio: Bubblestone, normals: string, progress: Progress): Promise<Blob> {
   const parts: BlobPart[] = [];
   const zip = new Zip((error, part) => {
@@ -20,9 +20,7 @@ export async function mapsZip(studio: Bubblestone, normals: string, progress: Pr
   };
   const words = ['height', normals, 'albedo', 'roughness', 'ao', 'id'];
   for (const [index, word] of words.entries()) {
-    const map = studio.map(word) as PixelMap | string;
-    if (typeof map === 'string') throw new Error(map);
-    add(`${word}.png`, await png(map));
+    add(`${word}.png`, await png(given(studio.map(word))));
     progress((index + 1) / words.length);
   }
   add('report.json', strToU8(studio.report()));

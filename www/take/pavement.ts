@@ -2,6 +2,7 @@
 import type { Bubblestone } from '../../pkg/bubblestone.js';
 import { progressOf } from '../progress';
 import type { Status } from '../types';
+import { Refusal } from './refusal';
 
 /** Milliseconds of work between two words about how far it is. */
 export const BUDGET = 50;
@@ -12,12 +13,13 @@ const STEPS = 100_000;
 /** Gets how much is done, 0..1. */
 export type Progress = (done: number) => void;
 
-/** Where somebody looks on, one step of the packing or one stone is made at a time. Throws a sentence where there is no picture. */
+/** Where somebody looks on, one step of the packing or one stone is made at a time. Throws a Refusal where there is no picture. */
 export function pavement(studio: Bubblestone, progress: Progress, looksOn?: (stage: string, status: Status) => void): void {
   for (;;) {
     const stage = studio.stage();
-    const status = studio.status() as Status;
-    if (stage === 'error') throw new Error(studio.problem());
+    const status = studio.status();
+    const problem = studio.problem();
+    if (problem) throw new Refusal(problem);
     if (stage === 'done') return;
     looksOn?.(stage, status);
     progress(progressOf(stage, status));

@@ -1,15 +1,14 @@
 /** The finished picture at several times its side, written row after row as a PNG file. */
 import type { Bubblestone } from '../../pkg/bubblestone.js';
-import type { PictureSlice } from '../types';
 import { BUDGET, type Progress } from './pavement';
 import { PngWriter } from './png';
+import { given } from './refusal';
 
-/** Throws a sentence where it cannot be made. */
+/** Throws a Refusal where it cannot be made. */
 export async function pictureFile(studio: Bubblestone, scale: number, progress: Progress): Promise<Blob> {
   let file: PngWriter | undefined;
   for (;;) {
-    const slice = studio.pictureFile(scale, BUDGET) as PictureSlice | string;
-    if (typeof slice === 'string') throw new Error(slice);
+    const slice = given(studio.pictureFile(scale, BUDGET));
     file ??= new PngWriter(slice.side, 3, 8);
     await file.write(slice.rows);
     progress(slice.progress);

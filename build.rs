@@ -1,0 +1,41 @@
+//! Writes the codes of notices and their English from the one table of words.
+
+use std::fmt::Write;
+use std::{env, fs, path::Path};
+
+const TABLE: &str = "src/notice/words.txt";
+
+fn main() {
+    println!("cargo::rerun-if-changed={TABLE}");
+    let table = fs::read_to_string(TABLE).expect("the table of words");
+    let (mut codes, mut words, mut english) = (String::new(), String::new(), String::new());
+    let mut code = String::new();
+    for line in table.lines().filter(|line| !line.starts_with('#')) {
+        if let Some(text) = line.strip_prefix("  en ") {
+            writeln!(codes, "/// {text}\n{code},").expect("a string");
+            writeln!(english, "Code::{code} => {text:?},").expect("a string");
+        } else if !line.starts_with(' ') && !line.is_empty() {
+            code = camel(line);
+            writeln!(words, "Code::{code} => {line:?},").expect("a string");
+        }
+    }
+    let made = format!(
+        "/// What is said.\n\
+         #[derive(Clone, Copy, Debug, PartialEq, Eq)]\n\
+         pub enum Code {{\n{codes}}}\n\
+         impl Code {{\n\
+         /// Its name in the table.\n\
+         pub fn word(self) -> &'static str {{ match self {{\n{words}}} }}\n\
+         fn english(self) -> &'static str {{ match self {{\n{english}}} }}\n\
+         }}\n"
+    );
+    let folder = env::var("OUT_DIR").expect("cargo's folder");
+    fs::write(Path::new(&folder).join("notices.rs"), made).expect("a file in cargo's folder");
+}
+
+/// `outer_ring` becomes `OuterRing`.
+fn camel(word: &str) -> String {
+    let parts = word.split('_');
+    let upper = |part: &str| part[..1].to_uppercase() + &part[1..];
+    parts.map(upper).collect()
+}
