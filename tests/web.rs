@@ -98,10 +98,13 @@ fn parameters_are_set_by_text() {
     // Arguments come apart from the words.
     let notice = page.open("stone=brick").get(0);
     let args = property(&notice, "args");
-    assert_eq!(property(&property(&args, "what"), "key"), "stone".into());
-    assert_eq!(property(&args, "given"), "\"brick\"".into());
+    assert_eq!(
+        property(&property(&args, "what"), "key"),
+        JsValue::from("stone")
+    );
+    assert_eq!(property(&args, "given"), JsValue::from("\"brick\""));
     let allowed: Array = property(&args, "allowed").unchecked_into();
-    assert_eq!(property(&allowed.get(1), "word"), "flag".into());
+    assert_eq!(property(&allowed.get(1), "word"), JsValue::from("flag"));
 }
 
 #[wasm_bindgen_test]
