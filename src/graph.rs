@@ -149,12 +149,17 @@ impl<P: Clone + PartialEq, W, T> Node<P, W, T> {
         made.map(|made| &made.value)
     }
 
-    /// The work in progress.
+    /// The work in progress on inputs of this revision.
+    pub fn work_of(&self, inputs: u64) -> Option<&W> {
+        self.work.as_ref().filter(|_| self.work_inputs == inputs)
+    }
+
+    /// The work in progress, of whatever inputs: it stays to be shown until it is begun anew.
     pub fn work(&self) -> Option<&W> {
         self.work.as_ref()
     }
 
-    /// The same, for work that is looked at closely.
+    /// The same, for work that keeps what it works out when it is asked.
     pub fn work_mut(&mut self) -> Option<&mut W> {
         self.work.as_mut()
     }
@@ -226,6 +231,7 @@ mod tests {
         advance(&mut node, 1, 0);
         advance(&mut node, 1, 0);
         advance(&mut node, 2, 0);
+        assert_eq!((node.work_of(2), node.work_of(1)), (Some(&1), None));
         assert_eq!((node.work(), node.passes()), (Some(&1), 2));
         advance(&mut node, 2, 0);
         advance(&mut node, 2, 7);

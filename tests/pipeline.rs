@@ -2,6 +2,7 @@
 //! tests run natively and in WebAssembly.
 
 use bubblestone::domain::Outline;
+use bubblestone::field::Kind;
 use bubblestone::random::{Purpose, Random};
 use bubblestone::recipe::{PRESETS, Recipe};
 use bubblestone::studio::{Base, Overlay, Studio, View};
@@ -299,4 +300,19 @@ fn every_preset_is_rendered() {
         let (dark, light) = (tones[tones.len() / 20], tones[tones.len() * 19 / 20]);
         assert!(light - dark > 40, "{}: flat picture", preset.name);
     }
+}
+
+/// Held in its packing, a studio goes on to the first cells of another one, and no further.
+#[test]
+fn a_held_packing_begins_anew_with_its_first_cells() {
+    let mut studio = Studio::new(recipe(LINK));
+    let mut clock = counting_clock();
+    (0..3).for_each(|_| studio.step(&mut clock));
+    let before = studio.packing().map(|p| p.particles());
+    studio.set_recipe(with(&recipe(LINK), "kind", "circle"));
+    while studio.tick(&mut clock, 0.0, 0) {}
+    assert_eq!((studio.stage(), studio.progress().step), ("packing", 0));
+    let now = studio.packing().map(|p| p.particles()).unwrap();
+    assert!(now.iter().all(|p| p.kind == Kind::Circle));
+    assert_ne!(Some(now), before);
 }

@@ -158,10 +158,12 @@ impl Studio {
         let cells = self.scales().len().max(1);
         let bands = side.div_ceil(band(side)) as f64;
         let (from, to, part) = match bigger.at() {
-            Some(Stage::Planes) if !bigger.finish.is_bedded() => (0.0, 0.05, slices / (2.0 * rows)),
+            Some(Stage::Planes) if !bigger.finish.is_bedded(INPUTS) => {
+                (0.0, 0.05, slices / (2.0 * rows))
+            }
             Some(Stage::Planes) => {
-                let stones = bigger.finish.stones_coming() as f64 / cells as f64;
-                let done = bigger.finish.bands_done() as f64 + stones;
+                let stones = bigger.finish.stones_coming(INPUTS) as f64 / cells as f64;
+                let done = bigger.finish.bands_done(INPUTS) as f64 + stones;
                 (0.05, 0.75, done / bands)
             }
             Some(Stage::Weather) => (0.75, 0.9, slices / (3.0 * rows)),

@@ -191,28 +191,32 @@ impl HeightField {
         self.planes.slices() + self.weather.slices() + self.light.slices()
     }
 
+    /// The painting at work.
+    fn painting(&self, inputs: Revisions) -> Option<&Painting> {
+        self.planes.work_of(inputs.cells)
+    }
+
     /// Stones painted by now, of the band of rows at work.
-    pub fn stones_coming(&self) -> usize {
-        self.planes.work().map_or(0, |painting| painting.stones)
+    pub fn stones_coming(&self, inputs: Revisions) -> usize {
+        self.painting(inputs).map_or(0, |painting| painting.stones)
     }
 
     /// Bands of rows that all stones are in.
-    pub fn bands_done(&self) -> usize {
-        self.planes.work().map_or(0, |painting| painting.bands)
+    pub fn bands_done(&self, inputs: Revisions) -> usize {
+        self.painting(inputs).map_or(0, |painting| painting.bands)
     }
 
     /// Is the ground laid?
-    pub fn is_bedded(&self) -> bool {
-        self.planes
-            .work()
+    pub fn is_bedded(&self, inputs: Revisions) -> bool {
+        self.painting(inputs)
             .is_some_and(|painting| painting.is_bedded)
     }
 
     /// The planes as they are by now, while planes or weather are at work.
-    pub fn planes_coming(&self, stage: Stage) -> Option<&Planes> {
+    pub fn planes_coming(&self, stage: Stage, inputs: Revisions) -> Option<&Planes> {
         match stage {
-            Stage::Planes => Some(self.planes.work()?.painter.planes()),
-            Stage::Weather => match self.weather.work() {
+            Stage::Planes => Some(self.painting(inputs)?.painter.planes()),
+            Stage::Weather => match self.weather.work_of(self.weather_inputs(inputs)) {
                 Some(weathering) => Some(weathering.planes()),
                 None => Some(&self.planes.made()?.as_ref()?.planes),
             },

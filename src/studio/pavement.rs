@@ -333,7 +333,10 @@ impl Pavement {
     /// Are there cells of the packing at work, or of one that is over and fresh?
     pub fn is_packing(&self) -> bool {
         match self.at() {
-            Some(Stage::Packing) => matches!(self.packing.work(), Some(Packs::Moving(_))),
+            Some(Stage::Packing) => {
+                let work = self.packing.work_of(self.terrain.revision());
+                matches!(work, Some(Packs::Moving(_)))
+            }
             at => at.is_none_or(|stage| stage > Stage::Packing),
         }
     }
@@ -376,7 +379,9 @@ impl Pavement {
     /// Stones painted by now.
     pub fn stones(&self) -> usize {
         match self.at() {
-            Some(stage) if stage <= Stage::Planes => self.finish.stones_coming(),
+            Some(stage) if stage <= Stage::Planes => {
+                self.finish.stones_coming(self.finish_inputs())
+            }
             _ => self.scales().len(),
         }
     }
@@ -384,7 +389,7 @@ impl Pavement {
     /// Is the ground laid that the stones at work come on?
     pub fn is_bedded(&self) -> bool {
         match self.at() {
-            Some(stage) if stage <= Stage::Planes => self.finish.is_bedded(),
+            Some(stage) if stage <= Stage::Planes => self.finish.is_bedded(self.finish_inputs()),
             _ => true,
         }
     }
@@ -396,7 +401,7 @@ impl Pavement {
 
     /// The planes on their way.
     pub fn planes_coming(&self) -> Option<&Planes> {
-        self.finish.planes_coming(self.at()?)
+        self.finish.planes_coming(self.at()?, self.finish_inputs())
     }
 
     /// The picture last finished, empty before there is one.
