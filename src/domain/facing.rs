@@ -227,6 +227,13 @@ mod tests {
         );
         facing.feet(p(25., 75.), 20.0, &mut feet);
         assert!(feet.is_empty());
-        assert!(!facing.is_near(p(25., 60.)) || facing.is_near(p(45., 60.)));
+        assert!(facing.is_near(p(45., 60.)));
+        let square = [p(0., 0.), p(400., 0.), p(400., 400.), p(0., 400.)];
+        let wide = Domain::from_checked(&Outline {
+            rings: vec![square.to_vec()],
+            ..Outline::default()
+        });
+        let facing = Facing::new(&wide, 20.0);
+        assert!(facing.is_near(p(10., 200.)) && !facing.is_near(p(200., 200.)));
     }
 }
