@@ -7,7 +7,7 @@ use glam::DVec2;
 /// A cell's lot, each 0..=1.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Stress {
-    /// How deep it and its neighbours stand in each other; 1 from [`DEEP`] on.
+    /// How deep it and its neighbours stand in each other; 1 from a depth on.
     pub pressed: f32,
     /// The share of its sides along which there is neither a neighbour nor the boundary.
     pub alone: f32,
