@@ -141,7 +141,7 @@ fn assert_fills(domain: &Domain, cells: &[Cell]) {
             .map(|(a, b)| a.distance(*b))
             .sum::<f64>();
     }
-    if let Some(side) = domain.period() {
+    if let Some(side) = domain.space().period() {
         area = side * side;
     }
     let most = 1e-6 * area + 0.708 * step * perimeter;

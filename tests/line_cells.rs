@@ -16,7 +16,7 @@ fn p(x: f64, y: f64) -> DVec2 {
 }
 
 fn packed(domain: &Domain, size: f64, edge: Edge) -> Vec<Particle> {
-    let torus = domain.period().is_some();
+    let torus = domain.space().period().is_some();
     let params = FieldParams {
         direction: if torus {
             Direction::Constant
@@ -189,7 +189,7 @@ fn assert_seamless(domain: &Domain, cells: &[Cell], what: &str) {
     for cell in cells {
         for (k, &a) in cell.ring.iter().enumerate() {
             let b = cell.ring[(k + 1) % cell.ring.len()];
-            let ends = [a, b].map(|q| bits(domain.wrap(q)));
+            let ends = [a, b].map(|q| bits(domain.space().wrap(q)));
             *sides.entry(ends).or_insert(0) += 1;
         }
     }
@@ -200,7 +200,7 @@ fn assert_seamless(domain: &Domain, cells: &[Cell], what: &str) {
     assert!((area - SIDE * SIDE).abs() < 1e-6, "{what}: {area}");
     for cell in cells {
         assert!(signed_area(&cell.ring) > 0.0 && !crosses_itself(&cell.ring));
-        assert_eq!(domain.wrap(cell.centre), cell.centre);
+        assert_eq!(domain.space().wrap(cell.centre), cell.centre);
     }
 }
 
@@ -216,7 +216,7 @@ fn cells_of_a_torus_meet_over_the_seams() {
         let particles: Vec<Particle> = (0..across * across)
             .map(|id| Particle {
                 id,
-                centre: domain.wrap(
+                centre: domain.space().wrap(
                     p(f64::from(id % across), f64::from(id / across)) * size
                         + disorder * p(random.signed(), random.signed()),
                 ),

@@ -143,8 +143,8 @@ fn a_torus_has_no_boundary_and_wraps_lines() {
     let plain = Domain::torus(SIDE, &[]);
     assert_eq!(plain.area(), SIDE * SIDE);
     assert!(plain.contains(p(0., 0.)) && plain.nearest(p(1., 1.)).distance > 1e6);
-    assert_eq!(plain.wrap(p(-1., 513.)), p(511., 1.));
-    assert_eq!(plain.shortest(p(500., -300.)), p(-12., 212.));
+    assert_eq!(plain.space().wrap(p(-1., 513.)), p(511., 1.));
+    assert_eq!(plain.space().shortest(p(500., -300.)), p(-12., 212.));
     // A line all around does not cut a torus, two do; a closed one does.
     let around = |x: f64| vec![p(x, -10.), p(x, 502.)];
     assert_eq!(Domain::torus(SIDE, &[around(100.)]).parts(), 1);
@@ -192,8 +192,8 @@ fn a_way_that_crosses_nothing_stays_in_its_part() {
                 if free == [true; 2] && !made.crosses_line(a, b) {
                     assert_eq!(made.part(a), made.part(b), "{a} {b} {lines:?}");
                 }
-                let (from, to) = (made.part(a), made.part(made.wrap(a + SIDE)));
-                assert!(made.period().is_none() || from == to);
+                let (from, to) = (made.part(a), made.part(made.space().wrap(a + SIDE)));
+                assert!(made.space().period().is_none() || from == to);
             }
         }
     }

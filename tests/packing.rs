@@ -391,7 +391,7 @@ fn least_way(torus: &Domain, particles: &[Particle]) -> f64 {
     let mut least = f64::INFINITY;
     for (k, a) in particles.iter().enumerate() {
         for b in &particles[..k] {
-            let way = torus.shortest(b.centre - a.centre);
+            let way = torus.space().shortest(b.centre - a.centre);
             if !torus.crosses_line(a.centre, a.centre + way) {
                 least = least.min(way.length());
             }

@@ -106,9 +106,9 @@ fn a_torus_has_no_seam() {
             .collect();
         let mut least = f64::INFINITY;
         for (k, &a) in points.iter().enumerate() {
-            assert_eq!(a, torus.wrap(a));
+            assert_eq!(a, torus.space().wrap(a));
             for &b in &points[..k] {
-                least = least.min(torus.shortest(a - b).length());
+                least = least.min(torus.space().shortest(a - b).length());
             }
         }
         let apart = 100.0 / (count as f64).sqrt();

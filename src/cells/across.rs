@@ -87,7 +87,7 @@ pub(super) fn end(domain: &Domain, middle: DVec2, size: f64) -> Option<(usize, D
             (segment, line[0]),
             (segment + line.len() - 2, line[line.len() - 1]),
         ] {
-            let by = domain.shortest(end - middle);
+            let by = domain.space().shortest(end - middle);
             if by.length() < least {
                 least = by.length();
                 best = Some((number, middle + by));

@@ -7,7 +7,7 @@ use super::arrangement::{Arrangement, Line};
 use super::rings::is_tangled;
 use super::voronoi::circumcentre;
 use super::{Cell, across, ghosts};
-use crate::domain::{Domain, closest_on_segment, divided, ring_contains, shifts};
+use crate::domain::{Domain, closest_on_segment, divided, ring_contains};
 use crate::mesh::{Face, Fans, Mesh, Node};
 use crate::order;
 use crate::packing::{Grid, Particle};
@@ -277,8 +277,8 @@ impl Dual {
 
     /// All cells, corners not straightened.
     pub fn cells(&self, domain: &Domain) -> Vec<Cell> {
-        // On a torus only what lies at a constraint line is cut.
-        let is_cut = domain.period().is_none() || self.mixed.contains(&true);
+        // Where there are neither walls nor constraint lines nothing is cut.
+        let is_cut = self.mixed.contains(&true);
         let band = if is_cut {
             self.band(domain)
         } else {
@@ -362,34 +362,21 @@ impl Dual {
         lines.collect()
     }
 
-    /// The constraint lines divided at places on them; on a torus their images as far as there are
-    /// cells.
+    /// The constraint lines divided at places on them, and their images as far as there are cells.
     fn line_pieces(&self, domain: &Domain, mut on: Vec<(usize, DVec2)>) -> Vec<[DVec2; 2]> {
-        let segments = domain.line_segments();
-        let Some(side) = domain.period() else {
-            return divided(segments, &on);
-        };
+        let (segments, space) = (domain.line_segments(), domain.space());
         for (segment, place) in &mut on {
             let [a, b] = segments[*segment];
-            let home = domain.wrap(*place);
-            let images = shifts(Some(side), 2).into_iter().map(|by| home + by);
+            let home = space.wrap(*place);
+            let images = space.shifts(2).map(|by| home + by);
             let off = |p: &DVec2| closest_on_segment(*p, a, b).distance(*p);
             let nearest = images.min_by(|p, q| off(p).total_cmp(&off(q)));
             *place = nearest.unwrap_or(home);
         }
+        let cells = self.particles.iter().map(|p| p.centre);
+        let (lo, hi) = cells.fold(domain.bounds(), |(lo, hi), p| (lo.min(p), hi.max(p)));
         let pieces = divided(segments, &on);
-        let start = (DVec2::ZERO, DVec2::splat(side));
-        let cells = self.particles.iter();
-        let (lo, hi) = cells.fold(start, |(lo, hi), p| (lo.min(p.centre), hi.max(p.centre)));
-        let far = (hi.max_element() / side).ceil() as i32 + 1;
-        let mut all = Vec::new();
-        for by in shifts(Some(side), far) {
-            let images = pieces.iter().map(|piece| piece.map(|p| p + by));
-            all.extend(
-                images.filter(|[a, b]| a.min(*b).cmple(hi).all() && a.max(*b).cmpge(lo).all()),
-            );
-        }
-        all
+        space.repeated_over(&pieces, [lo, hi]).collect()
     }
 
     /// The sides of the band's polygons and of the ghosts'. A side between a cell and a ghost

@@ -35,7 +35,7 @@ impl Graph {
     pub fn new(domain: &Domain, cells: &[Cell]) -> Self {
         let mut shapes: Vec<Particle> = cells.iter().map(particle).collect();
         for shape in &mut shapes {
-            shape.centre = domain.wrap(shape.centre);
+            shape.centre = domain.space().wrap(shape.centre);
         }
         let (mut lo, mut hi) = domain.bounds();
         let mut length = 0.0;
@@ -85,17 +85,17 @@ impl Graph {
         within: f64,
         test: impl Fn(usize, f64) -> bool,
     ) -> Vec<(usize, f64)> {
-        let own = &self.shapes[k];
+        let (own, space) = (&self.shapes[k], domain.space());
         let rim = domain.nearest(own.centre).distance;
         let mut found: Vec<(usize, f64)> = Vec::new();
         let reach = within * own.length();
-        self.grid.any_near(domain.period(), own.centre, reach, |j| {
+        self.grid.any_near(space, own.centre, reach, |j| {
             let other = &self.shapes[j];
             // An image on a torus may be seen from several sides.
             if j == k || !test(j, other.length()) || found.iter().any(|f| f.0 == j) {
                 return false;
             }
-            let way = domain.shortest(other.centre - own.centre);
+            let way = space.shortest(other.centre - own.centre);
             let far = own.closeness(other, way);
             let middle = own.centre + 0.5 * way;
             if far < within

@@ -43,7 +43,7 @@ impl Making {
     /// Of these particles; `plain` is the Voronoi diagram.
     pub fn new(domain: &Domain, mut particles: Vec<Particle>, plain: bool) -> Self {
         for p in &mut particles {
-            p.centre = domain.wrap(p.centre);
+            p.centre = domain.space().wrap(p.centre);
         }
         Self {
             particles,
@@ -89,7 +89,7 @@ impl Making {
 
     fn begin(&mut self, domain: &Domain) -> (Try, Step) {
         let particles = &self.particles;
-        let Some(side) = domain.period() else {
+        let Some(side) = domain.space().period() else {
             let (nodes, cells, rim) = Dual::nodes(domain, particles.clone(), self.plain);
             return (Try::Within(cells, rim), Step::Weave(Weave::new(nodes)));
         };

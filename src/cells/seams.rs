@@ -64,7 +64,7 @@ impl Lined {
         dual.put_middles(domain, mesh, self.rim);
         dual.divide(domain, mesh);
         let mut cells = dual.cells(domain);
-        cells.retain(|cell| domain.wrap(cell.centre) == cell.centre);
+        cells.retain(|cell| domain.space().wrap(cell.centre) == cell.centre);
         // Places where sides cross lines agree with their images but for rounding.
         for cell in &mut cells {
             cell.ring.iter_mut().for_each(|p| *p = on_grain(*p));
@@ -104,7 +104,7 @@ fn weld(domain: &Domain, cells: &mut [Cell]) {
     let mut corners: Vec<(DVec2, u32, u32)> = Vec::new();
     for (index, cell) in cells.iter().enumerate() {
         for (place, &p) in cell.ring.iter().enumerate() {
-            corners.push((domain.wrap(p), index as u32, place as u32));
+            corners.push((domain.space().wrap(p), index as u32, place as u32));
         }
     }
     order::sort(&mut corners, |c| (order::rank(c.0.x), order::rank(c.0.y)));

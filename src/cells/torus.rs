@@ -15,8 +15,8 @@ pub(super) fn images(domain: &Domain, cells: &[Cell]) -> Vec<Cell> {
             .ring
             .iter()
             .fold((first, first), |(lo, hi), &p| (lo.min(p), hi.max(p)));
-        let ways = domain.images(lo, hi);
-        for &by in ways.iter().filter(|&&by| by != DVec2::ZERO) {
+        let ways = domain.space().shifts_home([lo, hi]);
+        for by in ways.filter(|&by| by != DVec2::ZERO) {
             let mut image = cell.clone();
             image.centre += by;
             for p in &mut image.ring {
@@ -31,18 +31,18 @@ pub(super) fn images(domain: &Domain, cells: &[Cell]) -> Vec<Cell> {
 /// The points that are images of others: (the one in the picture, the image, the way there), by the
 /// first.
 pub(super) fn twins(domain: &Domain, points: &[DVec2]) -> Vec<(u32, u32, DVec2)> {
-    if domain.period().is_none() {
+    if domain.space().period().is_none() {
         return Vec::new();
     }
     let key = |k: u32| {
-        let p = domain.wrap(points[k as usize]);
+        let p = domain.space().wrap(points[k as usize]);
         (order::rank(p.x), order::rank(p.y))
     };
     let mut order: Vec<u32> = (0..points.len() as u32).collect();
     order::sort(&mut order, |&k| key(k));
     let mut twins = Vec::new();
     for same in order.chunk_by(|&a, &b| key(a) == key(b)) {
-        let at_home = |&&k: &&u32| points[k as usize] == domain.wrap(points[k as usize]);
+        let at_home = |&&k: &&u32| points[k as usize] == domain.space().wrap(points[k as usize]);
         let home = same.iter().find(at_home).copied().unwrap_or(same[0]);
         for &k in same.iter().filter(|&&k| k != home) {
             twins.push((home, k, points[k as usize] - points[home as usize]));

@@ -20,8 +20,8 @@ const MOST_TRIES: u32 = 4096;
 /// About so many points lie across a row, for the order in which they are triangulated.
 const POINTS_ACROSS: f64 = 2.0;
 
-/// Points this far beyond the edge of a torus, in mean distances of points, have images: two of
-/// random points with a common side are hardly ever farther from each other.
+/// Images this far beyond the picture, in mean distances of points, are seen: two of random points
+/// with a common side are hardly ever farther from each other.
 const SIGHT: f64 = 6.0;
 
 /// What points are scattered from.
@@ -124,23 +124,20 @@ impl Scatter {
             let to = *p + cell.centroid();
             // On a bend a cell's centroid can lie outside.
             if domain.contains(to) && !domain.is_gap_between(*p, to) {
-                *p = domain.wrap(to);
+                *p = domain.space().wrap(to);
             }
         }
     }
 }
 
-/// On a torus the images of points that lie a little beyond the picture's edges.
+/// The images of points that lie a little beyond the picture's edges.
 fn images(domain: &Domain, points: &[DVec2]) -> Vec<DVec2> {
+    let sight = SIGHT * (domain.area() / points.len() as f64).sqrt();
+    let space = domain.space();
     let mut images = Vec::new();
-    if let Some(side) = domain.period() {
-        let middle = DVec2::splat(0.5 * side);
-        let reach = 0.5 * side + SIGHT * side / (points.len() as f64).sqrt();
-        for shift in (0..9).filter(|&k| k != 4) {
-            let shift = side * DVec2::new(f64::from(shift % 3 - 1), f64::from(shift / 3 - 1));
-            let shifted = points.iter().map(|&p| p + shift);
-            images.extend(shifted.filter(|&p| (p - middle).abs().max_element() < reach));
-        }
+    for by in space.shifts(1).skip(1) {
+        let shifted = points.iter().map(|&p| p + by);
+        images.extend(shifted.filter(|&p| space.is_near_home([p; 2], sight)));
     }
     images
 }

@@ -2,9 +2,10 @@
 
 use super::candidates::CandidateGrid;
 use super::islands::Islands;
-use super::lines::{Network, shifts};
+use super::lines::Network;
 use super::{Outline, signed_area};
 use crate::order;
+use crate::planar::Space;
 use glam::DVec2;
 
 /// A checked outline with its look-up grid. See the module's doc for units and handedness.
@@ -17,8 +18,7 @@ pub struct Domain {
     bounds: (DVec2, DVec2),
     /// Nothing on a torus, which has no boundary.
     grid: Option<CandidateGrid>,
-    /// The side of the torus.
-    period: Option<f64>,
+    space: Space,
     /// Nothing where there are no constraint lines: they cost nothing then.
     network: Option<Box<Network>>,
     /// Nothing where there is one island.
@@ -73,7 +73,7 @@ impl Domain {
             area,
             bounds,
             grid,
-            period: None,
+            space: Space::PLANE,
             network: None,
             islands: None,
         }
@@ -89,7 +89,7 @@ impl Domain {
             area: side * side,
             bounds: (DVec2::ZERO, DVec2::splat(side)),
             grid: None,
-            period: Some(side),
+            space: Space::torus(side),
             network: None,
             islands: None,
         }
@@ -103,40 +103,10 @@ impl Domain {
         self
     }
 
-    /// The side of the picture, where the domain is the whole picture as a torus.
-    pub fn period(&self) -> Option<f64> {
-        self.period
-    }
-
-    /// A difference of two places as the shortest one between their images on the torus; itself
-    /// without a period.
+    /// Where it lies: in the plane, or all over a torus.
     #[inline]
-    pub fn shortest(&self, r: DVec2) -> DVec2 {
-        match self.period {
-            Some(side) => r - (r / side).round() * side,
-            None => r,
-        }
-    }
-
-    /// The image of a place in the picture, 0 <= x, y < side; itself without a period.
-    #[inline]
-    pub fn wrap(&self, p: DVec2) -> DVec2 {
-        let Some(side) = self.period else { return p };
-        let q = p - (p / side).floor() * side;
-        // A number a little below 0 rounds up to the side itself.
-        DVec2::select(q.cmpge(DVec2::splat(side)), DVec2::ZERO, q)
-    }
-
-    /// The ways to those images of a box that reach into the picture; without a period only that to
-    /// itself.
-    pub(crate) fn images(&self, lo: DVec2, hi: DVec2) -> Vec<DVec2> {
-        let mut ways = shifts(self.period, 2);
-        if let Some(side) = self.period {
-            ways.retain(|&by| {
-                (lo + by).cmple(DVec2::splat(side)).all() && (hi + by).cmpge(DVec2::ZERO).all()
-            });
-        }
-        ways
+    pub fn space(&self) -> Space {
+        self.space
     }
 
     /// What lies inside of the constraint lines: each a run of points, closed where the first is
@@ -159,7 +129,7 @@ impl Domain {
     /// points away from the line, `segment` counts [`Domain::line_segments`]. Nothing without lines.
     pub fn nearest_line(&self, p: DVec2) -> Option<Nearest> {
         let network = self.network.as_ref()?;
-        let wrapped = self.wrap(p);
+        let wrapped = self.space.wrap(p);
         let (square, point, segment) = network.nearest(wrapped);
         let [a, b] = network.images[segment];
         let (distance, tangent) = (square.sqrt(), (b - a).normalize());
@@ -178,13 +148,13 @@ impl Domain {
     }
 
     /// Does the straight way from a to b cross a constraint line? On a torus b is the image that is
-    /// meant ([`Domain::shortest`]), at most half a side away.
+    /// meant ([`Space::shortest`]), at most half a side away.
     #[inline]
     pub fn crosses_line(&self, a: DVec2, b: DVec2) -> bool {
         let Some(network) = &self.network else {
             return false;
         };
-        let from = self.wrap(a);
+        let from = self.space.wrap(a);
         network.crosses(from, b - (a - from))
     }
 
@@ -236,7 +206,7 @@ impl Domain {
     /// The segment of a constraint line that the straight way from a to b crosses first.
     pub(crate) fn line_between(&self, a: DVec2, b: DVec2) -> Option<[DVec2; 2]> {
         let network = self.network.as_ref()?;
-        let from = self.wrap(a);
+        let from = self.space.wrap(a);
         let shift = a - from;
         let index = network.first_crossed(from, b - shift)?;
         Some(network.images[index].map(|p| p + shift))
@@ -254,7 +224,7 @@ impl Domain {
         let Some(network) = &self.network else {
             return self.island(p);
         };
-        let p = self.wrap(p);
+        let p = self.space.wrap(p);
         if let Some(part) = network.parts.at(p) {
             return part;
         }
@@ -479,7 +449,7 @@ mod tests {
         assert!(torus.crosses_line(p(45.0, 20.0), p(55.0, 20.0)));
         assert!(torus.crosses_line(p(145.0, 20.0), p(155.0, 20.0)));
         let (a, b) = (p(4.0, 20.0), p(96.0, 20.0));
-        assert!(!torus.crosses_line(a, a + torus.shortest(b - a)));
+        assert!(!torus.crosses_line(a, a + torus.space().shortest(b - a)));
         assert_eq!(torus.line_between(a, p(-4.0, 20.0)), None);
         let [a, b] = torus.line_between(p(145.0, 20.0), p(155.0, 20.0)).unwrap();
         assert_eq!((a.x, b.x), (150.0, 150.0));

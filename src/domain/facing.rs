@@ -5,6 +5,7 @@ use super::Domain;
 use super::lines::crosses;
 use super::squares::Squares;
 use crate::order;
+use crate::planar::Space;
 use glam::DVec2;
 
 /// A place of the boundary facing a point.
@@ -34,7 +35,7 @@ pub struct Facing {
     blunt: Vec<[bool; 2]>,
     /// For each segment its island; empty where there is only one.
     island: Vec<u32>,
-    period: Option<f64>,
+    space: Space,
     reach: f64,
 }
 
@@ -66,7 +67,7 @@ impl Facing {
             segments,
             before: before(domain),
             blunt,
-            period: domain.period(),
+            space: domain.space(),
             reach,
         }
     }
@@ -76,15 +77,9 @@ impl Facing {
         self.reach
     }
 
-    /// The picture that a point lies in, as the shift from the first one; zero without a period.
-    fn shift(&self, p: DVec2) -> DVec2 {
-        self.period
-            .map_or(DVec2::ZERO, |side| (p / side).floor() * side)
-    }
-
     /// May the boundary be within reach of the point? A quick no for most of the inside.
     pub fn is_near(&self, p: DVec2) -> bool {
-        !self.squares.at(p - self.shift(p)).is_empty()
+        !self.squares.at(p - self.space.tile(p)).is_empty()
     }
 
     /// The feet of a point within `reach` (at most the reach prepared for), nearest first; of walls
@@ -92,7 +87,7 @@ impl Facing {
     /// `feet` is overwritten.
     pub fn feet(&self, p: DVec2, reach: f64, feet: &mut Vec<Foot>) {
         feet.clear();
-        let shift = self.shift(p);
+        let shift = self.space.tile(p);
         let p = p - shift;
         let near = self.squares.at(p);
         for &index in near {

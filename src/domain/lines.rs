@@ -28,7 +28,7 @@ pub(super) struct Network {
     pub lines: Vec<Vec<DVec2>>,
     /// Their segments.
     pub segments: Vec<[DVec2; 2]>,
-    /// The segments, and on a torus their images in the pictures around.
+    /// The segments, then their other images up to a side away.
     pub images: Vec<[DVec2; 2]>,
     /// Where lines meet the outline: the outline's segment and the place.
     pub touches: Vec<(usize, DVec2)>,
@@ -58,9 +58,10 @@ impl Network {
                 None => break (segments, parts),
             }
         };
-        let images = images(domain, &segments, 1);
-        // On a torus a move may reach over the edge of the picture.
-        let margin = domain.period().map_or(0.0, |side| side / 2.0);
+        let space = domain.space();
+        let images: Vec<[DVec2; 2]> = space.repeated(&segments, 1).collect();
+        // The ways that are asked for may leave the picture so far.
+        let margin = space.overhang();
         Some(Self {
             parts,
             grid: CandidateGrid::new(&images),
@@ -107,7 +108,7 @@ fn take_out(domain: &Domain, lines: &mut Vec<Vec<DVec2>>, place: DVec2) {
     for (index, line) in lines.iter().enumerate() {
         for (k, w) in line.windows(2).enumerate() {
             let middle = w[0].midpoint(w[1]);
-            let p = middle + domain.shortest(place - middle);
+            let p = middle + domain.space().shortest(place - middle);
             let distance = closest_on_segment(p, w[0], w[1]).distance(p);
             if distance < nearest.0 {
                 nearest = (distance, index, k);
@@ -118,28 +119,6 @@ fn take_out(domain: &Domain, lines: &mut Vec<Vec<DVec2>>, place: DVec2) {
     let rest = lines[index].split_off(k + 1);
     lines.insert(index + 1, rest);
     lines.retain(|line| line.len() > 1);
-}
-
-/// The segments in the pictures up to `far` around the first; only themselves without a period.
-pub(super) fn images(domain: &Domain, segments: &[[DVec2; 2]], far: i32) -> Vec<[DVec2; 2]> {
-    let shifts = shifts(domain.period(), far);
-    let image = |&by: &DVec2| segments.iter().map(move |s| s.map(|p| p + by));
-    shifts.iter().flat_map(image).collect()
-}
-
-/// The shifts to the pictures around, none first.
-pub(crate) fn shifts(period: Option<f64>, far: i32) -> Vec<DVec2> {
-    let mut shifts = vec![DVec2::ZERO];
-    if let Some(side) = period {
-        for y in -far..=far {
-            for x in -far..=far {
-                if (x, y) != (0, 0) {
-                    shifts.push(DVec2::new(f64::from(x), f64::from(y)) * side);
-                }
-            }
-        }
-    }
-    shifts
 }
 
 /// Do a to b and the segment c to d cross? Not where a or b lies on it; its ends count so that a way
@@ -211,7 +190,7 @@ impl<'a> Cutter<'a> {
         for &node in &self.nodes {
             // The node's image nearest to the place: exact, as all lies on the grain.
             let by = node - p;
-            let image = p + self.domain.shortest(by);
+            let image = p + self.domain.space().shortest(by);
             if image.distance(p) <= self.near {
                 return image;
             }
@@ -241,7 +220,7 @@ impl<'a> Cutter<'a> {
             }
         }
         // An image of a line may cross another from two pictures away.
-        let shifts = shifts(domain.period(), 2);
+        let shifts: Vec<DVec2> = domain.space().shifts(2).collect();
         for k in 0..pieces.len() {
             for j in 0..=k {
                 for &shift in &shifts {

@@ -26,10 +26,11 @@ pub(crate) use candidates::closest_on_segment;
 pub use check::{MAX_LINE_POINTS, MAX_POINTS, Ring, check_lines};
 pub use distance::{Domain, Nearest};
 pub use facing::{Facing, Foot};
-pub(crate) use lines::{crosses, shifts};
+pub(crate) use lines::crosses;
 pub(crate) use parts::divided;
 pub(crate) use ring::ring_contains;
 
+pub use crate::planar::Space;
 use glam::DVec2;
 
 /// Rings as they were given, unchecked.

@@ -1,9 +1,8 @@
 //! The parts that constraint lines cut the outline into.
 
 use super::Domain;
-use super::lines::{images, shifts};
 use crate::order;
-use crate::planar::{self, Delaunay, position};
+use crate::planar::{self, Delaunay, Space, position};
 use glam::DVec2;
 use spade::Triangulation as _;
 
@@ -22,13 +21,9 @@ impl Parts {
     /// By the places where lines meet the outline, and the lines' segments.
     pub fn new(domain: &Domain, touches: &[(usize, DVec2)], segments: &[[DVec2; 2]]) -> Self {
         let mut lines = divided(domain.segments(), touches);
-        lines.extend(images(domain, segments, 2));
-        if let Some(side) = domain.period() {
-            // A frame around the pictures next to the first.
-            let at = |x: f64, y: f64| DVec2::new(x, y) * side;
-            let frame = [at(-1., -1.), at(2., -1.), at(2., 2.), at(-1., 2.)];
-            lines.extend((0..4).map(|k| [frame[k], frame[(k + 1) % 4]]));
-        }
+        let space = domain.space();
+        lines.extend(space.repeated(segments, 2));
+        lines.extend(space.frame());
         let (mesh, _) = planar::lay(lines.into_iter(), 0);
         let mut parts = Self {
             part: vec![0; mesh.num_inner_faces()],
@@ -36,9 +31,7 @@ impl Parts {
             count: 0,
         };
         let mut joined = parts.flood();
-        if let Some(side) = domain.period() {
-            parts.fold(side, &mut joined);
-        }
+        parts.fold(space, &mut joined);
         parts.number(domain, &joined);
         parts
     }
@@ -67,14 +60,13 @@ impl Parts {
         (0..across.len() as u32).collect()
     }
 
-    /// Joins the regions of a torus that are images of each other. Every triangle is asked, so that
-    /// a region that leaves the pictures is found where it enters again.
-    fn fold(&self, side: f64, joined: &mut [u32]) {
-        let shifts = shifts(Some(side), 2);
+    /// Joins the regions that are images of each other. Every triangle is asked, so that a region that
+    /// leaves the pictures is found where it enters again.
+    fn fold(&self, space: Space, joined: &mut [u32]) {
         for face in self.mesh.inner_faces() {
             let here = self.part[face.fix().index() - 1];
             let middle = face.positions().map(position).iter().sum::<DVec2>() / 3.0;
-            for &shift in &shifts[1..] {
+            for shift in space.shifts(2).skip(1) {
                 for there in planar::triangles_at(&self.mesh, middle + shift) {
                     let (a, b) = (root(joined, here), root(joined, self.part[there]));
                     joined[a.max(b) as usize] = a.min(b);
@@ -93,7 +85,7 @@ impl Parts {
             let corners = face.positions().map(position);
             let area = super::cross(corners[0], corners[1], corners[2]);
             for p in corners {
-                let (p, best) = (domain.wrap(p), &mut first[region]);
+                let (p, best) = (domain.space().wrap(p), &mut first[region]);
                 if (p.y, p.x) < (best.y, best.x) {
                     *best = p;
                 }
@@ -136,7 +128,7 @@ impl Parts {
             let corners = face.positions().map(position);
             let middle = corners.iter().sum::<DVec2>() / 3.0;
             let part = self.part[face.fix().index() - 1];
-            if part != OUTSIDE && domain.wrap(middle) == middle {
+            if part != OUTSIDE && domain.space().wrap(middle) == middle {
                 areas[part as usize] += super::cross(corners[0], corners[1], corners[2]) / 2.0;
             }
         }

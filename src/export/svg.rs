@@ -31,7 +31,7 @@ pub fn svg(
     file.put(" ");
     push_whole(&mut file.0, side as u64);
     file.put("\">\n<rect id=\"ground\" width=\"100%\" height=\"100%\"");
-    if domain.period().is_some() {
+    if domain.space().period().is_some() {
         file.colour(" fill=", paper.bed);
     } else {
         file.colour(" fill=", paper.surround);
@@ -48,6 +48,7 @@ pub fn svg(
         file.colour("\" fill=", tones.stone(cell.id));
         file.path(&[&cell.ring], true);
         let copies = domain
+            .space()
             .period()
             .map_or_else(Vec::new, |side| copies(&cell.ring, side));
         for shift in copies {

@@ -42,7 +42,7 @@ pub struct FieldBuilder {
 impl FieldBuilder {
     /// Lays the background grid over the outline and a margin of one large cell around it.
     pub fn new(domain: &Domain, mut params: FieldParams) -> Self {
-        let period = domain.period();
+        let period = domain.space().period();
         let step = order::within(params.size / 2.0, params.side / 128.0, params.side / 64.0);
         let grid = match period {
             Some(side) => Grid::torus(side, step),

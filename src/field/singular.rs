@@ -73,7 +73,7 @@ impl Fields {
         taken: &mut [bool],
         domain: &Domain,
     ) -> Vec<(DVec2, i32)> {
-        let reach = TOGETHER * self.grid.step;
+        let (space, reach) = (domain.space(), TOGETHER * self.grid.step);
         let mut group = vec![squares[first]];
         taken[first] = true;
         let mut done = 0;
@@ -81,7 +81,7 @@ impl Fields {
             let at = group[done].0;
             done += 1;
             for (k, square) in squares.iter().enumerate() {
-                if !taken[k] && domain.shortest(square.0 - at).length_squared() < reach * reach {
+                if !taken[k] && space.shortest(square.0 - at).length_squared() < reach * reach {
                     taken[k] = true;
                     group.push(*square);
                 }
@@ -98,10 +98,10 @@ impl Fields {
         domain: &Domain,
     ) -> Option<Singularity> {
         let turns: i32 = group.iter().map(|(_, turns)| turns).sum();
-        let first = group[0].0;
-        let offset: DVec2 = group.iter().map(|(p, _)| domain.shortest(*p - first)).sum();
+        let (space, first) = (domain.space(), group[0].0);
+        let offset: DVec2 = group.iter().map(|(p, _)| space.shortest(*p - first)).sum();
         (turns != 0).then(|| Singularity {
-            point: domain.wrap(first + offset / group.len() as f64),
+            point: space.wrap(first + offset / group.len() as f64),
             index: f64::from(turns) / f64::from(layer.symmetry),
         })
     }

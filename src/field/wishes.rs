@@ -12,7 +12,7 @@ pub(super) fn growth(params: &FieldParams, domain: &Domain, p: DVec2) -> f64 {
         log += share * libm::log(value);
     });
     let factor = libm::exp(log);
-    if domain.period().is_none() {
+    if domain.space().period().is_none() {
         return factor;
     }
     let from_middle = 2.0 * p / params.side - DVec2::ONE;
@@ -31,7 +31,7 @@ pub(super) fn stretch(params: &FieldParams, domain: &Domain, p: DVec2) -> f64 {
 /// The spots that count at a point: their share and value.
 fn shares(spots: &[Spot], domain: &Domain, p: DVec2, mut each: impl FnMut(f64, f64)) {
     for spot in spots {
-        let share = spot.share(domain.shortest(p - spot.centre));
+        let share = spot.share(domain.space().shortest(p - spot.centre));
         if share > 0.0 {
             each(share, spot.value);
         }

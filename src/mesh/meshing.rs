@@ -49,9 +49,9 @@ enum Step {
 impl Meshing {
     /// Of these cells, nothing made yet: see [`Mesh::build`].
     pub fn new(domain: &Domain, mut particles: Vec<Particle>) -> Self {
-        let seams = domain.period().map(|side| {
+        let seams = domain.space().period().map(|side| {
             for p in &mut particles {
-                p.centre = domain.wrap(p.centre);
+                p.centre = domain.space().wrap(p.centre);
             }
             torus::Seams::new(side)
         });

@@ -6,10 +6,10 @@
 use super::lines::{is_cut, lies_on_line};
 use super::metric::Metric;
 use super::{Face, Mesh, Node, Weave, quads};
-use crate::domain::{Domain, shifts, signed_area};
+use crate::domain::{Domain, signed_area};
 use crate::order;
 use crate::packing::Particle;
-use crate::planar::on_grain;
+use crate::planar::{Space, on_grain};
 use glam::DVec2;
 
 /// How cells and their images are joined.
@@ -88,12 +88,12 @@ pub(crate) fn spread(
     }
     let count = all.len() as u32;
     let mut of: Vec<u32> = (0..count).collect();
-    let (lo, hi) = (DVec2::splat(-margin), DVec2::splat(side + margin));
-    for &shift in &shifts(Some(side), (margin / side).ceil() as i32)[1..] {
+    let space = Space::torus(side);
+    for shift in space.shifts((margin / side).ceil() as i32).skip(1) {
         for k in 0..count {
             let mut image = all[k as usize];
             image.centre += shift;
-            if image.centre.cmpge(lo).all() && image.centre.cmple(hi).all() {
+            if space.is_near_home([image.centre; 2], margin) {
                 all.push(image);
                 of.push(k);
             }
@@ -113,7 +113,7 @@ pub(crate) fn closes(domain: &Domain, rings: &[Vec<DVec2>]) -> bool {
         sides.extend(
             ring.iter()
                 .zip(next)
-                .map(|(&a, &b)| [domain.wrap(a), b - a + 0.0]),
+                .map(|(&a, &b)| [domain.space().wrap(a), b - a + 0.0]),
         );
     }
     order::sort(&mut sides, |s| key(s[1]));
@@ -125,7 +125,7 @@ pub(crate) fn closes(domain: &Domain, rings: &[Vec<DVec2>]) -> bool {
         && rings.iter().all(|ring| ring.len() >= 3)
         && sides.windows(2).all(|w| name(&w[0]) != name(&w[1]))
         && sides.iter().all(|&[a, by]| {
-            let back = name(&[domain.wrap(a + by), 0.0 - by]);
+            let back = name(&[domain.space().wrap(a + by), 0.0 - by]);
             sides.binary_search_by_key(&back, name).is_ok()
         })
 }

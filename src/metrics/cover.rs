@@ -63,7 +63,7 @@ impl Edge {
 /// where more than 16,384 lines would be needed, it is an approximation, good to about 1e-5.
 pub(super) fn cover(domain: &Domain, polygons: impl Iterator<Item = [DVec2; 2]>) -> Cover {
     let mut edges: Vec<Edge> = polygons.filter_map(|e| Edge::new(e, false)).collect();
-    if let Some(side) = domain.period() {
+    if let Some(side) = domain.space().period() {
         edges = unrolled(edges, side);
     }
     let outline = domain.segments().iter();
@@ -91,7 +91,7 @@ pub(super) fn cover(domain: &Domain, polygons: impl Iterator<Item = [DVec2; 2]>)
                 at -= 1;
             }
         }
-        lengths.add_line(&active, height, domain.period().is_some());
+        lengths.add_line(&active, height, domain.space().period().is_some());
     }
     lengths.cover()
 }

@@ -75,7 +75,7 @@ impl MeshMetrics {
             let places = face.nodes().iter().map(|&k| mesh.vertices[k as usize]);
             let first = places.clone().next().unwrap_or_default();
             // On a torus an element without images lies where its first node does.
-            let near = |p: DVec2| first + domain.shortest(p - first);
+            let near = |p: DVec2| first + domain.space().shortest(p - first);
             let whole = !mesh.images.is_empty();
             places.map(|p| if whole { p } else { near(p) }).collect()
         };

@@ -59,7 +59,7 @@ impl Packing {
 
 /// Puts a free cell where it may stand; false where it is too far from there.
 fn move_in(body: &mut Body, domain: &Domain, fields: &Fields) -> bool {
-    let mut centre = domain.wrap(body.particle.centre);
+    let mut centre = domain.space().wrap(body.particle.centre);
     let near = domain.nearest(centre);
     if near.distance < -FAR * body.particle.size {
         return false;

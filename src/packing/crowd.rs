@@ -56,8 +56,9 @@ impl Crowd {
     pub fn is_free(&self, domain: &Domain, fields: &Fields, p: DVec2, gap: f64) -> bool {
         let shape = Shape::gauge(fields, p);
         let reach = gap * 0.5 * (shape.length() + self.longest);
-        !self.grid.any_near(domain.period(), p, reach, |k| {
-            let r = domain.shortest(self.cells[k] - p);
+        let space = domain.space();
+        !self.grid.any_near(space, p, reach, |k| {
+            let r = space.shortest(self.cells[k] - p);
             shape.is_closer(&self.shapes[k], r, gap) && !domain.is_parted(p, p + r)
         })
     }

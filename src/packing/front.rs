@@ -78,7 +78,7 @@ impl Front {
             shape.turn(self.honeycombs[domain.island(centre)]);
         }
         for p in slots(centre, shape, fields) {
-            let p = domain.wrap(p);
+            let p = domain.space().wrap(p);
             if crowd.is_free(domain, fields, p, FRONT_GAP)
                 && has_room(p, around, edge)
                 && !domain.is_gap_between(centre, p)
@@ -110,10 +110,10 @@ pub(super) fn slots(centre: DVec2, shape: Shape, fields: &Fields) -> impl Iterat
 }
 
 /// The direction in which a honeycomb's rows lie along as much of the boundary as can be: six turns
-/// of it look alike, so it is a sixth of the angle of the mean of the six-fold vectors. On a torus,
-/// that of the fields, whose sizes fit it.
+/// of it look alike, so it is a sixth of the angle of the mean of the six-fold vectors. Without a
+/// boundary, that of the fields.
 fn along_most(domain: &Domain, fields: &Fields) -> DVec2 {
-    if domain.period().is_some() {
+    if domain.segments().is_empty() {
         return fields.direction(DVec2::ZERO);
     }
     let mut sum = DVec2::ZERO;

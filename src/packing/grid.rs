@@ -1,5 +1,6 @@
 //! Buckets of points, to find neighbours in constant time.
 
+use crate::planar::Space;
 use glam::DVec2;
 use std::ops::Range;
 
@@ -12,20 +13,6 @@ pub struct Grid {
     rows: usize,
     head: Vec<u32>,
     next: Vec<u32>,
-}
-
-/// The images of a place on a torus of this side that are no farther than `radius` from the picture,
-/// the place itself first.
-pub(super) fn images(period: Option<f64>, p: DVec2, radius: f64) -> impl Iterator<Item = DVec2> {
-    const SHIFTS: [f64; 3] = [0.0, -1.0, 1.0];
-    let count = if period.is_some() { 9 } else { 1 };
-    let side = period.unwrap_or(0.0);
-    (0..count)
-        .map(move |k| p + side * DVec2::new(SHIFTS[k % 3], SHIFTS[k / 3]))
-        .filter(move |q| {
-            period.is_none()
-                || (q.cmpge(DVec2::splat(-radius)) & q.cmple(DVec2::splat(side + radius))).all()
-        })
 }
 
 const NONE: u32 = u32::MAX;
@@ -84,16 +71,16 @@ impl Grid {
         self.head[bucket] = (self.next.len() - 1) as u32;
     }
 
-    /// Calls `visit` with the number of every point that may lie within `radius` of `p` or of its
-    /// images on a torus of this side, until it says true; then true.
+    /// Calls `visit` with the number of every point that may lie within `radius` of an image of `p`,
+    /// until it says true; then true.
     pub fn any_near(
         &self,
-        period: Option<f64>,
+        space: Space,
         p: DVec2,
         radius: f64,
         mut visit: impl FnMut(usize) -> bool,
     ) -> bool {
-        images(period, p, radius).any(|image| {
+        space.images(p, radius).any(|image| {
             let (x0, y0) = self.place(image - DVec2::splat(radius));
             let (x1, y1) = self.place(image + DVec2::splat(radius));
             for y in y0..=y1 {
@@ -113,7 +100,7 @@ impl Grid {
 
     /// Calls `visit` with the number of every point that may lie within `radius` of `p`.
     pub fn near(&self, p: DVec2, radius: f64, mut visit: impl FnMut(usize)) {
-        self.any_near(None, p, radius, |k| {
+        self.any_near(Space::PLANE, p, radius, |k| {
             visit(k);
             false
         });

@@ -3,7 +3,7 @@
 //! Time is in units of sqrt(m d^2 / k0), so that one set of constants serves all sizes.
 
 use super::force::{Pair, force_between};
-use super::grid::{Grid, images};
+use super::grid::Grid;
 use super::shape::{SQUARE_REACH, Shape};
 use super::wall::{keep_inside, stays_clear, wall_force};
 use super::{Body, Integrator, Particle, Surroundings};
@@ -142,19 +142,20 @@ impl Motion {
         self.list.clear();
         self.start.clear();
         self.start.push(0);
-        let period = domain.period();
-        let plain = period.is_none() && domain.lines().is_empty() && domain.islands().len() == 1;
+        let space = domain.space();
         for (i, body) in bodies.iter().enumerate() {
             let centre = body.particle.centre;
             let shape = Shape::of(&body.particle);
-            for image in images(period, centre, reach) {
+            for image in space.images(centre, reach) {
                 for run in grid.runs_near(image, reach) {
                     let end = firsts[run.end];
                     let first = firsts[run.start].max(i + 1).min(end);
                     for (other, j) in bodies[first..end].iter().zip(first as u32..) {
                         let r = other.particle.centre - image;
-                        let meets = shape.may_touch(&Shape::of(&other.particle), r, slack);
-                        if meets && (plain || self.meets(body, other, r, domain)) {
+                        if shape.may_touch(&Shape::of(&other.particle), r, slack)
+                            && space.is_shortest(r)
+                            && !is_walled_off(body, other, r, domain)
+                        {
                             self.list.push(j);
                         }
                     }
@@ -162,15 +163,6 @@ impl Motion {
             }
             self.start.push(self.list.len() as u32);
         }
-    }
-
-    /// Is there no wall between two cells, and is `r` the shortest way between them on the torus?
-    fn meets(&self, body: &Body, other: &Body, r: DVec2, domain: &Domain) -> bool {
-        let (a, b) = (&body.particle, &other.particle);
-        let half = domain.period().map_or(f64::INFINITY, |side| 0.5 * side);
-        r.abs().max_element() <= half
-            && !domain.is_gap_between(a.centre, b.centre)
-            && (a.fixed || b.fixed || !domain.crosses_line(a.centre, a.centre + r))
     }
 
     /// The pairs that may touch, each once.
@@ -212,7 +204,7 @@ impl Motion {
                 if !(a_awake || self.awake[j]) {
                     continue;
                 }
-                let r = around.domain.shortest(b.centre - a.centre);
+                let r = around.domain.space().shortest(b.centre - a.centre);
                 let reach = a.reach + b.reach;
                 if r.length_squared() >= reach * reach {
                     continue;
@@ -257,8 +249,8 @@ impl Motion {
             Integrator::SemiImplicit => self.semi_implicit(bodies, pace),
             Integrator::RungeKutta => self.runge_kutta(bodies, around, pace),
         };
-        let domain = around.domain;
-        let plain = domain.period().is_none() && domain.lines().is_empty();
+        let (domain, space) = (around.domain, around.domain.space());
+        let has_lines = !domain.lines().is_empty();
         let mut largest_move = 0.0_f64;
         for (i, (body, by)) in bodies.iter_mut().zip(moves).enumerate() {
             if !self.awake[i] {
@@ -269,12 +261,13 @@ impl Motion {
             let before = body.particle.centre;
             let shape = Shape::of(&body.particle);
             let by = by.clamp_length_max(LONGEST_MOVE * body.particle.size);
-            let mut centre = before + by;
-            if !(plain && stays_clear(self.clear[i], by.length(), shape.length())) {
-                centre = keep_inside(before, centre, shape, around);
-            }
+            let is_clear = stays_clear(self.clear[i], by.length(), shape.length());
+            let centre = match is_clear && !has_lines {
+                true => space.wrap(before + by),
+                false => keep_inside(before, before + by, shape, around),
+            };
             body.place(centre, around.fields);
-            let moved = domain.shortest(centre - before).length() / shape.size;
+            let moved = space.shortest(centre - before).length() / shape.size;
             body.stirred = moved > least_move(body.particle.kind);
             largest_move = greater(largest_move, moved);
         }
@@ -329,6 +322,14 @@ impl Motion {
         })
         .collect()
     }
+}
+
+/// Is there a wall between two cells, `r` apart? Those fixed on a constraint line see both its sides.
+fn is_walled_off(body: &Body, other: &Body, r: DVec2, domain: &Domain) -> bool {
+    let (a, b) = (&body.particle, &other.particle);
+    let sees_over = a.fixed || b.fixed;
+    domain.is_gap_between(a.centre, b.centre)
+        || (!sees_over && domain.crosses_line(a.centre, a.centre + r))
 }
 
 /// Puts bodies in the order of the buckets they lie in, in a bucket by their ids. Answers where the

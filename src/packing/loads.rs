@@ -90,9 +90,10 @@ impl Packing {
     /// second, and where they are in `bodies`.
     fn each_pair(&mut self, domain: &Domain, visit: Visit) {
         self.motion.refresh(&mut self.bodies, domain);
+        let space = domain.space();
         for (i, j) in self.motion.pairs(&self.bodies) {
             let (a, b) = (&self.bodies[i], &self.bodies[j]);
-            let way = domain.shortest(b.particle.centre - a.particle.centre);
+            let way = space.shortest(b.particle.centre - a.particle.centre);
             visit(a, b, way, (i, j));
         }
     }
@@ -139,7 +140,7 @@ impl Packing {
         let mut best: Option<(f64, &Particle)> = None;
         for body in &self.bodies {
             let particle = &body.particle;
-            let far = particle.middle_distance(domain.shortest(p - particle.centre));
+            let far = particle.middle_distance(domain.space().shortest(p - particle.centre));
             if best.map_or(far <= 1.0, |(least, _)| far < least) {
                 best = Some((far, particle));
             }

@@ -123,7 +123,7 @@ impl Census<'_> {
     fn sites(&self, i: usize, fields: &Fields) -> Vec<Site> {
         let centre = self.bodies[i].particle.centre;
         let at = |p: DVec2| {
-            let place = self.domain.wrap(p);
+            let place = self.domain.space().wrap(p);
             Site::new(place, Shape::gauge(fields, place))
         };
         let mut sites = Vec::with_capacity(8);
@@ -152,7 +152,7 @@ impl Census<'_> {
     ) -> Option<DVec2> {
         let is_free = |place: DVec2, shape: &Shape| {
             let is_near = |&other: &DVec2| {
-                let way = around.domain.shortest(other - place);
+                let way = around.domain.space().shortest(other - place);
                 shape.is_closer(shape, way, room)
             };
             self.is_free(place, shape, room) && !add.iter().any(is_near)
@@ -209,9 +209,8 @@ impl Census<'_> {
             false
         });
         let k = best?;
-        let way = self
-            .domain
-            .shortest(self.bodies[k].particle.centre - centre);
+        let way = self.bodies[k].particle.centre - centre;
+        let way = self.domain.space().shortest(way);
         Some((k, way, shape.closeness(&self.shapes[k], way)))
     }
 
@@ -245,10 +244,10 @@ impl Census<'_> {
         w: f64,
         mut test: impl FnMut(usize, DVec2) -> bool,
     ) -> bool {
-        let (domain, period) = (self.domain, self.domain.period());
+        let space = self.domain.space();
         let reach = w * 0.5 * (shape.length() + self.longest);
-        self.grid.any_near(period, at, reach, |k| {
-            test(k, domain.shortest(self.bodies[k].particle.centre - at))
+        self.grid.any_near(space, at, reach, |k| {
+            test(k, space.shortest(self.bodies[k].particle.centre - at))
         })
     }
 
@@ -266,10 +265,10 @@ impl Census<'_> {
         let mut count = 0;
         for i in tight {
             let (centre, shape) = (self.bodies[i].particle.centre, &self.shapes[i]);
-            let (period, reach) = (self.domain.period(), 1.5 * self.longest);
-            let beside = self.grid.any_near(period, centre, reach, |k| {
+            let (space, reach) = (self.domain.space(), 1.5 * self.longest);
+            let beside = self.grid.any_near(space, centre, reach, |k| {
                 let r = self.bodies[k].particle.centre - centre;
-                remove[k] && shape.is_closer(shape, self.domain.shortest(r), 1.5)
+                remove[k] && shape.is_closer(shape, space.shortest(r), 1.5)
             });
             if !beside && count < most {
                 remove[i] = true;

@@ -75,5 +75,5 @@ pub(super) fn keep_inside(from: DVec2, to: DVec2, shape: Shape, around: Surround
             centre = away;
         }
     }
-    domain.wrap(centre)
+    domain.space().wrap(centre)
 }

@@ -1,7 +1,11 @@
-//! The one triangulation of the program (spade), and the grain its points are rounded to.
+//! What all geometry stands on: the space that places lie in, the grain they are rounded to, and the
+//! one triangulation of the program (spade).
 
 mod boxes;
 mod snap;
+mod space;
+
+pub use space::Space;
 
 use crate::order;
 use glam::DVec2;

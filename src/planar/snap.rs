@@ -109,8 +109,9 @@ fn distinct(places: &[DVec2]) -> Vec<DVec2> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::Space;
     use super::*;
-    use crate::domain::{closest_on_segment, shifts};
+    use crate::domain::closest_on_segment;
     use proptest::prelude::*;
 
     type Lines = Vec<[DVec2; 2]>;
@@ -249,11 +250,10 @@ mod tests {
             let side = 64.0 * GRAIN;
             let line = |(x, y, u, v)| [point(x, y), point(x + u, y + v)];
             let lines: Lines = ends.into_iter().map(line).collect();
-            let all = shifts(Some(side), 2);
-            let images = all.iter().flat_map(|&by| lines.iter().map(move |l| l.map(|p| p + by)));
-            let images: Lines = images.collect();
+            let torus = Space::torus(side);
+            let images: Lines = torus.repeated(&lines, 2).collect();
             let runs = runs(&images);
-            for (run, &by) in runs.chunks(lines.len()).zip(&all) {
+            for (run, by) in runs.chunks(lines.len()).zip(torus.shifts(2)) {
                 if by.abs().max_element() <= side {
                     for (home, image) in runs.iter().zip(run) {
                         let moved: Lines = home.iter().map(|l| l.map(|p| p + by)).collect();

@@ -54,7 +54,7 @@ impl Veil {
 fn mask(side: usize, domain: &Domain) -> Board {
     let mut board = Board::new(side, [0.0, 0.0, 0.0, 1.0]);
     let all = [DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y].map(|p| side as f64 * p);
-    let rings: Vec<&[DVec2]> = match domain.period() {
+    let rings: Vec<&[DVec2]> = match domain.space().period() {
         Some(_) => vec![&all],
         None => domain.rings().iter().map(Vec::as_slice).collect(),
     };

@@ -42,9 +42,9 @@ pub fn stress(domain: &Domain, particles: &[Particle]) -> Vec<Stress> {
         let (e, f) = particle.half_axes();
         let mut depth = 0.0_f64;
         around.clear();
-        grid.any_near(domain.period(), centre, reach, |k| {
+        grid.any_near(domain.space(), centre, reach, |k| {
             let other = &particles[k];
-            let r = domain.shortest(other.centre - centre);
+            let r = domain.space().shortest(other.centre - centre);
             let far = FAR * stretch * 0.5 * (particle.size + other.size);
             let is_near = k != own && r.length_squared() < far * far;
             if is_near && !domain.is_parted(centre, centre + r) {

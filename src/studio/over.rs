@@ -15,7 +15,7 @@ impl Studio {
         let [meshed, celled] = [Stage::Mesh, Stage::Cells].map(|stage| self.is_past(stage));
         let packs = self.made.is_packing();
         let domain = self.made.terrain.domain.made();
-        if domain.is_some_and(|domain| domain.period().is_some()) {
+        if domain.is_some_and(|domain| domain.space().period().is_some()) {
             board.repeat();
         }
         for overlay in view.overlays() {

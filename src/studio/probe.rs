@@ -97,7 +97,7 @@ impl Studio {
         let packing = made.packing().filter(|_| made.is_packing())?;
         let (domain, fields) = made.terrain.made()?;
         let (cell, particle) = packing.at(domain, p)?;
-        let shift = domain.shortest(particle.centre - p) + p - particle.centre;
+        let shift = domain.space().shortest(particle.centre - p) + p - particle.centre;
         let has_axis = particle.kind != Kind::Circle && particle.axis != DVec2::ZERO;
         let outline = particle.ring(1.0, 24).iter().map(|q| *q + shift).collect();
         Some(Probe {
@@ -263,7 +263,7 @@ impl Boxes {
 /// From a place to its images on a torus, itself first.
 fn images(domain: &Domain) -> impl Iterator<Item = DVec2> {
     let shift = |k: usize| f64::from([0, -1, 1][k]);
-    let period = domain.period();
+    let period = domain.space().period();
     let count = if period.is_some() { 9 } else { 1 };
     (0..count).map(move |k| period.unwrap_or(0.0) * DVec2::new(shift(k % 3), shift(k / 3)))
 }

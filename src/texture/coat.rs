@@ -203,7 +203,7 @@ impl Coats {
     /// The value of a cell under a rule that looks at this cell alone.
     fn value(&self, domain: &Domain, cell: &Cell) -> f64 {
         let ColourParams { scale, angle, .. } = self.colour;
-        let period = domain.period();
+        let period = domain.space().period();
         let p = cell.centre;
         let near = |distance: f64| greater(1.0 - distance / (2.0 * scale), 0.0);
         match self.colour.pattern {
@@ -299,9 +299,9 @@ impl Coats {
             p - DVec2::splat(0.5 * side),
             belly_angle,
             side,
-            domain.period(),
+            domain.space().period(),
         );
-        let down = match domain.period() {
+        let down = match domain.space().period() {
             Some(_) => 0.5 + 0.5 * libm::sin(TAU * turns),
             None => 0.5 + turns,
         };

@@ -201,7 +201,10 @@ fn mean_square(domain: &Domain, places: &[DVec2], links: &[Vec<u32>]) -> f64 {
     let (mut sum, mut count) = (0.0, 0.0);
     for (list, &place) in links.iter().zip(places) {
         for &j in list {
-            sum += domain.shortest(places[j as usize] - place).length_squared();
+            sum += domain
+                .space()
+                .shortest(places[j as usize] - place)
+                .length_squared();
             count += 1.0;
         }
     }
@@ -225,6 +228,7 @@ fn thinned(domain: &Domain, places: &[DVec2], links: &[Vec<u32>]) -> (Vec<u32>, 
         let mut nearest = f64::MAX;
         for &j in list.iter().filter(|_| own[k] == NONE) {
             let far = domain
+                .space()
                 .shortest(places[j as usize] - places[k])
                 .length_squared();
             // Of two as near the first, whatever rounding says.

@@ -145,7 +145,7 @@ impl Weather {
     fn measure(&mut self, domain: &Domain, rows: usize) -> bool {
         let across = self.side / self.step() + 2;
         let made = self.distances.len() / across;
-        if domain.period().is_some() || made == across {
+        if domain.space().period().is_some() || made == across {
             return false;
         }
         for y in made..across.min(made.saturating_add(rows)) {
