@@ -2,12 +2,15 @@
 
 use super::follow::{layers, ray};
 use super::grid::{COARSE, Grid};
+use super::lattice::{Lattice, fitted};
+use super::scalar::Gradient;
 use super::sources::{Sources, Sum, line_weight, printed_vector};
 use super::symmetry::representation;
+use super::wishes;
 use super::{ASPECT_RANGE, Direction, FieldParams, Fields, Kind, Layer, SIZE_RANGE};
-use super::{torus, wishes};
 use crate::domain::Domain;
 use crate::order;
+use crate::planar::Space;
 use glam::DVec2;
 
 /// A node lies so many gaps between its neighbours of the pass before away from all that bends the
@@ -27,6 +30,9 @@ const TIE: f64 = 1e-6;
 #[derive(Clone, Debug)]
 pub struct FieldBuilder {
     fields: Fields,
+    space: Space,
+    /// The part of the size that is sampled as waves.
+    waves: Option<Gradient>,
     /// Of each layer.
     sources: Vec<Sources>,
     /// Of each node, at least as much as its distance to the boundary, negative outside.
@@ -42,12 +48,9 @@ pub struct FieldBuilder {
 impl FieldBuilder {
     /// Lays the background grid over the outline and a margin of one large cell around it.
     pub fn new(domain: &Domain, mut params: FieldParams) -> Self {
-        let period = domain.space().period();
+        let space = domain.space();
         let step = order::within(params.size / 2.0, params.side / 128.0, params.side / 64.0);
-        let grid = match period {
-            Some(side) => Grid::torus(side, step),
-            None => Grid::over(domain.bounds(), step),
-        };
+        let grid = Grid::new(space, domain.bounds(), step);
         let kinds = params.kinds(domain);
         let has = |of: &dyn Fn(Kind) -> bool| of(params.kind) || kinds.iter().copied().any(of);
         let symmetries =
@@ -56,24 +59,31 @@ impl FieldBuilder {
         let (layers, sources) = layers(domain, &params, symmetries);
         let sampled = !layers.is_empty();
         let mut along = DVec2::new(libm::cos(params.angle), libm::sin(params.angle));
-        if let (Some(side), false) = (period, sampled) {
-            let wish = torus::Lattice {
-                size: params.size,
-                aspect: params.aspect,
-                along,
-            };
-            let fitted = torus::fitted(params.kind, wish, side);
-            (params.size, params.aspect, along) = (fitted.size, fitted.aspect, fitted.along);
+        let asked = Lattice {
+            size: params.size,
+            aspect: params.aspect,
+            along,
+        };
+        let lattice = fitted(space, params.kind, asked).filter(|_| !sampled);
+        if let Some(lattice) = lattice {
+            (params.size, params.aspect, along) = (lattice.size, lattice.aspect, lattice.along);
             params.angle = libm::atan2(along.y, along.x);
         }
-        let periodic = period.is_some();
+        // A gradient does not repeat, so on a torus it becomes waves; their sines are too slow to be
+        // worked out wherever the size is asked for.
+        let (gradient, waves) = match space {
+            Space::PLANE => (Gradient::new(&params), None),
+            _ => (None, Gradient::new(&params)),
+        };
         let nodes = |wanted: bool| vec![0.0; if wanted { grid.len() } else { 0 }];
         let layer = |symmetry| Layer {
             symmetry,
             nodes: vec![DVec2::ZERO; grid.len()],
         };
-        let growth = params.has_growth(periodic);
+        let growth = waves.is_some() || params.varies_size();
         Self {
+            space,
+            waves,
             sources,
             inside: nodes(sampled),
             calm: nodes(sampled),
@@ -90,7 +100,7 @@ impl FieldBuilder {
                 layers: layers.into_iter().map(layer).collect(),
                 growth: nodes(growth),
                 stretch: nodes(stretch),
-                periodic,
+                gradient,
                 parts: (!kinds.is_empty()).then(|| (domain.clone(), kinds)),
                 params,
             },
@@ -161,10 +171,7 @@ impl FieldBuilder {
         let at = row * grid.columns + column;
         let p = grid.node(column, row);
         if stride == COARSE {
-            self.inside[at] = match self.fields.periodic {
-                true => f64::INFINITY,
-                false => domain.nearest(p).distance,
-            };
+            self.inside[at] = domain.nearest(p).distance;
         } else {
             let (parents, count) = parents(&grid, column, row, stride);
             let parents = &parents[..count];
@@ -203,22 +210,13 @@ impl FieldBuilder {
         alike
     }
 
-    /// A point as the sources see it: on the torus with its images around.
-    fn images(&self, p: DVec2) -> impl Iterator<Item = DVec2> + Clone + use<> {
-        let (side, count) = (
-            self.fields.params.side,
-            if self.fields.periodic { 9 } else { 1 },
-        );
-        (0..count).map(move |k| p + side * DVec2::new(SHIFTS[k % 3], SHIFTS[k / 3]))
-    }
-
     /// Sums up all that counts at a node; answers with how calm the direction is there.
     fn measure(&mut self, at: usize, p: DVec2, domain: &Domain) -> f64 {
-        let images = self.images(p);
+        // Sources see a point and its images around.
+        let images = self.space.images(p, f64::INFINITY);
         let Fields {
             params,
             layers,
-            periodic,
             along,
             ..
         } = &mut self.fields;
@@ -230,7 +228,7 @@ impl FieldBuilder {
         let base = match params.direction {
             Direction::Constant => Some(*along),
             Direction::Spiral => {
-                let (ray, distance) = ray(params, p, *periodic);
+                let (ray, distance) = ray(self.space, params, p);
                 calm = calm.min(distance);
                 Some(ray.rotate(*along))
             }
@@ -272,7 +270,9 @@ impl FieldBuilder {
             let at = self.row * grid.columns + column;
             let p = grid.node(column, self.row);
             if let Some(growth) = growth.get_mut(at) {
-                *growth = wishes::growth(params, domain, p).clamp(SIZE_RANGE.0, SIZE_RANGE.1);
+                let waves = self.waves.map_or(1.0, |waves| waves.waves_at(p));
+                let factor = wishes::growth(params, domain, p) * waves;
+                *growth = factor.clamp(SIZE_RANGE.0, SIZE_RANGE.1);
             }
             if let Some(stretch) = stretch.get_mut(at) {
                 *stretch = wishes::stretch(params, domain, p).clamp(ASPECT_RANGE.0, ASPECT_RANGE.1);
@@ -280,8 +280,6 @@ impl FieldBuilder {
         }
     }
 }
-
-const SHIFTS: [f64; 3] = [0.0, -1.0, 1.0];
 
 /// The neighbours of the pass before that a node lies between: two on a line, or four around it.
 fn parents(grid: &Grid, column: usize, row: usize, stride: usize) -> ([usize; 4], usize) {

@@ -3,18 +3,21 @@
 use super::sources::{Source, Sources};
 use super::{Direction, FieldParams, ends};
 use crate::domain::Domain;
+use crate::planar::Space;
 use glam::DVec2;
 
 /// Sources of less strength are none.
 const FAINT: f64 = 0.02;
 
-/// The unit vector of the spiral's ray, and the distance to the nearest point where it has none.
-pub(super) fn ray(params: &FieldParams, p: DVec2, periodic: bool) -> (DVec2, f64) {
+/// The unit vector of the spiral's ray, and the distance to the nearest point where it has none. Rays
+/// from one point do not repeat: on a torus they are those of the sines, which have such points half a
+/// side apart.
+pub(super) fn ray(space: Space, params: &FieldParams, p: DVec2) -> (DVec2, f64) {
     let from = p - params.centre;
-    if !periodic {
+    let Some(side) = space.period() else {
         return (from.normalize_or_zero(), from.length());
-    }
-    let half = params.side / 2.0;
+    };
+    let half = side / 2.0;
     let turn = from * (std::f64::consts::PI / half);
     let ray = DVec2::new(libm::sin(turn.x), libm::sin(turn.y));
     (

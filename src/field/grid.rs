@@ -1,5 +1,6 @@
 //! The background grid that fields are sampled on.
 
+use crate::planar::Space;
 use glam::DVec2;
 use std::ops::{Add, Mul};
 
@@ -13,13 +14,23 @@ pub(super) struct Grid {
     pub step: f64,
     pub columns: usize,
     pub rows: usize,
-    /// Side of the torus: the last column and row are the first ones.
-    period: Option<f64>,
+    space: Space,
 }
 
 impl Grid {
-    /// A grid with this step over a box and two squares around it.
-    pub fn over((lo, hi): (DVec2, DVec2), step: f64) -> Self {
+    /// A grid with about this step over a box: in the plane with two squares around it; on a torus a
+    /// whole number of squares goes round, and the last column and row are the first ones again.
+    pub fn new(space: Space, (lo, hi): (DVec2, DVec2), step: f64) -> Self {
+        if let Some(side) = space.period() {
+            let squares = ((side / step) as usize).max(1).next_multiple_of(COARSE);
+            return Self {
+                origin: DVec2::ZERO,
+                step: side / squares as f64,
+                columns: squares + 1,
+                rows: squares + 1,
+                space,
+            };
+        }
         let squares = |span: f64| (span / step).ceil() as usize + 4;
         let count = |span: f64| squares(span).next_multiple_of(COARSE) + 1;
         Self {
@@ -27,19 +38,7 @@ impl Grid {
             step,
             columns: count(hi.x - lo.x),
             rows: count(hi.y - lo.y),
-            period: None,
-        }
-    }
-
-    /// A grid over the torus with about this step.
-    pub fn torus(side: f64, step: f64) -> Self {
-        let squares = ((side / step) as usize).max(1).next_multiple_of(COARSE);
-        Self {
-            origin: DVec2::ZERO,
-            step: side / squares as f64,
-            columns: squares + 1,
-            rows: squares + 1,
-            period: Some(side),
+            space,
         }
     }
 
@@ -53,9 +52,9 @@ impl Grid {
         self.origin + self.step * DVec2::new(column as f64, row as f64)
     }
 
-    /// Makes the last column and row of a torus the same as the first.
+    /// Makes the last column and row of a torus the same as the first; a grid over the plane has ends.
     pub fn close<T: Copy>(&self, values: &mut [T]) {
-        if self.period.is_some() && !values.is_empty() {
+        if self.space != Space::PLANE && !values.is_empty() {
             for row in 0..self.rows {
                 values[(row + 1) * self.columns - 1] = values[row * self.columns];
             }
@@ -69,8 +68,7 @@ impl Grid {
     where
         T: Copy + Add<Output = T> + Mul<f64, Output = T>,
     {
-        let p = self.period.map_or(p, |side| p - side * (p / side).floor());
-        let at = (p - self.origin) / self.step;
+        let at = (self.space.wrap(p) - self.origin) / self.step;
         let last = DVec2::new((self.columns - 2) as f64, (self.rows - 2) as f64);
         let base = at.floor().clamp(DVec2::ZERO, last);
         let t = (at - base).clamp(DVec2::ZERO, DVec2::ONE);

@@ -9,12 +9,12 @@ mod ends;
 mod follow;
 mod grid;
 mod kind;
+mod lattice;
 mod params;
 mod scalar;
 mod singular;
 mod sources;
 mod symmetry;
-mod torus;
 mod wishes;
 
 pub use builder::FieldBuilder;
@@ -26,6 +26,7 @@ pub use singular::Singularity;
 use crate::domain::Domain;
 use glam::DVec2;
 use grid::Grid;
+use scalar::Gradient;
 
 /// The fields, ready to be asked at any point.
 #[derive(Clone, Debug)]
@@ -37,11 +38,12 @@ pub struct Fields {
     /// Sampled directions, none where it is the same everywhere, and two where the outline's parts
     /// have kinds of different symmetry.
     layers: Vec<Layer>,
-    /// Sampled factors of the size; empty where it is not sampled.
+    /// The part of the size that is not sampled.
+    gradient: Option<Gradient>,
+    /// Sampled factors of the size; empty where there are none.
     growth: Vec<f64>,
     /// Sampled aspect ratios of stretched cells; empty where it is one everywhere.
     stretch: Vec<f64>,
-    periodic: bool,
     /// Where parts have kinds of their own: tells the part of a point, and the kinds by part.
     parts: Option<(Domain, Vec<Kind>)>,
 }
@@ -73,22 +75,13 @@ impl Fields {
     /// side.
     #[inline(never)]
     pub fn size(&self, p: DVec2) -> f64 {
-        let FieldParams {
-            size,
-            linear,
-            radial,
-            side,
-            ..
-        } = self.params;
-        let plain = self.periodic || (linear == DVec2::ZERO && radial == 0.0);
-        if plain && self.growth.is_empty() {
+        let FieldParams { size, side, .. } = self.params;
+        if self.gradient.is_none() && self.growth.is_empty() {
             return size;
         }
         let mut factor = 1.0;
-        if !plain {
-            let from_middle = 2.0 * p / side - DVec2::ONE;
-            factor = scalar::gradient(linear, radial, from_middle, false)
-                .clamp(SIZE_RANGE.0, SIZE_RANGE.1);
+        if let Some(gradient) = &self.gradient {
+            factor = gradient.at(p).clamp(SIZE_RANGE.0, SIZE_RANGE.1);
         }
         if !self.growth.is_empty() {
             factor *= self.grid.blend(&self.growth, p);

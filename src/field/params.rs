@@ -113,13 +113,12 @@ impl FieldParams {
         kinds
     }
 
-    /// Is the wished size or aspect ratio other than a number and a gradient?
-    pub(super) fn has_growth(&self, periodic: bool) -> bool {
-        let waves = periodic && (self.linear != DVec2::ZERO || self.radial != 0.0);
-        waves || !self.size_rim.is_flat() || !self.size_spots.is_empty()
+    /// Is the size other than a number and a gradient?
+    pub(super) fn varies_size(&self) -> bool {
+        !self.size_rim.is_flat() || !self.size_spots.is_empty()
     }
 
-    /// Is the wished aspect ratio other than a number?
+    /// Is the aspect ratio other than a number?
     pub(super) fn varies_aspect(&self) -> bool {
         !self.aspect_rim.is_flat() || !self.aspect_spots.is_empty()
     }

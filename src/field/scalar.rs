@@ -1,5 +1,6 @@
 //! Size and aspect ratio as functions of the point.
 
+use super::FieldParams;
 use glam::DVec2;
 
 /// How a value changes towards the boundary and the constraint lines.
@@ -51,19 +52,52 @@ impl Spot {
     }
 }
 
-/// A gradient across the picture's middle, from -1 to 1 in each direction: linear and radial, or as
-/// waves that repeat with the picture.
-pub(super) fn gradient(linear: DVec2, radial: f64, from_middle: DVec2, periodic: bool) -> f64 {
-    let (across, outwards) = if periodic {
-        let turn = std::f64::consts::PI * from_middle;
-        (
-            DVec2::new(libm::sin(turn.x), libm::sin(turn.y)),
-            -0.5 * (libm::cos(turn.x) + libm::cos(turn.y)),
-        )
-    } else {
-        (from_middle, 2.0 * from_middle.length().min(1.0) - 1.0)
-    };
-    1.0 + linear.dot(across) + radial * outwards
+/// A factor that changes from the picture's middle to its edges.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Gradient {
+    linear: DVec2,
+    radial: f64,
+    side: f64,
+}
+
+impl Gradient {
+    /// Nothing where the factor is one everywhere.
+    pub fn new(params: &FieldParams) -> Option<Self> {
+        let FieldParams {
+            linear,
+            radial,
+            side,
+            ..
+        } = *params;
+        let gradient = Self {
+            linear,
+            radial,
+            side,
+        };
+        (linear != DVec2::ZERO || radial != 0.0).then_some(gradient)
+    }
+
+    /// The factor at a point, linear and radial.
+    pub fn at(&self, p: DVec2) -> f64 {
+        let from_middle = self.from_middle(p);
+        self.mixed(from_middle, 2.0 * from_middle.length().min(1.0) - 1.0)
+    }
+
+    /// Waves that repeat with the picture, alike up and down and as steep in the middle.
+    pub fn waves_at(&self, p: DVec2) -> f64 {
+        let turn = std::f64::consts::PI * self.from_middle(p);
+        let across = DVec2::new(libm::sin(turn.x), libm::sin(turn.y));
+        self.mixed(across, -0.5 * (libm::cos(turn.x) + libm::cos(turn.y)))
+    }
+
+    /// -1 to 1 along each axis.
+    fn from_middle(&self, p: DVec2) -> DVec2 {
+        2.0 * p / self.side - DVec2::ONE
+    }
+
+    fn mixed(&self, across: DVec2, outwards: f64) -> f64 {
+        1.0 + self.linear.dot(across) + self.radial * outwards
+    }
 }
 
 #[cfg(test)]
@@ -92,13 +126,17 @@ mod tests {
 
     #[test]
     fn waves_repeat_with_the_picture() {
-        let (linear, radial) = (DVec2::new(0.3, -0.2), 0.25);
-        let at = |x: f64, y: f64| gradient(linear, radial, DVec2::new(x, y), true);
+        let gradient = Gradient {
+            linear: DVec2::new(0.3, -0.2),
+            radial: 0.25,
+            side: 2.0,
+        };
+        let at = |x: f64, y: f64| gradient.waves_at(DVec2::new(x, y));
         for k in 0..20 {
-            let t = f64::from(k) * 0.1 - 1.0;
-            assert!((at(-1.0, t) - at(1.0, t)).abs() < 1e-12);
-            assert!((at(t, -1.0) - at(t, 1.0)).abs() < 1e-12);
+            let t = f64::from(k) * 0.1;
+            assert!((at(0.0, t) - at(2.0, t)).abs() < 1e-12);
+            assert!((at(t, 0.0) - at(t, 2.0)).abs() < 1e-12);
         }
-        assert_eq!(at(0.0, 0.0), 1.0 - radial);
+        assert_eq!(at(1.0, 1.0), 1.0 - gradient.radial);
     }
 }

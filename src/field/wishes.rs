@@ -1,22 +1,16 @@
 //! What the parameters wish at a point, before it is sampled.
 
-use super::scalar::gradient;
 use super::{FieldParams, Rim, Spot};
 use crate::domain::Domain;
 use glam::DVec2;
 
-/// The factor of the size at a point: rim and spots, and the waves of a torus.
+/// The factor of the size at a point, by the boundary's and the spots' share in it.
 pub(super) fn growth(params: &FieldParams, domain: &Domain, p: DVec2) -> f64 {
     let mut log = rim(&params.size_rim, domain, p);
     shares(&params.size_spots, domain, p, |share, value| {
         log += share * libm::log(value);
     });
-    let factor = libm::exp(log);
-    if domain.space().period().is_none() {
-        return factor;
-    }
-    let from_middle = 2.0 * p / params.side - DVec2::ONE;
-    factor * gradient(params.linear, params.radial, from_middle, true)
+    libm::exp(log)
 }
 
 /// The aspect ratio of stretched cells at a point.

@@ -1,10 +1,11 @@
-//! Sizes that fit a whole number of times round the torus.
+//! Lattices of cells that fit the space.
 //!
-//! Where the direction is one angle everywhere, rows must meet themselves again behind the seam in
-//! both directions. The lattice of the cells has the sides of the picture among its vectors only
-//! for some angles and sizes; the nearest ones are taken.
+//! Where the direction is one angle everywhere, the rows of a torus must meet themselves again behind
+//! the seam in both directions. The lattice of the cells has the sides of the picture among its
+//! vectors only for some angles and sizes; the nearest ones are taken. In the plane all fit.
 
 use super::Kind;
+use crate::planar::Space;
 use glam::DVec2;
 
 /// The distance of hexagonal rows, in cell widths.
@@ -18,33 +19,43 @@ pub(super) struct Lattice {
     pub along: DVec2,
 }
 
-/// The lattice nearest to the one wished for that repeats with the side.
-pub(super) fn fitted(kind: Kind, wish: Lattice, side: f64) -> Lattice {
-    if kind == Kind::Square {
-        // Steps of (p, q) / (p^2 + q^2) of the side: the nearest whole p and q.
-        let steps = (wish.along * side / wish.size).round();
-        let steps = if steps == DVec2::ZERO {
-            DVec2::X
-        } else {
-            steps
-        };
-        return Lattice {
-            size: side / steps.length(),
-            aspect: 1.0,
-            along: steps.normalize(),
-        };
+/// The lattice nearest to the one asked for that repeats with the space; none in the plane, where
+/// nothing repeats.
+pub(super) fn fitted(space: Space, kind: Kind, asked: Lattice) -> Option<Lattice> {
+    let side = space.period()?;
+    Some(match kind {
+        Kind::Square => squares(asked, side),
+        _ => rows(kind, asked, side),
+    })
+}
+
+fn squares(asked: Lattice, side: f64) -> Lattice {
+    // Steps of (p, q) / (p^2 + q^2) of the side: the nearest whole p and q.
+    let steps = (asked.along * side / asked.size).round();
+    let steps = if steps == DVec2::ZERO {
+        DVec2::X
+    } else {
+        steps
+    };
+    Lattice {
+        size: side / steps.length(),
+        aspect: 1.0,
+        along: steps.normalize(),
     }
-    // Cells in rows: one cell's length and one row's distance. Hexagonal rows are shifted by half a
-    // cell: half a length, and sums of steps that are even.
-    let root = wish.aspect.sqrt();
+}
+
+/// Cells in rows: one cell's length and one row's distance. Hexagonal rows are shifted by half a cell:
+/// half a length, and sums of steps that are even.
+fn rows(kind: Kind, asked: Lattice, side: f64) -> Lattice {
+    let root = asked.aspect.sqrt();
     let even = !kind.has_corners();
-    let (length, width) = (wish.size * root, wish.size / root);
+    let (length, width) = (asked.size * root, asked.size / root);
     let (unit, row) = if even {
         (length / 2.0, width * ROW)
     } else {
         (length, width)
     };
-    let (unit, row) = nearest(wish.along, unit, row, side, even);
+    let (unit, row) = nearest(asked.along, unit, row, side, even);
     let (length, width) = if even {
         (2.0 * unit.length(), row / ROW)
     } else {
@@ -83,15 +94,15 @@ fn nearest(along: DVec2, unit: f64, row: f64, side: f64, even: bool) -> (DVec2, 
             if divisor(x, y) != 1 || vector.dot(along) <= 0.0 {
                 continue;
             }
-            let wish = (side / (unit * length), side / (row * length));
-            for m in multiples(wish.0) {
-                for n in multiples(wish.1) {
+            let asked = (side / (unit * length), side / (row * length));
+            for m in multiples(asked.0) {
+                for n in multiples(asked.1) {
                     let (m, n) = (m as i64, n as i64);
                     if even && ((m * x + n * y) % 2 != 0 || (m * y + n * x) % 2 != 0) {
                         continue;
                     }
-                    let stretch = libm::log(m as f64 / wish.0);
-                    let spread = libm::log(n as f64 / wish.1);
+                    let stretch = libm::log(m as f64 / asked.0);
+                    let spread = libm::log(n as f64 / asked.1);
                     let turn = along.perp_dot(vector) / length;
                     let cost = stretch * stretch + spread * spread + 2.0 * turn * turn;
                     if cost < best.0 {
@@ -105,8 +116,8 @@ fn nearest(along: DVec2, unit: f64, row: f64, side: f64, even: bool) -> (DVec2, 
     (best.1, best.2)
 }
 
-fn multiples(wish: f64) -> [u32; 3] {
-    let middle = (wish.round() as u32).max(2);
+fn multiples(asked: f64) -> [u32; 3] {
+    let middle = (asked.round() as u32).max(2);
     [middle - 1, middle, middle + 1]
 }
 
@@ -145,18 +156,18 @@ mod tests {
             for size in [8.0, 23.0, 37.0] {
                 for degrees in [-88.0, -45.0, -10.0, 0.0, 17.0, 45.0, 63.0, 90.0_f64] {
                     let angle = degrees.to_radians();
-                    let wish = Lattice {
+                    let asked = Lattice {
                         size,
                         aspect: if kind.is_stretched() { 2.0 } else { 1.0 },
                         along: DVec2::new(libm::cos(angle), libm::sin(angle)),
                     };
-                    let got = fitted(kind, wish, side);
+                    let got = fitted(Space::torus(side), kind, asked).unwrap();
                     let said = format!("{kind:?} {size} {degrees}: {got:?}");
                     assert!(repeats(kind, got, DVec2::X * side), "{said}");
                     assert!(repeats(kind, got, DVec2::Y * side), "{said}");
                     let change = libm::log(got.size / size).abs();
                     assert!(change < 0.15, "{said}");
-                    assert!(got.along.dot(wish.along) > 0.99, "{said}");
+                    assert!(got.along.dot(asked.along) > 0.99, "{said}");
                 }
             }
         }
@@ -164,7 +175,7 @@ mod tests {
 
     #[test]
     fn squares_along_the_axes_and_tilted_ones_are_exact() {
-        let wish = |degrees: f64| Lattice {
+        let asked = |degrees: f64| Lattice {
             size: 23.0,
             aspect: 1.0,
             along: DVec2::new(
@@ -172,8 +183,8 @@ mod tests {
                 libm::sin(degrees.to_radians()),
             ),
         };
-        assert_eq!(fitted(Kind::Square, wish(0.0), 512.0).size, 512.0 / 22.0);
-        let tilted = fitted(Kind::Square, wish(18.0), 512.0);
-        assert_eq!(tilted.along, DVec2::new(21.0, 7.0).normalize());
+        let got = |degrees| fitted(Space::torus(512.0), Kind::Square, asked(degrees)).unwrap();
+        assert_eq!(got(0.0).size, 512.0 / 22.0);
+        assert_eq!(got(18.0).along, DVec2::new(21.0, 7.0).normalize());
     }
 }
