@@ -8,7 +8,7 @@ use super::arrangement::NAMELESS;
 use super::dual::Dual;
 use super::making::{Made, Making};
 use super::straighten::Straightening;
-use super::{Cell, torus};
+use super::{Cell, images};
 use crate::domain::Domain;
 use crate::order;
 use crate::packing::Particle;
@@ -123,7 +123,7 @@ impl Fitting {
             }
             Next::Corners => {
                 self.count = self.cells.len();
-                self.cells.extend(torus::images(domain, &self.cells));
+                self.cells.extend(images::images(domain, &self.cells));
                 Next::Straighten(Straightening::new(domain, &self.cells))
             }
             Next::Straighten(mut straightening) => {

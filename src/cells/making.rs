@@ -2,9 +2,9 @@
 
 use super::Cell;
 use super::dual::Dual;
-use super::seams::{self, Lined};
+use super::tiling::{self, Lined};
 use crate::domain::Domain;
-use crate::mesh::torus::{Joining, TRIES};
+use crate::mesh::seams::{Joining, TRIES};
 use crate::mesh::{Mesh, Weave};
 use crate::packing::Particle;
 
@@ -89,6 +89,7 @@ impl Making {
 
     fn begin(&mut self, domain: &Domain) -> (Try, Step) {
         let particles = &self.particles;
+        // In the plane ghosts end the mesh at the walls; a torus has none, but has to close.
         let Some(side) = domain.space().period() else {
             let (nodes, cells, rim) = Dual::nodes(domain, particles.clone(), self.plain);
             return (Try::Within(cells, rim), Step::Weave(Weave::new(nodes)));
@@ -102,7 +103,7 @@ impl Making {
         }
         let number = number - if lined { TRIES.len() } else { 0 };
         let joining = TRIES[number.min(TRIES.len() - 1)];
-        let (nodes, sizes) = seams::nodes(side, particles, joining, self.plain);
+        let (nodes, sizes) = tiling::nodes(side, particles, joining, self.plain);
         let what = Try::Seams(joining, sizes);
         (what, Step::Weave(Weave::new(nodes)))
     }

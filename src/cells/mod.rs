@@ -7,12 +7,12 @@ mod dual;
 mod fitted;
 mod ghosts;
 mod graph;
+mod images;
 mod making;
 mod packed;
 mod rings;
-mod seams;
 mod straighten;
-mod torus;
+mod tiling;
 mod voronoi;
 
 pub use fitted::{Fitting, fitted};

@@ -5,7 +5,7 @@
 //! mean of what its cells ask for; those on the boundary slide along it. This goes beyond the papers; it
 //! changes no connection, and never turns a corner inside out.
 
-use super::{Cell, torus};
+use super::{Cell, images};
 use crate::domain::{Domain, cross};
 use crate::order;
 use crate::planar::on_grain;
@@ -57,7 +57,7 @@ struct Rings {
     /// (vertex, cell, place in the ring), by vertex.
     uses: Vec<[u32; 3]>,
     start: Vec<u32>,
-    /// On a torus: see [`torus::twins`].
+    /// See [`images::twins`].
     twins: Vec<(u32, u32, DVec2)>,
 }
 
@@ -145,7 +145,7 @@ impl Rings {
         }
         start.push(uses.len() as u32);
         Self {
-            twins: torus::twins(domain, &points),
+            twins: images::twins(domain, &points),
             free: vec![Freedom::Fixed; points.len()],
             on_line: vec![false; points.len()],
             points,

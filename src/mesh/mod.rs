@@ -3,13 +3,14 @@
 //! Itoh, Miyata, Shimada (2003), section 5.2: Delaunay triangulation (spade), then pairs of
 //! triangles become quadrilaterals in the order of their quality; lone triangles may stay.
 
+mod island;
 mod lines;
 mod meshing;
 mod metric;
 mod patch;
 mod quads;
 mod relax;
-pub(crate) mod torus;
+pub(crate) mod seams;
 mod triangles;
 
 pub use meshing::Meshing;

@@ -1,4 +1,4 @@
-use super::meshing::join_lone;
+use super::island::join_lone;
 use super::quads::Faces;
 use super::triangles::{NONE, Triangles};
 use super::*;

@@ -2,6 +2,7 @@
 
 use crate::domain::Domain;
 use crate::order;
+use crate::planar::Space;
 use glam::DVec2;
 
 /// Areas as shares of the outline's.
@@ -63,7 +64,9 @@ impl Edge {
 /// where more than 16,384 lines would be needed, it is an approximation, good to about 1e-5.
 pub(super) fn cover(domain: &Domain, polygons: impl Iterator<Item = [DVec2; 2]>) -> Cover {
     let mut edges: Vec<Edge> = polygons.filter_map(|e| Edge::new(e, false)).collect();
-    if let Some(side) = domain.space().period() {
+    // A torus has no outline: there the picture is filled, by what is in it of polygons and images.
+    let picture = domain.space().period();
+    if let Some(side) = picture {
         edges = unrolled(edges, side);
     }
     let outline = domain.segments().iter();
@@ -91,7 +94,7 @@ pub(super) fn cover(domain: &Domain, polygons: impl Iterator<Item = [DVec2; 2]>)
                 at -= 1;
             }
         }
-        lengths.add_line(&active, height, domain.space().period().is_some());
+        lengths.add_line(&active, height, picture.is_some());
     }
     lengths.cover()
 }
@@ -100,8 +103,7 @@ pub(super) fn cover(domain: &Domain, polygons: impl Iterator<Item = [DVec2; 2]>)
 /// the outline.
 fn unrolled(edges: Vec<Edge>, side: f64) -> Vec<Edge> {
     let mut images = Vec::new();
-    for shift in 0..9 {
-        let shift = side * DVec2::new(f64::from(shift % 3 - 1), f64::from(shift / 3 - 1));
+    for shift in Space::torus(side).shifts(1) {
         let shifted = edges.iter().map(|e| Edge {
             upper: e.upper + shift,
             lower: e.lower + shift,

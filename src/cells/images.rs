@@ -1,8 +1,9 @@
-//! Images of the cells of the periodic picture, and of their corners.
+//! Images of cells that reach over the edges of a picture that repeats, and of their corners.
 
 use super::Cell;
 use crate::domain::Domain;
 use crate::order;
+use crate::planar::Space;
 use glam::DVec2;
 
 /// Images of the cells that reach over the edges of the picture, with which every corner in the
@@ -31,18 +32,20 @@ pub(super) fn images(domain: &Domain, cells: &[Cell]) -> Vec<Cell> {
 /// The points that are images of others: (the one in the picture, the image, the way there), by the
 /// first.
 pub(super) fn twins(domain: &Domain, points: &[DVec2]) -> Vec<(u32, u32, DVec2)> {
-    if domain.space().period().is_none() {
+    let space = domain.space();
+    // In the plane there are none: sorting all points to find none would take its time.
+    if space == Space::PLANE {
         return Vec::new();
     }
     let key = |k: u32| {
-        let p = domain.space().wrap(points[k as usize]);
+        let p = space.wrap(points[k as usize]);
         (order::rank(p.x), order::rank(p.y))
     };
     let mut order: Vec<u32> = (0..points.len() as u32).collect();
     order::sort(&mut order, |&k| key(k));
     let mut twins = Vec::new();
     for same in order.chunk_by(|&a, &b| key(a) == key(b)) {
-        let at_home = |&&k: &&u32| points[k as usize] == domain.space().wrap(points[k as usize]);
+        let at_home = |&&k: &&u32| points[k as usize] == space.wrap(points[k as usize]);
         let home = same.iter().find(at_home).copied().unwrap_or(same[0]);
         for &k in same.iter().filter(|&&k| k != home) {
             twins.push((home, k, points[k as usize] - points[home as usize]));

@@ -1,10 +1,10 @@
-//! Cells of the torus, which meet over the seams.
+//! The dual of a torus, whose cells close over the seams.
 
 use super::Cell;
 use super::dual::{Dual, On, node, without_rim};
 use super::rings::is_tangled;
 use crate::domain::Domain;
-use crate::mesh::torus::{Joining, closes, spread};
+use crate::mesh::seams::{Joining, closes, spread};
 use crate::mesh::{Mesh, Node};
 use crate::order;
 use crate::packing::Particle;

@@ -130,40 +130,67 @@ pub(crate) fn closes(domain: &Domain, rings: &[Vec<DVec2>]) -> bool {
         })
 }
 
-/// The tries at a mesh that closes over the seams.
-pub(super) struct Seams {
+/// The mesh of a torus in the making: one try after the other, until one closes over the seams.
+pub(super) struct SeamMeshing {
     side: f64,
+    particles: Vec<Particle>,
     /// Tries begun so far.
     begun: usize,
     /// The cells and their images, and the number of the cell that each is or is an image of.
     all: Vec<Particle>,
     of: Vec<u32>,
+    /// The try at work.
+    weave: Option<Weave>,
 }
 
-impl Seams {
+impl SeamMeshing {
     /// Nothing tried yet.
-    pub fn new(side: f64) -> Self {
+    pub fn new(side: f64, mut particles: Vec<Particle>) -> Self {
+        for p in &mut particles {
+            p.centre = Space::torus(side).wrap(p.centre);
+        }
         Self {
             side,
+            particles,
             begun: 0,
             all: Vec::new(),
             of: Vec::new(),
+            weave: None,
         }
     }
 
+    /// One slice of the work; the mesh with the last one.
+    pub fn advance(&mut self, domain: &Domain) -> Option<Mesh> {
+        let mut weave = match self.weave.take() {
+            Some(weave) => weave,
+            None => Weave::new(self.nodes()),
+        };
+        if weave.advance() {
+            return self.mesh(domain, weave);
+        }
+        self.weave = Some(weave);
+        None
+    }
+
     /// The nodes of the next try.
-    pub fn nodes(&mut self, particles: &[Particle]) -> Vec<Node> {
+    fn nodes(&mut self) -> Vec<Node> {
         let joining = TRIES[self.begun.min(TRIES.len() - 1)];
         self.begun += 1;
-        (self.all, self.of) = spread(self.side, particles, joining);
+        (self.all, self.of) = spread(self.side, &self.particles, joining);
         let nodes = self.all.iter().map(Node::of);
         nodes.map(|node| joining.node(node)).collect()
     }
 
     /// See [`Mesh::build`]; nothing where elements do not agree over the seams. In the end they give
     /// way to Delaunay's triangles.
-    pub fn mesh(&self, domain: &Domain, particles: &[Particle], weave: Weave) -> Option<Mesh> {
-        let Self { all, of, begun, .. } = self;
+    fn mesh(&self, domain: &Domain, weave: Weave) -> Option<Mesh> {
+        let Self {
+            particles,
+            all,
+            of,
+            begun,
+            ..
+        } = self;
         let places = |k: &[u32]| -> Vec<DVec2> {
             let place = |&k: &u32| all[k as usize].centre;
             k.iter().map(place).collect()

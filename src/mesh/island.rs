@@ -1,0 +1,211 @@
+//! The mesh within an outline in the plane, island by island.
+
+use super::lines::{is_cut, lies_on_line};
+use super::quads::{self, Faces};
+use super::triangles::{NONE, Triangles};
+use super::{Face, Mesh, Node, Weave, patch, relax};
+use crate::domain::Domain;
+use crate::packing::Particle;
+use glam::DVec2;
+
+/// A triangle whose height is less than this share of its longest side is a sliver of the rim.
+const SLIVER: f64 = 0.12;
+/// Without an obtuse angle it is one if its height is less than this share.
+const NEEDLE: f64 = 0.01;
+/// Cells at a wall stand half their size from it; a triangle whose middle is nearer than this, in
+/// sizes, only bridges a bend.
+const AT_WALL: f64 = 0.45;
+
+/// Lone triangles are let be where they are at most this share of the elements ...
+const FEW_TRIANGLES: f64 = 0.037;
+/// ... and this many more, but ...
+const RIM_TRIANGLES: f64 = 6.0;
+/// ... at most this share.
+const MOST_TRIANGLES: f64 = 0.08;
+/// The least score of quadrilaterals that replace lone triangles, falling.
+const STANDARDS: [f64; 6] = [0.5, 0.4, 0.3, 0.2, 0.2, 0.15];
+
+/// The meshes of all islands in the making.
+pub(super) struct IslandMeshing {
+    particles: Vec<Particle>,
+    /// The island at work, its cells, and their numbers.
+    island: usize,
+    own: Vec<Particle>,
+    names: Vec<usize>,
+    /// The meshes of the islands so far, side by side; the vertices keep the order of the centres.
+    whole: Mesh,
+    step: Option<Step>,
+}
+
+/// How far the island at work is.
+enum Step {
+    Weave(Weave),
+    Triangles(Vec<Node>, Triangles),
+    Faces(Vec<Node>, Faces),
+}
+
+impl IslandMeshing {
+    /// Of these cells, nothing made yet.
+    pub fn new(particles: Vec<Particle>) -> Self {
+        let whole = Mesh {
+            vertices: particles.iter().map(|p| p.centre).collect(),
+            ..Mesh::default()
+        };
+        Self {
+            particles,
+            island: 0,
+            own: Vec::new(),
+            names: Vec::new(),
+            whole,
+            step: None,
+        }
+    }
+
+    /// One slice of the work; the mesh with the last one.
+    pub fn advance(&mut self, domain: &Domain) -> Option<Mesh> {
+        let step = match self.step.take() {
+            Some(step) => step,
+            None => Step::Weave(Weave::new(self.nodes(domain))),
+        };
+        let island = domain.islands().get(self.island).unwrap_or(domain);
+        let next = match step {
+            Step::Weave(mut weave) => {
+                if weave.advance() {
+                    let (nodes, triangles) = self.triangles(island, weave);
+                    Step::Triangles(nodes, triangles)
+                } else {
+                    Step::Weave(weave)
+                }
+            }
+            Step::Triangles(mut nodes, triangles) => {
+                let faces = self.faces(island, &mut nodes, &triangles);
+                Step::Faces(nodes, faces)
+            }
+            Step::Faces(nodes, faces) => {
+                self.put(island, &nodes, faces);
+                self.island += 1;
+                let done = self.island == domain.islands().len();
+                return done.then(|| std::mem::take(&mut self.whole));
+            }
+        };
+        self.step = Some(next);
+        None
+    }
+
+    /// The triangles within the island.
+    fn triangles(&self, island: &Domain, weave: Weave) -> (Vec<Node>, Triangles) {
+        let (nodes, mut triangles) = weave.finish();
+        triangles.stretch(&nodes, self.keep(island));
+        triangles.retain(|t| {
+            let [a, b, c] = t.map(|k| nodes[k as usize].at);
+            island.nearest((a + b + c) / 3.0).distance > 0.0 && !is_cut(island, [a, b, c])
+        });
+        (nodes, triangles)
+    }
+
+    /// The elements made of them.
+    fn faces(&self, island: &Domain, nodes: &mut [Node], triangles: &Triangles) -> Faces {
+        let keep = self.keep(island);
+        let mut made = quads::pair(nodes, triangles, &keep, 0);
+        made.leave_out(|face| is_sliver(face, nodes));
+        // Of cells that stand at the walls it is no mesh of the outline, only a picture of the rows.
+        if self.own.iter().any(|p| p.fixed) {
+            join_lone(nodes, &mut made, |k| self.own[k].fixed, keep);
+        }
+        made
+    }
+
+    /// Sides from cell to cell along a constraint line are not dissolved.
+    fn keep(&self, island: &Domain) -> impl Fn([u32; 2]) -> bool {
+        |side| lies_on_line(island, side.map(|k| &self.own[k as usize]))
+    }
+
+    /// Puts the island's mesh beside those of the others.
+    fn put(&mut self, island: &Domain, nodes: &[Node], mut made: Faces) {
+        let vertices: Vec<DVec2> = nodes.iter().map(|n| n.at).collect();
+        made.faces.retain(|face| {
+            if face.sides == 0 {
+                return false;
+            }
+            let depth = island.nearest(face.centroid(&vertices)).distance;
+            depth > 0.0
+                && !is_sliver(face, nodes)
+                && !(face.sides == 3 && depth < at_wall(face, &self.own))
+        });
+        for (&name, vertex) in self.names.iter().zip(vertices) {
+            self.whole.vertices[name] = vertex;
+        }
+        for node in made.faces.iter_mut().flat_map(|face| &mut face.nodes) {
+            // A triangle's fourth number is none.
+            *node = self.names.get(*node as usize).map_or(0, |&k| k as u32);
+        }
+        self.whole.faces.extend(made.faces);
+    }
+
+    /// Those of the next island.
+    fn nodes(&mut self, domain: &Domain) -> Vec<Node> {
+        let particles = &self.particles;
+        let here = |&k: &usize| domain.island(particles[k].centre) == self.island;
+        self.names = (0..particles.len()).filter(here).collect();
+        self.own = self.names.iter().map(|&k| particles[k]).collect();
+        self.own.iter().map(Node::of).collect()
+    }
+}
+
+/// Joins lone triangles over the elements between them while there are too many, first to good
+/// quadrilaterals only; in between the nodes that may move relax, which makes room for more.
+pub(super) fn join_lone(
+    nodes: &mut [Node],
+    made: &mut Faces,
+    is_fixed: impl Fn(usize) -> bool,
+    keep: impl Fn([u32; 2]) -> bool,
+) {
+    let mut free: Vec<bool> = (0..nodes.len()).map(|k| !is_fixed(k)).collect();
+    for (face, beside) in made.faces.iter().zip(&made.beside) {
+        let corners = face.nodes();
+        for k in 0..corners.len() {
+            if beside[k] == NONE {
+                free[corners[k] as usize] = false;
+                free[corners[(k + 1) % corners.len()] as usize] = false;
+            }
+        }
+    }
+    let lone = |nodes: &[Node], made: &Faces| {
+        let faces = made.faces.iter();
+        faces.filter(|f| quads::is_lone(nodes, f)).count()
+    };
+    let quads = made.faces.iter().filter(|f| f.sides == 4).count();
+    let count = (quads + lone(nodes, made)) as f64;
+    let few = (FEW_TRIANGLES * count + RIM_TRIANGLES).min(MOST_TRIANGLES * count) as usize;
+    for worst in STANDARDS {
+        if lone(nodes, made) <= few {
+            break;
+        }
+        patch::better(nodes, made, worst, few, &keep);
+        relax::relax(nodes, &made.faces, &free);
+    }
+}
+
+/// How deep a triangle of cells that all stand at a wall has to lie; 0 where one is fixed on it.
+fn at_wall(triangle: &Face, particles: &[Particle]) -> f64 {
+    let nodes = triangle.nodes().iter().map(|&k| &particles[k as usize]);
+    let depth = nodes.map(|p| {
+        if p.fixed {
+            0.0
+        } else {
+            AT_WALL * p.size / p.aspect.sqrt()
+        }
+    });
+    depth.fold(f64::INFINITY, f64::min)
+}
+
+/// Is this a triangle so flat that it only lies along the rim? The needles of sharp tips stay.
+fn is_sliver(face: &Face, nodes: &[Node]) -> bool {
+    let [a, b, c] = *face.nodes() else {
+        return false;
+    };
+    let [p, q, r] = [a, b, c].map(|k| nodes[k as usize].at);
+    let obtuse = |p: DVec2, q: DVec2, r: DVec2| (q - p).dot(r - p) < 0.0;
+    let cap = obtuse(p, q, r) || obtuse(q, r, p) || obtuse(r, p, q);
+    quads::height(nodes, [a, b, c]) < if cap { SLIVER } else { NEEDLE }
+}
