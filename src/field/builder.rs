@@ -71,9 +71,10 @@ impl FieldBuilder {
         }
         // A gradient does not repeat, so on a torus it becomes waves; their sines are too slow to be
         // worked out wherever the size is asked for.
+        let gradient = Gradient::new(params.linear, params.radial, params.side);
         let (gradient, waves) = match space {
-            Space::PLANE => (Gradient::new(&params), None),
-            _ => (None, Gradient::new(&params)),
+            Space::PLANE => (gradient, None),
+            _ => (None, gradient),
         };
         let nodes = |wanted: bool| vec![0.0; if wanted { grid.len() } else { 0 }];
         let layer = |symmetry| Layer {

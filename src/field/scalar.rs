@@ -1,6 +1,5 @@
 //! Size and aspect ratio as functions of the point.
 
-use super::FieldParams;
 use glam::DVec2;
 
 /// How a value changes towards the boundary and the constraint lines.
@@ -61,14 +60,8 @@ pub(super) struct Gradient {
 }
 
 impl Gradient {
-    /// Nothing where the factor is one everywhere.
-    pub fn new(params: &FieldParams) -> Option<Self> {
-        let FieldParams {
-            linear,
-            radial,
-            side,
-            ..
-        } = *params;
+    /// In a picture of a side; nothing where the factor is one everywhere.
+    pub fn new(linear: DVec2, radial: f64, side: f64) -> Option<Self> {
         let gradient = Self {
             linear,
             radial,
