@@ -7,11 +7,11 @@ use super::arrangement::{Arrangement, Line};
 use super::rings::is_tangled;
 use super::voronoi::circumcentre;
 use super::{Cell, across, ghosts};
-use crate::domain::{Domain, closest_on_segment, divided, ring_contains};
+use crate::domain::{Domain, ring_contains};
 use crate::mesh::{Face, Fans, Mesh, Node};
 use crate::order;
 use crate::packing::{Grid, Particle};
-use crate::planar::on_grain;
+use crate::planar::{closest_on_segment, divided, on_grain};
 use glam::DVec2;
 
 /// Middles of elements between inside and outside go onto the boundary where it is this near.

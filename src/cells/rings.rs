@@ -1,7 +1,8 @@
 //! Rings: chained of edges, and whether they are tangled.
 
-use crate::domain::{crosses, signed_area};
+use crate::domain::signed_area;
 use crate::order;
+use crate::planar::crosses;
 use glam::DVec2;
 
 /// The rings that directed edges make: outer ones of positive area, holes of negative.

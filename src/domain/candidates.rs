@@ -1,24 +1,8 @@
 //! The segment nearest to a point, by a grid of those that can be it.
 
 use crate::order::lesser;
+use crate::planar::closest_on_segment;
 use glam::DVec2;
-
-/// The point of the segment a to b nearest to p.
-pub(crate) fn closest_on_segment(p: DVec2, a: DVec2, b: DVec2) -> DVec2 {
-    let ab = b - a;
-    let square = ab.length_squared();
-    if square == 0.0 {
-        return a;
-    }
-    let t = (p - a).dot(ab) / square;
-    if t <= 0.0 {
-        a
-    } else if t >= 1.0 {
-        b
-    } else {
-        a + ab * t
-    }
-}
 
 /// For each square of a grid, the segments that can be the nearest to some point of it: those not
 /// farther from its middle than the nearest one by more than the square's diagonal.

@@ -2,10 +2,9 @@
 //! has a local minimum, seen from the paved side.
 
 use super::Domain;
-use super::lines::crosses;
 use super::squares::Squares;
 use crate::order;
-use crate::planar::Space;
+use crate::planar::{Space, crosses};
 use glam::DVec2;
 
 /// A place of the boundary facing a point.

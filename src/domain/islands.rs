@@ -72,3 +72,43 @@ impl Islands {
         self.squares.any(a, b, |_| true)
     }
 }
+
+impl Domain {
+    /// The islands, each as a domain of its own with the constraint lines inside; from the top, at equal
+    /// heights from the left. Where there is one it is this domain itself.
+    pub fn islands(&self) -> &[Domain] {
+        match &self.islands {
+            Some(islands) => &islands.domains,
+            None => std::slice::from_ref(self),
+        }
+    }
+
+    /// The number of the island that a point lies in; outside, of the nearest.
+    pub fn island(&self, p: DVec2) -> usize {
+        let islands = self.islands.as_ref();
+        islands.map_or(0, |i| i.of[self.nearest(p).segment] as usize)
+    }
+
+    /// The island of a segment of the outline.
+    pub(super) fn island_of(&self, segment: usize) -> u32 {
+        self.islands.as_ref().map_or(0, |i| i.of[segment])
+    }
+
+    /// Do two places lie on different islands?
+    #[inline]
+    pub fn is_gap_between(&self, a: DVec2, b: DVec2) -> bool {
+        let islands = self.islands.as_ref();
+        islands.is_some_and(|i| i.is_near(a, b) && self.island(a) != self.island(b))
+    }
+
+    /// The middle of each island that holds none of these places.
+    pub(crate) fn empty_middles(&self, places: &[DVec2]) -> Vec<DVec2> {
+        let mut empty = vec![true; self.islands().len()];
+        for &p in places {
+            empty[self.island(p)] = false;
+        }
+        let islands = self.islands().iter().zip(empty);
+        let empty = islands.filter_map(|(island, empty)| empty.then_some(island));
+        empty.filter_map(Self::deepest).collect()
+    }
+}

@@ -1,25 +1,18 @@
-//! Constraint lines: cut where they cross, clipped to the inside, and what is asked of them.
+//! The constraint lines of a domain, and what is asked of them.
 //!
 //! Itoh, Miyata, Shimada (2003): "boundary edges can be defined at a set of user-specified line
 //! segments inside the domain".
 
 use super::candidates::CandidateGrid;
+use super::clip::clip;
 use super::parts::Parts;
 use super::squares::Squares;
-use super::{Domain, closest_on_segment};
-use crate::order;
-use crate::planar::{on_grain, orientation};
+use super::{Domain, Nearest};
+use crate::planar::{closest_on_segment, crosses, orientation};
 use glam::DVec2;
 
-/// Points nearer to each other, or to a line or the outline, than this part of the larger side of
-/// the box around the outline are one, or lie on it.
-const TOUCH: f64 = 1.0 / 2048.0;
 /// Parts smaller than the square of this part of that side are joined to a neighbour.
 const SMALLEST: f64 = 1.0 / 128.0;
-/// No more crossings than this are looked for.
-const MOST_NODES: usize = 4096;
-/// A piece that runs beside the outline at less than this slope is part of the outline.
-const BESIDE: f64 = 0.1;
 
 /// The constraint lines of a domain.
 #[derive(Clone, Debug)]
@@ -40,7 +33,7 @@ pub(super) struct Network {
 impl Network {
     /// Nothing where no piece of a line lies inside.
     pub fn new(domain: &Domain, lines: &[Vec<DVec2>]) -> Option<Self> {
-        let (mut lines, touches) = Cutter::new(domain, lines).cut();
+        let (mut lines, touches) = clip(domain, lines);
         let (lo, hi) = domain.bounds();
         let largest = (hi - lo).max_element();
         let least = (SMALLEST * largest) * (SMALLEST * largest);
@@ -121,186 +114,116 @@ fn take_out(domain: &Domain, lines: &mut Vec<Vec<DVec2>>, place: DVec2) {
     lines.retain(|line| line.len() > 1);
 }
 
-/// Do a to b and the segment c to d cross? Not where a or b lies on it; its ends count so that a way
-/// through a point that two segments share crosses one of them.
-pub(crate) fn crosses(a: DVec2, b: DVec2, c: DVec2, d: DVec2) -> bool {
-    if a.min(b).cmpgt(c.max(d)).any() || c.min(d).cmpgt(a.max(b)).any() {
-        return false;
+impl Domain {
+    /// What lies inside of the constraint lines: each a run of points, closed where the first is
+    /// repeated at the end. Lines meet and touch the outline only at points of these.
+    pub fn lines(&self) -> &[Vec<DVec2>] {
+        self.network.as_ref().map_or(&[], |n| &n.lines)
     }
-    let (sa, sb) = (orientation(c, d, a), orientation(c, d, b));
-    let apart = (sa > 0.0 && sb < 0.0) || (sa < 0.0 && sb > 0.0);
-    apart && (orientation(a, b, c) >= 0.0) != (orientation(a, b, d) >= 0.0)
-}
 
-/// Cuts lines.
-struct Cutter<'a> {
-    domain: &'a Domain,
-    near: f64,
-    /// All places where anything begins, ends or crosses; none near another.
-    nodes: Vec<DVec2>,
-    lines: Vec<Vec<DVec2>>,
-    touches: Vec<(usize, DVec2)>,
-}
-
-/// A segment of a line with the places where it is cut.
-struct Piece {
-    ends: [DVec2; 2],
-    line: usize,
-    cuts: Vec<DVec2>,
-}
-
-impl Piece {
-    fn cut(&mut self, p: DVec2) {
-        if !self.ends.contains(&p) {
-            self.cuts.push(p);
-        }
+    /// The segments of [`Domain::lines`], line after line.
+    pub fn line_segments(&self) -> &[[DVec2; 2]] {
+        self.network.as_ref().map_or(&[], |n| &n.segments)
     }
-}
 
-impl<'a> Cutter<'a> {
-    /// Points near each other, or near the outline, are drawn together.
-    fn new(domain: &'a Domain, lines: &[Vec<DVec2>]) -> Self {
-        let (lo, hi) = domain.bounds();
-        let mut cutter = Self {
-            domain,
-            near: TOUCH * (hi - lo).max_element(),
-            nodes: Vec::new(),
-            lines: Vec::new(),
-            touches: Vec::new(),
+    /// Where constraint lines meet the outline: the number of the outline's segment, and the place.
+    pub fn touches(&self) -> &[(usize, DVec2)] {
+        self.network.as_ref().map_or(&[], |n| &n.touches)
+    }
+
+    /// The nearest place of a constraint line: `distance` is positive on both sides and `inward`
+    /// points away from the line, `segment` counts [`Domain::line_segments`]. Nothing without lines.
+    pub fn nearest_line(&self, p: DVec2) -> Option<Nearest> {
+        let network = self.network.as_ref()?;
+        let wrapped = self.space.wrap(p);
+        let (square, point, segment) = network.nearest(wrapped);
+        let [a, b] = network.images[segment];
+        let (distance, tangent) = (square.sqrt(), (b - a).normalize());
+        let inward = if distance > 1e-9 {
+            (wrapped - point) / distance
+        } else {
+            tangent.perp()
         };
-        for line in lines {
-            let mut points: Vec<DVec2> = Vec::with_capacity(line.len());
-            for &p in line {
-                let p = cutter.node(p);
-                if points.last() != Some(&p) {
-                    points.push(p);
-                }
-            }
-            cutter.lines.push(points);
-        }
-        cutter
+        Some(Nearest {
+            distance,
+            point: point + (p - wrapped),
+            inward,
+            tangent,
+            segment: segment % network.segments.len(),
+        })
     }
 
-    /// The node at a place, a new one where there is none near: on the outline where that is near, so
-    /// that no node is so near to it without lying on it.
-    fn node(&mut self, p: DVec2) -> DVec2 {
-        let foot = self.domain.nearest(p);
-        let on_outline = foot.distance.abs() <= self.near;
-        let p = on_grain(if on_outline { foot.point } else { p });
-        for &node in &self.nodes {
-            // The node's image nearest to the place: exact, as all lies on the grain.
-            let by = node - p;
-            let image = p + self.domain.space().shortest(by);
-            if image.distance(p) <= self.near {
-                return image;
-            }
-        }
-        self.nodes.push(p);
-        if on_outline {
-            self.touches.push((foot.segment, p));
-        }
-        p
-    }
-
-    fn cut(mut self) -> (Vec<Vec<DVec2>>, Vec<(usize, DVec2)>) {
-        let mut pieces: Vec<Piece> = Vec::new();
-        for (line, points) in self.lines.iter().enumerate() {
-            pieces.extend(points.windows(2).map(|w| Piece {
-                ends: [w[0], w[1]],
-                line,
-                cuts: Vec::new(),
-            }));
-        }
-        let domain = self.domain;
-        for piece in &mut pieces {
-            for &outline in domain.segments() {
-                if let Some(p) = self.crossing(piece.ends, outline) {
-                    piece.cut(p);
-                }
-            }
-        }
-        // An image of a line may cross another from two pictures away.
-        let shifts: Vec<DVec2> = domain.space().shifts(2).collect();
-        for k in 0..pieces.len() {
-            for j in 0..=k {
-                for &shift in &shifts {
-                    if j != k || shift != DVec2::ZERO {
-                        self.cut_pair(&mut pieces, k, j, shift);
-                    }
-                }
-            }
-        }
-        (self.chains(&mut pieces), self.touches)
-    }
-
-    /// Cuts a piece and the image of another where they meet.
-    fn cut_pair(&mut self, pieces: &mut [Piece], k: usize, j: usize, shift: DVec2) {
-        let [a, b] = pieces[k].ends;
-        let [c, d] = pieces[j].ends.map(|p| p + shift);
-        let near = DVec2::splat(self.near);
-        if (a.min(b) - near).cmpgt(c.max(d)).any() || (c.min(d) - near).cmpgt(a.max(b)).any() {
-            return;
-        }
-        let on = |p: DVec2, [a, b]: [DVec2; 2]| {
-            p != a && p != b && closest_on_segment(p, a, b).distance(p) <= self.near
+    /// Does the straight way from a to b cross a constraint line? On a torus b is the image that is
+    /// meant ([`Space::shortest`]), at most half a side away.
+    #[inline]
+    pub fn crosses_line(&self, a: DVec2, b: DVec2) -> bool {
+        let Some(network) = &self.network else {
+            return false;
         };
-        for p in [c, d].into_iter().filter(|&p| on(p, [a, b])) {
-            pieces[k].cut(p);
-        }
-        for p in [a, b].into_iter().filter(|&p| on(p, [c, d])) {
-            pieces[j].cut(p - shift);
-        }
-        if let Some(p) = self.crossing([a, b], [c, d]) {
-            if p != c && p != d {
-                pieces[k].cut(p);
-            }
-            if p != a && p != b {
-                pieces[j].cut(p - shift);
-            }
-        }
+        let from = self.space.wrap(a);
+        network.crosses(from, b - (a - from))
     }
 
-    /// The node where two segments cross.
-    fn crossing(&mut self, [a, b]: [DVec2; 2], [c, d]: [DVec2; 2]) -> Option<DVec2> {
-        if self.nodes.len() >= MOST_NODES || !crosses(a, b, c, d) {
-            return None;
-        }
-        let (sa, sb) = (orientation(c, d, a), orientation(c, d, b));
-        Some(self.node(a + (b - a) * (sa / (sa - sb))))
+    /// The segment of a constraint line that the straight way from a to b crosses first.
+    pub(crate) fn line_between(&self, a: DVec2, b: DVec2) -> Option<[DVec2; 2]> {
+        let network = self.network.as_ref()?;
+        let from = self.space.wrap(a);
+        let shift = a - from;
+        let index = network.first_crossed(from, b - shift)?;
+        Some(network.images[index].map(|p| p + shift))
     }
 
-    /// The pieces inside, joined to lines again.
-    fn chains(&self, pieces: &mut [Piece]) -> Vec<Vec<DVec2>> {
-        let mut chains: Vec<Vec<DVec2>> = Vec::new();
-        let mut known: Vec<[DVec2; 2]> = Vec::new();
-        let mut last = None;
-        for piece in pieces {
-            let [a, b] = piece.ends;
-            order::sort(&mut piece.cuts, |p| (order::rank(p.distance_squared(a)), 0));
-            let mut from = a;
-            for to in piece.cuts.iter().copied().chain([b]) {
-                if from == to {
-                    continue;
-                }
-                let ends = [from, to];
-                let twice = known.contains(&ends) || known.contains(&[to, from]);
-                if !twice && self.is_inside(from, to) {
-                    known.push(ends);
-                    match chains.last_mut() {
-                        Some(chain) if last == Some((piece.line, from)) => chain.push(to),
-                        _ => chains.push(vec![from, to]),
-                    }
-                    last = Some((piece.line, to));
-                }
-                from = to;
-            }
-        }
-        chains
+    /// Adds the constraint lines' segments, with their images on a torus, to a list of walls; gives
+    /// for each whether its ends lie on the outline.
+    pub(super) fn line_walls(&self, walls: &mut Vec<[DVec2; 2]>) -> Vec<[bool; 2]> {
+        let Some(network) = &self.network else {
+            return Vec::new();
+        };
+        walls.extend(&network.images);
+        let on_outline = |p: DVec2| network.touches.iter().any(|&(_, at)| at == p);
+        let ends = network.images.iter().map(|s| s.map(on_outline));
+        ends.collect()
     }
 
-    /// Does a piece between two cuts lie inside, and not along the outline?
-    fn is_inside(&self, from: DVec2, to: DVec2) -> bool {
-        let depth = self.domain.nearest(from.midpoint(to)).distance;
-        depth > self.near.min(BESIDE * from.distance(to))
+    /// How many parts there are: the islands, and what constraint lines cut them into.
+    pub fn parts(&self) -> usize {
+        let network = self.network.as_ref();
+        network.map_or(self.islands().len(), |n| n.parts.count().max(1))
+    }
+
+    /// The part that a point lies in, numbered from 0 by their topmost points, at equal heights from
+    /// the left. A point on a line counts to the first part there, one outside to the nearest.
+    pub fn part(&self, p: DVec2) -> usize {
+        let Some(network) = &self.network else {
+            return self.island(p);
+        };
+        let p = self.space.wrap(p);
+        if let Some(part) = network.parts.at(p) {
+            return part;
+        }
+        let near = self.nearest(p);
+        let inside = [1e-3, 1e-2, 0.1].map(|step| near.point + step * near.inward);
+        inside
+            .into_iter()
+            .find_map(|q| network.parts.at(q))
+            .unwrap_or(0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn on_a_torus_lines_part_what_the_way_to_an_image_crosses() {
+        let p = |x: f64, y: f64| DVec2::new(x, y);
+        let torus = Domain::torus(100.0, &[vec![p(50.0, 5.0), p(50.0, 95.0)]]);
+        assert!(torus.crosses_line(p(45.0, 20.0), p(55.0, 20.0)));
+        assert!(torus.crosses_line(p(145.0, 20.0), p(155.0, 20.0)));
+        let (a, b) = (p(4.0, 20.0), p(96.0, 20.0));
+        assert!(!torus.crosses_line(a, a + torus.space().shortest(b - a)));
+        assert_eq!(torus.line_between(a, p(-4.0, 20.0)), None);
+        let [a, b] = torus.line_between(p(145.0, 20.0), p(155.0, 20.0)).unwrap();
+        assert_eq!((a.x, b.x), (150.0, 150.0));
     }
 }

@@ -11,7 +11,9 @@
 
 mod candidates;
 mod check;
+mod clip;
 mod crossing;
+mod depth;
 mod distance;
 mod facing;
 mod islands;
@@ -22,16 +24,16 @@ mod ring;
 pub mod shape;
 mod squares;
 
-pub(crate) use candidates::closest_on_segment;
 pub use check::{MAX_LINE_POINTS, MAX_POINTS, Ring, check_lines};
-pub use distance::{Domain, Nearest};
+pub use distance::Nearest;
 pub use facing::{Facing, Foot};
-pub(crate) use lines::crosses;
-pub(crate) use parts::divided;
 pub(crate) use ring::ring_contains;
 
 pub use crate::planar::Space;
+use candidates::CandidateGrid;
 use glam::DVec2;
+use islands::Islands;
+use lines::Network;
 
 /// Rings as they were given, unchecked.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -42,6 +44,124 @@ pub struct Outline {
     /// the first again. They may touch and cross the rings and each other; what lies outside does
     /// not count.
     pub lines: Vec<Vec<DVec2>>,
+}
+
+/// A checked outline with its look-up grid. See the module's doc for units and handedness.
+#[derive(Clone, Debug)]
+pub struct Domain {
+    rings: Vec<Vec<DVec2>>,
+    segments: Vec<[DVec2; 2]>,
+    area: f64,
+    /// The smallest and the largest corner of the box around it.
+    bounds: (DVec2, DVec2),
+    /// Nothing on a torus, which has no boundary.
+    grid: Option<CandidateGrid>,
+    space: Space,
+    /// Nothing where there are no constraint lines: they cost nothing then.
+    network: Option<Box<Network>>,
+    /// Nothing where there is one island.
+    islands: Option<Box<Islands>>,
+}
+
+impl Domain {
+    /// Takes rings that are already checked: simple, disjoint, oriented as the module says. Rings of an
+    /// unchecked [`Outline`] go through [`crate::domain::Outline::check`].
+    pub fn from_checked(outline: &Outline) -> Self {
+        let mut domain = Self::of_rings(outline.rings.clone(), None).with_lines(&outline.lines);
+        domain.islands = Islands::new(&domain).map(Box::new);
+        domain
+    }
+
+    /// One island, or several that are not told apart, without lines; or some rings of a `whole`, whose
+    /// grid is fine enough for them.
+    pub(super) fn of_rings(rings: Vec<Vec<DVec2>>, whole: Option<&Domain>) -> Self {
+        let segments: Vec<[DVec2; 2]> = rings.iter().flat_map(|r| ring_segments(r)).collect();
+        let area = rings.iter().map(|r| signed_area(r)).sum();
+        let start = rings[0][0];
+        let points = rings.iter().flatten();
+        let bounds = points.fold((start, start), |(lo, hi), &p| (lo.min(p), hi.max(p)));
+        let grid = whole.and_then(|whole| whole.grid.as_ref());
+        let grid = Some(CandidateGrid::like(&segments, grid));
+        Self {
+            rings,
+            segments,
+            area,
+            bounds,
+            grid,
+            space: Space::PLANE,
+            network: None,
+            islands: None,
+        }
+    }
+
+    /// The whole picture of a side, periodic: its left edge is its right edge, its top its bottom.
+    /// There are no rings, and the boundary is far away from everywhere. Lines that leave the picture
+    /// come back in at the other edge; they must be checked.
+    pub fn torus(side: f64, lines: &[Vec<DVec2>]) -> Self {
+        Self {
+            rings: Vec::new(),
+            segments: Vec::new(),
+            area: side * side,
+            bounds: (DVec2::ZERO, DVec2::splat(side)),
+            grid: None,
+            space: Space::torus(side),
+            network: None,
+            islands: None,
+        }
+        .with_lines(lines)
+    }
+
+    pub(super) fn with_lines(mut self, lines: &[Vec<DVec2>]) -> Self {
+        if !lines.is_empty() {
+            self.network = Network::new(&self, lines).map(Box::new);
+        }
+        self
+    }
+
+    /// Where it lies: in the plane, or all over a torus.
+    #[inline]
+    pub fn space(&self) -> Space {
+        self.space
+    }
+
+    /// The rings; none on a torus.
+    pub fn rings(&self) -> &[Vec<DVec2>] {
+        &self.rings
+    }
+
+    /// All boundary segments, ring after ring, each [from, to].
+    pub fn segments(&self) -> &[[DVec2; 2]] {
+        &self.segments
+    }
+
+    /// The paved area in square picture units.
+    pub fn area(&self) -> f64 {
+        self.area
+    }
+
+    /// The smallest and the largest corner of the box around the outline.
+    #[inline]
+    pub fn bounds(&self) -> (DVec2, DVec2) {
+        self.bounds
+    }
+
+    /// Is a place inside the box around the outline, not on its edge?
+    #[inline]
+    pub(crate) fn is_in_box(&self, p: DVec2) -> bool {
+        let (lo, hi) = self.bounds;
+        p.cmpgt(lo).all() && p.cmplt(hi).all()
+    }
+
+    /// Is there a constraint line or the gap between two islands on the straight way between two
+    /// places? On a torus as for [`Domain::crosses_line`].
+    #[inline]
+    pub fn is_parted(&self, a: DVec2, b: DVec2) -> bool {
+        self.is_gap_between(a, b) || self.crosses_line(a, b)
+    }
+}
+
+fn ring_segments(ring: &[DVec2]) -> impl Iterator<Item = [DVec2; 2]> {
+    (0..ring.len()).map(|k| [ring[k], ring[(k + 1) % ring.len()]])
 }
 
 /// Twice the signed area of the triangle a, b, c: positive where c lies at the inward hand of a to b.

@@ -1,6 +1,6 @@
 //! The parts that constraint lines cut the outline into.
 
-use super::Domain;
+use super::{Domain, cross};
 use crate::order;
 use crate::planar::{self, Delaunay, Space, position};
 use glam::DVec2;
@@ -20,7 +20,7 @@ const OUTSIDE: u32 = u32::MAX;
 impl Parts {
     /// By the places where lines meet the outline, and the lines' segments.
     pub fn new(domain: &Domain, touches: &[(usize, DVec2)], segments: &[[DVec2; 2]]) -> Self {
-        let mut lines = divided(domain.segments(), touches);
+        let mut lines = planar::divided(domain.segments(), touches);
         let space = domain.space();
         lines.extend(space.repeated(segments, 2));
         lines.extend(space.frame());
@@ -83,7 +83,7 @@ impl Parts {
         for face in self.mesh.inner_faces() {
             let region = root(joined, self.part[face.fix().index() - 1]) as usize;
             let corners = face.positions().map(position);
-            let area = super::cross(corners[0], corners[1], corners[2]);
+            let area = cross(corners[0], corners[1], corners[2]);
             for p in corners {
                 let (p, best) = (domain.space().wrap(p), &mut first[region]);
                 if (p.y, p.x) < (best.y, best.x) {
@@ -129,7 +129,7 @@ impl Parts {
             let middle = corners.iter().sum::<DVec2>() / 3.0;
             let part = self.part[face.fix().index() - 1];
             if part != OUTSIDE && domain.space().wrap(middle) == middle {
-                areas[part as usize] += super::cross(corners[0], corners[1], corners[2]) / 2.0;
+                areas[part as usize] += cross(corners[0], corners[1], corners[2]) / 2.0;
             }
         }
         let mut longest = (0.0, None);
@@ -154,26 +154,6 @@ impl Parts {
     pub fn count(&self) -> usize {
         self.count
     }
-}
-
-/// Segments divided at places that lie on them, each place with its segment's number.
-pub(crate) fn divided(segments: &[[DVec2; 2]], places: &[(usize, DVec2)]) -> Vec<[DVec2; 2]> {
-    let mut on: Vec<Vec<DVec2>> = vec![Vec::new(); segments.len()];
-    for &(segment, p) in places {
-        on[segment].push(p);
-    }
-    let mut pieces = Vec::new();
-    for (&[a, b], mut points) in segments.iter().zip(on) {
-        order::sort(&mut points, |p| (order::rank(p.distance_squared(a)), 0));
-        let mut from = a;
-        for to in points.into_iter().chain([b]) {
-            if from != to {
-                pieces.push([from, to]);
-            }
-            from = to;
-        }
-    }
-    pieces
 }
 
 fn root(joined: &[u32], mut k: u32) -> u32 {

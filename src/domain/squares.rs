@@ -1,6 +1,6 @@
 //! Which segments pass near a place: squares with lists.
 
-use super::closest_on_segment;
+use crate::planar::closest_on_segment;
 use glam::DVec2;
 
 /// Squares over a box, each with the segments within a reach of any of its points.

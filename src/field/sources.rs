@@ -5,7 +5,7 @@
 //! integral of 1 / distance^p along it, so that cutting a side into pieces changes nothing.
 
 use super::symmetry::representation;
-use crate::domain::closest_on_segment;
+use crate::planar::closest_on_segment;
 use glam::DVec2;
 
 /// Distances below this many picture units count as this many: the field is not asked closer.

@@ -2,9 +2,11 @@
 //! one triangulation of the program (spade).
 
 mod boxes;
+mod segment;
 mod snap;
 mod space;
 
+pub(crate) use segment::{closest_on_segment, crosses, divided};
 pub use space::Space;
 
 use crate::order;
@@ -95,7 +97,8 @@ pub(crate) fn grain(p: DVec2) -> Point2<f64> {
     Point2::new(q.x, q.y)
 }
 
-/// The sign of [`crate::domain::cross`], exactly.
+/// Positive where a, b, c run clockwise on screen, negative where they run the other way, 0 on one
+/// line: exact.
 pub(crate) fn orientation(a: DVec2, b: DVec2, c: DVec2) -> f64 {
     let coord = |p: DVec2| Coord { x: p.x, y: p.y };
     orient2d(coord(a), coord(b), coord(c))

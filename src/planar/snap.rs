@@ -110,8 +110,8 @@ fn distinct(places: &[DVec2]) -> Vec<DVec2> {
 #[cfg(test)]
 mod tests {
     use super::super::Space;
+    use super::super::closest_on_segment;
     use super::*;
-    use crate::domain::closest_on_segment;
     use proptest::prelude::*;
 
     type Lines = Vec<[DVec2; 2]>;
