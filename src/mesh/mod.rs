@@ -3,6 +3,7 @@
 //! Itoh, Miyata, Shimada (2003), section 5.2: Delaunay triangulation (spade), then pairs of
 //! triangles become quadrilaterals in the order of their quality; lone triangles may stay.
 
+mod division;
 mod island;
 mod lines;
 mod meshing;

@@ -7,20 +7,15 @@
 //! change their common side, two quadrilaterals likewise. A patch changes only where that is a gain,
 //! so all of it ends.
 
-use super::quads::{Faces, height, is_lone, score};
+use super::division::{Division, MOST, TRIANGLE};
+use super::quads::{Faces, is_lone, score};
 use super::triangles::NONE;
 use super::{Face, Node};
 
 /// The most elements of a patch.
-const LONGEST: usize = 6;
-/// The most corners of a patch: those of so many quadrilaterals.
-const MOST: usize = 2 * LONGEST + 2;
-/// What a triangle costs; a quadrilateral costs what its score lacks to 1.
-const TRIANGLE: f64 = 1.5;
+const LONGEST: usize = (MOST - 2) / 2;
 /// What an inner node costs for each side that it has more or less than four.
 const IRREGULAR: f64 = 0.12;
-/// A new triangle is higher than this share of its longest side.
-const FLAT: f64 = 0.4;
 /// Less is no gain.
 const LEAST_GAIN: f64 = 1e-3;
 /// A quadrilateral that costs less, among regular nodes, is left alone.
@@ -71,7 +66,7 @@ struct Work<'a, K> {
     /// How many elements away from the first one, for those in `reached`.
     depth: Vec<u8>,
     reached: Vec<u32>,
-    table: Table,
+    division: Division,
 }
 
 /// A patch's outline.
@@ -84,12 +79,6 @@ struct Polygon {
     members: Vec<u32>,
     /// What its elements cost.
     cost: f64,
-}
-
-/// For each pair of corners i < j the least cost of dividing what lies between them, and how.
-struct Table {
-    cost: [[f64; MOST]; MOST],
-    apex: [[[u8; 2]; MOST]; MOST],
 }
 
 impl<'a, K: Fn([u32; 2]) -> bool> Work<'a, K> {
@@ -121,10 +110,7 @@ impl<'a, K: Fn([u32; 2]) -> bool> Work<'a, K> {
             depth: vec![u8::MAX; faces.faces.len()],
             reached: Vec::new(),
             faces,
-            table: Table {
-                cost: [[0.0; MOST]; MOST],
-                apex: [[[0; 2]; MOST]; MOST],
-            },
+            division: Division::new(),
         }
     }
 
@@ -155,7 +141,7 @@ impl<'a, K: Fn([u32; 2]) -> bool> Work<'a, K> {
         }
         let Some(best) = best else { return false };
         self.triangles -= (self.triangles_in(&best) / 2) * 2;
-        self.divide(&best);
+        self.division.of(self.nodes, &best.corners, self.worst);
         self.apply(&best);
         true
     }
@@ -300,7 +286,7 @@ impl<'a, K: Fn([u32; 2]) -> bool> Work<'a, K> {
     /// What dividing a patch anew would gain.
     fn gain(&mut self, patch: &Polygon) -> f64 {
         let n = patch.corners.len();
-        let cost = self.divide(patch);
+        let cost = self.division.of(self.nodes, &patch.corners, self.worst);
         if cost >= patch.cost + SLACK {
             return 0.0;
         }
@@ -316,7 +302,7 @@ impl<'a, K: Fn([u32; 2]) -> bool> Work<'a, K> {
         for (k, &node) in patch.corners.iter().enumerate() {
             change[k] = 1 - before(node);
         }
-        self.table.pieces(n, |piece| {
+        self.division.pieces(n, |piece| {
             for &k in piece {
                 change[k as usize] += 1;
             }
@@ -331,48 +317,6 @@ impl<'a, K: Fn([u32; 2]) -> bool> Work<'a, K> {
             }
         }
         patch.cost - cost + IRREGULAR * f64::from(regular)
-    }
-
-    /// Fills the table with the cheapest division into quadrilaterals and at most one triangle.
-    fn divide(&mut self, patch: &Polygon) -> f64 {
-        let n = patch.corners.len();
-        for span in 1..n {
-            for i in 0..n - span {
-                let j = i + span;
-                let (mut least, mut apex) = (f64::INFINITY, [0, 0]);
-                if span == 1 {
-                    least = 0.0;
-                }
-                for a in i + 1..j {
-                    let first = self.table.cost[i][a];
-                    if first >= least {
-                        continue;
-                    }
-                    for b in a + 1..j {
-                        let inner = first + self.table.cost[a][b] + self.table.cost[b][j];
-                        if inner < least {
-                            let quad = [i, a, b, j].map(|k| patch.corners[k]);
-                            let score = score(self.nodes, quad);
-                            if score >= self.worst && inner + 1.0 - score < least {
-                                (least, apex) = (inner + 1.0 - score, [a as u8, b as u8]);
-                            }
-                        }
-                    }
-                    // One triangle at most: only in patches with an odd number of corners, where
-                    // one part of the rest is odd only by taking the triangle itself.
-                    let inner = first + self.table.cost[a][j] + TRIANGLE;
-                    if inner < least
-                        && n % 2 == 1
-                        && height(self.nodes, [i, a, j].map(|k| patch.corners[k])) > FLAT
-                    {
-                        (least, apex) = (inner, [a as u8, a as u8]);
-                    }
-                }
-                self.table.cost[i][j] = least;
-                self.table.apex[i][j] = apex;
-            }
-        }
-        self.table.cost[0][n - 1]
     }
 
     /// Puts the division in the table in place of the patch's elements.
@@ -393,7 +337,7 @@ impl<'a, K: Fn([u32; 2]) -> bool> Work<'a, K> {
         }
         let faces = &mut *self.faces;
         let valence = &mut self.valence;
-        self.table.pieces(n, |piece| {
+        self.division.pieces(n, |piece| {
             let Some(&slot) = slots.next() else { return };
             let node = |k: usize| patch.corners[piece[k] as usize];
             faces.faces[slot as usize] = match piece.len() {
@@ -431,26 +375,6 @@ impl<'a, K: Fn([u32; 2]) -> bool> Work<'a, K> {
         });
         for &slot in slots {
             self.faces.faces[slot as usize].sides = 0;
-        }
-    }
-}
-
-impl Table {
-    /// The elements of the division found for `n` corners, as places in the polygon.
-    fn pieces(&self, n: usize, mut each: impl FnMut(&[u8])) {
-        let mut open = vec![(0u8, n as u8 - 1)];
-        while let Some((i, j)) = open.pop() {
-            if j - i < 2 {
-                continue;
-            }
-            let [a, b] = self.apex[usize::from(i)][usize::from(j)];
-            if a == b {
-                each(&[i, a, j]);
-                open.extend([(i, a), (a, j)]);
-            } else {
-                each(&[i, a, b, j]);
-                open.extend([(i, a), (a, b), (b, j)]);
-            }
         }
     }
 }
