@@ -1,33 +1,12 @@
-//! A planar arrangement of lines, whose regions are given to cells.
+//! A planar arrangement of lines and its regions.
 //!
 //! The lines become constraints of a Delaunay triangulation (spade), divided where they cross.
-//! Triangles not divided by a line make a region. A region that holds a cell's centre is that
-//! cell's; the others go to the neighbour they share the longest border with. The triangles fill
-//! the outline exactly once, and so do the cells, whatever lines were given.
+//! Triangles not divided by a line make a region.
 
-use super::Cell;
-use super::rings::rings;
-use crate::domain::{Domain, cross, signed_area};
-use crate::field::Kind;
-use crate::order;
-use crate::packing::Particle;
+use crate::domain::cross;
 use crate::planar::{self, Delaunay, position};
 use glam::DVec2;
 use spade::Triangulation as _;
-
-/// A region without a centre as large as this (in squared sizes) and as compact as `COMPACT`
-/// becomes a cell of its own.
-const OWN_AREA: f64 = 0.6;
-/// Least 4 pi area / perimeter^2 of such a region; a circle has 1, a square 0.79.
-const COMPACT: f64 = 0.45;
-/// Cells smaller than this (in squared sizes) join a neighbour.
-const SMALL: f64 = 0.45;
-/// Cells this near to a constraint line (picture units) stand on it.
-const ON_LINE: f64 = 1e-4;
-/// The two halves of a cell on a line are looked for this far from it (in sizes).
-const ASIDE: f64 = 0.05;
-/// Ids of cells that no particle stands for count down from here.
-pub(super) const NAMELESS: u32 = u32::MAX;
 
 /// One line to lay into the arrangement.
 #[derive(Clone, Copy, Debug)]
@@ -54,24 +33,9 @@ impl Line {
     }
 }
 
-/// Who a region belongs to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Owner {
-    /// Outside the outline.
-    Outside,
-    /// The cells that take no part in the arrangement.
-    Inner,
-    /// The cell of this particle.
-    Particle(u32),
-    /// A region that became a cell of its own.
-    Itself,
-    /// Not decided.
-    Nobody,
-}
-
 /// What divides two triangles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Between {
+pub(super) enum Between {
     /// Nothing.
     Open,
     /// A line.
@@ -80,28 +44,21 @@ enum Between {
     Wall,
 }
 
-#[derive(Clone, Debug)]
-struct Region {
-    owner: Owner,
-    area: f64,
-    /// The size cells have here.
-    size: f64,
-}
-
-/// The arrangement: triangles, each in a region.
+/// Triangles, each in a region.
 pub(super) struct Arrangement {
     mesh: Delaunay,
-    /// Corners of the triangles; `[0; 3]` never: triangles have three different corners.
-    corners: Vec<[DVec2; 3]>,
+    /// The triangles' corners, of positive shoelace area.
+    pub corners: Vec<[DVec2; 3]>,
     /// For each triangle, over its three edges: the neighbour and what is between them.
-    across: Vec<[(Option<u32>, Between); 3]>,
-    region: Vec<u32>,
-    regions: Vec<Region>,
-    /// Regions are joined by pointing at another one.
-    joined: Vec<u32>,
+    pub across: Vec<[(Option<u32>, Between); 3]>,
+    /// For each triangle its region.
+    pub region: Vec<u32>,
+    /// The regions' areas.
+    pub areas: Vec<f64>,
 }
 
 impl Arrangement {
+    /// Of these lines.
     pub fn new(lines: Vec<Line>) -> Self {
         // The outline and the constraint lines first: they are told from the sides.
         let (boundary, sides): (Vec<Line>, Vec<Line>) = lines.into_iter().partition(|l| l.boundary);
@@ -112,8 +69,7 @@ impl Arrangement {
             corners: Vec::with_capacity(count),
             across: Vec::with_capacity(count),
             region: vec![u32::MAX; count],
-            regions: Vec::new(),
-            joined: Vec::new(),
+            areas: Vec::new(),
             mesh,
         };
         arrangement.read_triangles(&walls);
@@ -147,7 +103,7 @@ impl Arrangement {
             if self.region[start] != u32::MAX {
                 continue;
             }
-            let region = self.regions.len() as u32;
+            let region = self.areas.len() as u32;
             let mut area = 0.0;
             let mut open = vec![start];
             self.region[start] = region;
@@ -161,317 +117,34 @@ impl Arrangement {
                     }
                 }
             }
-            self.joined.push(region);
-            self.regions.push(Region {
-                owner: Owner::Nobody,
-                area,
-                size: 1.0,
-            });
+            self.areas.push(area);
         }
     }
 
-    fn area(&self, triangle: usize) -> f64 {
+    /// The area of a triangle.
+    pub fn area(&self, triangle: usize) -> f64 {
         let [a, b, c] = self.corners[triangle];
         0.5 * cross(a, b, c)
     }
 
-    /// Gives each region its first owner: the outside, the inner cells (where `inner` holds for a
-    /// point of it), or the band's particle whose centre it holds.
-    pub fn mark(
-        &mut self,
-        domain: &Domain,
-        particles: &[Particle],
-        band: &[bool],
-        inner: impl Fn(DVec2) -> bool,
-    ) {
-        // The largest triangle of a region tells best where it lies.
-        let mut largest: Vec<(f64, usize)> = vec![(-1.0, 0); self.regions.len()];
+    /// For each region the middle of its largest triangle, which tells best where it lies.
+    pub fn middles(&self) -> Vec<DVec2> {
+        let mut largest: Vec<(f64, usize)> = vec![(-1.0, 0); self.areas.len()];
         for t in 0..self.region.len() {
             let best = &mut largest[self.region[t] as usize];
             if self.area(t) > best.0 {
                 *best = (self.area(t), t);
             }
         }
-        let sizes = particles.iter().map(|p| p.size).sum::<f64>() / particles.len() as f64;
-        for (region, (_, t)) in self.regions.iter_mut().zip(largest) {
+        let middle = |(_, t): (f64, usize)| {
             let [a, b, c] = self.corners[t];
-            let middle = (a + b + c) / 3.0;
-            region.size = sizes;
-            region.owner = if !domain.contains(middle) {
-                Owner::Outside
-            } else if inner(middle) {
-                Owner::Inner
-            } else {
-                Owner::Nobody
-            };
-        }
-        for (k, p) in particles.iter().enumerate().filter(|&(k, _)| band[k]) {
-            let mut places = vec![p.centre];
-            // A cell that is fixed on a constraint line is one half on each side: the first keeps
-            // its name.
-            let line = domain.nearest_line(p.centre).filter(|_| p.fixed);
-            if let Some(near) = line.filter(|near| near.distance < ON_LINE) {
-                let aside = ASIDE * p.size * near.tangent.perp();
-                places = vec![p.centre + aside, p.centre - aside];
-            }
-            let mut owner = Owner::Particle(k as u32);
-            for place in places {
-                let triangles = planar::triangles_at(&self.mesh, place);
-                let Some(&t) = triangles.first() else {
-                    continue;
-                };
-                let region = &mut self.regions[self.region[t] as usize];
-                if region.owner == Owner::Nobody {
-                    region.size = p.size;
-                    region.owner = owner;
-                    owner = Owner::Itself;
-                }
-            }
-        }
-    }
-
-    fn root(&self, mut region: u32) -> u32 {
-        while self.joined[region as usize] != region {
-            region = self.joined[region as usize];
-        }
-        region
-    }
-
-    fn root_of(&self, triangle: usize) -> u32 {
-        self.root(self.region[triangle])
-    }
-
-    /// Gives every region inside the outline to a cell, and where `join_small` says so joins small
-    /// cells to a neighbour.
-    pub fn assign(&mut self, join_small: bool) {
-        self.found_own();
-        let orphan = |r: &Region| r.owner == Owner::Nobody;
-        while self.join_where(&orphan) {}
-        // What no cell borders on is a cell of its own.
-        for k in 0..self.regions.len() {
-            if self.root(k as u32) == k as u32 && self.regions[k].owner == Owner::Nobody {
-                self.regions[k].owner = Owner::Itself;
-            }
-        }
-        let small = |r: &Region| {
-            join_small
-                && matches!(r.owner, Owner::Particle(_) | Owner::Itself)
-                && r.area < SMALL * r.size * r.size
+            (a + b + c) / 3.0
         };
-        while self.join_where(&small) {}
-        self.split_around_holes();
+        largest.into_iter().map(middle).collect()
     }
 
-    /// Large, compact regions that no centre fell into become cells.
-    fn found_own(&mut self) {
-        let mut perimeter = vec![0.0; self.regions.len()];
-        for (a, _, length) in self.borders(true) {
-            perimeter[a as usize] += length;
-        }
-        for (region, perimeter) in self.regions.iter_mut().zip(perimeter) {
-            let compact = 4.0 * std::f64::consts::PI * region.area / (perimeter * perimeter);
-            let large = region.area > OWN_AREA * region.size * region.size;
-            if region.owner == Owner::Nobody && large && compact > COMPACT {
-                region.owner = Owner::Itself;
-            }
-        }
-    }
-
-    /// The borders between different joined regions as (region, other, length), both ways; with
-    /// `all`, also those with the outside and across constraint lines.
-    fn borders(&self, all: bool) -> Vec<(u32, u32, f64)> {
-        let mut borders: Vec<(u32, u32, f64)> = Vec::new();
-        for (t, across) in self.across.iter().enumerate() {
-            let here = self.root_of(t);
-            if self.regions[here as usize].owner == Owner::Outside {
-                continue;
-            }
-            for (k, &(other, between)) in across.iter().enumerate() {
-                if between == Between::Wall && !all {
-                    continue;
-                }
-                let there = other.map_or(u32::MAX, |o| self.root_of(o as usize));
-                let outside =
-                    other.is_none() || self.regions[there as usize].owner == Owner::Outside;
-                if there != here && (all || !outside) {
-                    let (a, b) = (self.corners[t][k], self.corners[t][(k + 1) % 3]);
-                    borders.push((here, there, a.distance(b)));
-                }
-            }
-        }
-        order::sort(&mut borders, |b| (order::pair(b.0, b.1), 0));
-        borders.dedup_by(|next, whole| {
-            let same = (next.0, next.1) == (whole.0, whole.1);
-            if same {
-                whole.2 += next.2;
-            }
-            same
-        });
-        borders
-    }
-
-    /// Joins every region for which `lost` holds to the cell it shares its longest border with;
-    /// true where any was joined. The longest borders first, and no chains in one round.
-    fn join_where(&mut self, lost: &dyn Fn(&Region) -> bool) -> bool {
-        let mut borders: Vec<(u32, u32, f64)> = self
-            .borders(false)
-            .into_iter()
-            .filter(|&(from, to, _)| {
-                let owner = self.regions[to as usize].owner;
-                lost(&self.regions[from as usize])
-                    && matches!(owner, Owner::Particle(_) | Owner::Itself)
-            })
-            .collect();
-        order::sort(&mut borders, |b| (!order::rank(b.2), order::pair(b.0, b.1)));
-        let mut busy = vec![false; self.regions.len()];
-        let mut any = false;
-        for (from, to, _) in borders {
-            if busy[from as usize] || busy[to as usize] {
-                continue;
-            }
-            busy[from as usize] = true;
-            // A cell that swallowed one may swallow more, but not be swallowed in this round.
-            self.joined[from as usize] = to;
-            let area = self.regions[from as usize].area;
-            self.regions[to as usize].area += area;
-            any = true;
-        }
-        any
-    }
-
-    /// A cell is one ring. A region that surrounds a hole of the outline is cut through the hole,
-    /// along the triangles' edges, into pieces that do not.
-    fn split_around_holes(&mut self) {
-        // Each cut takes at least one hole from a region.
-        let mut outlines: Vec<(u32, Vec<[DVec2; 2]>)> = (0..).zip(self.edges()).collect();
-        while let Some((region, edges)) = outlines.pop() {
-            let rings = rings(edges);
-            let Some(hole) = rings.iter().find(|ring| signed_area(ring) < 0.0) else {
-                continue;
-            };
-            let middle = hole.iter().sum::<DVec2>() / hole.len() as f64;
-            let outer = rings.iter().flatten().sum::<DVec2>();
-            let count = rings.iter().map(Vec::len).sum::<usize>();
-            let across = (outer / count as f64 - middle).normalize_or(DVec2::X);
-            let pieces = self.halves(region, middle, across);
-            let mut edges = self.edges();
-            let taken = |r: u32| (r, std::mem::take(&mut edges[r as usize]));
-            outlines.extend(pieces.into_iter().map(taken));
-        }
-    }
-
-    /// Divides a region by a line through `middle`, square to `across` where that gives pieces.
-    fn halves(&mut self, mut region: u32, middle: DVec2, across: DVec2) -> Vec<u32> {
-        let aslant = across + across.perp();
-        for way in [across, across.perp(), aslant, aslant.perp()] {
-            let pieces = self.cut(region, |[a, b, c]| {
-                way.dot((a + b + c) / 3.0 - middle) >= 0.0
-            });
-            if pieces.len() > 1 {
-                return pieces;
-            }
-            region = pieces[0];
-        }
-        // Few large triangles, all on one side: any of them makes the rest smaller.
-        let first = (0..self.region.len()).find(|&t| self.root_of(t) == region);
-        let first = first.map(|t| self.corners[t]);
-        self.cut(region, |corners| Some(corners) == first)
-    }
-
-    /// Divides a region between its triangles on one `side` and those on the other. The largest
-    /// piece keeps the region's owner; all pieces are named.
-    fn cut(&mut self, region: u32, side: impl Fn([DVec2; 3]) -> bool) -> Vec<u32> {
-        let side = |t: usize| side(self.corners[t]);
-        let mut piece = vec![u32::MAX; self.region.len()];
-        let mut areas: Vec<f64> = Vec::new();
-        for start in 0..piece.len() {
-            if piece[start] != u32::MAX || self.root_of(start) != region {
-                continue;
-            }
-            let number = areas.len() as u32;
-            areas.push(0.0);
-            let mut open = vec![start];
-            piece[start] = number;
-            while let Some(t) = open.pop() {
-                areas[number as usize] += self.area(t);
-                for (other, _) in self.across[t] {
-                    let Some(o) = other.map(|o| o as usize) else {
-                        continue;
-                    };
-                    let same = self.root_of(o) == region && side(o) == side(t);
-                    if same && piece[o] == u32::MAX {
-                        piece[o] = number;
-                        open.push(o);
-                    }
-                }
-            }
-        }
-        let keeper =
-            (0..areas.len()).max_by(|&a, &b| areas[a].total_cmp(&areas[b]).then(b.cmp(&a)));
-        let first = self.regions.len() as u32;
-        for (k, &area) in areas.iter().enumerate() {
-            let mut made = self.regions[region as usize].clone();
-            made.area = area;
-            if Some(k) != keeper {
-                made.owner = Owner::Itself;
-            }
-            self.joined.push(first + k as u32);
-            self.regions.push(made);
-        }
-        for (t, piece) in piece.into_iter().enumerate() {
-            if piece != u32::MAX {
-                self.region[t] = first + piece;
-            }
-        }
-        (first..self.regions.len() as u32).collect()
-    }
-
-    /// For every region the edges around it, its inside at their hand; none where it is no cell.
-    fn edges(&self) -> Vec<Vec<[DVec2; 2]>> {
-        let mut edges = vec![Vec::new(); self.regions.len()];
-        for (t, across) in self.across.iter().enumerate() {
-            let here = self.root_of(t);
-            let owner = self.regions[here as usize].owner;
-            if !matches!(owner, Owner::Particle(_) | Owner::Itself) {
-                continue;
-            }
-            for (k, &(other, _)) in across.iter().enumerate() {
-                if other.is_none_or(|o| self.root_of(o as usize) != here) {
-                    let edge = [self.corners[t][k], self.corners[t][(k + 1) % 3]];
-                    edges[here as usize].push(edge);
-                }
-            }
-        }
-        edges
-    }
-
-    /// The cells of the regions.
-    pub fn cells(&self, particles: &[Particle]) -> Vec<Cell> {
-        let mut nameless = NAMELESS;
-        let mut cells = Vec::new();
-        for (region, edges) in self.edges().into_iter().enumerate() {
-            let largest = rings(edges)
-                .into_iter()
-                .max_by(|a, b| signed_area(a).total_cmp(&signed_area(b)));
-            let Some(ring) = largest.filter(|ring| signed_area(ring) > 0.0) else {
-                continue;
-            };
-            if let Owner::Particle(k) = self.regions[region].owner {
-                cells.push(Cell::new(&particles[k as usize], ring));
-            } else {
-                let centre = ring.iter().sum::<DVec2>() / ring.len() as f64;
-                cells.push(Cell {
-                    id: nameless,
-                    centre,
-                    kind: Kind::default(),
-                    size: self.regions[region].size,
-                    aspect: 1.0,
-                    axis: DVec2::ZERO,
-                    ring,
-                });
-                nameless -= 1;
-            }
-        }
-        cells
+    /// A triangle that a place lies in; none outside all of them.
+    pub fn triangle_at(&self, place: DVec2) -> Option<usize> {
+        planar::triangles_at(&self.mesh, place).first().copied()
     }
 }

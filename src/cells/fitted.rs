@@ -4,9 +4,9 @@
 //! planar arrangement (`arrangement`), whose regions are then given to the cells; so the cells
 //! fill the outline without gap or overlap whatever its shape.
 
-use super::arrangement::NAMELESS;
 use super::dual::Dual;
 use super::making::{Made, Making};
+use super::ownership::NAMELESS;
 use super::straighten::Straightening;
 use super::{Cell, images};
 use crate::domain::Domain;

@@ -3,16 +3,19 @@
 
 mod across;
 mod arrangement;
+mod cut;
 mod dual;
 mod fitted;
 mod ghosts;
 mod graph;
 mod images;
 mod making;
+mod ownership;
 mod packed;
 mod rings;
 mod straighten;
 mod tiling;
+mod vertices;
 mod voronoi;
 
 pub use fitted::{Fitting, fitted};

@@ -5,7 +5,8 @@
 //! mean of what its cells ask for; those on the boundary slide along it. This goes beyond the papers; it
 //! changes no connection, and never turns a corner inside out.
 
-use super::{Cell, images};
+use super::Cell;
+use super::vertices::{Freedom, Rings, STRAIGHT};
 use crate::domain::{Domain, cross};
 use crate::order;
 use crate::planar::on_grain;
@@ -17,12 +18,6 @@ const ROUNDS: u32 = 12;
 const PACE: f64 = 0.6;
 /// How strongly a cell asks for the mean area: 0 not at all, 1 at once.
 const EVEN_AREA: f64 = 0.7;
-/// A turn of the boundary sharper than this (cosine of 30 degrees) is a corner of the cell.
-const CORNER: f64 = 0.866;
-/// Two pieces of the boundary are one straight line up to this (cosine of 1 degree).
-const STRAIGHT: f64 = 0.9998;
-/// The ends of a piece lie on the grain: a shorter one (picture units) tells the way only roughly.
-const ROUGH: f64 = 1.0 / 64.0;
 /// What is farther from the boundary (picture units) does not lie on it.
 const OFF: f64 = 1.0 / 4096.0;
 /// Corners whose sine is smaller are straight: only rounding decides their sign.
@@ -31,35 +26,6 @@ const FLAT: f64 = 1e-6;
 const ROOM: f64 = 0.4;
 /// A cell may not be asked to be thinner than this share of its size.
 const THINNEST: f64 = 0.2;
-
-/// Where a vertex may go.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Freedom {
-    /// Nowhere: a corner of the outline, or a point of it that only one cell has.
-    Fixed,
-    /// Along the boundary or a constraint line: two cells meet on a straight piece of it. Holds its
-    /// unit vector.
-    Slides(DVec2),
-    /// Anywhere.
-    Free,
-}
-
-/// The cells' rings as shared vertices.
-struct Rings {
-    points: Vec<DVec2>,
-    free: Vec<Freedom>,
-    /// The point lies on a constraint line.
-    on_line: Vec<bool>,
-    /// For each cell the indices of its ring.
-    rings: Vec<Vec<u32>>,
-    /// For each cell with exactly four corners, these.
-    quads: Vec<Option<[u32; 4]>>,
-    /// (vertex, cell, place in the ring), by vertex.
-    uses: Vec<[u32; 3]>,
-    start: Vec<u32>,
-    /// See [`images::twins`].
-    twins: Vec<(u32, u32, DVec2)>,
-}
 
 /// The straightening of cells, in rounds.
 pub(super) struct Straightening {
@@ -122,126 +88,6 @@ impl Straightening {
 }
 
 impl Rings {
-    fn new(domain: &Domain, cells: &[Cell]) -> Self {
-        let mut all: Vec<(u64, u64, u32, u32)> = Vec::new();
-        for (cell, c) in cells.iter().enumerate() {
-            for (place, p) in c.ring.iter().enumerate() {
-                all.push((p.x.to_bits(), p.y.to_bits(), cell as u32, place as u32));
-            }
-        }
-        order::sort(&mut all, |a| (a.0, a.1));
-        let mut rings: Vec<Vec<u32>> = cells.iter().map(|c| vec![0; c.ring.len()]).collect();
-        let (mut points, mut uses, mut start) = (Vec::new(), Vec::new(), Vec::new());
-        let mut last = None;
-        for (x, y, cell, place) in all {
-            if last != Some((x, y)) {
-                last = Some((x, y));
-                start.push(uses.len() as u32);
-                points.push(DVec2::new(f64::from_bits(x), f64::from_bits(y)));
-            }
-            let vertex = points.len() as u32 - 1;
-            rings[cell as usize][place as usize] = vertex;
-            uses.push([vertex, cell, place]);
-        }
-        start.push(uses.len() as u32);
-        Self {
-            twins: images::twins(domain, &points),
-            free: vec![Freedom::Fixed; points.len()],
-            on_line: vec![false; points.len()],
-            points,
-            rings,
-            quads: Vec::new(),
-            uses,
-            start,
-        }
-    }
-
-    fn uses_of(&self, vertex: usize) -> &[[u32; 3]] {
-        &self.uses[self.start[vertex] as usize..self.start[vertex + 1] as usize]
-    }
-
-    fn neighbour(&self, [_, cell, place]: [u32; 3], ahead: bool) -> u32 {
-        let ring = &self.rings[cell as usize];
-        let step = if ahead { 1 } else { ring.len() - 1 };
-        ring[(place as usize + step) % ring.len()]
-    }
-
-    /// The edges of rings that no other ring runs back along, as (from, to).
-    fn lone_edges(&self) -> impl Iterator<Item = [u32; 2]> {
-        let edges = self.rings.iter().flat_map(|ring| {
-            let next = ring.iter().cycle().skip(1);
-            ring.iter().zip(next).map(|(&a, &b)| [a, b])
-        });
-        edges.filter(|&[a, b]| {
-            let mut uses = self.uses_of(b as usize).iter();
-            uses.all(|&u| self.neighbour(u, true) != a)
-        })
-    }
-
-    /// A vertex is free where cells close a full turn around it, and slides where just one lone
-    /// edge arrives and one leaves, on a straight piece of the boundary. Lone edges elsewhere (where
-    /// one ring has a vertex on a side of another) hold their ends.
-    fn find_free(&mut self, domain: &Domain) {
-        let mut arriving: Vec<Vec<u32>> = vec![Vec::new(); self.points.len()];
-        let mut leaving = arriving.clone();
-        for [a, b] in self.lone_edges() {
-            leaving[a as usize].push(b);
-            arriving[b as usize].push(a);
-        }
-        for vertex in 0..self.points.len() {
-            let p = self.points[vertex];
-            let on_boundary = |q: DVec2| domain.nearest(q).distance.abs() < 0.01;
-            let line = domain.nearest_line(p).filter(|near| near.distance < 0.01);
-            self.on_line[vertex] = line.is_some();
-            self.free[vertex] = match (&arriving[vertex][..], &leaving[vertex][..]) {
-                ([], []) if on_boundary(p) => Freedom::Fixed,
-                ([], []) => line.map_or(Freedom::Free, |near| {
-                    self.along_line(domain, vertex, near.tangent)
-                }),
-                (&[a], &[b]) if line.is_none() && self.uses_of(vertex).len() > 1 => {
-                    let (a, b) = (self.points[a as usize], self.points[b as usize]);
-                    let (here, ahead) = ((p - a).normalize(), (b - p).normalize());
-                    let straight = here.dot(ahead) > STRAIGHT;
-                    if straight && on_boundary(p.midpoint(a)) && on_boundary(p.midpoint(b)) {
-                        let is_rough = p.distance(b) < ROUGH.min(p.distance(a));
-                        Freedom::Slides(if is_rough { here } else { ahead })
-                    } else {
-                        Freedom::Fixed
-                    }
-                }
-                _ => Freedom::Fixed,
-            };
-        }
-        for &(_, image, _) in &self.twins {
-            self.free[image as usize] = Freedom::Fixed;
-        }
-    }
-
-    /// A vertex on a constraint line slides where the line is straight and no other line meets it.
-    fn along_line(&self, domain: &Domain, vertex: usize, along: DVec2) -> Freedom {
-        let p = self.points[vertex];
-        let (mut ahead, mut behind) = (false, false);
-        for &u in self.uses_of(vertex) {
-            for side in [true, false] {
-                let q = self.points[self.neighbour(u, side) as usize];
-                let middle = domain.nearest_line(p.midpoint(q));
-                if middle.is_some_and(|near| near.distance < 0.01) {
-                    let cosine = along.dot(q - p) / p.distance(q);
-                    if cosine.abs() < STRAIGHT {
-                        return Freedom::Fixed;
-                    }
-                    ahead |= cosine > 0.0;
-                    behind |= cosine < 0.0;
-                }
-            }
-        }
-        if ahead && behind {
-            Freedom::Slides(along)
-        } else {
-            Freedom::Fixed
-        }
-    }
-
     /// How far along the boundary a vertex may slide: not up to the next one on either side.
     fn slide(&self, vertex: usize, along: DVec2, wanted: f64) -> f64 {
         let p = self.points[vertex];
@@ -264,34 +110,6 @@ impl Rings {
         } else {
             0.0
         }
-    }
-
-    fn find_corners(&mut self) {
-        let cells = 0..self.rings.len();
-        self.quads = cells.map(|cell| self.four_corners(cell)).collect();
-    }
-
-    /// The four corners of a cell: where three cells meet, where a side meets the boundary, or
-    /// where the boundary itself turns.
-    fn four_corners(&self, cell: usize) -> Option<[u32; 4]> {
-        let ring = &self.rings[cell];
-        let n = ring.len();
-        let mut corners = Vec::new();
-        for (k, &vertex) in ring.iter().enumerate() {
-            let count = self.uses_of(vertex as usize).len();
-            let free = self.free[vertex as usize] == Freedom::Free;
-            let [a, b, c] =
-                [ring[(k + n - 1) % n], vertex, ring[(k + 1) % n]].map(|v| self.points[v as usize]);
-            let turn = (b - a).normalize().dot((c - b).normalize());
-            // A corner of cells beyond a constraint line is none of this one.
-            let beyond = self.on_line[vertex as usize] && turn > STRAIGHT;
-            let meets = count >= if free { 3 } else { 2 } && !beyond;
-            let turns = turn < CORNER;
-            if meets || turns {
-                corners.push(vertex);
-            }
-        }
-        corners.try_into().ok()
     }
 
     fn round(&mut self, cells: &[Cell], mean_area: f64) {
