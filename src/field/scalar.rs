@@ -72,19 +72,19 @@ impl Gradient {
 
     /// The factor at a point, linear and radial.
     pub fn at(&self, p: DVec2) -> f64 {
-        let from_middle = self.from_middle(p);
-        self.mixed(from_middle, 2.0 * from_middle.length().min(1.0) - 1.0)
+        let off = self.off_middle(p);
+        self.mixed(off, 2.0 * off.length().min(1.0) - 1.0)
     }
 
     /// Waves that repeat with the picture, alike up and down and as steep in the middle.
     pub fn waves_at(&self, p: DVec2) -> f64 {
-        let turn = std::f64::consts::PI * self.from_middle(p);
+        let turn = std::f64::consts::PI * self.off_middle(p);
         let across = DVec2::new(libm::sin(turn.x), libm::sin(turn.y));
         self.mixed(across, -0.5 * (libm::cos(turn.x) + libm::cos(turn.y)))
     }
 
     /// -1 to 1 along each axis.
-    fn from_middle(&self, p: DVec2) -> DVec2 {
+    fn off_middle(&self, p: DVec2) -> DVec2 {
         2.0 * p / self.side - DVec2::ONE
     }
 
