@@ -68,7 +68,7 @@ function japanese() {
 await buildThumbs();
 await buildIcons();
 
-/** The page gives the module to the glue itself, packed (www/module.ts): the plain file is no part of the site. */
+/** The page gives the module to the glue itself, packed (www/module/load.ts): the plain file is no part of the site. */
 const packed = {
   name: 'packed',
   /** @param {string} code @param {string} id */

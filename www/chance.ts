@@ -4,7 +4,7 @@
  */
 
 import { differs } from './control';
-import type { Parameter } from './types';
+import type { Parameter } from './module/types';
 
 /** Words with their weights. */
 type Words = Record<string, number>;

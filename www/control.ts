@@ -1,7 +1,7 @@
 /** One control of the panel: a label, the ways to change it, a reset, and its help. */
 import { make, say, symbol } from './dom';
+import type { Parameter } from './module/types';
 import { fromPlace, isLogarithmic, onStep, stepOf, toPlace } from './scale';
-import type { Parameter } from './types';
 import { t } from './words';
 
 /** Choices stand side by side where their labels, with some letters' room around each, have no more letters than this. */

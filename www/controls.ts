@@ -2,7 +2,7 @@
 import { differs, makeControl, type Change, type Control } from './control';
 import { byId, byIdAs, frame, make, say } from './dom';
 import { choiceOf, choose } from './memory';
-import type { Parameter } from './types';
+import type { Parameter } from './module/types';
 import { groupIn, t } from './words';
 
 /** Parameters that have their own place on the page. */

@@ -2,8 +2,9 @@
 import { byId, byIdAs, make } from './dom';
 import { Engine } from './engine';
 import { fragment, pageAddress } from './link';
-import { isEnd, Loop } from './loop';
+import { Loop } from './loop';
 import { alertOf } from './messages';
+import { isEnd } from './module/stages';
 import { scriptFace, type Bubblestone } from './scripts';
 import { tellCrash } from './trouble';
 import { t } from './words';

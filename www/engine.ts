@@ -3,8 +3,8 @@
  * calls answer with harmless values instead of failing again.
  */
 import { Bubblestone, presets, random_seed, schema } from '../pkg/bubblestone.js';
-import { loadModule } from './module';
-import type { Absence, Answer, Histograms, Parameter, Point, Preset, Probe, Ring, Series, Status } from './types';
+import { loadModule } from './module/load';
+import type { Absence, Answer, Histograms, Parameter, Point, Preset, Probe, Ring, Series, Status } from './module/types';
 import { parameterIn, presetIn, said, t } from './words';
 
 /** What became of what was asked for. */

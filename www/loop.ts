@@ -1,6 +1,6 @@
 /** The animation frames: a slice of work in each, none when there is nothing to do or to see. */
 import type { Engine } from './engine';
-import { STAGES } from './types';
+import { isEnd, STAGES } from './module/stages';
 import type { Watch } from './watch';
 
 /** Milliseconds of work in a frame; the rest of it belongs to the browser. */
@@ -158,9 +158,4 @@ export class Loop {
     // Who asked for slow steps gets them.
     return watch.tick(engine, begin, BUDGET, this.stepsPerFrame < 1 ? this.stepsNow() : undefined);
   }
-}
-
-/** Whether there is no work left at this stage. */
-export function isEnd(stage: string): boolean {
-  return stage === 'done' || stage === 'error';
 }

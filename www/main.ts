@@ -1,10 +1,10 @@
 /** Starts the page. */
 import { App } from './app';
 import { byId } from './dom';
-import { isEmbedded } from './link';
 import { load } from './engine';
+import { isEmbedded } from './link';
 import { alertOf, passing } from './messages';
-import { keepModule } from './module';
+import { keepModule } from './module/load';
 import { followTheme } from './theme';
 import { t, takeLanguage } from './words';
 

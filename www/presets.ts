@@ -1,6 +1,6 @@
 /** The rail of presets: the house's own and the papers' figures, each a small picture. */
 import { byId, make } from './dom';
-import type { Preset } from './types';
+import type { Preset } from './module/types';
 import { groupIn } from './words';
 
 /** Sides of the small pictures (thumbs/NAME.avif, made by the build) on the page, in its pixels. */

@@ -1,7 +1,7 @@
 /** The state of the work: the stages with their milliseconds, the counts, and the caption. */
 import { byId, make, say } from './dom';
-import { progressOf } from './progress';
-import { STAGES, type Preset, type Status } from './types';
+import { progressOf, STAGES } from './module/stages';
+import type { Preset, Status } from './module/types';
 import { partIn, t } from './words';
 
 /** Milliseconds; shorter work does not show how far it is, nor does what takes its time because somebody watches. */

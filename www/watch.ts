@@ -3,7 +3,7 @@
  * slow one; the clock tells only when things are made, never what is made.
  */
 import type { Engine } from './engine';
-import { STAGES } from './types';
+import { STAGES } from './module/stages';
 
 /** Milliseconds in which cells are packed, then stand as polygons, then get their stones. */
 const PACKING = 2100;

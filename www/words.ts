@@ -1,9 +1,9 @@
 /** The page's words in the visitor's language. All of them stand in strings/; English is at hand, others come when asked for. */
 import { byIdAs } from './dom';
 import { choiceOf, choose } from './memory';
+import type { Notice, Parameter, Preset } from './module/types';
 import { words as english } from './strings/en.json';
 import type { Foreign } from './strings/foreign';
-import type { Notice, Parameter, Preset } from './types';
 
 export type Word = keyof typeof english;
 

@@ -1,8 +1,8 @@
 /** The recipe in the store, which the engine follows: everything that changes it goes this way. */
 import type { Engine, Told } from './engine';
 import { clear, notice } from './messages';
+import type { Preset, Ring } from './module/types';
 import type { State, Store } from './store';
-import type { Preset, Ring } from './types';
 
 export class Work {
   readonly engine: Engine;

@@ -1,5 +1,5 @@
 /** Where numbers on a grid pass 0: marching squares (Lorensen and Cline, 1987, in the plane), straight between nodes. */
-import type { Point, Ring } from '../types';
+import type { Point, Ring } from '../module/types';
 import { area, distance, thinned } from './simplify';
 
 /**

@@ -4,7 +4,7 @@
  * smooth handles the line goes on in one direction. A handle that is not moved keeps that direction, so what lies
  * beyond it stays.
  */
-import type { Point, Ring } from '../types';
+import type { Point, Ring } from '../module/types';
 import type { Figure } from './figures';
 import { distance, toSegment } from './simplify';
 

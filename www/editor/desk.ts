@@ -3,7 +3,7 @@ import { byId } from '../dom';
 import type { Engine, Told } from '../engine';
 import { applies } from '../kinds';
 import { alertOf, clear, notice } from '../messages';
-import type { Point, Ring } from '../types';
+import type { Point, Ring } from '../module/types';
 import type { Work } from '../work';
 import { ringOf, scaled } from './curve';
 import { exportDialog, importDialog, textDialog } from './dialogs';

@@ -1,7 +1,7 @@
 /** Letters as an outline, and outlines that come from and go to files. */
 import { make, say } from '../dom';
 import { offer } from '../download';
-import type { Ring } from '../types';
+import type { Ring } from '../module/types';
 import { jsonFile, svgFile } from './export';
 import { drawn } from './figures';
 import { FACES, letters, type Face } from './paint';

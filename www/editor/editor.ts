@@ -1,6 +1,6 @@
 /** Figures over the canvas, and what is done with them: by pointers (gestures.ts), keys, and the bar's buttons. */
 import { byId } from '../dom';
-import type { Point } from '../types';
+import type { Point } from '../module/types';
 import { EditorBar } from './bar';
 import { divide, join, nearest, nearestLine, settle, turnOver } from './curve';
 import { drawn, type Figure, type Place, type Sort } from './figures';

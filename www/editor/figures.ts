@@ -1,5 +1,5 @@
 /** What can be edited: figures with points to move. */
-import type { Point } from '../types';
+import type { Point } from '../module/types';
 import type { Stretch } from './curve';
 
 /** A ring, a line, a spot (its middle and a point of its rim), or the seed of a part. */

@@ -1,5 +1,5 @@
 /** Mouse, pen and finger over the canvas: what is pressed, dragged, and clicked twice. */
-import type { Point } from '../types';
+import type { Point } from '../module/types';
 import type { Editor } from './editor';
 import type { Place } from './figures';
 import { DOUBLE, Pen } from './pen';

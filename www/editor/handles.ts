@@ -1,5 +1,5 @@
 /** Few handles for a ring of many points: its corners, and smooth ones along its curves, the same whenever the ring is the same. */
-import type { Point, Ring } from '../types';
+import type { Point, Ring } from '../module/types';
 import { nearest, stretchAlong } from './curve';
 import type { Figure } from './figures';
 import { distance, simplify } from './simplify';

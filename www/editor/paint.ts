@@ -1,6 +1,6 @@
 /** The shapes of letters, by way of pixels. */
 import { make } from '../dom';
-import type { Ring } from '../types';
+import type { Ring } from '../module/types';
 import { contour, tidy } from './contour';
 import { fitted } from './fit';
 import { tell } from './words';

@@ -1,5 +1,5 @@
 /** Draws a new figure: a line point after point or in one stroke, a spot or a ring from its middle. */
-import type { Point } from '../types';
+import type { Point } from '../module/types';
 import { drawn, hexagon, type Figure } from './figures';
 import { distance, thinLine } from './simplify';
 

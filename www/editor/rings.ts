@@ -1,5 +1,5 @@
 /** Rings from elsewhere in the order and the sense that an outline has. */
-import type { Ring } from '../types';
+import type { Ring } from '../module/types';
 import { area, within } from './simplify';
 
 /** The largest ring first, and each in its sense. */

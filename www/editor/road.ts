@@ -1,5 +1,5 @@
 /** The border of roads that are given by their middle lines. */
-import type { Point, Ring } from '../types';
+import type { Point, Ring } from '../module/types';
 import { contour, tidy } from './contour';
 import type { Figure } from './figures';
 import { distance } from './simplify';

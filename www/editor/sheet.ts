@@ -1,6 +1,6 @@
 /** What the editor draws over the canvas: lines, handles, and guides. */
 import { make } from '../dom';
-import type { Point } from '../types';
+import type { Point } from '../module/types';
 import { lines, middle } from './curve';
 import { drawn, knobs, type Figure, type Place, type Sort } from './figures';
 import { depth } from './rings';

@@ -1,5 +1,5 @@
 /** Fewer points for an outline that is to be edited by hand: Douglas and Peucker (1973), ring by ring. */
-import type { Point, Ring } from '../types';
+import type { Point, Ring } from '../module/types';
 
 /** The first tolerance, as a fraction of the picture's side, and how it grows until the points are few. */
 const FIRST_TOLERANCE = 0.0008;

@@ -1,5 +1,5 @@
 /** Where a point goes while Shift is held: to other points, to directions by 15 degrees, or to a grid. */
-import type { Point } from '../types';
+import type { Point } from '../module/types';
 import { drawn } from './figures';
 import { distance } from './simplify';
 

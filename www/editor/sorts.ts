@@ -1,7 +1,7 @@
 /** What can be edited over the canvas: the outline, the roads it is made of, and the lists of the recipe. */
 import type { Engine } from '../engine';
 import { applies } from '../kinds';
-import type { Point } from '../types';
+import type { Point } from '../module/types';
 import { hexagon, type Figure, type Place, type Sort } from './figures';
 import { handled } from './handles';
 import { depth } from './rings';

@@ -1,7 +1,7 @@
 /** Another recipe under the one that is shown, up to a divider; it is made by an engine of its own in idle moments. */
 import { byId, make, say } from '../dom';
 import { Engine } from '../engine';
-import { isEnd } from '../loop';
+import { isEnd } from '../module/stages';
 import { notice } from '../messages';
 import type { Store } from '../store';
 import type { View } from '../view';

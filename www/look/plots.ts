@@ -2,12 +2,12 @@
 import uPlot from 'uplot';
 import { byId, make, say } from '../dom';
 import type { Engine } from '../engine';
+import type { Histogram } from '../module/types';
 import { REPAINT } from '../theme';
-import type { Histogram } from '../types';
 import type { View } from '../view';
 import { t, type Word } from './words';
-import 'uplot/dist/uPlot.min.css';
 import '../styles/look.css';
+import 'uplot/dist/uPlot.min.css';
 
 /** Milliseconds between two drawings. */
 const PAUSE = 120;

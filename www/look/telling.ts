@@ -1,11 +1,11 @@
 /** The cell under the pointer, or the one that arrow keys came to: its outline over the picture, and its numbers. */
 import { byId, make, say } from '../dom';
 import type { Engine } from '../engine';
+import type { Point, Probe } from '../module/types';
 import type { Store } from '../store';
-import type { Point, Probe } from '../types';
 import type { View } from '../view';
-import { t } from './words';
 import type { Work } from '../work';
+import { t } from './words';
 
 const SVG = 'http://www.w3.org/2000/svg';
 

@@ -1,6 +1,6 @@
 /** Files of a recipe, made in a worker that packs it anew, so that the page stays free; to stop it frees all it held. */
+import type { Notice } from '../module/types';
 import type { Task } from '../stoppable';
-import type { Notice } from '../types';
 import { said } from '../words';
 import { t } from './words';
 

@@ -6,7 +6,7 @@ import { version } from '../../package.json';
 import type { Engine } from '../engine';
 import { pageAddress } from '../link';
 import { passing } from '../messages';
-import type { Parameter } from '../types';
+import type { Parameter } from '../module/types';
 import type { Work } from '../work';
 import { originIn, PROGRAM } from './origin';
 import { t } from './words';

@@ -1,6 +1,6 @@
 /** Areas on a grid of whole numbers, so that no rounding is in doubt, put together by Clipper (A. Johnson, after Vatti). */
 import { Clipper64, ClipperOffset, ClipType, EndType, FillRule, JoinType, type Paths64 } from 'clipper2-ts';
-import type { Point, Ring } from '../../types';
+import type { Point, Ring } from '../../module/types';
 
 /** Rings that wind once around all that they enclose, holes the other way round. */
 export type Area = Paths64;

@@ -1,6 +1,8 @@
 /** What an SVG file draws, piece by piece as they are painted, with what each is cut by; nothing of it comes near the page. */
 import { DomHandler, isDirective, isTag, type ChildNode, type Document, type Element } from 'domhandler';
 import { Parser } from 'htmlparser2';
+import type { Point } from '../../module/types';
+import type { Rule } from './area';
 import { back, growth, matrixOf, moved, shift, STILL, stretch, times, type Matrix } from './matrix';
 import { paintOf, type Paint } from './paint';
 import { POINTS, type Run } from './path';
@@ -8,8 +10,6 @@ import { Refusal, type Count, type Left } from './refusal';
 import { boxOf, fit, lengthOf, runsOf, SHAPES, type Box } from './shapes';
 import type { Pen } from './stroke';
 import { INHERITED, Sheet, type Said } from './style';
-import type { Point } from '../../types';
-import type { Rule } from './area';
 
 /** Elements that a drawing may have, those that it uses again counted again, and how deep they may lie in each other. */
 const ELEMENTS = 50_000;

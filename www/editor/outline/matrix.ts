@@ -1,5 +1,5 @@
 /** Maps of the plane: x to a x + c y + e, y to b x + d y + f. */
-import type { Point } from '../../types';
+import type { Point } from '../../module/types';
 
 export type Matrix = readonly [a: number, b: number, c: number, d: number, e: number, f: number];
 

@@ -1,5 +1,5 @@
 /** Path data as lines and curves, and those as points. */
-import type { Point, Ring } from '../../types';
+import type { Point, Ring } from '../../module/types';
 import { moved, times, type Matrix } from './matrix';
 import { Refusal } from './refusal';
 

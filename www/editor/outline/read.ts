@@ -1,5 +1,5 @@
 /** Outlines from text: polygon JSON, SVG, or an SVG path alone. */
-import type { Point, Ring } from '../../types';
+import type { Point, Ring } from '../../module/types';
 import { fitted } from '../fit';
 import { arranged } from '../rings';
 import { area as areaIn, thinned } from '../simplify';

@@ -1,4 +1,5 @@
 /** What is seen of a drawing on white paper, as one area. */
+import type { Point, Ring } from '../../module/types';
 import { areaOf, common, EMPTY, pointsOf, STEPS, union, without, type Area } from './area';
 import { boundsOf, placesOf, type Clip, type Drawing, type Piece } from './drawing';
 import { growth, moved } from './matrix';
@@ -6,7 +7,6 @@ import { flat, POINTS } from './path';
 import { Refusal } from './refusal';
 import type { Box } from './shapes';
 import { stroked } from './stroke';
-import type { Point, Ring } from '../../types';
 
 /** How far curves may be off, in parts of the drawing. */
 const FLAT = 1 / 6000;

@@ -3,7 +3,7 @@
  * (two where the line is closed). At inner bends a side goes by way of the line itself; so everything is covered in one
  * sense, and by the non-zero rule the rings are exactly what a pen of that width covers.
  */
-import type { Point, Ring } from '../../types';
+import type { Point, Ring } from '../../module/types';
 
 export interface Pen {
   width: number;

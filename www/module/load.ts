@@ -1,6 +1,6 @@
 /** The WebAssembly module: fetched packed, compiled while it is unpacked; for later visits it is kept unpacked. */
-import init from '../pkg/bubblestone.js';
-import packed from '../pkg/bubblestone.lzma?url';
+import init from '../../pkg/bubblestone.js';
+import packed from '../../pkg/bubblestone.lzma?url';
 import { Unpacker } from './lzma';
 
 /** Bytes that are unpacked between two breaths of the page: a few milliseconds of work. */
