@@ -12,7 +12,7 @@ const escaped = (text) => text.replaceAll('&', '&amp;').replaceAll('<', '&lt;').
 
 /**
  * Writes the English words into the page: `data-t="key title=other"` names an element's text and its
- * attributes. Other languages are filled in by www/words.ts.
+ * attributes. Other languages are filled in by www/base/language.ts.
  */
 const words = {
   name: 'words',

@@ -1,11 +1,11 @@
 /** The buttons of chance: one that throws all that is not locked, and a dice and a lock for each group. */
+import { byId, make } from './base/dom';
+import { Later } from './base/later';
 import type { Controls } from './controls';
-import { byId, make } from './dom';
-import { Later } from './later';
-import { isLocked, onLocks, toggleLock } from './locks';
 import { SEED } from './seed';
-import { groupIn, t } from './words';
-import type { Work } from './work';
+import { isLocked, onLocks, toggleLock } from './state/locks';
+import type { Work } from './state/work';
+import { groupIn, t } from './words/words';
 
 /** `push` is called before a change that the browser's Back button shall take back. */
 export function makeChances(work: Work, controls: Controls, push: () => void): void {

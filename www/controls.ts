@@ -1,9 +1,9 @@
 /** The panel: every parameter of the schema as a control, in groups in the order of the pipeline. */
+import { byId, byIdAs, frame, make, say } from './base/dom';
 import { differs, makeControl, type Change, type Control } from './control';
-import { byId, byIdAs, frame, make, say } from './dom';
-import { choiceOf, choose } from './memory';
 import type { Parameter } from './module/types';
-import { groupIn, t } from './words';
+import { keep, kept } from './base/storage';
+import { groupIn, t } from './words/words';
 
 /** Parameters that have their own place on the page. */
 const ELSEWHERE = new Set(['seed', 'poly']);
@@ -49,7 +49,7 @@ export class Controls {
   private readonly needs: ControlNeeds;
   private readonly rest = byIdAs('rest', HTMLButtonElement);
   private readonly extents = [...byId('extent').querySelectorAll('input')];
-  private simple = choiceOf(EXTENT) !== 'all';
+  private simple = kept(EXTENT) !== 'all';
 
   constructor(schema: Parameter[], needs: ControlNeeds) {
     this.schema = schema;
@@ -84,7 +84,7 @@ export class Controls {
 
   private bindExtent(): void {
     const take = (extent: string): void => {
-      choose(EXTENT, extent);
+      keep(EXTENT, extent);
       this.simple = extent === 'simple';
       for (const group of this.groups.values()) {
         if (this.simple) group.open = group.details.open;

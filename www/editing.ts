@@ -1,7 +1,7 @@
 /** The way to the editor over the canvas, which is loaded when it is first used. */
+import { Later } from './base/later';
 import type { Desk } from './editor/desk';
-import { Later } from './later';
-import type { Work } from './work';
+import type { Work } from './state/work';
 
 export class Editing {
   private readonly desk: Later<Desk>;

@@ -1,13 +1,13 @@
 /** The picture alone, for other pages: a click pauses and plays, a link in the corner opens the whole page. It stores nothing. */
-import { byId, byIdAs, make } from './dom';
-import { Engine } from './engine';
-import { fragment, pageAddress } from './link';
+import { byId, byIdAs, make } from './base/dom';
+import { alertOf } from './base/messages';
 import { Loop } from './loop';
-import { alertOf } from './messages';
 import { isEnd } from './module/stages';
 import { scriptFace, type Bubblestone } from './scripts';
+import { Engine } from './state/engine';
+import { fragment, pageAddress } from './state/link';
 import { tellCrash } from './trouble';
-import { t } from './words';
+import { t } from './words/words';
 
 export function embed(): Bubblestone {
   const canvas = byIdAs('canvas', HTMLCanvasElement);

@@ -1,12 +1,13 @@
 /** Starts the page. */
 import { App } from './app';
-import { byId } from './dom';
-import { load } from './engine';
-import { isEmbedded } from './link';
-import { alertOf, passing } from './messages';
+import { byId } from './base/dom';
+import { takeLanguage } from './base/language';
+import { alertOf, passing } from './base/messages';
+import { followTheme } from './base/theme';
 import { keepModule } from './module/load';
-import { followTheme } from './theme';
-import { t, takeLanguage } from './words';
+import { load } from './state/engine';
+import { isEmbedded } from './state/link';
+import { t } from './words/words';
 
 async function start(): Promise<void> {
   try {

@@ -1,11 +1,11 @@
 /** The editor's tools beside the canvas, the panel's button for the outline, and outlines that are dropped or pasted. */
+import { byId, isShown, make, say, walkByArrows } from './base/dom';
 import type { Controls } from './controls';
-import { byId, isShown, make, say, walkByArrows } from './dom';
 import type { Editing } from './editing';
-import type { Engine } from './engine';
-import { applies } from './kinds';
-import type { Work } from './work';
-import { t } from './words';
+import type { Engine } from './state/engine';
+import { applies } from './state/rules';
+import type { Work } from './state/work';
+import { t } from './words/words';
 
 export class Toolbox {
   private readonly engine: Engine;

@@ -1,11 +1,11 @@
 /** The buttons for looking closer, beside the canvas; what they do is loaded when it is first asked for. */
-import { byId, say, walkByArrows } from './dom';
-import { bindKeys } from './keys';
-import { Later } from './later';
-import type { Store } from './store';
+import { byId, say, walkByArrows } from './base/dom';
+import { bindKeys } from './base/keys';
+import { Later } from './base/later';
+import type { Store } from './state/store';
+import type { Work } from './state/work';
 import type { View } from './view';
-import { t } from './words';
-import type { Work } from './work';
+import { t } from './words/words';
 
 /** What may stand beside or over the picture. */
 type Tool = 'light' | 'layers' | 'compare' | 'plots';

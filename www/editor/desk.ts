@@ -1,10 +1,11 @@
 /** The editor as the page uses it: who edits what over the canvas, and what becomes of it. */
-import { byId } from '../dom';
-import type { Engine, Told } from '../engine';
-import { applies } from '../kinds';
-import { alertOf, clear, notice } from '../messages';
+import { byId } from '../base/dom';
+import { alertOf, clear, notice } from '../base/messages';
 import type { Point, Ring } from '../module/types';
-import type { Work } from '../work';
+import type { Engine, Told } from '../state/engine';
+import { applies } from '../state/rules';
+import type { Work } from '../state/work';
+import { tell } from '../words/editor';
 import { ringOf, scaled } from './curve';
 import { exportDialog, importDialog, textDialog } from './dialogs';
 import { Editor } from './editor';
@@ -15,7 +16,6 @@ import { arranged, turned } from './rings';
 import { roadRings } from './road';
 import { simplify } from './simplify';
 import { Sorts } from './sorts';
-import { tell } from './words';
 
 /** Bytes of a file; the outline of a drawing of ten thousand points has some two hundred thousand. */
 const LARGEST = 4_000_000;

@@ -1,5 +1,5 @@
 /** Figures over the canvas, and what is done with them: by pointers (gestures.ts), keys, and the bar's buttons. */
-import { byId } from '../dom';
+import { byId } from '../base/dom';
 import type { Point } from '../module/types';
 import { EditorBar } from './bar';
 import { divide, join, nearest, nearestLine, settle, turnOver } from './curve';

@@ -1,9 +1,9 @@
 /** The shapes of letters, by way of pixels. */
-import { make } from '../dom';
+import { make } from '../base/dom';
 import type { Ring } from '../module/types';
+import { tell } from '../words/editor';
 import { contour, tidy } from './contour';
 import { fitted } from './fit';
-import { tell } from './words';
 
 /** Pixels along the longer side, and free ones around. */
 const PIXELS = 640;

@@ -1,6 +1,6 @@
 /** Zoom and pan: wheel, two fingers, drag, double click, buttons. Handles over the picture keep their size. */
-import { byId, say } from '../dom';
-import type { Store } from '../store';
+import { byId, say } from '../base/dom';
+import type { Store } from '../state/store';
 
 const MOST = 16;
 

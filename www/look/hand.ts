@@ -1,6 +1,6 @@
 /** What pointers and arrow keys do on the picture while nothing is drawn. */
+import type { Work } from '../state/work';
 import type { View } from '../view';
-import type { Work } from '../work';
 import { Glass } from './glass';
 import { Telling } from './telling';
 import '../styles/look.css';

@@ -1,8 +1,8 @@
 /** What is drawn below and what over it, with a sentence for each about what one sees. */
-import { byId, make } from '../dom';
-import type { Store } from '../store';
+import { byId, make } from '../base/dom';
+import type { Store } from '../state/store';
 import { VIEWS, type View } from '../view';
-import { t } from './words';
+import { t } from '../words/look';
 import '../styles/look.css';
 
 /** In the order in which they are drawn. */

@@ -1,11 +1,11 @@
 /** How the packing goes and how its cells are, in plots that follow the work. */
 import uPlot from 'uplot';
-import { byId, make, say } from '../dom';
-import type { Engine } from '../engine';
+import { byId, make, say } from '../base/dom';
+import { REPAINT } from '../base/theme';
 import type { Histogram } from '../module/types';
-import { REPAINT } from '../theme';
+import type { Engine } from '../state/engine';
 import type { View } from '../view';
-import { t, type Word } from './words';
+import { t, type Word } from '../words/look';
 import '../styles/look.css';
 import 'uplot/dist/uPlot.min.css';
 

@@ -1,11 +1,11 @@
 /** The cell under the pointer, or the one that arrow keys came to: its outline over the picture, and its numbers. */
-import { byId, make, say } from '../dom';
-import type { Engine } from '../engine';
+import { byId, make, say } from '../base/dom';
 import type { Point, Probe } from '../module/types';
-import type { Store } from '../store';
+import type { Engine } from '../state/engine';
+import type { Store } from '../state/store';
+import type { Work } from '../state/work';
 import type { View } from '../view';
-import type { Work } from '../work';
-import { t } from './words';
+import { t } from '../words/look';
 
 const SVG = 'http://www.w3.org/2000/svg';
 

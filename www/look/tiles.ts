@@ -1,6 +1,6 @@
 /** The picture two or three times side by side, as a tile repeats. */
-import { byId, make } from '../dom';
-import type { Store } from '../store';
+import { byId, make } from '../base/dom';
+import type { Store } from '../state/store';
 import type { View } from '../view';
 import '../styles/look.css';
 

@@ -1,10 +1,10 @@
 /** Outlines from files and texts, read in a worker, so that the page stays free; to stop it frees all it held. */
-import { passing } from '../../messages';
-import { stoppable, type Task } from '../../stoppable';
-import { language } from '../../words';
-import { tell, type EditorWord } from '../words';
-import type { Order, Said } from './read.worker';
+import { passing } from '../../base/messages';
+import { stoppable, type Task } from '../../base/task';
+import { tell, type EditorWord } from '../../words/editor';
+import { language } from '../../words/words';
 import type { Try } from './read';
+import type { Order, Said } from './read.worker';
 import { LEFT, type Count, type Told } from './refusal';
 
 /** What is read now. */

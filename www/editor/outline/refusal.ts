@@ -1,5 +1,5 @@
 /** What is wrong with an outline, or was left out of it, on the way to the page, which has the words for it. */
-import type { EditorWord } from '../words';
+import type { EditorWord } from '../../words/editor';
 
 export interface Told {
   word: EditorWord;

@@ -1,6 +1,6 @@
 /** Keys that work anywhere on the page, except where the element in focus needs them itself, and the list of them. */
+import { t, type Word } from '../words/words';
 import { byId, byIdAs, make } from './dom';
-import { t, type Word } from './words';
 
 export interface Binding {
   /** By `KeyboardEvent.key` in lower case, with `ctrl+` and `shift+` before it; of Ctrl and Cmd either does. */

@@ -1,6 +1,6 @@
 /** The words for looking closer, in the language in use: the page's, and those that come later, in both languages. */
 import { en, ja } from '../strings/look.json';
-import { t as common, wordsOf, type Word as Common } from '../words';
+import { t as common, wordsOf, type Word as Common } from './words';
 
 const own = wordsOf({ en, ja });
 

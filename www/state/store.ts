@@ -3,7 +3,7 @@
  * engine and whatever is seen follow it: recipe -> studio -> view, never the other way.
  */
 
-import type { Preset } from './module/types';
+import type { Preset } from '../module/types';
 
 export interface State {
   /** The recipe's link, without '#', as the engine writes it. */

@@ -1,6 +1,6 @@
 /** Parts of the page that are loaded when they are first asked for. */
+import { t } from '../words/words';
 import { alertOf, clear } from './messages';
-import { t } from './words';
 
 export class Later<T> {
   /** The part, once it is here. */

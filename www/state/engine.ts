@@ -2,10 +2,10 @@
  * The studio in WebAssembly behind one guard: when a call fails, the page is told once, and later
  * calls answer with harmless values instead of failing again.
  */
-import { Bubblestone, presets, random_seed, schema } from '../pkg/bubblestone.js';
-import { loadModule } from './module/load';
-import type { Absence, Answer, Histograms, Parameter, Point, Preset, Probe, Ring, Series, Status } from './module/types';
-import { parameterIn, presetIn, said, t } from './words';
+import { Bubblestone, presets, random_seed, schema } from '../../pkg/bubblestone.js';
+import { loadModule } from '../module/load';
+import type { Absence, Answer, Histograms, Parameter, Point, Preset, Probe, Ring, Series, Status } from '../module/types';
+import { parameterIn, presetIn, said, t } from '../words/words';
 
 /** What became of what was asked for. */
 export interface Told {

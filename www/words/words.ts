@@ -1,9 +1,7 @@
-/** The page's words in the visitor's language. All of them stand in strings/; English is at hand, others come when asked for. */
-import { byIdAs } from './dom';
-import { choiceOf, choose } from './memory';
-import type { Notice, Parameter, Preset } from './module/types';
-import { words as english } from './strings/en.json';
-import type { Foreign } from './strings/foreign';
+/** The page's words in the language in use. All of them stand in strings/; English is at hand. */
+import type { Notice, Parameter, Preset } from '../module/types';
+import { words as english } from '../strings/en.json';
+import type { Foreign } from '../strings/foreign';
 
 export type Word = keyof typeof english;
 
@@ -30,38 +28,10 @@ function filled(text: string, values: Record<string, string | number>): string {
   return text.replace(/\{(\w+)\}/g, (whole, name: string) => String(values[name] ?? whole));
 }
 
-/** Takes the language that was chosen here before, or the first one of the browser's that the page has. */
-export async function takeLanguage(): Promise<void> {
-  const wanted = [choiceOf('language'), ...navigator.languages].map((code) => code?.slice(0, 2));
-  const known = [...byIdAs('language', HTMLSelectElement).options].map(({ value }) => value);
-  if (wanted.find((code) => code && known.includes(code)) !== 'ja') return;
-  const root = document.documentElement;
-  // Other words would flash by, and what is around them would jump.
-  root.toggleAttribute('data-wordless', true);
-  try {
-    const japanese = await import('./strings/ja');
-    words = japanese.words;
-    foreign = japanese.foreign;
-    root.lang = 'ja';
-    for (const element of document.querySelectorAll<HTMLElement>('[data-t]')) fill(element, japanese.page);
-  } finally {
-    root.toggleAttribute('data-wordless', false);
-  }
-}
-
-/** Loads the page anew in another language; the work stays. */
-export function speak(code: string): void {
-  choose('language', code);
-  location.reload();
-}
-
-/** `data-t="key title=other"`: the element's text, then attributes. */
-function fill(element: HTMLElement, page: Record<string, string>): void {
-  for (const part of (element.dataset['t'] ?? '').split(' ')) {
-    const [name = '', key] = part.split('=');
-    if (key === undefined) element.textContent = page[name] ?? '';
-    else element.setAttribute(name, page[key] ?? '');
-  }
+/** Another language from now on. */
+export function translate(code: string, to: { words: Record<Word, string>; foreign: Foreign }): void {
+  ({ words, foreign } = to);
+  document.documentElement.lang = code;
 }
 
 /** A parameter with its names and help in the language in use. */

@@ -1,6 +1,6 @@
 /** Words to the visitor over the canvas: notices that may go, and errors that stay until dismissed. */
+import { t } from '../words/words';
 import { byId, make } from './dom';
-import { t } from './words';
 
 /** Notices of the same topic replace each other. */
 export type Topic = 'link' | 'value' | 'outline' | 'done' | 'files' | 'busy' | 'replaced' | 'offline' | 'trouble' | 'part';

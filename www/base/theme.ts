@@ -1,6 +1,6 @@
 /** The light and the dark page: as the system is, until the visitor wants the other one. public/theme.js begins before the first paint. */
+import { keep, kept } from './storage';
 import { byId } from './dom';
-import { choiceOf, choose } from './memory';
 
 const CHOICE = 'theme';
 
@@ -13,12 +13,12 @@ const ofSystem = (): string => (system.matches ? 'dark' : 'light');
 
 /** Binds the switch. A choice that is the system's own follows the system again. */
 export function followTheme(): void {
-  let chosen = choiceOf(CHOICE) ?? '';
+  let chosen = kept(CHOICE) ?? '';
   const show = (): void => apply(chosen || ofSystem());
   byId('theme').addEventListener('click', () => {
     const next = document.documentElement.dataset['theme'] === 'dark' ? 'light' : 'dark';
     chosen = next === ofSystem() ? '' : next;
-    choose(CHOICE, chosen);
+    keep(CHOICE, chosen);
     show();
   });
   system.addEventListener('change', show);

@@ -1,12 +1,12 @@
 /** What chance and presets leave alone: groups of parameters, and the seed. Kept as a choice of the visitor's. */
-import { choiceOf, choose } from './memory';
+import { keep, kept } from '../base/storage';
 import type { Store } from './store';
 
 const CHOICE = 'locks';
 
 /** The locks of the last visit. */
 export function keptLocks(): string[] {
-  return (choiceOf(CHOICE) ?? '').split('/').filter((name) => name !== '');
+  return (kept(CHOICE) ?? '').split('/').filter((name) => name !== '');
 }
 
 export function isLocked({ state }: Store, name: string): boolean {
@@ -16,7 +16,7 @@ export function isLocked({ state }: Store, name: string): boolean {
 export function toggleLock(store: Store, name: string): void {
   const { locks } = store.state;
   const after = locks.includes(name) ? locks.filter((lock) => lock !== name) : [...locks, name];
-  choose(CHOICE, after.join('/'));
+  keep(CHOICE, after.join('/'));
   store.update({ locks: after });
 }
 

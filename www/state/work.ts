@@ -1,7 +1,7 @@
 /** The recipe in the store, which the engine follows: everything that changes it goes this way. */
+import { clear, notice } from '../base/messages';
+import type { Preset, Ring } from '../module/types';
 import type { Engine, Told } from './engine';
-import { clear, notice } from './messages';
-import type { Preset, Ring } from './module/types';
 import type { State, Store } from './store';
 
 export class Work {

@@ -1,6 +1,6 @@
 /** The editor's words, in the language in use. They come with it, in both languages. */
-import { wordsOf } from '../words';
 import { en, ja } from '../strings/editor.json';
+import { wordsOf } from './words';
 
 export type EditorWord = keyof typeof en;
 
