@@ -21,7 +21,6 @@ import { History } from './state/history';
 import { address, fragment, isReload, Link } from './state/link';
 import { isLocked, keptLocks } from './state/locks';
 import { lastWork, remember, type LastWork } from './state/memory';
-import { kindsIn } from './state/rules';
 import { Store, type State } from './state/store';
 import { presetOf, Work } from './state/work';
 import { StatusLine } from './status';
@@ -101,14 +100,11 @@ export class App {
   async furnish(): Promise<void> {
     const { store } = this;
     for (let waited = 0; waited < PATIENCE && !this.hasBegun(); waited += 1) await frame();
-    const controls = new Controls(this.engine.schema, {
-      get: (key) => this.engine.get(key),
-      defaultOf: (parameter) => this.engine.defaultOf(parameter),
-      change: (key, text, done) => this.change(key, text, done),
-      edit: (key) => this.editing.toggle(key),
-      kinds: () => kindsIn(this.engine),
-    });
-    await controls.build();
+    const controls = new Controls(this.engine);
+    await controls.build(
+      (key, text, done) => this.change(key, text, done),
+      (key) => this.editing.toggle(key),
+    );
     new Toolbox(this.work, controls, this.editing);
     makeChances(this.work, controls, () => this.push());
     controls.refresh();

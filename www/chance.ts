@@ -3,8 +3,8 @@
  * The picture's side and what is only for comparison stay as they are.
  */
 
-import { differs } from './control';
 import type { Parameter } from './module/types';
+import { applies, type Recipe } from './state/rules';
 
 /** Words with their weights. */
 type Words = Record<string, number>;
@@ -195,17 +195,10 @@ export function thrown(random: () => number, groups: readonly string[], schema: 
       values.set(key, pick === '' ? '' : isRange(pick) ? inRange(random, pick, now) : word(random, pick));
     }
   }
-  const row = (key: string): Parameter | undefined => schema.find((parameter) => parameter.key === key);
-  const applies = (parameter: Parameter | undefined): boolean => {
-    const rule = parameter?.shownFor;
-    if (!rule) return true;
-    const other = row(rule.key);
-    const value = now(rule.key);
-    return (rule.words.length ? rule.words.includes(value) : other !== undefined && differs(other, value, other.default)) && applies(other);
-  };
+  const recipe: Recipe = { schema, valuesOf: (key) => [now(key)], defaultOf: (parameter) => parameter.default };
   return [...values].map(([key, text]) => {
-    const parameter = row(key);
-    return [key, !parameter || applies(parameter) ? text : parameter.default];
+    const parameter = schema.find((one) => one.key === key);
+    return [key, !parameter || applies(parameter, recipe) ? text : parameter.default];
   });
 }
 

@@ -2,6 +2,7 @@
 import { make, say, symbol } from './base/dom';
 import type { Parameter } from './module/types';
 import { fromPlace, isLogarithmic, onStep, stepOf, toPlace } from './scale';
+import { differs } from './state/rules';
 import { t } from './words/words';
 
 /** Choices stand side by side where their labels, with some letters' room around each, have no more letters than this. */
@@ -64,11 +65,6 @@ export function makeControl(parameter: Parameter, change: Change, edit: (key: st
       show(value, standard);
     },
   };
-}
-
-/** Whether a value is not the default, however the number is written. */
-export function differs({ kind }: Parameter, value: string, standard: string): boolean {
-  return kind === 'number' || kind === 'int' ? Number(value) !== Number(standard) : value !== standard;
 }
 
 function waysOf(parameter: Parameter, id: string, change: Change, edit: (key: string) => void): Parts {
@@ -230,4 +226,3 @@ function drawnList(parameter: Parameter, id: string, edit: (key: string) => void
     show: (value) => say(button, value ? t('list_edit', { n: value.split('.').length }) : t('list_add')),
   };
 }
-

@@ -1,7 +1,8 @@
 /** The panel: every parameter of the schema as a control, in groups in the order of the pipeline. */
 import { byId, byIdAs, frame, make, say } from './base/dom';
-import { differs, makeControl, type Change, type Control } from './control';
-import type { Parameter } from './module/types';
+import { makeControl, type Change, type Control } from './control';
+import type { Engine } from './state/engine';
+import { applies, differs, recipeOf, type Recipe } from './state/rules';
 import { keep, kept } from './base/storage';
 import { groupIn, t } from './words/words';
 
@@ -32,38 +33,26 @@ interface Group {
   open: boolean;
 }
 
-export interface ControlNeeds {
-  get: (key: string) => string;
-  /** The default in the recipe at hand. */
-  defaultOf: (parameter: Parameter) => string;
-  change: Change;
-  /** Opens a list over the canvas. */
-  edit: (key: string) => void;
-  /** The kinds of cells in use, those of parts as well. */
-  kinds: () => string[];
-}
-
 export class Controls {
   private readonly groups = new Map<string, Group>();
-  private readonly schema: Parameter[];
-  private readonly needs: ControlNeeds;
+  private readonly engine: Engine;
+  private readonly recipe: Recipe;
   private readonly rest = byIdAs('rest', HTMLButtonElement);
   private readonly extents = [...byId('extent').querySelectorAll('input')];
   private simple = kept(EXTENT) !== 'all';
 
-  constructor(schema: Parameter[], needs: ControlNeeds) {
-    this.schema = schema;
-    this.needs = needs;
+  constructor(engine: Engine) {
+    this.engine = engine;
+    this.recipe = recipeOf(engine);
     for (const radio of this.extents) radio.checked = this.simple === (radio.value === 'simple');
   }
 
-  /** Builds the controls, a few a frame: they are much, and the cells move meanwhile. */
-  async build(): Promise<void> {
-    const { schema, needs } = this;
+  /** Builds the controls, a few a frame: they are much, and the cells move meanwhile. `edit` opens a list over the canvas. */
+  async build(change: Change, edit: (key: string) => void): Promise<void> {
     let begin = performance.now();
-    for (const parameter of schema) {
+    for (const parameter of this.recipe.schema) {
       if (ELSEWHERE.has(parameter.key)) continue;
-      const control = makeControl(parameter, needs.change, needs.edit);
+      const control = makeControl(parameter, change, edit);
       const group = this.group(parameter.group);
       group.controls.push(control);
       group.details.append(control.element);
@@ -117,13 +106,13 @@ export class Controls {
       let changed = 0;
       for (const control of controls) {
         const { parameter, element } = control;
-        const value = this.needs.get(parameter.key);
-        const standard = this.needs.defaultOf(parameter);
+        const value = this.engine.get(parameter.key);
+        const standard = this.recipe.defaultOf(parameter);
         control.show(value, standard);
-        const applies = this.applies(parameter);
+        const active = applies(parameter, this.recipe);
         const shown = !this.simple || SIMPLE.has(parameter.key);
-        element.hidden = !applies || !shown;
-        if (!applies || !differs(parameter, value, standard)) continue;
+        element.hidden = !active || !shown;
+        if (!active || !differs(parameter, value, standard)) continue;
         changed += 1;
         if (!shown) apart += 1;
       }
@@ -133,17 +122,6 @@ export class Controls {
     this.rest.hidden = !this.simple;
     say(this.rest, apart ? t('rest_changed', { n: apart }) : t('rest'));
     byId('panel').dataset['extent'] = this.simple ? 'simple' : 'all';
-  }
-
-  /** Whether a parameter does anything, as the schema's rule and that of the parameter it names say. */
-  private applies({ shownFor: rule }: Parameter): boolean {
-    if (!rule) return true;
-    const values = rule.key === 'kind' ? this.needs.kinds() : [this.needs.get(rule.key)];
-    const other = this.schema.find(({ key }) => key === rule.key);
-    if (!other) return false;
-    const standard = this.needs.defaultOf(other);
-    const fits = values.some((value) => (rule.words.length ? rule.words.includes(value) : differs(other, value, standard)));
-    return fits && this.applies(other);
   }
 
   private group(name: string): Group {

@@ -3,7 +3,7 @@ import { byId, isShown, make, say, walkByArrows } from './base/dom';
 import type { Controls } from './controls';
 import type { Editing } from './editing';
 import type { Engine } from './state/engine';
-import { applies } from './state/rules';
+import { toolApplies } from './state/rules';
 import type { Work } from './state/work';
 import { t } from './words/words';
 
@@ -89,10 +89,10 @@ export class Toolbox {
     const active = editing === 'outline' || editing === 'hole';
     say(this.edit, t(active ? 'outline_leave' : 'outline_edit'));
     this.edit.title = t(active ? 'outline_leave_title' : 'outline_edit_title');
-    this.edit.hidden = !applies(this.engine, 'outline');
+    this.edit.hidden = !toolApplies(this.engine, 'outline');
     for (const tool of this.tools) {
       const word = tool.dataset['tool'] ?? '';
-      tool.hidden = !applies(this.engine, word);
+      tool.hidden = !toolApplies(this.engine, word);
       if (tool.hasAttribute('aria-pressed')) tool.setAttribute('aria-pressed', String(editing === word));
     }
     const shown = this.tools.filter((tool) => !tool.hidden);

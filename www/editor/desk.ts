@@ -3,7 +3,7 @@ import { byId } from '../base/dom';
 import { alertOf, clear, notice } from '../base/messages';
 import type { Point, Ring } from '../module/types';
 import type { Engine, Told } from '../state/engine';
-import { applies } from '../state/rules';
+import { toolApplies } from '../state/rules';
 import type { Work } from '../state/work';
 import { tell } from '../words/editor';
 import { ringOf, scaled } from './curve';
@@ -139,7 +139,7 @@ export class Desk {
     const word = this.word;
     if (word === undefined || this.writing || this.text(word) === this.known) return;
     clear('outline');
-    const there = applies(this.engine, word) && (isOutline(word) || this.engine.get(word) !== '');
+    const there = toolApplies(this.engine, word) && (isOutline(word) || this.engine.get(word) !== '');
     if (there) this.begin(word);
     else this.editor.close();
   }

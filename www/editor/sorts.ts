@@ -1,7 +1,7 @@
 /** What can be edited over the canvas: the outline, the roads it is made of, and the lists of the recipe. */
 import type { Point } from '../module/types';
 import type { Engine } from '../state/engine';
-import { applies } from '../state/rules';
+import { toolApplies } from '../state/rules';
 import { tell, type EditorWord } from '../words/editor';
 import { hexagon, type Figure, type Place, type Sort } from './figures';
 import { handled } from './handles';
@@ -72,7 +72,7 @@ export class Sorts {
 
   /** Those that do something now. */
   now(): Sort[] {
-    return this.all.filter(({ word }) => applies(this.engine, word));
+    return this.all.filter(({ word }) => toolApplies(this.engine, word));
   }
 
   /** The figures of a sort, in picture units. */
