@@ -6,15 +6,15 @@ import { speak } from './base/language';
 import { Later } from './base/later';
 import { alertOf, clear, notice, offerOf, passing } from './base/messages';
 import { isFirstVisit } from './base/storage';
-import { makeChances } from './chances';
-import { shown } from './control';
-import { Controls } from './controls';
 import { Editing } from './editing';
 import { Loop } from './loop';
 import { isEnd, STAGES } from './module/stages';
-import { Presets } from './presets';
+import { shown } from './panel/control';
+import { makeDice } from './panel/dice';
+import { Panel } from './panel/panel';
+import { Presets } from './panel/presets';
+import { Seed, SEED, withSeed } from './panel/seed';
 import { scriptFace, type ScriptFace } from './scripts';
-import { Seed, SEED, withSeed } from './seed';
 import { keepInSight } from './sight';
 import { Engine } from './state/engine';
 import { History } from './state/history';
@@ -100,16 +100,16 @@ export class App {
   async furnish(): Promise<void> {
     const { store } = this;
     for (let waited = 0; waited < PATIENCE && !this.hasBegun(); waited += 1) await frame();
-    const controls = new Controls(this.engine);
-    await controls.build(
+    const panel = new Panel(this.engine);
+    await panel.build(
       (key, text, done) => this.change(key, text, done),
       (key) => this.editing.toggle(key),
     );
-    new Toolbox(this.work, controls, this.editing);
-    makeChances(this.work, controls, () => this.push());
-    controls.refresh();
-    controls.attach();
-    store.on(['recipe'], () => controls.refresh());
+    new Toolbox(this.work, panel, this.editing);
+    makeDice(this.work, panel, () => this.push());
+    panel.refresh();
+    panel.attach();
+    store.on(['recipe'], () => panel.refresh());
     this.loop.spare();
     await frame();
     const presets = new Presets(this.engine.presets, (preset) => {

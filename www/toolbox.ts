@@ -1,7 +1,7 @@
 /** The editor's tools beside the canvas, the panel's button for the outline, and outlines that are dropped or pasted. */
 import { byId, isShown, make, say, walkByArrows } from './base/dom';
-import type { Controls } from './controls';
 import type { Editing } from './editing';
+import type { Panel } from './panel/panel';
 import type { Engine } from './state/engine';
 import { toolApplies } from './state/rules';
 import type { Work } from './state/work';
@@ -15,11 +15,11 @@ export class Toolbox {
   private readonly more = byId('more-tools');
   private readonly edit = make('button', { type: 'button', class: 'wide', id: 'edit-outline', 'aria-keyshortcuts': 'E' });
 
-  constructor(work: Work, controls: Controls, editing: Editing) {
+  constructor(work: Work, panel: Panel, editing: Editing) {
     this.engine = work.engine;
     this.work = work;
     this.editing = editing;
-    controls.append('Outline', make('div', { class: 'tools' }, this.edit));
+    panel.append('Outline', make('div', { class: 'tools' }, this.edit));
     this.edit.addEventListener('click', () => editing.toggle('outline'));
     for (const tool of this.tools) {
       // A click without a place comes from the keyboard.

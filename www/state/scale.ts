@@ -1,5 +1,5 @@
 /** How a slider's way of 0..1 stands for a parameter's range, and how its values are written. */
-import type { Parameter } from './module/types';
+import type { Parameter } from '../module/types';
 
 /** Ranges that span this factor or more get a logarithmic slider, so that small values have room. */
 const LOGARITHMIC_FROM = 12;

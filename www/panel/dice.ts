@@ -1,18 +1,18 @@
 /** The buttons of chance: one that throws all that is not locked, and a dice and a lock for each group. */
-import { byId, make } from './base/dom';
-import { Later } from './base/later';
-import type { Controls } from './controls';
+import { byId, make } from '../base/dom';
+import { Later } from '../base/later';
+import { isLocked, onLocks, toggleLock } from '../state/locks';
+import type { Work } from '../state/work';
+import { groupIn, t } from '../words/words';
+import type { Panel } from './panel';
 import { SEED } from './seed';
-import { isLocked, onLocks, toggleLock } from './state/locks';
-import type { Work } from './state/work';
-import { groupIn, t } from './words/words';
 
 /** `push` is called before a change that the browser's Back button shall take back. */
-export function makeChances(work: Work, controls: Controls, push: () => void): void {
+export function makeDice(work: Work, panel: Panel, push: () => void): void {
   const { engine, store } = work;
-  const chance = new Later(() => import('./chance'));
+  const ranges = new Later(() => import('./ranges'));
   const throwAll = (groups: readonly string[]): void => {
-    chance.ask(({ thrown }) => {
+    ranges.ask(({ thrown }) => {
       const free = groups.filter((group) => !isLocked(store, group));
       const values = thrown(Math.random, free, engine.schema, (key) => engine.get(key));
       if (groups.length > 1 && !isLocked(store, SEED)) values.push([SEED, String(engine.randomSeed())]);
@@ -23,7 +23,7 @@ export function makeChances(work: Work, controls: Controls, push: () => void): v
     });
   };
   const names: string[] = [];
-  for (const [name, element] of controls.groupings()) {
+  for (const [name, element] of panel.groupings()) {
     names.push(name);
     const dice = signed('dice', t('throw_group', { group: groupIn(name) }));
     dice.addEventListener('click', () => throwAll([name]));
@@ -33,7 +33,7 @@ export function makeChances(work: Work, controls: Controls, push: () => void): v
       lock.setAttribute('aria-pressed', String(isLocked(store, name)));
       dice.disabled = isLocked(store, name);
     });
-    element.prepend(make('div', { class: 'chances' }, dice, lock));
+    element.prepend(make('div', { class: 'group-tools' }, dice, lock));
   }
   byId('throw').addEventListener('click', () => throwAll(names));
 }

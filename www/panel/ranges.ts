@@ -3,8 +3,8 @@
  * The picture's side and what is only for comparison stay as they are.
  */
 
-import type { Parameter } from './module/types';
-import { applies, type Recipe } from './state/rules';
+import type { Parameter } from '../module/types';
+import { applies, type Recipe } from '../state/rules';
 
 /** Words with their weights. */
 type Words = Record<string, number>;

@@ -1,8 +1,8 @@
 /** The seed: type it, throw it, the next one, the one before, and a lock that keeps it. */
-import { byId, byIdAs } from './base/dom';
-import type { Engine } from './state/engine';
-import { isLocked, onLocks, toggleLock } from './state/locks';
-import type { Work } from './state/work';
+import { byId, byIdAs } from '../base/dom';
+import type { Engine } from '../state/engine';
+import { isLocked, onLocks, toggleLock } from '../state/locks';
+import type { Work } from '../state/work';
 
 /** The largest seed, and how many are kept for the way back. */
 const MOST = 4_294_967_295;

@@ -1,10 +1,10 @@
 /** The panel: every parameter of the schema as a control, in groups in the order of the pipeline. */
-import { byId, byIdAs, frame, make, say } from './base/dom';
+import { byId, byIdAs, frame, make, say } from '../base/dom';
+import { keep, kept } from '../base/storage';
+import type { Engine } from '../state/engine';
+import { applies, differs, recipeOf, type Recipe } from '../state/rules';
+import { groupIn, t } from '../words/words';
 import { makeControl, type Change, type Control } from './control';
-import type { Engine } from './state/engine';
-import { applies, differs, recipeOf, type Recipe } from './state/rules';
-import { keep, kept } from './base/storage';
-import { groupIn, t } from './words/words';
 
 /** Parameters that have their own place on the page. */
 const ELSEWHERE = new Set(['seed', 'poly']);
@@ -33,7 +33,7 @@ interface Group {
   open: boolean;
 }
 
-export class Controls {
+export class Panel {
   private readonly groups = new Map<string, Group>();
   private readonly engine: Engine;
   private readonly recipe: Recipe;
