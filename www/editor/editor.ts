@@ -67,7 +67,7 @@ export class Editor {
     this.gestures = new Gestures(this);
     for (const place of [layer, bar]) place.addEventListener('keydown', (event) => this.keyAnywhere(event));
     // After a tool was clicked the keyboard is on its button.
-    byId('toolbox').addEventListener('keydown', (event) => this.open && event.key === 'Escape' && this.keyAnywhere(event));
+    byId('edit-tools').addEventListener('keydown', (event) => this.open && event.key === 'Escape' && this.keyAnywhere(event));
     document.body.addEventListener('keydown', (event) => this.open && event.target === document.body && this.keyAnywhere(event));
     layer.addEventListener('focusin', ({ target }) => {
       const part = this.sheet.part(target);

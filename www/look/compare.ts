@@ -2,10 +2,10 @@
 import { byId, make, say } from '../base/dom';
 import { notice } from '../base/messages';
 import { isEnd } from '../module/stages';
+import type { View } from '../picture/view';
 import { Engine } from '../state/engine';
 import type { Store } from '../state/store';
 import type { Work } from '../state/work';
-import type { View } from '../view';
 import { t } from '../words/look';
 import '../styles/look.css';
 

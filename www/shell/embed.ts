@@ -1,13 +1,13 @@
 /** The picture alone, for other pages: a click pauses and plays, a link in the corner opens the whole page. It stores nothing. */
-import { byId, byIdAs, make } from './base/dom';
-import { alertOf } from './base/messages';
-import { Loop } from './loop';
-import { isEnd } from './module/stages';
+import { byId, byIdAs, make } from '../base/dom';
+import { alertOf } from '../base/messages';
+import { isEnd } from '../module/stages';
+import { Loop } from '../picture/loop';
+import { Engine } from '../state/engine';
+import { fragment, pageAddress } from '../state/link';
+import { t } from '../words/words';
 import { scriptFace, type Bubblestone } from './scripts';
-import { Engine } from './state/engine';
-import { fragment, pageAddress } from './state/link';
 import { tellCrash } from './trouble';
-import { t } from './words/words';
 
 export function embed(): Bubblestone {
   const canvas = byIdAs('canvas', HTMLCanvasElement);

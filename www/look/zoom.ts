@@ -22,11 +22,11 @@ interface Spot {
   y: number;
 }
 
-export class Glass {
+export class Zoom {
   private readonly sheet = byId('sheet');
   private readonly store: Store;
   private readonly moved: () => void;
-  private zoom = 1;
+  private scale = 1;
   /** Where the picture's upper left corner is, in sides of the sheet. */
   private corner: Spot = { x: 0, y: 0 };
   private readonly down = new Map<number, Spot>();
@@ -53,14 +53,14 @@ export class Glass {
 
   /** Closer (1), farther (-1), or all of the picture (0). */
   step(by: number): void {
-    this.to(by ? this.zoom * STEP ** by : 1, { x: 0.5, y: 0.5 });
+    this.to(by ? this.scale * STEP ** by : 1, { x: 0.5, y: 0.5 });
   }
 
   /** Brings a place (in sides of the picture) to sight. */
   reveal({ x, y }: Spot): void {
     const inward = (at: number, corner: number): number => {
-      const seen = corner + at * this.zoom;
-      return seen < 0.1 || seen > 0.9 ? 0.5 - at * this.zoom : corner;
+      const seen = corner + at * this.scale;
+      return seen < 0.1 || seen > 0.9 ? 0.5 - at * this.scale : corner;
     };
     this.corner = { x: inward(x, this.corner.x), y: inward(y, this.corner.y) };
     this.show();
@@ -69,23 +69,23 @@ export class Glass {
   /** Zooms with a place of the sheet, in its sides, staying where it is. */
   private to(zoom: number, at: Spot): void {
     const next = Math.min(Math.max(zoom, 1), MOST);
-    const ratio = next / this.zoom;
+    const ratio = next / this.scale;
     this.corner = { x: at.x - (at.x - this.corner.x) * ratio, y: at.y - (at.y - this.corner.y) * ratio };
     // A hair above 1 is 1, so that one finger scrolls the page again.
-    this.zoom = next < 1.01 ? 1 : next;
+    this.scale = next < 1.01 ? 1 : next;
     this.show();
   }
 
   private show(): void {
-    const { sheet, zoom, corner } = this;
-    const kept = (v: number): number => Math.min(0, Math.max(1 - zoom, v));
+    const { sheet, scale, corner } = this;
+    const kept = (v: number): number => Math.min(0, Math.max(1 - scale, v));
     this.corner = { x: kept(corner.x), y: kept(corner.y) };
-    sheet.style.setProperty('--zoom', String(zoom));
+    sheet.style.setProperty('--zoom', String(scale));
     sheet.style.setProperty('--pan-x', String(this.corner.x));
     sheet.style.setProperty('--pan-y', String(this.corner.y));
-    sheet.toggleAttribute('data-zoomed', zoom > 1);
-    sheet.toggleAttribute('data-crisp', zoom >= CRISP);
-    say(byId('zoom-now'), `${zoom < 9.95 ? Number(zoom.toFixed(1)) : Math.round(zoom)}×`);
+    sheet.toggleAttribute('data-zoomed', scale > 1);
+    sheet.toggleAttribute('data-crisp', scale >= CRISP);
+    say(byId('zoom-now'), `${scale < 9.95 ? Number(scale.toFixed(1)) : Math.round(scale)}×`);
     this.moved();
   }
 
@@ -97,16 +97,16 @@ export class Glass {
   /** All the way out, the wheel scrolls the page again. */
   wheel(event: WheelEvent): void {
     const { deltaY, deltaMode, ctrlKey } = event;
-    if (deltaY > 0 && this.zoom === 1 && !ctrlKey) return;
+    if (deltaY > 0 && this.scale === 1 && !ctrlKey) return;
     event.preventDefault();
     const lines = deltaMode === WheelEvent.DOM_DELTA_LINE ? 30 : 1;
-    this.to(this.zoom * Math.exp(-deltaY * lines * (ctrlKey ? 0.01 : 0.002)), this.at(event));
+    this.to(this.scale * Math.exp(-deltaY * lines * (ctrlKey ? 0.01 : 0.002)), this.at(event));
   }
 
   /** A double click: closer, or all of the picture again. */
   twice(event: MouseEvent): void {
     if (this.wanted(event) || this.store.state.editing !== undefined) return;
-    if (this.zoom > 1) this.step(0);
+    if (this.scale > 1) this.step(0);
     else this.to(CLOSER, this.at(event));
   }
 
@@ -139,7 +139,7 @@ export class Glass {
     const other = [...this.down].find(([id]) => id !== pointerId)?.[1];
     this.down.set(pointerId, now);
     if (other) return this.pinch(before, now, other);
-    if (this.zoom === 1 || !this.begun) return;
+    if (this.scale === 1 || !this.begun) return;
     const { width } = this.sheet.getBoundingClientRect();
     const far = Math.hypot(now.x - this.begun.x, now.y - this.begun.y) * width > SLACK;
     if (!this.busy && !far) return;
@@ -157,7 +157,7 @@ export class Glass {
     const apart = (p: Spot): number => Math.max(0.02, Math.hypot(p.x - other.x, p.y - other.y));
     const middle = { x: (before.x + other.x) / 2, y: (before.y + other.y) / 2 };
     this.corner = { x: this.corner.x + (now.x - before.x) / 2, y: this.corner.y + (now.y - before.y) / 2 };
-    this.to((this.zoom * apart(now)) / apart(before), { x: middle.x + (now.x - before.x) / 2, y: middle.y + (now.y - before.y) / 2 });
+    this.to((this.scale * apart(now)) / apart(before), { x: middle.x + (now.x - before.x) / 2, y: middle.y + (now.y - before.y) / 2 });
   }
 
   private release({ pointerId }: PointerEvent): void {

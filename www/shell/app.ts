@@ -1,37 +1,36 @@
 /** The wiring: what happens when something on the page is changed, and what is shown of it. */
-import { Ahead } from './ahead';
-import { byId, byIdAs, frame, make, say } from './base/dom';
-import { bindKeys, listenToKeys } from './base/keys';
-import { speak } from './base/language';
-import { Later } from './base/later';
-import { alertOf, clear, notice, offerOf, passing } from './base/messages';
-import { isFirstVisit } from './base/storage';
-import { Editing } from './editing';
-import { Loop } from './loop';
-import { isEnd, STAGES } from './module/stages';
-import { shown } from './panel/control';
-import { makeDice } from './panel/dice';
-import { Panel } from './panel/panel';
-import { Presets } from './panel/presets';
-import { Seed, SEED, withSeed } from './panel/seed';
+import { byId, byIdAs, frame, make, say } from '../base/dom';
+import { bindKeys, listenToKeys } from '../base/keys';
+import { speak } from '../base/language';
+import { alertOf, clear, notice, offerOf, passing } from '../base/messages';
+import { isFirstVisit } from '../base/storage';
+import { isEnd, STAGES } from '../module/stages';
+import { shown } from '../panel/control';
+import { makeDice } from '../panel/dice';
+import { Panel } from '../panel/panel';
+import { Presets } from '../panel/presets';
+import { Seed, SEED, withSeed } from '../panel/seed';
+import { Ahead } from '../picture/ahead';
+import { Loop } from '../picture/loop';
+import { keepInSight } from '../picture/sight';
+import { StatusLine } from '../picture/status';
+import { Subtitle } from '../picture/subtitle';
+import { Transport } from '../picture/transport';
+import { View, VIEWS } from '../picture/view';
+import { Watch } from '../picture/watch';
+import { Engine } from '../state/engine';
+import { History } from '../state/history';
+import { address, fragment, isReload, Link } from '../state/link';
+import { isLocked, keptLocks } from '../state/locks';
+import { lastWork, remember, type LastWork } from '../state/memory';
+import { Store, type State } from '../state/store';
+import { presetOf, Work } from '../state/work';
+import { language, t } from '../words/words';
+import { EditTools } from './edit-tools';
+import { makeLookTools } from './look-tools';
+import { partsOf, type Parts } from './parts';
 import { scriptFace, type ScriptFace } from './scripts';
-import { keepInSight } from './sight';
-import { Engine } from './state/engine';
-import { History } from './state/history';
-import { address, fragment, isReload, Link } from './state/link';
-import { isLocked, keptLocks } from './state/locks';
-import { lastWork, remember, type LastWork } from './state/memory';
-import { Store, type State } from './state/store';
-import { presetOf, Work } from './state/work';
-import { StatusLine } from './status';
-import { Subtitle } from './subtitle';
-import { Toolbox } from './toolbox';
-import { Transport } from './transport';
 import { tellCrash } from './trouble';
-import { View, VIEWS } from './view';
-import { makeViewBox } from './viewbox';
-import { Watch } from './watch';
-import { language, t } from './words/words';
 
 /** Milliseconds that the picture stands still before listeners are told: a slider's steps are not told one by one. */
 const SETTLED = 400;
@@ -49,7 +48,7 @@ export class App {
   private readonly transport: Transport;
   private readonly status = new StatusLine();
   private readonly subtitle = new Subtitle();
-  private readonly editing: Editing;
+  private readonly parts: Parts;
   private readonly face: ScriptFace;
   /** Whether cells were shown. */
   private begun = false;
@@ -82,12 +81,12 @@ export class App {
       this.link.write(this.store.state.recipe);
       if (own && !ours && this.store.state.recipe !== recipe) this.tellReplaced();
     });
-    this.editing = new Editing(this.work);
+    this.parts = partsOf(this.work, this.view);
     this.transport = this.makeTransport();
     new Seed(this.work, () => this.push());
     this.follow();
     this.bind();
-    makeViewBox(this.work, this.view, () => this.editing.end());
+    makeLookTools(this.store, this.parts, () => this.leaveEditor());
     notice('link', ...this.engine.notices());
     if (last && asked !== '' && last.own && last.recipe !== this.store.state.recipe && !isReload()) this.tellReplaced();
     remember(this.store);
@@ -103,9 +102,9 @@ export class App {
     const panel = new Panel(this.engine);
     await panel.build(
       (key, text, done) => this.change(key, text, done),
-      (key) => this.editing.toggle(key),
+      (key) => this.parts.editor.ask((editor) => editor.toggle(key)),
     );
-    new Toolbox(this.work, panel, this.editing);
+    new EditTools(this.work, panel, this.parts.editor);
     makeDice(this.work, panel, () => this.push());
     panel.refresh();
     panel.attach();
@@ -113,7 +112,7 @@ export class App {
     this.loop.spare();
     await frame();
     const presets = new Presets(this.engine.presets, (preset) => {
-      this.editing.end();
+      this.leaveEditor();
       this.push();
       if (isLocked(store, SEED)) this.work.open(withSeed(preset.link, this.engine.get(SEED)), false, preset);
       else this.work.open(preset.link);
@@ -182,7 +181,7 @@ export class App {
     store.on(['recipe'], ({ recipe }) => {
       this.endAhead();
       this.link.write(recipe);
-      this.editing.follow();
+      this.parts.editor.here?.follow();
       this.loop.changed();
     });
     store.on(['past', 'future', 'stored', 'own'], showHistory);
@@ -210,6 +209,7 @@ export class App {
   }
 
   private bind(): void {
+    const { parts } = this;
     const press = (id: string) => () => byId(id).click();
     bindKeys(
       { keys: [' '], shown: ['Space'], word: 'key_play', act: press('play') },
@@ -221,14 +221,12 @@ export class App {
       { keys: ['ctrl+shift+z', 'ctrl+y'], shown: ['Ctrl+Shift+Z', 'Ctrl+Y'], word: 'key_redo', act: press('redo'), repeats: true },
       { keys: ['c'], word: 'key_copy', act: () => void this.copy() },
       { keys: '0123456789'.split(''), shown: ['0', '–', '9'], word: 'key_view', act: (key) => this.store.update({ view: VIEWS[Number(key)] ?? 'auto' }) },
-      { keys: ['e'], word: 'key_edit', act: () => this.editing.toggle() },
+      { keys: ['e'], word: 'key_edit', act: () => parts.editor.ask((editor) => editor.toggle()) },
     );
     listenToKeys();
-    const sharing = new Later(() => import('./take/share'));
     for (const id of ['share', 'save']) byId(id).addEventListener('click', () => this.leave());
-    byId('share').addEventListener('click', () => sharing.ask(({ share }) => share(this.engine, this.store, this.view.canvas)));
-    const saving = new Later(() => import('./take/save'));
-    byId('save').addEventListener('click', () => saving.ask(({ save }) => save(this.work, this.view.canvas)));
+    byId('share').addEventListener('click', () => parts.share.ask(({ share }) => share(this.engine, this.store, this.view.canvas)));
+    byId('save').addEventListener('click', () => parts.save.ask(({ save }) => save(this.work, this.view.canvas)));
     byId('undo').addEventListener('click', () => this.history.undo());
     byId('redo').addEventListener('click', () => this.history.redo());
     byId('about-button').addEventListener('click', () => {
@@ -250,7 +248,7 @@ export class App {
 
   /** A control was moved. */
   private change(key: string, text: string, done: boolean): void {
-    if (key === 'outline' && text === 'polygon') return this.editing.free();
+    if (key === 'outline' && text === 'polygon') return this.parts.editor.ask((editor) => editor.free());
     this.work.set(key, text, !done);
   }
 
@@ -289,6 +287,10 @@ export class App {
     if (!this.loop.watch) return;
     this.loop.watch = undefined;
     this.subtitle.end(true);
+  }
+
+  private leaveEditor(): void {
+    this.parts.editor.here?.close();
   }
 
   private endAhead(): void {

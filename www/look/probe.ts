@@ -1,10 +1,10 @@
 /** The cell under the pointer, or the one that arrow keys came to: its outline over the picture, and its numbers. */
 import { byId, make, say } from '../base/dom';
 import type { Point, Probe } from '../module/types';
+import type { View } from '../picture/view';
 import type { Engine } from '../state/engine';
 import type { Store } from '../state/store';
 import type { Work } from '../state/work';
-import type { View } from '../view';
 import { t } from '../words/look';
 
 const SVG = 'http://www.w3.org/2000/svg';
@@ -17,7 +17,8 @@ const STRIDE = 0.2;
 
 const ARROWS: Record<string, Point> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
 
-interface Glass {
+/** What the zoom tells and does. */
+interface Sight {
   busy(): boolean;
   reveal(place: { x: number; y: number }): void;
 }
@@ -28,10 +29,10 @@ interface Place {
   tile: Point;
 }
 
-export class Telling {
+export class CellProbe {
   private readonly engine: Engine;
   private readonly store: Store;
-  private readonly glass: Glass;
+  private readonly sight: Sight;
   private readonly sheet = byId('sheet');
   private readonly layer = byId('cells');
   private readonly card = make('div', { class: 'cell-card', 'aria-hidden': 'true' });
@@ -43,10 +44,10 @@ export class Telling {
   private pointer: { x: number; y: number } | undefined;
   private timer = 0;
 
-  constructor(work: Work, view: View, glass: Glass) {
+  constructor(work: Work, view: View, sight: Sight) {
     this.engine = work.engine;
     this.store = work.store;
-    this.glass = glass;
+    this.sight = sight;
     this.card.hidden = true;
     this.svg.setAttribute('aria-hidden', 'true');
     this.svg.append(...this.outline);
@@ -82,7 +83,7 @@ export class Telling {
 
   /** Cells are told of where the picture shows them, and only while nothing is drawn or compared. */
   private get rests(): boolean {
-    return this.layer.hidden !== false || this.glass.busy() || this.store.state.view === 'potential';
+    return this.layer.hidden !== false || this.sight.busy() || this.store.state.view === 'potential';
   }
 
   private over(event: PointerEvent): void {
@@ -172,7 +173,7 @@ export class Telling {
     this.tell();
     if (!this.cell) return;
     const { repeat } = this.store.state;
-    this.glass.reveal({ x: point[0] / side / repeat, y: point[1] / side / repeat });
+    this.sight.reveal({ x: point[0] / side / repeat, y: point[1] / side / repeat });
     say(byId('cell-said'), this.numbers(this.cell).map((row) => row.join(' ')).join(', '));
   }
 

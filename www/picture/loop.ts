@@ -1,6 +1,6 @@
 /** The animation frames: a slice of work in each, none when there is nothing to do or to see. */
-import { isEnd, STAGES } from './module/stages';
-import type { Engine } from './state/engine';
+import { isEnd, STAGES } from '../module/stages';
+import type { Engine } from '../state/engine';
 import type { Watch } from './watch';
 
 /** Milliseconds of work in a frame; the rest of it belongs to the browser. */

@@ -2,8 +2,8 @@
  * The pace of a forming that somebody watches. It goes by the clock, so that it lasts as long on a fast machine as on a
  * slow one; the clock tells only when things are made, never what is made.
  */
-import { STAGES } from './module/stages';
-import type { Engine } from './state/engine';
+import { STAGES } from '../module/stages';
+import type { Engine } from '../state/engine';
 
 /** Milliseconds in which cells are packed, then stand as polygons, then get their stones. */
 const PACKING = 2100;

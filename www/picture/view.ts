@@ -1,8 +1,8 @@
 /** The canvas: its size, and what it shows. */
-import { byIdAs, make } from './base/dom';
-import type { Engine } from './state/engine';
-import type { Store } from './state/store';
-import { t } from './words/words';
+import { byIdAs, make } from '../base/dom';
+import type { Engine } from '../state/engine';
+import type { Store } from '../state/store';
+import { t } from '../words/words';
 
 /** The views, the first ten in the order of their keys 0 to 9. */
 export const VIEWS = ['auto', 'picture', 'packed', 'cells', 'mesh', 'direction', 'height', 'normals', 'ids', 'potential', 'albedo', 'roughness', 'ao', 'paper'] as const;

@@ -1,34 +1,34 @@
 /** The editor's tools beside the canvas, the panel's button for the outline, and outlines that are dropped or pasted. */
-import { byId, isShown, make, say, walkByArrows } from './base/dom';
-import type { Editing } from './editing';
-import type { Panel } from './panel/panel';
-import type { Engine } from './state/engine';
-import { toolApplies } from './state/rules';
-import type { Work } from './state/work';
-import { t } from './words/words';
+import { byId, isShown, make, say, walkByArrows } from '../base/dom';
+import type { Panel } from '../panel/panel';
+import type { Engine } from '../state/engine';
+import { toolApplies } from '../state/rules';
+import type { Work } from '../state/work';
+import { t } from '../words/words';
+import type { Parts } from './parts';
 
-export class Toolbox {
+export class EditTools {
   private readonly engine: Engine;
   private readonly work: Work;
-  private readonly editing: Editing;
-  private readonly tools = [...byId('toolbox').querySelectorAll<HTMLButtonElement>('[data-tool]')];
+  private readonly editor: Parts['editor'];
+  private readonly tools = [...byId('edit-tools').querySelectorAll<HTMLButtonElement>('[data-tool]')];
   private readonly more = byId('more-tools');
   private readonly edit = make('button', { type: 'button', class: 'wide', id: 'edit-outline', 'aria-keyshortcuts': 'E' });
 
-  constructor(work: Work, panel: Panel, editing: Editing) {
+  constructor(work: Work, panel: Panel, editor: Parts['editor']) {
     this.engine = work.engine;
     this.work = work;
-    this.editing = editing;
+    this.editor = editor;
     panel.append('Outline', make('div', { class: 'tools' }, this.edit));
-    this.edit.addEventListener('click', () => editing.toggle('outline'));
+    this.edit.addEventListener('click', () => editor.ask((it) => it.toggle('outline')));
     for (const tool of this.tools) {
       // A click without a place comes from the keyboard.
-      tool.addEventListener('click', (event) => editing.use(tool.dataset['tool'] ?? '', event.detail === 0));
+      tool.addEventListener('click', (event) => editor.ask((it) => it.use(tool.dataset['tool'] ?? '', event.detail === 0)));
     }
-    const box = byId('toolbox');
+    const box = byId('edit-tools');
     walkByArrows(box);
     this.foldRare(box);
-    for (const near of ['pointerover', 'focusin']) box.addEventListener(near, () => editing.load(), { once: true });
+    for (const near of ['pointerover', 'focusin']) box.addEventListener(near, () => void editor.load(), { once: true });
     this.receive();
     work.store.on(['editing', 'recipe'], () => this.show());
     this.show();
@@ -75,12 +75,14 @@ export class Toolbox {
       sheet.classList.remove('dropping');
       // Of several files the first one that may be an outline or a recipe.
       const file = files.find(({ name }) => /\.(svg|json|png)$/i.test(name)) ?? files[0];
-      if (file) this.editing.take(file);
+      if (file) this.editor.ask((it) => void it.takeFile(file));
     });
     document.addEventListener('paste', ({ target, clipboardData }) => {
       if (target instanceof Element && target.matches('input, textarea')) return;
-      const from = clipboardData?.files[0] ?? clipboardData?.getData('text/plain');
-      if (from) this.editing.take(from);
+      const file = clipboardData?.files[0];
+      const text = clipboardData?.getData('text/plain');
+      if (file) this.editor.ask((it) => void it.takeFile(file));
+      else if (text) this.editor.ask((it) => it.paste(text));
     });
   }
 

@@ -1,7 +1,7 @@
 /** A recipe worked out unseen and at full speed while it forms slowly on the screen: scripts need not wait for that. */
-import { isEnd } from './module/stages';
-import type { Status } from './module/types';
-import { Engine } from './state/engine';
+import { isEnd } from '../module/stages';
+import type { Status } from '../module/types';
+import { Engine } from '../state/engine';
 
 /** Milliseconds of work at a time, between frames, and more packing steps than fit into that. */
 const SLICE = 12;

@@ -1,7 +1,7 @@
 /** One line of words on the picture about what is seen while it forms. */
-import { byId, make, say } from './base/dom';
+import { byId, make, say } from '../base/dom';
+import { t } from '../words/words';
 import { PHASES, type Phase } from './watch';
-import { t } from './words/words';
 
 /** Milliseconds that the whole line stays after the end. */
 const READ = 2000;
