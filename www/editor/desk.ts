@@ -6,15 +6,15 @@ import type { Engine, Told } from '../state/engine';
 import { toolApplies } from '../state/rules';
 import type { Work } from '../state/work';
 import { tell } from '../words/editor';
-import { ringOf, scaled } from './curve';
 import { exportDialog, importDialog, textDialog } from './dialogs';
 import { Editor } from './editor';
-import type { Figure, Sort } from './figures';
+import { ringOf, scaled } from './geometry/curve';
+import type { Figure, Sort } from './geometry/figures';
+import { arranged, turned } from './geometry/rings';
+import { roadRings } from './geometry/road';
+import { simplify } from './geometry/simplify';
 import type { Try } from './outline/read';
 import { read, remarks } from './outline/reading';
-import { arranged, turned } from './rings';
-import { roadRings } from './road';
-import { simplify } from './simplify';
 import { Sorts } from './sorts';
 
 /** Bytes of a file; the outline of a drawing of ten thousand points has some two hundred thousand. */

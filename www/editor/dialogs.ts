@@ -4,7 +4,7 @@ import { offer } from '../base/download';
 import type { Ring } from '../module/types';
 import { tell } from '../words/editor';
 import { jsonFile, svgFile } from './export';
-import { drawn } from './figures';
+import { drawn } from './geometry/figures';
 import { FACES, letters, type Face } from './paint';
 
 export interface DialogNeeds {

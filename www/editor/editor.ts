@@ -2,12 +2,12 @@
 import { byId } from '../base/dom';
 import type { Point } from '../module/types';
 import { EditorBar } from './bar';
-import { divide, join, nearest, nearestLine, settle, turnOver } from './curve';
-import { drawn, type Figure, type Place, type Sort } from './figures';
+import { divide, join, nearestLine, settle, turnOver } from './geometry/curve';
+import { drawn, type Figure, type Place, type Sort } from './geometry/figures';
+import { distance, nearest, toSegment } from './geometry/plane';
+import { snap } from './geometry/snap';
 import { Gestures } from './gestures';
 import { Sheet } from './sheet';
-import { distance, toSegment } from './simplify';
-import { snap } from './snap';
 
 /** Picture units that an arrow key moves a point; with Shift ten times as many. */
 const NUDGE = 1;

@@ -1,7 +1,7 @@
 /** Mouse, pen and finger over the canvas: what is pressed, dragged, and clicked twice. */
 import type { Point } from '../module/types';
 import type { Editor } from './editor';
-import type { Place } from './figures';
+import type { Place } from './geometry/figures';
 import { DOUBLE, Pen } from './pen';
 import type { Part } from './sheet';
 

@@ -2,8 +2,8 @@
 import { make } from '../base/dom';
 import type { Ring } from '../module/types';
 import { tell } from '../words/editor';
-import { contour, tidy } from './contour';
-import { fitted } from './fit';
+import { contour, tidy } from './geometry/contour';
+import { fitted } from './geometry/fit';
 
 /** Pixels along the longer side, and free ones around. */
 const PIXELS = 640;

@@ -3,10 +3,10 @@ import type { Point } from '../module/types';
 import type { Engine } from '../state/engine';
 import { toolApplies } from '../state/rules';
 import { tell, type EditorWord } from '../words/editor';
-import { hexagon, type Figure, type Place, type Sort } from './figures';
-import { handled } from './handles';
-import { depth } from './rings';
-import { distance, toSegment } from './simplify';
+import { hexagon, type Figure, type Place, type Sort } from './geometry/figures';
+import { handled } from './geometry/handles';
+import { depth } from './geometry/rings';
+import { distance, toSegment } from './geometry/plane';
 
 /** Half the length of a new line and the radius of a new spot, in sides; the width of the first road, in hundredths. */
 const NEW_LINE = 0.12;

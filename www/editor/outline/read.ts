@@ -1,8 +1,9 @@
 /** Outlines from text: polygon JSON, SVG, or an SVG path alone. */
 import type { Point, Ring } from '../../module/types';
-import { fitted } from '../fit';
-import { arranged } from '../rings';
-import { area as areaIn, thinned } from '../simplify';
+import { fitted } from '../geometry/fit';
+import { arranged } from '../geometry/rings';
+import { area as areaIn } from '../geometry/plane';
+import { thinned } from '../geometry/simplify';
 import { areaOf, shrunk, STEPS, type Rule } from './area';
 import { drawingOf, type Drawing } from './drawing';
 import { STILL } from './matrix';

@@ -1,6 +1,5 @@
 /** What can be edited: figures with points to move. */
-import type { Point } from '../module/types';
-import type { Stretch } from './curve';
+import type { Point } from '../../module/types';
 
 /** A ring, a line, a spot (its middle and a point of its rim), or the seed of a part. */
 export interface Figure {
@@ -9,6 +8,18 @@ export interface Figure {
   value: number;
   /** What runs from each point of a ring to the next one, where that is not a straight line. */
   stretches?: Stretch[];
+}
+
+/** What runs from a handle to the next one. */
+export interface Stretch {
+  /** The handle at its beginning is smooth; else it is a corner. */
+  smooth: boolean;
+  /** Where its ends were when it was made, and how long it was. */
+  from: Point;
+  to: Point;
+  length: number;
+  /** Places between them, each with the part of the length before it. */
+  inner: { at: Point; along: number }[];
 }
 
 /** A point of a figure. */

@@ -1,7 +1,7 @@
 /** Where a point goes while Shift is held: to other points, to directions by 15 degrees, or to a grid. */
-import type { Point } from '../module/types';
+import type { Point } from '../../module/types';
 import { drawn } from './figures';
-import { distance } from './simplify';
+import { distance } from './plane';
 
 /** Squares of the grid along the picture's side. */
 const SQUARES = 32;

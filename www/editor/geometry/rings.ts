@@ -1,6 +1,6 @@
 /** Rings from elsewhere in the order and the sense that an outline has. */
-import type { Ring } from '../module/types';
-import { area, within } from './simplify';
+import type { Ring } from '../../module/types';
+import { area, within } from './plane';
 
 /** The largest ring first, and each in its sense. */
 export function arranged(rings: Ring[]): Ring[] {

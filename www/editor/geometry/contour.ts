@@ -1,6 +1,7 @@
 /** Where numbers on a grid pass 0: marching squares (Lorensen and Cline, 1987, in the plane), straight between nodes. */
-import type { Point, Ring } from '../module/types';
-import { area, distance, thinned } from './simplify';
+import type { Point, Ring } from '../../module/types';
+import { area, distance } from './plane';
+import { thinned } from './simplify';
 
 /**
  * The rings around what is above 0, in units of the grid. The nodes at the grid's rim are not above 0, so that

@@ -1,8 +1,9 @@
 /** Few handles for a ring of many points: its corners, and smooth ones along its curves, the same whenever the ring is the same. */
-import type { Point, Ring } from '../module/types';
-import { nearest, stretchAlong } from './curve';
+import type { Point, Ring } from '../../module/types';
+import { stretchAlong } from './curve';
 import type { Figure } from './figures';
-import { distance, simplify } from './simplify';
+import { distance, nearest } from './plane';
+import { simplify } from './simplify';
 
 /** Handles on all rings together, about at most. */
 const MOST = 300;

@@ -1,8 +1,8 @@
 /** The border of roads that are given by their middle lines. */
-import type { Point, Ring } from '../module/types';
+import type { Point, Ring } from '../../module/types';
 import { contour, tidy } from './contour';
 import type { Figure } from './figures';
-import { distance } from './simplify';
+import { distance } from './plane';
 
 /** Squares of the grid along the picture's side. */
 const GRID = 288;

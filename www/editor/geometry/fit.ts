@@ -1,5 +1,5 @@
 /** Outlines of any size become outlines of the picture. */
-import type { Point, Ring } from '../module/types';
+import type { Point, Ring } from '../../module/types';
 
 /** What stays free around an outline, in sides. */
 const MARGIN = 0.05;

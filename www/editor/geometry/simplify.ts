@@ -1,5 +1,6 @@
 /** Fewer points for an outline that is to be edited by hand: Douglas and Peucker (1973), ring by ring. */
-import type { Point, Ring } from '../module/types';
+import type { Point, Ring } from '../../module/types';
+import { distance, toSegment } from './plane';
 
 /** The first tolerance, as a fraction of the picture's side, and how it grows until the points are few. */
 const FIRST_TOLERANCE = 0.0008;
@@ -56,33 +57,4 @@ function farthest(line: Ring, measure: (point: Point) => number): { index: numbe
     if (distance > found.distance) found = { index, distance };
   });
   return found;
-}
-
-export function distance(from: Point, to: Point): number {
-  return Math.hypot(to[0] - from[0], to[1] - from[1]);
-}
-
-/** Distance from a point to a segment. */
-export function toSegment(point: Point, from: Point, to: Point): number {
-  const [x, y] = [to[0] - from[0], to[1] - from[1]];
-  const length = x * x + y * y;
-  const along = length > 0 ? ((point[0] - from[0]) * x + (point[1] - from[1]) * y) / length : 0;
-  const t = Math.min(1, Math.max(0, along));
-  return Math.hypot(point[0] - from[0] - t * x, point[1] - from[1] - t * y);
-}
-
-/** What a ring encloses, with a sign for its sense. */
-export function area(ring: Ring): number {
-  return ring.reduce((sum, [x, y], k) => {
-    const [u, v] = ring[(k + 1) % ring.length] ?? [x, y];
-    return sum + (x * v - y * u) / 2;
-  }, 0);
-}
-
-/** Whether a point lies in a ring. */
-export function within([x, y]: Point, ring: Ring): boolean {
-  return ring.reduce((inside, [ax, ay], k) => {
-    const [bx, by] = ring[(k + 1) % ring.length] ?? [ax, ay];
-    return ay > y !== by > y && x < ax + ((y - ay) * (bx - ax)) / (by - ay) ? !inside : inside;
-  }, false);
 }

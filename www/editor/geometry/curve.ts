@@ -4,21 +4,9 @@
  * smooth handles the line goes on in one direction. A handle that is not moved keeps that direction, so what lies
  * beyond it stays.
  */
-import type { Point, Ring } from '../module/types';
-import type { Figure } from './figures';
-import { distance, toSegment } from './simplify';
-
-/** What runs from a handle to the next one. */
-export interface Stretch {
-  /** The handle at its beginning is smooth; else it is a corner. */
-  smooth: boolean;
-  /** Where its ends were when it was made, and how long it was. */
-  from: Point;
-  to: Point;
-  length: number;
-  /** Places between them, each with the part of the length before it. */
-  inner: { at: Point; along: number }[];
-}
+import type { Point, Ring } from '../../module/types';
+import type { Figure, Stretch } from './figures';
+import { between, distance, minus, nearest, onSegment, over, same, sum, times, toSegment, unit } from './plane';
 
 /** Chords leave a curve by at most this many sides, as those of the built-in outlines do. */
 const SAGITTA = 1 / 6000;
@@ -233,46 +221,4 @@ export function scaled({ points, value, stretches }: Figure, by: number): Figure
   const place = ([x, y]: Point): Point => [x * by, y * by];
   const larger = ({ smooth, from, to, length, inner }: Stretch): Stretch => ({ smooth, from: place(from), to: place(to), length: length * by, inner: inner.map(({ at, along }) => ({ at: place(at), along })) });
   return { points: points.map(place), value, ...(stretches && { stretches: stretches.map(larger) }) };
-}
-
-/** The place of the least of some distances. */
-export function nearest(distances: number[]): number {
-  return distances.reduce((best, far, k) => (far < (distances[best] ?? Infinity) ? k : best), 0);
-}
-
-function onSegment(place: Point, from: Point, to: Point): Point {
-  const [x, y] = minus(to, from);
-  const length = x * x + y * y;
-  const along = length > 0 ? ((place[0] - from[0]) * x + (place[1] - from[1]) * y) / length : 0;
-  return between(from, to, Math.min(1, Math.max(0, along)));
-}
-
-function same(a: Point, b: Point): boolean {
-  return a[0] === b[0] && a[1] === b[1];
-}
-
-function times(a: Point, b: Point): Point {
-  return [a[0] * b[0] - a[1] * b[1], a[0] * b[1] + a[1] * b[0]];
-}
-
-function over(a: Point, b: Point): Point {
-  const square = b[0] * b[0] + b[1] * b[1];
-  return square > 0 ? times(a, [b[0] / square, -b[1] / square]) : [1, 0];
-}
-
-function minus(a: Point, b: Point): Point {
-  return [a[0] - b[0], a[1] - b[1]];
-}
-
-function sum(a: Point, b: Point): Point {
-  return [a[0] + b[0], a[1] + b[1]];
-}
-
-function unit([x, y]: Point): Point {
-  const length = Math.hypot(x, y) || 1;
-  return [x / length, y / length];
-}
-
-function between(from: Point, to: Point, part: number): Point {
-  return [from[0] + part * (to[0] - from[0]), from[1] + part * (to[1] - from[1])];
 }
