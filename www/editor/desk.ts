@@ -13,8 +13,8 @@ import type { Figure, Sort } from './geometry/figures';
 import { arranged, turned } from './geometry/rings';
 import { roadRings } from './geometry/road';
 import { simplify } from './geometry/simplify';
-import type { Try } from './outline/read';
-import { read, remarks } from './outline/reading';
+import type { Try } from './import/read';
+import { read, remarks } from './import/reading';
 import { Sorts } from './sorts';
 
 /** Bytes of a file; the outline of a drawing of ten thousand points has some two hundred thousand. */

@@ -1,15 +1,15 @@
 /** Outlines from text: polygon JSON, SVG, or an SVG path alone. */
 import type { Point, Ring } from '../../module/types';
 import { fitted } from '../geometry/fit';
-import { arranged } from '../geometry/rings';
 import { area as areaIn } from '../geometry/plane';
+import { arranged } from '../geometry/rings';
 import { thinned } from '../geometry/simplify';
-import { areaOf, shrunk, STEPS, type Rule } from './area';
-import { drawingOf, type Drawing } from './drawing';
-import { STILL } from './matrix';
-import { parsePath } from './path';
-import { Refusal, type Count } from './refusal';
-import { seen } from './seen';
+import { areaOf, shrunk, STEPS, type Rule } from '../svg/area';
+import { drawingOf, type Drawing } from '../svg/drawing';
+import { STILL } from '../svg/matrix';
+import { parsePath } from '../svg/path';
+import { Refusal, type Count } from '../svg/refusal';
+import { seen } from '../svg/seen';
 
 /** How far an outline of a drawing may be off, in sides, and how much farther where it has too many points for that. */
 const TOLERANCE = 0.0003;

@@ -1,6 +1,6 @@
 /** Reads one outline. Nothing here blocks the page: it is a worker, which ends with the file. */
+import { Refusal, type Count, type Told } from '../svg/refusal';
 import { outlines, type Try } from './read';
-import { Refusal, type Count, type Told } from './refusal';
 
 /** What the worker gets. */
 export type Order = [text: string, side: number];

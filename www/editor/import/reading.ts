@@ -3,9 +3,9 @@ import { passing } from '../../base/messages';
 import { stoppable, type Task } from '../../base/task';
 import { tell, type EditorWord } from '../../words/editor';
 import { language } from '../../words/words';
+import { LEFT, type Count, type Told } from '../svg/refusal';
 import type { Try } from './read';
 import type { Order, Said } from './read.worker';
-import { LEFT, type Count, type Told } from './refusal';
 
 /** What is read now. */
 let now: AbortController | undefined;

@@ -1,6 +1,6 @@
 /** Lengths and shapes of SVG. */
-import { parsePath, type Run } from './path';
 import { shift, stretch, times, type Matrix } from './matrix';
+import { parsePath, type Run } from './path';
 import type { Said } from './style';
 
 /** CSS pixels of the units that lengths may have. */
