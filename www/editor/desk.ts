@@ -7,7 +7,7 @@ import { toolApplies } from '../state/rules';
 import type { Work } from '../state/work';
 import { tell } from '../words/editor';
 import { exportDialog, importDialog, textDialog } from './dialogs';
-import { Editor } from './editor';
+import { FigureEditor } from './figure-editor';
 import { ringOf, scaled } from './geometry/curve';
 import type { Figure, Sort } from './geometry/figures';
 import { arranged, turned } from './geometry/rings';
@@ -36,7 +36,7 @@ export class Desk {
   private readonly sorts: Sorts;
   private readonly work: Work;
   private readonly engine: Engine;
-  private readonly editor: Editor;
+  private readonly figureEditor: FigureEditor;
   private last = 'outline';
   /** What the recipe said of it when the handles were last the same. */
   private known = '';
@@ -56,7 +56,7 @@ export class Desk {
     const { engine } = work;
     this.engine = engine;
     this.sorts = new Sorts(engine);
-    this.editor = new Editor(byId('editor'), byId('editor-bar'), {
+    this.figureEditor = new FigureEditor(byId('editor'), byId('editor-bar'), {
       side: () => engine.side(),
       sorts: () => this.sorts.now(),
       choose: (word) => this.begin(word),
@@ -80,7 +80,7 @@ export class Desk {
 
   /** The word of what is edited now. */
   private get word(): string | undefined {
-    return this.editor.open ? this.editor.sort?.word : undefined;
+    return this.figureEditor.open ? this.figureEditor.figures.sort?.word : undefined;
   }
 
   private first(sort: Sort): number {
@@ -90,9 +90,9 @@ export class Desk {
   /** Ends the editing of this sort, or begins it, with a first figure where there is none and one is wanted; without a word what was edited last is just looked at. */
   toggle(asked?: string, fresh = true): void {
     const word = asked ?? this.last;
-    if (this.word === word && !this.editor.armed) return this.editor.close();
+    if (this.word === word && !this.figureEditor.figures.armed) return this.figureEditor.close();
     this.begin(word);
-    if (fresh) this.editor.start(asked !== undefined);
+    if (fresh) this.figureEditor.start(asked !== undefined);
   }
 
   /** A tool of the box; by the keyboard, a new figure comes without drawing. */
@@ -110,9 +110,9 @@ export class Desk {
   }
 
   private hole(byKey: boolean): void {
-    if (this.editor.armed) return this.editor.disarm();
+    if (this.figureEditor.figures.armed) return this.figureEditor.figures.disarm();
     if (this.word !== 'outline') this.begin('outline');
-    if (byKey) return this.editor.addFigure();
+    if (byKey) return this.figureEditor.figures.addFigure();
     this.begin('outline', true);
   }
 
@@ -130,7 +130,7 @@ export class Desk {
     this.known = this.text(sort.word);
     const figures = this.remembered(sort.word) ?? (sort.word === 'road' ? [] : this.sorts.read(sort));
     this.rim = sort.word === 'road' && figures.length ? arranged(roadRings(figures, this.engine.side())) : [];
-    this.editor.show(sort, figures, armed);
+    this.figureEditor.show(sort, figures, armed);
     this.work.store.update({ editing: armed ? 'hole' : sort.word });
   }
 
@@ -141,7 +141,7 @@ export class Desk {
     clear('outline');
     const there = toolApplies(this.engine, word) && (isOutline(word) || this.engine.get(word) !== '');
     if (there) this.begin(word);
-    else this.editor.close();
+    else this.figureEditor.close();
   }
 
   /** What the recipe says of what is edited, and the units of its points. */
@@ -151,7 +151,7 @@ export class Desk {
   }
 
   close(): void {
-    this.editor.close();
+    this.figureEditor.close();
   }
 
   /** An outline's file, chosen or dropped. */
@@ -203,7 +203,7 @@ export class Desk {
     });
     if (!taken) return false;
     const rings = this.engine.outline();
-    if (rings.length > SHOWN.rings || rings.flat().length > SHOWN.points) this.editor.close();
+    if (rings.length > SHOWN.rings || rings.flat().length > SHOWN.points) this.figureEditor.close();
     // Both at once would hold the page.
     else setTimeout(() => this.begin('outline'));
     return true;

@@ -5,7 +5,7 @@ import type { Ring } from '../module/types';
 import { tell } from '../words/editor';
 import { jsonFile, svgFile } from './export';
 import { drawn } from './geometry/figures';
-import { FACES, letters, type Face } from './paint';
+import { FACES, letters, type Face } from './letters';
 
 export interface DialogNeeds {
   side(): number;

@@ -1,158 +1,114 @@
-/** Figures over the canvas, and what is done with them: by pointers (gestures.ts), keys, and the bar's buttons. */
-import { byId } from '../base/dom';
+/** The figures that are edited over the canvas, and all that is done to them, by whatever hand. */
 import type { Point } from '../module/types';
-import { EditorBar } from './bar';
 import { divide, join, nearestLine, settle, turnOver } from './geometry/curve';
-import { drawn, type Figure, type Place, type Sort } from './geometry/figures';
+import type { Figure, Place, Sort } from './geometry/figures';
 import { distance, nearest, toSegment } from './geometry/plane';
 import { snap } from './geometry/snap';
-import { Gestures } from './gestures';
 import { Sheet } from './sheet';
-
-/** Picture units that an arrow key moves a point; with Shift ten times as many. */
-const NUDGE = 1;
 
 /** CSS pixels from which Shift draws a point to others and to directions. */
 const REACH = 9;
 
-export interface EditorNeeds {
+export interface FigureNeeds {
   side(): number;
-  /** All that can be edited now. */
-  sorts(): Sort[];
-  /** Another sort was chosen in the bar. */
-  choose(word: string): void;
   /** A new figure, away from those that are there; for a seed the one at this place. */
   fresh(sort: Sort, figures: Figure[], at?: Point): Figure | undefined;
   /** The value of a figure that was drawn. */
   first(sort: Sort): number;
   /** Takes the figures over, or says why it cannot and answers false. */
   change(sort: Sort, figures: Figure[]): boolean;
-  /** The outline that the figures make, where they are not that themselves. */
-  rim(): Point[][];
   /** A drag begins or ends. */
   live(on: boolean): void;
   /** A ring was drawn. */
   disarmed(): void;
-  closed(): void;
 }
 
-export class Editor {
+/** Who shows what can be done with the figures. */
+interface Around {
+  /** The figures were drawn anew, or something else can be done with them now. */
+  follow(): void;
+  /** Puts the keyboard on the marked point, or where figures are added. */
+  focus(): void;
+}
+
+export class EditedFigures {
   readonly sheet: Sheet;
-  private readonly bar: EditorBar;
-  private readonly needs: EditorNeeds;
-  private readonly gestures: Gestures;
-  private figures: Figure[] = [];
-  private marked: Place = { figure: 0, index: 0 };
-  private frame = 0;
-  private holding = false;
   sort: Sort | undefined;
   /** The next drag over the canvas draws a ring. */
   armed = false;
+  /** The marked point. */
+  at: Place = { figure: 0, index: 0 };
+  private readonly needs: FigureNeeds;
+  private readonly around: Around;
+  private all: Figure[] = [];
+  private frame = 0;
+  private holding = false;
 
-  /** The layer lies over the canvas; the bar takes the buttons for the marked point. */
-  constructor(layer: HTMLElement, bar: HTMLElement, needs: EditorNeeds) {
-    this.needs = needs;
+  /** The layer lies over the canvas. */
+  constructor(layer: HTMLElement, needs: FigureNeeds, around: Around) {
     this.sheet = new Sheet(layer);
-    this.bar = new EditorBar(bar, {
-      choose: (word) => needs.choose(word),
-      addFigure: () => this.addFigure(),
-      addPoint: () => this.addAfter(this.marked),
-      remove: () => this.take(this.marked),
-      turnOver: () => this.turnOver(this.marked),
-      value: (value, last) => this.setValue(value, last),
-      finish: () => this.gestures.finish(),
-      cancel: () => this.gestures.cancel(),
-      close: () => this.close(),
-    });
-    this.gestures = new Gestures(this);
-    for (const place of [layer, bar]) place.addEventListener('keydown', (event) => this.keyAnywhere(event));
-    // After a tool was clicked the keyboard is on its button.
-    byId('edit-tools').addEventListener('keydown', (event) => this.open && event.key === 'Escape' && this.keyAnywhere(event));
-    document.body.addEventListener('keydown', (event) => this.open && event.target === document.body && this.keyAnywhere(event));
-    layer.addEventListener('focusin', ({ target }) => {
-      const part = this.sheet.part(target);
-      if (part.part === 'point') this.mark(part.place);
-    });
-    layer.addEventListener('keydown', (event) => {
-      const part = this.sheet.part(event.target);
-      if (part.part === 'point') this.key(event, part.place);
-    });
-    layer.addEventListener('keyup', () => this.drop());
-  }
-
-  get open(): boolean {
-    return !this.sheet.layer.hidden;
+    this.needs = needs;
+    this.around = around;
   }
 
   get side(): number {
     return this.needs.side();
   }
 
-  /** Shows handles on these figures; `armed` where a ring is to be drawn next. */
-  show(sort: Sort, figures: Figure[], armed = false): void {
-    this.drop();
-    const same = this.sort?.word === sort.word && this.open;
-    const focused = this.sheet.layer.contains(document.activeElement);
+  get isEmpty(): boolean {
+    return this.all.length === 0;
+  }
+
+  /** The figure with the marked point. */
+  get marked(): Figure | undefined {
+    return this.all[this.at.figure];
+  }
+
+  /** Whether the line goes round the marked point. */
+  get smooth(): boolean {
+    return this.marked?.stretches?.[this.at.index]?.smooth ?? false;
+  }
+
+  /** Handles on these figures; `armed` where a ring is to be drawn next. */
+  begin(sort: Sort, figures: Figure[], armed: boolean): void {
+    if (this.sort?.word !== sort.word || this.sheet.layer.hidden) this.at = { figure: 0, index: 0 };
     this.sort = sort;
-    this.figures = figures;
+    this.all = figures;
     this.armed = armed;
-    if (!same) this.marked = { figure: 0, index: 0 };
-    this.gestures.reset();
     const { layer } = this.sheet;
     layer.hidden = false;
     layer.dataset['form'] = sort.form;
     layer.toggleAttribute('data-armed', armed);
-    layer.toggleAttribute('data-draws', armed || sort.form === 'line' || sort.form === 'spot');
+    layer.toggleAttribute('data-draws', armed || drawsFreely(sort));
     layer.setAttribute('aria-label', sort.label);
     layer.classList.remove('bad');
-    this.rebuild(this.marked);
-    if (focused && same) this.focus();
+    this.rebuild(this.at);
   }
 
-  /** Puts the keyboard on the marked point; where there is none, on one of a new figure if there may be one. */
-  start(fresh: boolean): void {
-    if (this.figures.length || !fresh) this.focus();
-    else this.addFigure();
+  /** Something else can be done with the figures now. */
+  follow(): void {
+    this.around.follow();
   }
 
-  /** Puts the keyboard on the marked point, or where figures are added. */
-  focus(): void {
-    if (!this.sheet.focus(this.figures, this.marked)) this.bar.focus();
+  /** Puts the keyboard on the marked point; false where there is none. */
+  focus(): boolean {
+    return this.sheet.focus(this.all, this.at);
   }
 
-  close(): void {
-    if (!this.open) return;
-    this.gestures.reset();
-    this.drop();
-    this.sheet.layer.hidden = true;
-    this.bar.hide();
-    this.needs.closed();
-  }
-
-  /** Elements for all figures, and a point that is there marked. */
+  /** Elements for all figures, and a point that exists marked. */
   private rebuild({ figure, index }: Place): void {
     if (!this.sort) return;
-    const known = Math.max(0, Math.min(figure, this.figures.length - 1));
-    this.marked = { figure: known, index: Math.max(0, Math.min(index, (this.figures[known]?.points.length ?? 1) - 1)) };
-    this.sheet.build(this.sort, this.figures);
+    const known = Math.max(0, Math.min(figure, this.all.length - 1));
+    this.at = { figure: known, index: Math.max(0, Math.min(index, (this.all[known]?.points.length ?? 1) - 1)) };
+    this.sheet.build(this.sort, this.all);
     this.place();
   }
 
-  /** Puts lines, handles and buttons where the points are. */
+  /** Puts lines and handles where the points are. */
   place(): void {
-    const { sort } = this;
-    if (!sort) return;
-    this.sheet.place(sort, this.figures, this.marked, this.side);
-    this.showBar();
-  }
-
-  showBar(): void {
     if (!this.sort) return;
-    this.sheet.rim(this.needs.rim().map((ring) => drawn('ring', ring)).join(''));
-    const { drawing } = this.gestures;
-    const marked = this.figures[this.marked.figure];
-    const smooth = marked?.stretches?.[this.marked.index]?.smooth ?? false;
-    this.bar.show(this.needs.sorts(), this.sort, { marked, smooth, removable: this.removable(), drawing, armed: this.armed });
+    this.sheet.place(this.sort, this.all, this.at, this.side);
+    this.follow();
   }
 
   /** The value that a line being drawn will have. */
@@ -161,15 +117,15 @@ export class Editor {
   }
 
   /** The outer ring keeps three points. */
-  private removable(): boolean {
-    const marked = this.figures[this.marked.figure];
-    const only = this.sort?.form === 'ring' && this.figures.length === 1;
+  get removable(): boolean {
+    const { marked } = this;
+    const only = this.sort?.form === 'ring' && this.all.length === 1;
     return marked !== undefined && !(only && marked.points.length <= 3);
   }
 
   mark(place: Place): void {
-    if (place.figure === this.marked.figure && place.index === this.marked.index) return;
-    this.marked = place;
+    if (place.figure === this.at.figure && place.index === this.at.index) return;
+    this.at = place;
     this.place();
   }
 
@@ -179,12 +135,12 @@ export class Editor {
       this.sheet.guide('');
       return at;
     }
-    const points = place ? this.figures[place.figure]?.points : undefined;
+    const points = place ? this.all[place.figure]?.points : undefined;
     const own = place && points?.[place.index];
     const closed = this.sort?.form === 'ring';
     const beside = (step: number): Point | undefined =>
       points && place && this.sort?.form !== 'spot' ? points[closed ? (place.index + step + points.length) % points.length : place.index + step] : undefined;
-    const others = this.figures.flatMap((figure) => figure.points).filter((point) => point !== own);
+    const others = this.all.flatMap((figure) => figure.points).filter((point) => point !== own);
     const neighbours = [beside(-1), beside(1), neighbour].filter((point) => point !== undefined);
     const found = snap(at, this.side, REACH * this.sheet.unit(this.side), neighbours, others);
     this.sheet.guide(found.guide);
@@ -192,7 +148,7 @@ export class Editor {
   }
 
   move({ figure, index }: Place, [x, y]: Point): void {
-    const points = this.figures[figure]?.points;
+    const points = this.all[figure]?.points;
     const here = points?.[index];
     if (!points || !here) return;
     if (this.sort?.form === 'spot' && index === 0) return this.shift(figure, [x - here[0], y - here[1]]);
@@ -202,7 +158,7 @@ export class Editor {
 
   /** Moves a whole figure, as far as its points (of a spot, its middle) stay in the picture. */
   shift(figure: number, by: Point): void {
-    const points = this.figures[figure]?.points;
+    const points = this.all[figure]?.points;
     if (!points) return;
     const inside = this.sort?.form === 'spot' ? points.slice(0, 1) : points;
     const [dx, dy] = [0, 1].map((axis) => {
@@ -214,9 +170,19 @@ export class Editor {
     this.changed();
   }
 
+  /** Moves a point, or the `whole` figure, by a key; all moves of one that is held down (`again`) are one step. */
+  nudge(place: Place, [dx, dy]: Point, whole: boolean, again: boolean): void {
+    const point = this.all[place.figure]?.points[place.index];
+    if (!point) return;
+    if (again) this.hold();
+    else this.settle();
+    if (whole) this.shift(place.figure, [dx, dy]);
+    else this.move(place, [point[0] + dx, point[1] + dy]);
+  }
+
   /** A band's side is at this place. */
   widen(index: number, at: Point): void {
-    const figure = this.figures[index];
+    const figure = this.all[index];
     const value = this.sort?.value;
     const [from, to] = figure?.points ?? [];
     if (!figure || !value || !from || !to) return;
@@ -240,7 +206,7 @@ export class Editor {
 
   /** What is moved next is moved from here. */
   private settle(): void {
-    for (const figure of this.figures) settle(figure, this.side);
+    for (const figure of this.all) settle(figure, this.side);
   }
 
   /** It is let go: by rising, by being cancelled, or as what it held is gone. */
@@ -252,42 +218,8 @@ export class Editor {
     this.needs.live(false);
   }
 
-  /** Escape leaves the points; while something is drawn, it only takes that back. */
-  private keyAnywhere(event: KeyboardEvent): void {
-    if (event.target instanceof HTMLElement && event.target.matches('input, select') && event.key !== 'Escape') return;
-    if (this.gestures.key(event)) return event.preventDefault();
-    if (event.key === 'Escape') this.close();
-  }
-
-  private key(event: KeyboardEvent, place: Place): void {
-    const point = this.figures[place.figure]?.points[place.index];
-    if (!point || event.defaultPrevented) return;
-    const step = NUDGE * (event.shiftKey ? 10 : 1);
-    const [x, y] = point;
-    const go = (dx: number, dy: number) => (): void => {
-      if (event.repeat) this.hold();
-      else this.settle();
-      if (event.ctrlKey || event.metaKey) this.shift(place.figure, [dx * step, dy * step]);
-      else this.move(place, [x + dx * step, y + dy * step]);
-    };
-    const moves: Record<string, () => void> = {
-      ArrowLeft: go(-1, 0),
-      ArrowRight: go(1, 0),
-      ArrowUp: go(0, -1),
-      ArrowDown: go(0, 1),
-      Delete: () => this.take(place),
-      Backspace: () => this.take(place),
-      Insert: () => this.addAfter(place),
-      Enter: () => this.turnOver(place),
-    };
-    const act = moves[event.key];
-    if (!act) return;
-    event.preventDefault();
-    act();
-  }
-
-  private setValue(value: number, last: boolean): void {
-    const figure = this.figures[this.marked.figure];
+  setValue(value: number, last: boolean): void {
+    const figure = this.marked;
     const limits = this.sort?.value;
     if (!figure || !limits || Number.isNaN(value)) return this.place();
     if (!last) this.hold();
@@ -297,28 +229,27 @@ export class Editor {
   }
 
   addFigure(at?: Point): void {
-    const fresh = this.sort && this.needs.fresh(this.sort, this.figures, at);
+    const fresh = this.sort && this.needs.fresh(this.sort, this.all, at);
     if (fresh) this.add(fresh);
   }
 
   /** A figure that was drawn, or a fresh one. */
   add(figure: Figure): void {
-    this.figures.push({ ...figure, points: figure.points.map((point) => this.clamped(point)) });
+    this.all.push({ ...figure, points: figure.points.map((point) => this.clamped(point)) });
     if (this.armed) this.disarm();
-    this.restructured({ figure: this.figures.length - 1, index: 0 });
+    this.restructured({ figure: this.all.length - 1, index: 0 });
   }
 
   disarm(): void {
     this.armed = false;
     this.sheet.layer.removeAttribute('data-armed');
-    this.sheet.layer.toggleAttribute('data-draws', this.sort?.form === 'line' || this.sort?.form === 'spot');
-    this.gestures.reset();
+    this.sheet.layer.toggleAttribute('data-draws', this.sort !== undefined && drawsFreely(this.sort));
     this.needs.disarmed();
   }
 
   /** Adds a point half the way to the next one; behind the end of a line, on the way on. */
   addAfter({ figure, index }: Place): void {
-    const found = this.figures[figure];
+    const found = this.all[figure];
     const form = this.sort?.form;
     const [before, here] = [found?.points[index - 1], found?.points[index]];
     const next = found?.points[index + 1] ?? (before && here && mirrored(before, here));
@@ -335,7 +266,7 @@ export class Editor {
 
   /** Adds a point on the piece of a ring or a line that is nearest to this place. */
   split(figure: number, point: Point): void {
-    const found = this.figures[figure];
+    const found = this.all[figure];
     const form = this.sort?.form;
     if (!found || !(form === 'ring' || form === 'line')) return;
     const { points } = found;
@@ -347,19 +278,19 @@ export class Editor {
 
   /** Takes a point away; of a figure that has no more than it needs, all go. The last ring stays. */
   take({ figure, index }: Place): void {
-    this.marked = { figure, index };
-    const found = this.figures[figure];
+    this.at = { figure, index };
+    const found = this.all[figure];
     const { sort } = this;
-    if (!found || !sort || !this.removable()) return;
-    if (found.points.length <= sort.least) this.figures.splice(figure, 1);
+    if (!found || !sort || !this.removable) return;
+    if (found.points.length <= sort.least) this.all.splice(figure, 1);
     else if (sort.form === 'ring') join(found, index, this.side);
     else found.points.splice(index, 1);
     this.restructured({ figure, index });
   }
 
   /** Makes a ring's corner smooth, or a smooth point a corner. */
-  private turnOver({ figure, index }: Place): void {
-    const found = this.figures[figure];
+  turnOver({ figure, index }: Place): void {
+    const found = this.all[figure];
     if (!found || this.sort?.form !== 'ring') return;
     turnOver(found, index, this.side);
     this.changed();
@@ -367,7 +298,7 @@ export class Editor {
 
   private restructured(marked: Place): void {
     this.rebuild(marked);
-    this.focus();
+    this.around.focus();
     this.changed();
   }
 
@@ -381,10 +312,15 @@ export class Editor {
     cancelAnimationFrame(this.frame);
     this.frame = 0;
     if (!this.sort) return;
-    this.sheet.layer.classList.toggle('bad', !this.needs.change(this.sort, this.figures));
+    this.sheet.layer.classList.toggle('bad', !this.needs.change(this.sort, this.all));
     // Other sorts may do something now.
-    this.showBar();
+    this.follow();
   }
+}
+
+/** Whether a drag over the canvas draws a figure of this sort at any time. */
+function drawsFreely({ form }: Sort): boolean {
+  return form === 'line' || form === 'spot';
 }
 
 /** The place as far behind the second point as the first one is before it. */
