@@ -8,7 +8,7 @@ export type Parts = ReturnType<typeof partsOf>;
 export function partsOf(work: Work, view: View) {
   const { engine, store } = work;
   return {
-    editor: new Later(async () => new (await import('../editor/desk')).Desk(work)),
+    editor: new Later(async () => new (await import('../editor/editor')).Editor(work)),
     pointer: new Later(async () => new (await import('../look/pointer')).Pointer(work, view)),
     light: new Later(async () => new (await import('../look/light')).LightOnCanvas(work)),
     layers: new Later(async () => new (await import('../look/layers')).Layers(store, view)),

@@ -32,7 +32,7 @@ const OUTLINE = /^\s*(<(\?xml|!--|!doctype svg|svg|path)|[[{]|m\s*[-+.\d])/i;
 /** An outline from elsewhere of more rings or points comes without handles, which would hide it. */
 const SHOWN = { rings: 50, points: 1500 };
 
-export class Desk {
+export class Editor {
   private readonly sorts: Sorts;
   private readonly work: Work;
   private readonly engine: Engine;
