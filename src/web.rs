@@ -85,6 +85,11 @@ impl Bubblestone {
         self.studio.recipe().link()
     }
 
+    /// The generator at work, by its word.
+    pub fn generator(&self) -> String {
+        self.studio.generator().schema.word.to_owned()
+    }
+
     /// Sets a parameter from text.
     #[wasm_bindgen(unchecked_return_type = "Answer")]
     pub fn set(&mut self, key: &str, text: &str) -> Object {
