@@ -63,7 +63,7 @@ impl Arrangement {
         // The outline and the constraint lines first: they are told from the sides.
         let (boundary, sides): (Vec<Line>, Vec<Line>) = lines.into_iter().partition(|l| l.boundary);
         let all = boundary.iter().chain(&sides).map(|line| line.ends);
-        let (mesh, walls) = planar::lay(all, boundary.len());
+        let (mesh, walls) = planar::triangulate_lines(all, boundary.len());
         let count = mesh.num_inner_faces();
         let mut arrangement = Self {
             corners: Vec::with_capacity(count),

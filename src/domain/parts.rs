@@ -24,7 +24,7 @@ impl Parts {
         let space = domain.space();
         lines.extend(space.repeated(segments, 2));
         lines.extend(space.frame());
-        let (mesh, _) = planar::lay(lines.into_iter(), 0);
+        let (mesh, _) = planar::triangulate_lines(lines.into_iter(), 0);
         let mut parts = Self {
             part: vec![0; mesh.num_inner_faces()],
             mesh,

@@ -1,7 +1,7 @@
 //! What all geometry stands on: the space that places lie in, the grain they are rounded to, and the
 //! one triangulation of the program (spade).
 
-mod boxes;
+mod rtree;
 mod segment;
 mod snap;
 mod space;
@@ -26,7 +26,7 @@ pub(crate) type Delaunay = ConstrainedDelaunayTriangulation<Point2<f64>>;
 /// of two, so that whole steps and pictures' sides add without rounding.
 const GRAIN: f64 = 1.0 / 65536.0;
 
-/// Lines are laid as far as this from the origin, along each axis (picture units): nothing that
+/// Lines are taken as far as this from the origin, along each axis (picture units): nothing that
 /// counts is farther, and products of three such ways, in steps of the grain, have 126 bits.
 const FAR: f64 = 8_388_608.0;
 
@@ -36,10 +36,10 @@ pub(crate) fn insert(mesh: &mut Delaunay, p: Point2<f64>) -> Option<FixedVertexH
     mesh.insert(p).ok()
 }
 
-/// Lays lines into an empty triangulation, rounded to the grain and divided where they cross. With
-/// the edges that the first `walls` of them have become: the numbers of two vertices, the smaller
+/// The constrained Delaunay triangulation of lines, rounded to the grain and divided where they cross,
+/// and the edges that the first `walls` of them have become: the numbers of two vertices, the smaller
 /// first, in rising order.
-pub(crate) fn lay(
+pub(crate) fn triangulate_lines(
     lines: impl Iterator<Item = [DVec2; 2]>,
     walls: usize,
 ) -> (Delaunay, Vec<[u32; 2]>) {

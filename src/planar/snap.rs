@@ -7,7 +7,7 @@
 //! shared ends, none is farther from its line than a step of the grain, and images that are whole
 //! steps apart are rounded alike.
 
-use super::boxes::Boxes;
+use super::rtree::RTree;
 use super::{GRAIN, orientation};
 use crate::order;
 use glam::DVec2;
@@ -22,15 +22,15 @@ pub(super) struct Snapped {
 
 /// Rounds lines between points of the grain.
 pub(super) fn snap(lines: &[[DVec2; 2]]) -> Snapped {
-    let boxes = Boxes::new(lines);
+    let tree = RTree::new(lines);
     let mut places: Vec<DVec2> = lines.iter().flatten().copied().collect();
-    places.extend(crossings(lines, &boxes));
+    places.extend(crossings(lines, &tree));
     let points = distinct(&places);
     // Line, how far along it, point.
     let mut passed: Vec<(u32, f64, u32)> = Vec::new();
     let mut near = Vec::new();
     for (&p, number) in points.iter().zip(0..) {
-        boxes.near(p - HALF, p + HALF, &mut near);
+        tree.near(p - HALF, p + HALF, &mut near);
         for &k in near.iter().filter(|&&k| passes(lines[k as usize], p)) {
             // Of two squares on its way the line comes farther from its start in neither direction
             // and less far in none.
@@ -65,11 +65,11 @@ fn passes([a, b]: [DVec2; 2], p: DVec2) -> bool {
 }
 
 /// Where lines cross, rounded to the grain; not where they meet in an end of one of them.
-fn crossings(lines: &[[DVec2; 2]], boxes: &Boxes) -> Vec<DVec2> {
+fn crossings(lines: &[[DVec2; 2]], tree: &RTree) -> Vec<DVec2> {
     let mut places = Vec::new();
     let mut near = Vec::new();
     for (k, &[a, b]) in lines.iter().enumerate() {
-        boxes.near(a.min(b), a.max(b), &mut near);
+        tree.near(a.min(b), a.max(b), &mut near);
         let others = near.iter().map(|&j| j as usize).filter(|&j| j < k);
         places.extend(others.filter_map(|j| crossing([a, b], lines[j])));
     }
@@ -269,7 +269,7 @@ mod tests {
         ) {
             let (lo, hi) = (point(x, y), point(x + width, y + height));
             let mut found = Vec::new();
-            Boxes::new(&lines).near(lo, hi, &mut found);
+            RTree::new(&lines).near(lo, hi, &mut found);
             found.sort();
             let near = |&k: &u32| {
                 let [a, b] = lines[k as usize];

@@ -1,4 +1,5 @@
-//! Which segments come near a box: a tree of boxes.
+//! Which segments come near a box: an R-tree, packed strip by strip (Leutenegger, Edgington, Lopez
+//! 1997, STR: a simple and efficient algorithm for R-tree packing).
 
 use crate::order;
 use glam::DVec2;
@@ -13,13 +14,13 @@ type Corners = [DVec2; 2];
 
 /// The boxes around segments, and boxes around some of those, and so on, up to a few. How far from
 /// each other the segments lie does not matter: they are told apart by their places in order.
-pub(super) struct Boxes {
+pub(super) struct RTree {
     /// The segments in the order of the boxes of the first level.
     order: Vec<u32>,
     levels: Vec<Vec<Corners>>,
 }
 
-impl Boxes {
+impl RTree {
     pub fn new(segments: &[[DVec2; 2]]) -> Self {
         let order = in_strips(segments);
         let around = |&k: &u32| {
