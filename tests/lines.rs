@@ -1,7 +1,7 @@
 //! Constraint lines, the parts they cut, and the periodic picture.
 #![cfg(not(target_arch = "wasm32"))]
 
-use bubblestone::domain::{Domain, Facing, Outline};
+use bubblestone::domain::{Domain, Outline, Walls};
 use bubblestone::random::{Purpose, Random};
 use glam::DVec2;
 
@@ -38,7 +38,7 @@ fn lines_are_clipped_to_the_inside_and_cut_where_they_cross() {
             [p(300., 250.), p(400., 250.)]
         ]
     );
-    assert_eq!(across.touches().len(), 4);
+    assert_eq!(across.junctions().len(), 4);
     assert_eq!(across.parts(), 2);
     assert_eq!(across.part(p(250., 150.)), 0);
     assert_eq!(across.part(p(250., 350.)), 1);
@@ -117,11 +117,11 @@ fn faults_of_lines_are_sentences() {
 #[test]
 fn lines_face_from_both_sides_and_hide_what_is_behind() {
     let made = domain(vec![vec![p(150., 100.), p(150., 160.)]]);
-    let facing = Facing::new(&made, 60.0);
-    let mut feet = Vec::new();
+    let walls = Walls::new(&made, 60.0);
+    let mut near = Vec::new();
     let mut points = |q: DVec2| {
-        facing.feet(q, 60.0, &mut feet);
-        feet.iter().map(|f| f.point).collect::<Vec<_>>()
+        walls.project(q, 60.0, &mut near);
+        near.iter().map(|f| f.point).collect::<Vec<_>>()
     };
     assert_eq!(
         points(p(140., 130.)),
@@ -166,10 +166,10 @@ fn a_torus_has_no_boundary_and_wraps_lines() {
     assert!(island.crosses_line(p(40., 5.), p(60., 5.)));
     assert!(island.crosses_line(p(505., 495.), p(505., 505.)));
     assert_eq!(island.nearest_line(p(40., 5.)).unwrap().point, p(48., 5.));
-    let facing = Facing::new(&island, 30.0);
-    let mut feet = Vec::new();
-    facing.feet(p(509., -7.), 30.0, &mut feet);
-    let points: Vec<DVec2> = feet.iter().map(|f| f.point).collect();
+    let walls = Walls::new(&island, 30.0);
+    let mut near = Vec::new();
+    walls.project(p(509., -7.), 30.0, &mut near);
+    let points: Vec<DVec2> = near.iter().map(|f| f.point).collect();
     assert_eq!(points, [p(509., -12.), p(500., -7.)]);
 }
 

@@ -103,7 +103,7 @@ pub(super) fn end(domain: &Domain, middle: DVec2, size: f64) -> Option<(usize, D
 pub(super) fn junction(domain: &Domain, middle: DVec2, size: f64) -> Option<(usize, DVec2)> {
     let near = |&&(_, p): &&(usize, DVec2)| p.distance(middle) < END * size;
     let mut best: Option<(usize, DVec2)> = None;
-    for &(segment, p) in domain.touches().iter().filter(near) {
+    for &(segment, p) in domain.junctions().iter().filter(near) {
         if best.is_none_or(|(_, q)| p.distance(middle) < q.distance(middle)) {
             best = Some((segment, p));
         }

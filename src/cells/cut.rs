@@ -84,7 +84,7 @@ impl Dual {
     /// The segments of the outline and of constraint lines, divided where a middle has been put on
     /// them.
     fn outline(&self, domain: &Domain) -> Vec<Line> {
-        let (mut on_outline, mut on_lines) = (domain.touches().to_vec(), Vec::new());
+        let (mut on_outline, mut on_lines) = (domain.junctions().to_vec(), Vec::new());
         for (&middle, on) in self.middles.iter().zip(&self.on) {
             match *on {
                 On::Nothing => {}

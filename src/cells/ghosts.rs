@@ -4,7 +4,7 @@
 //! their dual cells meet, is the wall itself. Beside two walls that meet in a corner there is also
 //! the image through both.
 
-use crate::domain::{Domain, Facing, Foot};
+use crate::domain::{Domain, Projection, Walls};
 use crate::mesh::Node;
 use crate::packing::Particle;
 use glam::DVec2;
@@ -23,10 +23,10 @@ const FRAME: f64 = 2.0;
 /// The images of all cells near a wall, and a frame of far points around everything.
 pub(super) fn ghosts(domain: &Domain, particles: &[Particle]) -> Vec<Node> {
     let largest = particles.iter().fold(0.0_f64, |m, p| m.max(p.size));
-    let facing = Facing::new(domain, MIRRORED * largest);
+    let walls = Walls::new(domain, MIRRORED * largest);
     let mut images: Vec<Image> = Vec::new();
-    let mut feet = Vec::new();
-    for p in particles.iter().filter(|p| facing.is_near(p.centre)) {
+    let mut near_walls = Vec::new();
+    for p in particles.iter().filter(|p| walls.is_near(p.centre)) {
         if p.fixed {
             let near = domain.nearest(p.centre);
             // A cell that is fixed on a constraint line has neighbours on both sides.
@@ -37,9 +37,9 @@ pub(super) fn ghosts(domain: &Domain, particles: &[Particle]) -> Vec<Node> {
             images.push(image(p, outward * p.size));
             continue;
         }
-        facing.feet(p.centre, MIRRORED * p.size, &mut feet);
-        feet.retain(|foot| !foot.on_line);
-        mirror(p, &feet, &mut images);
+        walls.project(p.centre, MIRRORED * p.size, &mut near_walls);
+        near_walls.retain(|wall| !wall.on_line);
+        mirror(p, &near_walls, &mut images);
     }
     let mut kept = thin_out(domain, images, largest);
     kept.extend(frame(domain).into_iter().map(Node::plain));
@@ -57,12 +57,12 @@ fn image(p: &Particle, by: DVec2) -> Image {
 }
 
 /// Through each wall, and through each pair of walls that make a corner.
-fn mirror(p: &Particle, feet: &[Foot], images: &mut Vec<Image>) {
-    for (k, foot) in feet.iter().enumerate() {
-        let step = -2.0 * foot.distance * foot.inward;
+fn mirror(p: &Particle, walls: &[Projection], images: &mut Vec<Image>) {
+    for (k, wall) in walls.iter().enumerate() {
+        let step = -2.0 * wall.distance * wall.inward;
         images.push(image(p, step));
-        for other in &feet[..k] {
-            let along = foot.inward.dot(other.inward);
+        for other in &walls[..k] {
+            let along = wall.inward.dot(other.inward);
             if along.abs() < CORNER {
                 let second = -2.0 * other.distance * other.inward;
                 images.push(image(p, step + second));

@@ -29,7 +29,7 @@ struct Cutter<'a> {
     /// All places where anything begins, ends or crosses; none near another.
     nodes: Vec<DVec2>,
     lines: Vec<Vec<DVec2>>,
-    touches: Vec<(usize, DVec2)>,
+    junctions: Vec<(usize, DVec2)>,
 }
 
 /// A segment of a line with the places where it is cut.
@@ -56,7 +56,7 @@ impl<'a> Cutter<'a> {
             near: TOUCH * (hi - lo).max_element(),
             nodes: Vec::new(),
             lines: Vec::new(),
-            touches: Vec::new(),
+            junctions: Vec::new(),
         };
         for line in lines {
             let mut points: Vec<DVec2> = Vec::with_capacity(line.len());
@@ -74,9 +74,9 @@ impl<'a> Cutter<'a> {
     /// The node at a place, a new one where there is none near: on the outline where that is near, so
     /// that no node is so near to it without lying on it.
     fn node(&mut self, p: DVec2) -> DVec2 {
-        let foot = self.domain.nearest(p);
-        let on_outline = foot.distance.abs() <= self.near;
-        let p = on_grain(if on_outline { foot.point } else { p });
+        let wall = self.domain.nearest(p);
+        let on_outline = wall.distance.abs() <= self.near;
+        let p = on_grain(if on_outline { wall.point } else { p });
         for &node in &self.nodes {
             // The node's image nearest to the place: exact, as all lies on the grain.
             let by = node - p;
@@ -87,7 +87,7 @@ impl<'a> Cutter<'a> {
         }
         self.nodes.push(p);
         if on_outline {
-            self.touches.push((foot.segment, p));
+            self.junctions.push((wall.segment, p));
         }
         p
     }
@@ -120,7 +120,7 @@ impl<'a> Cutter<'a> {
                 }
             }
         }
-        (self.chains(&mut pieces), self.touches)
+        (self.chains(&mut pieces), self.junctions)
     }
 
     /// Cuts a piece and the image of another where they meet.

@@ -29,7 +29,7 @@ impl Domain {
         low
     }
 
-    /// The innermost place of a coarse raster: where the only cell of a narrow island goes.
+    /// The innermost place (the pole of inaccessibility) of a coarse raster: where the only cell of a narrow island goes.
     pub(crate) fn deepest(&self) -> Option<DVec2> {
         let (lo, hi) = self.bounds();
         let step = (hi - lo) / f64::from(RASTER);

@@ -2,7 +2,7 @@
 
 use super::Domain;
 use super::nesting::owners;
-use super::squares::Squares;
+use super::segment_grid::SegmentGrid;
 use crate::order;
 use glam::DVec2;
 
@@ -17,7 +17,7 @@ pub(super) struct Islands {
     pub domains: Vec<Domain>,
     /// For each segment of the outline its island.
     pub of: Vec<u32>,
-    squares: Squares,
+    grid: SegmentGrid,
 }
 
 impl Islands {
@@ -45,7 +45,7 @@ impl Islands {
             .collect();
         let (lo, hi) = domain.bounds();
         let step = (hi - lo).max_element() / SQUARES;
-        let squares = Squares::new((lo, hi), 0.0, step, domain.segments(), 0.0);
+        let grid = SegmentGrid::new((lo, hi), 0.0, step, domain.segments(), 0.0);
         let domains = (0..)
             .zip(&outer)
             .map(|(island, &ring)| {
@@ -60,16 +60,12 @@ impl Islands {
                 Domain::of_rings(rings.collect(), Some(domain)).with_lines(&lines)
             })
             .collect();
-        Some(Self {
-            domains,
-            of,
-            squares,
-        })
+        Some(Self { domains, of, grid })
     }
 
     /// May the boundary pass between two places, or near them?
     pub fn is_near(&self, a: DVec2, b: DVec2) -> bool {
-        self.squares.any(a, b, |_| true)
+        self.grid.any(a, b, |_| true)
     }
 }
 

@@ -6,7 +6,7 @@
 use super::candidates::CandidateGrid;
 use super::clip::clip;
 use super::parts::Parts;
-use super::squares::Squares;
+use super::segment_grid::SegmentGrid;
 use super::{Domain, Nearest};
 use crate::planar::{closest_on_segment, crosses, orientation};
 use glam::DVec2;
@@ -24,16 +24,17 @@ pub(super) struct Network {
     /// The segments, then their other images up to a side away.
     pub images: Vec<[DVec2; 2]>,
     /// Where lines meet the outline: the outline's segment and the place.
-    pub touches: Vec<(usize, DVec2)>,
+    pub junctions: Vec<(usize, DVec2)>,
     pub parts: Parts,
-    grid: CandidateGrid,
-    squares: Squares,
+    /// To find the nearest image, and those that pass a place.
+    candidates: CandidateGrid,
+    passing: SegmentGrid,
 }
 
 impl Network {
     /// Nothing where no piece of a line lies inside.
     pub fn new(domain: &Domain, lines: &[Vec<DVec2>]) -> Option<Self> {
-        let (mut lines, touches) = clip(domain, lines);
+        let (mut lines, junctions) = clip(domain, lines);
         let (lo, hi) = domain.bounds();
         let largest = (hi - lo).max_element();
         let least = (SMALLEST * largest) * (SMALLEST * largest);
@@ -45,7 +46,7 @@ impl Network {
             if segments.is_empty() {
                 return None;
             }
-            let parts = Parts::new(domain, &touches, &segments);
+            let parts = Parts::new(domain, &junctions, &segments);
             match parts.sliver(domain, least) {
                 Some(place) => take_out(domain, &mut lines, place),
                 None => break (segments, parts),
@@ -57,18 +58,18 @@ impl Network {
         let margin = space.overhang();
         Some(Self {
             parts,
-            grid: CandidateGrid::new(&images),
-            squares: Squares::new((lo, hi), margin, largest / 64.0, &images, 0.0),
+            candidates: CandidateGrid::new(&images),
+            passing: SegmentGrid::new((lo, hi), margin, largest / 64.0, &images, 0.0),
             lines,
             segments,
             images,
-            touches,
+            junctions,
         })
     }
 
     /// Does the way from a to b cross a line?
     pub fn crosses(&self, a: DVec2, b: DVec2) -> bool {
-        self.squares.any(a, b, |index| {
+        self.passing.any(a, b, |index| {
             let [c, d] = self.images[index];
             crosses(a, b, c, d)
         })
@@ -91,7 +92,7 @@ impl Network {
 
     /// The squared distance, the place and the number among `images` of the nearest segment.
     pub fn nearest(&self, p: DVec2) -> (f64, DVec2, usize) {
-        self.grid.nearest(&self.images, p)
+        self.candidates.nearest(&self.images, p)
     }
 }
 
@@ -127,8 +128,8 @@ impl Domain {
     }
 
     /// Where constraint lines meet the outline: the number of the outline's segment, and the place.
-    pub fn touches(&self) -> &[(usize, DVec2)] {
-        self.network.as_ref().map_or(&[], |n| &n.touches)
+    pub fn junctions(&self) -> &[(usize, DVec2)] {
+        self.network.as_ref().map_or(&[], |n| &n.junctions)
     }
 
     /// The nearest place of a constraint line: `distance` is positive on both sides and `inward`
@@ -180,7 +181,7 @@ impl Domain {
             return Vec::new();
         };
         walls.extend(&network.images);
-        let on_outline = |p: DVec2| network.touches.iter().any(|&(_, at)| at == p);
+        let on_outline = |p: DVec2| network.junctions.iter().any(|&(_, at)| at == p);
         let ends = network.images.iter().map(|s| s.map(on_outline));
         ends.collect()
     }

@@ -15,19 +15,19 @@ mod clip;
 mod crossing;
 mod depth;
 mod distance;
-mod facing;
 mod islands;
 mod lines;
 mod nesting;
 mod parts;
 mod ring;
+mod segment_grid;
 pub mod shape;
-mod squares;
+mod walls;
 
 pub use check::{MAX_LINE_POINTS, MAX_POINTS, Ring, check_lines};
 pub use distance::Nearest;
-pub use facing::{Facing, Foot};
 pub(crate) use ring::ring_contains;
+pub use walls::{Projection, Walls};
 
 pub use crate::planar::Space;
 use candidates::CandidateGrid;

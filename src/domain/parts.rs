@@ -19,8 +19,8 @@ const OUTSIDE: u32 = u32::MAX;
 
 impl Parts {
     /// By the places where lines meet the outline, and the lines' segments.
-    pub fn new(domain: &Domain, touches: &[(usize, DVec2)], segments: &[[DVec2; 2]]) -> Self {
-        let mut lines = planar::divided(domain.segments(), touches);
+    pub fn new(domain: &Domain, junctions: &[(usize, DVec2)], segments: &[[DVec2; 2]]) -> Self {
+        let mut lines = planar::divided(domain.segments(), junctions);
         let space = domain.space();
         lines.extend(space.repeated(segments, 2));
         lines.extend(space.frame());

@@ -5,7 +5,7 @@ use super::placement::on_boundary;
 use super::shape::Shape;
 use super::wall::{CLOSEST, reach};
 use super::{Body, Edge, Packing, PackingParams, Particle, Population, TUNING, greatest_length};
-use crate::domain::{Domain, Facing};
+use crate::domain::{Domain, Walls};
 use crate::field::Fields;
 use crate::order;
 use glam::DVec2;
@@ -23,7 +23,7 @@ impl Packing {
             params.population = Population::Slots;
         }
         self.params = params;
-        self.facing = Facing::new(domain, reach(greatest_length(domain, fields, &params)));
+        self.walls = Walls::new(domain, reach(greatest_length(domain, fields, &params)));
         let (mut held, mut free): (Vec<Body>, Vec<Body>) =
             self.bodies.iter().partition(|body| body.particle.fixed);
         order::sort(&mut held, |body| (body.particle.id.into(), 0));

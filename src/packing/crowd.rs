@@ -70,9 +70,9 @@ pub(super) fn narrowed(p: DVec2, around: Surroundings, edge: Edge) -> Option<DVe
     let Surroundings {
         domain,
         fields,
-        facing,
+        walls,
     } = around;
-    if edge == Edge::On || !domain.is_in_box(p) || !facing.is_near(p) {
+    if edge == Edge::On || !domain.is_in_box(p) || !walls.is_near(p) {
         return None;
     }
     let near = domain.nearest(p);
@@ -87,12 +87,12 @@ pub(super) fn has_room(p: DVec2, around: Surroundings, edge: Edge) -> bool {
     let Surroundings {
         domain,
         fields,
-        facing,
+        walls,
     } = around;
     if !domain.is_in_box(p) {
         return false;
     }
-    if !facing.is_near(p) {
+    if !walls.is_near(p) {
         return domain.contains(p);
     }
     let clearance = match edge {

@@ -7,7 +7,7 @@ use super::grid::Grid;
 use super::shape::{SQUARE_REACH, Shape};
 use super::wall::{keep_inside, stays_clear, wall_force};
 use super::{Body, Integrator, Particle, Surroundings};
-use crate::domain::{Domain, Foot};
+use crate::domain::{Domain, Projection};
 use crate::field::Kind;
 use crate::order::greater;
 use glam::DVec2;
@@ -57,7 +57,7 @@ pub(super) struct Motion {
     /// Where the bodies were when the list was made.
     made_at: Vec<DVec2>,
     slack: f64,
-    feet: Vec<Foot>,
+    near_walls: Vec<Projection>,
     gauges: Vec<Gauge>,
 }
 
@@ -218,7 +218,7 @@ impl Motion {
                 total -= force;
             }
             if a_awake {
-                let (force, distance) = wall_force(body, around.facing, &mut self.feet);
+                let (force, distance) = wall_force(body, around.walls, &mut self.near_walls);
                 total += force;
                 if first {
                     self.clear[i] = distance;

@@ -109,10 +109,10 @@ impl Packing {
             loads[i].energy += energy;
             loads[j].energy += energy;
         });
-        let mut feet = Vec::new();
+        let mut near = Vec::new();
         for (load, body) in loads.iter_mut().zip(&self.bodies) {
             let size = body.particle.size;
-            load.force += wall_force(body, &self.facing, &mut feet).0;
+            load.force += wall_force(body, &self.walls, &mut near).0;
             load.force /= size;
             load.energy /= size * size;
         }

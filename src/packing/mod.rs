@@ -23,7 +23,7 @@ pub(crate) use grid::Grid;
 pub use loads::{Load, Sample, Stand};
 pub use placement::Placing;
 
-use crate::domain::{Domain, Facing};
+use crate::domain::{Domain, Walls};
 use crate::field::{Fields, Kind};
 use crate::notice::Notice;
 use crate::order;
@@ -126,7 +126,7 @@ const TUNING: Tuning = Tuning {
 struct Surroundings<'a> {
     pub domain: &'a Domain,
     pub fields: &'a Fields,
-    pub facing: &'a Facing,
+    pub walls: &'a Walls,
 }
 
 /// A packed cell.
@@ -211,7 +211,7 @@ impl Body {
 #[derive(Clone, Debug)]
 pub struct Packing {
     params: PackingParams,
-    facing: Facing,
+    walls: Walls,
     bodies: Vec<Body>,
     motion: Motion,
     next_id: u32,
@@ -238,11 +238,11 @@ impl Packing {
         cells: impl Iterator<Item = (DVec2, bool)>,
         fields: &Fields,
         params: PackingParams,
-        facing: Facing,
+        walls: Walls,
     ) -> Self {
         let mut packing = Self {
             params,
-            facing,
+            walls,
             bodies: Vec::new(),
             motion: Motion::default(),
             next_id: 0,
@@ -315,7 +315,7 @@ impl Packing {
         let around = Surroundings {
             domain,
             fields,
-            facing: &self.facing,
+            walls: &self.walls,
         };
         let (largest_move, largest_force) =
             self.motion
@@ -348,7 +348,7 @@ impl Packing {
         let around = Surroundings {
             domain,
             fields,
-            facing: &self.facing,
+            walls: &self.walls,
         };
         let change = population::change(around, &self.bodies, &self.params);
         let mut index = 0;

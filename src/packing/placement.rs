@@ -7,7 +7,7 @@ use super::rim::{boundary_cells, line_pieces, pieces};
 use super::wall::reach;
 use super::{Edge, Packing, PackingParams, Start, Surroundings, TUNING, greatest_length};
 use crate::decimal;
-use crate::domain::{Domain, Facing};
+use crate::domain::{Domain, Walls};
 use crate::field::Fields;
 use crate::notice::{Code, Notice};
 use glam::DVec2;
@@ -18,7 +18,7 @@ const PLACES: usize = 2000;
 /// The first cells of a packing in the making.
 pub struct Placing {
     params: PackingParams,
-    facing: Facing,
+    walls: Walls,
     crowd: Crowd,
     /// So many of them stand along the boundary.
     along: usize,
@@ -44,7 +44,7 @@ impl Placing {
             let notice = notice.with("size", decimal::text(size));
             return Err(notice.with("most", decimal::text(TUNING.most_cells)));
         }
-        let facing = Facing::new(domain, reach(greatest_length(domain, fields, &params)));
+        let walls = Walls::new(domain, reach(greatest_length(domain, fields, &params)));
         let mut crowd = along_boundary(domain, fields, params.edge == Edge::On);
         let along = crowd.cells.len();
         let inside = match params.start {
@@ -53,7 +53,7 @@ impl Placing {
         };
         Ok(Self {
             params,
-            facing,
+            walls,
             crowd,
             along,
             inside,
@@ -65,7 +65,7 @@ impl Placing {
         let around = Surroundings {
             domain,
             fields,
-            facing: &self.facing,
+            walls: &self.walls,
         };
         let (crowd, edge) = (&mut self.crowd, self.params.edge);
         (0..PLACES).any(|_| match &mut self.inside {
@@ -80,7 +80,7 @@ impl Placing {
         let fixed = self.params.edge == Edge::On;
         let cells = self.crowd.cells.iter().enumerate();
         let cells = cells.map(|(k, &centre)| (centre, fixed && k < self.along));
-        Packing::of(cells, fields, self.params, self.facing)
+        Packing::of(cells, fields, self.params, self.walls)
     }
 }
 

@@ -12,7 +12,7 @@ use super::front::slots;
 use super::grid::Grid;
 use super::shape::Shape;
 use super::{Body, Edge, PackingParams, Population};
-use crate::domain::{Domain, Facing};
+use crate::domain::{Domain, Projection, Walls};
 use crate::field::{Fields, Kind};
 use crate::order;
 use glam::DVec2;
@@ -110,12 +110,12 @@ pub(super) fn change(around: Surroundings, bodies: &[Body], params: &PackingPara
 }
 
 /// A new cell may not stand between two walls that are nearer to each other than a cell.
-fn clear_of_walls(place: DVec2, shape: &Shape, facing: &Facing, edge: Edge) -> bool {
-    let mut feet = Vec::new();
-    facing.feet(place, shape.length(), &mut feet);
+fn clear_of_walls(place: DVec2, shape: &Shape, walls: &Walls, edge: Edge) -> bool {
+    let mut near = Vec::new();
+    walls.project(place, shape.length(), &mut near);
     let least = if edge == Edge::Wall { 0.4 } else { 0.7 };
-    feet.iter()
-        .all(|foot| foot.distance >= least * shape.extent(foot.inward))
+    let is_clear = |wall: &Projection| wall.distance >= least * shape.extent(wall.inward);
+    near.iter().all(is_clear)
 }
 
 impl Census<'_> {
@@ -160,7 +160,7 @@ impl Census<'_> {
         if !is_free(place, &shape) {
             return None;
         }
-        if has_room(place, around, edge) && clear_of_walls(place, &shape, around.facing, edge) {
+        if has_room(place, around, edge) && clear_of_walls(place, &shape, around.walls, edge) {
             return Some(place);
         }
         narrowed(place, around, edge)

@@ -3,7 +3,7 @@
 use super::force::bubble_force;
 use super::shape::{CUT, Shape};
 use super::{Body, Surroundings};
-use crate::domain::{Facing, Foot};
+use crate::domain::{Projection, Walls};
 use glam::DVec2;
 
 /// Strength of a wall over that of a neighbour.
@@ -18,22 +18,22 @@ pub(super) fn reach(length: f64) -> f64 {
     0.5 * std::f64::consts::SQRT_2 * length * CUT
 }
 
-/// The force of all walls on a cell, and how far away they are at least.
-pub(super) fn wall_force(body: &Body, facing: &Facing, feet: &mut Vec<Foot>) -> (DVec2, f64) {
+/// The force of all walls on a cell, and how far away they are at least; `near` is room for them.
+pub(super) fn wall_force(body: &Body, walls: &Walls, near: &mut Vec<Projection>) -> (DVec2, f64) {
     let centre = body.particle.centre;
     let shape = Shape::of(&body.particle);
-    let reach = reach(shape.length()).min(facing.reach());
-    if !facing.is_near(centre) {
+    let reach = reach(shape.length()).min(walls.reach());
+    if !walls.is_near(centre) {
         return (DVec2::ZERO, reach);
     }
-    facing.feet(centre, reach, feet);
+    walls.project(centre, reach, near);
     let mut force = DVec2::ZERO;
-    for foot in feet.iter() {
-        let half = shape.half_extent(foot.inward);
-        force += foot.inward * (STIFFNESS * 2.0 * half * bubble_force(foot.distance / half));
+    for wall in near.iter() {
+        let half = shape.half_extent(wall.inward);
+        force += wall.inward * (STIFFNESS * 2.0 * half * bubble_force(wall.distance / half));
     }
     // None where it stands on the boundary.
-    (force, feet.first().map_or(0.0, |foot| foot.distance))
+    (force, near.first().map_or(0.0, |wall| wall.distance))
 }
 
 /// Does a cell of this length stay clear of walls at least this far away when it moves by `by`?
@@ -46,8 +46,8 @@ pub(super) fn stays_clear(distance: f64, by: f64, length: f64) -> bool {
 pub(super) fn keep_inside(from: DVec2, to: DVec2, shape: Shape, around: Surroundings) -> DVec2 {
     let domain = around.domain;
     // After a move that is shorter than the reach of the walls, whoever is beyond them is near them.
-    let is_short = from.distance(to) < around.facing.reach();
-    if is_short && domain.is_in_box(to) && !around.facing.is_near(to) {
+    let is_short = from.distance(to) < around.walls.reach();
+    if is_short && domain.is_in_box(to) && !around.walls.is_near(to) {
         return to;
     }
     let near = domain.nearest(to);

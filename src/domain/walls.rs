@@ -1,15 +1,15 @@
-//! The places of the boundary and of constraint lines that face a point: where the distance to them
-//! has a local minimum, seen from the paved side.
+//! Points projected onto the walls, which are the boundary and the constraint lines: the places of them
+//! where the distance to a point has a local minimum, seen from the paved side.
 
 use super::Domain;
-use super::squares::Squares;
+use super::segment_grid::SegmentGrid;
 use crate::order;
 use crate::planar::{Space, crosses};
 use glam::DVec2;
 
-/// A place of the boundary facing a point.
+/// A local closest point of the walls to a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Foot {
+pub struct Projection {
     /// The place.
     pub point: DVec2,
     /// Its distance, positive.
@@ -22,10 +22,10 @@ pub struct Foot {
     island: u32,
 }
 
-/// Finds the feet of points within a fixed reach of the boundary, in constant time.
+/// Projects points within a fixed reach of the walls, in constant time.
 #[derive(Clone, Debug)]
-pub struct Facing {
-    squares: Squares,
+pub struct Walls {
+    grid: SegmentGrid,
     /// The outline's, then those of the constraint lines.
     segments: Vec<[DVec2; 2]>,
     /// For each segment of the outline the one before it on its ring.
@@ -41,11 +41,11 @@ pub struct Facing {
 /// Most squares along a side of the look-up grid.
 const MOST_SQUARES: f64 = 256.0;
 
-/// Feet whose directions differ by less than this (cosine of 30 degrees) are one wall.
+/// Projections whose directions differ by less than this (cosine of 30 degrees) are on one wall.
 const SAME_WALL: f64 = 0.866;
 
-impl Facing {
-    /// Prepares for points up to `reach` (picture units) away from the boundary.
+impl Walls {
+    /// Prepares for points up to `reach` (picture units) away from the walls.
     pub fn new(domain: &Domain, reach: f64) -> Self {
         let (lo, hi) = domain.bounds();
         let step = (reach / 2.0).max((hi - lo).max_element() / MOST_SQUARES);
@@ -61,7 +61,7 @@ impl Facing {
             _ => segments.iter().enumerate().map(island).collect(),
         };
         Self {
-            squares: Squares::new((lo, hi), reach, step, &segments, reach),
+            grid: SegmentGrid::new((lo, hi), reach, step, &segments, reach),
             island,
             segments,
             before: before(domain),
@@ -71,30 +71,30 @@ impl Facing {
         }
     }
 
-    /// How far from the boundary it finds feet (picture units).
+    /// How far from the walls points are projected (picture units).
     pub fn reach(&self) -> f64 {
         self.reach
     }
 
-    /// May the boundary be within reach of the point? A quick no for most of the inside.
+    /// May a wall be within reach of the point? A quick no for most of the inside.
     pub fn is_near(&self, p: DVec2) -> bool {
-        !self.squares.at(p - self.space.tile(p)).is_empty()
+        !self.grid.at(p - self.space.tile(p)).is_empty()
     }
 
-    /// The feet of a point within `reach` (at most the reach prepared for), nearest first; of walls
-    /// that lie in nearly the same direction only the nearest, and none behind a constraint line.
-    /// `feet` is overwritten.
-    pub fn feet(&self, p: DVec2, reach: f64, feet: &mut Vec<Foot>) {
-        feet.clear();
+    /// The projections of a point within `reach` (at most the reach prepared for), nearest first; of
+    /// walls that lie in nearly the same direction only the nearest, and none behind a constraint line.
+    /// `found` is overwritten.
+    pub fn project(&self, p: DVec2, reach: f64, found: &mut Vec<Projection>) {
+        found.clear();
         let shift = self.space.tile(p);
         let p = p - shift;
-        let near = self.squares.at(p);
+        let near = self.grid.at(p);
         for &index in near {
-            if let Some(point) = self.place(p, index as usize, near) {
+            if let Some(point) = self.onto(p, index as usize, near) {
                 let distance = point.distance(p);
                 if distance > 1e-9 && distance <= reach {
                     let inward = (p - point) / distance;
-                    feet.push(Foot {
+                    found.push(Projection {
                         point,
                         distance,
                         inward,
@@ -104,32 +104,32 @@ impl Facing {
                 }
             }
         }
-        order::sort(feet, |foot| (order::rank(foot.distance), 0));
+        order::sort(found, |p| (order::rank(p.distance), 0));
         // Behind the gap there are other islands' walls, seen from their inside.
-        let Some(own) = feet.first().map(|nearest| nearest.island) else {
+        let Some(own) = found.first().map(|nearest| nearest.island) else {
             return;
         };
-        feet.retain(|foot| foot.island == own);
+        found.retain(|p| p.island == own);
         let mut kept = 0;
-        for k in 0..feet.len() {
-            let foot = feet[k];
-            if feet[..kept]
+        for k in 0..found.len() {
+            let next = found[k];
+            if found[..kept]
                 .iter()
-                .all(|other| other.inward.dot(foot.inward) < SAME_WALL)
-                && !self.is_hidden(p, foot.point, near)
+                .all(|other| other.inward.dot(next.inward) < SAME_WALL)
+                && !self.is_hidden(p, next.point, near)
             {
-                feet[kept] = foot;
-                feet[kept].point += shift;
+                found[kept] = next;
+                found[kept].point += shift;
                 kept += 1;
             }
         }
-        feet.truncate(kept);
+        found.truncate(kept);
     }
 
-    /// The place of a segment that faces a point.
-    fn place(&self, p: DVec2, index: usize, near: &[u32]) -> Option<DVec2> {
+    /// The projection of a point onto a segment, as far as it is one onto the walls.
+    fn onto(&self, p: DVec2, index: usize, near: &[u32]) -> Option<DVec2> {
         if index < self.before.len() {
-            return self.foot(p, index);
+            return self.onto_outline(p, index);
         }
         let [a, b] = self.segments[index];
         let along = b - a;
@@ -163,8 +163,9 @@ impl Facing {
         })
     }
 
-    /// The foot on a segment's inside, or at its start where the ring turns away from the point.
-    fn foot(&self, p: DVec2, index: usize) -> Option<DVec2> {
+    /// The projection onto a segment of the outline, or onto its start where the ring turns away from the
+    /// point.
+    fn onto_outline(&self, p: DVec2, index: usize) -> Option<DVec2> {
         let [a, b] = self.segments[index];
         let along = b - a;
         let t = along.dot(p - a);
@@ -209,25 +210,25 @@ mod tests {
             ]],
             ..Outline::default()
         });
-        let facing = Facing::new(&domain, 20.0);
-        let mut feet = Vec::new();
-        facing.feet(p(8., 10.), 20.0, &mut feet);
-        let points: Vec<_> = feet.iter().map(|f| f.point).collect();
+        let walls = Walls::new(&domain, 20.0);
+        let mut found = Vec::new();
+        walls.project(p(8., 10.), 20.0, &mut found);
+        let points: Vec<_> = found.iter().map(|p| p.point).collect();
         assert_eq!(points, [p(0., 10.), p(8., 0.)]);
-        facing.feet(p(47., 54.), 20.0, &mut feet);
+        walls.project(p(47., 54.), 20.0, &mut found);
         assert_eq!(
-            feet.iter().map(|f| f.point).collect::<Vec<_>>(),
+            found.iter().map(|p| p.point).collect::<Vec<_>>(),
             [p(50., 50.)]
         );
-        facing.feet(p(25., 75.), 20.0, &mut feet);
-        assert!(feet.is_empty());
-        assert!(facing.is_near(p(45., 60.)));
+        walls.project(p(25., 75.), 20.0, &mut found);
+        assert!(found.is_empty());
+        assert!(walls.is_near(p(45., 60.)));
         let square = [p(0., 0.), p(400., 0.), p(400., 400.), p(0., 400.)];
         let wide = Domain::from_checked(&Outline {
             rings: vec![square.to_vec()],
             ..Outline::default()
         });
-        let facing = Facing::new(&wide, 20.0);
-        assert!(facing.is_near(p(10., 200.)) && !facing.is_near(p(200., 200.)));
+        let walls = Walls::new(&wide, 20.0);
+        assert!(walls.is_near(p(10., 200.)) && !walls.is_near(p(200., 200.)));
     }
 }

@@ -1,11 +1,11 @@
-//! Which segments pass near a place: squares with lists.
+//! Which segments pass near a place: a uniform grid.
 
 use crate::planar::closest_on_segment;
 use glam::DVec2;
 
 /// Squares over a box, each with the segments within a reach of any of its points.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Squares {
+pub(super) struct SegmentGrid {
     origin: DVec2,
     step: f64,
     columns: usize,
@@ -14,8 +14,8 @@ pub(super) struct Squares {
     list: Vec<u32>,
 }
 
-impl Squares {
-    /// Over the box widened by `margin`, in squares of the side `step`.
+impl SegmentGrid {
+    /// Over a box widened by `margin`, in squares of the side `step`.
     pub fn new(
         (lo, hi): (DVec2, DVec2),
         margin: f64,
@@ -25,15 +25,15 @@ impl Squares {
     ) -> Self {
         let origin = lo - DVec2::splat(margin);
         let span = (hi - origin + DVec2::splat(margin)) / step;
-        let mut squares = Self {
+        let mut grid = Self {
             origin,
             step,
             columns: span.x as usize + 1,
             rows: span.y as usize + 1,
             ..Self::default()
         };
-        squares.fill(segments, reach);
-        squares
+        grid.fill(segments, reach);
+        grid
     }
 
     fn fill(&mut self, segments: &[[DVec2; 2]], reach: f64) {
