@@ -3,7 +3,7 @@
 mod paving;
 
 use bubblestone::domain::{Domain, Outline};
-use bubblestone::field::{Direction, FieldBuilder, FieldParams, Fields, Kind, Rim, Spot};
+use bubblestone::field::{Direction, FieldBuilder, FieldParams, Fields, Grading, Kind, Spot};
 use bubblestone::generators::pavement::{self, PavementRecipe, keys};
 use glam::DVec2;
 use paving::row;
@@ -197,7 +197,7 @@ fn singular_points_of_a_disc_and_a_triangle() {
 #[test]
 fn sizes_grow_from_the_boundary_and_in_spots() {
     let mut params = params(Direction::Constant, Kind::Ellipse);
-    params.size_rim = Rim {
+    params.size_grading = Grading {
         factor: 0.25,
         reach: 200.0,
     };
@@ -206,7 +206,7 @@ fn sizes_grow_from_the_boundary_and_in_spots() {
         radius: 50.0,
         value: 2.0,
     }];
-    params.aspect_rim = Rim {
+    params.aspect_grading = Grading {
         factor: 2.0,
         reach: 100.0,
     };

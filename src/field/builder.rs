@@ -1,22 +1,21 @@
 //! Samples the fields on the background grid.
 
 use super::follow::{layers, ray};
+use super::formulas;
 use super::grid::{COARSE, Grid};
 use super::lattice::{Lattice, fitted};
 use super::scalar::Gradient;
 use super::sources::{Sources, Sum, line_weight, printed_vector};
 use super::symmetry::representation;
-use super::wishes;
 use super::{ASPECT_RANGE, Direction, FieldParams, Fields, Kind, Layer, SIZE_RANGE};
 use crate::domain::Domain;
 use crate::order;
 use crate::planar::Space;
 use glam::DVec2;
 
-/// A node lies so many gaps between its neighbours of the pass before away from all that bends the
-/// direction, and their directions are alike (cosine between representation vectors): then it has
-/// their mean.
-const CALM: f64 = 1.25;
+/// A node whose neighbours of the pass before see features of at least so many gaps between them, and
+/// have directions alike (cosine between representation vectors), has their mean.
+const FEATURES: f64 = 1.25;
 const ALIKE: f64 = 0.8;
 
 /// No cell ever stands farther outside than this many steps.
@@ -37,8 +36,8 @@ pub struct FieldBuilder {
     sources: Vec<Sources>,
     /// Of each node, at least as much as its distance to the boundary, negative outside.
     inside: Vec<f64>,
-    /// Of each node, a distance that the direction has no feature smaller than.
-    calm: Vec<f64>,
+    /// Of each node, at most the size of the direction's features there.
+    feature_size: Vec<f64>,
     /// A point and its distance to the nearest source of each layer.
     last: [(DVec2, f64); 2],
     stride: usize,
@@ -55,7 +54,7 @@ impl FieldBuilder {
         let has = |of: &dyn Fn(Kind) -> bool| of(params.kind) || kinds.iter().copied().any(of);
         let symmetries =
             [4, 2].map(|symmetry| has(&|kind| kind.symmetry() == symmetry).then_some(symmetry));
-        let stretch = has(&Kind::is_stretched) && params.varies_aspect();
+        let aspects = has(&Kind::is_stretched) && params.varies_aspect();
         let (layers, sources) = layers(domain, &params, symmetries);
         let sampled = !layers.is_empty();
         let mut along = DVec2::new(libm::cos(params.angle), libm::sin(params.angle));
@@ -81,15 +80,15 @@ impl FieldBuilder {
             symmetry,
             nodes: vec![DVec2::ZERO; grid.len()],
         };
-        let growth = waves.is_some() || params.varies_size();
+        let sizes = waves.is_some() || params.varies_size();
         Self {
             space,
             waves,
             sources,
             inside: nodes(sampled),
-            calm: nodes(sampled),
+            feature_size: nodes(sampled),
             last: [(DVec2::ZERO, f64::INFINITY); 2],
-            stride: if sampled || growth || stretch {
+            stride: if sampled || sizes || aspects {
                 COARSE
             } else {
                 0
@@ -99,8 +98,8 @@ impl FieldBuilder {
                 along,
                 grid,
                 layers: layers.into_iter().map(layer).collect(),
-                growth: nodes(growth),
-                stretch: nodes(stretch),
+                size_factors: nodes(sizes),
+                aspects: nodes(aspects),
                 gradient,
                 parts: (!kinds.is_empty()).then(|| (domain.clone(), kinds)),
                 params,
@@ -142,15 +141,15 @@ impl FieldBuilder {
         let Fields {
             grid,
             layers,
-            growth,
-            stretch,
+            size_factors,
+            aspects,
             ..
         } = &mut self.fields;
         for layer in layers {
             grid.close(&mut layer.nodes);
         }
-        grid.close(growth);
-        grid.close(stretch);
+        grid.close(size_factors);
+        grid.close(aspects);
     }
 
     /// The fields; rows not yet advanced to have no direction.
@@ -180,9 +179,9 @@ impl FieldBuilder {
             let least =
                 |values: &[f64]| parents.iter().fold(f64::INFINITY, |m, &k| m.min(values[k]));
             self.inside[at] = least(&self.inside) + gap;
-            let calm = least(&self.calm) - gap;
-            if calm > (2.0 * CALM - 1.0) * gap && self.blend(at, parents) {
-                self.calm[at] = calm;
+            let feature_size = least(&self.feature_size) - gap;
+            if feature_size > (2.0 * FEATURES - 1.0) * gap && self.take_mean(at, parents) {
+                self.feature_size[at] = feature_size;
                 return;
             }
         }
@@ -191,12 +190,12 @@ impl FieldBuilder {
             self.inside[at] = domain.nearest(p).distance;
         }
         if self.inside[at] > margin {
-            self.calm[at] = self.measure(at, p, domain);
+            self.feature_size[at] = self.measure(at, p, domain);
         }
     }
 
     /// Takes the mean of neighbours where they are alike in all layers.
-    fn blend(&mut self, at: usize, parents: &[usize]) -> bool {
+    fn take_mean(&mut self, at: usize, parents: &[usize]) -> bool {
         let alike = self.fields.layers.iter().all(|Layer { nodes, .. }| {
             let first = nodes[parents[0]];
             let near = |&k: &usize| nodes[k].dot(first) > ALIKE;
@@ -211,7 +210,7 @@ impl FieldBuilder {
         alike
     }
 
-    /// Sums up all that counts at a node; answers with how calm the direction is there.
+    /// Sums up all that counts at a node; answers with the size of the direction's features there.
     fn measure(&mut self, at: usize, p: DVec2, domain: &Domain) -> f64 {
         // Sources see a point and its images around.
         let images = self.space.images(p, f64::INFINITY);
@@ -225,12 +224,12 @@ impl FieldBuilder {
             layers[0].nodes[at] = printed_vector(domain.segments(), p);
             return 0.0;
         }
-        let mut calm = f64::INFINITY;
+        let mut feature_size = f64::INFINITY;
         let base = match params.direction {
             Direction::Constant => Some(*along),
             Direction::Spiral => {
                 let (ray, distance) = ray(self.space, params, p);
-                calm = calm.min(distance);
+                feature_size = feature_size.min(distance);
                 Some(ray.rotate(*along))
             }
             _ => None,
@@ -242,7 +241,7 @@ impl FieldBuilder {
                 .clone()
                 .fold(most, |least, image| sources.distance(image, least));
             *last = (p, nearest);
-            calm = calm.min(nearest);
+            feature_size = feature_size.min(nearest);
             let mut sum = Sum::default();
             if let Some(base) = base {
                 let weight = line_weight(params.reach, params.power);
@@ -255,7 +254,7 @@ impl FieldBuilder {
             layer.nodes[at] = sum.vector.normalize_or_zero();
             coherence = coherence.min(sum.vector.length() / sum.weight);
         }
-        calm * coherence
+        feature_size * coherence
     }
 
     /// Size and aspect ratio of a row.
@@ -263,20 +262,20 @@ impl FieldBuilder {
         let Fields {
             params,
             grid,
-            growth,
-            stretch,
+            size_factors,
+            aspects,
             ..
         } = &mut self.fields;
         for column in 0..grid.columns {
             let at = self.row * grid.columns + column;
             let p = grid.node(column, self.row);
-            if let Some(growth) = growth.get_mut(at) {
+            if let Some(size_factor) = size_factors.get_mut(at) {
                 let waves = self.waves.map_or(1.0, |waves| waves.waves_at(p));
-                let factor = wishes::growth(params, domain, p) * waves;
-                *growth = factor.clamp(SIZE_RANGE.0, SIZE_RANGE.1);
+                let factor = formulas::size_factor(params, domain, p) * waves;
+                *size_factor = factor.clamp(SIZE_RANGE.0, SIZE_RANGE.1);
             }
-            if let Some(stretch) = stretch.get_mut(at) {
-                *stretch = wishes::stretch(params, domain, p).clamp(ASPECT_RANGE.0, ASPECT_RANGE.1);
+            if let Some(aspect) = aspects.get_mut(at) {
+                *aspect = formulas::aspect(params, domain, p).clamp(ASPECT_RANGE.0, ASPECT_RANGE.1);
             }
         }
     }

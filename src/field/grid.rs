@@ -63,8 +63,8 @@ impl Grid {
         }
     }
 
-    /// The bilinear mean at a point of values at the nodes; beyond the grid, that of its rim.
-    pub fn blend<T>(&self, values: &[T], p: DVec2) -> T
+    /// Values at the nodes interpolated bilinearly at a point; beyond the grid, as at its edge.
+    pub fn interpolated<T>(&self, values: &[T], p: DVec2) -> T
     where
         T: Copy + Add<Output = T> + Mul<f64, Output = T>,
     {

@@ -7,6 +7,7 @@
 mod builder;
 mod ends;
 mod follow;
+mod formulas;
 mod grid;
 mod kind;
 mod lattice;
@@ -15,12 +16,11 @@ mod scalar;
 mod singular;
 mod sources;
 mod symmetry;
-mod wishes;
 
 pub use builder::FieldBuilder;
 pub use kind::Kind;
 pub use params::{Direction, FieldParams};
-pub use scalar::{Rim, Spot};
+pub use scalar::{Grading, Spot};
 pub use singular::Singularity;
 
 use crate::domain::Domain;
@@ -41,9 +41,9 @@ pub struct Fields {
     /// The part of the size that is not sampled.
     gradient: Option<Gradient>,
     /// Sampled factors of the size; empty where there are none.
-    growth: Vec<f64>,
+    size_factors: Vec<f64>,
     /// Sampled aspect ratios of stretched cells; empty where it is one everywhere.
-    stretch: Vec<f64>,
+    aspects: Vec<f64>,
     /// Where parts have kinds of their own: tells the part of a point, and the kinds by part.
     parts: Option<(Domain, Vec<Kind>)>,
 }
@@ -76,15 +76,15 @@ impl Fields {
     #[inline(never)]
     pub fn size(&self, p: DVec2) -> f64 {
         let FieldParams { size, side, .. } = self.params;
-        if self.gradient.is_none() && self.growth.is_empty() {
+        if self.gradient.is_none() && self.size_factors.is_empty() {
             return size;
         }
         let mut factor = 1.0;
         if let Some(gradient) = &self.gradient {
             factor = gradient.at(p).clamp(SIZE_RANGE.0, SIZE_RANGE.1);
         }
-        if !self.growth.is_empty() {
-            factor *= self.grid.blend(&self.growth, p);
+        if !self.size_factors.is_empty() {
+            factor *= self.grid.interpolated(&self.size_factors, p);
         }
         let wanted = size * factor.clamp(SIZE_RANGE.0, SIZE_RANGE.1);
         wanted.max((side / FINEST).min(size))
@@ -105,7 +105,7 @@ impl Fields {
                 }
             }
         };
-        let r = self.grid.blend(&layer.nodes, p).normalize_or_zero();
+        let r = self.grid.interpolated(&layer.nodes, p).normalize_or_zero();
         symmetry::direction_of(r, layer.symmetry)
     }
 
@@ -122,10 +122,10 @@ impl Fields {
     pub fn aspect(&self, p: DVec2) -> f64 {
         if !self.kind(p).is_stretched() {
             1.0
-        } else if self.stretch.is_empty() {
+        } else if self.aspects.is_empty() {
             self.params.aspect
         } else {
-            self.grid.blend(&self.stretch, p)
+            self.grid.interpolated(&self.aspects, p)
         }
     }
 }

@@ -1,6 +1,6 @@
 //! What the fields are made from.
 
-use super::{Kind, Rim, Spot};
+use super::{Grading, Kind, Spot};
 use crate::domain::Domain;
 use glam::DVec2;
 
@@ -53,7 +53,7 @@ pub struct FieldParams {
     /// Aspect ratio of stretched cells (Ca), 1..5: length along the direction over width.
     pub aspect: f64,
     /// The aspect ratio's change towards the boundary.
-    pub aspect_rim: Rim,
+    pub aspect_grading: Grading,
     /// Spots with an aspect ratio of their own, later ones over earlier ones.
     pub aspect_spots: Vec<Spot>,
     /// Mean side of a cell (Cs): a stretched one has the area of a square of this side.
@@ -64,7 +64,7 @@ pub struct FieldParams {
     /// Relative change of the size towards the picture's rim (its middle changes the other way).
     pub radial: f64,
     /// The size's change towards the boundary.
-    pub size_rim: Rim,
+    pub size_grading: Grading,
     /// Spots with a factor of the size; where they overlap, factors are multiplied.
     pub size_spots: Vec<Spot>,
     /// Side of the square picture.
@@ -84,12 +84,12 @@ impl Default for FieldParams {
             kind: Kind::Square,
             part_kinds: Vec::new(),
             aspect: 1.0,
-            aspect_rim: Rim::default(),
+            aspect_grading: Grading::default(),
             aspect_spots: Vec::new(),
             size: 23.0,
             linear: DVec2::ZERO,
             radial: 0.0,
-            size_rim: Rim::default(),
+            size_grading: Grading::default(),
             size_spots: Vec::new(),
             side: 512.0,
         }
@@ -115,11 +115,11 @@ impl FieldParams {
 
     /// Is the size other than a number and a gradient?
     pub(super) fn varies_size(&self) -> bool {
-        !self.size_rim.is_flat() || !self.size_spots.is_empty()
+        !self.size_grading.is_flat() || !self.size_spots.is_empty()
     }
 
     /// Is the aspect ratio other than a number?
     pub(super) fn varies_aspect(&self) -> bool {
-        !self.aspect_rim.is_flat() || !self.aspect_spots.is_empty()
+        !self.aspect_grading.is_flat() || !self.aspect_spots.is_empty()
     }
 }

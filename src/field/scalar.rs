@@ -4,14 +4,14 @@ use glam::DVec2;
 
 /// How a value changes towards the boundary and the constraint lines.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Rim {
+pub struct Grading {
     /// Factor of the value on the boundary.
     pub factor: f64,
     /// Distance, in picture units, from which on the value is its own again.
     pub reach: f64,
 }
 
-impl Default for Rim {
+impl Default for Grading {
     fn default() -> Self {
         Self {
             factor: 1.0,
@@ -20,7 +20,7 @@ impl Default for Rim {
     }
 }
 
-impl Rim {
+impl Grading {
     /// Logarithm of the factor at a distance.
     pub(super) fn log_factor(&self, distance: f64) -> f64 {
         let t = 1.0 - (distance / self.reach).clamp(0.0, 1.0);
@@ -98,14 +98,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn rims_and_spots_fall_off_smoothly() {
-        let rim = Rim {
+    fn gradings_and_spots_fall_off_smoothly() {
+        let grading = Grading {
             factor: 0.25,
             reach: 80.0,
         };
-        assert!((libm::exp(rim.log_factor(0.0)) - 0.25).abs() < 1e-12);
-        assert_eq!(rim.log_factor(80.0), 0.0);
-        assert!((libm::exp(rim.log_factor(40.0)) - 0.5).abs() < 1e-12);
+        assert!((libm::exp(grading.log_factor(0.0)) - 0.25).abs() < 1e-12);
+        assert_eq!(grading.log_factor(80.0), 0.0);
+        assert!((libm::exp(grading.log_factor(40.0)) - 0.5).abs() < 1e-12);
         let spot = Spot {
             centre: DVec2::ZERO,
             radius: 10.0,

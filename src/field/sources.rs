@@ -108,7 +108,8 @@ impl Sum {
     }
 }
 
-/// Sources in a tree of neighbours, so that what is far is taken together.
+/// Sources in a tree of neighbours, so that what is far is taken together (Barnes, Hut 1986), up to
+/// second moments.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Sources {
     list: Vec<Source>,

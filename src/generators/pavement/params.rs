@@ -5,7 +5,7 @@ use super::schema::keys;
 use super::stages::Stage;
 use super::terrain::{DomainParams, TerrainParams};
 use crate::domain::Outline;
-use crate::field::{Direction, FieldParams, Kind, Rim, Spot};
+use crate::field::{Direction, FieldParams, Grading, Kind, Spot};
 use crate::generators::common;
 use crate::generators::height_field::{HeightFieldParams, PlaneParams};
 use crate::packing::{Edge, Integrator, PackingParams, Population, Start};
@@ -147,7 +147,7 @@ fn fields(recipe: &Recipe) -> FieldParams {
         "printed" => (Direction::Printed, number(keys::ANGLE)),
         _ => (Direction::Boundary, number(keys::ANGLE)),
     };
-    let rim = |factor, reach| Rim {
+    let grading = |factor, reach| Grading {
         factor: number(factor),
         reach: side * number(reach),
     };
@@ -175,12 +175,12 @@ fn fields(recipe: &Recipe) -> FieldParams {
         kind,
         part_kinds: part_kinds(recipe, kind),
         aspect,
-        aspect_rim: rim(keys::CB, keys::CD),
+        aspect_grading: grading(keys::CB, keys::CD),
         aspect_spots: spots(aspect_spots),
         size: number(keys::CS),
         linear: DVec2::new(number(keys::GX), number(keys::GY)),
         radial: number(keys::GR),
-        size_rim: rim(keys::GB, keys::GD),
+        size_grading: grading(keys::GB, keys::GD),
         size_spots: spots(recipe.spots(keys::SPOTS)),
         side,
     }

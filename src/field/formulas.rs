@@ -1,12 +1,12 @@
-//! What the parameters wish at a point, before it is sampled.
+//! The formulas of size and aspect ratio, before they are sampled.
 
-use super::{FieldParams, Rim, Spot};
+use super::{FieldParams, Grading, Spot};
 use crate::domain::Domain;
 use glam::DVec2;
 
 /// The factor of the size at a point, by the boundary's and the spots' share in it.
-pub(super) fn growth(params: &FieldParams, domain: &Domain, p: DVec2) -> f64 {
-    let mut log = rim(&params.size_rim, domain, p);
+pub(super) fn size_factor(params: &FieldParams, domain: &Domain, p: DVec2) -> f64 {
+    let mut log = graded(&params.size_grading, domain, p);
     shares(&params.size_spots, domain, p, |share, value| {
         log += share * libm::log(value);
     });
@@ -14,8 +14,8 @@ pub(super) fn growth(params: &FieldParams, domain: &Domain, p: DVec2) -> f64 {
 }
 
 /// The aspect ratio of stretched cells at a point.
-pub(super) fn stretch(params: &FieldParams, domain: &Domain, p: DVec2) -> f64 {
-    let mut log = libm::log(params.aspect) + rim(&params.aspect_rim, domain, p);
+pub(super) fn aspect(params: &FieldParams, domain: &Domain, p: DVec2) -> f64 {
+    let mut log = libm::log(params.aspect) + graded(&params.aspect_grading, domain, p);
     shares(&params.aspect_spots, domain, p, |share, value| {
         log += share * (libm::log(value) - log);
     });
@@ -32,11 +32,11 @@ fn shares(spots: &[Spot], domain: &Domain, p: DVec2, mut each: impl FnMut(f64, f
     }
 }
 
-fn rim(rim: &Rim, domain: &Domain, p: DVec2) -> f64 {
-    if rim.is_flat() {
+fn graded(grading: &Grading, domain: &Domain, p: DVec2) -> f64 {
+    if grading.is_flat() {
         0.0
     } else {
-        rim.log_factor(depth(domain, p))
+        grading.log_factor(depth(domain, p))
     }
 }
 
