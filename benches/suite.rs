@@ -6,7 +6,9 @@ use bubblestone::export::StageTime;
 use bubblestone::field::{FieldBuilder, FieldParams, Fields};
 use bubblestone::generators::ALL;
 use bubblestone::generators::pavement::{self, Pavement};
-use bubblestone::packing::{Edge, Integrator, Packing, PackingParams, Population, Start};
+use bubblestone::packing::{
+    BoundaryCondition, Integrator, Packing, PackingParams, Population, Start,
+};
 use bubblestone::solid::Stencil;
 #[cfg(target_arch = "wasm32")]
 use bubblestone::solid::{Quarry, TriangleMesh};
@@ -103,7 +105,7 @@ fn packing_step(cells: u32, integrator: Integrator, clock: Clock, timings: &mut 
     let domain = Domain::from_checked(&ring());
     let fields = fields(&domain, side_of(&domain, cells));
     let params = PackingParams {
-        edge: Edge::Wall,
+        boundary: BoundaryCondition::Wall,
         start: Start::Stream,
         integrator,
         population: Population::Off,

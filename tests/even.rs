@@ -5,7 +5,9 @@ use bubblestone::cells::{Cell, fitted};
 use bubblestone::domain::{Domain, Outline, signed_area};
 use bubblestone::field::{FieldBuilder, FieldParams, Fields};
 use bubblestone::metrics::CellMetrics;
-use bubblestone::packing::{Edge, Integrator, Packing, PackingParams, Population, Start};
+use bubblestone::packing::{
+    BoundaryCondition, Integrator, Packing, PackingParams, Population, Start,
+};
 use glam::DVec2;
 
 const SIDE: f64 = 256.0;
@@ -75,7 +77,7 @@ fn made(domain: &Domain, size: f64, variance: f64) -> (Fields, Packing, Vec<Cell
     };
     let fields = FieldBuilder::build(domain, params);
     let params = PackingParams {
-        edge: Edge::Wall,
+        boundary: BoundaryCondition::Wall,
         start: Start::Stream,
         integrator: Integrator::SemiImplicit,
         population: Population::Slots,

@@ -252,7 +252,7 @@ fn the_net_force_is_what_the_energy_asks_for() {
     // At rest all are near to nothing; at the start they are not, and the energy is shared out.
     let greatest = |studio: &Studio| {
         let mut packing = studio.pavement().packing().unwrap().clone();
-        let loads = packing.loads(studio.pavement().domain().unwrap());
+        let loads = packing.net_forces(studio.pavement().domain().unwrap());
         let forces = loads.iter().filter(|(p, _)| !p.fixed);
         forces
             .map(|(_, load)| load.force.length())
@@ -261,7 +261,7 @@ fn the_net_force_is_what_the_energy_asks_for() {
     let (early, done) = (packing("outline=star", 2), finished("outline=star"));
     assert!(greatest(&done) < 0.5 * greatest(&early));
     let mut packing = done.pavement().packing().unwrap().clone();
-    let loads = packing.loads(done.pavement().domain().unwrap());
+    let loads = packing.net_forces(done.pavement().domain().unwrap());
     let sum: f64 = loads.iter().map(|(p, l)| l.energy * p.size * p.size).sum();
     let mean = loads.iter().map(|(p, _)| p.size * p.size).sum::<f64>() / loads.len() as f64;
     let energy = packing.energy(done.pavement().domain().unwrap());

@@ -4,7 +4,9 @@
 use bubblestone::cells::{Cell, fitted};
 use bubblestone::domain::{Domain, Outline, cross, signed_area};
 use bubblestone::field::{Direction, FieldBuilder, FieldParams, Kind};
-use bubblestone::packing::{Edge, Integrator, Packing, PackingParams, Particle, Population, Start};
+use bubblestone::packing::{
+    BoundaryCondition, Integrator, Packing, PackingParams, Particle, Population, Start,
+};
 use bubblestone::random::{Purpose, Random};
 use glam::DVec2;
 use std::collections::HashMap;
@@ -15,7 +17,7 @@ fn p(x: f64, y: f64) -> DVec2 {
     DVec2::new(x, y)
 }
 
-fn packed(domain: &Domain, size: f64, edge: Edge) -> Vec<Particle> {
+fn packed(domain: &Domain, size: f64, boundary: BoundaryCondition) -> Vec<Particle> {
     let torus = domain.space().period().is_some();
     let params = FieldParams {
         direction: if torus {
@@ -30,7 +32,7 @@ fn packed(domain: &Domain, size: f64, edge: Edge) -> Vec<Particle> {
     };
     let fields = FieldBuilder::build(domain, params);
     let params = PackingParams {
-        edge,
+        boundary,
         start: Start::Stream,
         integrator: Integrator::SemiImplicit,
         population: Population::Slots,
@@ -133,8 +135,12 @@ fn cells_fill_random_outlines_with_random_lines() {
         };
         let domain = Domain::from_checked(&outline);
         let size = [9.0, 14.0, 30.0, 70.0][k % 4];
-        let edge = if k % 3 == 0 { Edge::On } else { Edge::Wall };
-        let particles = packed(&domain, size, edge);
+        let boundary = if k % 3 == 0 {
+            BoundaryCondition::On
+        } else {
+            BoundaryCondition::Wall
+        };
+        let particles = packed(&domain, size, boundary);
         if particles.is_empty() {
             continue;
         }
@@ -233,7 +239,7 @@ fn cells_of_a_torus_meet_over_the_seams() {
         assert_eq!(cells, fitted(&domain, &particles));
     }
     for size in [9.0, 14.0, 30.0, 70.0] {
-        let particles = packed(&domain, size, Edge::Wall);
+        let particles = packed(&domain, size, BoundaryCondition::Wall);
         let cells = fitted(&domain, &particles);
         assert_seamless(&domain, &cells, &format!("packed {size}"));
     }
@@ -260,12 +266,12 @@ fn cells_of_a_torus_end_at_lines() {
         assert_eq!(domain.parts(), 2, "{lines:?}");
         // Where cells stand on a line over a sharp corner, slivers at the line may be left.
         let sharp = lines[0][0].x == 200.0;
-        let edges = [Edge::Wall, Edge::On];
+        let conditions = [BoundaryCondition::Wall, BoundaryCondition::On];
         for size in [9.0, 14.0, 30.0] {
-            for &edge in &edges[..if sharp { 1 } else { 2 }] {
-                let particles = packed(&domain, size, edge);
+            for &boundary in &conditions[..if sharp { 1 } else { 2 }] {
+                let particles = packed(&domain, size, boundary);
                 let cells = fitted(&domain, &particles);
-                let what = format!("{size} {edge:?} {lines:?}");
+                let what = format!("{size} {boundary:?} {lines:?}");
                 assert_seamless(&domain, &cells, &what);
                 assert_sound(&domain, &cells, &what);
                 assert_eq!(cells, fitted(&domain, &particles));

@@ -6,14 +6,14 @@ use bubblestone::domain::{Domain, Outline, signed_area};
 use bubblestone::field::{FieldBuilder, FieldParams, Fields, Kind};
 use bubblestone::mesh::Mesh;
 use bubblestone::packing::{
-    Edge, Integrator, Packing, PackingParams, Particle, Population, Start, StepReport,
+    BoundaryCondition, Integrator, Packing, PackingParams, Particle, Population, Start, StepReport,
 };
 use glam::DVec2;
 
 const SIZES: [f64; 2] = [23.0, 8.0];
 
 const PARAMS: PackingParams = PackingParams {
-    edge: Edge::Wall,
+    boundary: BoundaryCondition::Wall,
     start: Start::Stream,
     integrator: Integrator::SemiImplicit,
     population: Population::Slots,
@@ -219,12 +219,12 @@ fn every_way_of_packing_ends_in_a_valid_packing() {
         .1;
     for size in [150.0, 40.0, 15.0] {
         let fields = fields(&domain, size);
-        for edge in [Edge::Wall, Edge::On] {
+        for boundary in [BoundaryCondition::Wall, BoundaryCondition::On] {
             for start in [Start::Stream, Start::Quadtree] {
                 for integrator in [Integrator::SemiImplicit, Integrator::RungeKutta] {
                     for population in [Population::Slots, Population::Smallest, Population::Off] {
                         let params = PackingParams {
-                            edge,
+                            boundary,
                             start,
                             integrator,
                             population,
@@ -320,7 +320,7 @@ fn centres_on_the_boundary_stay_there() {
             &domain,
             &fields,
             PackingParams {
-                edge: Edge::On,
+                boundary: BoundaryCondition::On,
                 ..PARAMS
             },
         );

@@ -96,7 +96,7 @@ impl Graph {
                 return false;
             }
             let way = space.shortest(other.centre - own.centre);
-            let far = own.closeness(other, way);
+            let far = own.normalised_distance(other, way);
             let middle = own.centre + 0.5 * way;
             if far < within
                 && !domain.is_parted(own.centre, own.centre + way)

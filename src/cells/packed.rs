@@ -28,20 +28,20 @@ pub fn packed(particles: &[Particle]) -> Vec<Cell> {
     particles
         .iter()
         .map(|p| {
-            let scale =
-                (closeness(p, particles, &grid, largest) / (1.0 - OVERLAP)).clamp(SMALLEST, 1.0);
+            let scale = (nearest_distance(p, particles, &grid, largest) / (1.0 - OVERLAP))
+                .clamp(SMALLEST, 1.0);
             Cell::new(p, p.ring(scale, CORNERS))
         })
         .collect()
 }
 
 /// How close the nearest neighbour is: 1 where the two just touch.
-fn closeness(p: &Particle, particles: &[Particle], grid: &Grid, largest: f64) -> f64 {
+fn nearest_distance(p: &Particle, particles: &[Particle], grid: &Grid, largest: f64) -> f64 {
     let mut least = 1.0_f64;
     grid.near(p.centre, largest * std::f64::consts::SQRT_2, |k| {
         let other = &particles[k];
         if other.id != p.id {
-            let depth = Pair::new(p, other).depth(other.centre - p.centre);
+            let depth = Pair::new(p, other).penetration(other.centre - p.centre);
             least = least.min(1.0 - depth);
         }
     });

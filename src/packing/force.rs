@@ -104,9 +104,9 @@ impl Pair {
     pub fn force(&self, r: DVec2) -> DVec2 {
         let l0 = self.stable_distance();
         let mut force = match &self.stretch {
-            None => r * (l0 * spoke_strength(r.length_squared(), 1.0 / l0)),
+            None => r * (l0 * radial_strength(r.length_squared(), 1.0 / l0)),
             Some(Stretch { shapes, .. }) => {
-                let w = shapes.0.closeness(&shapes.1, r);
+                let w = shapes.0.normalised_distance(&shapes.1, r);
                 if w == 0.0 {
                     return DVec2::ZERO;
                 }
@@ -138,7 +138,7 @@ impl Pair {
         let l0 = self.stable_distance();
         let w = match &self.stretch {
             None => r.length() / l0,
-            Some(Stretch { shapes, .. }) => shapes.0.closeness(&shapes.1, r),
+            Some(Stretch { shapes, .. }) => shapes.0.normalised_distance(&shapes.1, r),
         };
         let mut sum = l0 * l0 * bubble_potential(w);
         if self.axis != DVec2::ZERO {
@@ -160,15 +160,15 @@ impl Pair {
         sum
     }
 
-    /// How deep the cells stand in each other at `r`, in stable distances: 0 where they touch, edge
-    /// to edge if both have corners; negative where they are apart.
-    pub fn depth(&self, r: DVec2) -> f64 {
+    /// The depth to which the cells penetrate each other at `r`, in stable distances: 0 where they
+    /// touch, edge to edge if both have corners; negative where they are apart.
+    pub fn penetration(&self, r: DVec2) -> f64 {
         if self.corners == (true, true) && self.axis != DVec2::ZERO {
             return 1.0 - self.framed(r).abs().max_element() / self.stable_distance();
         }
         1.0 - match &self.stretch {
             None => r.length() / self.stable_distance(),
-            Some(Stretch { shapes, .. }) => shapes.0.closeness(&shapes.1, r),
+            Some(Stretch { shapes, .. }) => shapes.0.normalised_distance(&shapes.1, r),
         }
     }
 
@@ -208,13 +208,13 @@ impl Pair {
         let q = local.abs();
         let (x, y) = (greater(q.x, q.y), lesser(q.x, q.y));
         let per_reach = 1.0 / reach;
-        let spoke = |x: f64, y: f64| spoke_strength(x * x + y * y, per_reach);
-        let (above, below) = (spoke(x - half, y - half), spoke(x - half, y + half));
+        let radial = |x: f64, y: f64| radial_strength(x * x + y * y, per_reach);
+        let (above, below) = (radial(x - half, y - half), radial(x - half, y + half));
         let mut along = (above + below) * (x - half);
         let mut across = above * (y - half) + below * (y + half);
         // The corners behind are mostly too far away.
         if x + half < CUT * reach {
-            let (above, below) = (spoke(x + half, y - half), spoke(x + half, y + half));
+            let (above, below) = (radial(x + half, y - half), radial(x + half, y + half));
             along += (above + below) * (x + half);
             across += above * (y - half) + below * (y + half);
         }
@@ -236,7 +236,7 @@ impl Pair {
         let half = 0.5 * size;
         // By symmetry in the first quadrant.
         let q = local.abs();
-        let spoke = |x: f64, y: f64| {
+        let radial = |x: f64, y: f64| {
             let square = DVec2::new(q.x - x, q.y - y).length_squared();
             if square < CUT * CUT * reach * reach {
                 bubble_potential(square.sqrt() / reach)
@@ -244,8 +244,8 @@ impl Pair {
                 0.0
             }
         };
-        let front = spoke(half, half) + spoke(half, -half);
-        l0 * reach * (front + spoke(-half, half) + spoke(-half, -half))
+        let front = radial(half, half) + radial(half, -half);
+        l0 * reach * (front + radial(-half, half) + radial(-half, -half))
     }
 }
 
@@ -285,7 +285,7 @@ fn mean_axis(e: DVec2, f: DVec2, symmetry: u32) -> DVec2 {
 /// of strength 1. Without branches: most pairs would take them by chance. The force is just zero at
 /// the cut, so that what lies beyond can be put there.
 #[inline(always)]
-fn spoke_strength(square: f64, per_reach: f64) -> f64 {
+fn radial_strength(square: f64, per_reach: f64) -> f64 {
     let square = lesser(square * (per_reach * per_reach), CUT * CUT);
     let w = greater(square, f64::MIN_POSITIVE).sqrt();
     (1.25 * square - 2.375 * w + 1.125 / w) * per_reach

@@ -1,8 +1,8 @@
 //! A front of cells that grows over the inside.
 
-use super::Edge;
 use super::Surroundings;
-use super::crowd::{Crowd, FRONT_GAP, has_room};
+use super::clearance::has_room;
+use super::placed::{FRONT_GAP, Placed};
 use super::shape::Shape;
 use crate::domain::Domain;
 use crate::field::{Fields, Kind};
@@ -26,26 +26,26 @@ pub(super) struct Front {
 }
 
 impl Front {
-    pub fn new(crowd: &mut Crowd, domain: &Domain, fields: &Fields, seed: u64) -> Self {
+    pub fn new(placed: &mut Placed, domain: &Domain, fields: &Fields, seed: u64) -> Self {
         let islands = domain.islands();
         if islands.len() > 1 {
             // Chance would seldom find a small one among many.
-            crowd.settle_all(domain, fields);
+            placed.fill_empty_islands(domain, fields);
         }
-        let mut queue: VecDeque<usize> = (0..crowd.cells.len()).collect();
+        let mut queue: VecDeque<usize> = (0..placed.cells.len()).collect();
         let mut rows = VecDeque::new();
         // Circles have no direction of their own: one honeycomb, from the middle outwards, has fewer
         // faults than rows along the boundary that meet each other. Each island has its own.
         let honeycombs: Vec<DVec2> = islands.iter().map(|i| along_most(i, fields)).collect();
-        let first = crowd.cells.len();
+        let first = placed.cells.len();
         for p in islands.iter().filter_map(Domain::deepest) {
-            if fields.kind(p) == Kind::Circle && crowd.is_free(domain, fields, p, FRONT_GAP) {
-                crowd.push(fields, p);
+            if fields.kind(p) == Kind::Circle && placed.is_free(domain, fields, p, FRONT_GAP) {
+                placed.push(fields, p);
             }
         }
-        if crowd.cells.len() > first {
+        if placed.cells.len() > first {
             std::mem::swap(&mut rows, &mut queue);
-            queue.extend(first..crowd.cells.len());
+            queue.extend(first..placed.cells.len());
         }
         let size = fields.params().size;
         Self {
@@ -58,45 +58,45 @@ impl Front {
     }
 
     /// Grows around the next cell, or looks for a place to grow on from; true when that is over.
-    pub fn grow(&mut self, crowd: &mut Crowd, around: Surroundings, edge: Edge) -> bool {
+    pub fn grow(&mut self, placed: &mut Placed, around: Surroundings) -> bool {
         if self.queue.is_empty() {
             std::mem::swap(&mut self.rows, &mut self.queue);
         }
         match self.queue.pop_front() {
-            Some(k) => self.grow_around(k, crowd, around, edge),
+            Some(k) => self.grow_around(k, placed, around),
             None if self.tries == 0 => return true,
-            None => self.try_anywhere(crowd, around, edge),
+            None => self.try_anywhere(placed, around),
         }
         false
     }
 
-    fn grow_around(&mut self, k: usize, crowd: &mut Crowd, around: Surroundings, edge: Edge) {
+    fn grow_around(&mut self, k: usize, placed: &mut Placed, around: Surroundings) {
         let Surroundings { domain, fields, .. } = around;
-        let centre = crowd.cells[k];
+        let centre = placed.cells[k];
         let mut shape = Shape::at(fields, centre);
         if shape.kind() == Kind::Circle {
             shape.turn(self.honeycombs[domain.island(centre)]);
         }
         for p in slots(centre, shape, fields) {
             let p = domain.space().wrap(p);
-            if crowd.is_free(domain, fields, p, FRONT_GAP)
-                && has_room(p, around, edge)
+            if placed.is_free(domain, fields, p, FRONT_GAP)
+                && has_room(p, around)
                 && !domain.is_gap_between(centre, p)
             {
-                self.queue.push_back(crowd.cells.len());
-                crowd.push(fields, p);
+                self.queue.push_back(placed.cells.len());
+                placed.push(fields, p);
             }
         }
     }
 
-    fn try_anywhere(&mut self, crowd: &mut Crowd, around: Surroundings, edge: Edge) {
+    fn try_anywhere(&mut self, placed: &mut Placed, around: Surroundings) {
         let Surroundings { domain, fields, .. } = around;
         self.tries -= 1;
         let (lo, hi) = domain.bounds();
         let p = lo + (hi - lo) * DVec2::new(self.random.unit(), self.random.unit());
-        if crowd.is_free(domain, fields, p, SEED_GAP) && has_room(p, around, edge) {
-            self.queue.push_back(crowd.cells.len());
-            crowd.push(fields, p);
+        if placed.is_free(domain, fields, p, SEED_GAP) && has_room(p, around) {
+            self.queue.push_back(placed.cells.len());
+            placed.push(fields, p);
         }
     }
 }

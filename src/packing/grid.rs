@@ -1,4 +1,4 @@
-//! Buckets of points, to find neighbours in constant time.
+//! Cell lists: buckets of points, to find neighbours in constant time.
 
 use crate::planar::Space;
 use glam::DVec2;

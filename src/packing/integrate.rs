@@ -28,8 +28,8 @@ const RUNGE_KUTTA_STEP: f64 = 0.6;
 /// No cell moves farther than this share of its size in one step.
 const LONGEST_MOVE: f64 = 0.25;
 /// Neighbours are looked for this much farther than forces reach (in the largest size), and again
-/// when a cell has moved half as far.
-const SKIN: f64 = 0.25;
+/// when a cell has moved half as far (Verlet 1967).
+const VERLET_MARGIN: f64 = 0.25;
 
 /// A move of less than this share of its size is none: a cell rests while neither it nor any of its
 /// neighbours moves. The force it is left with is far below the one at which a run ends.
@@ -56,14 +56,14 @@ pub(super) struct Motion {
     clear: Vec<f64>,
     /// Where the bodies were when the list was made.
     made_at: Vec<DVec2>,
-    slack: f64,
+    margin: f64,
     near_walls: Vec<Projection>,
-    gauges: Vec<Gauge>,
+    pair_data: Vec<PairData>,
 }
 
 /// What pairs ask most often, close together in memory.
 #[derive(Clone, Copy, Debug)]
-struct Gauge {
+struct PairData {
     centre: DVec2,
     axis: DVec2,
     size: f64,
@@ -72,7 +72,7 @@ struct Gauge {
     is_square: bool,
 }
 
-impl Gauge {
+impl PairData {
     fn of(particle: &Particle) -> Self {
         let stretched = particle.kind.is_stretched();
         Self {
@@ -98,7 +98,7 @@ impl Motion {
     /// Makes the neighbour list again where it may have become wrong. The bodies are put in the
     /// order of the grid's buckets first, so that neighbours lie near in memory too.
     pub fn refresh(&mut self, bodies: &mut [Body], domain: &Domain) {
-        let limit = 0.25 * self.slack * self.slack;
+        let limit = 0.25 * self.margin * self.margin;
         let fresh = self.made_at.len() == bodies.len()
             && bodies
                 .iter()
@@ -118,16 +118,16 @@ impl Motion {
             longest = longest.max(shape.length());
             root = root.max(shape.root);
         }
-        let slack = SKIN * largest;
+        let margin = VERLET_MARGIN * largest;
         // A move counts for more across a stretched cell than along it.
-        self.slack = slack / root;
-        let reach = SQUARE_REACH * longest + slack;
+        self.margin = margin / root;
+        let reach = SQUARE_REACH * longest + margin;
         let grid = Grid::new(lo, hi, reach / 2.0);
         let firsts = sort_by_bucket(bodies, &grid);
         self.made_at = bodies.iter().map(|b| b.particle.centre).collect();
         self.forces.resize(bodies.len(), DVec2::ZERO);
         self.clear.resize(bodies.len(), 0.0);
-        self.collect_pairs(bodies, domain, (&grid, &firsts), (reach, slack));
+        self.collect_pairs(bodies, domain, (&grid, &firsts), (reach, margin));
     }
 
     /// The bodies are in the order of the grid's buckets, so those of a run of buckets are a run of
@@ -137,7 +137,7 @@ impl Motion {
         bodies: &[Body],
         domain: &Domain,
         (grid, firsts): (&Grid, &[usize]),
-        (reach, slack): (f64, f64),
+        (reach, margin): (f64, f64),
     ) {
         self.list.clear();
         self.start.clear();
@@ -152,7 +152,7 @@ impl Motion {
                     let first = firsts[run.start].max(i + 1).min(end);
                     for (other, j) in bodies[first..end].iter().zip(first as u32..) {
                         let r = other.particle.centre - image;
-                        if shape.may_touch(&Shape::of(&other.particle), r, slack)
+                        if shape.may_touch(&Shape::of(&other.particle), r, margin)
                             && space.is_shortest(r)
                             && !is_walled_off(body, other, r, domain)
                         {
@@ -177,11 +177,11 @@ impl Motion {
     /// Wakes the bodies that have moved, and their neighbours.
     fn wake(&mut self, bodies: &[Body]) {
         self.awake.clear();
-        self.awake.extend(bodies.iter().map(|b| b.stirred));
+        self.awake.extend(bodies.iter().map(|b| b.has_moved));
         for (i, body) in bodies.iter().enumerate() {
             for &j in &self.list[self.start[i] as usize..self.start[i + 1] as usize] {
-                self.awake[i] |= bodies[j as usize].stirred;
-                self.awake[j as usize] |= body.stirred;
+                self.awake[i] |= bodies[j as usize].has_moved;
+                self.awake[j as usize] |= body.has_moved;
             }
         }
         for (awake, body) in self.awake.iter_mut().zip(bodies) {
@@ -192,15 +192,15 @@ impl Motion {
     /// The forces on those that are awake.
     fn evaluate(&mut self, bodies: &[Body], around: Surroundings, first: bool) {
         self.forces.fill(DVec2::ZERO);
-        self.gauges.clear();
-        self.gauges
-            .extend(bodies.iter().map(|b| Gauge::of(&b.particle)));
+        self.pair_data.clear();
+        self.pair_data
+            .extend(bodies.iter().map(|b| PairData::of(&b.particle)));
         for (i, body) in bodies.iter().enumerate() {
-            let (a, a_awake) = (self.gauges[i], self.awake[i]);
+            let (a, a_awake) = (self.pair_data[i], self.awake[i]);
             let mut total = DVec2::ZERO;
             for &j in &self.list[self.start[i] as usize..self.start[i + 1] as usize] {
                 let j = j as usize;
-                let b = &self.gauges[j];
+                let b = &self.pair_data[j];
                 if !(a_awake || self.awake[j]) {
                     continue;
                 }
@@ -255,7 +255,7 @@ impl Motion {
         for (i, (body, by)) in bodies.iter_mut().zip(moves).enumerate() {
             if !self.awake[i] {
                 body.velocity = DVec2::ZERO;
-                body.stirred = false;
+                body.has_moved = false;
                 continue;
             }
             let before = body.particle.centre;
@@ -268,7 +268,7 @@ impl Motion {
             };
             body.place(centre, around.fields);
             let moved = space.shortest(centre - before).length() / shape.size;
-            body.stirred = moved > least_move(body.particle.kind);
+            body.has_moved = moved > least_move(body.particle.kind);
             largest_move = greater(largest_move, moved);
         }
         (largest_move, largest_force)

@@ -5,22 +5,23 @@
 //! motion (`integrate`), population control (`population`). A [`Packing`] advances one step at a
 //! time; nothing in it knows of time or frames.
 
-mod carry;
-mod crowd;
+mod boundary_cells;
+mod clearance;
 pub mod force;
 mod front;
 mod grid;
 mod integrate;
-mod loads;
+mod measures;
+mod placed;
 mod placement;
 mod population;
 mod quadtree;
-mod rim;
 mod shape;
 mod wall;
+mod warm_start;
 
 pub(crate) use grid::Grid;
-pub use loads::{Load, Sample, Stand};
+pub use measures::{Alignment, NetForce, Sample};
 pub use placement::Placing;
 
 use crate::domain::{Domain, Walls};
@@ -34,7 +35,7 @@ use shape::Shape;
 
 /// How the cells meet the boundary.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Edge {
+pub enum BoundaryCondition {
     /// The cells' edges lie on it: a soft wall pushes them to half a cell from it.
     Wall,
     /// The cells' centres lie on it and are fixed, as in the papers.
@@ -74,7 +75,7 @@ pub enum Population {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PackingParams {
     /// How the cells meet the boundary.
-    pub edge: Edge,
+    pub boundary: BoundaryCondition,
     /// How the inside is filled at first.
     pub start: Start,
     /// How the equation of motion is integrated.
@@ -127,6 +128,7 @@ struct Surroundings<'a> {
     pub domain: &'a Domain,
     pub fields: &'a Fields,
     pub walls: &'a Walls,
+    pub boundary: BoundaryCondition,
 }
 
 /// A packed cell.
@@ -194,7 +196,7 @@ struct Body {
     /// This cell's size over what the size field asks for.
     factor: f64,
     /// It has moved in the last step, or is new.
-    stirred: bool,
+    has_moved: bool,
 }
 
 impl Body {
@@ -267,7 +269,7 @@ impl Packing {
             particle,
             velocity: DVec2::ZERO,
             factor: 1.0,
-            stirred: true,
+            has_moved: true,
         });
     }
 
@@ -316,6 +318,7 @@ impl Packing {
             domain,
             fields,
             walls: &self.walls,
+            boundary: self.params.boundary,
         };
         let (largest_move, largest_force) =
             self.motion
@@ -349,6 +352,7 @@ impl Packing {
             domain,
             fields,
             walls: &self.walls,
+            boundary: self.params.boundary,
         };
         let change = population::change(around, &self.bodies, &self.params);
         let mut index = 0;
@@ -367,8 +371,10 @@ impl Packing {
             self.motion.forget();
         }
         if removed > 0 {
-            // Who stood beside them?
-            self.bodies.iter_mut().for_each(|body| body.stirred = true);
+            // Their neighbours are not known any more.
+            self.bodies
+                .iter_mut()
+                .for_each(|body| body.has_moved = true);
         }
         changed
     }

@@ -1,11 +1,13 @@
 //! The first cells: along the boundary, then inside.
 
-use super::crowd::Crowd;
+use super::boundary_cells::{boundary_cells, line_pieces, pieces};
 use super::front::Front;
+use super::placed::Placed;
 use super::quadtree::Quadtree;
-use super::rim::{boundary_cells, line_pieces, pieces};
 use super::wall::reach;
-use super::{Edge, Packing, PackingParams, Start, Surroundings, TUNING, greatest_length};
+use super::{
+    BoundaryCondition, Packing, PackingParams, Start, Surroundings, TUNING, greatest_length,
+};
 use crate::decimal;
 use crate::domain::{Domain, Walls};
 use crate::field::Fields;
@@ -19,7 +21,7 @@ const PLACES: usize = 2000;
 pub struct Placing {
     params: PackingParams,
     walls: Walls,
-    crowd: Crowd,
+    placed: Placed,
     /// So many of them stand along the boundary.
     along: usize,
     inside: Inside,
@@ -45,16 +47,16 @@ impl Placing {
             return Err(notice.with("most", decimal::text(TUNING.most_cells)));
         }
         let walls = Walls::new(domain, reach(greatest_length(domain, fields, &params)));
-        let mut crowd = along_boundary(domain, fields, params.edge == Edge::On);
-        let along = crowd.cells.len();
+        let mut placed = along_boundary(domain, fields, params.boundary == BoundaryCondition::On);
+        let along = placed.cells.len();
         let inside = match params.start {
-            Start::Stream => Inside::Front(Front::new(&mut crowd, domain, fields, params.seed)),
+            Start::Stream => Inside::Front(Front::new(&mut placed, domain, fields, params.seed)),
             Start::Quadtree => Inside::Quadtree(Quadtree::new(domain, fields)),
         };
         Ok(Self {
             params,
             walls,
-            crowd,
+            placed,
             along,
             inside,
         })
@@ -66,39 +68,40 @@ impl Placing {
             domain,
             fields,
             walls: &self.walls,
+            boundary: self.params.boundary,
         };
-        let (crowd, edge) = (&mut self.crowd, self.params.edge);
+        let placed = &mut self.placed;
         (0..PLACES).any(|_| match &mut self.inside {
-            Inside::Front(front) => front.grow(crowd, around, edge),
-            Inside::Quadtree(tree) => tree.grow(crowd, around, edge),
+            Inside::Front(front) => front.grow(placed, around),
+            Inside::Quadtree(tree) => tree.grow(placed, around),
         })
     }
 
     /// The packing of the cells so far.
     pub fn finish(mut self, domain: &Domain, fields: &Fields) -> Packing {
-        self.crowd.settle_all(domain, fields);
-        let fixed = self.params.edge == Edge::On;
-        let cells = self.crowd.cells.iter().enumerate();
+        self.placed.fill_empty_islands(domain, fields);
+        let fixed = self.params.boundary == BoundaryCondition::On;
+        let cells = self.placed.cells.iter().enumerate();
         let cells = cells.map(|(k, &centre)| (centre, fixed && k < self.along));
         Packing::of(cells, fields, self.params, self.walls)
     }
 }
 
 /// The cells along the rings and the constraint lines.
-fn along_boundary(domain: &Domain, fields: &Fields, fixed: bool) -> Crowd {
-    let mut crowd = Crowd::new(domain, fields);
+fn along_boundary(domain: &Domain, fields: &Fields, fixed: bool) -> Placed {
+    let mut placed = Placed::new(domain, fields);
     for island in domain.islands() {
         for piece in island.rings().iter().flat_map(|ring| pieces(ring, true)) {
-            boundary_cells(&mut crowd, &piece, fields, island, fixed);
+            boundary_cells(&mut placed, &piece, fields, island, fixed);
         }
     }
     for island in domain.islands() {
         let lines = island.lines().iter();
         for piece in lines.flat_map(|line| line_pieces(line, fixed)) {
-            boundary_cells(&mut crowd, &piece, fields, island, fixed);
+            boundary_cells(&mut placed, &piece, fields, island, fixed);
         }
     }
-    crowd
+    placed
 }
 
 /// The centres of the cells that are fixed on the boundary.

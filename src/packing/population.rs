@@ -7,12 +7,12 @@
 //! gaps, none of them as wide as a cell, so rows are measured over some cells, too.
 
 use super::Surroundings;
-use super::crowd::{has_room, narrowed};
+use super::clearance::{has_room, middle_of_narrow};
 use super::front::slots;
 use super::grid::Grid;
 use super::shape::Shape;
-use super::{Body, Edge, PackingParams, Population};
-use crate::domain::{Domain, Projection, Walls};
+use super::{Body, BoundaryCondition, PackingParams, Population};
+use crate::domain::{Domain, Projection};
 use crate::field::{Fields, Kind};
 use crate::order;
 use glam::DVec2;
@@ -103,17 +103,20 @@ pub(super) fn change(around: Surroundings, bodies: &[Body], params: &PackingPara
             continue;
         }
         for site in census.sites(i, fields) {
-            add.extend(census.fitting(site, &add, around, params.edge));
+            add.extend(census.fitting(site, &add, around));
         }
     }
     Change { remove, add }
 }
 
 /// A new cell may not stand between two walls that are nearer to each other than a cell.
-fn clear_of_walls(place: DVec2, shape: &Shape, walls: &Walls, edge: Edge) -> bool {
+fn clear_of_walls(place: DVec2, shape: &Shape, around: Surroundings) -> bool {
     let mut near = Vec::new();
-    walls.project(place, shape.length(), &mut near);
-    let least = if edge == Edge::Wall { 0.4 } else { 0.7 };
+    around.walls.project(place, shape.length(), &mut near);
+    let least = match around.boundary {
+        BoundaryCondition::Wall => 0.4,
+        BoundaryCondition::On => 0.7,
+    };
     let is_clear = |wall: &Projection| wall.distance >= least * shape.extent(wall.inward);
     near.iter().all(is_clear)
 }
@@ -124,7 +127,7 @@ impl Census<'_> {
         let centre = self.bodies[i].particle.centre;
         let at = |p: DVec2| {
             let place = self.domain.space().wrap(p);
-            Site::new(place, Shape::gauge(fields, place))
+            Site::new(place, Shape::metric_at(fields, place))
         };
         let mut sites = Vec::with_capacity(8);
         for place in slots(centre, self.shapes[i], fields) {
@@ -148,7 +151,6 @@ impl Census<'_> {
         Site { place, shape, room }: Site,
         add: &[DVec2],
         around: Surroundings,
-        edge: Edge,
     ) -> Option<DVec2> {
         let is_free = |place: DVec2, shape: &Shape| {
             let is_near = |&other: &DVec2| {
@@ -160,11 +162,11 @@ impl Census<'_> {
         if !is_free(place, &shape) {
             return None;
         }
-        if has_room(place, around, edge) && clear_of_walls(place, &shape, around.walls, edge) {
+        if has_room(place, around) && clear_of_walls(place, &shape, around) {
             return Some(place);
         }
-        narrowed(place, around, edge)
-            .filter(|&middle| is_free(middle, &Shape::gauge(around.fields, middle)))
+        middle_of_narrow(place, around)
+            .filter(|&middle| is_free(middle, &Shape::metric_at(around.fields, middle)))
     }
 
     /// The middle of the gap between a body and the next one of its row at `to`, where the row
@@ -202,7 +204,7 @@ impl Census<'_> {
         let mut best = None;
         let mut least = ROW;
         self.any_near(to, shape, ROW, |k, r| {
-            let far = shape.closeness(&self.shapes[k], r);
+            let far = shape.normalised_distance(&self.shapes[k], r);
             if k != i && far < least && !self.domain.is_parted(to, to + r) {
                 (least, best) = (far, Some(k));
             }
@@ -211,7 +213,7 @@ impl Census<'_> {
         let k = best?;
         let way = self.bodies[k].particle.centre - centre;
         let way = self.domain.space().shortest(way);
-        Some((k, way, shape.closeness(&self.shapes[k], way)))
+        Some((k, way, shape.normalised_distance(&self.shapes[k], way)))
     }
 
     /// The smallest w between a body and the others (2 where none is near).
@@ -219,7 +221,7 @@ impl Census<'_> {
         let (at, shape) = (self.bodies[i].particle.centre, &self.shapes[i]);
         let mut least = 2.0_f64;
         self.any_near(at, shape, 1.0, |k, r| {
-            let far = shape.closeness(&self.shapes[k], r);
+            let far = shape.normalised_distance(&self.shapes[k], r);
             if k != i && far < least && !self.domain.is_parted(at, at + r) {
                 least = far;
             }

@@ -1,7 +1,8 @@
 //! One cell in every leaf of a quadtree: the papers' way to fill the inside at first.
 
-use super::crowd::{Crowd, has_room};
-use super::{Edge, Surroundings};
+use super::Surroundings;
+use super::clearance::has_room;
+use super::placed::Placed;
 use crate::domain::Domain;
 use crate::field::Fields;
 use glam::DVec2;
@@ -30,7 +31,7 @@ impl Quadtree {
     }
 
     /// Looks at the next square; true when there is none.
-    pub fn grow(&mut self, crowd: &mut Crowd, around: Surroundings, edge: Edge) -> bool {
+    pub fn grow(&mut self, placed: &mut Placed, around: Surroundings) -> bool {
         let Surroundings { domain, fields, .. } = around;
         let Some((corner, side)) = self.open.pop() else {
             return true;
@@ -41,9 +42,8 @@ impl Quadtree {
             for (x, y) in [(half, half), (0.0, half), (half, 0.0), (0.0, 0.0)] {
                 self.open.push((corner + DVec2::new(x, y), half));
             }
-        } else if crowd.is_free(domain, fields, middle, LEAF_GAP) && has_room(middle, around, edge)
-        {
-            crowd.push(fields, middle);
+        } else if placed.is_free(domain, fields, middle, LEAF_GAP) && has_room(middle, around) {
+            placed.push(fields, middle);
         }
         false
     }

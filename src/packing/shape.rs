@@ -63,7 +63,7 @@ impl Particle {
     }
 
     /// How far a place, `way` off its centre, is on the way to its rim: 0 in the middle, 1 on it.
-    pub(crate) fn middle_distance(&self, way: DVec2) -> f64 {
+    pub(crate) fn relative_radius(&self, way: DVec2) -> f64 {
         let (e, f) = self.half_axes();
         let local = DVec2::new(
             way.dot(e) / e.length_squared(),
@@ -81,8 +81,8 @@ impl Particle {
     }
 
     /// The distance to another cell, `way` off, in stable distances of the two.
-    pub(crate) fn closeness(&self, other: &Particle, way: DVec2) -> f64 {
-        Shape::of(self).closeness(&Shape::of(other), way)
+    pub(crate) fn normalised_distance(&self, other: &Particle, way: DVec2) -> f64 {
+        Shape::of(self).normalised_distance(&Shape::of(other), way)
     }
 
     /// Where neighbours of the same kind and size touch it: at its four edges, or six around.
@@ -101,8 +101,8 @@ impl Shape {
         Self::new(kind, fields.direction(p), fields.size(p), fields.aspect(p))
     }
 
-    /// The same as far as distances ask for it: without the axis where the cell is not stretched.
-    pub fn gauge(fields: &Fields, p: DVec2) -> Self {
+    /// Its metric only: without the axis where the cell is not stretched, which is quicker.
+    pub fn metric_at(fields: &Fields, p: DVec2) -> Self {
         let kind = fields.kind(p);
         if kind.is_stretched() {
             Self::at(fields, p)
@@ -189,20 +189,20 @@ impl Shape {
         support.min(POKE * round)
     }
 
-    /// Could the forces of two cells reach each other, had they come nearer by `slack`?
-    pub fn may_touch(&self, other: &Shape, r: DVec2, slack: f64) -> bool {
+    /// Could the forces of two cells reach each other, had they come nearer by `margin`?
+    pub fn may_touch(&self, other: &Shape, r: DVec2, margin: f64) -> bool {
         let reach = if self.kind.has_corners() || other.kind.has_corners() {
             SQUARE_REACH
         } else {
             CUT
         };
-        let within = reach * 0.5 * (self.length() + other.length()) + slack;
+        let within = reach * 0.5 * (self.length() + other.length()) + margin;
         if r.length_squared() >= within * within {
             return false;
         }
         let stable = 0.5 * (self.size + other.size);
         (self.root == 1.0 && other.root == 1.0)
-            || self.closeness(other, r) * stable < reach * stable + slack
+            || self.normalised_distance(other, r) * stable < reach * stable + margin
     }
 
     /// Is their distance less than `w` of their stable one?
@@ -211,13 +211,13 @@ impl Shape {
             let reach = w * (0.5 * (self.size + other.size));
             return r.length_squared() < reach * reach;
         }
-        self.closeness(other, r) < w
+        self.normalised_distance(other, r) < w
     }
 
     /// The distance of two cells over their stable one: w of eq. (2), by effective distances (Itoh,
     /// Miyata, Shimada 2003, section 5.1): the stable distance is the sum of the two lengths that
     /// the cells' ellipses cut out of the line between the centres.
-    pub fn closeness(&self, other: &Shape, r: DVec2) -> f64 {
+    pub fn normalised_distance(&self, other: &Shape, r: DVec2) -> f64 {
         if self.root == 1.0 && other.root == 1.0 {
             return r.length() / (0.5 * (self.size + other.size));
         }

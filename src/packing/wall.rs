@@ -45,7 +45,7 @@ pub(super) fn stays_clear(distance: f64, by: f64, length: f64) -> bool {
 /// its own side; on a torus, back into the picture.
 pub(super) fn keep_inside(from: DVec2, to: DVec2, shape: Shape, around: Surroundings) -> DVec2 {
     let domain = around.domain;
-    // After a move that is shorter than the reach of the walls, whoever is beyond them is near them.
+    // After a move shorter than the reach of the walls, a cell beyond them is near them.
     let is_short = from.distance(to) < around.walls.reach();
     if is_short && domain.is_in_box(to) && !around.walls.is_near(to) {
         return to;

@@ -3,7 +3,7 @@
 use super::overlay::{Board, CASING, Tint, lines_of};
 use super::overlay_over::{in_steps, scale, shapes};
 use super::overlay_stages::{line_width, mean};
-use crate::packing::{Load, Particle};
+use crate::packing::{NetForce, Particle};
 use glam::DVec2;
 
 const ARROW: Tint = [1.0, 0.36, 0.66, 1.0];
@@ -24,7 +24,7 @@ const STEPS: usize = 24;
 
 /// Draws the net force on each cell as an arrow, as long as the root of the force, so that weak ones
 /// are still seen.
-pub fn forces(board: &mut Board, loads: &[(Particle, Load)]) {
+pub fn forces(board: &mut Board, loads: &[(Particle, NetForce)]) {
     let size = mean(loads.iter().map(|(p, _)| p.size));
     let width = 0.9 * line_width(size);
     let (mut shafts, mut heads, mut rims) = (Vec::new(), Vec::new(), Vec::new());
@@ -57,11 +57,11 @@ pub fn forces(board: &mut Board, loads: &[(Particle, Load)]) {
 }
 
 /// Is no force worth an arrow?
-pub fn at_rest(loads: &[(Particle, Load)]) -> bool {
+pub fn at_rest(loads: &[(Particle, NetForce)]) -> bool {
     !loads.iter().any(|(particle, load)| is_seen(particle, load))
 }
 
-fn is_seen(particle: &Particle, load: &Load) -> bool {
+fn is_seen(particle: &Particle, load: &NetForce) -> bool {
     !particle.fixed && load.force.length() >= LEAST
 }
 
@@ -71,9 +71,9 @@ fn refs(rings: &[Vec<DVec2>]) -> Vec<&[DVec2]> {
 }
 
 /// Fills each cell by its energy: blue where its neighbours hold it, red where they press it.
-pub fn energy(board: &mut Board, loads: &[(Particle, Load)]) {
+pub fn energy(board: &mut Board, loads: &[(Particle, NetForce)]) {
     let rings = shapes(&mut loads.iter().map(|(p, _)| p), 0.94);
-    let share = |(particle, load): &(Particle, Load)| {
+    let share = |(particle, load): &(Particle, NetForce)| {
         let rest = REST[usize::from(!particle.kind.has_corners())];
         (1.0 - load.energy / rest) as f32
     };

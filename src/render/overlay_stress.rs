@@ -49,7 +49,7 @@ pub fn stress(domain: &Domain, particles: &[Particle]) -> Vec<Stress> {
             let is_near = k != own && r.length_squared() < far * far;
             if is_near && !domain.is_parted(centre, centre + r) {
                 let pair = Pair::new(particle, other);
-                depth = depth.max(pair.depth(r));
+                depth = depth.max(pair.penetration(r));
                 let stable = 2.0 * pair.stable_distance() / particle.size;
                 let q = DVec2::new(r.dot(e) / e.length_squared(), r.dot(f) / f.length_squared());
                 around.push(q / stable);

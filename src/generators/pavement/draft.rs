@@ -80,7 +80,7 @@ impl Pavement {
         let (domain, fields) = terrain.made()?;
         let params = wish.params.packing;
         let carried = packing.map(|mut packing| {
-            packing.carry(domain, fields, params);
+            packing.warm_start(domain, fields, params);
             packing
         });
         let packing = match carried.filter(|packing| packing.report().cells > 0) {

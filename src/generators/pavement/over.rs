@@ -23,7 +23,7 @@ impl Pavement {
                 Overlay::Energy | Overlay::Forces if packs => self.made.packing_mut(),
                 _ => None,
             };
-            let loads = loads.map(|(packing, domain)| packing.loads(domain));
+            let loads = loads.map(|(packing, domain)| packing.net_forces(domain));
             let made = &self.made;
             let Some((domain, fields)) = made.terrain.made() else {
                 return;

@@ -8,7 +8,7 @@ use crate::domain::Outline;
 use crate::field::{Direction, FieldParams, Grading, Kind, Spot};
 use crate::generators::common;
 use crate::generators::height_field::{HeightFieldParams, PlaneParams};
-use crate::packing::{Edge, Integrator, PackingParams, Population, Start};
+use crate::packing::{BoundaryCondition, Integrator, PackingParams, Population, Start};
 use crate::recipe::Recipe;
 use crate::recipe::common::keys as shared;
 use crate::solid::{SkinParams, Spread, StoneKind, StoneParams};
@@ -194,9 +194,9 @@ fn part_kinds(recipe: &Recipe, kind: Kind) -> Vec<(DVec2, Kind)> {
 
 pub(super) fn packing(recipe: &Recipe) -> PackingParams {
     PackingParams {
-        edge: match recipe.choice(keys::EDGE) {
-            "on" => Edge::On,
-            _ => Edge::Wall,
+        boundary: match recipe.choice(keys::EDGE) {
+            "on" => BoundaryCondition::On,
+            _ => BoundaryCondition::Wall,
         },
         start: match recipe.choice(keys::START) {
             "quadtree" => Start::Quadtree,

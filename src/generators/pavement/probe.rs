@@ -161,7 +161,7 @@ impl Pavement {
             true => Vec::new(),
             false => {
                 let packing = self.made.packing_mut();
-                packing.map_or(Vec::new(), |(packing, domain)| packing.stands(domain))
+                packing.map_or(Vec::new(), |(packing, domain)| packing.alignments(domain))
             }
         };
         let Some(fields) = self.made.terrain.fields.made() else {
@@ -181,7 +181,7 @@ impl Pavement {
         }
         for (particle, stand) in stands {
             let size = particle.size * stand.spacing;
-            found.push((size / fields.size(particle.centre), stand.off));
+            found.push((size / fields.size(particle.centre), stand.angle));
             widest = match particle.kind {
                 Kind::Circle => widest,
                 Kind::Ellipse => 180.0,

@@ -1,6 +1,7 @@
 //! The cells along the boundary.
 
-use super::crowd::{Crowd, is_clear};
+use super::clearance::is_clear;
+use super::placed::Placed;
 use super::shape::Shape;
 use crate::domain::Domain;
 use crate::field::Fields;
@@ -84,7 +85,7 @@ pub(super) fn line_pieces(line: &[DVec2], fixed: bool) -> Vec<Piece> {
 
 /// Evenly spaced cells along a piece: on it, or half a cell inside with mitred ends.
 pub(super) fn boundary_cells(
-    crowd: &mut Crowd,
+    placed: &mut Placed,
     piece: &Piece,
     fields: &Fields,
     domain: &Domain,
@@ -98,7 +99,7 @@ pub(super) fn boundary_cells(
     };
     let wide = DEPTHS.iter().find(is_wide);
     if wide.is_none() && !fixed {
-        return narrow_cells(crowd, piece, fields, domain);
+        return narrow_cells(placed, piece, fields, domain);
     }
     let depth = *wide.unwrap_or(&DEPTHS[0]);
     let line = if fixed {
@@ -110,20 +111,20 @@ pub(super) fn boundary_cells(
     let spaced = spaced(&line, fields, 0.0);
     for &(p, _) in &spaced[..spaced.len() - usize::from(closed)] {
         let clear = || is_clear(p, BOUNDARY_CLEARANCE * depth, fields, domain);
-        if (fixed || clear()) && crowd.is_free(domain, fields, p, BOUNDARY_GAP) {
-            crowd.push(fields, p);
+        if (fixed || clear()) && placed.is_free(domain, fields, p, BOUNDARY_GAP) {
+            placed.push(fields, p);
         }
     }
 }
 
 /// Where the outline is narrower than the cells: in its middle, as the wall goes along.
-fn narrow_cells(crowd: &mut Crowd, piece: &Piece, fields: &Fields, domain: &Domain) {
+fn narrow_cells(placed: &mut Placed, piece: &Piece, fields: &Fields, domain: &Domain) {
     for (p, along) in spaced(&piece.points, fields, 0.5) {
         let inward = along.perp();
-        let most = DEPTHS[0] * Shape::gauge(fields, p).extent(inward);
+        let most = DEPTHS[0] * Shape::metric_at(fields, p).extent(inward);
         let p = p + inward * domain.medial_depth(p, inward, most);
-        if domain.contains(p) && crowd.is_free(domain, fields, p, BOUNDARY_GAP) {
-            crowd.push(fields, p);
+        if domain.contains(p) && placed.is_free(domain, fields, p, BOUNDARY_GAP) {
+            placed.push(fields, p);
         }
     }
 }
@@ -134,7 +135,7 @@ fn spaced(line: &[DVec2], fields: &Fields, from: f64) -> Vec<(DVec2, DVec2)> {
     // Lengths in cells: a step is shorter where cells are smaller.
     let mut reached = vec![0.0];
     for w in line.windows(2) {
-        let cells = Shape::gauge(fields, w[0].midpoint(w[1])).cells_along(w[1] - w[0]);
+        let cells = Shape::metric_at(fields, w[0].midpoint(w[1])).cells_along(w[1] - w[0]);
         reached.push(reached[reached.len() - 1] + cells);
     }
     let total = reached[reached.len() - 1];
@@ -177,7 +178,7 @@ fn offset_line(piece: &Piece, fields: &Fields, depth: f64) -> Vec<DVec2> {
                 _ => along(k.min(last - 1)),
             };
             let mitre = mitre(earlier, later);
-            let shape = Shape::gauge(fields, points[k]);
+            let shape = Shape::metric_at(fields, points[k]);
             points[k] + mitre * depth * shape.extent(mitre.normalize())
         })
         .collect()

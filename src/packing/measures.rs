@@ -1,4 +1,5 @@
-//! How a packing fares: its energy, what each cell bears, and how the run went.
+//! Measures of a packing: its energy, the net force on each cell, how cells are aligned with their
+//! neighbours, and the record of the run.
 
 use super::force::{force_between, potential_between};
 use super::shape::Shape;
@@ -7,9 +8,9 @@ use super::{Body, Packing, Particle};
 use crate::domain::Domain;
 use glam::DVec2;
 
-/// What a cell bears.
+/// The net force on a cell, and its share of the energy.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Load {
+pub struct NetForce {
     /// The sum of all forces on it, in its size (of a cell held on the boundary, too).
     pub force: DVec2,
     /// Its half of the potentials (eq. 4) of the pairs that it is in, in its k0: below 0 where its
@@ -17,15 +18,15 @@ pub struct Load {
     pub energy: f64,
 }
 
-/// How a cell stands among its neighbours.
+/// How a cell is aligned with its neighbours.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Stand {
+pub struct Alignment {
     /// The mean distance of its nearest neighbours over the stable one; 1 where it has none.
     pub spacing: f64,
     /// The angle between its neighbours and its axis, degrees: of cells with corners that of the rows
     /// and columns they stand in, 0..45; of ellipses that of the long axis of their places, 0..90.
     /// None of circles, and where there is no neighbour or no axis.
-    pub off: Option<f64>,
+    pub angle: Option<f64>,
 }
 
 /// A row of the record of a run.
@@ -98,40 +99,41 @@ impl Packing {
         }
     }
 
-    /// The cells, in no special order, with what each bears where it is now.
-    pub fn loads(&mut self, domain: &Domain) -> Vec<(Particle, Load)> {
-        let mut loads = vec![Load::default(); self.bodies.len()];
+    /// The cells, in no special order, with the net force on each where it is now.
+    pub fn net_forces(&mut self, domain: &Domain) -> Vec<(Particle, NetForce)> {
+        let mut all = vec![NetForce::default(); self.bodies.len()];
         self.each_pair(domain, &mut |a, b, r, (i, j)| {
             let force = force_between(&a.particle, &b.particle, r);
             let energy = 0.5 * potential_between(&a.particle, &b.particle, r);
-            loads[i].force -= force;
-            loads[j].force += force;
-            loads[i].energy += energy;
-            loads[j].energy += energy;
+            all[i].force -= force;
+            all[j].force += force;
+            all[i].energy += energy;
+            all[j].energy += energy;
         });
         let mut near = Vec::new();
-        for (load, body) in loads.iter_mut().zip(&self.bodies) {
+        for (own, body) in all.iter_mut().zip(&self.bodies) {
             let size = body.particle.size;
-            load.force += wall_force(body, &self.walls, &mut near).0;
-            load.force /= size;
-            load.energy /= size * size;
+            own.force += wall_force(body, &self.walls, &mut near).0;
+            own.force /= size;
+            own.energy /= size * size;
         }
-        self.bodies.iter().map(|b| b.particle).zip(loads).collect()
+        self.bodies.iter().map(|b| b.particle).zip(all).collect()
     }
 
-    /// The cells, in no special order, with how each stands among its neighbours.
-    pub fn stands(&mut self, domain: &Domain) -> Vec<(Particle, Stand)> {
+    /// The cells, in no special order, with how each is aligned.
+    pub fn alignments(&mut self, domain: &Domain) -> Vec<(Particle, Alignment)> {
         let mut around = vec![Around::default(); self.bodies.len()];
         self.each_pair(domain, &mut |a, b, r, (i, j)| {
-            let far = Shape::of(&a.particle).closeness(&Shape::of(&b.particle), r);
+            let far = Shape::of(&a.particle).normalised_distance(&Shape::of(&b.particle), r);
             if far < NEAR {
                 around[i].add(&a.particle, r, far);
                 around[j].add(&b.particle, -r, far);
             }
         });
         let bodies = self.bodies.iter().zip(around);
-        let stand = |(body, around): (&Body, Around)| (body.particle, around.stand(&body.particle));
-        bodies.map(stand).collect()
+        let aligned =
+            |(body, around): (&Body, Around)| (body.particle, around.aligned(&body.particle));
+        bodies.map(aligned).collect()
     }
 
     /// The cell whose shape holds this place, and its place among the ids in rising order; where
@@ -140,7 +142,7 @@ impl Packing {
         let mut best: Option<(f64, &Particle)> = None;
         for body in &self.bodies {
             let particle = &body.particle;
-            let far = particle.middle_distance(domain.space().shortest(p - particle.centre));
+            let far = particle.relative_radius(domain.space().shortest(p - particle.centre));
             if best.map_or(far <= 1.0, |(least, _)| far < least) {
                 best = Some((far, particle));
             }
@@ -180,11 +182,11 @@ impl Around {
         };
     }
 
-    fn stand(&self, particle: &Particle) -> Stand {
+    fn aligned(&self, particle: &Particle) -> Alignment {
         if self.count == 0.0 {
-            return Stand {
+            return Alignment {
                 spacing: 1.0,
-                off: None,
+                angle: None,
             };
         }
         let fold = if particle.kind.has_corners() {
@@ -194,9 +196,9 @@ impl Around {
         };
         let has_axis = particle.kind != crate::field::Kind::Circle && particle.axis != DVec2::ZERO;
         let turn = libm::atan2(self.turn.y, self.turn.x).to_degrees().abs() / fold;
-        Stand {
+        Alignment {
             spacing: self.far / self.count,
-            off: has_axis.then_some(turn),
+            angle: has_axis.then_some(turn),
         }
     }
 }

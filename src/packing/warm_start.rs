@@ -1,10 +1,12 @@
-//! Takes the cells of a packing along to another outline or to other fields: while a point is
-//! dragged, the cells flow after it. Nothing of this ever reaches a finished picture.
+//! Starts a packing from the cells of another one: in another outline, or in other fields. While a point
+//! is dragged, the cells flow after it. Nothing of this ever reaches a finished picture.
 
 use super::placement::on_boundary;
 use super::shape::Shape;
 use super::wall::{CLOSEST, reach};
-use super::{Body, Edge, Packing, PackingParams, Particle, Population, TUNING, greatest_length};
+use super::{
+    Body, BoundaryCondition, Packing, PackingParams, Particle, Population, TUNING, greatest_length,
+};
 use crate::domain::{Domain, Walls};
 use crate::field::Fields;
 use crate::order;
@@ -18,7 +20,7 @@ impl Packing {
     /// outside are moved in, those far outside dropped, cells on the boundary placed anew, and all
     /// take size, direction and aspect ratio from the fields. The next step looks at the population,
     /// so that new room fills and crowds thin, and as many steps are to come as at the beginning.
-    pub fn carry(&mut self, domain: &Domain, fields: &Fields, mut params: PackingParams) {
+    pub fn warm_start(&mut self, domain: &Domain, fields: &Fields, mut params: PackingParams) {
         if params.population == Population::Off {
             params.population = Population::Slots;
         }
@@ -29,8 +31,8 @@ impl Packing {
         order::sort(&mut held, |body| (body.particle.id.into(), 0));
         free.retain_mut(|body| move_in(body, domain, fields));
         self.bodies = free;
-        if params.edge == Edge::On {
-            // Whoever stood there keeps its name, and its colour.
+        if params.boundary == BoundaryCondition::On {
+            // Cells that stood there before keep their names, and so their colours.
             let mut names = held.iter().map(|body| body.particle.id);
             for centre in on_boundary(domain, fields) {
                 let name = names.next();
@@ -65,13 +67,13 @@ fn move_in(body: &mut Body, domain: &Domain, fields: &Fields) -> bool {
         return false;
     }
     if near.distance <= 0.0 {
-        let least = CLOSEST * Shape::gauge(fields, centre).extent(near.inward);
+        let least = CLOSEST * Shape::metric_at(fields, centre).extent(near.inward);
         let depth = domain.medial_depth(near.point, near.inward, least);
         centre = near.point + near.inward * depth;
     }
     body.particle = Particle::new(body.particle.id, centre, false, fields);
     body.velocity = DVec2::ZERO;
     body.factor = 1.0;
-    body.stirred = true;
+    body.has_moved = true;
     domain.contains(centre)
 }
