@@ -4,8 +4,8 @@ use super::Cell;
 use super::dual::Dual;
 use super::tiling::{self, Lined};
 use crate::domain::Domain;
-use crate::mesh::seams::{Joining, TRIES};
-use crate::mesh::{Mesh, Weave};
+use crate::mesh::seams::{STRATEGIES, Strategy};
+use crate::mesh::{IncrementalDelaunay, Mesh};
 use crate::packing::Particle;
 
 /// The fewest corners that the mesh leaves to a cell: of three it would be a wedge.
@@ -22,7 +22,7 @@ pub(super) struct Making {
 
 /// How far a try is.
 enum Step {
-    Weave(Weave),
+    Delaunay(IncrementalDelaunay),
     Mesh(Mesh),
 }
 
@@ -30,7 +30,7 @@ enum Step {
 enum Try {
     Within(Vec<Particle>, usize),
     Lines(Lined),
-    Seams(Joining, Vec<f64>),
+    Seams(Strategy, Vec<f64>),
 }
 
 /// What came of it.
@@ -65,11 +65,11 @@ impl Making {
         let least = if within { CORNERS } else { 0 };
         let mesh = match step {
             Step::Mesh(mesh) => mesh,
-            Step::Weave(mut weave) => {
-                let next = if weave.advance() {
-                    Step::Mesh(Mesh::whole(weave, |_| plain, least))
+            Step::Delaunay(mut delaunay) => {
+                let next = if delaunay.advance() {
+                    Step::Mesh(Mesh::whole(delaunay, |_| plain, least))
                 } else {
-                    Step::Weave(weave)
+                    Step::Delaunay(delaunay)
                 };
                 self.at_work = Some((what, next));
                 return None;
@@ -80,9 +80,9 @@ impl Making {
                 Some(Made::Dual(Dual::within(domain, &mesh, (cells, rim), plain)))
             }
             Try::Lines(lined) => lined.cells(domain, &mesh).map(Made::Cells),
-            Try::Seams(joining, sizes) => {
+            Try::Seams(strategy, sizes) => {
                 let cells = (&self.particles[..], sizes);
-                Dual::over_seams(domain, &mesh, cells, (joining, plain)).map(Made::Dual)
+                Dual::over_seams(domain, &mesh, cells, (strategy, plain)).map(Made::Dual)
             }
         }
     }
@@ -92,19 +92,25 @@ impl Making {
         // In the plane ghosts end the mesh at the walls; a torus has none, but has to close.
         let Some(side) = domain.space().period() else {
             let (nodes, cells, rim) = Dual::nodes(domain, particles.clone(), self.plain);
-            return (Try::Within(cells, rim), Step::Weave(Weave::new(nodes)));
+            return (
+                Try::Within(cells, rim),
+                Step::Delaunay(IncrementalDelaunay::new(nodes)),
+            );
         };
         let lined = !self.plain && !domain.lines().is_empty();
         let number = self.begun;
         self.begun += 1;
-        if lined && number < TRIES.len() {
-            let (lined, nodes) = Lined::new(side, particles, TRIES[number]);
-            return (Try::Lines(lined), Step::Weave(Weave::new(nodes)));
+        if lined && number < STRATEGIES.len() {
+            let (lined, nodes) = Lined::new(side, particles, STRATEGIES[number]);
+            return (
+                Try::Lines(lined),
+                Step::Delaunay(IncrementalDelaunay::new(nodes)),
+            );
         }
-        let number = number - if lined { TRIES.len() } else { 0 };
-        let joining = TRIES[number.min(TRIES.len() - 1)];
-        let (nodes, sizes) = tiling::nodes(side, particles, joining, self.plain);
-        let what = Try::Seams(joining, sizes);
-        (what, Step::Weave(Weave::new(nodes)))
+        let number = number - if lined { STRATEGIES.len() } else { 0 };
+        let strategy = STRATEGIES[number.min(STRATEGIES.len() - 1)];
+        let (nodes, sizes) = tiling::nodes(side, particles, strategy, self.plain);
+        let what = Try::Seams(strategy, sizes);
+        (what, Step::Delaunay(IncrementalDelaunay::new(nodes)))
     }
 }

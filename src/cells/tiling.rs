@@ -4,7 +4,7 @@ use super::Cell;
 use super::dual::{Dual, On, node, without_rim};
 use super::rings::is_tangled;
 use crate::domain::Domain;
-use crate::mesh::seams::{Joining, closes, spread};
+use crate::mesh::seams::{Strategy, closes, with_images};
 use crate::mesh::{Mesh, Node};
 use crate::order;
 use crate::packing::Particle;
@@ -19,11 +19,11 @@ const SAME: f64 = 4.0 / 65536.0;
 pub(super) fn nodes(
     side: f64,
     particles: &[Particle],
-    joining: Joining,
+    strategy: Strategy,
     plain: bool,
 ) -> (Vec<Node>, Vec<f64>) {
-    let (all, _) = spread(side, particles, joining);
-    let nodes = all.iter().map(|p| joining.node(node(p, plain)));
+    let (all, _) = with_images(side, particles, strategy);
+    let nodes = all.iter().map(|p| strategy.node(node(p, plain)));
     (nodes.collect(), all.iter().map(|p| p.size).collect())
 }
 
@@ -35,8 +35,8 @@ pub(super) struct Lined {
 
 impl Lined {
     /// With the nodes.
-    pub fn new(side: f64, particles: &[Particle], joining: Joining) -> (Self, Vec<Node>) {
-        let (all, of) = spread(side, particles, joining);
+    pub fn new(side: f64, particles: &[Particle], strategy: Strategy) -> (Self, Vec<Node>) {
+        let (all, of) = with_images(side, particles, strategy);
         // Where they really are, of the same images.
         let placed = all.iter().zip(&of).map(|(p, &k)| {
             let (real, near) = (&particles[k as usize], &all[k as usize]);
@@ -51,7 +51,7 @@ impl Lined {
         let (cells, rim) = in_order(placed.collect());
         let (first, last) = in_order(all);
         let nodes = first.iter().chain(&last).map(Node::of);
-        let nodes = nodes.map(|node| joining.node(node)).collect();
+        let nodes = nodes.map(|node| strategy.node(node)).collect();
         let rim = rim.len();
         (Self { cells, rim }, nodes)
     }
@@ -86,7 +86,7 @@ impl Dual {
         domain: &Domain,
         mesh: &Mesh,
         (particles, sizes): (&[Particle], Vec<f64>),
-        (joining, plain): (Joining, bool),
+        (strategy, plain): (Strategy, bool),
     ) -> Option<Self> {
         let mut dual = Self::of(Vec::new(), sizes, mesh, plain);
         for face in &mesh.faces {
@@ -95,7 +95,7 @@ impl Dual {
         let rings: Vec<Vec<DVec2>> = (0..particles.len()).map(|k| dual.ring(k)).collect();
         dual.particles = particles.to_vec();
         let whole = || closes(domain, &rings) && !rings.iter().any(|ring| is_tangled(ring));
-        (joining == Joining::Delaunay || whole()).then_some(dual)
+        (strategy == Strategy::Delaunay || whole()).then_some(dual)
     }
 }
 

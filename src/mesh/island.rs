@@ -1,14 +1,14 @@
 //! The mesh within an outline in the plane, island by island.
 
-use super::lines::{is_cut, lies_on_line};
+use super::constraints::{is_cut, lies_on_line};
 use super::quads::{self, Faces};
 use super::triangles::{NONE, Triangles};
-use super::{Face, Mesh, Node, Weave, patch, relax};
+use super::{Face, IncrementalDelaunay, Mesh, Node, requad, smooth};
 use crate::domain::Domain;
 use crate::packing::Particle;
 use glam::DVec2;
 
-/// A triangle whose height is less than this share of its longest side is a sliver of the rim.
+/// A triangle whose height is less than this share of its longest side is a sliver of the border.
 const SLIVER: f64 = 0.12;
 /// Without an obtuse angle it is one if its height is less than this share.
 const NEEDLE: f64 = 0.01;
@@ -39,7 +39,7 @@ pub(super) struct IslandMeshing {
 
 /// How far the island at work is.
 enum Step {
-    Weave(Weave),
+    Delaunay(IncrementalDelaunay),
     Triangles(Vec<Node>, Triangles),
     Faces(Vec<Node>, Faces),
 }
@@ -65,16 +65,16 @@ impl IslandMeshing {
     pub fn advance(&mut self, domain: &Domain) -> Option<Mesh> {
         let step = match self.step.take() {
             Some(step) => step,
-            None => Step::Weave(Weave::new(self.nodes(domain))),
+            None => Step::Delaunay(IncrementalDelaunay::new(self.nodes(domain))),
         };
         let island = domain.islands().get(self.island).unwrap_or(domain);
         let next = match step {
-            Step::Weave(mut weave) => {
-                if weave.advance() {
-                    let (nodes, triangles) = self.triangles(island, weave);
+            Step::Delaunay(mut delaunay) => {
+                if delaunay.advance() {
+                    let (nodes, triangles) = self.triangles(island, delaunay);
                     Step::Triangles(nodes, triangles)
                 } else {
-                    Step::Weave(weave)
+                    Step::Delaunay(delaunay)
                 }
             }
             Step::Triangles(mut nodes, triangles) => {
@@ -93,9 +93,9 @@ impl IslandMeshing {
     }
 
     /// The triangles within the island.
-    fn triangles(&self, island: &Domain, weave: Weave) -> (Vec<Node>, Triangles) {
-        let (nodes, mut triangles) = weave.finish();
-        triangles.stretch(&nodes, self.keep(island));
+    fn triangles(&self, island: &Domain, delaunay: IncrementalDelaunay) -> (Vec<Node>, Triangles) {
+        let (nodes, mut triangles) = delaunay.finish();
+        triangles.flip_to_metric(&nodes, self.keep(island));
         triangles.retain(|t| {
             let [a, b, c] = t.map(|k| nodes[k as usize].at);
             island.nearest((a + b + c) / 3.0).distance > 0.0 && !is_cut(island, [a, b, c])
@@ -161,10 +161,10 @@ pub(super) fn join_lone(
     keep: impl Fn([u32; 2]) -> bool,
 ) {
     let mut free: Vec<bool> = (0..nodes.len()).map(|k| !is_fixed(k)).collect();
-    for (face, beside) in made.faces.iter().zip(&made.beside) {
+    for (face, adjacent) in made.faces.iter().zip(&made.adjacent) {
         let corners = face.nodes();
         for k in 0..corners.len() {
-            if beside[k] == NONE {
+            if adjacent[k] == NONE {
                 free[corners[k] as usize] = false;
                 free[corners[(k + 1) % corners.len()] as usize] = false;
             }
@@ -181,8 +181,8 @@ pub(super) fn join_lone(
         if lone(nodes, made) <= few {
             break;
         }
-        patch::better(nodes, made, worst, few, &keep);
-        relax::relax(nodes, &made.faces, &free);
+        requad::requadrangulate(nodes, made, worst, few, &keep);
+        smooth::smooth(nodes, &made.faces, &free);
     }
 }
 
@@ -199,7 +199,7 @@ fn at_wall(triangle: &Face, particles: &[Particle]) -> f64 {
     depth.fold(f64::INFINITY, f64::min)
 }
 
-/// Is this a triangle so flat that it only lies along the rim? The needles of sharp tips stay.
+/// Is this a triangle so flat that it only lies along the border? The needles of sharp tips stay.
 fn is_sliver(face: &Face, nodes: &[Node]) -> bool {
     let [a, b, c] = *face.nodes() else {
         return false;

@@ -13,7 +13,7 @@ pub struct Metric {
 
 impl Metric {
     /// The plain one, of squares and circles.
-    pub const EVEN: Self = Self {
+    pub const EUCLIDEAN: Self = Self {
         xx: 1.0,
         xy: 0.0,
         yy: 1.0,
@@ -22,7 +22,7 @@ impl Metric {
     /// That of cells `aspect` times as long (along the unit vector `axis`) as wide.
     pub fn new(axis: DVec2, aspect: f64) -> Self {
         if aspect == 1.0 || axis == DVec2::ZERO {
-            return Self::EVEN;
+            return Self::EUCLIDEAN;
         }
         let (along, across) = (1.0 / aspect, aspect);
         Self {
@@ -34,8 +34,8 @@ impl Metric {
 
     /// The mean of several, of determinant 1 again.
     pub fn mean(several: [Self; 4]) -> Self {
-        if several == [Self::EVEN; 4] {
-            return Self::EVEN;
+        if several == [Self::EUCLIDEAN; 4] {
+            return Self::EUCLIDEAN;
         }
         let [a, b, c, d] = several;
         let xx = a.xx + b.xx + c.xx + d.xx;

@@ -3,15 +3,15 @@
 //! Itoh, Miyata, Shimada (2003), section 5.2: Delaunay triangulation (spade), then pairs of
 //! triangles become quadrilaterals in the order of their quality; lone triangles may stay.
 
+mod constraints;
 mod division;
 mod island;
-mod lines;
 mod meshing;
 mod metric;
-mod patch;
 mod quads;
-mod relax;
+mod requad;
 pub(crate) mod seams;
+mod smooth;
 mod triangles;
 
 pub use meshing::Meshing;
@@ -21,7 +21,7 @@ use crate::domain::Domain;
 use crate::order;
 use crate::packing::Particle;
 use glam::DVec2;
-pub(crate) use triangles::Weave;
+pub(crate) use triangles::IncrementalDelaunay;
 
 /// A point to be joined into a mesh.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -42,7 +42,7 @@ impl Node {
         Self {
             at,
             axis: DVec2::ZERO,
-            metric: Metric::EVEN,
+            metric: Metric::EUCLIDEAN,
             corners: true,
         }
     }
@@ -105,7 +105,7 @@ pub struct Mesh {
 
 impl Mesh {
     /// The mesh of the cells' centres within the outline: elements whose middle lies outside,
-    /// slivers along the rim, and triangles that lie between the outermost cells and the wall they
+    /// slivers along the border, and triangles that lie between the outermost cells and the wall they
     /// stand at, are left out.
     ///
     /// On a torus every element is there once, and images follow the centres where elements reach
@@ -120,10 +120,15 @@ impl Mesh {
     }
 
     /// The mesh of all points over their convex hull. Edges for which `keep` holds are never
-    /// dissolved into a quadrilateral, and `least` edges around each inner node stay. Points that coincide with an earlier one get no element.
-    pub(crate) fn whole(weave: Weave, keep: impl Fn([u32; 2]) -> bool, least: u32) -> Self {
-        let (nodes, mut triangles) = weave.finish();
-        triangles.stretch(&nodes, &keep);
+    /// dissolved into a quadrilateral, and `least` edges around each inner node stay. Points that
+    /// coincide with an earlier one get no element.
+    pub(crate) fn whole(
+        delaunay: IncrementalDelaunay,
+        keep: impl Fn([u32; 2]) -> bool,
+        least: u32,
+    ) -> Self {
+        let (nodes, mut triangles) = delaunay.finish();
+        triangles.flip_to_metric(&nodes, &keep);
         let faces = quads::pair(&nodes, &triangles, &keep, least).faces;
         Self {
             vertices: nodes.iter().map(|n| n.at).collect(),
@@ -133,7 +138,7 @@ impl Mesh {
     }
 
     /// For every vertex the elements around it in order, where they close a full turn; empty for
-    /// vertices on the rim of the mesh.
+    /// vertices on the border of the mesh.
     pub(crate) fn fans(&self) -> Fans {
         Fans::new(self)
     }
@@ -142,7 +147,7 @@ impl Mesh {
 /// Delaunay triangles, each of positive shoelace area, in an order that depends on the points only.
 pub(crate) fn triangulate(points: &[DVec2]) -> Vec<[u32; 3]> {
     let nodes: Vec<Node> = points.iter().copied().map(Node::plain).collect();
-    Weave::new(nodes).finish().1.nodes
+    IncrementalDelaunay::new(nodes).finish().1.nodes
 }
 
 /// The elements around each vertex.

@@ -8,12 +8,12 @@ use crate::order;
 /// A pair scores the least sine of its four corners; worse ones stay two triangles.
 pub(super) const WORST_SCORE: f64 = 0.5;
 
-/// Elements and what lies beside them.
+/// Elements and what is adjacent to them.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Faces {
     pub faces: Vec<Face>,
-    /// The element across the side from each node to the next; [`NONE`] at the rim.
-    pub beside: Vec<[u32; 4]>,
+    /// The element across the side from each node to the next; [`NONE`] at the border.
+    pub adjacent: Vec<[u32; 4]>,
 }
 
 impl Faces {
@@ -24,9 +24,9 @@ impl Faces {
                 continue;
             }
             face.sides = 0;
-            let around = std::mem::replace(&mut self.beside[f], [NONE; 4]);
+            let around = std::mem::replace(&mut self.adjacent[f], [NONE; 4]);
             for other in around.into_iter().filter(|&other| other != NONE) {
-                for side in &mut self.beside[other as usize] {
+                for side in &mut self.adjacent[other as usize] {
                     if *side == f as u32 {
                         *side = NONE;
                     }
@@ -41,7 +41,7 @@ struct Candidate {
     triangles: [u32; 2],
     nodes: [u32; 4],
     /// What lies across its four sides.
-    beside: [u32; 4],
+    adjacent: [u32; 4],
 }
 
 /// The best pairs first; ties by the triangles' order. Edges for which `keep` holds stay, and so do
@@ -70,17 +70,18 @@ pub(super) fn pair(
             into[a] = made.faces.len() as u32;
             into[b] = into[a];
             made.faces.push(Face::quad(candidate.nodes));
-            made.beside.push(candidate.beside);
+            made.adjacent.push(candidate.adjacent);
         }
     }
-    for (t, (&[a, b, c], &[x, y, z])) in triangles.nodes.iter().zip(&triangles.beside).enumerate() {
+    for (t, (&[a, b, c], &[x, y, z])) in triangles.nodes.iter().zip(&triangles.adjacent).enumerate()
+    {
         if into[t] == NONE {
             into[t] = made.faces.len() as u32;
             made.faces.push(Face::triangle([a, b, c]));
-            made.beside.push([z, x, y, NONE]);
+            made.adjacent.push([z, x, y, NONE]);
         }
     }
-    for t in made.beside.iter_mut().flatten() {
+    for t in made.adjacent.iter_mut().flatten() {
         if *t != NONE {
             *t = into[*t as usize];
         }
@@ -88,7 +89,7 @@ pub(super) fn pair(
     made
 }
 
-/// How many edges meet at each node; without end at the rim.
+/// How many edges meet at each node; without end at the border.
 fn valences(nodes: usize, triangles: &Triangles) -> Vec<u32> {
     let mut valence = vec![0; nodes];
     for corners in &triangles.nodes {
@@ -96,7 +97,7 @@ fn valences(nodes: usize, triangles: &Triangles) -> Vec<u32> {
             valence[k as usize] += 1;
         }
     }
-    for (corners, sides) in triangles.nodes.iter().zip(&triangles.beside) {
+    for (corners, sides) in triangles.nodes.iter().zip(&triangles.adjacent) {
         for k in (0..3).filter(|&k| sides[k] == NONE) {
             // The side between the two corners that follow.
             for s in [1, 2] {
@@ -113,7 +114,7 @@ fn candidates(
     keep: impl Fn([u32; 2]) -> bool,
 ) -> Vec<Candidate> {
     let mut candidates = Vec::new();
-    for (t, (corners, sides)) in triangles.nodes.iter().zip(&triangles.beside).enumerate() {
+    for (t, (corners, sides)) in triangles.nodes.iter().zip(&triangles.adjacent).enumerate() {
         for k in 0..3 {
             let u = sides[k];
             let [c, a, b] = [0, 1, 2].map(|s| corners[(k + s) % 3]);
@@ -122,7 +123,10 @@ fn candidates(
                 continue;
             }
             let j = triangles.side_towards(u, t as u32);
-            let (d, other) = (triangles.nodes[u as usize][j], triangles.beside[u as usize]);
+            let (d, other) = (
+                triangles.nodes[u as usize][j],
+                triangles.adjacent[u as usize],
+            );
             let quad = [c, a, d, b];
             let score = score(nodes, quad);
             if score >= WORST_SCORE {
@@ -130,7 +134,7 @@ fn candidates(
                     score,
                     triangles: [t as u32, u],
                     nodes: quad,
-                    beside: [
+                    adjacent: [
                         sides[(k + 2) % 3],
                         other[(j + 1) % 3],
                         other[(j + 2) % 3],

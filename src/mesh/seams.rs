@@ -3,18 +3,18 @@
 //! Places are rounded to the grain, in which a picture's side is a whole number: an image is then
 //! exactly one side away, and what lies on the two sides of a seam agrees to the last bit.
 
-use super::lines::{is_cut, lies_on_line};
+use super::constraints::{is_cut, lies_on_line};
 use super::metric::Metric;
-use super::{Face, Mesh, Node, Weave, quads};
+use super::{Face, IncrementalDelaunay, Mesh, Node, quads};
 use crate::domain::{Domain, signed_area};
 use crate::order;
 use crate::packing::Particle;
 use crate::planar::{Space, on_grain};
 use glam::DVec2;
 
-/// How cells and their images are joined.
+/// How cells and their images are joined into a mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Joining {
+pub(crate) enum Strategy {
     /// Triangles are paired where they can be; with images up to so many sizes around the picture.
     Pairs(u32),
     /// Lone triangles, made Delaunay in the local metric; with images as far.
@@ -23,14 +23,14 @@ pub(crate) enum Joining {
     Delaunay,
 }
 
-/// The tries, until one closes over the seams. Pairs are chosen and sides flipped one after the other,
+/// What is tried in turn, until a mesh closes over the seams. Pairs are chosen and sides flipped one after the other,
 /// so that far from the picture others may be; should that reach as far as the seams, more images are
 /// taken. In the end stand Delaunay's triangles, which depend on nothing but their own corners.
-pub(crate) const TRIES: [Joining; 4] = [
-    Joining::Pairs(5),
-    Joining::Pairs(12),
-    Joining::Lone(5),
-    Joining::Delaunay,
+pub(crate) const STRATEGIES: [Strategy; 4] = [
+    Strategy::Pairs(5),
+    Strategy::Pairs(12),
+    Strategy::Lone(5),
+    Strategy::Delaunay,
 ];
 
 /// Images farther than this many pictures away are not made.
@@ -45,7 +45,7 @@ const TILT: (DVec2, f64) = (
     1.0001,
 );
 
-impl Joining {
+impl Strategy {
     /// How far around the picture there are images, of cells up to a size.
     fn margin(self, side: f64, largest: f64) -> f64 {
         match self {
@@ -56,7 +56,7 @@ impl Joining {
         }
     }
 
-    /// The node as this way of joining sees it.
+    /// The node as this strategy sees it.
     pub fn node(self, node: Node) -> Node {
         let node = match self {
             Self::Delaunay => Node {
@@ -70,16 +70,17 @@ impl Joining {
     }
 }
 
-/// The cells with their places on the grain, then their images around the picture; and for each the number of the cell that it is, or is an image of. All are moved a
-/// little, by less than a thousandth of a picture unit and each by its id: on an even lattice it
-/// would be for chance to choose a diagonal, once here and once at the image.
-pub(crate) fn spread(
+/// The cells with their places on the grain, then their images around the picture; and for each the
+/// number of the cell that it is, or is an image of. All are moved a little, by less than a thousandth
+/// of a picture unit and each by its id: on an even lattice it would be for chance to choose a diagonal,
+/// once here and once at the image.
+pub(crate) fn with_images(
     side: f64,
     particles: &[Particle],
-    joining: Joining,
+    strategy: Strategy,
 ) -> (Vec<Particle>, Vec<u32>) {
     let largest = particles.iter().fold(0.0_f64, |m, p| m.max(p.size));
-    let margin = joining.margin(side, largest);
+    let margin = strategy.margin(side, largest);
     let mut all: Vec<Particle> = particles.to_vec();
     for p in &mut all {
         let noise = p.id.wrapping_mul(0x9e37_79b1);
@@ -105,16 +106,15 @@ pub(crate) fn spread(
 /// Do the rings close up over the seams: has every side of one the same side of another, run the
 /// other way, and do they fill the picture once?
 pub(crate) fn closes(domain: &Domain, rings: &[Vec<DVec2>]) -> bool {
-    let key = |p: DVec2| (order::rank(p.x), order::rank(p.y));
+    let (space, key) = (domain.space(), |p: DVec2| {
+        (order::rank(p.x), order::rank(p.y))
+    });
     // Every side by its start in the picture and the way to its end; adding 0 makes of -0 a 0.
     let mut sides: Vec<[DVec2; 2]> = Vec::new();
     for ring in rings {
         let next = ring.iter().cycle().skip(1);
-        sides.extend(
-            ring.iter()
-                .zip(next)
-                .map(|(&a, &b)| [domain.space().wrap(a), b - a + 0.0]),
-        );
+        let side = |(&a, &b): (&DVec2, &DVec2)| [space.wrap(a), b - a + 0.0];
+        sides.extend(ring.iter().zip(next).map(side));
     }
     order::sort(&mut sides, |s| key(s[1]));
     order::sort(&mut sides, |s| key(s[0]));
@@ -125,7 +125,7 @@ pub(crate) fn closes(domain: &Domain, rings: &[Vec<DVec2>]) -> bool {
         && rings.iter().all(|ring| ring.len() >= 3)
         && sides.windows(2).all(|w| name(&w[0]) != name(&w[1]))
         && sides.iter().all(|&[a, by]| {
-            let back = name(&[domain.space().wrap(a + by), 0.0 - by]);
+            let back = name(&[space.wrap(a + by), 0.0 - by]);
             sides.binary_search_by_key(&back, name).is_ok()
         })
 }
@@ -140,7 +140,7 @@ pub(super) struct SeamMeshing {
     all: Vec<Particle>,
     of: Vec<u32>,
     /// The try at work.
-    weave: Option<Weave>,
+    delaunay: Option<IncrementalDelaunay>,
 }
 
 impl SeamMeshing {
@@ -155,35 +155,35 @@ impl SeamMeshing {
             begun: 0,
             all: Vec::new(),
             of: Vec::new(),
-            weave: None,
+            delaunay: None,
         }
     }
 
     /// One slice of the work; the mesh with the last one.
     pub fn advance(&mut self, domain: &Domain) -> Option<Mesh> {
-        let mut weave = match self.weave.take() {
-            Some(weave) => weave,
-            None => Weave::new(self.nodes()),
+        let mut delaunay = match self.delaunay.take() {
+            Some(delaunay) => delaunay,
+            None => IncrementalDelaunay::new(self.nodes()),
         };
-        if weave.advance() {
-            return self.mesh(domain, weave);
+        if delaunay.advance() {
+            return self.mesh(domain, delaunay);
         }
-        self.weave = Some(weave);
+        self.delaunay = Some(delaunay);
         None
     }
 
     /// The nodes of the next try.
     fn nodes(&mut self) -> Vec<Node> {
-        let joining = TRIES[self.begun.min(TRIES.len() - 1)];
+        let strategy = STRATEGIES[self.begun.min(STRATEGIES.len() - 1)];
         self.begun += 1;
-        (self.all, self.of) = spread(self.side, &self.particles, joining);
+        (self.all, self.of) = with_images(self.side, &self.particles, strategy);
         let nodes = self.all.iter().map(Node::of);
-        nodes.map(|node| joining.node(node)).collect()
+        nodes.map(|node| strategy.node(node)).collect()
     }
 
     /// See [`Mesh::build`]; nothing where elements do not agree over the seams. In the end they give
     /// way to Delaunay's triangles.
-    fn mesh(&self, domain: &Domain, weave: Weave) -> Option<Mesh> {
+    fn mesh(&self, domain: &Domain, delaunay: IncrementalDelaunay) -> Option<Mesh> {
         let Self {
             particles,
             all,
@@ -204,8 +204,8 @@ impl SeamMeshing {
             first.is_some_and(|k| (k as usize) < particles.len())
         };
         let keep = |side: [u32; 2]| lies_on_line(domain, side.map(|k| &all[k as usize]));
-        let (nodes, mut triangles) = weave.finish();
-        triangles.stretch(&nodes, keep);
+        let (nodes, mut triangles) = delaunay.finish();
+        triangles.flip_to_metric(&nodes, keep);
         let is_cut = |t: &[u32; 3]| is_cut(domain, t.map(|k| all[k as usize].centre));
         let cut = triangles.nodes.iter().filter(|t| is_home(*t) && is_cut(t));
         let mut rings: Vec<Vec<DVec2>> = cut.map(|t| places(t)).collect();
@@ -213,7 +213,7 @@ impl SeamMeshing {
         let mut faces = quads::pair(&nodes, &triangles, keep, 0).faces;
         faces.retain(|face| is_home(face.nodes()));
         rings.extend(faces.iter().map(|face| places(face.nodes())));
-        (*begun == TRIES.len() || closes(domain, &rings))
+        (*begun == STRATEGIES.len() || closes(domain, &rings))
             .then(|| Mesh::with_images(particles, (all, of), faces))
     }
 }

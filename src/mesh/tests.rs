@@ -9,12 +9,12 @@ fn even(points: Vec<DVec2>) -> Vec<Node> {
     points.into_iter().map(Node::plain).collect()
 }
 
-fn even_weave(points: Vec<DVec2>) -> Weave {
-    Weave::new(even(points))
+fn plain_delaunay(points: Vec<DVec2>) -> IncrementalDelaunay {
+    IncrementalDelaunay::new(even(points))
 }
 
 fn delaunay(nodes: &[Node]) -> Triangles {
-    Weave::new(nodes.to_vec()).finish().1
+    IncrementalDelaunay::new(nodes.to_vec()).finish().1
 }
 
 fn lattice(n: u32) -> Vec<DVec2> {
@@ -25,7 +25,7 @@ fn lattice(n: u32) -> Vec<DVec2> {
 
 #[test]
 fn a_lattice_becomes_quads_with_four_around_each_inner_node() {
-    let mesh = Mesh::whole(even_weave(lattice(6)), |_| false, 0);
+    let mesh = Mesh::whole(plain_delaunay(lattice(6)), |_| false, 0);
     assert_eq!(mesh.faces.len(), 25);
     assert!(mesh.faces.iter().all(|f| f.nodes().len() == 4));
     let fans = mesh.fans();
@@ -40,7 +40,7 @@ fn a_lattice_becomes_quads_with_four_around_each_inner_node() {
 fn fans_run_clockwise_on_screen() {
     let mut points = lattice(5);
     points[12] += DVec2::new(0.21, -0.13);
-    let mesh = Mesh::whole(even_weave(points), |_| false, 0);
+    let mesh = Mesh::whole(plain_delaunay(points), |_| false, 0);
     let ring: Vec<DVec2> = mesh
         .fans()
         .around(12)
@@ -53,14 +53,18 @@ fn fans_run_clockwise_on_screen() {
 #[test]
 fn degenerate_points_give_no_elements() {
     let line: Vec<DVec2> = (0..9).map(|k| DVec2::new(f64::from(k), 0.0)).collect();
-    assert!(Mesh::whole(even_weave(line), |_| false, 0).faces.is_empty());
     assert!(
-        Mesh::whole(even_weave(vec![]), |_| false, 0)
+        Mesh::whole(plain_delaunay(line), |_| false, 0)
             .faces
             .is_empty()
     );
     assert!(
-        Mesh::whole(even_weave(vec![DVec2::ONE; 4]), |_| false, 0)
+        Mesh::whole(plain_delaunay(vec![]), |_| false, 0)
+            .faces
+            .is_empty()
+    );
+    assert!(
+        Mesh::whole(plain_delaunay(vec![DVec2::ONE; 4]), |_| false, 0)
             .faces
             .is_empty()
     );
@@ -119,7 +123,7 @@ fn under_one_metric_flips_give_the_delaunay_triangulation_of_the_shrunk_points()
         }
         let mut triangles = delaunay(&nodes);
         let plain = sides(&triangles);
-        triangles.stretch(&nodes, |_| false);
+        triangles.flip_to_metric(&nodes, |_| false);
         let exact = sides(&delaunay(&shrunk));
         let made = sides(&triangles);
         let missing = exact.iter().filter(|s| made.binary_search(s).is_err());
@@ -140,13 +144,13 @@ fn flips_under_a_metric_that_turns_within_few_cells_end_in_a_valid_triangulation
         let mut triangles = delaunay(&nodes);
         let before = area(&triangles, &nodes);
         let held: Vec<[u32; 2]> = sides(&triangles).into_iter().step_by(9).collect();
-        triangles.stretch(&nodes, |side| held.binary_search(&side).is_ok());
+        triangles.flip_to_metric(&nodes, |side| held.binary_search(&side).is_ok());
         assert!((area(&triangles, &nodes) - before).abs() < 1e-6 * before);
         let after = sides(&triangles);
         assert!(held.iter().all(|side| after.binary_search(side).is_ok()));
-        for (t, beside) in triangles.beside.iter().enumerate() {
-            for &u in beside.iter().filter(|&&u| u != NONE) {
-                assert!(triangles.beside[u as usize].contains(&(t as u32)));
+        for (t, adjacent) in triangles.adjacent.iter().enumerate() {
+            for &u in adjacent.iter().filter(|&&u| u != NONE) {
+                assert!(triangles.adjacent[u as usize].contains(&(t as u32)));
             }
         }
     }
@@ -161,18 +165,18 @@ fn stretched_lattices_become_quads_and_round_cells_triangles() {
             node.at = axis * node.at.x * aspect + axis.perp() * node.at.y;
             node.metric = Metric::new(axis, aspect);
         }
-        let mesh = Mesh::whole(Weave::new(nodes.clone()), |_| false, 0);
-        // Slivers of rounding along the rim are triangles, too.
+        let mesh = Mesh::whole(IncrementalDelaunay::new(nodes.clone()), |_| false, 0);
+        // Slivers of rounding along the border are triangles, too.
         assert_eq!(mesh.faces.len() - lone(&mesh), 64);
         for node in &mut nodes {
             node.corners = false;
         }
-        let mesh = Mesh::whole(Weave::new(nodes.clone()), |_| false, 0);
+        let mesh = Mesh::whole(IncrementalDelaunay::new(nodes.clone()), |_| false, 0);
         assert_eq!(mesh.faces.len(), lone(&mesh));
         // One round cell keeps what lies around it in triangles.
         let mut nodes = even(lattice(9));
         nodes[40].corners = false;
-        let mesh = Mesh::whole(Weave::new(nodes.clone()), |_| false, 0);
+        let mesh = Mesh::whole(IncrementalDelaunay::new(nodes.clone()), |_| false, 0);
         assert!((4..=8).contains(&lone(&mesh)));
     }
 }
@@ -182,7 +186,7 @@ fn joining_leaves_few_triangles_and_a_valid_mesh() {
     for seed in 0..6 {
         let mut nodes = jittered(24, 0.3, seed);
         let mut triangles = delaunay(&nodes);
-        triangles.stretch(&nodes, |_| false);
+        triangles.flip_to_metric(&nodes, |_| false);
         let mut made = quads::pair(&nodes, &triangles, |_| false, 0);
         let lone = |made: &Faces| made.faces.iter().filter(|f| f.sides == 3).count();
         let paired = lone(&made);
@@ -205,15 +209,15 @@ fn joining_leaves_few_triangles_and_a_valid_mesh() {
         }
         assert!((sum - area(&triangles, &before)).abs() < 1e-6 * sum);
         // Neighbours know each other, over the same side.
-        for (f, (face, beside)) in made.faces.iter().zip(&made.beside).enumerate() {
+        for (f, (face, adjacent)) in made.faces.iter().zip(&made.adjacent).enumerate() {
             let n = face.nodes().len();
-            for k in (0..n).filter(|&k| face.sides > 0 && beside[k] != NONE) {
+            for k in (0..n).filter(|&k| face.sides > 0 && adjacent[k] != NONE) {
                 let side = [face.nodes()[(k + 1) % n], face.nodes()[k]];
-                let other = made.faces[beside[k] as usize];
+                let other = made.faces[adjacent[k] as usize];
                 let m = other.nodes().len();
                 let back = (0..m).find(|&j| [other.nodes()[j], other.nodes()[(j + 1) % m]] == side);
                 let back = back.expect("the side runs back along the neighbour");
-                assert_eq!(made.beside[beside[k] as usize][back], f as u32);
+                assert_eq!(made.adjacent[adjacent[k] as usize][back], f as u32);
             }
         }
     }
@@ -226,7 +230,7 @@ fn sides_to_be_kept_are_not_dissolved() {
     let held: Vec<[u32; 2]> = sides(&triangles).into_iter().step_by(5).collect();
     let keep = |side| held.binary_search(&side).is_ok();
     let mut made = quads::pair(&nodes, &triangles, keep, 0);
-    patch::better(&nodes, &mut made, 0.2, 0, keep);
+    requad::requadrangulate(&nodes, &mut made, 0.2, 0, keep);
     for &[a, b] in &held {
         let has = |face: &Face| {
             let n = face.nodes();
@@ -247,7 +251,7 @@ fn every_inner_node_of_a_whole_mesh_keeps_four_elements() {
         for &k in delaunay(&nodes).nodes.iter().flatten() {
             before[k as usize] += 1;
         }
-        let mesh = Mesh::whole(Weave::new(nodes), |_| false, 4);
+        let mesh = Mesh::whole(IncrementalDelaunay::new(nodes), |_| false, 4);
         let fans = mesh.fans();
         for (k, before) in before.into_iter().enumerate() {
             let after = fans.around(k).len();

@@ -14,31 +14,31 @@ const MOST_FLIPS: usize = 4;
 /// sine): ties stay as they are.
 const TIE: f64 = 1e-9;
 
-/// Triangles of positive shoelace area and what lies beside them.
+/// Triangles of positive shoelace area and what is adjacent to them.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Triangles {
     pub nodes: Vec<[u32; 3]>,
-    /// The triangle across the side opposite to each node; [`NONE`] at the rim.
-    pub beside: Vec<[u32; 3]>,
+    /// The triangle across the side opposite to each node; [`NONE`] at the border.
+    pub adjacent: Vec<[u32; 3]>,
 }
 
 /// Points that are inserted in one slice of the work.
 const POINTS: usize = 2000;
 
-/// Nodes on the way to their Delaunay triangles.
-pub(crate) struct Weave {
+/// The Delaunay triangulation of nodes, which are inserted one after the other, in slices.
+pub(crate) struct IncrementalDelaunay {
     nodes: Vec<Node>,
     mesh: Delaunay,
     /// The node that each vertex is.
-    name: Vec<u32>,
+    node_of: Vec<u32>,
     inserted: usize,
 }
 
-impl Weave {
+impl IncrementalDelaunay {
     /// None of them inserted yet.
     pub fn new(nodes: Vec<Node>) -> Self {
         Self {
-            name: Vec::with_capacity(nodes.len()),
+            node_of: Vec::with_capacity(nodes.len()),
             nodes,
             mesh: Delaunay::default(),
             inserted: 0,
@@ -52,9 +52,9 @@ impl Weave {
         for k in self.inserted..end {
             let at = self.nodes[k].at;
             if let Some(handle) = insert(&mut self.mesh, Point2::new(at.x, at.y))
-                && handle.index() == self.name.len()
+                && handle.index() == self.node_of.len()
             {
-                self.name.push(k as u32);
+                self.node_of.push(k as u32);
             }
         }
         self.inserted = end;
@@ -64,7 +64,7 @@ impl Weave {
     /// The nodes and their triangles, all at once where some are not inserted yet.
     pub fn finish(mut self) -> (Vec<Node>, Triangles) {
         while !self.advance() {}
-        let triangles = Triangles::read(&self.mesh, &self.name);
+        let triangles = Triangles::read(&self.mesh, &self.node_of);
         (self.nodes, triangles)
     }
 }
@@ -72,20 +72,21 @@ impl Weave {
 impl Triangles {
     /// Delaunay triangles in an order that depends on the points only. Points that coincide with an
     /// earlier one get no triangle.
-    fn read(mesh: &Delaunay, name: &[u32]) -> Self {
+    fn read(mesh: &Delaunay, node_of: &[u32]) -> Self {
         let mut made = Self::default();
         // Spade winds counter-clockwise with y up: a positive shoelace area on the same numbers. Its
         // face 0 is the outer one.
         for face in mesh.inner_faces() {
             let sides = face.adjacent_edges();
-            made.nodes.push(sides.map(|e| name[e.from().fix().index()]));
+            made.nodes
+                .push(sides.map(|e| node_of[e.from().fix().index()]));
             let across = |k: usize| {
                 let other = sides[(k + 1) % 3].rev().face();
                 other
                     .as_inner()
                     .map_or(NONE, |f| f.fix().index() as u32 - 1)
             };
-            made.beside.push([across(0), across(1), across(2)]);
+            made.adjacent.push([across(0), across(1), across(2)]);
         }
         made
     }
@@ -105,11 +106,11 @@ impl Triangles {
             new[k - 1] != NONE
         });
         k = 0;
-        self.beside.retain(|_| {
+        self.adjacent.retain(|_| {
             k += 1;
             new[k - 1] != NONE
         });
-        for t in self.beside.iter_mut().flatten() {
+        for t in self.adjacent.iter_mut().flatten() {
             if *t != NONE {
                 *t = new[*t as usize];
             }
@@ -118,14 +119,14 @@ impl Triangles {
 
     /// Which side of `t` has `u` across it.
     pub fn side_towards(&self, t: u32, u: u32) -> usize {
-        let beside = &self.beside[t as usize];
-        (0..3).find(|&k| beside[k] == u).unwrap_or(0)
+        let adjacent = &self.adjacent[t as usize];
+        (0..3).find(|&k| adjacent[k] == u).unwrap_or(0)
     }
 
     /// Lawson's flips in the local metric: the triangulation becomes Delaunay in it where that can be
     /// had, and is valid wherever the flips end. Sides for which `keep` holds are not flipped.
-    pub fn stretch(&mut self, nodes: &[Node], keep: impl Fn([u32; 2]) -> bool) {
-        if nodes.iter().all(|n| n.metric == Metric::EVEN) {
+    pub fn flip_to_metric(&mut self, nodes: &[Node], keep: impl Fn([u32; 2]) -> bool) {
+        if nodes.iter().all(|n| n.metric == Metric::EUCLIDEAN) {
             return;
         }
         let mut open: Vec<[u32; 2]> = Vec::new();
@@ -135,7 +136,7 @@ impl Triangles {
         let mut left = MOST_FLIPS * self.nodes.len();
         while let Some([t, k]) = open.pop() {
             let (t, k) = (t as usize, k as usize);
-            let u = self.beside[t][k];
+            let u = self.adjacent[t][k];
             if u == NONE || left == 0 {
                 continue;
             }
@@ -156,20 +157,20 @@ impl Triangles {
     fn flip(&mut self, t: u32, k: usize, u: u32, j: usize) {
         let at = |t: u32, k: usize| (t as usize, k % 3);
         let node = |(t, k): (usize, usize)| self.nodes[t][k];
-        let side = |(t, k): (usize, usize)| self.beside[t][k];
+        let side = |(t, k): (usize, usize)| self.adjacent[t][k];
         let (c, a, b) = (node(at(t, k)), node(at(t, k + 1)), node(at(t, k + 2)));
         let d = node(at(u, j));
         // Across b-c and c-a of the one, across a-d and d-b of the other.
         let (bc, ca) = (side(at(t, k + 1)), side(at(t, k + 2)));
         let (ad, db) = (side(at(u, j + 1)), side(at(u, j + 2)));
         self.nodes[t as usize] = [c, a, d];
-        self.beside[t as usize] = [ad, u, ca];
+        self.adjacent[t as usize] = [ad, u, ca];
         self.nodes[u as usize] = [d, b, c];
-        self.beside[u as usize] = [bc, t, db];
+        self.adjacent[u as usize] = [bc, t, db];
         for (outer, old, new) in [(ad, u, t), (bc, t, u)] {
             if outer != NONE {
                 let side = self.side_towards(outer, old);
-                self.beside[outer as usize][side] = new;
+                self.adjacent[outer as usize][side] = new;
             }
         }
     }

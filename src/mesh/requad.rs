@@ -1,7 +1,7 @@
-//! Betters the mesh patch by patch: a few neighbouring elements are divided anew.
+//! Local re-quadrangulation: patches of a few neighbouring elements are divided anew.
 //!
 //! Pairs taken in the order of their scores leave lone triangles that have no partner, where another
-//! choice nearby would have had one. Two lone triangles and the quadrilaterals on a way between them
+//! choice nearby would have had one. Two lone triangles and the quadrilaterals on a path between them
 //! make a polygon with an even number of sides, which quadrilaterals alone can fill: the augmenting
 //! path of matching, but free to choose all diagonals. A lone triangle and a quadrilateral can
 //! change their common side, two quadrilaterals likewise. A patch changes only where that is a gain,
@@ -27,21 +27,21 @@ const ROUNDS: usize = 6;
 
 /// Divides patches anew until none gains, or until triangles are at most `few`. The new
 /// quadrilaterals score at least `worst`. Sides for which `keep` holds are not dissolved.
-pub(super) fn better(
+pub(super) fn requadrangulate(
     nodes: &[Node],
     faces: &mut Faces,
     worst: f64,
     few: usize,
     keep: impl Fn([u32; 2]) -> bool,
 ) {
-    let mut work = Work::new(nodes, faces, worst, keep);
+    let mut search = Search::new(nodes, faces, worst, keep);
     for _ in 0..ROUNDS {
         let mut again = false;
-        for first in 0..work.faces.faces.len() {
-            if work.triangles <= few {
+        for first in 0..search.faces.faces.len() {
+            if search.triangles <= few {
                 return;
             }
-            again |= work.try_from(first as u32);
+            again |= search.try_from(first as u32);
         }
         if !again {
             break;
@@ -49,7 +49,7 @@ pub(super) fn better(
     }
 }
 
-struct Work<'a, K> {
+struct Search<'a, K> {
     nodes: &'a [Node],
     faces: &'a mut Faces,
     keep: K,
@@ -59,8 +59,8 @@ struct Work<'a, K> {
     triangles: usize,
     /// Sides at each node.
     valence: Vec<i32>,
-    /// Nodes on the rim of the mesh.
-    rim: Vec<bool>,
+    /// Nodes on the border of the mesh.
+    border: Vec<bool>,
     /// Elements whose surroundings have changed since they were tried.
     fresh: Vec<bool>,
     /// How many elements away from the first one, for those in `reached`.
@@ -69,9 +69,9 @@ struct Work<'a, K> {
     division: Division,
 }
 
-/// A patch's outline.
+/// A patch: a polygon of elements.
 #[derive(Clone)]
-struct Polygon {
+struct Patch {
     corners: Vec<u32>,
     /// The element outside, across the side from each corner to the next.
     outside: Vec<u32>,
@@ -81,11 +81,11 @@ struct Polygon {
     cost: f64,
 }
 
-impl<'a, K: Fn([u32; 2]) -> bool> Work<'a, K> {
+impl<'a, K: Fn([u32; 2]) -> bool> Search<'a, K> {
     fn new(nodes: &'a [Node], faces: &'a mut Faces, worst: f64, keep: K) -> Self {
         let mut valence = vec![0; nodes.len()];
-        let mut rim = vec![false; nodes.len()];
-        for (face, beside) in faces.faces.iter().zip(&faces.beside) {
+        let mut border = vec![false; nodes.len()];
+        for (face, adjacent) in faces.faces.iter().zip(&faces.adjacent) {
             let corners = face.nodes();
             for k in 0..corners.len() {
                 let (a, b) = (
@@ -93,9 +93,9 @@ impl<'a, K: Fn([u32; 2]) -> bool> Work<'a, K> {
                     corners[(k + 1) % corners.len()] as usize,
                 );
                 valence[a] += 1;
-                if beside[k] == NONE {
-                    rim[a] = true;
-                    rim[b] = true;
+                if adjacent[k] == NONE {
+                    border[a] = true;
+                    border[b] = true;
                 }
             }
         }
@@ -105,7 +105,7 @@ impl<'a, K: Fn([u32; 2]) -> bool> Work<'a, K> {
             worst,
             triangles: faces.faces.iter().filter(|f| is_lone(nodes, f)).count(),
             valence,
-            rim,
+            border,
             fresh: vec![true; faces.faces.len()],
             depth: vec![u8::MAX; faces.faces.len()],
             reached: Vec::new(),
@@ -125,9 +125,9 @@ impl<'a, K: Fn([u32; 2]) -> bool> Work<'a, K> {
         {
             return false;
         }
-        let start = Polygon {
+        let start = Patch {
             corners: face.nodes().to_vec(),
-            outside: self.faces.beside[first as usize][..face.nodes().len()].to_vec(),
+            outside: self.faces.adjacent[first as usize][..face.nodes().len()].to_vec(),
             members: vec![first],
             cost: self.cost(&face),
         };
@@ -137,7 +137,7 @@ impl<'a, K: Fn([u32; 2]) -> bool> Work<'a, K> {
             self.consider(self.grow(&start, next), &mut gain, &mut best);
         }
         if face.sides == 3 {
-            self.ways(&start, &mut gain, &mut best);
+            self.paths(&start, &mut gain, &mut best);
         }
         let Some(best) = best else { return false };
         self.triangles -= (self.triangles_in(&best) / 2) * 2;
@@ -148,18 +148,18 @@ impl<'a, K: Fn([u32; 2]) -> bool> Work<'a, K> {
 
     /// A good quadrilateral among regular nodes is left alone.
     fn is_fine(&self, face: &Face) -> bool {
-        let regular = |&k: &u32| self.rim[k as usize] || self.valence[k as usize] == 4;
+        let regular = |&k: &u32| self.border[k as usize] || self.valence[k as usize] == 4;
         face.nodes().iter().all(regular) && self.cost(face) < FINE
     }
 
-    fn triangles_in(&self, patch: &Polygon) -> usize {
+    fn triangles_in(&self, patch: &Patch) -> usize {
         let members = patch.members.iter();
         members
             .filter(|&&f| self.faces.faces[f as usize].sides == 3)
             .count()
     }
 
-    fn consider(&mut self, patch: Option<Polygon>, gain: &mut f64, best: &mut Option<Polygon>) {
+    fn consider(&mut self, patch: Option<Patch>, gain: &mut f64, best: &mut Option<Patch>) {
         if let Some(patch) = patch {
             let now = self.gain(&patch);
             if now > *gain {
@@ -170,7 +170,7 @@ impl<'a, K: Fn([u32; 2]) -> bool> Work<'a, K> {
     }
 
     /// The shortest ways to other triangles nearby.
-    fn ways(&mut self, start: &Polygon, gain: &mut f64, best: &mut Option<Polygon>) {
+    fn paths(&mut self, start: &Patch, gain: &mut f64, best: &mut Option<Patch>) {
         let first = start.members[0];
         self.reached.push(first);
         self.depth[first as usize] = 0;
@@ -184,7 +184,7 @@ impl<'a, K: Fn([u32; 2]) -> bool> Work<'a, K> {
             {
                 continue;
             }
-            for next in self.faces.beside[face as usize] {
+            for next in self.faces.adjacent[face as usize] {
                 if next != NONE && self.depth[next as usize] == u8::MAX {
                     self.depth[next as usize] = depth;
                     self.reached.push(next);
@@ -194,8 +194,8 @@ impl<'a, K: Fn([u32; 2]) -> bool> Work<'a, K> {
         let reached = std::mem::take(&mut self.reached);
         for &end in &reached[1..] {
             if self.faces.faces[end as usize].sides == 3 {
-                let mut way = vec![end];
-                self.walk(&mut way, start, gain, best);
+                let mut path = vec![end];
+                self.trace(&mut path, start, gain, best);
             }
         }
         for &face in &reached {
@@ -205,28 +205,28 @@ impl<'a, K: Fn([u32; 2]) -> bool> Work<'a, K> {
         self.reached.clear();
     }
 
-    /// Goes on with a way from its far end back to the first element.
-    fn walk(
+    /// Goes on with a path from its far end back to the first element.
+    fn trace(
         &mut self,
-        way: &mut Vec<u32>,
-        start: &Polygon,
+        path: &mut Vec<u32>,
+        start: &Patch,
         gain: &mut f64,
-        best: &mut Option<Polygon>,
+        best: &mut Option<Patch>,
     ) {
-        let last = way[way.len() - 1];
+        let last = path[path.len() - 1];
         let depth = self.depth[last as usize];
         if depth == 0 {
             let mut patch = Some(start.clone());
-            for &next in way.iter().rev().skip(1) {
+            for &next in path.iter().rev().skip(1) {
                 patch = patch.and_then(|patch| self.grow(&patch, next));
             }
             return self.consider(patch, gain, best);
         }
-        for next in self.faces.beside[last as usize] {
+        for next in self.faces.adjacent[last as usize] {
             if next != NONE && self.depth[next as usize] == depth - 1 {
-                way.push(next);
-                self.walk(way, start, gain, best);
-                way.pop();
+                path.push(next);
+                self.trace(path, start, gain, best);
+                path.pop();
             }
         }
     }
@@ -238,9 +238,9 @@ impl<'a, K: Fn([u32; 2]) -> bool> Work<'a, K> {
         }
     }
 
-    /// The patch with an element beside its last member added; none where a node would lie inside,
+    /// The patch with an element added that is adjacent to its last member; none where a node would lie inside,
     /// or the side between them is to be kept.
-    fn grow(&self, patch: &Polygon, next: u32) -> Option<Polygon> {
+    fn grow(&self, patch: &Patch, next: u32) -> Option<Patch> {
         let n = patch.corners.len();
         let last = *patch.members.last()?;
         if next == NONE {
@@ -249,13 +249,13 @@ impl<'a, K: Fn([u32; 2]) -> bool> Work<'a, K> {
         let face = self.faces.faces[next as usize];
         let corners = face.nodes();
         let m = corners.len();
-        let at = (0..m).find(|&j| self.faces.beside[next as usize][j] == last)?;
+        let at = (0..m).find(|&j| self.faces.adjacent[next as usize][j] == last)?;
         let (b, a) = (corners[at], corners[(at + 1) % m]);
         if (self.keep)([a.min(b), a.max(b)]) {
             return None;
         }
         let k = (0..n).find(|&k| patch.corners[k] == a && patch.corners[(k + 1) % n] == b)?;
-        let mut grown = Polygon {
+        let mut grown = Patch {
             corners: Vec::with_capacity(n + 2),
             outside: Vec::with_capacity(n + 2),
             members: patch.members.clone(),
@@ -270,7 +270,9 @@ impl<'a, K: Fn([u32; 2]) -> bool> Work<'a, K> {
             }
             for j in 1..m {
                 let place = (at + j) % m;
-                grown.outside.push(self.faces.beside[next as usize][place]);
+                grown
+                    .outside
+                    .push(self.faces.adjacent[next as usize][place]);
                 if j + 1 < m {
                     let node = corners[(place + 1) % m];
                     if patch.corners.contains(&node) {
@@ -284,7 +286,7 @@ impl<'a, K: Fn([u32; 2]) -> bool> Work<'a, K> {
     }
 
     /// What dividing a patch anew would gain.
-    fn gain(&mut self, patch: &Polygon) -> f64 {
+    fn gain(&mut self, patch: &Patch) -> f64 {
         let n = patch.corners.len();
         let cost = self.division.of(self.nodes, &patch.corners, self.worst);
         if cost >= patch.cost + SLACK {
@@ -312,7 +314,7 @@ impl<'a, K: Fn([u32; 2]) -> bool> Work<'a, K> {
             let now = self.valence[node as usize];
             // `change` is 1 too many: a corner in one element has no side within the patch.
             let then = now + change[k] - 1;
-            if !self.rim[node as usize] {
+            if !self.border[node as usize] {
                 regular += (now - 4).abs() - (then - 4).abs();
             }
         }
@@ -320,7 +322,7 @@ impl<'a, K: Fn([u32; 2]) -> bool> Work<'a, K> {
     }
 
     /// Puts the division in the table in place of the patch's elements.
-    fn apply(&mut self, patch: &Polygon) {
+    fn apply(&mut self, patch: &Patch) {
         let n = patch.corners.len();
         for &f in &patch.members {
             for &node in self.faces.faces[f as usize].nodes() {
@@ -344,13 +346,13 @@ impl<'a, K: Fn([u32; 2]) -> bool> Work<'a, K> {
                 4 => Face::quad([node(0), node(1), node(2), node(3)]),
                 _ => Face::triangle([node(0), node(1), node(2)]),
             };
-            faces.beside[slot as usize] = [NONE; 4];
+            faces.adjacent[slot as usize] = [NONE; 4];
             for k in 0..piece.len() {
                 valence[node(k) as usize] += 1;
                 let (from, to) = (piece[k], piece[(k + 1) % piece.len()]);
                 if usize::from(to) == (usize::from(from) + 1) % n {
                     let outer = patch.outside[usize::from(from)];
-                    faces.beside[slot as usize][k] = outer;
+                    faces.adjacent[slot as usize][k] = outer;
                     if outer != NONE {
                         let [a, b] = [from, to].map(|k| patch.corners[usize::from(k)]);
                         let corners = faces.faces[outer as usize];
@@ -358,7 +360,7 @@ impl<'a, K: Fn([u32; 2]) -> bool> Work<'a, K> {
                         let m = corners.len();
                         for j in 0..m {
                             if corners[j] == b && corners[(j + 1) % m] == a {
-                                faces.beside[outer as usize][j] = slot;
+                                faces.adjacent[outer as usize][j] = slot;
                             }
                         }
                     }
@@ -366,8 +368,8 @@ impl<'a, K: Fn([u32; 2]) -> bool> Work<'a, K> {
                 }
                 for &(f, t, other, place) in &sides {
                     if (f, t) == (to, from) {
-                        faces.beside[slot as usize][k] = other;
-                        faces.beside[other as usize][place] = slot;
+                        faces.adjacent[slot as usize][k] = other;
+                        faces.adjacent[other as usize][place] = slot;
                     }
                 }
                 sides.push((from, to, slot, k));

@@ -1,4 +1,4 @@
-//! Moves nodes so that the quadrilaterals around irregular places become more rectangular.
+//! Smoothing: moves nodes so that the quadrilaterals around irregular places become more rectangular.
 //!
 //! Where rows end the packed centres stand in equilibrium, but the elements between them lean. Each
 //! quadrilateral asks its corners onto the rectangle that fits it best: about its middle, with its
@@ -18,8 +18,8 @@ const TURNED: f64 = 0.3;
 /// A triangle whose height is less than this share of its longest side gains nothing from moves.
 const FLAT: f64 = 0.4;
 
-/// Relaxes the nodes that `free` says yes to. Nodes on the rim should not be.
-pub(super) fn relax(nodes: &mut [Node], faces: &[Face], free: &[bool]) {
+/// Smooths the nodes that `free` says yes to. Nodes on the border should not be.
+pub(super) fn smooth(nodes: &mut [Node], faces: &[Face], free: &[bool]) {
     let mut start = vec![0u32; nodes.len() + 1];
     for &k in faces.iter().flat_map(Face::nodes) {
         start[k as usize + 1] += 1;
