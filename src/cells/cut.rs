@@ -7,7 +7,7 @@
 
 use super::Cell;
 use super::arrangement::{Arrangement, Line};
-use super::dual::{Dual, On};
+use super::dual::{Anchor, Dual};
 use super::ownership::Ownership;
 use super::rings::is_tangled;
 use crate::domain::{Domain, ring_contains};
@@ -46,7 +46,7 @@ impl Dual {
     /// boundary, because no corner of it is as far from the centre as the boundary is; and what is
     /// tangled, with all around it.
     fn band(&self, domain: &Domain) -> Vec<bool> {
-        let mut is_over = vec![false; self.middles.len()];
+        let mut is_over = vec![false; self.vertices.len()];
         for k in 0..self.particles.len() {
             if is_tangled(&self.ring(k)) {
                 self.around(k)
@@ -62,7 +62,7 @@ impl Dual {
             around.len() >= 3
                 && around.iter().all(|&f| {
                     let f = f as usize;
-                    !is_over[f] && !self.mixed[f] && self.middles[f].distance(p.centre) < free
+                    !is_over[f] && !self.mixed[f] && self.vertices[f].distance(p.centre) < free
                 })
         };
         let cells = self.particles.iter().enumerate();
@@ -77,7 +77,7 @@ impl Dual {
         let inner = Inner::new(domain, inner);
         let cells = (&self.particles[..], band);
         let mut owners = Ownership::new(plane, domain, cells, |p| inner.contains(p));
-        owners.assign(!self.plain);
+        owners.assign(!self.is_voronoi);
         owners.cells(&self.particles)
     }
 
@@ -85,11 +85,11 @@ impl Dual {
     /// them.
     fn outline(&self, domain: &Domain) -> Vec<Line> {
         let (mut on_outline, mut on_lines) = (domain.junctions().to_vec(), Vec::new());
-        for (&middle, on) in self.middles.iter().zip(&self.on) {
+        for (&middle, on) in self.vertices.iter().zip(&self.anchors) {
             match *on {
-                On::Nothing => {}
-                On::Outline(segment) => on_outline.push((segment, middle)),
-                On::Line(segment) => on_lines.push((segment, middle)),
+                Anchor::Free => {}
+                Anchor::Outline(segment) => on_outline.push((segment, middle)),
+                Anchor::Line(segment) => on_lines.push((segment, middle)),
             }
         }
         let mut pieces = divided(domain.segments(), &on_outline);
@@ -120,7 +120,7 @@ impl Dual {
     fn sides(&self, domain: &Domain, band: &[bool]) -> Vec<Line> {
         let real = self.particles.len();
         let mut sides: Vec<([u32; 2], bool)> = Vec::new();
-        for vertex in 0..self.vertices {
+        for vertex in 0..self.mesh_vertices {
             if band.get(vertex) == Some(&false) {
                 continue;
             }
@@ -139,10 +139,10 @@ impl Dual {
             // Sorted, so that of two owners the ghost (false) comes first.
             let ghost_and_cell = twice && !sides[k].1 && sides[k + 1].1;
             let ghosts_only = !sides[k].1 && !ghost_and_cell;
-            let on_boundary = |f: u32| matches!(self.on[f as usize], On::Outline(_));
+            let on_boundary = |f: u32| matches!(self.anchors[f as usize], Anchor::Outline(_));
             let along = ghost_and_cell && on_boundary(f) && on_boundary(g);
             let outside = ghosts_only && (on_boundary(f) || on_boundary(g));
-            let [a, b] = [f, g].map(|f| self.middles[f as usize]);
+            let [a, b] = [f, g].map(|f| self.vertices[f as usize]);
             if !along && !outside && a != b && !self.runs_along_wall(domain, f, g) {
                 lines.push(Line::side(a, b));
             }
@@ -155,8 +155,8 @@ impl Dual {
     /// constraint lines, the walls themselves divide cells there: lines that nearly coincide with
     /// them would only do harm.
     fn runs_along_wall(&self, domain: &Domain, f: u32, g: u32) -> bool {
-        let on = |f: u32| self.on[f as usize] != On::Nothing;
-        let [a, b] = [f, g].map(|f| self.middles[f as usize]);
+        let on = |f: u32| self.anchors[f as usize] != Anchor::Free;
+        let [a, b] = [f, g].map(|f| self.vertices[f as usize]);
         let (middle, near) = (a.midpoint(b), ALONG * a.distance(b));
         on(f)
             && on(g)

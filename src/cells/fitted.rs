@@ -5,7 +5,7 @@
 //! fill the outline without gap or overlap whatever its shape.
 
 use super::dual::Dual;
-use super::making::{Made, Making};
+use super::dual_builder::{Built, DualBuilder};
 use super::ownership::NAMELESS;
 use super::straighten::Straightening;
 use super::{Cell, images};
@@ -27,7 +27,7 @@ pub struct Fitting {
     /// The islands to come, the next one last: their numbers and particles.
     left: Vec<(usize, Vec<Particle>)>,
     /// See [`Fitting::voronoi`].
-    plain: bool,
+    is_voronoi: bool,
     /// The largest id of a particle.
     largest: u32,
     /// How many of these are no images of others.
@@ -38,7 +38,7 @@ pub struct Fitting {
 /// What the next slice of the work begins with.
 enum Next {
     Islands(Vec<Particle>),
-    Making(usize, Making),
+    Build(usize, DualBuilder),
     Band(usize, Dual),
     Corners,
     Straighten(Straightening),
@@ -58,11 +58,11 @@ impl Fitting {
         Self::of(particles, true)
     }
 
-    fn of(particles: Vec<Particle>, plain: bool) -> Self {
+    fn of(particles: Vec<Particle>, is_voronoi: bool) -> Self {
         Self {
             cells: Vec::new(),
             left: Vec::new(),
-            plain,
+            is_voronoi,
             largest: particles.iter().map(|p| p.id).max().unwrap_or(0),
             count: 0,
             next: Next::Islands(particles),
@@ -75,14 +75,14 @@ impl Fitting {
             if domain.islands().len() > 1 {
                 self.join_islands();
             }
-            return if self.plain {
+            return if self.is_voronoi {
                 Next::Nothing
             } else {
                 Next::Corners
             };
         };
         let island = &domain.islands()[number];
-        Next::Making(number, Making::new(island, particles, self.plain))
+        Next::Build(number, DualBuilder::new(island, particles, self.is_voronoi))
     }
 
     /// The cells of all islands in the order of their ids; those that no particle stands for were
@@ -109,13 +109,13 @@ impl Fitting {
                 self.left.retain(|(_, particles)| !particles.is_empty());
                 self.next_island(domain)
             }
-            Next::Making(number, mut making) => match making.advance(&domain.islands()[number]) {
-                Some(Made::Cells(cells)) => {
+            Next::Build(number, mut builder) => match builder.advance(&domain.islands()[number]) {
+                Some(Built::Cells(cells)) => {
                     self.cells = cells;
                     Next::Corners
                 }
-                Some(Made::Dual(dual)) => Next::Band(number, dual),
-                None => Next::Making(number, making),
+                Some(Built::Dual(dual)) => Next::Band(number, dual),
+                None => Next::Build(number, builder),
             },
             Next::Band(number, dual) => {
                 self.cells.extend(dual.cells(&domain.islands()[number]));

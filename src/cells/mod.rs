@@ -1,21 +1,21 @@
 //! One polygon per cell: the packed squares as they are, or the pseudo-Voronoi dual of the mesh
 //! fitted into the outline.
 
-mod across;
 mod arrangement;
 mod cut;
 mod dual;
+mod dual_builder;
 mod fitted;
 mod ghosts;
 mod graph;
 mod images;
-mod making;
 mod ownership;
 mod packed;
 mod rings;
 mod straighten;
 mod tiling;
 mod vertices;
+mod visibility;
 mod voronoi;
 
 pub use fitted::{Fitting, fitted};

@@ -1,7 +1,7 @@
 //! The dual of a torus, whose cells close over the seams.
 
 use super::Cell;
-use super::dual::{Dual, On, node, without_rim};
+use super::dual::{Anchor, Dual, node, split_fixed};
 use super::rings::is_tangled;
 use crate::domain::Domain;
 use crate::mesh::seams::{Strategy, closes, with_images};
@@ -20,17 +20,17 @@ pub(super) fn nodes(
     side: f64,
     particles: &[Particle],
     strategy: Strategy,
-    plain: bool,
+    is_voronoi: bool,
 ) -> (Vec<Node>, Vec<f64>) {
     let (all, _) = with_images(side, particles, strategy);
-    let nodes = all.iter().map(|p| strategy.node(node(p, plain)));
+    let nodes = all.iter().map(|p| strategy.node(node(p, is_voronoi)));
     (nodes.collect(), all.iter().map(|p| p.size).collect())
 }
 
 /// Cells and images of cells, and their nodes, to be cut by constraint lines.
 pub(super) struct Lined {
     cells: Vec<Particle>,
-    rim: usize,
+    fixed: usize,
 }
 
 impl Lined {
@@ -46,14 +46,14 @@ impl Lined {
         // Of two in one region the first by its id has it, here as at the images.
         let in_order = |mut particles: Vec<Particle>| {
             order::sort(&mut particles, |p| (p.id.into(), 0));
-            without_rim(particles)
+            split_fixed(particles)
         };
-        let (cells, rim) = in_order(placed.collect());
+        let (cells, fixed) = in_order(placed.collect());
         let (first, last) = in_order(all);
         let nodes = first.iter().chain(&last).map(Node::of);
         let nodes = nodes.map(|node| strategy.node(node)).collect();
-        let rim = rim.len();
-        (Self { cells, rim }, nodes)
+        let fixed = fixed.len();
+        (Self { cells, fixed }, nodes)
     }
 
     /// The cells of a torus with constraint lines, where they agree over the seams: all images are cut
@@ -61,7 +61,7 @@ impl Lined {
     pub fn cells(self, domain: &Domain, mesh: &Mesh) -> Option<Vec<Cell>> {
         let sizes = self.cells.iter().map(|p| p.size).collect();
         let mut dual = Dual::of(self.cells, sizes, mesh, false);
-        dual.put_middles(domain, mesh, self.rim);
+        dual.place_vertices(domain, mesh, self.fixed);
         dual.divide(domain, mesh);
         let mut cells = dual.cells(domain);
         cells.retain(|cell| domain.space().wrap(cell.centre) == cell.centre);
@@ -86,11 +86,11 @@ impl Dual {
         domain: &Domain,
         mesh: &Mesh,
         (particles, sizes): (&[Particle], Vec<f64>),
-        (strategy, plain): (Strategy, bool),
+        (strategy, is_voronoi): (Strategy, bool),
     ) -> Option<Self> {
-        let mut dual = Self::of(Vec::new(), sizes, mesh, plain);
+        let mut dual = Self::of(Vec::new(), sizes, mesh, is_voronoi);
         for face in &mesh.faces {
-            dual.push(dual.middle(mesh, face), false, On::Nothing);
+            dual.push(dual.vertex(mesh, face), false, Anchor::Free);
         }
         let rings: Vec<Vec<DVec2>> = (0..particles.len()).map(|k| dual.ring(k)).collect();
         dual.particles = particles.to_vec();

@@ -17,7 +17,7 @@ const END: f64 = 0.75;
 
 /// Which cells of an element see each other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum View {
+pub(super) enum Visibility {
     /// All do.
     Whole,
     /// Only those of the same number.
@@ -27,7 +27,7 @@ pub(super) enum View {
 }
 
 /// What the constraint lines leave of an element with these corners.
-pub(super) fn view(domain: &Domain, corners: &[DVec2]) -> View {
+pub(super) fn visibility(domain: &Domain, corners: &[DVec2]) -> Visibility {
     let middle = corners.iter().sum::<DVec2>() / corners.len() as f64;
     let farthest = corners.iter().map(|p| p.distance(middle));
     let farthest = farthest.fold(0.0, f64::max);
@@ -35,7 +35,7 @@ pub(super) fn view(domain: &Domain, corners: &[DVec2]) -> View {
         .nearest_line(middle)
         .is_none_or(|near| near.distance > farthest)
     {
-        return View::Whole;
+        return Visibility::Whole;
     }
     let mut group = [0u8; 4];
     let mut groups = 0;
@@ -51,13 +51,13 @@ pub(super) fn view(domain: &Domain, corners: &[DVec2]) -> View {
     }
     for k in 0..corners.len() {
         if (0..k).any(|j| sees(j, k) != (group[j] == group[k])) {
-            return View::Around;
+            return Visibility::Around;
         }
     }
     if groups == 1 {
-        View::Whole
+        Visibility::Whole
     } else {
-        View::Divided(group)
+        Visibility::Divided(group)
     }
 }
 
