@@ -22,7 +22,7 @@ const FEWEST_LINES: f64 = 4096.0;
 const MOST_LINES: f64 = 16384.0;
 
 /// An edge that scan lines can cross, from above to below.
-struct Edge {
+struct ScanEdge {
     upper: DVec2,
     lower: DVec2,
     /// What an edge changes of the number of polygons that cover a point, from left to right.
@@ -31,7 +31,7 @@ struct Edge {
     domain_step: i32,
 }
 
-impl Edge {
+impl ScanEdge {
     fn new([from, to]: [DVec2; 2], of_domain: bool) -> Option<Self> {
         // The inside is at the hand (-dy, dx): left of an edge that goes down.
         let (upper, lower, step) = if from.y < to.y {
@@ -63,18 +63,18 @@ impl Edge {
 /// exact areas of polygons that do not overlap each other or the outline. Where edges cross, and
 /// where more than 16,384 lines would be needed, it is an approximation, good to about 1e-5.
 pub(super) fn cover(domain: &Domain, polygons: impl Iterator<Item = [DVec2; 2]>) -> Cover {
-    let mut edges: Vec<Edge> = polygons.filter_map(|e| Edge::new(e, false)).collect();
+    let mut edges: Vec<ScanEdge> = polygons.filter_map(|e| ScanEdge::new(e, false)).collect();
     // A torus has no outline: there the picture is filled, by what is in it of polygons and images.
     let picture = domain.space().period();
     if let Some(side) = picture {
         edges = unrolled(edges, side);
     }
     let outline = domain.segments().iter();
-    edges.extend(outline.filter_map(|&s| Edge::new(s, true)));
+    edges.extend(outline.filter_map(|&s| ScanEdge::new(s, true)));
     order::sort(&mut edges, |e| (order::rank(e.upper.y), 0));
     let mut waiting = edges.iter().peekable();
     // (crossing, edge), kept in order from line to line.
-    let mut active: Vec<(f64, &Edge)> = Vec::new();
+    let mut active: Vec<(f64, &ScanEdge)> = Vec::new();
     let mut lengths = Lengths::default();
     for (y, height) in lines(&edges) {
         active.retain(|(_, e)| e.lower.y > y);
@@ -101,10 +101,10 @@ pub(super) fn cover(domain: &Domain, polygons: impl Iterator<Item = [DVec2; 2]>)
 
 /// On a torus: the edges in all images that can be seen in the picture, and the picture's rim as
 /// the outline.
-fn unrolled(edges: Vec<Edge>, side: f64) -> Vec<Edge> {
+fn unrolled(edges: Vec<ScanEdge>, side: f64) -> Vec<ScanEdge> {
     let mut images = Vec::new();
     for shift in Space::torus(side).shifts(1) {
-        let shifted = edges.iter().map(|e| Edge {
+        let shifted = edges.iter().map(|e| ScanEdge {
             upper: e.upper + shift,
             lower: e.lower + shift,
             ..*e
@@ -113,13 +113,13 @@ fn unrolled(edges: Vec<Edge>, side: f64) -> Vec<Edge> {
     }
     let (right, left) = (DVec2::new(side, 0.0), DVec2::new(0.0, side));
     let rim = [[right, DVec2::splat(side)], [left, DVec2::ZERO]];
-    images.extend(rim.into_iter().filter_map(|s| Edge::new(s, true)));
+    images.extend(rim.into_iter().filter_map(|s| ScanEdge::new(s, true)));
     images
 }
 
 /// Scan lines as (y, the height they stand for): in the middle between the heights of the edges'
 /// ends, and at least [`FEWEST_LINES`].
-fn lines(edges: &[Edge]) -> Vec<(f64, f64)> {
+fn lines(edges: &[ScanEdge]) -> Vec<(f64, f64)> {
     let mut heights: Vec<f64> = edges.iter().flat_map(|e| [e.upper.y, e.lower.y]).collect();
     order::sort(&mut heights, |&y| (order::rank(y), 0));
     let (Some(&first), Some(&last)) = (heights.first(), heights.last()) else {
@@ -150,7 +150,7 @@ struct Lengths {
 
 impl Lengths {
     /// Adds what a line finds; with `cropped`, only within the outline.
-    fn add_line(&mut self, crossings: &[(f64, &Edge)], height: f64, cropped: bool) {
+    fn add_line(&mut self, crossings: &[(f64, &ScanEdge)], height: f64, cropped: bool) {
         let (mut cells, mut domain) = (0, 0);
         for w in crossings.windows(2) {
             let [(x, edge), (next, _)] = [w[0], w[1]];

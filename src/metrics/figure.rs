@@ -44,14 +44,14 @@ impl Figure {
 
     /// The angle between its axis and a direction, degrees, 0..45 of squares, else 0..90; none where
     /// one of them is missing.
-    pub fn off(&self, kind: Kind, direction: DVec2) -> Option<f64> {
+    pub fn misalignment(&self, kind: Kind, direction: DVec2) -> Option<f64> {
         let axis = self.axis.filter(|_| direction != DVec2::ZERO)?;
-        Some(angle(axis, direction, period(kind)))
+        Some(angle(axis, direction, symmetry_angle(kind)))
     }
 }
 
 /// A turn by so many degrees leaves a cell of a kind as it is.
-pub(crate) fn period(kind: Kind) -> f64 {
+pub(crate) fn symmetry_angle(kind: Kind) -> f64 {
     360.0 / f64::from(kind.symmetry())
 }
 

@@ -60,7 +60,7 @@ pub struct TriangleQuality {
 }
 
 /// An edge of the mesh.
-struct Edge {
+struct MeshEdge {
     nodes: [u32; 2],
     /// Elements that have it.
     faces: usize,
@@ -100,7 +100,7 @@ impl MeshMetrics {
         let edges = edges(mesh);
         let (valence, ideal_valence) = valence(mesh, &edges, particles);
         let near = NEAR * area.mean().unwrap_or(0.0).sqrt();
-        let to_boundary = |of: fn(&Edge) -> bool, period| {
+        let to_boundary = |of: fn(&MeshEdge) -> bool, period| {
             let edges = edges.iter().filter(|e| e.faces > 1 && of(e));
             angle_to_boundary(domain, mesh, edges, near, period)
         };
@@ -153,7 +153,7 @@ fn real(mesh: &Mesh, k: u32) -> u32 {
 }
 
 /// The edges; on a torus each once, ends at images stand for what those are images of.
-fn edges(mesh: &Mesh) -> Vec<Edge> {
+fn edges(mesh: &Mesh) -> Vec<MeshEdge> {
     let mut sides: Vec<([u32; 2], bool)> = Vec::new();
     for face in &mesh.faces {
         let nodes = face.nodes();
@@ -165,7 +165,7 @@ fn edges(mesh: &Mesh) -> Vec<Edge> {
     order::sort(&mut sides, |s| (order::pair(s.0[0], s.0[1]), 0));
     let groups = sides.chunk_by(|a, b| a.0 == b.0);
     groups
-        .map(|group| Edge {
+        .map(|group| MeshEdge {
             nodes: group[0].0,
             faces: group.len(),
             of_quad: group.iter().any(|s| s.1),
@@ -174,7 +174,7 @@ fn edges(mesh: &Mesh) -> Vec<Edge> {
         .collect()
 }
 
-fn valence(mesh: &Mesh, edges: &[Edge], particles: &[Particle]) -> (Histogram, Option<f64>) {
+fn valence(mesh: &Mesh, edges: &[MeshEdge], particles: &[Particle]) -> (Histogram, Option<f64>) {
     let mut at = vec![0; mesh.vertices.len()];
     let mut inside = vec![true; mesh.vertices.len()];
     for edge in edges {
@@ -199,7 +199,7 @@ fn valence(mesh: &Mesh, edges: &[Edge], particles: &[Particle]) -> (Histogram, O
 fn angle_to_boundary<'a>(
     domain: &Domain,
     mesh: &Mesh,
-    edges: impl Iterator<Item = &'a Edge>,
+    edges: impl Iterator<Item = &'a MeshEdge>,
     near: f64,
     period: f64,
 ) -> Option<f64> {

@@ -11,7 +11,7 @@ mod mesh;
 pub use cells::CellMetrics;
 pub use cover::Cover;
 pub use figure::Figure;
-pub(crate) use figure::period;
+pub(crate) use figure::symmetry_angle;
 pub use mesh::{Jacobian, MeshMetrics, TriangleQuality};
 
 use crate::cells::Cell;

@@ -4,7 +4,7 @@ use super::{Pavement, Stage};
 use crate::cells::Cell;
 use crate::domain::{Domain, ring_contains};
 use crate::field::Kind;
-use crate::metrics::{Figure, period};
+use crate::metrics::{Figure, symmetry_angle};
 use crate::packing::Sample;
 use glam::DVec2;
 
@@ -134,7 +134,7 @@ impl Pavement {
             wanted: fields.size(cell.centre),
             aspect: figure.aspect,
             angle: figure.axis.map(|axis| degrees(axis, cell.kind)),
-            off: figure.off(cell.kind, fields.direction(cell.centre)),
+            off: figure.misalignment(cell.kind, fields.direction(cell.centre)),
             outline: cell.ring.iter().map(|q| *q + shift).collect(),
             polygon: Some(Polygon {
                 area: figure.area,
@@ -172,10 +172,10 @@ impl Pavement {
         if past {
             for cell in self.made.cells() {
                 let figure = Figure::new(cell);
-                let off = figure.off(cell.kind, fields.direction(cell.centre));
+                let off = figure.misalignment(cell.kind, fields.direction(cell.centre));
                 found.push((figure.size / fields.size(cell.centre), off));
                 if cell.kind != Kind::Circle {
-                    widest = period(cell.kind).max(widest);
+                    widest = symmetry_angle(cell.kind).max(widest);
                 }
             }
         }
@@ -276,6 +276,6 @@ fn bounds(cell: &Cell) -> [DVec2; 2] {
 /// The angle of a cell's axis.
 fn degrees(axis: DVec2, kind: Kind) -> f64 {
     let degrees = libm::atan2(axis.y, axis.x).to_degrees();
-    let period = period(kind);
+    let period = symmetry_angle(kind);
     degrees - period * (degrees / period).floor()
 }
