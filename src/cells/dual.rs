@@ -92,7 +92,7 @@ impl Dual {
         (nodes, cells, fixed.len())
     }
 
-    /// Of the mesh of these.
+    /// Of the mesh of [`Dual::nodes`].
     pub fn within(
         domain: &Domain,
         mesh: &Mesh,
@@ -124,7 +124,7 @@ impl Dual {
         }
     }
 
-    /// Where an element's vertex belongs.
+    /// The place of an element's vertex, before walls move it.
     pub fn vertex(&self, mesh: &Mesh, face: &Face) -> DVec2 {
         match *face.nodes() {
             [a, b, c] if self.is_voronoi => {
@@ -210,7 +210,7 @@ impl Dual {
         self.anchors.push(on);
     }
 
-    /// Looks at elements that constraint lines divide from each side.
+    /// Gives elements that constraint lines divide a vertex for each side.
     pub fn divide(&mut self, domain: &Domain, mesh: &Mesh) {
         let real = self.particles.len() as u32;
         for (index, face) in mesh.faces.iter().enumerate() {

@@ -30,7 +30,7 @@ pub struct Fitting {
     is_voronoi: bool,
     /// The largest id of a particle.
     largest: u32,
-    /// How many of these are no images of others.
+    /// How many of the cells are not images of others.
     count: usize,
     next: Next,
 }
@@ -52,7 +52,7 @@ impl Fitting {
     }
 
     /// The plain Voronoi cells of these particles' centres within the outline, none made yet: each
-    /// holds what is nearer to its centre than to any other, whatever comes of it. Pieces that the
+    /// holds what is nearer to its centre than to any other, however thin or small it is. Pieces that the
     /// outline cuts off from their centre go to a neighbour, or are cells where they are large.
     pub fn voronoi(particles: Vec<Particle>) -> Self {
         Self::of(particles, true)

@@ -49,7 +49,7 @@ pub(super) fn ghosts(domain: &Domain, particles: &[Particle]) -> Vec<Node> {
 /// A ghost and the size of the cell that it mirrors.
 type Image = (Node, f64);
 
-/// A cell's image, moved there.
+/// A cell's ghost, moved from its centre.
 fn image(p: &Particle, by: DVec2) -> Image {
     let mut node = Node::of(p);
     node.at += by;
@@ -106,7 +106,7 @@ fn thin_out(domain: &Domain, images: Vec<Image>, largest: f64) -> Vec<Node> {
     kept
 }
 
-/// Points far around the outline, so that what is asked about inside has closed fans.
+/// Points far around the outline, so that the fans of all nodes inside close.
 pub(super) fn frame(domain: &Domain) -> Vec<DVec2> {
     let (lo, hi) = domain.bounds();
     let (middle, half) = (lo.midpoint(hi), FRAME * (hi - lo).max_element());

@@ -1,4 +1,4 @@
-//! Which cells are neighbours: for whatever goes from cell to cell (patterns, flow).
+//! The graph of neighbouring cells, for what spreads from cell to cell (patterns, flow).
 
 use super::Cell;
 use crate::domain::Domain;
@@ -20,8 +20,8 @@ pub struct Graph {
     links: Vec<Vec<u32>>,
 }
 
-/// The neighbours of every cell, by its index, in rising order: who is in the list of whom has him
-/// in his. Distances are measured as the packing does, by the cells' sizes and aspect ratios; on a
+/// The neighbours of every cell, by its index, in rising order; the lists
+/// are symmetric. Distances are measured as the packing does, by the cells' sizes and aspect ratios; on a
 /// torus over the seams. None is seen over the boundary or over a constraint line. A cell that would
 /// have no neighbour has the nearest one that it sees within some cells.
 pub fn graph(domain: &Domain, cells: &[Cell]) -> Vec<Vec<u32>> {

@@ -27,7 +27,7 @@ const ASIDE: f64 = 0.05;
 /// Ids of cells that no particle stands for count down from here.
 pub(super) const NAMELESS: u32 = u32::MAX;
 
-/// Who a region belongs to.
+/// What a region belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Owner {
     /// Outside the outline.
@@ -38,7 +38,7 @@ enum Owner {
     Particle(u32),
     /// A region that became a cell of its own.
     Itself,
-    /// Not decided.
+    /// Not decided yet.
     Nobody,
 }
 
@@ -91,7 +91,7 @@ impl Ownership {
         made
     }
 
-    /// Gives a particle the region of its centre, where nobody has it.
+    /// Gives a particle the region of its centre, unless that has an owner.
     fn settle(&mut self, domain: &Domain, k: usize, p: &Particle) {
         let mut places = vec![p.centre];
         // A cell that is fixed on a constraint line is one half on each side: the first keeps its

@@ -144,7 +144,7 @@ impl Rings {
         }
     }
 
-    /// Puts back onto the boundary what has left it: pieces that hardly turn passed for one straight line.
+    /// Puts back onto the boundary what has left it, as pieces that hardly turn count as straight.
     fn settle(&mut self, domain: &Domain) {
         for vertex in 0..self.points.len() {
             let old = self.points[vertex];

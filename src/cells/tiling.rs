@@ -34,10 +34,10 @@ pub(super) struct Lined {
 }
 
 impl Lined {
-    /// With the nodes.
+    /// With the nodes to be joined.
     pub fn new(side: f64, particles: &[Particle], strategy: Strategy) -> (Self, Vec<Node>) {
         let (all, of) = with_images(side, particles, strategy);
-        // Where they really are, of the same images.
+        // The same images, but where they really are.
         let placed = all.iter().zip(&of).map(|(p, &k)| {
             let (real, near) = (&particles[k as usize], &all[k as usize]);
             let centre = real.centre + (p.centre - near.centre);

@@ -1,5 +1,5 @@
-//! Is an outline fit to be paved? What can be mended is mended and told; for the rest there is one
-//! notice that names the ring and the place.
+//! Checks outlines before they are paved. What can be mended is mended, with a notice; for the rest there
+//! is one notice, which names the ring and the place.
 
 use super::crossing::{Contact, first_contact};
 use super::nesting::around;
@@ -19,7 +19,7 @@ pub const MAX_LINE_POINTS: usize = 512;
 const SMALLEST: f64 = 1.0 / 128.0;
 /// Points nearer than this part of the picture's side are one.
 const SAME: f64 = 1e-7;
-/// At most so many things mended are told one by one.
+/// At most so many notices of things mended.
 const TOLD: usize = 4;
 /// How far outside the picture a point may lie, in sides.
 const OUTSIDE: f64 = 0.5;

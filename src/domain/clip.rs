@@ -16,7 +16,7 @@ const BESIDE: f64 = 0.1;
 /// Runs of points, each a line.
 pub(super) type Lines = Vec<Vec<DVec2>>;
 
-/// What of lines lies inside the outline, cut wherever lines meet; and where they meet the outline: the
+/// The parts of lines inside the outline, cut wherever lines meet, and where they meet the outline: the
 /// number of its segment, and the place.
 pub(super) fn clip(domain: &Domain, lines: &[Vec<DVec2>]) -> (Lines, Vec<(usize, DVec2)>) {
     Cutter::new(domain, lines).cut()

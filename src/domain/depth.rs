@@ -29,11 +29,12 @@ impl Domain {
         low
     }
 
-    /// The innermost place (the pole of inaccessibility) of a coarse raster: where the only cell of a narrow island goes.
+    /// The innermost place (the pole of inaccessibility) of a coarse raster: where the only cell of a
+    /// narrow island goes.
     pub(crate) fn deepest(&self) -> Option<DVec2> {
         let (lo, hi) = self.bounds();
         let step = (hi - lo) / f64::from(RASTER);
-        // A square of places: its first column and row, how many along a side, and what is in its middle.
+        // A square of places: its first column and row, how many along a side, and its middle's depth.
         let square = |column: u32, row: u32, side: u32| {
             let at = |k: u32| f64::from(k) + f64::from(side) / 2.0;
             let middle = lo + step * DVec2::new(at(column), at(row));

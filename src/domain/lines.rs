@@ -26,7 +26,7 @@ pub(super) struct Network {
     /// Where lines meet the outline: the outline's segment and the place.
     pub junctions: Vec<(usize, DVec2)>,
     pub parts: Parts,
-    /// To find the nearest image, and those that pass a place.
+    /// To find the nearest image, and those near a place.
     candidates: CandidateGrid,
     passing: SegmentGrid,
 }
@@ -155,7 +155,7 @@ impl Domain {
     }
 
     /// Does the straight way from a to b cross a constraint line? On a torus b is the image that is
-    /// meant ([`Space::shortest`]), at most half a side away.
+    /// meant ([`super::Space::shortest`]), at most half a side away.
     #[inline]
     pub fn crosses_line(&self, a: DVec2, b: DVec2) -> bool {
         let Some(network) = &self.network else {

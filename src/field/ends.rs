@@ -1,4 +1,4 @@
-//! Which pieces of the boundary are ends, across the way that cells are to follow.
+//! The ends of the boundary: pieces across the direction that cells are to follow.
 //!
 //! Two-fold directions along two walls at right angles cancel on the line between them. At the end
 //! of a road that line is a fault through the rows; without the end's weight they run straight up

@@ -1,4 +1,4 @@
-//! What the direction follows.
+//! The sources of the direction: what it follows.
 
 use super::sources::{Source, Sources};
 use super::{Direction, FieldParams, ends};
@@ -6,7 +6,7 @@ use crate::domain::Domain;
 use crate::planar::Space;
 use glam::DVec2;
 
-/// Sources of less strength are none.
+/// Sources of less strength are left out.
 const FAINT: f64 = 0.02;
 
 /// The unit vector of the spiral's ray, and the distance to the nearest point where it has none. Rays

@@ -1,4 +1,4 @@
-//! What segments contribute to the direction at a point.
+//! The contributions of segments to the direction at a point.
 //!
 //! Miyata, Itoh, Shimada (2000), eq. (1) adds s_i / d_i^2 over the boundary's segments. Two things
 //! are read differently: the sum is of representation vectors, and a segment's weight is the

@@ -1,4 +1,4 @@
-//! What constraint lines do to triangles.
+//! Triangles and sides at constraint lines.
 
 use crate::domain::Domain;
 use crate::packing::Particle;

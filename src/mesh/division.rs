@@ -24,7 +24,7 @@ pub(super) struct Division {
 }
 
 impl Division {
-    /// Of no polygon yet.
+    /// Nothing divided yet.
     pub fn new() -> Self {
         Self {
             cost: [[0.0; MOST]; MOST],

@@ -16,7 +16,7 @@ const NEEDLE: f64 = 0.01;
 /// sizes, only bridges a bend.
 const AT_WALL: f64 = 0.45;
 
-/// Lone triangles are let be where they are at most this share of the elements ...
+/// Lone triangles are left where they are at most this share of the elements ...
 const FEW_TRIANGLES: f64 = 0.037;
 /// ... and this many more, but ...
 const RIM_TRIANGLES: f64 = 6.0;
@@ -108,7 +108,8 @@ impl IslandMeshing {
         let keep = self.keep(island);
         let mut made = quads::pair(nodes, triangles, &keep, 0);
         made.leave_out(|face| is_sliver(face, nodes));
-        // Of cells that stand at the walls it is no mesh of the outline, only a picture of the rows.
+        // Where no cell is fixed on the walls the mesh ends before them: it shows the rows, but is no
+        // mesh of the outline.
         if self.own.iter().any(|p| p.fixed) {
             join_lone(nodes, &mut made, |k| self.own[k].fixed, keep);
         }
@@ -136,7 +137,7 @@ impl IslandMeshing {
             self.whole.vertices[name] = vertex;
         }
         for node in made.faces.iter_mut().flat_map(|face| &mut face.nodes) {
-            // A triangle's fourth number is none.
+            // A triangle has no fourth node.
             *node = self.names.get(*node as usize).map_or(0, |&k| k as u32);
         }
         self.whole.faces.extend(made.faces);
@@ -153,7 +154,7 @@ impl IslandMeshing {
 }
 
 /// Joins lone triangles over the elements between them while there are too many, first to good
-/// quadrilaterals only; in between the nodes that may move relax, which makes room for more.
+/// quadrilaterals only; in between the nodes that may move are smoothed, which makes room for more.
 pub(super) fn join_lone(
     nodes: &mut [Node],
     made: &mut Faces,
@@ -199,7 +200,7 @@ fn at_wall(triangle: &Face, particles: &[Particle]) -> f64 {
     depth.fold(f64::INFINITY, f64::min)
 }
 
-/// Is this a triangle so flat that it only lies along the border? The needles of sharp tips stay.
+/// Is this a flat triangle along the border? The needles of sharp tips stay.
 fn is_sliver(face: &Face, nodes: &[Node]) -> bool {
     let [a, b, c] = *face.nodes() else {
         return false;

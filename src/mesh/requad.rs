@@ -4,8 +4,8 @@
 //! choice nearby would have had one. Two lone triangles and the quadrilaterals on a path between them
 //! make a polygon with an even number of sides, which quadrilaterals alone can fill: the augmenting
 //! path of matching, but free to choose all diagonals. A lone triangle and a quadrilateral can
-//! change their common side, two quadrilaterals likewise. A patch changes only where that is a gain,
-//! so all of it ends.
+//! change their common side, two quadrilaterals likewise. A patch changes only where its cost falls,
+//! so the search ends.
 
 use super::division::{Division, MOST, TRIANGLE};
 use super::quads::{Faces, is_lone, score};
@@ -16,11 +16,11 @@ use super::{Face, Node};
 const LONGEST: usize = (MOST - 2) / 2;
 /// What an inner node costs for each side that it has more or less than four.
 const IRREGULAR: f64 = 0.12;
-/// Less is no gain.
+/// A smaller gain does not count.
 const LEAST_GAIN: f64 = 1e-3;
 /// A quadrilateral that costs less, among regular nodes, is left alone.
 const FINE: f64 = 0.15;
-/// Regular nodes cannot outweigh more.
+/// Regular nodes make up for no more than this cost.
 const SLACK: f64 = 0.5;
 /// The most times all patches are tried.
 const ROUNDS: usize = 6;
@@ -169,7 +169,7 @@ impl<'a, K: Fn([u32; 2]) -> bool> Search<'a, K> {
         }
     }
 
-    /// The shortest ways to other triangles nearby.
+    /// Considers the shortest paths to other triangles nearby.
     fn paths(&mut self, start: &Patch, gain: &mut f64, best: &mut Option<Patch>) {
         let first = start.members[0];
         self.reached.push(first);
@@ -238,8 +238,8 @@ impl<'a, K: Fn([u32; 2]) -> bool> Search<'a, K> {
         }
     }
 
-    /// The patch with an element added that is adjacent to its last member; none where a node would lie inside,
-    /// or the side between them is to be kept.
+    /// The patch with an element added that is adjacent to its last member; none where a node would lie
+    /// inside, or the side between them is to be kept.
     fn grow(&self, patch: &Patch, next: u32) -> Option<Patch> {
         let n = patch.corners.len();
         let last = *patch.members.last()?;
@@ -285,7 +285,7 @@ impl<'a, K: Fn([u32; 2]) -> bool> Search<'a, K> {
         Some(grown)
     }
 
-    /// What dividing a patch anew would gain.
+    /// The cost that dividing a patch anew would save.
     fn gain(&mut self, patch: &Patch) -> f64 {
         let n = patch.corners.len();
         let cost = self.division.of(self.nodes, &patch.corners, self.worst);
@@ -321,7 +321,7 @@ impl<'a, K: Fn([u32; 2]) -> bool> Search<'a, K> {
         patch.cost - cost + IRREGULAR * f64::from(regular)
     }
 
-    /// Puts the division in the table in place of the patch's elements.
+    /// Puts the division that was found in place of the patch's elements.
     fn apply(&mut self, patch: &Patch) {
         let n = patch.corners.len();
         for &f in &patch.members {

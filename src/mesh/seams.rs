@@ -19,13 +19,14 @@ pub(crate) enum Strategy {
     Pairs(u32),
     /// Lone triangles, made Delaunay in the local metric; with images as far.
     Lone(u32),
-    /// Lone triangles, Delaunay's.
+    /// Lone triangles, plain Delaunay.
     Delaunay,
 }
 
-/// What is tried in turn, until a mesh closes over the seams. Pairs are chosen and sides flipped one after the other,
-/// so that far from the picture others may be; should that reach as far as the seams, more images are
-/// taken. In the end stand Delaunay's triangles, which depend on nothing but their own corners.
+/// What is tried in turn, until a mesh closes over the seams. Pairs are chosen and sides flipped one
+/// after the other, so images far from the picture may be joined in another way than it; should that
+/// reach as far as the seams, more images are taken. The last are plain Delaunay triangles, which depend
+/// on nothing but their own corners.
 pub(crate) const STRATEGIES: [Strategy; 4] = [
     Strategy::Pairs(5),
     Strategy::Pairs(12),
@@ -36,10 +37,10 @@ pub(crate) const STRATEGIES: [Strategy; 4] = [
 /// Images farther than this many pictures away are not made.
 const FARTHEST: f64 = 8.0;
 /// Around a triangle of points that repeat with the picture no circle without points is wider than
-/// its diagonal: with images as far as this (sides) all of Delaunay's triangles in it are there.
+/// its diagonal: with images as far as this (sides) all Delaunay triangles in it are there.
 const DIAGONAL: f64 = 1.5;
-/// The metric in which they are Delaunay's, but for so little: of four points on one circle, as a cell
-/// and its images can be, it chooses the diagonal, and at each image the same. Axis and aspect.
+/// Axis and aspect ratio of the metric in which they are Delaunay, hardly other than the plain one: of
+/// four points on one circle, as a cell and its images can be, it chooses the same diagonal everywhere.
 const TILT: (DVec2, f64) = (
     DVec2::new(0.809_016_994_374_947_5, 0.587_785_252_292_473_1),
     1.0001,
@@ -130,21 +131,21 @@ pub(crate) fn closes(domain: &Domain, rings: &[Vec<DVec2>]) -> bool {
         })
 }
 
-/// The mesh of a torus in the making: one try after the other, until one closes over the seams.
+/// The mesh of a torus in the making: one attempt after the other, until one closes over the seams.
 pub(super) struct SeamMeshing {
     side: f64,
     particles: Vec<Particle>,
-    /// Tries begun so far.
+    /// Attempts begun so far.
     begun: usize,
     /// The cells and their images, and the number of the cell that each is or is an image of.
     all: Vec<Particle>,
     of: Vec<u32>,
-    /// The try at work.
+    /// The attempt at work.
     delaunay: Option<IncrementalDelaunay>,
 }
 
 impl SeamMeshing {
-    /// Nothing tried yet.
+    /// Nothing attempted yet.
     pub fn new(side: f64, mut particles: Vec<Particle>) -> Self {
         for p in &mut particles {
             p.centre = Space::torus(side).wrap(p.centre);
@@ -172,7 +173,7 @@ impl SeamMeshing {
         None
     }
 
-    /// The nodes of the next try.
+    /// The nodes of the next attempt.
     fn nodes(&mut self) -> Vec<Node> {
         let strategy = STRATEGIES[self.begun.min(STRATEGIES.len() - 1)];
         self.begun += 1;
@@ -181,8 +182,8 @@ impl SeamMeshing {
         nodes.map(|node| strategy.node(node)).collect()
     }
 
-    /// See [`Mesh::build`]; nothing where elements do not agree over the seams. In the end they give
-    /// way to Delaunay's triangles.
+    /// See [`Mesh::build`]; nothing where elements do not agree over the seams. The last
+    /// attempt is taken in any case.
     fn mesh(&self, domain: &Domain, delaunay: IncrementalDelaunay) -> Option<Mesh> {
         let Self {
             particles,
@@ -219,7 +220,7 @@ impl SeamMeshing {
 }
 
 impl Mesh {
-    /// These elements, with those images only that they have.
+    /// Of these elements, with only those images that are nodes of one.
     fn with_images(
         particles: &[Particle],
         (all, of): (&[Particle], &[u32]),

@@ -89,7 +89,7 @@ fn move_one(nodes: &mut [Node], faces: &[Face], around: &[u32], k: u32) -> bool 
     false
 }
 
-/// How good elements are in all; bad ones count more.
+/// The sum of the elements' quality; bad ones count more.
 fn worth(nodes: &[Node], faces: &[Face], around: &[u32]) -> f64 {
     let mut sum = 0.0;
     for &f in around {

@@ -187,7 +187,7 @@ fn wants_flip([c, a, d, b]: [&Node; 4]) -> bool {
     sum < -TIE * scale && is_convex(c.at, a.at, d.at) && is_convex(d.at, b.at, c.at)
 }
 
-/// Will the triangle have a positive area beyond doubt?
+/// Has the triangle a positive area, beyond rounding?
 fn is_convex(a: DVec2, b: DVec2, c: DVec2) -> bool {
     let (u, v) = (b - a, c - a);
     u.perp_dot(v) > TIE * (u.length_squared() + v.length_squared())

@@ -96,7 +96,7 @@ fn median(mut numbers: Vec<f64>) -> Option<f64> {
     Some(0.5 * (upper + numbers[(n - 1) / 2]))
 }
 
-/// The angle between a line and a direction, both without a sense, where `period` degrees make no
+/// The angle between a line and a direction, both without an orientation, where `period` degrees make no
 /// difference: 0..period / 2.
 fn angle(line: DVec2, direction: DVec2, period: f64) -> f64 {
     let turn = libm::atan2(direction.perp_dot(line), direction.dot(line)).to_degrees();

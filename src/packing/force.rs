@@ -1,7 +1,7 @@
 //! The bubble force and the potential of a pair of cells.
 //!
 //! Miyata, Itoh, Shimada (2000), section 4.2: code `bubble_force` = eq. (2), `bubble_potential` =
-//! eq. (3), `square_force` = the gradient of eq. (4). The units make a force a length: the spring
+//! eq. (3), `Pair::force` = the gradient of eq. (4). The units make a force a length: the spring
 //! constant k0 of a pair is l0 squared, so that k0 / l0 = l0, the pair's stable distance.
 
 use super::Particle;

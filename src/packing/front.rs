@@ -29,7 +29,7 @@ impl Front {
     pub fn new(placed: &mut Placed, domain: &Domain, fields: &Fields, seed: u64) -> Self {
         let islands = domain.islands();
         if islands.len() > 1 {
-            // Chance would seldom find a small one among many.
+            // Random places would seldom lie in a small one among many.
             placed.fill_empty_islands(domain, fields);
         }
         let mut queue: VecDeque<usize> = (0..placed.cells.len()).collect();

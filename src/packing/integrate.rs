@@ -61,7 +61,7 @@ pub(super) struct Motion {
     pair_data: Vec<PairData>,
 }
 
-/// What pairs ask most often, close together in memory.
+/// What the forces of most pairs depend on, close together in memory.
 #[derive(Clone, Copy, Debug)]
 struct PairData {
     centre: DVec2,

@@ -58,7 +58,7 @@ impl Packing {
         }
     }
 
-    /// How the run went, by rising steps.
+    /// The record of the run, by rising steps.
     pub fn samples(&self) -> &[Sample] {
         &self.samples
     }

@@ -106,7 +106,7 @@ struct Tuning {
     cooling: f64,
     /// The run ends here in any case.
     most_steps: u32,
-    /// The most cells that are packed: beyond, a sentence.
+    /// The most cells that are packed: of more there is a notice.
     most_cells: f64,
 }
 
@@ -122,7 +122,7 @@ const TUNING: Tuning = Tuning {
     most_cells: 250_000.0,
 };
 
-/// What lies around the cells.
+/// What cells are packed in.
 #[derive(Clone, Copy)]
 struct Surroundings<'a> {
     pub domain: &'a Domain,
@@ -218,9 +218,9 @@ pub struct Packing {
     motion: Motion,
     next_id: u32,
     report: StepReport,
-    /// The step after which the population was last looked at.
-    looked: u32,
-    /// How the run went.
+    /// The step of the last population control.
+    controlled: u32,
+    /// The record of the run.
     samples: Vec<Sample>,
 }
 
@@ -228,7 +228,7 @@ impl Packing {
     /// Places the first cells, all at once; see [`Placing`].
     ///
     /// # Errors
-    /// A sentence where the outline would take more cells than can be packed.
+    /// A notice where the outline would take more cells than can be packed.
     pub fn new(domain: &Domain, fields: &Fields, params: PackingParams) -> Result<Self, Notice> {
         let mut placing = Placing::new(domain, fields, params)?;
         while !placing.advance(domain, fields) {}
@@ -249,7 +249,7 @@ impl Packing {
             motion: Motion::default(),
             next_id: 0,
             report: StepReport::default(),
-            looked: 0,
+            controlled: 0,
             samples: Vec::new(),
         };
         for (centre, fixed) in cells {
@@ -340,14 +340,14 @@ impl Packing {
     /// Adds and removes cells where it is time to; true where any were.
     fn control_population(&mut self, domain: &Domain, fields: &Fields, small: bool) -> bool {
         let step = self.report.step;
-        let due = step - self.looked >= TUNING.population_every;
+        let due = step - self.controlled >= TUNING.population_every;
         if self.params.population == Population::Off
             || step > TUNING.population_until
             || !(due || small)
         {
             return false;
         }
-        self.looked = step;
+        self.controlled = step;
         let around = Surroundings {
             domain,
             fields,

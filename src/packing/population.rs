@@ -17,9 +17,9 @@ use crate::field::{Fields, Kind};
 use crate::order;
 use glam::DVec2;
 
-/// A cell goes where its nearest neighbour is nearer than the first, in stable distances; one comes
-/// where the nearest is at least as far as the second. Round cells have six neighbours that share a
-/// gap: one comes into a smaller gap, and the six make room.
+/// Two distances, in stable ones: a cell is removed where its nearest neighbour is nearer than the
+/// first, and one is added where the nearest is at least as far as the second. Round cells have six
+/// neighbours that share a gap: a smaller one takes a cell, and the six make room.
 const fn limits(kind: Kind) -> (f64, f64) {
     if kind.has_corners() {
         (0.66, 0.72)
@@ -40,7 +40,7 @@ const GAP: f64 = 1.2;
 const SQUEEZED: f64 = 0.58;
 /// The next cell of a row is nearer than this to where it would touch.
 const ROW: f64 = 0.55;
-/// The largest share of the cells changed in one look.
+/// The largest share of the cells that is removed, or added, at once.
 const MOST_CHANGED: f64 = 0.1;
 
 /// What to change: `remove[i]` for the body i, and the centres of new cells.
@@ -49,12 +49,12 @@ pub(super) struct Change {
     pub add: Vec<DVec2>,
 }
 
-/// Where a cell may come.
+/// A place for one more cell.
 struct Site {
     place: DVec2,
-    /// What the cell would be there.
+    /// The shape of a cell there.
     shape: Shape,
-    /// The least distance from all cells, in stable distances.
+    /// All cells have to be this far from it, in stable distances.
     room: f64,
 }
 
@@ -122,7 +122,7 @@ fn clear_of_walls(place: DVec2, shape: &Shape, around: Surroundings) -> bool {
 }
 
 impl Census<'_> {
-    /// Where a cell may come beside a body.
+    /// The places for one more cell beside a body.
     fn sites(&self, i: usize, fields: &Fields) -> Vec<Site> {
         let centre = self.bodies[i].particle.centre;
         let at = |p: DVec2| {
@@ -253,7 +253,7 @@ impl Census<'_> {
         })
     }
 
-    /// The tightest first, and no two neighbours in one look.
+    /// The bodies to remove: the tightest first, and no two neighbours at once.
     fn crowded(&self, nearest: &[f64], most: usize) -> Vec<bool> {
         let mut tight: Vec<usize> = (0..nearest.len())
             .filter(|&i| nearest[i] < limits(self.shapes[i].kind()).0)

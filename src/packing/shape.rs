@@ -11,7 +11,7 @@ pub(super) const CUT: f64 = 1.5;
 /// to where the corner's own force ends (eq. 2's cut at 1.5 corner distances).
 pub(super) const SQUARE_REACH: f64 = std::f64::consts::FRAC_1_SQRT_2 * (1.0 + CUT);
 
-/// A cell without its place.
+/// A cell's kind, direction, size and aspect ratio, without its place.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Shape {
     kind: Kind,
@@ -62,7 +62,8 @@ impl Particle {
         (e * root, e.perp() / root)
     }
 
-    /// How far a place, `way` off its centre, is on the way to its rim: 0 in the middle, 1 on it.
+    /// How far a place `way` off its centre is, over how far its edge is in that direction: 0 in the
+    /// middle, 1 on the edge.
     pub(crate) fn relative_radius(&self, way: DVec2) -> f64 {
         let (e, f) = self.half_axes();
         let local = DVec2::new(
@@ -141,7 +142,7 @@ impl Shape {
         self.size * self.root
     }
 
-    /// The diameter along a vector, in vectors: how often it would have to be laid end to end.
+    /// The length of a vector in diameters of the cell along it: so many cells, end to end, are as long.
     pub fn cells_along(&self, r: DVec2) -> f64 {
         if self.root == 1.0 {
             return r.length() / self.size;

@@ -51,7 +51,7 @@ impl Packing {
         }
         self.assign_sizes(fields);
         self.motion.forget();
-        self.looked = 0;
+        self.controlled = 0;
         self.report.step = TUNING.population_every;
         self.report.cells = self.bodies.len();
         self.report.done = self.bodies.is_empty();

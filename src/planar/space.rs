@@ -10,7 +10,7 @@ use glam::DVec2;
 /// so what goes over images is right there too, and stages need not ask which of the two it is.
 ///
 /// A torus has a side of whole picture units. That is a whole number of steps of the grain
-/// ([`super::on_grain`]), so images of places on the grain are exact.
+/// (`planar/mod.rs`), so images of places on the grain are exact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Space {
     /// The side of the torus; nothing in the plane.
