@@ -4,9 +4,9 @@ import { bindKeys, listenToKeys } from '../base/keys';
 import { speak } from '../base/language';
 import { alertOf, clear, notice, offerOf, passing } from '../base/messages';
 import { isFirstVisit } from '../base/storage';
-import { isEnd, STAGES } from '../module/stages';
+import { isEnd, isUpToSteps, STEPPING } from '../module/stages';
 import { shown } from '../panel/control';
-import { makeDice } from '../panel/dice';
+import { Dice } from '../panel/dice';
 import { Panel } from '../panel/panel';
 import { Presets } from '../panel/presets';
 import { Seed, SEED, withSeed } from '../panel/seed';
@@ -16,7 +16,7 @@ import { keepInSight } from '../picture/sight';
 import { StatusLine } from '../picture/status';
 import { Subtitle } from '../picture/subtitle';
 import { Transport } from '../picture/transport';
-import { View, VIEWS } from '../picture/view';
+import { View } from '../picture/view';
 import { Watch } from '../picture/watch';
 import { Engine } from '../state/engine';
 import { History } from '../state/history';
@@ -37,6 +37,15 @@ const SETTLED = 400;
 /** Frames that the first cells may take before the panel comes all the same. */
 const PATIENCE = 12;
 
+/** Parts of the page that only some generators need, and what opens them. */
+const OFFERED = [
+  ['outline', 'edit-tools'],
+  ['layers', 'layers-button'],
+  ['tiles', 'tile-button'],
+  ['compare', 'compare-button'],
+  ['plots', 'plots-button'],
+] as const;
+
 export class App {
   private readonly engine: Engine;
   private readonly store: Store;
@@ -50,6 +59,8 @@ export class App {
   private readonly subtitle = new Subtitle();
   private readonly parts: Parts;
   private readonly face: ScriptFace;
+  /** The generator whose parts are on the page. */
+  private offered = '';
   /** Whether cells were shown. */
   private begun = false;
   /** The picture that the page begins with forms slowly, for a newcomer: scripts are to be told ahead. */
@@ -82,6 +93,7 @@ export class App {
       if (own && !ours && this.store.state.recipe !== recipe) this.tellReplaced();
     });
     this.parts = partsOf(this.work, this.view);
+    this.offer();
     this.transport = this.makeTransport();
     new Seed(this.work, () => this.push());
     this.follow();
@@ -99,19 +111,14 @@ export class App {
   async furnish(): Promise<void> {
     const { store } = this;
     for (let waited = 0; waited < PATIENCE && !this.hasBegun(); waited += 1) await frame();
-    const panel = new Panel(this.engine);
-    await panel.build(
+    const panel = new Panel(
+      this.engine,
       (key, text, done) => this.change(key, text, done),
       (key) => this.parts.editor.ask((editor) => editor.toggle(key)),
     );
-    new EditTools(this.work, panel, this.parts.editor);
-    makeDice(this.work, panel, () => this.push());
-    panel.refresh();
-    panel.attach();
-    store.on(['recipe'], () => panel.refresh());
-    this.loop.spare();
-    await frame();
-    const presets = new Presets(this.engine.presets, (preset) => {
+    const tools = new EditTools(this.work, this.parts.editor);
+    const dice = new Dice(this.work, () => this.push());
+    const presets = new Presets((preset) => {
       this.leaveEditor();
       this.push();
       if (isLocked(store, SEED)) this.work.open(withSeed(preset.link, this.engine.get(SEED)), false, preset);
@@ -119,8 +126,44 @@ export class App {
       store.update({ paused: false });
     });
     const mark = ({ recipe, preset }: State): void => presets.mark(preset?.recipe === recipe ? preset.shown.name : undefined);
-    mark(store.state);
-    store.on(['recipe'], mark);
+    /** Builds what hangs on the generator. */
+    const build = async (): Promise<void> => {
+      await panel.build();
+      tools.build(panel);
+      dice.build(panel);
+      panel.refresh();
+      panel.attach();
+      this.loop.spare();
+      await frame();
+      presets.build(this.engine.presets);
+      mark(store.state);
+    };
+    let building = build();
+    await building;
+    let made = this.engine.generator.word;
+    store.on(['recipe'], (state) => {
+      const { word } = this.engine.generator;
+      if (word === made) {
+        panel.refresh();
+        return mark(state);
+      }
+      made = word;
+      // One after the other: what is built is one panel.
+      building = building.then(build);
+    });
+  }
+
+  /** What is made now, before anything of it is shown: stages, views, and the parts of the page that serve it. */
+  private offer(): void {
+    const { word, stages, offers } = this.engine.generator;
+    if (word === this.offered) return;
+    this.offered = word;
+    this.status.follow(stages);
+    this.view.follow();
+    document.documentElement.dataset['offers'] = offers.join(' ');
+    for (const [part, id] of OFFERED) byId(id).hidden = !offers.includes(part);
+    this.leaveEditor();
+    this.store.update({ compare: false, plots: false, repeat: 1 });
   }
 
   /** Whether cells were shown, or never will be. */
@@ -179,6 +222,7 @@ export class App {
     };
     store.on(['recipe', 'editing'], () => this.leave());
     store.on(['recipe'], ({ recipe }) => {
+      this.offer();
       this.endAhead();
       this.link.write(recipe);
       this.parts.editor.here?.follow();
@@ -220,7 +264,7 @@ export class App {
       { keys: ['ctrl+z'], shown: ['Ctrl+Z'], word: 'key_undo', act: press('undo'), repeats: true },
       { keys: ['ctrl+shift+z', 'ctrl+y'], shown: ['Ctrl+Shift+Z', 'Ctrl+Y'], word: 'key_redo', act: press('redo'), repeats: true },
       { keys: ['c'], word: 'key_copy', act: () => void this.copy() },
-      { keys: '0123456789'.split(''), shown: ['0', '–', '9'], word: 'key_view', act: (key) => this.store.update({ view: VIEWS[Number(key)] ?? 'auto' }) },
+      { keys: '0123456789'.split(''), shown: ['0', '–', '9'], word: 'key_view', act: (key) => this.store.update({ view: this.view.bases[Number(key)] ?? 'auto' }) },
       { keys: ['e'], word: 'key_edit', act: () => parts.editor.ask((editor) => editor.toggle()) },
     );
     listenToKeys();
@@ -275,6 +319,7 @@ export class App {
 
   /** From now on the work goes at the pace of who watches. */
   private watch(): void {
+    if (!this.engine.generator.offers.includes('forming')) return;
     const watch = new Watch();
     if (isEnd(this.engine.stage())) watch.expected = this.engine.status().steps;
     this.loop.watch = watch;
@@ -303,7 +348,7 @@ export class App {
     if (isEnd(stage)) return this.again(true);
     this.store.update({ paused: true });
     // The first cells come by themselves.
-    if (STAGES.findIndex((word) => word === stage) < STAGES.indexOf('packing')) return;
+    if (stage !== STEPPING && isUpToSteps(this.engine.generator.stages, stage)) return;
     const before = this.engine.status().steps;
     this.engine.step();
     if (this.engine.status().steps === before && this.engine.alive) passing('done', t('settled'));

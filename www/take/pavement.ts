@@ -1,5 +1,5 @@
 /** Makes a studio's picture from its start to its end. */
-import type { Bubblestone } from '../../pkg/bubblestone.js';
+import { generators, type Bubblestone } from '../../pkg/bubblestone.js';
 import { progressOf } from '../module/stages';
 import type { Status } from '../module/types';
 import { Refusal } from './refusal';
@@ -15,6 +15,7 @@ export type Progress = (done: number) => void;
 
 /** Where somebody looks on, one step of the packing or one stone is made at a time. Throws a Refusal where there is no picture. */
 export function pavement(studio: Bubblestone, progress: Progress, looksOn?: (stage: string, status: Status) => void): void {
+  const stages = generators().find(({ word }) => word === studio.generator())?.stages ?? [];
   for (;;) {
     const stage = studio.stage();
     const status = studio.status();
@@ -22,7 +23,7 @@ export function pavement(studio: Bubblestone, progress: Progress, looksOn?: (sta
     if (problem) throw new Refusal(problem);
     if (stage === 'done') return;
     looksOn?.(stage, status);
-    progress(progressOf(stage, status));
+    progress(progressOf(stages, stage, status));
     studio.tick(looksOn ? 0 : BUDGET, looksOn ? 1 : STEPS);
   }
 }
