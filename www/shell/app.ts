@@ -226,7 +226,7 @@ export class App {
     listenToKeys();
     for (const id of ['share', 'save']) byId(id).addEventListener('click', () => this.leave());
     byId('share').addEventListener('click', () => parts.share.ask(({ share }) => share(this.engine, this.store, this.view.canvas)));
-    byId('save').addEventListener('click', () => parts.save.ask(({ save }) => save(this.work, this.view.canvas)));
+    byId('save').addEventListener('click', () => parts.save.ask(({ SaveDialog }) => new SaveDialog(this.work, this.view.canvas)));
     byId('undo').addEventListener('click', () => this.history.undo());
     byId('redo').addEventListener('click', () => this.history.redo());
     byId('about-button').addEventListener('click', () => {
