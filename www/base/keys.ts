@@ -2,7 +2,7 @@
 import { t, type Word } from '../words/words';
 import { byId, byIdAs, closeFromBeside, make } from './dom';
 
-export interface Binding {
+interface Binding {
   /** By `KeyboardEvent.key` in lower case, with `ctrl+` and `shift+` before it; of Ctrl and Cmd either does. */
   keys: string[];
   /** How the list shows them, where not just in capitals. */

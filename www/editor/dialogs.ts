@@ -8,7 +8,7 @@ import { jsonFile, svgFile } from './export';
 import { drawn } from './geometry/figures';
 import { FACES, letters, type Face } from './letters';
 
-export interface DialogNeeds {
+interface DialogNeeds {
   side(): number;
   outline(): Ring[];
   /** Takes an outline over; false where it was refused. */

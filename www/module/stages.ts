@@ -4,6 +4,11 @@ import type { Status } from './types';
 /** In their order; then comes 'done', or 'error'. */
 export const STAGES = ['domain', 'fields', 'packing', 'mesh', 'cells', 'planes', 'weather', 'shading'] as const;
 
+/** Its place in the order, from 0; -1 when the work is over. */
+export function placeOf(stage: string): number {
+  return STAGES.findIndex((word) => word === stage);
+}
+
 /** Whether there is no work left at this stage. */
 export function isEnd(stage: string): boolean {
   return stage === 'done' || stage === 'error';
@@ -17,7 +22,7 @@ const HALF = 60;
 
 /** How far the work on a picture is, about: 0..1, and never less than before while a picture is made. */
 export function progressOf(stage: string, { steps, stones, cells }: Status): number {
-  const at = STAGES.findIndex((word) => word === stage);
+  const at = placeOf(stage);
   if (at < 0) return 1;
   const begin = BEGINS[stage] ?? 0;
   const end = BEGINS[STAGES[at + 1] ?? ''] ?? 1;

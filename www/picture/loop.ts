@@ -1,5 +1,5 @@
 /** The animation frames: a slice of work in each, none when there is nothing to do or to see. */
-import { isEnd, STAGES } from '../module/stages';
+import { isEnd, placeOf } from '../module/stages';
 import type { Engine } from '../state/engine';
 import type { Watch } from './watch';
 
@@ -58,7 +58,7 @@ export class Loop {
   set paused(paused: boolean) {
     this.held = paused;
     // What has no cells yet goes on to its first ones.
-    this.settling = STAGES.findIndex((word) => word === this.engine.stage()) <= STAGES.indexOf('packing');
+    this.settling = placeOf(this.engine.stage()) <= placeOf('packing');
     // A pause shows the step that it holds, which may not have been drawn.
     this.redraw();
   }

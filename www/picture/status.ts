@@ -1,6 +1,6 @@
 /** The state of the work: the stages with their milliseconds, the counts, and the caption. */
 import { byId, make, say } from '../base/dom';
-import { progressOf, STAGES } from '../module/stages';
+import { placeOf, progressOf, STAGES } from '../module/stages';
 import type { Preset, Status } from '../module/types';
 import { partIn, t } from '../words/words';
 
@@ -38,7 +38,7 @@ export class StatusLine {
   }
 
   show(stage: string, status: Status, watched: boolean): void {
-    const at = STAGES.findIndex((word) => word === stage);
+    const at = placeOf(stage);
     STAGES.forEach((word, index) => {
       const parts = this.stages.get(word);
       if (!parts) return;
