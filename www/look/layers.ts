@@ -3,7 +3,7 @@ import { byId, make } from '../base/dom';
 import { VIEWS, type View } from '../picture/view';
 import type { Store } from '../state/store';
 import { t } from '../words/look';
-import '../styles/look.css';
+import '../styles/late/look.css';
 
 /** In the order in which they are drawn. */
 const OVERLAYS = ['size', 'packed', 'energy', 'cells', 'mesh', 'anisotropy', 'direction', 'forces', 'singularities'] as const;

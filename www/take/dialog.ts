@@ -2,7 +2,7 @@
 import { dialogOf } from '../base/dialog';
 import { make } from '../base/dom';
 import { t } from '../words/take';
-import '../styles/take.css';
+import '../styles/late/take.css';
 
 export function takeDialog(id: string, title: string, ...body: HTMLElement[]): HTMLDialogElement {
   const close = make('button', { type: 'button', class: 'key', 'data-close': '' }, t('close'));
