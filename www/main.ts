@@ -1,5 +1,6 @@
 /** Starts the page. */
 import { byId } from './base/dom';
+import { reasonOf } from './base/errors';
 import { takeLanguage } from './base/language';
 import { alertOf, passing } from './base/messages';
 import { followTheme } from './base/theme';
@@ -18,7 +19,7 @@ async function start(): Promise<void> {
     else await begin();
   } catch (error) {
     document.documentElement.dataset['stage'] = 'error';
-    alertOf('trouble', error instanceof Error ? error.message : String(error));
+    alertOf('trouble', reasonOf(error));
   }
 }
 

@@ -4,7 +4,7 @@ import type { View } from '../picture/view';
 import type { Store } from '../state/store';
 import { overlayIn, t } from '../words/look';
 import { viewIn } from '../words/words';
-import '../styles/look.css';
+import '../styles/late/look.css';
 
 export class Layers {
   private readonly store: Store;

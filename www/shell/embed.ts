@@ -8,6 +8,7 @@ import { fragment, pageAddress } from '../state/link';
 import { t } from '../words/words';
 import { scriptFace, type Bubblestone } from './scripts';
 import { tellCrash } from './trouble';
+import '../styles/late/embed.css';
 
 export function embed(): Bubblestone {
   const canvas = byIdAs('canvas', HTMLCanvasElement);

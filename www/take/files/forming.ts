@@ -1,5 +1,5 @@
 /** The looping animation of the forming, with frames taken on the way. */
-import type { Bubblestone } from '../../pkg/bubblestone.js';
+import type { Bubblestone } from '../../../pkg/bubblestone.js';
 import { gif, smaller, type Frame } from './film';
 import { pavement, type Progress } from './pavement';
 

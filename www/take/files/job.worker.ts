@@ -1,21 +1,34 @@
 /** Makes one file. Nothing here blocks the page: it is a worker, which ends with the file. */
-import { Bubblestone } from '../../pkg/bubblestone.js';
-import { loadModule } from '../module/load';
+import { Bubblestone } from '../../../pkg/bubblestone.js';
+import { serve } from '../../base/worker';
+import { loadModule } from '../../module/load';
+import type { Notice } from '../../module/types';
 import { formingGif } from './forming';
-import type { Job, Order, Said } from './job';
 import { mapsZip } from './maps-zip';
 import { meshFile } from './mesh-file';
 import { pavement, type Progress } from './pavement';
 import { pictureFile } from './picture';
 import { Refusal } from './refusal';
 
-const say = (said: Said): void => postMessage(said);
+/** What is to be made; `normals` is the word of the normal map. */
+export type Job =
+  | { file: 'svg' | 'gif' | 'glb' | 'obj' }
+  | { file: 'picture'; scale: number }
+  | { file: 'maps'; normals: string };
 
-addEventListener('message', ({ data: [link, job] }: MessageEvent<Order>) => {
-  made(link, job, (progress) => say({ progress })).then(
-    (file) => say({ file }),
-    (error: unknown) => say({ trouble: error instanceof Refusal ? error.notice : error instanceof Error ? error.message : String(error) }),
-  );
+/** What the worker gets: the recipe and what to make of it. */
+export type Order = [link: string, job: Job];
+
+/** What it answers: the file, or why there can be none. */
+export type Answer = { file: Blob } | { refused: Notice };
+
+serve(async ([link, job]: Order, progress): Promise<Answer> => {
+  try {
+    return { file: await made(link, job, progress) };
+  } catch (error) {
+    if (error instanceof Refusal) return { refused: error.notice };
+    throw error;
+  }
 });
 
 async function made(link: string, job: Job, progress: Progress): Promise<Blob> {
