@@ -9,7 +9,7 @@ import { shown } from '../panel/control';
 import { Dice } from '../panel/dice';
 import { Panel } from '../panel/panel';
 import { Presets } from '../panel/presets';
-import { Seed, SEED, withSeed } from '../panel/seed';
+import { Seed, SEED } from '../panel/seed';
 import { Ahead } from '../picture/ahead';
 import { Forming } from '../picture/forming';
 import { Loop } from '../picture/loop';
@@ -18,9 +18,9 @@ import { StatusLine } from '../picture/status';
 import { Transport } from '../picture/transport';
 import { View } from '../picture/view';
 import { Engine } from '../state/engine';
-import { askedFor, firstState } from '../state/first';
+import { askedFor, firstState, openedFirst } from '../state/first';
 import { History } from '../state/history';
-import { address, isReload, Link } from '../state/link';
+import { address, isReload, Link, withValues } from '../state/link';
 import { isLocked } from '../state/locks';
 import { lastWork, remember } from '../state/memory';
 import { Store, type State } from '../state/store';
@@ -28,6 +28,7 @@ import { Work } from '../state/work';
 import { language, t } from '../words/words';
 import { EditTools } from './edit-tools';
 import { makeLookTools } from './look-tools';
+import { offerMakes } from './makes';
 import { partsOf, type Parts } from './parts';
 import { scriptFace, type ScriptFace } from './scripts';
 import { tellCrash } from './trouble';
@@ -59,8 +60,6 @@ export class App {
   private readonly status = new StatusLine();
   private readonly parts: Parts;
   private readonly face: ScriptFace;
-  /** The generator whose parts are on the page. */
-  private offered = '';
   /** Whether cells were shown. */
   private begun = false;
   /** The first picture is done. */
@@ -77,7 +76,7 @@ export class App {
     /** The picture that the page begins with forms slowly for a newcomer: scripts are told ahead. */
     const newcomer = isFirstVisit() && asked === '' && !this.still;
     this.finished = new Promise((resolve) => (this.finish = resolve));
-    this.engine = new Engine(asked === '' && last?.own ? last.recipe : asked, (error, link) => this.crashed(error, link));
+    this.engine = new Engine(openedFirst(asked, last), (error, link) => this.crashed(error, link));
     this.face = scriptFace(this.engine, () => this.loop.rests, () => this.forming.ahead);
     this.store = new Store(firstState(this.engine, asked, last));
     this.work = new Work(this.engine, this.store);
@@ -102,6 +101,7 @@ export class App {
     new Seed(this.work, () => this.push());
     this.follow();
     this.bind();
+    offerMakes(this.work, () => this.push());
     makeLookTools(this.store, this.parts, () => this.leaveEditor());
     notice('link', ...this.engine.notices());
     if (last && asked !== '' && last.own && last.recipe !== this.store.state.recipe && !isReload()) this.tellReplaced();
@@ -125,7 +125,7 @@ export class App {
     const presets = new Presets((preset) => {
       this.leaveEditor();
       this.push();
-      if (isLocked(store, SEED)) this.work.open(withSeed(preset.link, this.engine.get(SEED)), false, preset);
+      if (isLocked(store, SEED)) this.work.open(withValues(preset.link, [[SEED, this.engine.get(SEED)]]), false, preset);
       else this.work.open(preset.link);
       store.update({ paused: false });
     });
@@ -144,24 +144,21 @@ export class App {
     };
     let building = build();
     await building;
-    let made = this.engine.generator.word;
-    store.on(['recipe'], (state) => {
-      const { word } = this.engine.generator;
-      if (word === made) {
-        panel.refresh();
-        return mark(state);
-      }
-      made = word;
+    let made = store.state.make;
+    store.on(['make'], () => {
       // One after the other: what is built is one panel.
-      building = building.then(build);
+      building = building.then(build).then(() => void (made = store.state.make));
+    });
+    store.on(['recipe'], (state) => {
+      if (state.make !== made) return;
+      panel.refresh();
+      mark(state);
     });
   }
 
   /** What is made now, before anything of it is shown: stages, views, and the parts of the page that serve it. */
   private offer(): void {
-    const { word, stages, offers } = this.engine.generator;
-    if (word === this.offered) return;
-    this.offered = word;
+    const { stages, offers } = this.engine.generator;
     this.status.follow(stages);
     this.view.follow();
     document.documentElement.dataset['offers'] = offers.join(' ');
@@ -199,10 +196,13 @@ export class App {
     };
     store.on(['recipe', 'editing'], () => this.forming.leave());
     store.on(['recipe'], ({ recipe }) => {
-      this.offer();
       this.forming.endAhead();
       this.link.write(recipe);
       this.parts.editor.here?.follow();
+      this.loop.changed();
+    });
+    store.on(['make'], () => {
+      this.offer();
       this.loop.changed();
     });
     store.on(['past', 'future', 'stored', 'own'], showHistory);

@@ -44,6 +44,11 @@ export function viewIn(word: string): string {
   return known(`view_${word}`) ?? word;
 }
 
+/** The same of what can be made; in English, as the build was told, where there are no words of the page's own. */
+export function makeIn(word: string, title: string): string {
+  return foreign?.makes[word] ?? title;
+}
+
 function known(key: string): string | undefined {
   return (words as Partial<Record<string, string>>)[key];
 }

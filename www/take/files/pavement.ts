@@ -1,5 +1,5 @@
 /** Makes a studio's picture from its start to its end. */
-import { generators, type Bubblestone } from '../../../pkg/bubblestone.js';
+import type { Bubblestone } from '../../../pkg/bubblestone.js';
 import { progressOf } from '../../module/stages';
 import type { Status } from '../../module/types';
 import { Refusal } from './refusal';
@@ -14,8 +14,7 @@ const STEPS = 100_000;
 export type Progress = (done: number) => void;
 
 /** Where somebody looks on, one step of the packing or one stone is made at a time. Throws a Refusal where there is no picture. */
-export function pavement(studio: Bubblestone, progress: Progress, looksOn?: (stage: string, status: Status) => void): void {
-  const stages = generators().find(({ word }) => word === studio.generator())?.stages ?? [];
+export function pavement(studio: Bubblestone, stages: readonly string[], progress: Progress, looksOn?: (stage: string, status: Status) => void): void {
   for (;;) {
     const stage = studio.stage();
     const status = studio.status();
