@@ -9,12 +9,6 @@ import { makeControl, type Change, type Control } from './control';
 /** Parameters that have their own place on the page. */
 const ELSEWHERE = new Set(['seed', 'poly']);
 
-/**
- * What matters most: four choices, and ten sliders of a recipe. Of some of them one stands for another, as the height of
- * skin and the lamp's place do.
- */
-const SIMPLE = new Set(['outline', 'kind', 'stone', 'palette', 'cs', 'ca', 'vs', 'sv', 'hs', 'sr', 'dr', 'wear', 'moss', 'wet', 'az', 'el', 'lx', 'ly']);
-
 /** The visitor's choice of how much of the panel is shown. */
 const EXTENT = 'panel';
 
@@ -113,7 +107,7 @@ export class Panel {
         const standard = this.recipe.defaultOf(parameter);
         control.show(value, standard);
         const active = applies(parameter, this.recipe);
-        const shown = !this.simple || SIMPLE.has(parameter.key);
+        const shown = !this.simple || parameter.main;
         element.hidden = !active || !shown;
         if (!active || !differs(parameter, value, standard)) continue;
         changed += 1;

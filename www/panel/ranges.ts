@@ -178,11 +178,8 @@ const TABLE: Record<string, readonly Row[]> = {
   ],
 };
 
-/** What a throw leaves as it is: what is thrown apart, what is drawn, and how the packing works. */
-const STAYS = ['size', 'seed', 'poly', 'stone', 'cd', 'dp', 'ends', 'reach', 'edge', 'start', 'move', 'pop', 'rand', 'bv'];
-
-/** What has rows of its own, and what stays. */
-const KNOWN = new Set([...Object.values(TABLE).flatMap((rows) => rows.map(([key]) => key)), ...STAYS]);
+/** What has rows of its own, or is thrown apart. */
+const KNOWN = new Set([...Object.values(TABLE).flatMap((rows) => rows.map(([key]) => key)), 'stone']);
 
 /**
  * New values of these groups; `random` gives numbers in 0..1, `get` a parameter's value now. What does
@@ -202,7 +199,7 @@ export function thrown(random: () => number, groups: readonly string[], schema: 
     }
   }
   for (const parameter of schema) {
-    if (groups.includes(parameter.group) && !KNOWN.has(parameter.key)) values.set(parameter.key, anywhere(random, parameter));
+    if (groups.includes(parameter.group) && !parameter.steady && !KNOWN.has(parameter.key)) values.set(parameter.key, anywhere(random, parameter));
   }
   const recipe: Recipe = { schema, valuesOf: (key) => [now(key)], defaultOf: (parameter) => parameter.default };
   return [...values].map(([key, text]) => {
