@@ -2,7 +2,7 @@ import { defineConfig, globalIgnores } from 'eslint/config';
 import { configs } from 'typescript-eslint';
 
 export default defineConfig(
-  globalIgnores(['dist/', 'node_modules/', 'out/', 'pkg/', 'target/']),
+  globalIgnores(['dist/', 'node_modules/', 'out/', 'pkg/', 'pkg-specimen/', 'target/']),
   { linterOptions: { reportUnusedDisableDirectives: 'error' } },
   {
     rules: {

@@ -40,6 +40,11 @@ export function walkByArrows(toolbar: HTMLElement): void {
   });
 }
 
+/** A click beside a dialog closes it: what is there is its own ground, too. */
+export function closeFromBeside(dialog: HTMLDialogElement): void {
+  dialog.addEventListener('click', ({ target }) => target === dialog && dialog.close());
+}
+
 /** Whether an element has a place on the page now. */
 export function isShown(element: Element): boolean {
   return element.getClientRects().length > 0;

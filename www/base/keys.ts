@@ -1,8 +1,8 @@
 /** Keys that work anywhere on the page, except where the element in focus needs them itself, and the list of them. */
 import { t, type Word } from '../words/words';
-import { byId, byIdAs, make } from './dom';
+import { byId, byIdAs, closeFromBeside, make } from './dom';
 
-export interface Binding {
+interface Binding {
   /** By `KeyboardEvent.key` in lower case, with `ctrl+` and `shift+` before it; of Ctrl and Cmd either does. */
   keys: string[];
   /** How the list shows them, where not just in capitals. */
@@ -60,7 +60,7 @@ export function listenToKeys(): void {
   };
   bindKeys({ keys: ['?'], word: 'key_keys', act: show });
   byId('keys-button').addEventListener('click', show);
-  dialog.addEventListener('click', ({ target }) => target === dialog && dialog.close());
+  closeFromBeside(dialog);
 }
 
 /** Letters are bound with `shift+` only together with Ctrl; signs such as `?` need Shift anyway. */

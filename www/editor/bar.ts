@@ -3,7 +3,7 @@ import { make, say } from '../base/dom';
 import { tell } from '../words/editor';
 import type { Figure, FigureValue, Sort } from './geometry/figures';
 
-export interface BarNeeds {
+interface BarNeeds {
   choose(word: string): void;
   addFigure(): void;
   addPoint(): void;
@@ -17,7 +17,7 @@ export interface BarNeeds {
   close(): void;
 }
 
-export interface BarState {
+interface BarState {
   marked: Figure | undefined;
   /** The line goes round the marked point. */
   smooth: boolean;

@@ -1,4 +1,5 @@
 /** Letters as an outline, and outlines that come from and go to files. */
+import { dialogOf } from '../base/dialog';
 import { make, say } from '../base/dom';
 import { offer } from '../base/download';
 import type { Ring } from '../module/types';
@@ -7,23 +8,13 @@ import { jsonFile, svgFile } from './export';
 import { drawn } from './geometry/figures';
 import { FACES, letters, type Face } from './letters';
 
-export interface DialogNeeds {
+interface DialogNeeds {
   side(): number;
   outline(): Ring[];
   /** Takes an outline over; false where it was refused. */
   take(rings: Ring[]): boolean;
   takeFile(file: File): Promise<unknown>;
   takeText(text: string, name: string): Promise<boolean>;
-}
-
-/** A dialog that is there until it is closed; Escape and its ground close it. */
-function dialogOf(id: string, title: string, ...children: HTMLElement[]): HTMLDialogElement {
-  const dialog = make('dialog', { id, class: 'outline-dialog', 'aria-labelledby': `${id}-title` }, make('h2', { id: `${id}-title` }, title), ...children);
-  dialog.addEventListener('click', ({ target }) => target === dialog && dialog.close());
-  dialog.addEventListener('close', () => dialog.remove());
-  document.body.append(dialog);
-  dialog.showModal();
-  return dialog;
 }
 
 function button(id: string, text: string, act: () => void): HTMLButtonElement {
@@ -63,6 +54,7 @@ export function textDialog(needs: DialogNeeds): void {
   const close = button('leave-letters', tell('cancel'), () => dialog.close());
   const dialog = dialogOf(
     'text-dialog',
+    'outline-dialog',
     tell('text_title'),
     make('div', { class: 'fields' }, make('label', { for: 'letters' }, tell('text_word')), word, make('label', { for: 'face' }, tell('text_face')), face),
     make('figure', {}, preview),
@@ -92,6 +84,7 @@ export function importDialog(needs: DialogNeeds): void {
   const close = button('leave-import', tell('cancel'), () => dialog.close());
   const dialog = dialogOf(
     'import-dialog',
+    'outline-dialog',
     tell('import_title'),
     make('p', {}, tell('import_what')),
     make('div', { class: 'row' }, open, file),
@@ -109,5 +102,5 @@ export function exportDialog(needs: DialogNeeds): void {
   const svg = button('export-svg', tell('export_svg'), () => save(svgFile, 'outline.svg', 'image/svg+xml'));
   const json = button('export-json', tell('export_json'), () => save(jsonFile, 'outline.json', 'application/json'));
   const close = button('leave-export', tell('cancel'), () => dialog.close());
-  const dialog = dialogOf('export-dialog', tell('export_title'), make('p', {}, tell('export_what')), make('div', { class: 'row' }, svg, json, close));
+  const dialog = dialogOf('export-dialog', 'outline-dialog', tell('export_title'), make('p', {}, tell('export_what')), make('div', { class: 'row' }, svg, json, close));
 }

@@ -1,5 +1,6 @@
 /** The editor as the page uses it: who edits what over the canvas, and what becomes of it. */
 import { byId } from '../base/dom';
+import { reasonOf } from '../base/errors';
 import { alertOf, clear, notice } from '../base/messages';
 import type { Point, Ring } from '../module/types';
 import type { Engine, Told } from '../state/engine';
@@ -177,7 +178,7 @@ export class Editor {
       const by = this.engine.side() / side;
       return tries !== undefined && this.takeNew(tries.map((one) => ({ ...one, rings: one.rings.map((ring) => ring.map(([x, y]): Point => [x * by, y * by])) })));
     } catch (error) {
-      alertOf('outline', tell('kept', { sentence: error instanceof Error ? error.message : String(error) }));
+      alertOf('outline', tell('kept', { sentence: reasonOf(error) }));
       return false;
     }
   }

@@ -11,7 +11,7 @@ const NUDGE = 1;
 
 const ARROWS: Record<string, Point> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
 
-export interface FigureEditorNeeds extends FigureNeeds {
+interface FigureEditorNeeds extends FigureNeeds {
   /** All that can be edited now. */
   sorts(): Sort[];
   /** Another sort was chosen in the bar. */

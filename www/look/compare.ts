@@ -7,7 +7,8 @@ import { Engine } from '../state/engine';
 import type { Store } from '../state/store';
 import type { Work } from '../state/work';
 import { t } from '../words/look';
-import '../styles/look.css';
+import '../styles/late/compare.css';
+import '../styles/late/look.css';
 
 /** Milliseconds of work in one idle slice, and between two drawings of work in progress. */
 const SLICE = 6;

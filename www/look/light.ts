@@ -4,7 +4,7 @@ import type { Engine } from '../state/engine';
 import type { Store } from '../state/store';
 import type { Work } from '../state/work';
 import { t } from '../words/look';
-import '../styles/look.css';
+import '../styles/late/look.css';
 
 const SVG = 'http://www.w3.org/2000/svg';
 

@@ -6,7 +6,7 @@ import type { Histogram } from '../module/types';
 import type { View } from '../picture/view';
 import type { Engine } from '../state/engine';
 import { t, type Word } from '../words/look';
-import '../styles/look.css';
+import '../styles/late/plots.css';
 import 'uplot/dist/uPlot.min.css';
 
 /** Milliseconds between two drawings. */

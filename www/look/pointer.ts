@@ -3,7 +3,7 @@ import type { View } from '../picture/view';
 import type { Work } from '../state/work';
 import { CellProbe } from './probe';
 import { Zoom } from './zoom';
-import '../styles/look.css';
+import '../styles/late/look.css';
 
 export class Pointer {
   readonly zoom: Zoom;

@@ -2,7 +2,7 @@
 import { byId, make } from '../base/dom';
 import type { View } from '../picture/view';
 import type { Store } from '../state/store';
-import '../styles/look.css';
+import '../styles/late/look.css';
 
 /** Pixels along the side of all of them, at most. */
 const MOST = 3072;

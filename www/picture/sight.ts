@@ -1,6 +1,6 @@
 /**
  * On a narrow page the picture stays in sight above the controls, and shrinks as the page goes under it. Its frame keeps
- * its height and sticks by the lower edge (styles/stage.css), so that nothing else moves; here is only the scale.
+ * its height and sticks by the lower edge (styles/layout.css), so that nothing else moves; here is only the scale.
  */
 import { byId } from '../base/dom';
 import type { State, Store } from '../state/store';

@@ -2,14 +2,14 @@
 import { byId, byIdAs, say } from '../base/dom';
 import { t } from '../words/words';
 
-export interface TransportNeeds {
+interface TransportNeeds {
   toggle(): void;
   step(): void;
   speed(stepsPerFrame: number): void;
 }
 
 /** What the first button does. */
-export type Main = 'pause' | 'play' | 'again';
+type Main = 'pause' | 'play' | 'again';
 
 export class Transport {
   private readonly play = byIdAs('play', HTMLButtonElement);

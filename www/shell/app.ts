@@ -4,30 +4,31 @@ import { bindKeys, listenToKeys } from '../base/keys';
 import { speak } from '../base/language';
 import { alertOf, clear, notice, offerOf, passing } from '../base/messages';
 import { isFirstVisit } from '../base/storage';
-import { isEnd, STAGES } from '../module/stages';
+import { isEnd, isUpToSteps, STEPPING } from '../module/stages';
 import { shown } from '../panel/control';
-import { makeDice } from '../panel/dice';
+import { Dice } from '../panel/dice';
 import { Panel } from '../panel/panel';
 import { Presets } from '../panel/presets';
-import { Seed, SEED, withSeed } from '../panel/seed';
+import { Seed, SEED } from '../panel/seed';
 import { Ahead } from '../picture/ahead';
+import { Forming } from '../picture/forming';
 import { Loop } from '../picture/loop';
 import { keepInSight } from '../picture/sight';
 import { StatusLine } from '../picture/status';
-import { Subtitle } from '../picture/subtitle';
 import { Transport } from '../picture/transport';
-import { View, VIEWS } from '../picture/view';
-import { Watch } from '../picture/watch';
+import { View } from '../picture/view';
 import { Engine } from '../state/engine';
+import { askedFor, firstState, openedFirst } from '../state/first';
 import { History } from '../state/history';
-import { address, fragment, isReload, Link } from '../state/link';
-import { isLocked, keptLocks } from '../state/locks';
-import { lastWork, remember, type LastWork } from '../state/memory';
+import { address, isReload, Link, withValues } from '../state/link';
+import { isLocked } from '../state/locks';
+import { lastWork, remember } from '../state/memory';
 import { Store, type State } from '../state/store';
-import { presetOf, Work } from '../state/work';
+import { Work } from '../state/work';
 import { language, t } from '../words/words';
 import { EditTools } from './edit-tools';
 import { makeLookTools } from './look-tools';
+import { offerMakes } from './makes';
 import { partsOf, type Parts } from './parts';
 import { scriptFace, type ScriptFace } from './scripts';
 import { tellCrash } from './trouble';
@@ -37,24 +38,30 @@ const SETTLED = 400;
 /** Frames that the first cells may take before the panel comes all the same. */
 const PATIENCE = 12;
 
+/** Parts of the page that only some generators need, and what opens them. */
+const OFFERED = [
+  ['outline', 'edit-tools'],
+  ['layers', 'layers-button'],
+  ['tiles', 'tile-button'],
+  ['compare', 'compare-button'],
+  ['plots', 'plots-button'],
+] as const;
+
 export class App {
   private readonly engine: Engine;
   private readonly store: Store;
   private readonly work: Work;
   private readonly history: History;
   private readonly loop: Loop;
+  private readonly forming: Forming;
   private readonly link: Link;
   private readonly view: View;
   private readonly transport: Transport;
   private readonly status = new StatusLine();
-  private readonly subtitle = new Subtitle();
   private readonly parts: Parts;
   private readonly face: ScriptFace;
   /** Whether cells were shown. */
   private begun = false;
-  /** The picture that the page begins with forms slowly, for a newcomer: scripts are to be told ahead. */
-  private newcomer: boolean;
-  private ahead: Ahead | undefined;
   /** The first picture is done. */
   readonly finished: Promise<void>;
   private finish = (): void => undefined;
@@ -65,16 +72,23 @@ export class App {
 
   constructor() {
     const last = lastWork();
-    const asked = last && isReload() && last.past.includes(fragment()) ? last.recipe : fragment();
-    this.newcomer = isFirstVisit() && asked === '' && !this.still;
+    const asked = askedFor(last);
+    /** The picture that the page begins with forms slowly for a newcomer: scripts are told ahead. */
+    const newcomer = isFirstVisit() && asked === '' && !this.still;
     this.finished = new Promise((resolve) => (this.finish = resolve));
-    this.engine = new Engine(asked === '' && last?.own ? last.recipe : asked, (error, link) => this.crashed(error, link));
-    this.face = scriptFace(this.engine, () => this.loop.rests, () => this.ahead);
-    this.store = new Store(this.first(asked, last));
+    this.engine = new Engine(openedFirst(asked, last), (error, link) => this.crashed(error, link));
+    this.face = scriptFace(this.engine, () => this.loop.rests, () => this.forming.ahead);
+    this.store = new Store(firstState(this.engine, asked, last));
     this.work = new Work(this.engine, this.store);
     this.history = new History(this.store);
     this.view = new View(this.engine, this.store);
     this.loop = new Loop(this.engine, (stage) => this.shownAt(stage), (stage, changed) => this.drawn(stage, changed));
+    this.forming = new Forming(
+      this.engine,
+      this.loop,
+      (tell) => new Ahead(this.store.state.recipe, (error, link) => this.crashed(error, link), tell),
+      () => this.told(),
+    );
     this.link = new Link((link, ours) => {
       const { own, recipe } = this.store.state;
       this.work.open(link);
@@ -82,16 +96,18 @@ export class App {
       if (own && !ours && this.store.state.recipe !== recipe) this.tellReplaced();
     });
     this.parts = partsOf(this.work, this.view);
+    this.offer();
     this.transport = this.makeTransport();
     new Seed(this.work, () => this.push());
     this.follow();
     this.bind();
+    offerMakes(this.work, () => this.push());
     makeLookTools(this.store, this.parts, () => this.leaveEditor());
     notice('link', ...this.engine.notices());
     if (last && asked !== '' && last.own && last.recipe !== this.store.state.recipe && !isReload()) this.tellReplaced();
     remember(this.store);
     keepInSight(this.store);
-    if (this.newcomer) this.watch();
+    if (newcomer) this.forming.begin(true);
     this.loop.begin();
   }
 
@@ -99,28 +115,56 @@ export class App {
   async furnish(): Promise<void> {
     const { store } = this;
     for (let waited = 0; waited < PATIENCE && !this.hasBegun(); waited += 1) await frame();
-    const panel = new Panel(this.engine);
-    await panel.build(
+    const panel = new Panel(
+      this.engine,
       (key, text, done) => this.change(key, text, done),
       (key) => this.parts.editor.ask((editor) => editor.toggle(key)),
     );
-    new EditTools(this.work, panel, this.parts.editor);
-    makeDice(this.work, panel, () => this.push());
-    panel.refresh();
-    panel.attach();
-    store.on(['recipe'], () => panel.refresh());
-    this.loop.spare();
-    await frame();
-    const presets = new Presets(this.engine.presets, (preset) => {
+    const tools = new EditTools(this.work, this.parts.editor);
+    const dice = new Dice(this.work, () => this.push());
+    const presets = new Presets((preset) => {
       this.leaveEditor();
       this.push();
-      if (isLocked(store, SEED)) this.work.open(withSeed(preset.link, this.engine.get(SEED)), false, preset);
+      if (isLocked(store, SEED)) this.work.open(withValues(preset.link, [[SEED, this.engine.get(SEED)]]), false, preset);
       else this.work.open(preset.link);
       store.update({ paused: false });
     });
     const mark = ({ recipe, preset }: State): void => presets.mark(preset?.recipe === recipe ? preset.shown.name : undefined);
-    mark(store.state);
-    store.on(['recipe'], mark);
+    /** Builds what hangs on the generator. */
+    const build = async (): Promise<void> => {
+      await panel.build();
+      tools.build(panel);
+      dice.build(panel);
+      panel.refresh();
+      panel.attach();
+      this.loop.spare();
+      await frame();
+      presets.build(this.engine.presets);
+      mark(store.state);
+    };
+    let building = build();
+    await building;
+    let made = store.state.make;
+    store.on(['make'], () => {
+      // One after the other: what is built is one panel.
+      building = building.then(build).then(() => void (made = store.state.make));
+    });
+    store.on(['recipe'], (state) => {
+      if (state.make !== made) return;
+      panel.refresh();
+      mark(state);
+    });
+  }
+
+  /** What is made now, before anything of it is shown: stages, views, and the parts of the page that serve it. */
+  private offer(): void {
+    const { stages, offers } = this.engine.generator;
+    this.status.follow(stages);
+    this.view.follow();
+    document.documentElement.dataset['offers'] = offers.join(' ');
+    for (const [part, id] of OFFERED) byId(id).hidden = !offers.includes(part);
+    this.leaveEditor();
+    this.store.update({ compare: false, plots: false, repeat: 1 });
   }
 
   /** Whether cells were shown, or never will be. */
@@ -131,33 +175,6 @@ export class App {
   /** What scripts may use. */
   scripts(): ScriptFace['face'] {
     return this.face.face;
-  }
-
-  /** The state that the page begins with: the last work's history goes on, whatever is opened now. */
-  private first(asked: string, last: LastWork | undefined): State {
-    const recipe = this.engine.link();
-    const same = last?.recipe === recipe;
-    return {
-      recipe,
-      held: false,
-      past: last ? (same ? last.past : [...last.past, last.recipe]) : [],
-      future: last && same ? last.future : [],
-      preset: presetOf(this.engine.presets, recipe),
-      own: same && last.own && (asked === '' || asked === recipe),
-      stored: same,
-      pace: 3,
-      paused: false,
-      view: 'auto',
-      overlays: [],
-      repeat: 1,
-      light: false,
-      layers: false,
-      compare: false,
-      plots: false,
-      locks: keptLocks(),
-      editing: undefined,
-      stage: '',
-    };
   }
 
   /** recipe -> studio -> view: what follows which part of the state. */
@@ -177,11 +194,15 @@ export class App {
       this.loop.stepsPerFrame = pace;
       this.transport.show(isEnd(stage) ? 'again' : paused ? 'play' : 'pause', pace);
     };
-    store.on(['recipe', 'editing'], () => this.leave());
+    store.on(['recipe', 'editing'], () => this.forming.leave());
     store.on(['recipe'], ({ recipe }) => {
-      this.endAhead();
+      this.forming.endAhead();
       this.link.write(recipe);
       this.parts.editor.here?.follow();
+      this.loop.changed();
+    });
+    store.on(['make'], () => {
+      this.offer();
       this.loop.changed();
     });
     store.on(['past', 'future', 'stored', 'own'], showHistory);
@@ -201,7 +222,7 @@ export class App {
       speed: (pace) => {
         this.still = false;
         store.update({ pace });
-        if (pace === this.transport.fastest()) this.leave();
+        if (pace === this.transport.fastest()) this.forming.leave();
       },
     });
     if (this.still) store.update({ pace: transport.fastest() });
@@ -220,13 +241,13 @@ export class App {
       { keys: ['ctrl+z'], shown: ['Ctrl+Z'], word: 'key_undo', act: press('undo'), repeats: true },
       { keys: ['ctrl+shift+z', 'ctrl+y'], shown: ['Ctrl+Shift+Z', 'Ctrl+Y'], word: 'key_redo', act: press('redo'), repeats: true },
       { keys: ['c'], word: 'key_copy', act: () => void this.copy() },
-      { keys: '0123456789'.split(''), shown: ['0', '–', '9'], word: 'key_view', act: (key) => this.store.update({ view: VIEWS[Number(key)] ?? 'auto' }) },
+      { keys: '0123456789'.split(''), shown: ['0', '–', '9'], word: 'key_view', act: (key) => this.store.update({ view: this.view.bases[Number(key)] ?? 'auto' }) },
       { keys: ['e'], word: 'key_edit', act: () => parts.editor.ask((editor) => editor.toggle()) },
     );
     listenToKeys();
-    for (const id of ['share', 'save']) byId(id).addEventListener('click', () => this.leave());
+    for (const id of ['share', 'save']) byId(id).addEventListener('click', () => this.forming.leave());
     byId('share').addEventListener('click', () => parts.share.ask(({ share }) => share(this.engine, this.store, this.view.canvas)));
-    byId('save').addEventListener('click', () => parts.save.ask(({ save }) => save(this.work, this.view.canvas)));
+    byId('save').addEventListener('click', () => parts.save.ask(({ SaveDialog }) => new SaveDialog(this.work, this.view.canvas)));
     byId('undo').addEventListener('click', () => this.history.undo());
     byId('redo').addEventListener('click', () => this.history.redo());
     byId('about-button').addEventListener('click', () => {
@@ -266,36 +287,15 @@ export class App {
   private again(paused = false): void {
     this.still = false;
     this.store.update({ paused });
-    this.watch();
+    this.forming.begin();
     this.engine.restart();
     // Buttons tell at once what they do now, not with the next frame.
     this.report(this.engine.stage());
     this.loop.changed();
   }
 
-  /** From now on the work goes at the pace of who watches. */
-  private watch(): void {
-    const watch = new Watch();
-    if (isEnd(this.engine.stage())) watch.expected = this.engine.status().steps;
-    this.loop.watch = watch;
-    this.subtitle.begin(this.engine.get('stone') === 'skin');
-  }
-
-  /** Nobody watches any more: the work goes on at its own pace. */
-  private leave(): void {
-    this.newcomer = false;
-    if (!this.loop.watch) return;
-    this.loop.watch = undefined;
-    this.subtitle.end(true);
-  }
-
   private leaveEditor(): void {
     this.parts.editor.here?.close();
-  }
-
-  private endAhead(): void {
-    this.ahead?.end();
-    this.ahead = undefined;
   }
 
   private step(): void {
@@ -303,7 +303,7 @@ export class App {
     if (isEnd(stage)) return this.again(true);
     this.store.update({ paused: true });
     // The first cells come by themselves.
-    if (STAGES.findIndex((word) => word === stage) < STAGES.indexOf('packing')) return;
+    if (stage !== STEPPING && isUpToSteps(this.engine.generator.stages, stage)) return;
     const before = this.engine.status().steps;
     this.engine.step();
     if (this.engine.status().steps === before && this.engine.alive) passing('done', t('settled'));
@@ -322,7 +322,7 @@ export class App {
     if (changed && this.shownAt(stage) !== undefined) this.view.draw();
     const status = this.engine.status();
     this.begun ||= changed && status.cells > 0;
-    this.watched(stage);
+    this.forming.follow(stage, this.begun);
     this.status.show(stage, status, this.loop.watch !== undefined);
     this.status.name(this.view.note || (preset ? '' : this.described()), this.view.absences().values(), preset?.shown, preset?.recipe !== recipe, stage, status);
     this.report(stage);
@@ -330,27 +330,12 @@ export class App {
     if (stage === 'done') this.finish();
   }
 
-  /** What is said of the forming, and to scripts ahead of it. */
-  private watched(stage: string): void {
-    const { loop } = this;
-    if (isEnd(stage)) {
-      loop.watch = undefined;
-      this.subtitle.end(false);
-      return this.endAhead();
-    }
-    if (!loop.watch || !this.begun) return;
-    this.subtitle.show(loop.watch.phase);
-    if (this.newcomer) this.ahead = new Ahead(this.store.state.recipe, (error, link) => this.crashed(error, link), () => this.told());
-    this.newcomer = false;
-  }
-
   /** Tells scripts the stage of the recipe: on the screen it may be an earlier one. */
   private told(): void {
-    const stage = this.ahead?.stage ?? this.engine.stage();
+    const stage = this.forming.ahead?.stage ?? this.engine.stage();
     const { dataset } = document.documentElement;
     if (dataset['stage'] !== stage) dataset['stage'] = stage;
     if (stage === 'done') this.face.done();
-    if (this.ahead?.planes && this.loop.watch) this.loop.watch.expected = this.ahead.planes.status.steps;
   }
 
   /** A recipe that has no name, in the words of its controls. */

@@ -8,6 +8,7 @@ import { fragment, pageAddress } from '../state/link';
 import { t } from '../words/words';
 import { scriptFace, type Bubblestone } from './scripts';
 import { tellCrash } from './trouble';
+import '../styles/late/embed.css';
 
 export function embed(): Bubblestone {
   const canvas = byIdAs('canvas', HTMLCanvasElement);
@@ -55,6 +56,10 @@ export function embed(): Bubblestone {
   const opened = (): void => {
     home.href = pageAddress(engine.link());
     loop.changed();
+  };
+  engine.arrived = (sentences, failed) => {
+    if (failed) alertOf('trouble', sentences.join(' '));
+    opened();
   };
   addEventListener('hashchange', () => {
     engine.open(fragment());

@@ -1,7 +1,7 @@
 /** Lets the service worker store the site, quietly, so that the page works offline from then on. */
 
 /** `stored`: all of the site is there offline. `newer`: the next visit gets a newer build than the page is of. */
-export type Offline = 'stored' | 'newer';
+type Offline = 'stored' | 'newer';
 
 /** To be called once the first picture is done: until then nothing but the picture is worth a request. */
 export function register(tell: (what: Offline) => void): void {

@@ -2,7 +2,7 @@
  * Where a saved file comes from: pictures and drawings carry their link, and are opened by it again as recipes are.
  * In a PNG file it is a text of the program's name, in an SVG file the metadata.
  */
-import { textIn, withText } from './png';
+import { textIn, withText } from './files/png';
 
 /** The program that writes these files, and reads no other ones. */
 export const PROGRAM = 'Bubblestone';

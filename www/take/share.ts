@@ -4,7 +4,7 @@ import type { Engine } from '../state/engine';
 import { address, embedAddress, valuesIn } from '../state/link';
 import type { Store } from '../state/store';
 import { t } from '../words/take';
-import { dialogOf } from './dialog';
+import { takeDialog } from './dialog';
 import { signedPng } from './origin';
 import { MOST, qrCode } from './qr';
 
@@ -21,7 +21,7 @@ export function share(engine: Engine, store: Store, canvas: HTMLCanvasElement): 
   copyLink.addEventListener('click', () => void copied(box, told, t('copied_link')));
   const row = make('div', { class: 'take-row' }, box, copyLink);
   if ('share' in navigator) row.append(systemButton(link, t('title', { name }), canvas, told));
-  const dialog = dialogOf(
+  const dialog = takeDialog(
     'share-dialog',
     t('share'),
     section(make('label', { for: 'share-link' }, t('link')), row, make('p', { class: 'take-note', id: 'share-holds' }, holds(engine, link, state)), told),

@@ -1,5 +1,6 @@
 /** A file in the making: how far it is, and a way to stop it; then the file. */
 import { offer } from '../base/download';
+import { reasonOf } from '../base/errors';
 import { clear, notice, passing } from '../base/messages';
 import { stoppable, type Task } from '../base/task';
 import { t } from '../words/take';
@@ -20,7 +21,7 @@ export async function working(name: string, work: (task: Task) => Promise<Blob>)
     passing('files', t('saved', { name }));
   } catch (error) {
     if (stopping.signal.aborted) passing('files', t('stopped', { name }));
-    else notice('files', error instanceof Error ? error.message : String(error));
+    else notice('files', reasonOf(error));
   }
   clear('busy');
   busy = undefined;

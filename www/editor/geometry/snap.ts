@@ -7,7 +7,7 @@ import { distance } from './plane';
 const SQUARES = 32;
 const STEP = Math.PI / 12;
 
-export interface Snapped {
+interface Snapped {
   at: Point;
   /** What the point was drawn to, as an SVG path. */
   guide: string;

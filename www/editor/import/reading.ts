@@ -1,11 +1,12 @@
 /** Outlines from files and texts, read in a worker, so that the page stays free; to stop it frees all it held. */
 import { passing } from '../../base/messages';
 import { stoppable, type Task } from '../../base/task';
+import { answerOf } from '../../base/worker';
 import { tell, type EditorWord } from '../../words/editor';
 import { language } from '../../words/words';
 import { LEFT, type Count, type Told } from '../svg/refusal';
 import type { Try } from './read';
-import type { Order, Said } from './read.worker';
+import type { Answer, Order } from './read.worker';
 
 /** What is read now. */
 let now: AbortController | undefined;
@@ -15,7 +16,7 @@ export async function read(text: string, name: string, side: number): Promise<Tr
   now?.abort();
   const stopping = (now = new AbortController());
   try {
-    return await stoppable({ topic: 'outline', sentence: tell('import_reading', { name }), name, stop: tell('import_stop') }, stopping, (task) => answer([text, side], name, task));
+    return await stoppable({ topic: 'outline', sentence: tell('import_reading', { name }), name, stop: tell('import_stop') }, stopping, (task) => triesOf([text, side], name, task));
   } catch (error) {
     if (!stopping.signal.aborted) throw error;
     // Another file has taken its place, and is told of.
@@ -24,21 +25,12 @@ export async function read(text: string, name: string, side: number): Promise<Tr
   }
 }
 
-function answer(order: Order, name: string, task: Task): Promise<Try[]> {
+async function triesOf(order: Order, name: string, task: Task): Promise<Try[]> {
   const worker = new Worker(new URL('./read.worker.ts', import.meta.url), { type: 'module' });
-  const found = new Promise<Try[]>((resolve, reject) => {
-    const failed = (reason: string): void => reject(new Error(tell('import_trouble', { name, reason })));
-    worker.addEventListener('error', ({ message }) => failed(message));
-    worker.addEventListener('message', ({ data }: MessageEvent<Said>) => {
-      if ('progress' in data) task.progress(data.progress);
-      else if ('tries' in data) resolve(data.tries);
-      else if ('trouble' in data) failed(data.trouble);
-      else reject(new Error([sentence(data.refused, name), ...leftOut(data.left, 'left_besides')].join(' ')));
-    });
-    task.signal.addEventListener('abort', () => reject(new Error()));
-    worker.postMessage(order);
-  });
-  return found.finally(() => worker.terminate());
+  const answer = await answerOf<Answer>(worker, order, task);
+  if ('tries' in answer) return answer.tries;
+  if ('broken' in answer) throw new Error(tell('import_trouble', { name, reason: answer.broken }));
+  throw new Error([sentence(answer.refused, name), ...leftOut(answer.left, 'left_besides')].join(' '));
 }
 
 function sentence({ word, values }: Told, name: string): string {

@@ -1,5 +1,5 @@
 /** The surface of all cells, for other programs. */
-import type { Bubblestone } from '../../pkg/bubblestone.js';
+import type { Bubblestone } from '../../../pkg/bubblestone.js';
 import { BUDGET } from './pavement';
 import { given } from './refusal';
 

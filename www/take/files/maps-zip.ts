@@ -1,6 +1,6 @@
 /** All maps in one zip file. */
 import { strToU8, Zip, ZipPassThrough } from 'fflate';
-import type { Bubblestone } from '../../pkg/bubblestone.js';
+import type { Bubblestone } from '../../../pkg/bubblestone.js';
 import type { Progress } from './pavement';
 import { png } from './png';
 import { given } from './refusal';

@@ -1,5 +1,5 @@
 /** The finished picture at several times its side, written row after row as a PNG file. */
-import type { Bubblestone } from '../../pkg/bubblestone.js';
+import type { Bubblestone } from '../../../pkg/bubblestone.js';
 import { BUDGET, type Progress } from './pavement';
 import { PngWriter } from './png';
 import { given } from './refusal';

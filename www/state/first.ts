@@ -1,0 +1,45 @@
+/** What the page begins with: what its address asks for, and the last work, whose history goes on. */
+import type { Engine } from './engine';
+import { fragment, isReload } from './link';
+import { keptLocks } from './locks';
+import type { LastWork } from './memory';
+import type { State } from './store';
+import { presetOf } from './work';
+
+/** The recipe that the address asks for; a page that is loaded anew may have been ahead of its address. */
+export function askedFor(last: LastWork | undefined): string {
+  return last && isReload() && last.past.includes(fragment()) ? last.recipe : fragment();
+}
+
+/** What is opened: where the address asks for nothing, the visitor's own last work. */
+export function openedFirst(asked: string, last: LastWork | undefined): string {
+  return asked === '' && last?.own ? last.recipe : asked;
+}
+
+/** The engine has the recipe by now. */
+export function firstState(engine: Engine, asked: string, last: LastWork | undefined): State {
+  const recipe = engine.link();
+  const same = last?.recipe === recipe;
+  return {
+    recipe,
+    make: engine.generator.word,
+    held: false,
+    past: last ? (same ? last.past : [...last.past, last.recipe]) : [],
+    future: last && same ? last.future : [],
+    preset: presetOf(engine.presets, recipe),
+    own: same && last.own && (asked === '' || asked === recipe),
+    stored: same,
+    pace: 3,
+    paused: false,
+    view: 'auto',
+    overlays: [],
+    repeat: 1,
+    light: false,
+    layers: false,
+    compare: false,
+    plots: false,
+    locks: keptLocks(),
+    editing: undefined,
+    stage: '',
+  };
+}

@@ -1,0 +1,52 @@
+/** Makes one file. Nothing here blocks the page: it is a worker, which ends with the file. */
+import { serve } from '../../base/worker';
+import { loadModule } from '../../module/load';
+import type { Notice } from '../../module/types';
+import { formingGif } from './forming';
+import { mapsZip } from './maps-zip';
+import { meshFile } from './mesh-file';
+import { pavement, type Progress } from './pavement';
+import { pictureFile } from './picture';
+import { Refusal } from './refusal';
+
+/** What is to be made; `normals` is the word of the normal map. */
+export type Job =
+  | { file: 'svg' | 'gif' | 'glb' | 'obj' }
+  | { file: 'picture'; scale: number }
+  | { file: 'maps'; normals: string };
+
+/** What the worker gets: the recipe and what to make of it. */
+export type Order = [link: string, job: Job];
+
+/** What it answers: the file, or why there can be none. */
+export type Answer = { file: Blob } | { refused: Notice };
+
+serve(async ([link, job]: Order, progress): Promise<Answer> => {
+  try {
+    return { file: await made(link, job, progress) };
+  } catch (error) {
+    if (error instanceof Refusal) return { refused: error.notice };
+    throw error;
+  }
+});
+
+async function made(link: string, job: Job, progress: Progress): Promise<Blob> {
+  const module = await loadModule(link);
+  const studio = new module.Bubblestone(link);
+  const { stages = [] } = module.generators().find(({ word }) => word === studio.generator()) ?? {};
+  if (job.file === 'gif') return formingGif(studio, stages, progress);
+  // The pavement is this part of the work.
+  const part = job.file === 'picture' ? 1 / job.scale ** 2 : 0.8;
+  const rest = (done: number): void => progress(part + (1 - part) * done);
+  pavement(studio, stages, (done) => progress(part * done));
+  switch (job.file) {
+    case 'svg':
+      return new Blob([studio.svg()], { type: 'image/svg+xml' });
+    case 'picture':
+      return pictureFile(studio, job.scale, rest);
+    case 'maps':
+      return mapsZip(studio, job.normals, rest);
+    default:
+      return meshFile(studio, job.file);
+  }
+}
