@@ -5,12 +5,12 @@ use glam::DVec2;
 /// The plane, or the torus that a square picture is when its left edge is its right edge and its top
 /// its bottom.
 ///
-/// On the torus a place is the same as all its images, which are whole sides away from it. The one in
-/// the picture, 0 <= x, y < side, is at home. In the plane every place is at home and its only image,
-/// so what goes over images is right there too, and stages need not ask which of the two it is.
+/// On the torus a place is the same as all its images, which are whole sides away from it. The image in
+/// the picture, 0 <= x, y < side, is at home. In the plane every place is at home, and is its own only
+/// image: what goes over images is right there, too, so stages need not ask which of the two it is.
 ///
-/// A torus has a side of whole picture units. That is a whole number of steps of the grain
-/// (`planar/mod.rs`), so images of places on the grain are exact.
+/// The side of a torus is a whole number of steps of the grain to which places are rounded, as pictures
+/// have whole sides: images of places on the grain are exact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Space {
     /// The side of the torus; nothing in the plane.
