@@ -17,11 +17,13 @@ mod population;
 mod quadtree;
 mod rim;
 mod shape;
+mod stress;
 mod wall;
 
 pub(crate) use grid::Grid;
 pub use loads::{Load, Sample, Stand};
 pub use placement::Placing;
+pub use stress::{Stress, stress};
 
 use crate::domain::{Domain, Facing};
 use crate::field::{Fields, Kind};

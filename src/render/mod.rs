@@ -13,7 +13,6 @@ pub mod overlay_potential;
 pub mod overlay_size;
 pub mod overlay_sketch;
 pub mod overlay_stages;
-pub mod overlay_stress;
 pub mod overlay_tones;
 mod penumbra;
 mod shader;

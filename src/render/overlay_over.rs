@@ -3,12 +3,11 @@
 
 use super::overlay::{Board, Tint, blend, lines_of};
 use super::overlay_stages::{elements, line_width, mean, mesh_width};
-use super::overlay_stress::Stress;
 use crate::cells::Cell;
 use crate::domain::Domain;
 use crate::field::Fields;
 use crate::mesh::Mesh;
-use crate::packing::Particle;
+use crate::packing::{Particle, Stress};
 use glam::DVec2;
 
 const PACKED: Tint = [1.0, 0.97, 0.90, 0.95];

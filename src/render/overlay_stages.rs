@@ -2,13 +2,12 @@
 
 use super::overlay::{Paper, Tint, blend, lit};
 use super::overlay_sketch::Layer;
-use super::overlay_stress::stress;
 use super::overlay_tones::Tones;
 use crate::cells::Cell;
 use crate::domain::Domain;
 use crate::field::Fields;
 use crate::mesh::Mesh;
-use crate::packing::Particle;
+use crate::packing::{Particle, stress};
 use glam::DVec2;
 
 /// A cell that others are pressed into, and how far it goes there at most.

@@ -1,11 +1,10 @@
 //! Overlays: what is drawn over a base.
 
 use super::{Overlay, Studio, View};
-use crate::packing::Packing;
+use crate::packing::{Packing, stress};
 use crate::recipe::Stage;
 use crate::render::overlay::Board;
 use crate::render::overlay_size::Veil;
-use crate::render::overlay_stress::stress;
 use crate::render::{overlay_field, overlay_loads, overlay_over};
 
 impl Studio {

@@ -1,10 +1,12 @@
-//! How a packed cell fares among its neighbours: pressed into them, or left alone.
+//! The stress on each packed cell: how deep its neighbours overlap it, and how many of its sides are free.
 
+use super::Particle;
+use super::force::Pair;
+use super::grid::Grid;
 use crate::domain::Domain;
-use crate::packing::{Grid, Particle, force::Pair};
 use glam::DVec2;
 
-/// A cell's lot, each 0..=1.
+/// The stress on a packed cell, each 0..=1.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Stress {
     /// How deep it and its neighbours stand in each other; 1 from a depth on.
@@ -28,55 +30,96 @@ const FAR: f64 = 1.6;
 const SIDES: u32 = 4;
 const WAYS: u32 = 12;
 
-/// The lot of each particle, in their order.
+/// The stress on each particle, in their order.
 pub fn stress(domain: &Domain, particles: &[Particle]) -> Vec<Stress> {
-    let most = |value: fn(&Particle) -> f64| particles.iter().map(value).fold(1.0, f64::max);
-    let stretch = most(|p| p.aspect.sqrt());
-    let reach = OPEN * most(|p| p.size * p.aspect.sqrt());
-    let (lo, hi) = domain.bounds();
-    let mut grid = Grid::new(lo, hi, reach);
-    particles.iter().for_each(|p| grid.push(p.centre));
-    let mut around = Vec::new();
-    let lot = |(own, particle): (usize, &Particle)| {
+    let mut surroundings = Surroundings::new(domain, particles);
+    let of = |k: usize| {
+        let depth = surroundings.meet(k);
+        Stress {
+            pressed: ((depth - REST) / (DEEP - REST)).clamp(0.0, 1.0) as f32,
+            alone: surroundings.free_share(k),
+        }
+    };
+    (0..particles.len()).map(of).collect()
+}
+
+/// What is around one particle after the other.
+struct Surroundings<'a> {
+    domain: &'a Domain,
+    particles: &'a [Particle],
+    grid: Grid,
+    reach: f64,
+    /// See [`FAR`], of the size.
+    far: f64,
+    /// The centres of the neighbours in the frame of the particle, in stable distances.
+    around: Vec<DVec2>,
+}
+
+impl<'a> Surroundings<'a> {
+    fn new(domain: &'a Domain, particles: &'a [Particle]) -> Self {
+        let most = |value: fn(&Particle) -> f64| particles.iter().map(value).fold(1.0, f64::max);
+        let stretch = most(|p| p.aspect.sqrt());
+        let reach = OPEN * most(|p| p.size * p.aspect.sqrt());
+        let (lo, hi) = domain.bounds();
+        let mut grid = Grid::new(lo, hi, reach);
+        particles.iter().for_each(|p| grid.push(p.centre));
+        Self {
+            domain,
+            particles,
+            grid,
+            reach,
+            far: FAR * stretch,
+            around: Vec::new(),
+        }
+    }
+
+    /// Finds the neighbours of a particle; gives the depth of its deepest overlap with one.
+    fn meet(&mut self, own: usize) -> f64 {
+        let (domain, particle) = (self.domain, &self.particles[own]);
         let centre = particle.centre;
         let (e, f) = particle.half_axes();
         let mut depth = 0.0_f64;
-        around.clear();
-        grid.any_near(domain.period(), centre, reach, |k| {
-            let other = &particles[k];
+        self.around.clear();
+        let mut meet = |k: usize| {
+            let other = &self.particles[k];
             let r = domain.shortest(other.centre - centre);
-            let far = FAR * stretch * 0.5 * (particle.size + other.size);
+            let far = self.far * 0.5 * (particle.size + other.size);
             let is_near = k != own && r.length_squared() < far * far;
             if is_near && !domain.is_parted(centre, centre + r) {
                 let pair = Pair::new(particle, other);
                 depth = depth.max(pair.depth(r));
                 let stable = 2.0 * pair.stable_distance() / particle.size;
                 let q = DVec2::new(r.dot(e) / e.length_squared(), r.dot(f) / f.length_squared());
-                around.push(q / stable);
+                self.around.push(q / stable);
             }
             false
-        });
-        let count = if particle.kind.has_corners() {
-            SIDES
-        } else {
-            WAYS
         };
-        let open = (0..count).filter(|&k| {
-            let turn = std::f64::consts::TAU * f64::from(k) / f64::from(count);
+        self.grid
+            .any_near(domain.period(), centre, self.reach, &mut meet);
+        depth
+    }
+
+    /// The share of the sides of a particle, whose neighbours were found before, that are free.
+    fn free_share(&self, own: usize) -> f32 {
+        let particle = &self.particles[own];
+        let centre = particle.centre;
+        let (e, f) = particle.half_axes();
+        let count = match particle.kind.has_corners() {
+            true => SIDES,
+            false => WAYS,
+        };
+        let is_free = |k: &u32| {
+            let turn = std::f64::consts::TAU * f64::from(*k) / f64::from(count);
             let way = DVec2::new(libm::cos(turn), libm::sin(turn));
-            let taken = around.iter().any(|q| {
+            let taken = self.around.iter().any(|q| {
                 let (along, across) = (way.dot(*q), way.perp_dot(*q).abs());
                 along < OPEN && across < ASIDE * along.clamp(0.0, 1.0)
             });
             let beyond = centre + 2.2 * (way.x * e + way.y * f);
-            !taken && domain.contains(beyond) && !domain.is_parted(centre, beyond)
-        });
-        Stress {
-            alone: open.count() as f32 / count as f32,
-            pressed: ((depth - REST) / (DEEP - REST)).clamp(0.0, 1.0) as f32,
-        }
-    };
-    particles.iter().enumerate().map(lot).collect()
+            !taken && self.domain.contains(beyond) && !self.domain.is_parted(centre, beyond)
+        };
+        (0..count).filter(is_free).count() as f32 / count as f32
+    }
 }
 
 #[cfg(test)]
