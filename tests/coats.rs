@@ -6,7 +6,7 @@ mod finished;
 use bubblestone::cells::Cell;
 use bubblestone::domain::Domain;
 use bubblestone::field::Kind;
-use bubblestone::texture::{Coat, Coats, ColourParams, Pattern};
+use bubblestone::material::{Coat, Coats, ColourParams, Pattern};
 use finished::finished;
 use glam::DVec2;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};

@@ -6,11 +6,12 @@ mod finished;
 mod quarry;
 
 use bubblestone::export::{MapKind, MeshFormat, maps};
+use bubblestone::heightfield::{Planes, Surfaces, TextureParams};
+use bubblestone::material::Gloss;
 use bubblestone::notice::Code;
 use bubblestone::recipe::Recipe;
 use bubblestone::solid::{Quarry, SkinParams, StoneKind, StoneParams};
 use bubblestone::studio::Studio;
-use bubblestone::texture::{Gloss, Planes, Surfaces, TextureParams};
 use finished::finished;
 use glam::Vec3;
 use proptest::prelude::*;
@@ -268,7 +269,7 @@ fn shifted(planes: &Planes, [dx, dy]: [usize; 2]) -> Planes {
 fn maps_of_a_tile_repeat_to_the_pixel() {
     let studio = finished("size=192&tile=1&cs=17&kind=square");
     let planes = studio.planes().unwrap();
-    let optics = bubblestone::texture::optics_table("granite", "sand", Gloss::default());
+    let optics = bubblestone::material::optics_table("granite", "sand", Gloss::default());
     for (kind, word) in MapKind::ALL {
         let map = studio.map(kind).unwrap();
         let pixel = usize::from(map.channels) * usize::from(map.bits) / 8;

@@ -2,10 +2,10 @@
 
 mod finished;
 
+use bubblestone::heightfield::GROUND;
 use bubblestone::recipe::Recipe;
 use bubblestone::solid::{StoneKind, StoneParams, joint_depth};
 use bubblestone::studio::Studio;
-use bubblestone::texture::GROUND;
 use finished::finished;
 
 const KINDS: [StoneKind; 2] = [StoneKind::Cobble, StoneKind::Flagstone];

@@ -2,8 +2,8 @@
 
 mod quarry;
 
-use bubblestone::render::{Light, ShadeParams, Shader};
-use bubblestone::texture::{Gloss, Planes, optics_table};
+use bubblestone::heightfield::{Light, Planes, ShadeParams, Shader};
+use bubblestone::material::{Gloss, optics_table};
 use quarry::{SIDE, painted, pavement, small};
 use std::f64::consts::TAU;
 

@@ -6,9 +6,9 @@ mod quarry;
 
 use bubblestone::cells::Cell;
 use bubblestone::field::Kind;
+use bubblestone::heightfield::{GROUND, Painter, Planes, TextureParams};
 use bubblestone::recipe::PRESETS;
 use bubblestone::solid::{Prism, Quarry, SkinParams, StoneKind, StoneParams};
-use bubblestone::texture::{GROUND, Painter, Planes, TextureParams};
 use finished::{finished, refined};
 use glam::{DVec2, DVec3};
 use quarry::in_fair_weather;

@@ -4,8 +4,9 @@ mod quarry;
 
 use bubblestone::cells::Cell;
 use bubblestone::field::Kind;
+use bubblestone::heightfield::{GROUND, TextureParams};
+use bubblestone::material::{GROUNDS, Gloss, PALETTES, optics_table};
 use bubblestone::solid::{Quarry, Solid, Spread, StoneKind, StoneParams, joint_depth};
-use bubblestone::texture::{GROUND, GROUNDS, Gloss, PALETTES, TextureParams, optics_table};
 use glam::{DVec2, Vec3};
 use proptest::prelude::*;
 use quarry::{SIDE, cell, painted, pavement, small, star};
@@ -280,7 +281,7 @@ fn tiles_repeat_without_a_seam() {
     // Relief and ground are others at another place: they decide a few pixels of the rim.
     let other = other.count();
     assert!(other < 80, "{other} pixels");
-    let open = |planes: &bubblestone::texture::Planes, id: u32| {
+    let open = |planes: &bubblestone::heightfield::Planes, id: u32| {
         let of = (0..SIDE * SIDE).filter(|&k| planes.id[k] == id);
         of.clone()
             .map(|k| f64::from(planes.openness[k]))

@@ -4,12 +4,12 @@
 mod finished;
 
 use bubblestone::domain::{Domain, signed_area};
+use bubblestone::heightfield::{Light, Planes, ShadeParams, Shader};
+use bubblestone::material::{Gloss, optics_table};
 use bubblestone::mesh::Mesh;
 use bubblestone::metrics::Metrics;
 use bubblestone::random::{Purpose, Random};
-use bubblestone::render::{Light, ShadeParams, Shader};
 use bubblestone::studio::Studio;
-use bubblestone::texture::{Gloss, Planes, optics_table};
 use std::collections::HashMap;
 
 const SIDE: usize = 192;

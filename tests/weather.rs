@@ -3,8 +3,9 @@
 
 mod finished;
 
+use bubblestone::heightfield::{GROUND, Planes};
+use bubblestone::material::{Gloss, optics_table};
 use bubblestone::studio::Studio;
-use bubblestone::texture::{GROUND, Gloss, Planes, optics_table};
 use glam::DVec2;
 
 const SIDE: usize = 256;

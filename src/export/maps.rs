@@ -1,9 +1,8 @@
 //! The data planes as the maps that other programs light surfaces by. On tiles they repeat to the
 //! pixel.
 
-use crate::render::overlay_planes::height_range;
-use crate::render::row_slopes;
-use crate::texture::{Optics, Planes};
+use crate::heightfield::{Planes, row_slopes};
+use crate::material::Optics;
 
 /// A map, `side` x `side` pixels, row after row from the top.
 #[derive(Clone, Debug, PartialEq)]
@@ -120,7 +119,7 @@ pub fn map(kind: MapKind, planes: &Planes, optics: &[Optics], shininess: f64) ->
 }
 
 fn heights(planes: &Planes) -> Vec<u8> {
-    let (low, high) = height_range(planes);
+    let (low, high) = planes.height_range();
     let scale = if high > low {
         65535.0 / (high - low)
     } else {

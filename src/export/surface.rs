@@ -10,8 +10,9 @@ use super::glb::Glb;
 use super::maps::roughness;
 use super::obj::Obj;
 use crate::cells::Cell;
+use crate::heightfield::{Planes, Surfaces, TextureParams};
+use crate::material::{FINISHES, Optics};
 use crate::solid::Solid;
-use crate::texture::{FINISHES, Optics, Planes, Surfaces, TextureParams};
 
 /// A kind of mesh file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

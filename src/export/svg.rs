@@ -3,8 +3,7 @@
 use super::fixed::{push, push_whole};
 use crate::cells::Cell;
 use crate::domain::Domain;
-use crate::render::overlay::{Tint, copies, lit};
-use crate::render::overlay_tones::Tones;
+use crate::draw::{Tint, Tones, copies, lit};
 use glam::DVec2;
 
 /// Coordinates have so many decimals.

@@ -3,9 +3,9 @@
 use super::Studio;
 use super::height_field::LightParams;
 use crate::export::{self, Map, MapKind, MeshFile, MeshFormat, maps};
+use crate::heightfield::Planes;
 use crate::notice::{Code, Notice};
 use crate::solid::Quarry;
-use crate::texture::Planes;
 
 /// Loop steps of skin in a file, beyond those of the picture: its triangles are still about a pixel
 /// large, and a file is a quarter as long.

@@ -4,13 +4,13 @@
 use crate::cells::Cell;
 use crate::domain::Domain;
 use crate::graph::{Node, State};
+use crate::heightfield::{
+    Painted, Painter, Planes, ShadeParams, Shader, TextureParams, Weathering,
+};
+use crate::material::{Coat, Optics, WeatherParams};
 use crate::notice::{Code, Notice};
 use crate::recipe::Stage;
-use crate::render::{ShadeParams, Shader};
 use crate::solid::Quarry;
-use crate::texture::{
-    Coat, Optics, Painted, Painter, Planes, TextureParams, WeatherParams, Weathering,
-};
 
 /// Rows of the picture in one slice.
 pub(super) const ROWS: usize = 16;

@@ -28,13 +28,13 @@ use crate::cells::Cell;
 use crate::domain::{Domain, Outline};
 use crate::export::{Report, StageTime};
 use crate::field::Fields;
+use crate::heightfield::Planes;
 use crate::mesh::Mesh;
 use crate::metrics::Metrics;
 use crate::notice::Notice;
 use crate::packing::{Packing, StepReport};
 use crate::recipe::{Recipe, Stage};
 use crate::solid::StoneParams;
-use crate::texture::Planes;
 use draft::Draft;
 use params::Params;
 use pavement::Pavement;
@@ -291,9 +291,7 @@ impl Studio {
             largest_move: last.largest_move,
             energy,
             milliseconds: self.milliseconds(),
-            height_range: self
-                .planes()
-                .map_or((0.0, 0.0), crate::render::overlay_planes::height_range),
+            height_range: self.planes().map_or((0.0, 0.0), Planes::height_range),
             metrics: None,
             notices: Vec::new(),
             hash: self.digest(),

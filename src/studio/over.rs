@@ -1,11 +1,10 @@
 //! Overlays: what is drawn over a base.
 
 use super::{Overlay, Studio, View};
+use crate::draw::size::Veil;
+use crate::draw::{self, Board};
 use crate::packing::{Packing, stress};
 use crate::recipe::Stage;
-use crate::render::overlay::Board;
-use crate::render::overlay_size::Veil;
-use crate::render::{overlay_field, overlay_loads, overlay_over};
 
 impl Studio {
     /// Draws a view's overlays, each as soon as there is something to show of the pavement at work.
@@ -34,28 +33,28 @@ impl Studio {
                 Overlay::Packed => {
                     let packing = made.packing().filter(|_| packs);
                     let particles = packing.map_or(Vec::new(), Packing::particles);
-                    overlay_over::packed(board, &particles, &stress(domain, &particles));
+                    draw::over::packed(board, &particles, &stress(domain, &particles));
                 }
                 Overlay::Energy | Overlay::Forces => {
-                    let draw = match overlay {
-                        Overlay::Energy => overlay_loads::energy,
-                        _ => overlay_loads::forces,
+                    let of_loads = match overlay {
+                        Overlay::Energy => draw::forces::energy,
+                        _ => draw::forces::forces,
                     };
-                    draw(board, &loads.unwrap_or_default());
+                    of_loads(board, &loads.unwrap_or_default());
                 }
-                Overlay::Cells if celled => overlay_over::cells(board, made.cells()),
+                Overlay::Cells if celled => draw::over::cells(board, made.cells()),
                 Overlay::Mesh if meshed => {
                     if let Some(mesh) = made.mesh() {
-                        overlay_over::mesh(board, mesh, fields);
+                        draw::over::mesh(board, mesh, fields);
                     }
                 }
                 Overlay::Cells | Overlay::Mesh => {}
-                Overlay::Anisotropy => overlay_over::anisotropy(board, domain, fields, side as f64),
+                Overlay::Anisotropy => draw::over::anisotropy(board, domain, fields, side as f64),
                 Overlay::Direction => {
-                    overlay_field::direction_over(board, domain, fields, side as f64);
+                    draw::field::direction_over(board, domain, fields, side as f64);
                 }
                 Overlay::Singularities => {
-                    overlay_field::singularities(board, domain, fields, side as f64);
+                    draw::field::singularities(board, domain, fields, side as f64);
                 }
             }
         }

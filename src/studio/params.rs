@@ -4,14 +4,12 @@ use super::height_field::{HeightFieldParams, LightParams, PlaneParams};
 use super::terrain::{DomainParams, TerrainParams};
 use crate::domain::Outline;
 use crate::field::{Direction, FieldParams, Kind, Rim, Spot};
+use crate::heightfield::{Light, ShadeParams, TextureParams};
+use crate::material::{ColourParams, Gloss, Optics, Pattern, WeatherParams, optics_table};
 use crate::notice::Notice;
 use crate::packing::{Edge, Integrator, PackingParams, Population, Start};
 use crate::recipe::{Key, Recipe, Stage};
-use crate::render::{Light, ShadeParams};
 use crate::solid::{SkinParams, Spread, StoneKind, StoneParams};
-use crate::texture::{
-    ColourParams, Gloss, Optics, Pattern, TextureParams, WeatherParams, optics_table,
-};
 use glam::DVec2;
 
 /// Rounds of Lloyd's relaxation: after these it hardly gets better.

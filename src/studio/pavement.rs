@@ -6,12 +6,13 @@ use super::terrain::Terrain;
 use crate::cells::{self, Cell, Fitting, Graph, Scatter, ScatterParams};
 use crate::domain::Domain;
 use crate::graph::{Node, State};
+use crate::heightfield::Planes;
+use crate::material::{Coat, Coats};
 use crate::mesh::{Mesh, Meshing};
 use crate::notice::{Code, Notice};
 use crate::packing::{Packing, PackingParams, Placing};
 use crate::recipe::Stage;
 use crate::solid::oriented;
-use crate::texture::{Coat, Coats, Planes};
 
 /// Cells whose neighbours are found, or whose coats are made, in one slice.
 const CELLS: usize = 500;

@@ -6,9 +6,10 @@
 use bubblestone::cells::Cell;
 use bubblestone::domain::{Domain, signed_area};
 use bubblestone::field::Kind;
+use bubblestone::heightfield::{Painter, Planes, TextureParams, Weathering};
+use bubblestone::material::WeatherParams;
 use bubblestone::random::{Purpose, Random};
 use bubblestone::solid::Quarry;
-use bubblestone::texture::{Painter, Planes, TextureParams, WeatherParams, Weathering};
 use glam::DVec2;
 use std::f64::consts::TAU;
 

@@ -2,9 +2,8 @@
 //!
 //! One periodic tile holds its height and colour: swells and patches, grains, and some pebbles.
 
-use super::noise::Tile;
-use super::palette::Ground;
 use super::pitch::Pitch;
+use crate::material::{Ground, Tile};
 use crate::random::{Purpose, Random};
 
 /// Picture units along the tile's side, a power of two.

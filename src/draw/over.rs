@@ -1,8 +1,8 @@
 //! Drawings over a picture: shapes and lines in light colours, with dark rims, each in a hue of its
 //! own, so that several can be told apart.
 
-use super::overlay::{Board, Tint, blend, lines_of};
-use super::overlay_stages::{elements, line_width, mean, mesh_width};
+use super::board::{Board, Tint, blend, lines_of};
+use super::stages::{elements, line_width, mean, mesh_width};
 use crate::cells::Cell;
 use crate::domain::Domain;
 use crate::field::Fields;

@@ -4,9 +4,9 @@
 //! Miyata, Shimada (2003), section 5.1: a square has four wells at its edges, a circle or an ellipse
 //! a ring with room for six.
 
-use super::overlay::{Board, Tint, blend};
-use super::overlay_stages::INK;
-use super::overlay_tones::SHEET;
+use super::board::{Board, Tint, blend};
+use super::stages::INK;
+use super::tones::SHEET;
 use crate::field::Kind;
 use crate::packing::{Particle, force::Pair};
 use glam::DVec2;

@@ -4,7 +4,6 @@
 //! that covers is a share, 0..1. Numbers are chosen by eye.
 
 use super::coat::smooth;
-use super::ground::Bed;
 use super::optics::{DIRT, FINISHES, MOSS, ROWS, WATER};
 use crate::order::{self, greater, lesser};
 
@@ -21,17 +20,8 @@ pub struct WeatherParams {
     pub wet: f64,
 }
 
-impl WeatherParams {
-    /// Is there nothing of any?
-    pub(super) fn is_fair(&self) -> bool {
-        *self == Self::default()
-    }
-}
-
 /// What is known of a pixel's place.
-pub(super) struct Place {
-    /// In pixels.
-    pub at: [i32; 2],
+pub(crate) struct Place {
     pub is_stone: bool,
     /// 1/2 on level ground, towards 1 in joints and towards 0 on tops.
     pub hollow: f32,
@@ -44,10 +34,12 @@ pub(super) struct Place {
     /// Noise, broad and fine.
     pub broad: f32,
     pub grains: f32,
+    /// Another broad noise.
+    pub patches: f32,
 }
 
 /// What a pixel looks like, and what becomes of it.
-pub(super) struct Skin {
+pub(crate) struct Sample {
     pub height: f32,
     /// 0..255.
     pub colour: [f32; 3],
@@ -57,7 +49,7 @@ pub(super) struct Skin {
 }
 
 /// The weather's strengths, and the joints that it works on.
-pub(super) struct Effects {
+pub(crate) struct Effects {
     wear: f32,
     moss: f32,
     dirt: f32,
@@ -65,6 +57,8 @@ pub(super) struct Effects {
     /// Height of the joints' ground, and their depth, in picture units.
     level: f32,
     depth: f32,
+    /// The colour of what gathers in hollows, 0..255.
+    silt: [f32; 3],
 }
 
 mod wear {
@@ -161,8 +155,9 @@ mod wet {
 }
 
 impl Effects {
-    /// Effects on joints of a ground at `level` and of `depth`, in picture units.
-    pub fn new(params: WeatherParams, [level, depth]: [f32; 2]) -> Self {
+    /// Effects on joints of a ground at `level` and of `depth`, in picture units, from which dirt of the
+    /// colour `silt` (0..255) is carried.
+    pub fn new(params: WeatherParams, [level, depth]: [f32; 2], silt: [f32; 3]) -> Self {
         Self {
             wear: params.wear as f32,
             moss: params.moss as f32,
@@ -170,74 +165,80 @@ impl Effects {
             wet: params.wet as f32,
             level,
             depth,
+            silt,
         }
     }
 
+    /// Is there none of them?
+    pub fn is_none(&self) -> bool {
+        [self.wear, self.moss, self.dirt, self.wet] == [0.0; 4]
+    }
+
     /// All of them.
-    pub fn apply(&self, place: &Place, bed: &Bed, skin: &mut Skin) {
+    pub fn apply(&self, place: &Place, sample: &mut Sample) {
         if self.wear > 0.0 && place.is_stone {
-            self.wear(place, skin);
+            self.wear(place, sample);
         }
         if self.dirt > 0.0 {
-            self.dirt(place, bed, skin);
+            self.dirt(place, sample);
         }
         if self.moss > 0.0 {
-            self.moss(place, bed, skin);
+            self.moss(place, sample);
         }
         if self.wet > 0.0 {
-            self.soak(place, skin);
-            self.flood(place, skin);
+            self.soak(place, sample);
+            self.flood(place, sample);
         }
     }
 
     /// Trodden tops are lowered, rounded and polished.
-    fn wear(&self, place: &Place, skin: &mut Skin) {
+    fn wear(&self, place: &Place, sample: &mut Sample) {
         let worn = lesser(
             self.wear * place.trodden * (1.0 + wear::NOISE * place.broad),
             1.0,
         );
-        let stand = self.stand(skin);
+        let stand = self.stand(sample);
         let rub = wear::RUB * self.depth;
-        let flat = order::within(place.near, skin.height - rub, skin.height + rub);
+        let flat = order::within(place.near, sample.height - rub, sample.height + rub);
         let [slope, start] = wear::REACHED;
-        skin.height += (flat - skin.height) * worn * soft(slope * stand - start);
+        sample.height += (flat - sample.height) * worn * soft(slope * stand - start);
         // Tops are cut off, with a soft edge.
-        let stand = self.stand(skin);
+        let stand = self.stand(sample);
         let ceiling = 1.0 + wear::EDGE - (wear::LOSS + wear::EDGE) * worn;
         let over = greater(wear::EDGE - (stand - ceiling).abs(), 0.0);
         let cut = lesser(stand, ceiling) - over * over / (4.0 * wear::EDGE);
-        skin.height += (cut - stand) * self.depth * lesser(wear::SOON * worn, 1.0);
+        sample.height += (cut - stand) * self.depth * lesser(wear::SOON * worn, 1.0);
         let [once, twice] = wear::POLISHED;
         if worn > once {
-            skin.optics = (skin.optics + 1 + u8::from(worn > twice)).min(FINISHES as u8);
+            sample.optics = (sample.optics + 1 + u8::from(worn > twice)).min(FINISHES as u8);
         }
-        skin.colour = skin.colour.map(|v| v * (1.0 + wear::LIGHTER * worn));
+        sample.colour = sample.colour.map(|v| v * (1.0 + wear::LIGHTER * worn));
     }
 
     /// The height above the joints' ground.
-    fn stand(&self, skin: &Skin) -> f32 {
-        (skin.height - self.level) / self.depth
+    fn stand(&self, sample: &Sample) -> f32 {
+        (sample.height - self.level) / self.depth
     }
 
     /// Dust and mud in hollows.
-    fn dirt(&self, place: &Place, bed: &Bed, skin: &mut Skin) {
+    fn dirt(&self, place: &Place, sample: &mut Sample) {
         let Place { broad, grains, .. } = *place;
         let noise = dirt::NOISE;
         let lies = place.hollow + noise[0] * broad + noise[1] * grains - dirt::FROM + self.dirt;
         let [least, more] = dirt::COVER;
         let cover = (least + more * self.dirt) * soft(dirt::SLOPE * lies);
         let tone = 1.0 + dirt::TONE[0] * grains + dirt::TONE[1] * broad;
-        mix(&mut skin.colour, bed.dirt().map(|v| v * tone), cover);
+        mix(&mut sample.colour, self.silt.map(|v| v * tone), cover);
         let [slope, start] = dirt::GATHERS;
-        skin.height += dirt::SILT * self.depth * cover * soft(slope * place.hollow - start);
+        sample.height += dirt::SILT * self.depth * cover * soft(slope * place.hollow - start);
         if cover > dirt::SOLID {
-            skin.optics = DIRT;
-            skin.soaks = true;
+            sample.optics = DIRT;
+            sample.soaks = true;
         }
     }
 
     /// Moss, in the joints first.
-    fn moss(&self, place: &Place, bed: &Bed, skin: &mut Skin) {
+    fn moss(&self, place: &Place, sample: &mut Sample) {
         let Place {
             hollow,
             broad,
@@ -248,60 +249,59 @@ impl Effects {
         let shade = moss::HOLLOW * hollow + noise[0] * broad + noise[1] * grains
             - moss::TRODDEN * place.trodden;
         let cover = soft((shade - moss::FROM + moss::STRENGTH * self.moss) * moss::SLOPE);
-        let [x, y] = place.at;
         let [fine, patches] = moss::TONE;
-        let light = 0.5 - moss::LIGHT * (hollow - 0.5) + fine * grains + patches * bed.broad(y, x);
+        let light = 0.5 - moss::LIGHT * (hollow - 0.5) + fine * grains + patches * place.patches;
         let [mut green, lit] = moss::GREENS;
         mix(&mut green, lit, light.clamp(0.0, 1.0));
         let tone = 1.0 + moss::GRAIN * grains;
-        mix(&mut skin.colour, green.map(|v| v * tone), cover);
+        mix(&mut sample.colour, green.map(|v| v * tone), cover);
         let [pad, tufts] = moss::THICKNESS;
-        skin.height += self.depth * moss::PAD * cover * (pad + tufts * grains);
+        sample.height += self.depth * moss::PAD * cover * (pad + tufts * grains);
         if cover > moss::SOLID {
-            skin.optics = MOSS;
-            skin.soaks = true;
+            sample.optics = MOSS;
+            sample.soaks = true;
         }
     }
 
     /// Damp, then wet.
-    fn soak(&self, place: &Place, skin: &mut Skin) {
+    fn soak(&self, place: &Place, sample: &mut Sample) {
         let lies = wet::STRENGTH * self.wet - wet::FROM
             + wet::HOLLOW * (place.hollow - 0.5)
             + wet::NOISE * place.broad;
         let soaked = soft(lies) * soft(wet::SOON * self.wet);
-        let [r, g, b] = skin.colour;
+        let [r, g, b] = sample.colour;
         let grey = (r + g + b) / 3.0;
         let [deep, slight] = wet::DARKER;
-        let dark = 1.0 - soaked * if skin.soaks { deep } else { slight };
+        let dark = 1.0 - soaked * if sample.soaks { deep } else { slight };
         let vivid = 1.0 + wet::VIVID * soaked;
-        skin.colour = skin.colour.map(|v| (grey + (v - grey) * vivid) * dark);
+        sample.colour = sample.colour.map(|v| (grey + (v - grey) * vivid) * dark);
         let [damp, soaking] = wet::FINISHES;
-        skin.optics += ROWS * (u8::from(soaked > damp) + u8::from(soaked > soaking));
+        sample.optics += ROWS * (u8::from(soaked > damp) + u8::from(soaked > soaking));
     }
 
     /// Puddles.
-    fn flood(&self, place: &Place, skin: &mut Skin) {
+    fn flood(&self, place: &Place, sample: &mut Sample) {
         let [start, slope] = wet::AWAY;
         let away = soft(start - slope * place.inside);
         let stand = wet::RISE * self.wet - wet::BELOW - wet::RUNS_OFF * away;
         let surface = self.level + self.depth * stand;
-        let deep = surface - skin.height;
+        let deep = surface - sample.height;
         if deep <= 0.0 {
             return;
         }
         let clear = lesser(deep, 1.0);
         let murk = wet::MURK * deep / (deep + wet::HALF);
-        skin.colour = skin.colour.map(|v| v * (1.0 - murk));
-        mix(&mut skin.colour, wet::SKY, wet::MIRROR * clear);
-        skin.height = surface;
+        sample.colour = sample.colour.map(|v| v * (1.0 - murk));
+        mix(&mut sample.colour, wet::SKY, wet::MIRROR * clear);
+        sample.height = surface;
         if clear > wet::SOLID {
-            skin.optics = WATER;
+            sample.optics = WATER;
         }
     }
 }
 
 /// From 0 at 0 to 1 at 1 without a kink.
-pub(super) fn soft(t: f32) -> f32 {
+pub(crate) fn soft(t: f32) -> f32 {
     smooth(f64::from(t)) as f32
 }
 

@@ -41,7 +41,7 @@ pub fn ground(name: &str, palette: &Palette) -> Ground {
 /// The word of the ground that is bare skin.
 const HIDE: &str = "hide";
 
-/// The table that [`super::Planes::optics`] indexes: the ground first, then the palette's finishes,
+/// The table of all materials of a picture: the ground first, then the palette's finishes,
 /// moss and dirt; the same rows damp, and wet; and at last water.
 pub fn optics_table(palette_name: &str, ground_name: &str, gloss: Gloss) -> Vec<Optics> {
     let palette = palette(palette_name);

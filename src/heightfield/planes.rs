@@ -1,37 +1,4 @@
-//! The data planes of the texture (Miyata, Itoh, Shimada 2000, section 3.2), and how stones are put
-//! into them.
-
-mod coat;
-mod effects;
-mod ground;
-mod grounds;
-mod hides;
-mod mean;
-mod noise;
-mod occlusion;
-mod optics;
-mod painter;
-mod palette;
-mod palettes;
-mod pitch;
-mod reaction;
-mod scan;
-mod skin;
-mod stones;
-mod surface;
-mod weather;
-
-pub use coat::{Coat, Coats, ColourParams, Pattern};
-pub use effects::WeatherParams;
-pub use grounds::GROUNDS;
-pub use noise::Tile;
-pub use optics::{FINISHES, Gloss, Optics};
-pub use painter::{Painter, TextureParams};
-pub use palette::{Ground, Palette};
-pub use palettes::{PALETTES, ground, optics_table, palette};
-pub use skin::stone_colour;
-pub use surface::{Surface, Surfaces};
-pub use weather::{Painted, Weathering};
+//! The data planes of the texture (Miyata, Itoh, Shimada 2000, section 3.2).
 
 /// Id of the ground in [`Planes::id`]; a stone has its cell's index + 1.
 pub const GROUND: u32 = 0;
@@ -76,6 +43,19 @@ impl Planes {
         }
     }
 
+    /// The lowest and the highest value of the bump plane; (0, 0) where there is none.
+    pub fn height_range(&self) -> (f32, f32) {
+        let heights = self.bump.iter().filter(|h| h.is_finite());
+        let range = heights.fold((f32::INFINITY, f32::NEG_INFINITY), |(lo, hi), &h| {
+            (lo.min(h), hi.max(h))
+        });
+        if range.0 <= range.1 {
+            range
+        } else {
+            (0.0, 0.0)
+        }
+    }
+
     /// 16 hex digits that change with any bit of any plane (FNV-1a on words of 64 bits, finished as
     /// SplitMix64).
     pub fn digest(&self) -> String {
@@ -104,5 +84,15 @@ impl Fnv {
     fn finish(&self) -> u64 {
         let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
         z ^ (z >> 27)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn empty_planes_have_a_range() {
+        assert_eq!(Planes::default().height_range(), (0.0, 0.0));
     }
 }

@@ -1,8 +1,8 @@
 //! The direction field with all that shapes it, and its singular points.
 
-use super::overlay::{Board, Tint, lines_of, pieces_of, round};
-use super::overlay_stages::{INK, lines};
-use super::overlay_tones::SHEET;
+use super::board::{Board, Tint, lines_of, pieces_of, round};
+use super::stages::{INK, lines};
+use super::tones::SHEET;
 use crate::domain::Domain;
 use crate::field::{Fields, Singularity, Spot};
 use glam::DVec2;

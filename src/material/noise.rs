@@ -179,7 +179,7 @@ fn mean_with_next(values: &[f32], n: usize, step: usize) -> Vec<f32> {
 }
 
 /// `f32::floor` is a call where the target has no rounding instruction.
-pub(super) fn floor(v: f32) -> i32 {
+pub(crate) fn floor(v: f32) -> i32 {
     let whole = v as i32;
     whole - i32::from((whole as f32) > v)
 }

@@ -1,27 +1,10 @@
 //! The data planes as pictures: heights in grey, normals as colours, ids as distinct colours.
 
-use super::shader::beside;
-use crate::texture::{GROUND, Planes};
-
-/// The lowest and the highest value of the bump plane; (0, 0) where there is none.
-pub fn height_range(planes: &Planes) -> (f32, f32) {
-    let range = planes
-        .bump
-        .iter()
-        .filter(|h| h.is_finite())
-        .fold((f32::INFINITY, f32::NEG_INFINITY), |(lo, hi), &h| {
-            (lo.min(h), hi.max(h))
-        });
-    if range.0 <= range.1 {
-        range
-    } else {
-        (0.0, 0.0)
-    }
-}
+use crate::heightfield::{GROUND, Planes, beside};
 
 /// Heights from black (the lowest) to white (the highest), opaque RGBA.
 pub fn height(planes: &Planes) -> Vec<u8> {
-    let (lo, hi) = height_range(planes);
+    let (lo, hi) = planes.height_range();
     let scale = if hi > lo { 255.0 / (hi - lo) } else { 0.0 };
     opaque(planes.bump.iter().map(|h| {
         let grey = ((h - lo) * scale + 0.5) as u8;
@@ -114,8 +97,7 @@ mod tests {
     }
 
     #[test]
-    fn empty_planes_have_a_range() {
-        assert_eq!(height_range(&Planes::default()), (0.0, 0.0));
+    fn empty_planes_give_an_empty_picture() {
         assert!(height(&Planes::default()).is_empty());
     }
 }

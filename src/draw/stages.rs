@@ -1,8 +1,8 @@
 //! What is drawn of each stage: packed cells, cells, mesh.
 
-use super::overlay::{Paper, Tint, blend, lit};
-use super::overlay_sketch::Layer;
-use super::overlay_tones::Tones;
+use super::board::{Paper, Tint, blend, lit};
+use super::sketch::Layer;
+use super::tones::Tones;
 use crate::cells::Cell;
 use crate::domain::Domain;
 use crate::field::Fields;

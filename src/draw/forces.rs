@@ -1,8 +1,8 @@
 //! What packed cells bear: the net force on each, and its potential energy.
 
-use super::overlay::{Board, CASING, Tint, lines_of};
-use super::overlay_over::{in_steps, scale, shapes};
-use super::overlay_stages::{line_width, mean};
+use super::board::{Board, CASING, Tint, lines_of};
+use super::over::{in_steps, scale, shapes};
+use super::stages::{line_width, mean};
 use crate::packing::{Load, Particle};
 use glam::DVec2;
 

@@ -3,12 +3,12 @@
 //! One pass over the finished stones; then the openness is worked out of them. Tops and hollows are
 //! told apart by the mean height around each pixel.
 
-use super::effects::{Effects, Place, Skin, WeatherParams, soft};
 use super::ground::Bed;
 use super::mean::Mean;
 use super::occlusion::Occlusion;
 use super::{GROUND, Planes};
 use crate::domain::Domain;
+use crate::material::{Effects, Place, Sample, WeatherParams, soft};
 use crate::order::greater;
 use glam::DVec2;
 use std::rc::Rc;
@@ -54,9 +54,9 @@ impl Weathering {
             size,
             depth,
         } = painted;
-        let joints = [planes.ground, depth];
+        let effects = Effects::new(params, [planes.ground, depth], bed.dirt());
         Self {
-            weather: Weather::new(params, [planes.side, planes.fine], size, joints),
+            weather: Weather::new(effects, [planes.side, planes.fine], size, depth),
             occlusion: Occlusion::new(size, planes.fine, planes.tile),
             planes,
             bed,
@@ -83,7 +83,6 @@ impl Weathering {
 
 /// The weather at work.
 struct Weather {
-    is_fair: bool,
     effects: Effects,
     /// Pixels along the picture's side, and for each picture unit.
     side: usize,
@@ -99,16 +98,15 @@ struct Weather {
 }
 
 impl Weather {
-    /// Weather for `joints`, of which the ground's height and the depth are given, between stones of
-    /// about `size`, in a picture of `side` pixels with `fine` of them for each unit.
-    fn new(params: WeatherParams, [side, fine]: [usize; 2], size: f64, joints: [f32; 2]) -> Self {
+    /// Effects between stones of about `size` with joints so deep, in a picture of `side` pixels with `fine`
+    /// of them for each unit.
+    fn new(effects: Effects, [side, fine]: [usize; 2], size: f64, depth: f32) -> Self {
         let radius = |reach: f64| (reach * size) as usize * fine + fine / 2;
         Self {
-            is_fair: params.is_fair(),
-            effects: Effects::new(params, joints),
+            effects,
             side,
             fine,
-            depth: joints[1],
+            depth,
             size: size as f32,
             means: REACH.map(|reach| Mean::new(radius(reach), side)),
             distances: Vec::new(),
@@ -119,7 +117,7 @@ impl Weather {
 
     /// Goes on by about `rows` rows; true when all is done.
     fn advance(&mut self, planes: &mut Planes, bed: &Bed, domain: &Domain, rows: usize) -> bool {
-        if self.is_fair {
+        if self.effects.is_none() {
             return true;
         }
         let side = self.side;
@@ -188,7 +186,6 @@ impl Weather {
         let distance = self.distance([x, y]);
         let height = planes.bump[i];
         let place = Place {
-            at: [px, py],
             is_stone: planes.id[i] != GROUND,
             hollow: (0.5 + (wide - height) / self.depth).clamp(0.0, 1.0),
             near,
@@ -196,16 +193,17 @@ impl Weather {
             inside: distance / self.size,
             broad: bed.broad(px + right, py + down),
             grains: bed.grains(px, py),
+            patches: bed.broad(py, px),
         };
-        let mut skin = Skin {
+        let mut sample = Sample {
             height,
             colour: planes.colour[i].map(f32::from),
             optics: planes.optics[i],
             soaks: !place.is_stone,
         };
-        self.effects.apply(&place, bed, &mut skin);
-        planes.bump[i] = skin.height;
-        planes.colour[i] = skin.colour.map(|v| (v.clamp(0.0, 255.0) + 0.5) as u8);
-        planes.optics[i] = skin.optics;
+        self.effects.apply(&place, &mut sample);
+        planes.bump[i] = sample.height;
+        planes.colour[i] = sample.colour.map(|v| (v.clamp(0.0, 255.0) + 0.5) as u8);
+        planes.optics[i] = sample.optics;
     }
 }

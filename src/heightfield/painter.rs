@@ -6,15 +6,12 @@
 //! how many of them each stone and the ground have, which keeps rims smooth.
 
 use super::Planes;
-use super::coat::{Coat, ColourParams};
 use super::ground::Bed;
-use super::palette::Palette;
-use super::palettes::{ground, palette};
 use super::pitch::Pitch;
 use super::scan::{Raster, SAMPLES};
-use super::skin::{Patterns, Skin};
 use super::weather::Painted;
 use crate::cells::Cell;
+use crate::material::{Coat, ColourParams, Palette, Patterns, Skin, ground, palette};
 use crate::order::{greater, lesser};
 use crate::solid::{Quarry, Solid, StoneKind, StoneParams, joint_depth, lean, top};
 use glam::{DVec2, Vec3};
@@ -37,9 +34,9 @@ pub struct TextureParams {
     pub dimension: f64,
     /// Amplitude of the relief at the scale of a stone, in picture units (Af).
     pub amplitude: f64,
-    /// Name of the palette, one of [`super::PALETTES`].
+    /// Name of the palette, one of [`crate::material::PALETTES`].
     pub palette: &'static str,
-    /// Name of the ground, one of [`super::GROUNDS`].
+    /// Name of the ground, one of [`crate::material::GROUNDS`].
     pub ground: &'static str,
     /// Variation of tone between stones: 0 none, 1 as the palette has it.
     pub vary: f64,
@@ -160,7 +157,12 @@ impl Painter {
                 params.tile.then_some(side),
                 pitch,
             ),
-            patterns: Patterns::new(params.seed, params.size, params.dimension, pitch),
+            patterns: Patterns::new(
+                params.seed,
+                params.size,
+                params.dimension,
+                pitch.doublings(),
+            ),
             coats: Vec::new(),
             raster: Raster::default(),
             pitch,
@@ -365,7 +367,7 @@ impl Painter {
         let i = y as usize * self.side + x as usize;
         let [own_x, own_y] = [x - moved[0], y - moved[1]];
         let own_place = [self.pitch.place(own_x), self.pitch.place(own_y)];
-        let rough = skin.relief(&self.patterns, own_x, own_y);
+        let rough = skin.relief(&self.patterns, [own_x, own_y].map(|v| self.pitch.value(v)));
         let raise = self.relief * rough + skin.lift(own_place);
         let soil = self.bed.height(x, y);
         let in_band = i - self.band.start * self.side;

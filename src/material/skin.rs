@@ -4,7 +4,6 @@ use super::coat::{Coat, smooth};
 use super::noise::Tile;
 use super::optics::FINISHES;
 use super::palette::Palette;
-use super::pitch::Pitch;
 use crate::cells::Cell;
 use crate::order::{greater, lesser};
 use crate::random::{Purpose, Random};
@@ -17,24 +16,25 @@ pub struct Patterns {
     pub relief: Tile,
     broad: Tile,
     grains: Tile,
-    pitch: Pitch,
+    /// Of the distance between values, from one picture unit on.
+    doublings: u32,
 }
 
 impl Patterns {
-    /// Patterns for stones of about `size` picture units, in a picture of such pixels.
-    pub fn new(seed: u64, size: f64, dimension: f64, pitch: Pitch) -> Self {
+    /// Patterns for stones of about `size` picture units, with `2^doublings` values for each unit.
+    pub fn new(seed: u64, size: f64, dimension: f64, doublings: u32) -> Self {
         let mut levels = 2;
         while levels < 8 && f64::from(1u32 << levels) * 1.42 < size {
             levels += 1;
         }
         let tile = |item, log_side, levels, dimension| {
-            Tile::finer(seed, item, [log_side, levels], dimension, pitch.doublings())
+            Tile::finer(seed, item, [log_side, levels], dimension, doublings)
         };
         Self {
             relief: tile(1, 9, levels, dimension),
             broad: tile(2, 8, levels, 1.4),
             grains: tile(3, 8, 1, 1.7),
-            pitch,
+            doublings,
         }
     }
 }
@@ -111,22 +111,19 @@ impl Skin {
         }
     }
 
-    /// What this stone is laid higher than the others at a place, in picture units as
-    /// [`Pitch::place`] gives them.
+    /// What this stone is laid higher than the others at a place of the picture, in picture units.
     pub fn lift(&self, [x, y]: [f32; 2]) -> f32 {
         let (dx, dy) = (x - self.centre[0], y - self.centre[1]);
         self.step + self.tilt[0] * dx + self.tilt[1] * dy
     }
 
-    /// The fractal relief at a pixel: deviation about 1. Turned and mirrored, never interpolated, so
-    /// that its roughness stays.
-    pub fn relief(&self, patterns: &Patterns, x: i32, y: i32) -> f32 {
-        let pitch = patterns.pitch;
-        let (x, y) = (pitch.value(x), pitch.value(y));
+    /// The fractal relief at a place, which counts in values of the noise: deviation about 1. Turned and
+    /// mirrored, never interpolated, so that its roughness stays.
+    pub fn relief(&self, patterns: &Patterns, [x, y]: [i32; 2]) -> f32 {
         let (x, y) = if self.turn & 1 == 0 { (x, y) } else { (y, x) };
         let x = if self.turn & 2 == 0 { x } else { -x };
         let y = if self.turn & 4 == 0 { y } else { -y };
-        let [across, down] = self.shift.map(|v| v << pitch.doublings());
+        let [across, down] = self.shift.map(|v| v << patterns.doublings);
         patterns.relief.at(x + across, y + down)
     }
 

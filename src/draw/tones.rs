@@ -1,9 +1,10 @@
 //! The colours of the drawings: earth and stones before there are any, and the paper of figures.
 
-use super::overlay::{Paper, Tint, blend, lit};
+use super::board::{Paper, Tint, blend, lit};
 use crate::cells::Cell;
+use crate::heightfield::TextureParams;
+use crate::material::{Coat, Ground, Palette, ground, palette, stone_colour};
 use crate::order;
-use crate::texture::{Coat, Ground, Palette, TextureParams, ground, palette, stone_colour};
 
 /// What figures (mesh, direction field) are drawn on.
 pub const SHEET: Paper = Paper {
@@ -85,7 +86,7 @@ fn earth(ground: &Ground) -> Paper {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::texture::{GROUNDS, PALETTES};
+    use crate::material::{GROUNDS, PALETTES};
 
     fn light(t: Tint) -> f32 {
         (t[0] + t[1] + t[2]) / 3.0
@@ -94,7 +95,7 @@ mod tests {
     #[test]
     fn every_ground_tells_bed_line_and_surround_apart() {
         for ground in GROUNDS {
-            let paper = earth(&crate::texture::ground(ground.name, palette("")));
+            let paper = earth(&crate::material::ground(ground.name, palette("")));
             let (around, bed, line) = (light(paper.surround), light(paper.bed), light(paper.line));
             assert!(bed < around, "{}", ground.name);
             assert!((line - around).abs() > 0.1, "{}", ground.name);

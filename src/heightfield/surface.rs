@@ -3,12 +3,10 @@
 //! To the solid, which is open at its base, come a cap over the base, the relief that the painter adds
 //! to stones, and at each vertex the colour that the picture has there.
 
-use super::noise::floor;
 use super::painter::{relief, skin};
-use super::pitch::Pitch;
-use super::skin::{Patterns, Skin};
-use super::{Coat, Planes, TextureParams};
+use super::{Planes, TextureParams};
 use crate::cells::Cell;
+use crate::material::{Coat, Patterns, Skin, floor};
 use crate::order::{greater, lesser};
 use crate::solid::Solid;
 use glam::Vec3;
@@ -49,7 +47,7 @@ impl Surfaces {
     /// For the planes made by these parameters.
     pub fn new(params: TextureParams) -> Self {
         Self {
-            patterns: Patterns::new(params.seed, params.size, params.dimension, Pitch::new(1)),
+            patterns: Patterns::new(params.seed, params.size, params.dimension, 0),
             relief: relief(&params),
             rims: Vec::new(),
             params,
@@ -111,7 +109,7 @@ impl Surfaces {
             let across = if right == 1 { tx } else { 1.0 - tx };
             let down = if below == 1 { ty } else { 1.0 - ty };
             let (x, y) = (ix + right, iy + below);
-            let relief = self.relief * skin.relief(&self.patterns, x, y);
+            let relief = self.relief * skin.relief(&self.patterns, [x, y]);
             sum += across * down * (relief + skin.lift([x as f32, y as f32]));
         }
         sum

@@ -4,23 +4,12 @@
 mod cast_far;
 mod cast_near;
 mod course;
-pub mod overlay;
-pub mod overlay_field;
-pub mod overlay_loads;
-pub mod overlay_over;
-pub mod overlay_planes;
-pub mod overlay_potential;
-pub mod overlay_size;
-pub mod overlay_sketch;
-pub mod overlay_stages;
-pub mod overlay_tones;
 mod penumbra;
 mod shader;
 mod shadow;
 mod tone;
 
 pub use shader::Shader;
-pub(crate) use shader::row_slopes;
 pub(crate) use tone::decoded;
 
 /// The lamp.

@@ -1,6 +1,6 @@
 //! Drawings of many shapes, made some rows at a time, so that no piece of them takes long.
 
-use super::overlay::{Board, Tint, bar, pieces_of};
+use super::board::{Board, Tint, bar, pieces_of};
 use glam::DVec2;
 
 /// So many pixels, about, are drawn at a time.

@@ -12,8 +12,8 @@ use super::Light;
 use super::cast_far::Sweep;
 use super::cast_near::Fan;
 use super::course::{Course, Strip};
+use crate::heightfield::Planes;
 use crate::order::{greater, lesser};
-use crate::texture::Planes;
 
 /// Shadows are followed back at most through so many pictures of a tile.
 const FARTHEST: usize = 4;

@@ -1,0 +1,22 @@
+//! Solids as a height field: they are put into data planes (Miyata, Itoh, Shimada 2000, section 3.2) on the
+//! ground, the weather goes over these, and they are lit.
+
+mod ground;
+mod light;
+mod mean;
+mod occlusion;
+mod painter;
+mod pitch;
+mod planes;
+mod scan;
+mod slopes;
+mod surface;
+mod weather;
+
+pub(crate) use light::decoded;
+pub use light::{Light, ShadeParams, Shader};
+pub use painter::{Painter, TextureParams};
+pub use planes::{GROUND, Planes};
+pub(crate) use slopes::{beside, row_slopes};
+pub use surface::{Surface, Surfaces};
+pub use weather::{Painted, Weathering};
