@@ -5,84 +5,21 @@
 //! surface wins, as in a depth buffer. A pixel has nine samples: its height and colour are blended by
 //! how many of them each stone and the ground have, which keeps rims smooth.
 
-use super::Planes;
 use super::ground::Bed;
 use super::pitch::Pitch;
-use super::scan::{Raster, SAMPLES};
+use super::samples::{EVEN, PER_PIXEL, Samples};
+use super::scan::Raster;
 use super::weather::Painted;
+use super::{Planes, TextureParams};
 use crate::cells::Cell;
-use crate::material::{Coat, ColourParams, Palette, Patterns, Skin, ground, palette};
+use crate::material::{Coat, Palette, Patterns, Skin, palette};
 use crate::order::{greater, lesser};
-use crate::solid::{Quarry, Solid, StoneKind, StoneParams, joint_depth, lean, top};
+use crate::solid::{Quarry, Solid, StoneKind};
 use glam::{DVec2, Vec3};
 use std::ops::Range;
 
-/// What the planes are made by; the papers' symbols in brackets.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct TextureParams {
-    /// Picture units along a side of the picture.
-    pub side: usize,
-    /// Pixels for each picture unit, along a side: 1 to 4.
-    pub fine: usize,
-    /// Seed of colours, relief and ground.
-    pub seed: u64,
-    /// The size cells were asked to have on average, in picture units (Cs).
-    pub size: f64,
-    /// The stones.
-    pub stone: StoneParams,
-    /// Fractal dimension of profiles of the relief, 1..2 (Fd).
-    pub dimension: f64,
-    /// Amplitude of the relief at the scale of a stone, in picture units (Af).
-    pub amplitude: f64,
-    /// Name of the palette, one of [`crate::material::PALETTES`].
-    pub palette: &'static str,
-    /// Name of the ground, one of [`crate::material::GROUNDS`].
-    pub ground: &'static str,
-    /// Variation of tone between stones: 0 none, 1 as the palette has it.
-    pub vary: f64,
-    /// Colours by rule.
-    pub colour: ColourParams,
-    /// The planes repeat without a seam: what reaches over an edge comes in at the other.
-    pub tile: bool,
-}
-
-impl Default for TextureParams {
-    fn default() -> Self {
-        Self {
-            side: 512,
-            fine: 1,
-            seed: 1,
-            size: 23.0,
-            stone: StoneParams::default(),
-            dimension: 1.5,
-            amplitude: 2.0,
-            palette: "granite",
-            ground: "sand",
-            vary: 1.0,
-            colour: ColourParams::default(),
-            tile: false,
-        }
-    }
-}
-
-const PER_PIXEL: usize = SAMPLES * SAMPLES;
-/// Deviation of the relief at the scale of a stone, of its amplitude.
-const RELIEF: f64 = 0.3;
-/// Ground stays below the stones' tops by at least this part of the joint.
-const FILL: f64 = 0.9;
-/// The same deviation at most, of the joints' depth.
-const MOST_RELIEF: f64 = 0.2;
-/// Stones lie as unevenly as they may where joints are so deep, of their size, and less where they are not.
-const UNEVEN: f64 = 0.2;
-/// Joints deeper than this part of the size of cells do not make the ground more uneven.
-const SWELL: f64 = 0.33;
-
 /// The work of one slice, in triangles refined and scan converted or in pixels.
 const SLICE: usize = 60_000;
-
-/// Two stones whose heights differ by less, in picture units, share a sample's colour: otherwise a hair would
-/// decide.
-const EVEN: f32 = 0.5;
 
 /// Makes the data planes, one cell at a time.
 pub struct Painter {
@@ -98,16 +35,10 @@ pub struct Painter {
     side: usize,
     /// The rows that stones are put into now, and of which the following three tell.
     band: Range<usize>,
-    /// Samples a stone has already taken at each pixel, and how many the stone named in `id` has.
-    taken: Vec<u16>,
-    /// The height of each taken sample.
-    surface: Vec<[f32; PER_PIXEL]>,
-    share: Vec<u8>,
+    samples: Samples,
     level: f32,
     depth: f32,
     relief: f32,
-    /// Share of a stone in a sample for each pixel that it stands above the ground.
-    firm: f32,
     laid: usize,
     /// The stone at work.
     work: Option<Work>,
@@ -134,50 +65,34 @@ impl Painter {
     /// The same, with stones to be put into so many rows at a time only, the first ones first: what is
     /// known of samples takes three times as much memory as the planes.
     pub fn banded(params: TextureParams, rows: usize) -> Self {
-        let (side, pitch) = (params.side * params.fine, Pitch::new(params.fine));
-        let stone_palette = palette(params.palette);
-        let depth = joint_depth(&params.stone, params.size) * FILL;
-        let level = top(&params.stone, params.size) - depth;
-        let rough = depth.min(swell(&params));
-        let (level, depth, rough) = (level as f32, depth as f32, rough as f32);
+        let side = params.side * params.fine;
+        let (level, depth) = (params.level() as f32, params.depth() as f32);
+        let pitch = Pitch::new(params.fine);
+        let doublings = pitch.doublings();
         let band = 0..side.min(rows);
-        let pixels = band.len() * side;
+        let firm = match params.stone.kind {
+            StoneKind::Skin => 1.0 / EVEN,
+            _ => f32::INFINITY,
+        };
         Self {
-            palette: stone_palette,
+            palette: palette(params.palette),
             planes: Planes {
                 tile: params.tile,
                 fine: params.fine,
                 ground: level,
                 ..Planes::new(side)
             },
-            bed: Bed::new(
-                ground(params.ground, stone_palette),
-                [level, rough],
-                params.seed,
-                params.tile.then_some(side),
-                pitch,
-            ),
-            patterns: Patterns::new(
-                params.seed,
-                params.size,
-                params.dimension,
-                pitch.doublings(),
-            ),
+            bed: params.bed(),
+            patterns: Patterns::new(params.seed, params.size, params.dimension, doublings),
             coats: Vec::new(),
             raster: Raster::default(),
             pitch,
             side,
+            samples: Samples::new(band.len() * side, firm),
             band,
-            taken: vec![0; pixels],
-            surface: vec![[0.0; PER_PIXEL]; pixels],
-            share: vec![0; pixels],
             level,
             depth,
-            relief: relief(&params),
-            firm: match params.stone.kind {
-                StoneKind::Skin => 1.0 / EVEN,
-                _ => f32::INFINITY,
-            },
+            relief: params.relief(),
             laid: 0,
             work: None,
             params,
@@ -215,14 +130,7 @@ impl Painter {
         let end = self.side.min(self.band.end + rows);
         self.band = self.band.end..end;
         let pixels = self.band.len() * self.side;
-        self.taken.clear();
-        self.taken.resize(pixels, 0);
-        self.share.clear();
-        self.share.resize(pixels, 0);
-        self.surface.truncate(pixels);
-        if pixels == 0 {
-            self.surface = Vec::new();
-        }
+        self.samples.clear(pixels);
         pixels > 0
     }
 
@@ -269,7 +177,7 @@ impl Painter {
         let (window, fine) = (self.window(), self.params.fine as f32);
         self.raster.begin(&solid, window, fine);
         Work {
-            skin: skin(&self.params, cell, coat),
+            skin: self.params.face(cell, coat),
             solid,
             ways,
             at: [0, 0],
@@ -371,8 +279,7 @@ impl Painter {
         let raise = self.relief * rough + skin.lift(own_place);
         let soil = self.bed.height(x, y);
         let in_band = i - self.band.start * self.side;
-        let claim = self.claim(in_band, heights, raise, soil);
-        let count = claim.fresh + claim.won;
+        let claim = self.samples.claim(in_band, heights, raise, soil);
         if claim.fresh == 0 && claim.share == 0.0 {
             return;
         }
@@ -394,99 +301,11 @@ impl Painter {
             let gain = (colour[k] - dust[k]) * claim.bare + (colour[k] - old[k]) * claim.share;
             old[k] + gain * each
         }));
-        self.share[in_band] = self.share[in_band].saturating_sub(claim.won);
-        if self.has_most(in_band, count) {
+        if self.samples.is_won(in_band, &claim) {
             self.planes.id[i] = id;
             self.planes.optics[i] = skin.optics;
         }
     }
-
-    /// What this stone gets of the samples of a pixel.
-    fn claim(&mut self, i: usize, heights: [f32; PER_PIXEL], raise: f32, soil: f32) -> Claim {
-        let mut claim = Claim::default();
-        let surface = &mut self.surface[i];
-        for (k, &height) in heights.iter().enumerate() {
-            let height = height + raise;
-            if height <= soil {
-                continue;
-            }
-            if self.taken[i] & (1 << k) == 0 {
-                self.taken[i] |= 1 << k;
-                surface[k] = height;
-                claim.fresh += 1;
-                claim.risen += height;
-                let share = lesser((height - soil) * self.firm, 1.0);
-                claim.bare += share;
-                claim.add(height, share);
-                continue;
-            }
-            let above = height - surface[k];
-            if above > -0.5 * EVEN {
-                let share = lesser(above * (1.0 / EVEN) + 0.5, 1.0);
-                claim.share += share;
-                claim.add(height, share);
-            }
-            if above > 0.0 {
-                surface[k] = height;
-                claim.won += 1;
-                claim.gained += above;
-            }
-        }
-        claim
-    }
-
-    /// A pixel belongs to whoever has most of its samples; to the stone that came first, of equals,
-    /// and never to the ground where a stone has half of it.
-    fn has_most(&mut self, i: usize, count: u8) -> bool {
-        let most = count > self.share[i] && usize::from(count) * 2 >= PER_PIXEL;
-        if most {
-            self.share[i] = count;
-        }
-        most
-    }
-}
-
-/// Deviation of the relief that is added to stones, in picture units, or else the ground would swallow low
-/// ones not more than a part of the joints' depth; skin brings its noise along.
-pub(super) fn relief(params: &TextureParams) -> f32 {
-    match params.stone.kind {
-        StoneKind::Skin => 0.0,
-        _ => {
-            let wanted = params.amplitude * RELIEF * f64::from(palette(params.palette).relief);
-            wanted.min(MOST_RELIEF * joint_depth(&params.stone, params.size)) as f32
-        }
-    }
-}
-
-/// At most as if joints were so deep, in picture units, the ground swells: tall stones do not stand on
-/// hills.
-fn swell(params: &TextureParams) -> f64 {
-    match params.stone.kind {
-        StoneKind::Skin => f64::INFINITY,
-        _ => SWELL * params.size,
-    }
-}
-
-/// How deep the joints of a stone are, of those that have all their unevenness, 0..1: low stones lie even.
-fn laid_deep(stone: &StoneParams, size: f64) -> f64 {
-    match stone.kind {
-        StoneKind::Skin => 1.0,
-        _ => (joint_depth(stone, size) / (UNEVEN * size)).min(1.0),
-    }
-}
-
-/// The face of a cell's stone. Not inlined: its draws are long.
-#[inline(never)]
-pub(super) fn skin(params: &TextureParams, cell: &Cell, coat: Coat) -> Skin {
-    let uneven = (params.stone.distortion / 0.3).min(1.0) * laid_deep(&params.stone, cell.size);
-    Skin::new(
-        palette(params.palette),
-        cell,
-        params.seed,
-        (params.vary as f32, uneven as f32),
-        coat,
-        (params.colour.rim as f32, lean(cell, &params.stone)),
-    )
 }
 
 /// The ways to the other pictures in which an image of a stone reaches into this one.
@@ -507,30 +326,6 @@ fn images(vertices: &[Vec3], side: i32) -> Vec<[i32; 2]> {
         }
     }
     images
-}
-
-/// What a stone gets of the samples of a pixel.
-#[derive(Clone, Copy, Default)]
-struct Claim {
-    /// Samples that were the ground's, the sum of the heights there, and its share in their colour.
-    fresh: u8,
-    risen: f32,
-    bare: f32,
-    /// Samples at which it is higher than stones before it, and by how much together.
-    won: u8,
-    gained: f32,
-    /// Its share in the colour of samples that other stones have, too.
-    share: f32,
-    /// The sum of its heights where it is seen, each as much as it is seen, and how much that is.
-    sum: f32,
-    weight: f32,
-}
-
-impl Claim {
-    fn add(&mut self, height: f32, share: f32) {
-        self.sum += height * share;
-        self.weight += share;
-    }
 }
 
 fn bytes(colour: [f32; 3]) -> [u8; 3] {

@@ -3,7 +3,6 @@
 //! To the solid, which is open at its base, come a cap over the base, the relief that the painter adds
 //! to stones, and at each vertex the colour that the picture has there.
 
-use super::painter::{relief, skin};
 use super::{Planes, TextureParams};
 use crate::cells::Cell;
 use crate::material::{Coat, Patterns, Skin, floor};
@@ -48,7 +47,7 @@ impl Surfaces {
     pub fn new(params: TextureParams) -> Self {
         Self {
             patterns: Patterns::new(params.seed, params.size, params.dimension, 0),
-            relief: relief(&params),
+            relief: params.relief(),
             rims: Vec::new(),
             params,
         }
@@ -62,7 +61,7 @@ impl Surfaces {
         }
         let rim = self.rim(solid);
         let mut positions = solid.vertices.clone();
-        let skin = skin(&self.params, cell, Coat::default());
+        let skin = self.params.face(cell, Coat::default());
         self.roughen(&skin, &mut positions);
         let normals = normals(&positions, &solid.triangles);
         let colours = colours(&positions, &solid.triangles, index as u32 + 1, planes);
