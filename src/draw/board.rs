@@ -1,32 +1,11 @@
-//! A board for drawings of the stages before the picture: filled rings and strokes with soft edges,
-//! by tiny-skia.
-//!
-//! Coordinates are picture units, one to a pixel, y down. What is drawn is shown, never worked on:
-//! no result depends on it.
+//! Layers as pixels, with soft edges, by tiny-skia. A picture unit is a pixel.
 
+use super::colour::Tint;
+use super::layer::{Layer, Pen};
+use super::shapes::{MITRE, bar, beside, copies, rounded};
 use glam::DVec2;
 use std::ops::Range;
 use tiny_skia::{Color, FillRule, Paint, Path, PathBuilder, Pixmap, PixmapMut, Shader, Transform};
-
-/// A colour as red, green, blue (sRGB) and opacity, each 0..=1.
-pub type Tint = [f32; 4];
-
-/// What a drawing lies on.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Paper {
-    /// The picture around the outline.
-    pub surround: Tint,
-    /// The area to be paved.
-    pub bed: Tint,
-    /// The boundary.
-    pub line: Tint,
-}
-
-/// The rim of lines over pictures.
-pub const CASING: Tint = [0.08, 0.06, 0.05, 0.50];
-
-/// The rim of thin lines over pictures.
-const RIM: Tint = [0.06, 0.04, 0.07, 0.82];
 
 /// A square picture to draw on; all its pixels are opaque.
 #[derive(Clone, Debug)]
@@ -72,10 +51,28 @@ impl Board {
         self.rows = all;
     }
 
-    /// Fills the area that the rings run around, in one colour, corners rounded by up to `round`
-    /// pixels; what two rings of the same sense share is filled once, what they share against each
-    /// other is left out.
-    pub fn fill(&mut self, rings: &[&[DVec2]], tint: Tint, round: f64) {
+    /// Draws layers, each over those before it.
+    pub fn draw(&mut self, layers: &[Layer]) {
+        for layer in layers {
+            for shape in &layer.shapes {
+                if let Some(tint) = shape.fill {
+                    self.fill(&refs(&shape.paths), tint, shape.round);
+                }
+            }
+            let Some(pen) = layer.pen else {
+                continue;
+            };
+            let paths = layer.shapes.iter().flat_map(|shape| &shape.paths);
+            let paths: Vec<&[DVec2]> = paths.map(Vec::as_slice).collect();
+            match pen.is_open {
+                true => self.strokes(&paths, pen.tint, pen.width),
+                false => self.edges(&paths, &pen),
+            }
+        }
+    }
+
+    /// See [`Shape::fill`].
+    pub(super) fn fill(&mut self, rings: &[&[DVec2]], tint: Tint, round: f64) {
         let mut builder = PathBuilder::new();
         for ring in rings.iter().filter(|ring| self.reaches(ring, 0.0)) {
             self.trace(&mut builder, &[&rounded(ring, round)]);
@@ -83,44 +80,31 @@ impl Board {
         self.fill_path(builder.finish(), tint);
     }
 
-    /// Draws the lines of rings, `width` pixels wide, in one colour; where lines meet or cross they
-    /// are not darker.
-    pub fn edges(&mut self, rings: &[&[DVec2]], tint: Tint, width: f64, round: f64) {
+    /// Draws the lines of rings.
+    fn edges(&mut self, rings: &[&[DVec2]], pen: &Pen) {
         let mut builder = PathBuilder::new();
-        for ring in rings
-            .iter()
-            .filter(|ring| self.reaches(ring, MITRE * width))
-        {
-            let ring = rounded(ring, round);
-            let outer = beside(&ring, width / 2.0);
-            let mut inner = beside(&ring, -width / 2.0);
+        let reach = MITRE * pen.width;
+        for ring in rings.iter().filter(|ring| self.reaches(ring, reach)) {
+            let ring = rounded(ring, pen.round);
+            let outer = beside(&ring, pen.width / 2.0);
+            let mut inner = beside(&ring, -pen.width / 2.0);
             inner.reverse();
             self.trace(&mut builder, &[&outer, &inner]);
         }
+        self.fill_path(builder.finish(), pen.tint);
+    }
+
+    /// Draws lines through points. They are filled bars: tiny-skia's own strokes are a twentieth of the
+    /// WebAssembly module.
+    fn strokes(&mut self, lines: &[&[DVec2]], tint: Tint, width: f64) {
+        let mut builder = PathBuilder::new();
+        for piece in lines.iter().flat_map(|line| line.windows(2)) {
+            let bar = bar([piece[0], piece[1]], width);
+            if self.reaches(&bar, 0.0) {
+                self.trace(&mut builder, &[&bar]);
+            }
+        }
         self.fill_path(builder.finish(), tint);
-    }
-
-    /// Draws separate lines of one colour, `width` pixels wide.
-    pub fn strokes(&mut self, lines: &[[DVec2; 2]], tint: Tint, width: f64) {
-        // Bars to fill: tiny-skia's own strokes are a twentieth of the WebAssembly module.
-        let bars: Vec<[DVec2; 4]> = lines.iter().map(|&line| bar(line, width)).collect();
-        let bars: Vec<&[DVec2]> = bars.iter().map(|bar| bar.as_slice()).collect();
-        self.fill(&bars, tint, 0.0);
-    }
-
-    /// Draws separate lines that stand out from whatever is below: light, with a dark rim.
-    #[inline(never)]
-    pub fn cased(&mut self, lines: &[[DVec2; 2]], tint: Tint, width: f64) {
-        self.strokes(lines, CASING, 2.0 * width + 0.6);
-        self.strokes(lines, tint, width);
-    }
-
-    /// The same for few thin lines: the rim is as wide as the line on each side, and nearly black, so that
-    /// pale stones do not swallow it.
-    #[inline(never)]
-    pub fn rimmed(&mut self, lines: &[[DVec2; 2]], tint: Tint, width: f64) {
-        self.strokes(lines, RIM, 3.0 * width + 0.4);
-        self.strokes(lines, tint, width);
     }
 
     fn fill_path(&mut self, path: Option<Path>, tint: Tint) {
@@ -163,22 +147,6 @@ impl Board {
         }
     }
 
-    /// Draws lines through points, `width` pixels wide.
-    pub fn polylines(&mut self, lines: &[Vec<DVec2>], tint: Tint, width: f64) {
-        self.strokes(&pieces_of(lines), tint, width);
-    }
-
-    /// Draws a circle.
-    pub fn circle(&mut self, centre: DVec2, radius: f64, tint: Tint, width: f64) {
-        let ring = round(centre, radius);
-        self.edges(&[&ring], tint, width, 0.0);
-    }
-
-    /// Draws a filled dot.
-    pub fn dot(&mut self, centre: DVec2, radius: f64, tint: Tint) {
-        self.fill(&[&round(centre, radius)], tint, 0.0);
-    }
-
     /// The pixels, red, green, blue, opacity, all opaque, row after row from the top.
     pub fn rgba(&self) -> &[u8] {
         self.pixmap.data()
@@ -202,45 +170,6 @@ impl Board {
     }
 }
 
-/// Where the images of a ring are that reach into a tile of that side from beyond its edges.
-pub fn copies(ring: &[DVec2], side: f64) -> Vec<DVec2> {
-    let lo = ring.iter().fold(DVec2::INFINITY, |lo, &p| lo.min(p));
-    let hi = ring.iter().fold(DVec2::NEG_INFINITY, |hi, &p| hi.max(p));
-    let steps = |lo: f64, hi: f64| {
-        let ways = [(0.0, true), (side, lo < 0.0), (-side, hi > side)];
-        ways.into_iter().filter(|way| way.1).map(|way| way.0)
-    };
-    let shifts = steps(lo.y, hi.y).flat_map(|y| steps(lo.x, hi.x).map(move |x| DVec2::new(x, y)));
-    shifts.filter(|&shift| shift != DVec2::ZERO).collect()
-}
-
-/// The lines of open polylines.
-pub(super) fn pieces_of(lines: &[Vec<DVec2>]) -> Vec<[DVec2; 2]> {
-    let pieces = lines.iter().flat_map(|line| line.windows(2));
-    pieces.map(|w| [w[0], w[1]]).collect()
-}
-
-/// The lines of rings.
-#[inline(never)]
-pub fn lines_of(rings: &[&[DVec2]]) -> Vec<[DVec2; 2]> {
-    let mut lines = Vec::new();
-    for ring in rings {
-        let next = ring.iter().cycle().skip(1);
-        lines.extend(ring.iter().zip(next).map(|(&a, &b)| [a, b]));
-    }
-    lines
-}
-
-/// The corners of a polygon that passes for a circle.
-pub fn round(centre: DVec2, radius: f64) -> Vec<DVec2> {
-    let count = if radius < 12.0 { 12 } else { 64 };
-    let point = |k: i32| {
-        let turn = std::f64::consts::TAU * f64::from(k) / f64::from(count);
-        centre + radius * DVec2::new(libm::cos(turn), libm::sin(turn))
-    };
-    (0..count).map(point).collect()
-}
-
 /// Adds a closed ring to a path, moved by `shift`.
 fn trace(builder: &mut PathBuilder, ring: &[DVec2], shift: DVec2) {
     for (k, &p) in ring.iter().enumerate() {
@@ -256,54 +185,8 @@ fn trace(builder: &mut PathBuilder, ring: &[DVec2], shift: DVec2) {
     }
 }
 
-/// Corners that turn by less than the angle of this cosine are not rounded.
-const FLAT: f64 = 0.9;
-
-/// The ring with its corners cut round, by up to `round` pixels.
-fn rounded(ring: &[DVec2], round: f64) -> Vec<DVec2> {
-    let n = ring.len();
-    let mut points = Vec::with_capacity(3 * n);
-    for (k, &corner) in ring.iter().enumerate() {
-        let (to, from) = (ring[(k + 1) % n] - corner, ring[(k + n - 1) % n] - corner);
-        let reach = round.min(0.4 * to.length().min(from.length()));
-        let is_flat = -to.dot(from) > FLAT * to.length() * from.length();
-        if reach < 0.2 || is_flat {
-            points.push(corner);
-            continue;
-        }
-        let start = corner + from.normalize_or_zero() * reach;
-        let end = corner + to.normalize_or_zero() * reach;
-        // The middle of the parabola that touches both sides.
-        points.extend([start, 0.5 * corner + 0.25 * (start + end), end]);
-    }
-    points
-}
-
-/// Corners stand out at most this many times as far as sides.
-const MITRE: f64 = 2.0;
-
-/// The ring moved out by `by` pixels, or in where that is negative; of clockwise ones (on screen).
-fn beside(ring: &[DVec2], by: f64) -> Vec<DVec2> {
-    let n = ring.len();
-    let out = |k: usize| -(ring[(k + 1) % n] - ring[k % n]).normalize_or_zero().perp();
-    let moved = |k: usize| {
-        let (before, after) = (out(k + n - 1), out(k));
-        let mitre = (before + after) / (1.0 + before.dot(after)).max(1e-9);
-        ring[k] + by * mitre.clamp_length_max(MITRE)
-    };
-    (0..n).map(moved).collect()
-}
-
-/// The corners of a line of some width; it reaches half of it beyond its ends, so that joints close.
-pub(super) fn bar([from, to]: [DVec2; 2], width: f64) -> [DVec2; 4] {
-    let along = (to - from).normalize_or_zero() * (width / 2.0);
-    let across = along.perp();
-    [
-        from - along - across,
-        to + along - across,
-        to + along + across,
-        from - along + across,
-    ]
+fn refs(paths: &[Vec<DVec2>]) -> Vec<&[DVec2]> {
+    paths.iter().map(Vec::as_slice).collect()
 }
 
 fn colour(tint: Tint) -> Color {
@@ -318,22 +201,11 @@ fn paint(tint: Tint) -> Paint<'static> {
     }
 }
 
-/// The colour a share `t` (0..=1) of the way from `a` to `b`.
-#[inline(never)]
-pub fn blend(a: Tint, b: Tint, t: f32) -> Tint {
-    let t = t.clamp(0.0, 1.0);
-    std::array::from_fn(|k| a[k] + (b[k] - a[k]) * t)
-}
-
-/// A colour `factor` times as light, of the same opacity.
-pub fn lit(tint: Tint, factor: f32) -> Tint {
-    let [r, g, b, a] = tint;
-    [r * factor, g * factor, b * factor, a]
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::draw::shapes::round;
+    use crate::draw::{Paper, Shape};
 
     const PAPER: Paper = Paper {
         surround: [0.2, 0.4, 0.6, 1.0],
@@ -346,6 +218,14 @@ mod tests {
         [(lo, lo), (hi, lo), (hi, hi), (lo, hi)]
             .map(DVec2::from)
             .to_vec()
+    }
+
+    fn edges(rings: Vec<Vec<DVec2>>, tint: Tint, width: f64, round: f64) -> Layer {
+        Layer::shapes(vec![Shape::bare(rings)]).edged(tint, width, round)
+    }
+
+    fn line(points: [(f64, f64); 2], tint: Tint, width: f64) -> Layer {
+        Layer::lines(vec![points.map(DVec2::from).to_vec()], tint, width)
     }
 
     fn pixel(board: &Board, x: usize, y: usize) -> [u8; 4] {
@@ -386,12 +266,8 @@ mod tests {
     fn lines_that_leave_a_tile_come_in_again_and_fill_nothing() {
         let mut board = Board::new(64, [0.0, 0.0, 0.0, 1.0]);
         board.repeat();
-        board.edges(
-            &[&square(-10.0, 10.0), &square(20.0, 40.0)],
-            WHITE,
-            2.0,
-            0.0,
-        );
+        let rings = vec![square(-10.0, 10.0), square(20.0, 40.0)];
+        board.draw(&[edges(rings, WHITE, 2.0, 0.0)]);
         for (x, y) in [(10, 3), (54, 3), (54, 60), (3, 54), (20, 30)] {
             assert!(pixel(&board, x, y)[0] > 100, "{x} {y}");
         }
@@ -400,11 +276,7 @@ mod tests {
         }
         let mut bars = Board::new(64, [0.0, 0.0, 0.0, 1.0]);
         bars.repeat();
-        bars.strokes(
-            &[[DVec2::new(60.0, 30.0), DVec2::new(70.0, 30.0)]],
-            WHITE,
-            4.0,
-        );
+        bars.draw(&[line([(60.0, 30.0), (70.0, 30.0)], WHITE, 4.0)]);
         assert_eq!([pixel(&bars, 62, 30)[0], pixel(&bars, 3, 30)[0]], [255; 2]);
         assert_eq!(pixel(&bars, 30, 30)[0], 0);
     }
@@ -413,12 +285,11 @@ mod tests {
     fn rows_are_drawn_as_they_are_with_all_others() {
         let draw = |board: &mut Board| {
             board.fill(&[&round(DVec2::new(60.0, 55.0), 23.7)], WHITE, 0.0);
-            board.edges(&[&square(-10.2, 33.3)], PAPER.surround, 2.3, 4.0);
-            board.strokes(
-                &[[DVec2::new(3.0, 61.7), DVec2::new(50.0, 9.1)]],
-                PAPER.line,
-                1.6,
-            );
+            let rings = vec![square(-10.2, 33.3)];
+            board.draw(&[
+                edges(rings, PAPER.surround, 2.3, 4.0),
+                line([(3.0, 61.7), (50.0, 9.1)], PAPER.line, 1.6),
+            ]);
         };
         for tile in [false, true] {
             let [mut whole, mut pieces] = [(); 2].map(|()| Board::new(64, PAPER.bed));
@@ -479,10 +350,10 @@ mod tests {
         let far = square(1e7, 2e7);
         for ring in [&[][..], &[DVec2::ZERO], &far, &[DVec2::NAN; 3]] {
             board.fill(&[ring], WHITE, 1.0);
-            board.edges(&[ring], WHITE, 1.0, 1.0);
+            board.draw(&[edges(vec![ring.to_vec()], WHITE, 1.0, 1.0)]);
         }
-        board.strokes(&[], WHITE, 1.0);
-        board.strokes(&[[DVec2::NAN; 2]], WHITE, 1.0);
+        board.draw(&[Layer::lines(Vec::new(), WHITE, 1.0)]);
+        board.draw(&[line([(f64::NAN, f64::NAN); 2], WHITE, 1.0)]);
         assert_eq!(before, board.rgba());
     }
 

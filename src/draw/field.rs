@@ -1,8 +1,8 @@
 //! The direction field with all that shapes it, and its singular points.
 
-use super::board::{Board, Tint, lines_of, pieces_of, round};
+use super::shapes::{closed, round};
 use super::stages::{INK, lines};
-use super::tones::SHEET;
+use super::{Layer, SHEET, Shape, Tint};
 use crate::domain::Domain;
 use crate::field::{Fields, Singularity, Spot};
 use glam::DVec2;
@@ -19,39 +19,50 @@ const STROKE: Tint = [0.16, 0.46, 0.33, 1.0];
 const SIZE_SPOT: Tint = [0.62, 0.40, 0.08, 0.9];
 const ASPECT_SPOT: Tint = [0.45, 0.25, 0.55, 0.9];
 
-/// Draws the field as crosses on a grid, as long as the cells wanted there as far as the grid has
-/// room, a dot where there is no direction; strokes, constraint lines, spots and singular points.
-pub fn direction(board: &mut Board, domain: &Domain, fields: &Fields, side: f64) {
+/// The field as crosses on a grid, as long as the cells wanted there as far as the grid has room, a dot
+/// where there is no direction; strokes, constraint lines, spots and singular points.
+pub fn direction(domain: &Domain, fields: &Fields, side: f64) -> Vec<Layer> {
     let thin = (side / 360.0).clamp(1.0, 3.0);
     let params = fields.params();
-    spots(board, &params.size_spots, SIZE_SPOT, thin);
-    spots(board, &params.aspect_spots, ASPECT_SPOT, thin);
-    let arms = crosses(board, domain, fields, side, (side / 30.0).max(9.0));
-    board.strokes(&arms, CROSS, thin);
-    lines(domain, side).draw(board);
-    board.polylines(&params.strokes, STROKE, 2.5 * thin);
-    singularities(board, domain, fields, side);
+    let mut layers = Vec::new();
+    spots(&mut layers, &params.size_spots, SIZE_SPOT, thin);
+    spots(&mut layers, &params.aspect_spots, ASPECT_SPOT, thin);
+    let (arms, dots) = crosses(domain, fields, side, (side / 30.0).max(9.0));
+    layers.extend([
+        dots,
+        Layer::lines(arms, CROSS, thin),
+        lines(domain, side),
+        Layer::lines(params.strokes.clone(), STROKE, 2.5 * thin),
+    ]);
+    layers.extend(singularities(domain, fields, side));
+    layers
 }
 
-/// Draws the field over a picture: the crosses, strokes, constraint lines and spots.
-pub fn direction_over(board: &mut Board, domain: &Domain, fields: &Fields, side: f64) {
+/// The field over a picture: the crosses, strokes, constraint lines and spots.
+pub fn direction_over(domain: &Domain, fields: &Fields, side: f64) -> Vec<Layer> {
     let thin = (side / 400.0).clamp(1.0, 3.0);
     let params = fields.params();
-    for spots in [&params.size_spots, &params.aspect_spots] {
-        for spot in spots {
-            let rim = [0.54, 1.0].map(|share| round(spot.centre, share * spot.radius));
-            board.rimmed(&lines_of(&[&rim[0], &rim[1]]), SPOT_OVER, thin);
-        }
+    let mut layers = Vec::new();
+    for spot in params.size_spots.iter().chain(&params.aspect_spots) {
+        let rim = [0.54, 1.0].map(|share| closed(&round(spot.centre, share * spot.radius)));
+        layers.extend(Layer::rimmed(rim.into(), SPOT_OVER, thin));
     }
-    let arms = crosses(board, domain, fields, side, (side / 23.0).max(12.0));
-    board.rimmed(&arms, CROSS_OVER, thin);
-    board.rimmed(&pieces_of(domain.lines()), CROSS_OVER, 1.3 * thin);
-    board.rimmed(&pieces_of(&params.strokes), STROKE_OVER, 2.0 * thin);
+    let (arms, dots) = crosses(domain, fields, side, (side / 23.0).max(12.0));
+    layers.push(dots);
+    for (lines, tint, width) in [
+        (arms, CROSS_OVER, thin),
+        (domain.lines().to_vec(), CROSS_OVER, 1.3 * thin),
+        (params.strokes.clone(), STROKE_OVER, 2.0 * thin),
+    ] {
+        layers.extend(Layer::rimmed(lines, tint, width));
+    }
+    layers
 }
 
-/// Draws the singular points of the direction with their index.
+/// The singular points of the direction with their index.
 #[inline(never)]
-pub fn singularities(board: &mut Board, domain: &Domain, fields: &Fields, side: f64) {
+pub fn singularities(domain: &Domain, fields: &Fields, side: f64) -> Vec<Layer> {
+    let mut layers = Vec::new();
     let unit = (side / 170.0).clamp(2.0, 6.0);
     let points = fields.singularities(domain);
     let middle = points.iter().map(|s| s.point.x).sum::<f64>() / points.len().max(1) as f64;
@@ -60,33 +71,28 @@ pub fn singularities(board: &mut Board, domain: &Domain, fields: &Fields, side: 
         let room = LABEL * unit;
         let x = point.point.x;
         let left = (x < middle - unit && x > room) || x + room > side;
-        index(board, point, unit, left);
+        layers.extend(index(point, unit, left));
     }
-    for point in &points {
-        mark(board, point, unit);
-    }
+    let marks = points.iter().flat_map(|point| mark(point, unit));
+    layers.push(Layer::shapes(marks.collect()));
+    layers
 }
 
-fn spots(board: &mut Board, spots: &[Spot], tint: Tint, width: f64) {
+fn spots(layers: &mut Vec<Layer>, spots: &[Spot], tint: Tint, width: f64) {
     for spot in spots {
         // Where it has its full share, half of it and none.
         for share in [0.05, 0.54, 1.0] {
-            board.circle(spot.centre, share * spot.radius, tint, width);
+            let circle = round(spot.centre, share * spot.radius);
+            layers.push(Layer::edges(vec![circle], tint, width));
         }
     }
 }
 
-/// The arms of the crosses; where there is no direction a dot is drawn.
-fn crosses(
-    board: &mut Board,
-    domain: &Domain,
-    fields: &Fields,
-    side: f64,
-    step: f64,
-) -> Vec<[DVec2; 2]> {
+/// The arms of the crosses, and dots where there is no direction.
+fn crosses(domain: &Domain, fields: &Fields, side: f64, step: f64) -> (Vec<Vec<DVec2>>, Layer) {
     let count = (side / step) as usize;
     let margin = (side - step * count as f64) / 2.0;
-    let mut arms = Vec::new();
+    let (mut arms, mut dots) = (Vec::new(), Vec::new());
     for k in 0..count * count {
         let square = DVec2::new((k % count) as f64 + 0.5, (k / count) as f64 + 0.5);
         let p = DVec2::splat(margin) + step * square;
@@ -96,7 +102,7 @@ fn crosses(
         }
         let axis = fields.direction(p);
         if axis == DVec2::ZERO {
-            board.dot(p, step / 8.0, NO_DIRECTION);
+            dots.push(Shape::dot(p, step / 8.0, NO_DIRECTION));
             continue;
         }
         // Inside the outline, too.
@@ -107,35 +113,31 @@ fn crosses(
             _ => (1.0 / fields.aspect(p)).min(0.4),
         };
         for along in [axis * arm, axis.perp() * (arm * short)] {
-            arms.push([p - along, p + along]);
+            arms.push(vec![p - along, p + along]);
         }
     }
-    arms
+    (arms, Layer::shapes(dots))
 }
 
 /// The width of an index and its distance from the point, in units.
 const LABEL: f64 = 14.0;
 
 /// A disc where the index is positive, a square on its tip where it is negative.
-fn mark(board: &mut Board, point: &Singularity, unit: f64) {
+fn mark(point: &Singularity, unit: f64) -> [Shape; 2] {
     let (p, turns_with) = (point.point, point.index > 0.0);
     let tint = if turns_with { WITH } else { AGAINST };
-    for (radius, tint) in [(2.1 * unit, SHEET.bed), (1.6 * unit, tint)] {
+    [(2.1 * unit, SHEET.bed), (1.6 * unit, tint)].map(|(radius, tint)| {
         if turns_with {
-            board.dot(p, radius, tint);
-        } else {
-            let tip = |c: DVec2| p + 1.2 * radius * c;
-            board.fill(
-                &[&[DVec2::X, DVec2::Y, -DVec2::X, -DVec2::Y].map(tip)],
-                tint,
-                0.0,
-            );
+            return Shape::dot(p, radius, tint);
         }
-    }
+        let tip = |c: DVec2| p + 1.2 * radius * c;
+        let tips = [DVec2::X, DVec2::Y, -DVec2::X, -DVec2::Y].map(tip);
+        Shape::fill(vec![tips.to_vec()], tint, 0.0)
+    })
 }
 
-/// Writes an index beside its point.
-fn index(board: &mut Board, point: &Singularity, unit: f64, left: bool) {
+/// An index beside its point.
+fn index(point: &Singularity, unit: f64, left: bool) -> [Layer; 2] {
     let word = signs(point.index);
     let start = match left {
         true => -2.8 - 2.4 * word.len() as f64,
@@ -147,10 +149,12 @@ fn index(board: &mut Board, point: &Singularity, unit: f64, left: bool) {
         let at = |place: u8| {
             corner + 0.9 * unit * DVec2::new(f64::from(place % 3), f64::from(place / 3))
         };
-        bars.extend(sign.iter().map(|&[a, b]| [at(a), at(b)]));
+        bars.extend(sign.iter().map(|&[a, b]| vec![at(a), at(b)]));
     }
-    board.strokes(&bars, SHEET.bed, 1.6 * unit);
-    board.strokes(&bars, INK, 0.5 * unit);
+    [
+        Layer::lines(bars.clone(), SHEET.bed, 1.6 * unit),
+        Layer::lines(bars, INK, 0.5 * unit),
+    ]
 }
 
 /// Bars between places of a grid of 3 columns and 5 rows, numbered from the upper left.

@@ -1,10 +1,10 @@
 //! What packed cells bear: the net force on each, and its potential energy.
 
-use super::board::{Board, CASING, Tint, lines_of};
-use super::over::{in_steps, scale, shapes};
+use super::layer::CASING;
+use super::over::{in_steps, lines_of, scale, shapes};
 use super::stages::{line_width, mean};
+use super::{Layer, Tint};
 use crate::packing::{Load, Particle};
-use glam::DVec2;
 
 const ARROW: Tint = [1.0, 0.36, 0.66, 1.0];
 /// An arrow's length, in cell sizes, for a force of 1 ...
@@ -22,9 +22,9 @@ const PUSHED: Tint = [0.90, 0.16, 0.08, 0.72];
 const REST: [f64; 2] = [-0.20, -0.145];
 const STEPS: usize = 24;
 
-/// Draws the net force on each cell as an arrow, as long as the root of the force, so that weak ones
-/// are still seen.
-pub fn forces(board: &mut Board, loads: &[(Particle, Load)]) {
+/// The net force on each cell as an arrow, as long as the root of the force, so that weak ones are still
+/// seen.
+pub fn forces(loads: &[(Particle, Load)]) -> Vec<Layer> {
     let size = mean(loads.iter().map(|(p, _)| p.size));
     let width = 0.9 * line_width(size);
     let (mut shafts, mut heads, mut rims) = (Vec::new(), Vec::new(), Vec::new());
@@ -46,14 +46,13 @@ pub fn forces(board: &mut Board, loads: &[(Particle, Load)]) {
                 neck - along * reach - across,
             ]
         };
-        shafts.push([particle.centre, neck]);
+        shafts.push(vec![particle.centre, neck]);
         heads.push(triangle(0.0));
         rims.push(triangle(0.5 * width + 0.3));
     }
-    board.strokes(&shafts, CASING, 2.0 * width + 0.6);
-    board.fill(&refs(&rims), CASING, 0.0);
-    board.strokes(&shafts, ARROW, width);
-    board.fill(&refs(&heads), ARROW, 0.0);
+    let [rim, shaft] = Layer::cased(shafts, ARROW, width);
+    let [rims, heads] = [(rims, CASING), (heads, ARROW)].map(|(r, tint)| Layer::fill(r, tint, 0.0));
+    vec![rim, rims, shaft, heads]
 }
 
 /// Is no force worth an arrow?
@@ -65,20 +64,15 @@ fn is_seen(particle: &Particle, load: &Load) -> bool {
     !particle.fixed && load.force.length() >= LEAST
 }
 
-#[inline(never)]
-fn refs(rings: &[Vec<DVec2>]) -> Vec<&[DVec2]> {
-    rings.iter().map(Vec::as_slice).collect()
-}
-
-/// Fills each cell by its energy: blue where its neighbours hold it, red where they press it.
-pub fn energy(board: &mut Board, loads: &[(Particle, Load)]) {
+/// Each cell filled by its energy: blue where its neighbours hold it, red where they press it.
+pub fn energy(loads: &[(Particle, Load)]) -> Vec<Layer> {
     let rings = shapes(&mut loads.iter().map(|(p, _)| p), 0.94);
     let share = |(particle, load): &(Particle, Load)| {
         let rest = REST[usize::from(!particle.kind.has_corners())];
         (1.0 - load.energy / rest) as f32
     };
     let shares: Vec<f32> = loads.iter().map(share).collect();
-    in_steps(board, &rings, &shares, &scale([HELD, HALF, PUSHED], STEPS));
+    let filled = in_steps(&rings, &shares, &scale([HELD, HALF, PUSHED], STEPS));
     let width = line_width(mean(loads.iter().map(|(p, _)| p.size)));
-    board.strokes(&lines_of(&refs(&rings)), CASING, 0.8 * width);
+    vec![filled, Layer::lines(lines_of(&rings), CASING, 0.8 * width)]
 }

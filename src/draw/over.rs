@@ -1,8 +1,9 @@
 //! Drawings over a picture: shapes and lines in light colours, with dark rims, each in a hue of its
 //! own, so that several can be told apart.
 
-use super::board::{Board, Tint, blend, lines_of};
-use super::stages::{elements, line_width, mean, mesh_width};
+use super::shapes::closed;
+use super::stages::{elements, line_width, mean, mean_size, mesh_width};
+use super::{Layer, Shape, Tint, blend};
 use crate::cells::Cell;
 use crate::domain::Domain;
 use crate::field::Fields;
@@ -25,16 +26,29 @@ const EVEN: Tint = [0.96, 0.90, 1.0, 0.16];
 const STRETCHED: Tint = [0.56, 0.22, 0.85, 0.71];
 const RIM: Tint = [0.96, 0.90, 1.0, 1.0];
 
-/// Fills rings in the colours of a scale, those of one colour together.
+/// Rings filled in the colours of a scale, those of one colour together.
 #[inline(never)]
-pub(super) fn in_steps(board: &mut Board, rings: &[Vec<DVec2>], shares: &[f32], scale: &[Tint]) {
+pub(super) fn in_steps(rings: &[Vec<DVec2>], shares: &[f32], scale: &[Tint]) -> Layer {
     let top = scale.len().saturating_sub(1);
-    for (step, &tint) in scale.iter().enumerate() {
+    let shape = |(step, &tint): (usize, &Tint)| {
         let here = |share: f32| (share.clamp(0.0, 1.0) * top as f32 + 0.5) as usize == step;
         let some = rings.iter().zip(shares).filter(|&(_, &share)| here(share));
-        let some: Vec<&[DVec2]> = some.map(|(ring, _)| ring.as_slice()).collect();
-        board.fill(&some, tint, 0.0);
-    }
+        let some = some.map(|(ring, _)| ring.clone()).collect();
+        Shape::fill(some, tint, 0.0)
+    };
+    Layer::shapes(scale.iter().enumerate().map(shape).collect())
+}
+
+/// The lines around rings, to be drawn as such.
+#[inline(never)]
+pub(super) fn lines_of(rings: &[Vec<DVec2>]) -> Vec<Vec<DVec2>> {
+    rings.iter().map(|ring| closed(ring)).collect()
+}
+
+/// What is filled, and light lines over it.
+fn with_lines(filled: Layer, lines: [Layer; 2]) -> Vec<Layer> {
+    let [rim, line] = lines;
+    vec![filled, rim, line]
 }
 
 /// Colours from one over another in the middle to a third.
@@ -59,37 +73,36 @@ pub(super) fn shapes(
     particles.map(|p| p.ring(factor, 16)).collect()
 }
 
-/// Draws packed cells as outlines, red where neighbours stand in them and blue where they are alone.
-pub fn packed(board: &mut Board, particles: &[Particle], stress: &[Stress]) {
+/// Packed cells as outlines, red where neighbours stand in them and blue where they are alone.
+pub fn packed(particles: &[Particle], stress: &[Stress]) -> Vec<Layer> {
     let rings = shapes(&mut particles.iter(), 1.0);
     // From 0, all alone, to 1, deep in each other.
     let lot = |s: &Stress| 0.5 + 0.5 * (s.pressed - if s.pressed > 0.0 { 0.0 } else { s.alone });
     let lots: Vec<f32> = stress.iter().map(lot).collect();
-    in_steps(board, &rings, &lots, &scale([ALONE, FREE, PRESSED], STEPS));
+    let filled = in_steps(&rings, &lots, &scale([ALONE, FREE, PRESSED], STEPS));
     let width = line_width(mean(particles.iter().map(|p| p.size)));
-    let rings: Vec<&[DVec2]> = rings.iter().map(Vec::as_slice).collect();
-    board.cased(&lines_of(&rings), PACKED, width);
+    with_lines(filled, Layer::cased(lines_of(&rings), PACKED, width))
 }
 
-/// Draws the cells' polygons as lines.
-pub fn cells(board: &mut Board, cells: &[Cell]) {
-    let rings: Vec<&[DVec2]> = cells.iter().map(|c| c.ring.as_slice()).collect();
-    let width = line_width(mean(cells.iter().map(|c| c.size)));
-    board.cased(&lines_of(&rings), CELL, width);
+/// The cells' polygons as lines.
+pub fn cells(cells: &[Cell]) -> [Layer; 2] {
+    let width = line_width(mean_size(cells));
+    let lines = cells.iter().map(|c| closed(&c.ring)).collect();
+    Layer::cased(lines, CELL, width)
 }
 
-/// Draws the mesh as lines; triangles among cells with corners, which found no partner, are filled.
-pub fn mesh(board: &mut Board, mesh: &Mesh, fields: &Fields) {
+/// The mesh as lines; triangles among cells with corners, which found no partner, are filled.
+pub fn mesh(mesh: &Mesh, fields: &Fields) -> Vec<Layer> {
     let elements = elements(mesh, fields);
-    let lone: Vec<&[DVec2]> = elements.iter().filter(|e| e.1).map(|e| &e.0[..]).collect();
-    board.fill(&lone, LONE, 0.0);
-    let rings: Vec<&[DVec2]> = elements.iter().map(|e| &e.0[..]).collect();
-    board.cased(&lines_of(&rings), MESH, mesh_width(&elements));
+    let lone = elements.iter().filter(|e| e.1).map(|e| e.0.clone());
+    let filled = Layer::fill(lone.collect(), LONE, 0.0);
+    let lines = elements.iter().map(|e| closed(&e.0)).collect();
+    with_lines(filled, Layer::cased(lines, MESH, mesh_width(&elements)))
 }
 
-/// Draws the aspect ratio that the field asks for as shapes of one area on a grid, deeper in colour
-/// the longer they are.
-pub fn anisotropy(board: &mut Board, domain: &Domain, fields: &Fields, side: f64) {
+/// The aspect ratio that the field asks for as shapes of one area on a grid, deeper in colour the longer
+/// they are.
+pub fn anisotropy(domain: &Domain, fields: &Fields, side: f64) -> Vec<Layer> {
     let step = (side / 20.0).max(14.0);
     let count = (side / step) as usize;
     let margin = (side - step * count as f64) / 2.0;
@@ -108,12 +121,7 @@ pub fn anisotropy(board: &mut Board, domain: &Domain, fields: &Fields, side: f64
     let longer = |s: &Particle| (libm::log2(s.aspect) / libm::log2(5.0)) as f32;
     let longer: Vec<f32> = shapes.iter().map(longer).collect();
     let middle = blend(EVEN, STRETCHED, 0.5);
-    in_steps(
-        board,
-        &rings,
-        &longer,
-        &scale([EVEN, middle, STRETCHED], STEPS),
-    );
-    let rings: Vec<&[DVec2]> = rings.iter().map(Vec::as_slice).collect();
-    board.rimmed(&lines_of(&rings), RIM, (side / 460.0).clamp(0.9, 3.0));
+    let filled = in_steps(&rings, &longer, &scale([EVEN, middle, STRETCHED], STEPS));
+    let width = (side / 460.0).clamp(0.9, 3.0);
+    with_lines(filled, Layer::rimmed(lines_of(&rings), RIM, width))
 }

@@ -4,9 +4,8 @@
 //! Miyata, Shimada (2003), section 5.1: a square has four wells at its edges, a circle or an ellipse
 //! a ring with room for six.
 
-use super::board::{Board, Tint, blend};
 use super::stages::INK;
-use super::tones::SHEET;
+use super::{Board, Layer, SHEET, Shape, Tint, blend};
 use crate::field::Kind;
 use crate::packing::{Particle, force::Pair};
 use glam::DVec2;
@@ -14,6 +13,8 @@ use glam::DVec2;
 const HILL: Tint = [0.66, 0.25, 0.13, 1.0];
 const WELL: Tint = [0.05, 0.33, 0.40, 1.0];
 const LIGHT: Tint = [1.0, 0.98, 0.94, 1.0];
+/// The cell itself.
+const OWN: Tint = [1.0, 0.98, 0.94, 0.30];
 /// Contours in wells are so much apart, in k0 ...
 const STEP: f64 = 0.008;
 /// ... and on the hill so many to a doubling.
@@ -44,29 +45,34 @@ pub fn potential(board: &mut Board, kind: Kind, aspect: f64, side: f64) {
     let pair = Pair::new(&cell, &cell);
     let height = |r: DVec2| pair.potential(r) / (cell.size * cell.size);
     contours(board, side as usize, |r| level(height(r)));
-    let wells = wells(&cell, height);
-    let thin = (side / 340.0).max(1.2);
-    let ghost = |board: &mut Board, centre: DVec2| {
-        let other = Particle { centre, ..cell };
-        board.edges(&[&other.ring(0.97, 64)], LIGHT, thin, 0.0);
-    };
-    if kind.has_corners() {
-        wells.iter().for_each(|&well| ghost(board, well));
-    } else {
-        board.edges(&[&wells], LIGHT, 1.6 * thin, 0.0);
-        cell.places().for_each(|place| ghost(board, place));
-    }
-    let own = cell.ring(1.0, 64);
-    board.fill(&[&own], [1.0, 0.98, 0.94, 0.30], 0.0);
-    board.edges(&[&own], INK, 1.8 * thin, 0.0);
-    let dots: Vec<DVec2> = match kind.has_corners() {
+    board.draw(&figures(
+        &cell,
+        wells(&cell, height),
+        (side / 340.0).max(1.2),
+    ));
+}
+
+/// The cell, and neighbours of it at rest.
+fn figures(cell: &Particle, wells: Vec<DVec2>, thin: f64) -> Vec<Layer> {
+    let mut layers = Vec::new();
+    let places = match cell.kind.has_corners() {
         true => wells,
-        false => cell.places().collect(),
+        false => {
+            layers.push(Layer::edges(vec![wells], LIGHT, 1.6 * thin));
+            cell.places().collect()
+        }
     };
-    for dot in dots {
-        board.dot(dot, 4.2 * thin, LIGHT);
-        board.dot(dot, 2.6 * thin, WELL);
+    for &centre in &places {
+        let other = Particle { centre, ..*cell };
+        layers.push(Layer::edges(vec![other.ring(0.97, 64)], LIGHT, thin));
     }
+    let own = Layer::fill(vec![cell.ring(1.0, 64)], OWN, 0.0);
+    layers.push(own.edged(INK, 1.8 * thin, 0.0));
+    let dot = |&place: &DVec2| {
+        [(4.2, LIGHT), (2.6, WELL)].map(|(radius, tint)| Shape::dot(place, radius * thin, tint))
+    };
+    layers.push(Layer::shapes(places.iter().flat_map(dot).collect()));
+    layers
 }
 
 /// Contours are at its halves: none lies on the plain where cells do not feel each other.

@@ -1,6 +1,6 @@
 //! The size field as heat and contours over whatever is below.
 
-use super::board::{Board, Tint, blend};
+use super::{Board, Tint, blend};
 use crate::domain::Domain;
 use crate::field::Fields;
 use glam::DVec2;

@@ -1,8 +1,6 @@
 //! What is drawn of each stage: packed cells, cells, mesh.
 
-use super::board::{Paper, Tint, blend, lit};
-use super::sketch::Layer;
-use super::tones::Tones;
+use super::{Layer, Paper, Shape, Tint, Tones, blend, lit};
 use crate::cells::Cell;
 use crate::domain::Domain;
 use crate::field::Fields;
@@ -28,30 +26,26 @@ const LONE: Tint = [0.800, 0.510, 0.350, 1.0];
 pub(super) const INK: Tint = [0.33, 0.27, 0.21, 1.0];
 
 /// The outline's bed and boundary. Holes are rings that run against the outer one.
-pub fn bed(rings: &[&[DVec2]], paper: &Paper) -> [Layer; 2] {
-    let rings: Vec<Vec<DVec2>> = rings.iter().map(|ring| ring.to_vec()).collect();
-    let line = Layer::edges(rings.clone(), paper.line, 1.25, 0.0);
-    [Layer::fill(rings, paper.bed, 0.0), line]
+pub fn bed(rings: &[&[DVec2]], paper: &Paper) -> Layer {
+    let rings = rings.iter().map(|ring| ring.to_vec()).collect();
+    let bed = Layer::fill(rings, paper.bed, 0.0);
+    bed.edged(paper.line, 1.25, 0.0).named("outline", "")
 }
 
 /// The packed cells in the tones of the stones to come: warmer and redder the deeper their
 /// neighbours stand in them, cooler the more of their sides are free.
-pub fn packed(domain: &Domain, particles: &[Particle], tones: &Tones) -> Vec<Layer> {
-    let rings: Vec<Vec<DVec2>> = particles.iter().map(|p| p.ring(1.0, 16)).collect();
-    let lots = stress(domain, particles);
-    let cells = particles.iter().zip(&rings).zip(lots);
-    let cells = cells.map(|((particle, ring), lot)| {
+pub fn packed(domain: &Domain, particles: &[Particle], tones: &Tones) -> Layer {
+    let cells = particles.iter().zip(stress(domain, particles));
+    let cells = cells.map(|(particle, stress)| {
         let own = tones.stone(particle.id);
         let own = lit(own, if particle.fixed { FIXED } else { 1.0 });
-        let inside = blend(own, ALONE, MOST_ALONE * lot.alone * lot.alone.sqrt());
-        let inside = blend(inside, PRESSED, MOST_PRESSED * lot.pressed);
-        Layer::fill(vec![ring.clone()], inside, ROUND * particle.size)
+        let inside = blend(own, ALONE, MOST_ALONE * stress.alone * stress.alone.sqrt());
+        let inside = blend(inside, PRESSED, MOST_PRESSED * stress.pressed);
+        let ring = particle.ring(1.0, 16);
+        Shape::fill(vec![ring], inside, ROUND * particle.size)
     });
-    let mut layers: Vec<Layer> = cells.collect();
     let size = mean(particles.iter().map(|p| p.size));
-    let edges = Layer::edges(rings, CELL_EDGE, line_width(size), ROUND * size);
-    layers.push(edges);
-    layers
+    Layer::shapes(cells.collect()).edged(CELL_EDGE, line_width(size), ROUND * size)
 }
 
 /// Lines of small cells are drawn thinner, so that they do not swallow the cells.
@@ -64,19 +58,22 @@ pub(super) fn mean(values: impl ExactSizeIterator<Item = f64>) -> f64 {
     values.sum::<f64>() / count as f64
 }
 
+/// The mean size of cells, in picture units.
+pub fn mean_size(cells: &[Cell]) -> f64 {
+    mean(cells.iter().map(|c| c.size))
+}
+
 /// The cells' polygons in the tones of the stones to come, with joints in the bed's.
-pub fn cells(cells: &[Cell], tones: &Tones) -> Vec<Layer> {
+pub fn cells(cells: &[Cell], tones: &Tones) -> Layer {
     let filled = cells.iter().map(|cell| {
         let round = 0.5 * ROUND * cell.size;
-        Layer::fill(vec![cell.ring.clone()], tones.stone(cell.id), round)
+        Shape::fill(vec![cell.ring.clone()], tones.stone(cell.id), round)
     });
-    let mut layers: Vec<Layer> = filled.collect();
-    let rings = cells.iter().map(|c| c.ring.clone()).collect();
-    let size = mean(cells.iter().map(|c| c.size));
+    let size = mean_size(cells);
     let joint = lit(tones.paper.bed, 0.86);
     let width = (0.11 * size).clamp(0.7, 5.0);
-    layers.push(Layer::edges(rings, joint, width, 0.5 * ROUND * size));
-    layers
+    let cells = Layer::shapes(filled.collect()).named("cells", "cell-");
+    cells.edged(joint, width, 0.5 * ROUND * size)
 }
 
 /// The elements of a mesh, and which of them are triangles among cells with corners.
@@ -98,20 +95,22 @@ pub(super) fn mesh_width(elements: &[(Vec<DVec2>, bool)]) -> f64 {
 }
 
 /// The mesh. Triangles among cells with corners, which found no partner, stand out.
-pub fn mesh(mesh: &Mesh, fields: &Fields) -> Vec<Layer> {
+pub fn mesh(mesh: &Mesh, fields: &Fields) -> Layer {
     let elements = elements(mesh, fields);
     let width = mesh_width(&elements);
-    let filled = elements.iter().map(|(ring, is_lone)| {
-        let tint = if *is_lone { LONE } else { FACE };
-        Layer::fill(vec![ring.clone()], tint, 0.0)
+    let filled = elements.into_iter().map(|(ring, is_lone)| {
+        let tint = if is_lone { LONE } else { FACE };
+        Shape::fill(vec![ring], tint, 0.0)
     });
-    let mut layers: Vec<Layer> = filled.collect();
-    let rings = elements.into_iter().map(|(ring, _)| ring).collect();
-    layers.push(Layer::edges(rings, INK, width, 0.0));
-    layers
+    Layer::shapes(filled.collect()).edged(INK, width, 0.0)
 }
 
 /// The constraint lines, over what stands along them.
 pub fn lines(domain: &Domain, side: f64) -> Layer {
-    Layer::polylines(domain.lines(), INK, (side / 300.0).max(1.2))
+    let lines = domain.lines().iter();
+    let lines = lines.map(|line| Shape::bare(vec![line.clone()])).collect();
+    let lines = Layer::shapes(lines);
+    lines
+        .drawn(INK, (side / 300.0).max(1.2))
+        .named("lines", "line-")
 }

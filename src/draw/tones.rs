@@ -1,6 +1,6 @@
 //! The colours of the drawings: earth and stones before there are any, and the paper of figures.
 
-use super::board::{Paper, Tint, blend, lit};
+use super::{Paper, Tint, blend, lit};
 use crate::cells::Cell;
 use crate::heightfield::TextureParams;
 use crate::material::{Coat, Ground, Palette, ground, palette, stone_colour};

@@ -33,28 +33,31 @@ impl Studio {
                 Overlay::Packed => {
                     let packing = made.packing().filter(|_| packs);
                     let particles = packing.map_or(Vec::new(), Packing::particles);
-                    draw::over::packed(board, &particles, &stress(domain, &particles));
+                    let stress = stress(domain, &particles);
+                    board.draw(&draw::over::packed(&particles, &stress));
                 }
                 Overlay::Energy | Overlay::Forces => {
                     let of_loads = match overlay {
                         Overlay::Energy => draw::forces::energy,
                         _ => draw::forces::forces,
                     };
-                    of_loads(board, &loads.unwrap_or_default());
+                    board.draw(&of_loads(&loads.unwrap_or_default()));
                 }
-                Overlay::Cells if celled => draw::over::cells(board, made.cells()),
+                Overlay::Cells if celled => board.draw(&draw::over::cells(made.cells())),
                 Overlay::Mesh if meshed => {
                     if let Some(mesh) = made.mesh() {
-                        draw::over::mesh(board, mesh, fields);
+                        board.draw(&draw::over::mesh(mesh, fields));
                     }
                 }
                 Overlay::Cells | Overlay::Mesh => {}
-                Overlay::Anisotropy => draw::over::anisotropy(board, domain, fields, side as f64),
+                Overlay::Anisotropy => {
+                    board.draw(&draw::over::anisotropy(domain, fields, side as f64));
+                }
                 Overlay::Direction => {
-                    draw::field::direction_over(board, domain, fields, side as f64);
+                    board.draw(&draw::field::direction_over(domain, fields, side as f64));
                 }
                 Overlay::Singularities => {
-                    draw::field::singularities(board, domain, fields, side as f64);
+                    board.draw(&draw::field::singularities(domain, fields, side as f64));
                 }
             }
         }

@@ -132,7 +132,7 @@ impl Studio {
                 Way::Cells => {
                     let tones = self.tones();
                     let cells = draw::stages::cells(made.cells(), &tones);
-                    self.on_paper(&tones.paper, cells)
+                    self.on_paper(&tones.paper, vec![cells])
                 }
                 Way::Stones if !self.goes_on(&gallery.preview) => self.bedded()?,
                 Way::Stones | Way::Stays | Way::Picture => return None,
@@ -142,14 +142,14 @@ impl Studio {
             Base::Cells | Base::Mesh if self.draft().is_some() => self.packed(),
             Base::Cells => {
                 let tones = self.tones();
-                let mut layers = draw::stages::cells(made.cells(), &tones);
+                let mut layers = vec![draw::stages::cells(made.cells(), &tones)];
                 layers.extend(self.lines());
                 self.on_paper(&tones.paper, layers)
             }
             Base::Mesh => {
                 let both = made.mesh().zip(made.terrain.fields.made());
-                let mut layers =
-                    both.map_or_else(Vec::new, |(mesh, fields)| draw::stages::mesh(mesh, fields));
+                let mesh = both.map(|(mesh, fields)| draw::stages::mesh(mesh, fields));
+                let mut layers = Vec::from_iter(mesh);
                 layers.extend(self.lines());
                 self.on_paper(&SHEET, layers)
             }
@@ -182,7 +182,7 @@ impl Studio {
                 let shown = self.shown();
                 if let (Some(domain), Some(fields)) = (shown.domain, shown.fields) {
                     let side = self.side() as f64;
-                    draw::field::direction(&mut board, domain, fields, side);
+                    board.draw(&draw::field::direction(domain, fields, side));
                 }
                 Some(board)
             }
@@ -279,7 +279,7 @@ impl Studio {
             let ring = [DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y].map(|p| side * p);
             all.push(Layer::fill(vec![ring.to_vec()], paper.bed, 0.0));
         } else {
-            all.extend(draw::stages::bed(&self.shown().rings, paper));
+            all.push(draw::stages::bed(&self.shown().rings, paper));
         }
         all.extend(layers);
         Sketch::new(board, all)
@@ -300,7 +300,8 @@ impl Studio {
             return self.bare();
         };
         let tones = self.tones();
-        let mut layers = draw::stages::packed(domain, &packing.particles(), &tones);
+        let packed = draw::stages::packed(domain, &packing.particles(), &tones);
+        let mut layers = vec![packed];
         layers.extend(self.lines());
         self.on_paper(&tones.paper, layers)
     }
@@ -317,7 +318,7 @@ impl Studio {
         let mut board = Board::new(planes.side, tones.paper.surround);
         light_ground(planes, board.rgba_mut());
         let cells = draw::stages::cells(self.made.cells(), &tones);
-        Some(self.on_board(board, &tones.paper, cells))
+        Some(self.on_board(board, &tones.paper, vec![cells]))
     }
 
     /// The cells with the stones so far on them; `bedded` is what the first one lies on.

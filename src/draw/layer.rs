@@ -1,0 +1,149 @@
+//! Drawings as data: layers of shapes, each over those before it.
+//!
+//! Whoever draws says what is to be seen, in picture units, y down. A sink makes pixels or a file of it: a
+//! [`super::Board`] paints layers, [`crate::export::svg`] writes them.
+
+use super::colour::Tint;
+use super::shapes::round;
+use glam::DVec2;
+
+/// Shapes that are filled one after the other, and then the lines of all of them.
+#[derive(Clone, Debug, Default)]
+pub struct Layer {
+    /// Its id in files.
+    pub id: &'static str,
+    /// The ids of its shapes in files, before their places in the list; empty where it is one thing.
+    pub item: &'static str,
+    /// Its shapes.
+    pub shapes: Vec<Shape>,
+    /// What their lines are drawn with.
+    pub pen: Option<Pen>,
+}
+
+/// Rings or lines that belong together.
+#[derive(Clone, Debug, Default)]
+pub struct Shape {
+    /// Rings, or with an open pen lines through these points.
+    pub paths: Vec<Vec<DVec2>>,
+    /// Fills the area that the rings run around: what two rings of the same sense share is filled once,
+    /// what they share against each other is left out.
+    pub fill: Option<Tint>,
+    /// So far corners of the filled area are rounded on the screen.
+    pub round: f64,
+}
+
+/// Draws all lines of a layer at once: where they meet or cross they are not darker.
+#[derive(Clone, Copy, Debug)]
+pub struct Pen {
+    /// The lines' colour.
+    pub tint: Tint,
+    /// The lines' width.
+    pub width: f64,
+    /// So far corners of rings are rounded on the screen.
+    pub round: f64,
+    /// Lines do not go on from their last point to their first.
+    pub is_open: bool,
+}
+
+/// The rim of lines over pictures.
+pub(super) const CASING: Tint = [0.08, 0.06, 0.05, 0.50];
+/// The rim of thin lines over pictures.
+const RIM: Tint = [0.06, 0.04, 0.07, 0.82];
+
+impl Layer {
+    /// Filled shapes.
+    pub fn shapes(shapes: Vec<Shape>) -> Self {
+        Self {
+            shapes,
+            ..Self::default()
+        }
+    }
+
+    /// The area that rings run around.
+    pub fn fill(rings: Vec<Vec<DVec2>>, tint: Tint, round: f64) -> Self {
+        Self::shapes(vec![Shape::fill(rings, tint, round)])
+    }
+
+    /// Lines through points.
+    pub fn lines(lines: Vec<Vec<DVec2>>, tint: Tint, width: f64) -> Self {
+        let shape = Shape::bare(lines);
+        Self::shapes(vec![shape]).drawn(tint, width)
+    }
+
+    /// The lines of rings.
+    pub fn edges(rings: Vec<Vec<DVec2>>, tint: Tint, width: f64) -> Self {
+        let shape = Shape::bare(rings);
+        Self::shapes(vec![shape]).edged(tint, width, 0.0)
+    }
+
+    /// Lines that stand out from whatever is below: light, with a dark rim.
+    pub fn cased(lines: Vec<Vec<DVec2>>, tint: Tint, width: f64) -> [Self; 2] {
+        let rim = Self::lines(lines.clone(), CASING, 2.0 * width + 0.6);
+        [rim, Self::lines(lines, tint, width)]
+    }
+
+    /// The same for few thin lines: the rim is as wide as the line on each side, and nearly black, so that
+    /// pale stones do not swallow it.
+    pub fn rimmed(lines: Vec<Vec<DVec2>>, tint: Tint, width: f64) -> [Self; 2] {
+        let rim = Self::lines(lines.clone(), RIM, 3.0 * width + 0.4);
+        [rim, Self::lines(lines, tint, width)]
+    }
+
+    /// The same layer with lines through its points.
+    pub fn drawn(mut self, tint: Tint, width: f64) -> Self {
+        self.pen = Some(Pen {
+            tint,
+            width,
+            round: 0.0,
+            is_open: true,
+        });
+        self
+    }
+
+    /// The same layer with the lines of its rings.
+    pub fn edged(mut self, tint: Tint, width: f64, round: f64) -> Self {
+        self.pen = Some(Pen {
+            tint,
+            width,
+            round,
+            is_open: false,
+        });
+        self
+    }
+
+    /// The same layer with lines of another colour.
+    pub fn inked(mut self, tint: Tint) -> Self {
+        self.pen = self.pen.map(|pen| Pen { tint, ..pen });
+        self
+    }
+
+    /// The same layer with ids in files.
+    pub fn named(mut self, id: &'static str, item: &'static str) -> Self {
+        (self.id, self.item) = (id, item);
+        self
+    }
+}
+
+impl Shape {
+    /// Nothing but paths for a pen.
+    pub fn bare(paths: Vec<Vec<DVec2>>) -> Self {
+        Self {
+            paths,
+            ..Self::default()
+        }
+    }
+
+    /// The area that rings run around.
+    pub fn fill(rings: Vec<Vec<DVec2>>, tint: Tint, round: f64) -> Self {
+        Self {
+            paths: rings,
+            fill: Some(tint),
+            round,
+        }
+    }
+
+    /// A filled disc.
+    pub fn dot(centre: DVec2, radius: f64, tint: Tint) -> Self {
+        Self::fill(vec![round(centre, radius)], tint, 0.0)
+    }
+}
