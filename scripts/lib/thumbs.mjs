@@ -55,7 +55,7 @@ export async function buildThumbs() {
  * pictures of planes. Any other change of the module needs no new ones.
  */
 function sources() {
-  const folders = ['recipe', 'texture', 'render'].map((name) => join(root, 'src', name));
+  const folders = ['recipe', 'material', 'heightfield'].map((name) => join(root, 'src', name));
   const code = folders.flatMap((folder) =>
     readdirSync(folder, { recursive: true, withFileTypes: true })
       .filter((entry) => entry.isFile())
