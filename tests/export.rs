@@ -3,19 +3,19 @@
 #![cfg(not(target_arch = "wasm32"))]
 
 mod finished;
-mod quarry;
+mod samples;
 
 use bubblestone::export::{MapKind, MeshFormat, maps};
 use bubblestone::heightfield::{Planes, Surfaces, TextureParams};
 use bubblestone::material::Gloss;
 use bubblestone::notice::Code;
 use bubblestone::recipe::Recipe;
-use bubblestone::solid::{Quarry, SkinParams, StoneKind, StoneParams};
+use bubblestone::solid::{SkinParams, Solids, StoneKind, StoneParams};
 use bubblestone::studio::Studio;
 use finished::finished;
 use glam::Vec3;
 use proptest::prelude::*;
-use quarry::{painted, small, star};
+use samples::{painted, small, star};
 use std::collections::HashSet;
 
 const LINK: &str = "size=160&outline=annulus&cs=14";
@@ -72,7 +72,7 @@ proptest! {
         let skin = SkinParams { skew, taper, keel, ..SkinParams::default() };
         let stone = StoneParams { kind, scale, distortion, skin, ..StoneParams::default() };
         let params = TextureParams { stone, amplitude, ..small() };
-        let solid = Quarry::new().stone(&cell, &stone);
+        let solid = Solids::new().solid(&cell, &stone);
         prop_assume!(!solid.vertices.is_empty());
         let planes = painted(params, std::slice::from_ref(&cell));
         let surface = Surfaces::new(params).close(&solid, &cell, 0, &planes);
@@ -98,12 +98,12 @@ fn a_surface_stands_as_its_planes_show_it() {
         amplitude: 4.0,
         ..small()
     };
-    let cells = quarry::pavement(16.0);
+    let cells = samples::pavement(16.0);
     let planes = painted(params, &cells);
-    let (mut quarry, mut surfaces) = (Quarry::new(), Surfaces::new(params));
+    let (mut solids, mut surfaces) = (Solids::new(), Surfaces::new(params));
     let (mut off, mut count) = (0.0, 0);
     for (index, cell) in cells.iter().enumerate() {
-        let solid = quarry.stone(cell, &params.stone);
+        let solid = solids.solid(cell, &params.stone);
         let surface = surfaces.close(&solid, cell, index, &planes);
         // All but the middle of the base.
         let vertices = surface.positions.iter().zip(&surface.colours);

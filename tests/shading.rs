@@ -1,10 +1,10 @@
 //! Shading: shadows, slices, changes of light.
 
-mod quarry;
+mod samples;
 
 use bubblestone::heightfield::{Light, Planes, ShadeParams, Shader};
 use bubblestone::material::{Gloss, optics_table};
-use quarry::{SIDE, painted, pavement, small};
+use samples::{SIDE, painted, pavement, small};
 use std::f64::consts::TAU;
 
 fn shaded(planes: &Planes, params: &ShadeParams, rows: usize) -> Vec<u8> {

@@ -2,16 +2,16 @@
 #![cfg(not(target_arch = "wasm32"))]
 
 mod finished;
-mod quarry;
+mod samples;
 
 use bubblestone::cells::Cell;
 use bubblestone::field::Kind;
 use bubblestone::heightfield::{GROUND, Painter, Planes, TextureParams};
 use bubblestone::recipe::PRESETS;
-use bubblestone::solid::{Prism, Quarry, SkinParams, StoneKind, StoneParams};
+use bubblestone::solid::{Prism, SkinParams, Solids, StoneKind, StoneParams};
 use finished::{finished, refined};
 use glam::{DVec2, DVec3};
-use quarry::in_fair_weather;
+use samples::in_fair_weather;
 
 /// A regular polygon about the middle of a picture, its first corner to the right.
 fn polygon(n: usize, radius: f64) -> Vec<DVec2> {
@@ -161,9 +161,9 @@ fn painted(cells: &[Cell], stone: StoneParams) -> Planes {
         stone,
         ..TextureParams::default()
     });
-    let mut quarry = Quarry::new();
+    let mut solids = Solids::new();
     for (k, cell) in cells.iter().enumerate() {
-        painter.paint(&mut quarry, cell, k);
+        painter.paint(&mut solids, cell, k);
     }
     in_fair_weather(painter)
 }
@@ -288,7 +288,7 @@ fn noise_on_a_flat_cell_has_its_dimension() {
             stone,
             ..TextureParams::default()
         });
-        painter.paint(&mut Quarry::new(), &cell(ring.clone(), 1), 0);
+        painter.paint(&mut Solids::new(), &cell(ring.clone(), 1), 0);
         painter.finish().planes.bump
     };
     let smooth = bump(1.5, 0.0, 1);
@@ -337,9 +337,9 @@ fn triangles_are_fine_and_finer_ones_are_not_seen() {
     for link in ["stone=skin", FIGURE].map(|link| format!("{link}&{HIDE}")) {
         let studio = finished(&link);
         let (mut triangles, mut area) = (0, 0.0);
-        let mut quarry = Quarry::new();
+        let mut solids = Solids::new();
         for cell in studio.scales() {
-            let solid = quarry.stone(cell, &studio.stone_params());
+            let solid = solids.solid(cell, &studio.stone_params());
             triangles += solid.triangles.len();
             for t in solid.triangles.iter() {
                 let [a, b, c] = t.map(|i| solid.vertices[i as usize]);

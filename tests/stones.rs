@@ -1,15 +1,15 @@
 //! Stones and planes: what must hold for any cell.
 
-mod quarry;
+mod samples;
 
 use bubblestone::cells::Cell;
 use bubblestone::field::Kind;
 use bubblestone::heightfield::{GROUND, TextureParams};
 use bubblestone::material::{GROUNDS, Gloss, PALETTES, optics_table};
-use bubblestone::solid::{Quarry, Solid, Spread, StoneKind, StoneParams, joint_depth};
+use bubblestone::solid::{Distribution, Solid, Solids, StoneKind, StoneParams, joint_depth};
 use glam::{DVec2, Vec3};
 use proptest::prelude::*;
-use quarry::{SIDE, cell, painted, pavement, small, star};
+use samples::{SIDE, cell, painted, pavement, small, star};
 
 fn stone(kind: StoneKind, distortion: f64, scale: f64) -> StoneParams {
     StoneParams {
@@ -50,13 +50,13 @@ fn assert_inside(cell: &Cell, solid: &Solid, scale: f64) {
 
 #[test]
 fn stones_of_all_corner_counts_stay_in_their_cells() {
-    let mut quarry = Quarry::new();
+    let mut solids = Solids::new();
     for kind in [StoneKind::Cobble, StoneKind::Flagstone] {
         for n in (3..=12).chain([20, 40, 60]) {
             for (rough, distortion) in [(0.0, 0.0), (0.2, 0.3), (0.4, 1.0)] {
                 let cell = star(n, 30.0, rough, n as u32);
                 for scale in [0.5, 0.8, 1.0] {
-                    let solid = quarry.stone(&cell, &stone(kind, distortion, scale));
+                    let solid = solids.solid(&cell, &stone(kind, distortion, scale));
                     assert!(!solid.vertices.is_empty());
                     assert_inside(&cell, &solid, 1.0);
                 }
@@ -68,12 +68,12 @@ fn stones_of_all_corner_counts_stay_in_their_cells() {
 #[test]
 fn scale_above_one_is_the_only_way_out() {
     let cell = star(4, 20.0, 0.0, 1);
-    for spread in [Spread::Uniform, Spread::Normal] {
+    for distribution in [Distribution::Uniform, Distribution::Normal] {
         let params = StoneParams {
-            spread,
+            distribution,
             ..stone(StoneKind::Cobble, 0.6, 1.2)
         };
-        let solid = Quarry::new().stone(&cell, &params);
+        let solid = Solids::new().solid(&cell, &params);
         assert_inside(&cell, &solid, 1.2);
         let out = |v: &Vec3| outside(&cell.ring, cell.centre, 1.0, flat(v)) > 0.1;
         assert!(solid.vertices.iter().any(out));
@@ -87,18 +87,18 @@ fn cells_that_no_centre_sees_whole_are_filled_from_within() {
     let points: Vec<f64> = corners.into_iter().chain(notch).collect();
     let ring = points.chunks(2).map(|p| DVec2::new(p[0], p[1])).collect();
     let cell = cell(3, ring);
-    let solid = Quarry::new().stone(&cell, &stone(StoneKind::Flagstone, 0.3, 1.0));
+    let solid = Solids::new().solid(&cell, &stone(StoneKind::Flagstone, 0.3, 1.0));
     assert!(!solid.vertices.is_empty());
     assert_inside(&cell, &solid, 1.0);
 }
 
 #[test]
 fn no_distortion_moves_nothing_and_distortion_does() {
-    let mut quarry = Quarry::new();
+    let mut solids = Solids::new();
     let (a, b) = (star(4, 20.0, 0.0, 1), star(4, 20.0, 0.0, 2));
     let mut vertices = |cell, dr| {
         let params = stone(StoneKind::Cobble, dr, 1.0);
-        quarry.stone(cell, &params).vertices
+        solids.solid(cell, &params).vertices
     };
     assert_eq!(vertices(&a, 0.0), vertices(&b, 0.0));
     assert_ne!(vertices(&a, 0.3), vertices(&b, 0.3));
@@ -109,7 +109,7 @@ fn stones_reach_their_height_and_their_cells_sides() {
     let cell = star(4, 20.0, 0.0, 1);
     for kind in [StoneKind::Cobble, StoneKind::Flagstone] {
         let params = stone(kind, 0.0, 1.0);
-        let solid = Quarry::new().stone(&cell, &params);
+        let solid = Solids::new().solid(&cell, &params);
         let top = solid.vertices.iter().map(|v| v.z).fold(0.0, f32::max);
         let high = f64::from(top) / params.height;
         assert!((0.9..=1.001).contains(&high), "{high} of the height");
@@ -123,7 +123,7 @@ fn stones_reach_their_height_and_their_cells_sides() {
 fn tops_are_watertight_and_face_up() {
     for n in 3..=12 {
         let cell = star(n, 25.0, 0.0, 7);
-        let solid = Quarry::new().stone(&cell, &stone(StoneKind::Cobble, 0.0, 1.0));
+        let solid = Solids::new().solid(&cell, &stone(StoneKind::Cobble, 0.0, 1.0));
         let mut sides: Vec<[u32; 2]> = Vec::new();
         for &[a, b, c] in solid.triangles.iter() {
             sides.extend([[a, b], [b, c], [c, a]]);
@@ -143,10 +143,10 @@ fn tops_are_watertight_and_face_up() {
 
 #[test]
 fn one_connectivity_is_shared() {
-    let mut quarry = Quarry::new();
+    let mut solids = Solids::new();
     let params = StoneParams::default();
-    let a = quarry.stone(&star(4, 20.0, 0.0, 1), &params);
-    let b = quarry.stone(&star(4, 20.0, 0.1, 2), &params);
+    let a = solids.solid(&star(4, 20.0, 0.0, 1), &params);
+    let b = solids.solid(&star(4, 20.0, 0.1, 2), &params);
     assert!(std::rc::Rc::ptr_eq(&a.triangles, &b.triangles));
 }
 
@@ -316,7 +316,7 @@ proptest! {
         let cell = star(n, radius, rough, 9);
         let params = StoneParams {
             kind: if flag { StoneKind::Flagstone } else { StoneKind::Cobble },
-            spread: if normal { Spread::Normal } else { Spread::Uniform },
+            distribution: if normal { Distribution::Normal } else { Distribution::Uniform },
             height: hs,
             scale: sv,
             distortion: dr,
@@ -325,7 +325,7 @@ proptest! {
             skin: Default::default(),
             seed: 4,
         };
-        let solid = Quarry::new().stone(&cell, &params);
+        let solid = Solids::new().solid(&cell, &params);
         for v in &solid.vertices {
             prop_assert!(v.is_finite());
             prop_assert!(v.z > -0.5 * hs as f32 && v.z < 1.5 * hs as f32, "height {}", v.z);

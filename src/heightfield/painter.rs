@@ -14,7 +14,7 @@ use super::{Planes, TextureParams};
 use crate::cells::Cell;
 use crate::material::{Coat, Palette, Patterns, Skin, palette};
 use crate::order::{greater, lesser};
-use crate::solid::{Quarry, Solid, StoneKind};
+use crate::solid::{Solid, Solids, StoneKind};
 use glam::{DVec2, Vec3};
 use std::ops::Range;
 
@@ -135,13 +135,13 @@ impl Painter {
     }
 
     /// Puts the stone of a cell into the planes, under the id `index` + 1.
-    pub fn paint(&mut self, quarry: &mut Quarry, cell: &Cell, index: usize) {
-        while !self.paint_slice(quarry, cell, index) {}
+    pub fn paint(&mut self, solids: &mut Solids, cell: &Cell, index: usize) {
+        while !self.paint_slice(solids, cell, index) {}
     }
 
     /// The same in slices, of which most stones need one; true when it is done. The next calls must
     /// be for the same cell until then.
-    pub fn paint_slice(&mut self, quarry: &mut Quarry, cell: &Cell, index: usize) -> bool {
+    pub fn paint_slice(&mut self, solids: &mut Solids, cell: &Cell, index: usize) -> bool {
         let mut left = SLICE;
         let mut work = match self.work.take() {
             Some(work) => work,
@@ -150,7 +150,7 @@ impl Painter {
                 if !self.params.tile && self.is_beyond(cell) {
                     return true;
                 }
-                let Some(solid) = quarry.stone_or_slice(cell, &self.params.stone) else {
+                let Some(solid) = solids.solid_or_slice(cell, &self.params.stone) else {
                     return false;
                 };
                 if solid.vertices.is_empty() {

@@ -5,7 +5,7 @@ use super::height_field::LightParams;
 use crate::export::{self, Map, MapKind, MeshFile, MeshFormat, maps};
 use crate::heightfield::Planes;
 use crate::notice::{Code, Notice};
-use crate::solid::Quarry;
+use crate::solid::Solids;
 
 /// Loop steps of skin in a file, beyond those of the picture: its triangles are still about a pixel
 /// large, and a file is a quarter as long.
@@ -25,7 +25,7 @@ pub struct MeshSlice {
 /// A mesh file in the making.
 pub(super) struct Saving {
     file: MeshFile,
-    quarry: Quarry,
+    solids: Solids,
     format: MeshFormat,
     /// Which of the planes it is made of.
     revision: u64,
@@ -78,11 +78,11 @@ impl Studio {
         let asked = &self.working.params.finish;
         let mut saving = kept.unwrap_or_else(|| Saving {
             file: MeshFile::new(format, asked.planes.texture, &asked.light.optics),
-            quarry: Quarry::for_picture(1, MESH_STEPS),
+            solids: Solids::for_picture(1, MESH_STEPS),
             format,
             revision,
         });
-        let done = self.add_cells(&mut saving.file, &mut saving.quarry, clock, budget);
+        let done = self.add_cells(&mut saving.file, &mut saving.solids, clock, budget);
         let mut parts = saving.file.take();
         if done {
             parts.extend(saving.file.finish());
@@ -96,7 +96,7 @@ impl Studio {
     fn add_cells(
         &self,
         file: &mut MeshFile,
-        quarry: &mut Quarry,
+        solids: &mut Solids,
         clock: &mut dyn FnMut() -> f64,
         budget: f64,
     ) -> bool {
@@ -106,7 +106,7 @@ impl Studio {
         };
         let begin = clock();
         while let Some(cell) = self.scales().get(file.cells()) {
-            file.add(&quarry.stone(cell, &stone), cell, planes);
+            file.add(&solids.solid(cell, &stone), cell, planes);
             // Not `>=`: a clock that fails must not make this endless.
             let inside = clock() - begin < budget;
             if !inside {

@@ -10,7 +10,7 @@ use crate::heightfield::{
 use crate::material::{Coat, Optics, WeatherParams};
 use crate::notice::{Code, Notice};
 use crate::recipe::Stage;
-use crate::solid::Quarry;
+use crate::solid::Solids;
 
 /// Rows of the picture in one slice.
 pub(super) const ROWS: usize = 16;
@@ -49,7 +49,7 @@ pub(super) struct HeightField {
     passes: Passes,
     /// Rows that stones are put into at a time.
     band: usize,
-    quarry: Quarry,
+    solids: Solids,
     shader: Option<Shader>,
 }
 
@@ -81,7 +81,7 @@ impl HeightField {
     /// Nothing made yet; stones are put into `band` rows at a time.
     pub fn new(params: HeightFieldParams, passes: Passes, band: usize) -> Self {
         Self {
-            quarry: quarry(&params.planes),
+            solids: solids(&params.planes),
             planes: Node::new(params.planes),
             weather: Node::new(params.weather),
             light: Node::new(params.light),
@@ -94,7 +94,7 @@ impl HeightField {
     /// What its stages are to be made by from now on.
     pub fn want(&mut self, params: HeightFieldParams) {
         if params.planes.finer != self.planes.params().finer {
-            self.quarry = quarry(&params.planes);
+            self.solids = solids(&params.planes);
         }
         self.planes.want(params.planes);
         self.weather.want(params.weather);
@@ -129,13 +129,13 @@ impl HeightField {
     }
 
     fn paint(&mut self, bodies: Bodies, inputs: u64) {
-        let (quarry, band) = (&mut self.quarry, self.band);
+        let (solids, band) = (&mut self.solids, self.band);
         self.planes.advance(inputs, |params, work| {
             let Some(painting) = work else {
                 *work = Some(Painting::new(params, bodies.coats, band));
                 return Ok(None);
             };
-            if !painting.advance(quarry, bodies.cells) {
+            if !painting.advance(solids, bodies.cells) {
                 return Ok(None);
             }
             let painting = work.take();
@@ -235,8 +235,8 @@ impl HeightField {
     }
 }
 
-fn quarry(params: &PlaneParams) -> Quarry {
-    Quarry::for_picture(params.texture.fine, params.finer)
+fn solids(params: &PlaneParams) -> Solids {
+    Solids::for_picture(params.texture.fine, params.finer)
 }
 
 /// Planes on their way.
@@ -261,13 +261,13 @@ impl Painting {
 
     /// One slice: some ground, a stone, or the next band of rows; true when all stones are in all of
     /// them.
-    fn advance(&mut self, quarry: &mut Quarry, cells: &[Cell]) -> bool {
+    fn advance(&mut self, solids: &mut Solids, cells: &[Cell]) -> bool {
         if !self.is_bedded {
             self.is_bedded = self.painter.prepare(ROWS);
             return false;
         }
         if let Some(cell) = cells.get(self.stones) {
-            let done = self.painter.paint_slice(quarry, cell, self.stones);
+            let done = self.painter.paint_slice(solids, cell, self.stones);
             self.stones += usize::from(done);
         }
         if self.stones < cells.len() {

@@ -9,7 +9,7 @@ use crate::material::{ColourParams, Gloss, Optics, Pattern, WeatherParams, optic
 use crate::notice::Notice;
 use crate::packing::{Edge, Integrator, PackingParams, Population, Start};
 use crate::recipe::{Key, Recipe, Stage};
-use crate::solid::{SkinParams, Spread, StoneKind, StoneParams};
+use crate::solid::{Distribution, SkinParams, StoneKind, StoneParams};
 use glam::DVec2;
 
 /// Rounds of Lloyd's relaxation: after these it hardly gets better.
@@ -253,9 +253,9 @@ pub(super) fn stone(recipe: &Recipe) -> StoneParams {
         height: recipe.number(Key::Hs),
         scale: recipe.number(Key::Sv),
         distortion: recipe.number(Key::Dr),
-        spread: match recipe.choice(Key::Rand) {
-            "normal" => Spread::Normal,
-            _ => Spread::Uniform,
+        distribution: match recipe.choice(Key::Rand) {
+            "normal" => Distribution::Normal,
+            _ => Distribution::Uniform,
         },
         bevel_horizontal: recipe.number(Key::Bh),
         bevel_vertical: recipe.number(Key::Bv),

@@ -9,7 +9,7 @@ use bubblestone::field::Kind;
 use bubblestone::heightfield::{Painter, Planes, TextureParams, Weathering};
 use bubblestone::material::WeatherParams;
 use bubblestone::random::{Purpose, Random};
-use bubblestone::solid::Quarry;
+use bubblestone::solid::Solids;
 use glam::DVec2;
 use std::f64::consts::TAU;
 
@@ -65,10 +65,10 @@ pub fn pavement(size: f64) -> Vec<Cell> {
 
 /// The finished planes of a pavement.
 pub fn painted(params: TextureParams, cells: &[Cell]) -> Planes {
-    let mut quarry = Quarry::new();
+    let mut solids = Solids::new();
     let mut painter = Painter::new(params);
     for (index, cell) in cells.iter().enumerate() {
-        painter.paint(&mut quarry, cell, index);
+        painter.paint(&mut solids, cell, index);
     }
     in_fair_weather(painter)
 }

@@ -1,10 +1,11 @@
-//! The flow that scales lean along: one sense for the directions of all cells.
+//! Orientation of the cells' axes: neighbours point alike, so that scales lean one way.
 //!
-//! Itoh, Miyata, Shimada (2003), section 6.1, take a flow vector as given. A direction field has no
-//! sense: of squares four directions are alike, of other cells two. Neighbours that agree best are
-//! joined first, each in the sense that the other has; what is left is how a whole joined group is
-//! turned, and most of its cells keep the sense they came with. Across a point that the field turns
-//! about two cells may agree in the wrong sense; those beside both do not, so they are asked, too.
+//! Itoh, Miyata, Shimada (2003), section 6.1, take an oriented flow vector as given. Axes of cells have no
+//! orientation: four of a square are alike, two of other cells. So neighbours are joined to groups, the
+//! pairs that agree best first (Kruskal's spanning forest), and each cell is turned to agree with the one
+//! that it is joined to. Each group as a whole is then turned so that most of its cells keep their axes.
+//! Beside a singular point two cells may agree the wrong way round; so a pair agrees as little as either
+//! does with a common neighbour.
 
 use crate::cells::Cell;
 use crate::order;
@@ -94,7 +95,7 @@ fn best_turn(a: &Cell, b: &Cell, turn: u8, step: u8) -> (u8, f64) {
 /// Cells joined to groups, each with its turn in quarters to the group's root.
 struct Groups {
     parent: Vec<(usize, u8)>,
-    /// Of roots: may the group be turned by halves only?
+    /// Of roots: can the group be turned by half turns only?
     stiff: Vec<bool>,
 }
 

@@ -1,5 +1,4 @@
-//! What is done to a refined cell of skin: flat faces, keel, growth rings, and fractal noise on its
-//! triangles.
+//! Displacement of the vertices of a refined cell of skin: flat faces, keel, growth rings, fractal noise.
 //!
 //! Itoh, Miyata, Shimada (2003), section 6.3; Fournier, Fussell, Carpenter (1982), Computer Rendering
 //! of Stochastic Models: each subdivision puts a vertex in the middle of each edge, which takes the
@@ -24,7 +23,7 @@ const RING_DEPTH: f32 = 0.05;
 /// Part of the half width that a keel takes.
 const KEEL_WIDTH: f32 = 0.85;
 
-/// Draws refined vertices back to where they were on the faces of the control mesh, by so much of the
+/// Moves refined vertices towards where they were on the faces of the control mesh, by so much of the
 /// way: 1 gives the prism itself, with its flat top, its edges and corners.
 pub(super) fn flatten(vertices: &mut [Vec3], stencil: &Stencil, control: &[Vec3], flatness: f64) {
     if flatness <= 0.0 {
@@ -43,8 +42,8 @@ pub(super) fn flatten(vertices: &mut [Vec3], stencil: &Stencil, control: &[Vec3]
     }
 }
 
-/// What stands on the surface: a keel along the flow, growth rings. `radii` are those of the vertices.
-pub(super) fn shape(
+/// Raises a keel along the flow and lowers the grooves of growth rings. `radii` are those of the vertices.
+pub(super) fn add_keel_and_rings(
     vertices: &mut [Vec3],
     radii: &[f32],
     (prism, centre, flow): (&Prism, DVec2, DVec2),
@@ -65,7 +64,7 @@ pub(super) fn shape(
     let depth = RING_DEPTH * prism.skin_size as f32;
     for (v, &radius) in vertices.iter_mut().zip(radii) {
         let mut z = v.z;
-        // Nothing is left of the rest down at the base.
+        // Falls to 0 down the sides, at the base.
         let upper = greater(lesser(2.0 - radius, 1.0), 0.0);
         if keel > 0.0 {
             let off = ((v.x - centre.x) * across.x + (v.y - centre.y) * across.y).abs() / half;
@@ -83,7 +82,7 @@ pub(super) fn shape(
 }
 
 /// Adds noise on the first `levels` levels, of the amplitude Af, to the heights of refined vertices.
-pub(super) fn roughen(
+pub(super) fn add_noise(
     vertices: &mut [Vec3],
     radii: &[f32],
     (stencil, levels): (&Stencil, u32),
