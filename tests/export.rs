@@ -258,7 +258,7 @@ fn shifted(planes: &Planes, [dx, dy]: [usize; 2]) -> Planes {
     Planes {
         bump: moved(&planes.bump, planes.side, by),
         colour: moved(&planes.colour, planes.side, by),
-        optics: moved(&planes.optics, planes.side, by),
+        material: moved(&planes.material, planes.side, by),
         id: moved(&planes.id, planes.side, by),
         openness: moved(&planes.openness, planes.side, by),
         ..*planes
@@ -269,7 +269,7 @@ fn shifted(planes: &Planes, [dx, dy]: [usize; 2]) -> Planes {
 fn maps_of_a_tile_repeat_to_the_pixel() {
     let studio = finished("size=192&tile=1&cs=17&kind=square");
     let planes = studio.planes().unwrap();
-    let optics = bubblestone::material::optics_table("granite", "sand", Gloss::default());
+    let materials = bubblestone::material::material_table("granite", "sand", Gloss::default());
     for (kind, word) in MapKind::ALL {
         let map = studio.map(kind).unwrap();
         let pixel = usize::from(map.channels) * usize::from(map.bits) / 8;
@@ -277,7 +277,7 @@ fn maps_of_a_tile_repeat_to_the_pixel() {
         let values: HashSet<&[u8]> = map.bytes.chunks_exact(pixel).collect();
         assert!(values.len() > 2, "{word} is flat");
         let [dx, dy] = [77, 130];
-        let other = maps::map(kind, &shifted(planes, [dx, dy]), &optics, 1.0);
+        let other = maps::map(kind, &shifted(planes, [dx, dy]), &materials, 1.0);
         for (k, there) in other.bytes.chunks_exact(pixel).enumerate() {
             let (x, y) = ((k % 192 + dx) % 192, (k / 192 + dy) % 192);
             let here = &map.bytes[(y * 192 + x) * pixel..][..pixel];

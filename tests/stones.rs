@@ -5,7 +5,7 @@ mod samples;
 use bubblestone::cells::Cell;
 use bubblestone::field::Kind;
 use bubblestone::heightfield::{GROUND, TextureParams};
-use bubblestone::material::{GROUNDS, Gloss, PALETTES, optics_table};
+use bubblestone::material::{GROUNDS, Gloss, PALETTES, material_table};
 use bubblestone::solid::{Distribution, Solid, Solids, StoneKind, StoneParams, joint_depth};
 use glam::{DVec2, Vec3};
 use proptest::prelude::*;
@@ -194,11 +194,11 @@ fn planes_are_finite_and_stones_stand_above_the_ground() {
     for (i, &h) in planes.bump.iter().enumerate() {
         assert!(h.is_finite() && f64::from(h) < params.stone.height * 1.6);
         if planes.id[i] == GROUND {
-            assert_eq!(planes.optics[i], 0);
+            assert_eq!(planes.material[i], 0);
         } else {
             stones += 1;
             sum += f64::from(h);
-            assert!((1..=3).contains(&planes.optics[i]));
+            assert!((1..=3).contains(&planes.material[i]));
         }
     }
     let covered = stones as f64 / (80.0 * 80.0);
@@ -255,7 +255,7 @@ fn every_palette_on_every_ground_gives_stones_of_many_tones() {
             tones.dedup();
             assert!(tones.len() >= 6, "{} on {}", palette.name, ground.name);
         }
-        assert_eq!(optics_table(palette.name, "sand", Gloss::Own).len(), 19);
+        assert_eq!(material_table(palette.name, "sand", Gloss::Own).len(), 19);
     }
 }
 

@@ -5,7 +5,7 @@ mod finished;
 
 use bubblestone::domain::{Domain, signed_area};
 use bubblestone::heightfield::{Light, Planes, ShadeParams, Shader};
-use bubblestone::material::{Gloss, optics_table};
+use bubblestone::material::{Gloss, material_table};
 use bubblestone::mesh::Mesh;
 use bubblestone::metrics::Metrics;
 use bubblestone::random::{Purpose, Random};
@@ -115,7 +115,7 @@ fn meshes_of_few_cells_close_over_the_seams() {
 }
 
 fn shaded(planes: &Planes, light: Light) -> Vec<u8> {
-    let table = optics_table("granite", "sand", Gloss::Own);
+    let table = material_table("granite", "sand", Gloss::Own);
     let params = ShadeParams {
         light,
         ..ShadeParams::default()
@@ -144,7 +144,7 @@ fn shading_of_a_tile_has_no_edges() {
         let mut other = planes.clone();
         other.bump = moved(&planes.bump, by);
         other.colour = moved(&planes.colour, by);
-        other.optics = moved(&planes.optics, by);
+        other.material = moved(&planes.material, by);
         other.openness = moved(&planes.openness, by);
         for (azimuth, elevation) in [(225, 40), (10, 20), (100, 5), (290, 8), (180, 5), (45, 70)] {
             let light = Light::Parallel {

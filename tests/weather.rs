@@ -4,7 +4,7 @@
 mod finished;
 
 use bubblestone::heightfield::{GROUND, Planes};
-use bubblestone::material::{Gloss, optics_table};
+use bubblestone::material::{Gloss, material_table};
 use bubblestone::studio::Studio;
 use glam::DVec2;
 
@@ -49,7 +49,7 @@ fn moss_and_dirt_lie_low() {
     let paved = |i: usize| plain.openness[i] < 250 || plain.id[i] != GROUND;
     for more in ["&moss=0.4", "&dirt=0.6"] {
         let grown = planes(more);
-        let covered = |i: usize| paved(i) && grown.optics[i] != plain.optics[i];
+        let covered = |i: usize| paved(i) && grown.material[i] != plain.material[i];
         let many = (0..SIDE * SIDE).filter(|&i| covered(i)).count();
         assert!(many > SIDE * SIDE / 50, "{more}: {many}");
         let low = height(&plain, covered);
@@ -65,7 +65,7 @@ fn more_moss_covers_more() {
     let covered = |more: &str| {
         let [plain, grown] = ["", more].map(planes);
         (0..SIDE * SIDE)
-            .filter(|&i| plain.optics[i] != grown.optics[i])
+            .filter(|&i| plain.material[i] != grown.material[i])
             .count()
     };
     let (few, some, most) = (
@@ -128,9 +128,9 @@ fn wet_darkens_shines_and_stands_level() {
         "{dry} {some} {most}"
     );
     // What is under water is one level among the stones.
-    let water = (optics_table("granite", "sand", Gloss::Own).len() - 1) as u8;
+    let water = (material_table("granite", "sand", Gloss::Own).len() - 1) as u8;
     let pools: Vec<usize> = (0..SIDE * SIDE)
-        .filter(|&i| wet.optics[i] == water && wet.bump[i] > plain.bump[i])
+        .filter(|&i| wet.material[i] == water && wet.bump[i] > plain.bump[i])
         .collect();
     assert!(pools.len() > 500, "{}", pools.len());
     let inner = pools.iter().map(|&i| wet.bump[i]).fold(f32::MIN, f32::max);
@@ -146,8 +146,8 @@ fn gloss_changes_the_light_and_not_the_planes() {
         let other = finished(&format!("&gloss={word}"));
         assert_eq!(own.digest(), other.digest());
         assert_ne!(own.picture(), other.picture(), "{word}");
-        let table = optics_table("granite", "sand", Gloss::of_word(word));
-        assert_eq!(table[0], optics_table("granite", "sand", Gloss::Own)[0]);
+        let table = material_table("granite", "sand", Gloss::of_word(word));
+        assert_eq!(table[0], material_table("granite", "sand", Gloss::Own)[0]);
         shine.push(table[1].specular);
     }
     assert!(shine.is_sorted() && shine[0] < shine[2]);

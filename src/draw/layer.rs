@@ -1,7 +1,7 @@
 //! Drawings as data: layers of shapes, each over those before it.
 //!
 //! Whoever draws says what is to be seen, in picture units, y down. A sink makes pixels or a file of it: a
-//! [`super::Board`] paints layers, [`crate::export::svg`] writes them.
+//! [`crate::draw::Board`] paints layers, [`crate::export::svg`] writes them.
 
 use super::colour::Tint;
 use super::shapes::round;

@@ -11,7 +11,7 @@ use super::maps::roughness;
 use super::obj::Obj;
 use crate::cells::Cell;
 use crate::heightfield::{Planes, Surfaces, TextureParams};
-use crate::material::{FINISHES, Optics};
+use crate::material::{FINISHES, Material};
 use crate::solid::Solid;
 
 /// A kind of mesh file.
@@ -43,8 +43,8 @@ pub struct MeshFile {
 }
 
 impl MeshFile {
-    /// A file without cells, for planes of these parameters and optical attributes.
-    pub fn new(format: MeshFormat, params: TextureParams, optics: &[Optics]) -> Self {
+    /// A file without cells, for planes of these parameters and this table of materials.
+    pub fn new(format: MeshFormat, params: TextureParams, materials: &[Material]) -> Self {
         Self {
             frame: Frame {
                 unit: 1.0 / params.side as f32,
@@ -52,7 +52,7 @@ impl MeshFile {
             surfaces: Surfaces::new(params),
             body: match format {
                 MeshFormat::Obj => Body::Obj(Obj::new()),
-                MeshFormat::Glb => Body::Glb(Box::new(Glb::new(mean_roughness(optics)))),
+                MeshFormat::Glb => Body::Glb(Box::new(Glb::new(mean_roughness(materials)))),
             },
             cells: 0,
         }
@@ -93,8 +93,8 @@ impl MeshFile {
 }
 
 /// Of the stones' dry finishes, which come after the ground's.
-fn mean_roughness(optics: &[Optics]) -> f32 {
-    let stones = optics.get(1..=FINISHES).unwrap_or_default();
+fn mean_roughness(materials: &[Material]) -> f32 {
+    let stones = materials.get(1..=FINISHES).unwrap_or_default();
     let sum: f32 = stones
         .iter()
         .map(|o| roughness(f64::from(o.shininess)))

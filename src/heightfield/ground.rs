@@ -3,7 +3,7 @@
 //! One periodic tile holds its height and colour: swells and patches, grains, and some pebbles.
 
 use super::pitch::Pitch;
-use crate::material::{Ground, Tile};
+use crate::material::{Ground, NoiseTile};
 use crate::random::{Purpose, Random};
 
 /// Picture units along the tile's side, a power of two.
@@ -31,7 +31,7 @@ pub struct Bed {
     /// pixels.
     dense: usize,
     /// Noise, broad and fine.
-    tiles: Vec<Tile>,
+    tiles: Vec<NoiseTile>,
     /// Above the base level, in picture units.
     heights: Vec<f32>,
     /// Red, green and blue, 0..255.
@@ -75,7 +75,7 @@ impl Bed {
         while self.tiles.len() < NOISES.len() && left > 0 {
             let (item, log_side, levels, dimension) = NOISES[self.tiles.len()];
             let doublings = self.pitch.doublings();
-            let tile = Tile::finer(self.seed, item, [log_side, levels], dimension, doublings);
+            let tile = NoiseTile::finer(self.seed, item, [log_side, levels], dimension, doublings);
             self.tiles.push(tile);
             left = left.saturating_sub(SIDE);
         }

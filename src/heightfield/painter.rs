@@ -1,7 +1,7 @@
 //! Puts stone after stone into the data planes.
 //!
 //! Miyata, Itoh, Shimada (2000), sections 5.3 and 5.4: heights by scan conversion, fractal noise added
-//! within the stone's mask, colour and optics recorded at the same time. Where stones meet the higher
+//! within the stone's mask, colour and material recorded at the same time. Where stones meet the higher
 //! surface wins, as in a depth buffer. A pixel has nine samples: its height and colour are blended by
 //! how many of them each stone and the ground have, which keeps rims smooth.
 
@@ -12,7 +12,7 @@ use super::scan::Raster;
 use super::weather::Painted;
 use super::{Planes, TextureParams};
 use crate::cells::Cell;
-use crate::material::{Coat, Palette, Patterns, Skin, palette};
+use crate::material::{Coat, Face, FaceNoise, Palette, palette};
 use crate::order::{greater, lesser};
 use crate::solid::{Solid, Solids, StoneKind};
 use glam::{DVec2, Vec3};
@@ -27,7 +27,7 @@ pub struct Painter {
     palette: &'static Palette,
     planes: Planes,
     bed: Bed,
-    patterns: Patterns,
+    noise: FaceNoise,
     coats: Vec<Coat>,
     raster: Raster,
     pitch: Pitch,
@@ -46,7 +46,7 @@ pub struct Painter {
 
 /// A stone on its way into the planes.
 struct Work {
-    skin: Skin,
+    face: Face,
     solid: Solid,
     /// The ways to its images that are still to be placed, the next one last.
     ways: Vec<[i32; 2]>,
@@ -83,7 +83,7 @@ impl Painter {
                 ..Planes::new(side)
             },
             bed: params.bed(),
-            patterns: Patterns::new(params.seed, params.size, params.dimension, doublings),
+            noise: FaceNoise::new(params.seed, params.size, params.dimension, doublings),
             coats: Vec::new(),
             raster: Raster::default(),
             pitch,
@@ -177,7 +177,7 @@ impl Painter {
         let (window, fine) = (self.window(), self.params.fine as f32);
         self.raster.begin(&solid, window, fine);
         Work {
-            skin: self.params.face(cell, coat),
+            face: self.params.face(cell, coat),
             solid,
             ways,
             at: [0, 0],
@@ -227,7 +227,7 @@ impl Painter {
                 for x in 0..raster.extent[0] {
                     if let Some(heights) = raster.pixel(x, row) {
                         let at = [x as i32 + raster.origin[0], row as i32 + raster.origin[1]];
-                        self.pixel(&work.skin, at, moved, heights, index as u32 + 1);
+                        self.pixel(&work.face, at, moved, heights, index as u32 + 1);
                     }
                 }
                 work.rows = Some(row + 1);
@@ -266,7 +266,7 @@ impl Painter {
 
     fn pixel(
         &mut self,
-        skin: &Skin,
+        face: &Face,
         [x, y]: [i32; 2],
         moved: [i32; 2],
         heights: [f32; PER_PIXEL],
@@ -275,8 +275,8 @@ impl Painter {
         let i = y as usize * self.side + x as usize;
         let [own_x, own_y] = [x - moved[0], y - moved[1]];
         let own_place = [self.pitch.place(own_x), self.pitch.place(own_y)];
-        let rough = skin.relief(&self.patterns, [own_x, own_y].map(|v| self.pitch.value(v)));
-        let raise = self.relief * rough + skin.lift(own_place);
+        let rough = face.relief(&self.noise, [own_x, own_y].map(|v| self.pitch.value(v)));
+        let raise = self.relief * rough + face.lift(own_place);
         let soil = self.bed.height(x, y);
         let in_band = i - self.band.start * self.side;
         let claim = self.samples.claim(in_band, heights, raise, soil);
@@ -286,13 +286,7 @@ impl Painter {
         let dust = self.bed.colour(x, y);
         let own = claim.sum / claim.weight;
         let stand = (own - self.level) / self.depth;
-        let colour = skin.colour(
-            self.palette,
-            &self.patterns,
-            own_place,
-            rough,
-            (stand, dust),
-        );
+        let colour = face.colour(self.palette, &self.noise, own_place, rough, (stand, dust));
         let each = 1.0 / PER_PIXEL as f32;
         let new = f32::from(claim.fresh);
         self.planes.bump[i] += (claim.risen - soil * new) * each + claim.gained * each;
@@ -303,7 +297,7 @@ impl Painter {
         }));
         if self.samples.is_won(in_band, &claim) {
             self.planes.id[i] = id;
-            self.planes.optics[i] = skin.optics;
+            self.planes.material[i] = face.material;
         }
     }
 }

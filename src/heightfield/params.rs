@@ -3,7 +3,7 @@
 use super::ground::Bed;
 use super::pitch::Pitch;
 use crate::cells::Cell;
-use crate::material::{Coat, ColourParams, Skin, ground, palette};
+use crate::material::{Coat, ColourParams, Face, ground, palette};
 use crate::solid::{StoneKind, StoneParams, joint_depth, lean, top};
 
 /// What the planes are made by; the papers' symbols in brackets.
@@ -115,8 +115,8 @@ impl TextureParams {
 
     /// The face of a cell's stone. Not inlined: its draws are long.
     #[inline(never)]
-    pub(super) fn face(&self, cell: &Cell, coat: Coat) -> Skin {
-        Skin::new(
+    pub(super) fn face(&self, cell: &Cell, coat: Coat) -> Face {
+        Face::new(
             palette(self.palette),
             cell,
             self.seed,

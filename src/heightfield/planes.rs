@@ -12,8 +12,8 @@ pub struct Planes {
     pub bump: Vec<f32>,
     /// Red, green, blue, 8 bits each, as shown (sRGB).
     pub colour: Vec<[u8; 3]>,
-    /// Index into the table of optical attributes.
-    pub optics: Vec<u8>,
+    /// Index into the table of materials: the optics plane of the paper.
+    pub material: Vec<u8>,
     /// 0 for the ground, cell index + 1 for a stone.
     pub id: Vec<u32>,
     /// Ambient light that reaches the point past its surroundings, 255 = all of it.
@@ -34,7 +34,7 @@ impl Planes {
             side,
             bump: vec![0.0; n],
             colour: vec![[0; 3]; n],
-            optics: vec![0; n],
+            material: vec![0; n],
             id: vec![GROUND; n],
             openness: vec![255; n],
             ground: 0.0,
@@ -65,7 +65,7 @@ impl Planes {
             .iter()
             .for_each(|h| hash.add(u64::from(h.to_bits())));
         for (i, &[r, g, b]) in self.colour.iter().enumerate() {
-            let bytes = [r, g, b, self.optics[i], self.openness[i], 0, 0, 0];
+            let bytes = [r, g, b, self.material[i], self.openness[i], 0, 0, 0];
             hash.add(u64::from_le_bytes(bytes) | u64::from(self.id[i]) << 40);
         }
         format!("{:016x}", hash.finish())

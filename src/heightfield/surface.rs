@@ -5,7 +5,7 @@
 
 use super::{Planes, TextureParams};
 use crate::cells::Cell;
-use crate::material::{Coat, Patterns, Skin, floor};
+use crate::material::{Coat, Face, FaceNoise, floor};
 use crate::order::{greater, lesser};
 use crate::solid::Solid;
 use glam::Vec3;
@@ -30,7 +30,7 @@ const FOOT: f32 = 0.125;
 /// Makes surfaces, and keeps what those of all cells share.
 pub struct Surfaces {
     params: TextureParams,
-    patterns: Patterns,
+    noise: FaceNoise,
     relief: f32,
     /// The open sides of the triangles seen so far; solids of one connectivity share theirs.
     rims: Vec<Rim>,
@@ -46,7 +46,7 @@ impl Surfaces {
     /// For the planes made by these parameters.
     pub fn new(params: TextureParams) -> Self {
         Self {
-            patterns: Patterns::new(params.seed, params.size, params.dimension, 0),
+            noise: FaceNoise::new(params.seed, params.size, params.dimension, 0),
             relief: params.relief(),
             rims: Vec::new(),
             params,
@@ -61,8 +61,8 @@ impl Surfaces {
         }
         let rim = self.rim(solid);
         let mut positions = solid.vertices.clone();
-        let skin = self.params.face(cell, Coat::default());
-        self.roughen(&skin, &mut positions);
+        let face = self.params.face(cell, Coat::default());
+        self.roughen(&face, &mut positions);
         let normals = normals(&positions, &solid.triangles);
         let colours = colours(&positions, &solid.triangles, index as u32 + 1, planes);
         let mut surface = Surface {
@@ -89,17 +89,17 @@ impl Surfaces {
     }
 
     /// Adds what the painter adds to each pixel of a stone.
-    fn roughen(&self, skin: &Skin, positions: &mut [Vec3]) {
+    fn roughen(&self, face: &Face, positions: &mut [Vec3]) {
         let top = positions.iter().fold(0.0, |top, p| greater(top, p.z));
         let foot = greater(FOOT * top, f32::MIN_POSITIVE);
         for p in positions {
             let whole = lesser(p.z / foot, 1.0);
-            p.z = greater(p.z + whole * self.raise(skin, p.x - 0.5, p.y - 0.5), 0.0);
+            p.z = greater(p.z + whole * self.raise(face, p.x - 0.5, p.y - 0.5), 0.0);
         }
     }
 
     /// Between the middles of pixels.
-    fn raise(&self, skin: &Skin, x: f32, y: f32) -> f32 {
+    fn raise(&self, face: &Face, x: f32, y: f32) -> f32 {
         let (ix, iy) = (floor(x), floor(y));
         let (tx, ty) = (x - ix as f32, y - iy as f32);
         let mut sum = 0.0;
@@ -108,8 +108,8 @@ impl Surfaces {
             let across = if right == 1 { tx } else { 1.0 - tx };
             let down = if below == 1 { ty } else { 1.0 - ty };
             let (x, y) = (ix + right, iy + below);
-            let relief = self.relief * skin.relief(&self.patterns, [x, y]);
-            sum += across * down * (relief + skin.lift([x as f32, y as f32]));
+            let relief = self.relief * face.relief(&self.noise, [x, y]);
+            sum += across * down * (relief + face.lift([x as f32, y as f32]));
         }
         sum
     }

@@ -8,7 +8,7 @@ use super::mean::Mean;
 use super::occlusion::Occlusion;
 use super::{GROUND, Planes};
 use crate::domain::Domain;
-use crate::material::{Effects, Place, Sample, WeatherParams, soft};
+use crate::material::{Effects, Place, Sample, WeatherParams, smoothstep_f32};
 use crate::order::greater;
 use glam::DVec2;
 use std::rc::Rc;
@@ -189,7 +189,7 @@ impl Weather {
             is_stone: planes.id[i] != GROUND,
             hollow: (0.5 + (wide - height) / self.depth).clamp(0.0, 1.0),
             near,
-            trodden: soft(distance / self.farthest * TRODDEN),
+            trodden: smoothstep_f32(distance / self.farthest * TRODDEN),
             inside: distance / self.size,
             broad: bed.broad(px + right, py + down),
             grains: bed.grains(px, py),
@@ -198,12 +198,12 @@ impl Weather {
         let mut sample = Sample {
             height,
             colour: planes.colour[i].map(f32::from),
-            optics: planes.optics[i],
+            material: planes.material[i],
             soaks: !place.is_stone,
         };
         self.effects.apply(&place, &mut sample);
         planes.bump[i] = sample.height;
         planes.colour[i] = sample.colour.map(|v| (v.clamp(0.0, 255.0) + 0.5) as u8);
-        planes.optics[i] = sample.optics;
+        planes.material[i] = sample.material;
     }
 }

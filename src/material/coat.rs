@@ -5,8 +5,9 @@
 //! rule gives each cell a value that is spread about evenly over 0..1; the share of cells asked for
 //! that have the highest are marked, with a soft border between them and the others.
 
-use super::noise::Tile;
+use super::noise::NoiseTile;
 use super::reaction::Reaction;
+use super::smoothstep::smoothstep;
 use crate::cells::{Cell, Graph};
 use crate::domain::{Domain, signed_area};
 use crate::order::{self, greater, lesser};
@@ -113,13 +114,13 @@ pub struct Coat {
 
 /// How far bands and spots are bent, in their scale.
 const WAVE: f64 = 0.2;
-/// How far spots are off their place in a grid, in its pitch.
+/// How far spots are off their place in a grid, in its spacing.
 const SCATTER: f64 = 0.32;
-/// The soft border of marks: from all cells to this share of them.
+/// The sharpest border of marks: over this share of the cells. The softest is over all.
 const SHARPEST: f64 = 0.03;
-/// Values of noise along one swell, and swells along a tile of it.
-const SWELL: f64 = 16.0;
-const SWELLS: f64 = 4.0;
+/// Values of the noise along one of its waves, and waves along the tile.
+const WAVELENGTH: f64 = 16.0;
+const WAVES: f64 = 4.0;
 
 /// The coats of all cells in the making.
 pub struct Coats {
@@ -127,7 +128,7 @@ pub struct Coats {
     seed: u64,
     side: f64,
     phase: f64,
-    noise: Tile,
+    noise: NoiseTile,
     values: Vec<f64>,
     graph: Option<Graph>,
     reaction: Option<Reaction>,
@@ -143,7 +144,7 @@ impl Coats {
             seed,
             side,
             phase: Random::new(seed, Purpose::Pattern, u64::MAX).unit(),
-            noise: Tile::new(seed, 21, 6, 4, 1.2),
+            noise: NoiseTile::new(seed, 21, 6, 4, 1.2),
             values: Vec::new(),
             graph: None,
             reaction: None,
@@ -209,11 +210,11 @@ impl Coats {
         match self.colour.pattern {
             Pattern::Bands => {
                 let along = self.turns(p, angle, scale, period) + self.phase;
-                let bent = along + WAVE * self.swell(p, period, 1.0);
+                let bent = along + WAVE * self.noise(p, period, 1.0);
                 triangle(bent)
             }
             Pattern::Spots | Pattern::Rosettes => self.spot(p, period),
-            Pattern::Blotches => self.swell(p, period, 1.0) + 0.5 * self.swell(p, period, 2.3),
+            Pattern::Blotches => self.noise(p, period, 1.0) + 0.5 * self.noise(p, period, 2.3),
             Pattern::Size => signed_area(&cell.ring),
             Pattern::Boundary => near(domain.nearest(p).distance.abs()),
             Pattern::Lines => domain.nearest_line(p).map_or(0.0, |n| near(n.distance)),
@@ -240,13 +241,13 @@ impl Coats {
         (p / side).dot(waves)
     }
 
-    /// Noise whose swells are `1 / fine` of the pattern's scale.
-    fn swell(&self, p: DVec2, period: Option<f64>, fine: f64) -> f64 {
-        let mut tiles = fine * self.side / (self.colour.scale * SWELLS);
+    /// Noise whose waves are `1 / frequency` of the pattern's scale.
+    fn noise(&self, p: DVec2, period: Option<f64>, frequency: f64) -> f64 {
+        let mut tiles = frequency * self.side / (self.colour.scale * WAVES);
         if period.is_some() {
             tiles = greater(tiles.round(), 1.0);
         }
-        let at = p * (tiles * SWELL * SWELLS / self.side);
+        let at = p * (tiles * WAVELENGTH * WAVES / self.side);
         f64::from(self.noise.between(at.x as f32, at.y as f32))
     }
 
@@ -254,9 +255,9 @@ impl Coats {
     fn spot(&self, p: DVec2, period: Option<f64>) -> f64 {
         let scale = self.colour.scale;
         let count = period.map(|side| greater((side / scale).round(), 1.0));
-        let pitch = period.map_or(scale, |side| side / count.unwrap_or(1.0));
-        let bent = self.swell(p, period, 1.0) * WAVE * 0.5;
-        let at = p / pitch + DVec2::new(bent, -bent);
+        let spacing = period.map_or(scale, |side| side / count.unwrap_or(1.0));
+        let bent = self.noise(p, period, 1.0) * WAVE * 0.5;
+        let at = p / spacing + DVec2::new(bent, -bent);
         let own = at.floor();
         let mut nearest = f64::MAX;
         for k in 0..9 {
@@ -276,11 +277,11 @@ impl Coats {
     fn weight(&self, value: f64) -> f64 {
         let c = &self.colour;
         let width = 1.0 - (1.0 - SHARPEST) * c.sharpness;
-        let weight = smooth((value - (1.0 - c.share)) / width + 0.5);
+        let weight = smoothstep((value - (1.0 - c.share)) / width + 0.5);
         let pale = match c.pattern {
             Pattern::Rosettes => {
                 let out = ((1.0 - value) / greater(c.share, 1e-3)).sqrt();
-                0.75 * smooth((0.7 - out) / 0.3)
+                0.75 * smoothstep((0.7 - out) / 0.3)
             }
             _ => 0.0,
         };
@@ -305,19 +306,13 @@ impl Coats {
             Some(_) => 0.5 + 0.5 * libm::sin(TAU * turns),
             None => 0.5 + turns,
         };
-        belly * smooth((down - 0.3) / 0.5)
+        belly * smoothstep((down - 0.3) / 0.5)
     }
 }
 
 /// 1 at whole numbers, 0 at those and a half, straight between.
 fn triangle(turns: f64) -> f64 {
     2.0 * (turns - turns.floor() - 0.5).abs()
-}
-
-/// From 0 to 1 over 0..1, level at both.
-pub(super) fn smooth(t: f64) -> f64 {
-    let t = order::within(t, 0.0, 1.0);
-    t * t * (3.0 - 2.0 * t)
 }
 
 /// Replaces values by their ranks, over 0..1.

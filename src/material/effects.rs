@@ -1,10 +1,10 @@
-//! What weather does to one pixel: wear, dirt, moss and wet, one after the other.
+//! What weather does to a place of a surface: wear, dirt, moss and wet, one after the other.
 //!
 //! Heights and thicknesses are parts of the joints' depth, noises have a deviation of about 1, and all
 //! that covers is a share, 0..1. Numbers are chosen by eye.
 
-use super::coat::smooth;
-use super::optics::{DIRT, FINISHES, MOSS, ROWS, WATER};
+use super::phong::{DIRT, FINISHES, MOSS, ROWS, WATER};
+use super::smoothstep::smoothstep_f32 as smoothstep;
 use crate::order::{self, greater, lesser};
 
 /// How much of each, 0..1.
@@ -20,14 +20,14 @@ pub struct WeatherParams {
     pub wet: f64,
 }
 
-/// What is known of a pixel's place.
+/// What is known of a place.
 pub(crate) struct Place {
     pub is_stone: bool,
     /// 1/2 on level ground, towards 1 in joints and towards 0 on tops.
     pub hollow: f32,
     /// The mean height close around it.
     pub near: f32,
-    /// How much feet come here, 0..1.
+    /// How much the place is walked on, 0..1.
     pub trodden: f32,
     /// The distance to the boundary in cell sizes, below 0 outside.
     pub inside: f32,
@@ -38,12 +38,13 @@ pub(crate) struct Place {
     pub patches: f32,
 }
 
-/// What a pixel looks like, and what becomes of it.
+/// The surface there, which the weather changes.
 pub(crate) struct Sample {
     pub height: f32,
     /// 0..255.
     pub colour: [f32; 3],
-    pub optics: u8,
+    /// Index into the table of materials.
+    pub material: u8,
     /// Does it take water in, as stone does not?
     pub soaks: bool,
 }
@@ -62,61 +63,62 @@ pub(crate) struct Effects {
 }
 
 mod wear {
-    /// How much noise there is in what is worn.
+    /// Amplitude of the noise in the wear.
     pub const NOISE: f32 = 0.35;
-    /// How deep what is rough is rubbed off.
+    /// Roughness up to this depth is rubbed off.
     pub const RUB: f32 = 0.06;
-    /// Feet reach what stands above the ground by a third and more: the slope and the start of that.
+    /// Feet reach surfaces above a third of the joints' depth: slope and start of the ramp.
     pub const REACHED: [f32; 2] = [3.0, 1.0];
-    /// What it takes off at most.
+    /// The greatest loss of height.
     pub const LOSS: f32 = 0.44;
-    /// How far below and above that the edge it leaves is rounded.
+    /// How far below and above the cut its edge is rounded.
     pub const EDGE: f32 = 0.22;
-    /// Tops are cut off wholly from a quarter of the wear on.
+    /// The cut is complete from the inverse of this wear on.
     pub const SOON: f32 = 4.0;
-    /// From here on a place is polished, and from there on once more.
+    /// Wear from which a place has the next finish, and the one after that.
     pub const POLISHED: [f32; 2] = [0.3, 0.6];
-    /// How much lighter it gets: dust and weathered crust are off.
+    /// How much lighter worn stone is: dust and weathered crust are gone.
     pub const LIGHTER: f32 = 0.05;
 }
 
 mod dirt {
-    /// How much noise there is in where it lies, broad and fine.
+    /// Amplitudes of the noise in where it lies, broad and fine.
     pub const NOISE: [f32; 2] = [0.10, 0.04];
-    /// It lies where hollows, noise and its strength are more than this.
+    /// It lies where hollow, noise and strength sum up to more than this.
     pub const FROM: f32 = 0.96;
-    /// How soon it covers.
+    /// How fast the cover grows beyond that.
     pub const SLOPE: f32 = 1.9;
-    /// How much of the colour it covers: at least, and more with its strength.
+    /// Its share in the colour: at little strength, and what full strength adds.
     pub const COVER: [f32; 2] = [0.35, 0.6];
-    /// Noise in its colour, fine and broad.
+    /// Amplitudes of the noise in its colour, fine and broad.
     pub const TONE: [f32; 2] = [0.06, 0.05];
     /// Its thickness.
     pub const SILT: f32 = 0.06;
-    /// It gathers in hollows: the slope and the start of that.
+    /// It is thick in hollows only: slope and start of the ramp.
     pub const GATHERS: [f32; 2] = [2.0, 0.6];
     /// From this cover on the surface is dirt.
     pub const SOLID: f32 = 0.45;
 }
 
 mod moss {
-    /// What it likes: hollows, and noise, broad and fine; and how much it minds feet.
+    /// What makes it grow: weight of hollows, amplitudes of noise, broad and fine; and weight of treading,
+    /// which keeps it away.
     pub const HOLLOW: f32 = 0.72;
     pub const NOISE: [f32; 2] = [0.15, 0.06];
     pub const TRODDEN: f32 = 0.14;
-    /// It grows where that is more than this, less so much of its strength.
+    /// It grows where that is more than this, less this part of its strength.
     pub const FROM: f32 = 0.86;
     pub const STRENGTH: f32 = 0.98;
-    /// How soon it covers.
+    /// How fast the cover grows beyond that.
     pub const SLOPE: f32 = 7.0;
     /// Its colours, in the shade and in the light.
     pub const GREENS: [[f32; 3]; 2] = [[54.0, 66.0, 30.0], [102.0, 108.0, 53.0]];
-    /// It is lighter on tops, and by noise, fine and broad.
+    /// It is lighter on tops, and by noise of these amplitudes, fine and broad.
     pub const LIGHT: f32 = 0.55;
     pub const TONE: [f32; 2] = [0.2, 0.25];
-    /// Fine noise in its colour.
+    /// Amplitude of the fine noise in its colour.
     pub const GRAIN: f32 = 0.16;
-    /// Its thickness, the part of it that is everywhere, and what fine noise adds.
+    /// Its thickness; the part of that which is everywhere, and the amplitude of fine noise in it.
     pub const PAD: f32 = 0.13;
     pub const THICKNESS: [f32; 2] = [0.75, 0.22];
     /// From this cover on the surface is moss.
@@ -124,30 +126,30 @@ mod moss {
 }
 
 mod wet {
-    /// Damp comes with the strength, from this on, in hollows and by noise.
+    /// Dampness: weight of the strength, from this on, weight of hollows, amplitude of noise.
     pub const STRENGTH: f32 = 1.5;
     pub const FROM: f32 = 0.2;
     pub const HOLLOW: f32 = 0.5;
     pub const NOISE: f32 = 0.2;
-    /// Little strength makes nothing soaked.
+    /// All can be soaked from the inverse of this strength on.
     pub const SOON: f32 = 4.0;
-    /// How much darker is what soaks, and what does not.
+    /// How much darker wet surfaces are: those that take water in, and others.
     pub const DARKER: [f32; 2] = [0.46, 0.36];
-    /// Colours are so much stronger.
+    /// How much more saturated wet colours are.
     pub const VIVID: f32 = 0.3;
-    /// From here on a place is damp, and from there on wet.
+    /// Dampness from which the damp materials count, and the wet ones.
     pub const FINISHES: [f32; 2] = [0.33, 0.7];
-    /// The water's surface: it rises with the strength from below the ground, and runs off around the
-    /// pavement.
+    /// Height of the water over the ground: rise with the strength, start below the ground, and how much
+    /// lower it is beyond the boundary.
     pub const RISE: f32 = 0.85;
     pub const BELOW: f32 = 0.5;
     pub const RUNS_OFF: f32 = 0.6;
-    /// Beyond the boundary it runs off: the start, and the slope by the distance in cell sizes.
+    /// Ramp from inside to beyond the boundary: start, and slope by the distance in cell sizes.
     pub const AWAY: [f32; 2] = [0.5, 2.0];
-    /// Light lost in the depth: at most, and the depth of half of that, in picture units.
+    /// Greatest loss of light in deep water, and the depth of half of it, in picture units.
     pub const MURK: f32 = 0.35;
     pub const HALF: f32 = 2.0;
-    /// What still water shows of the sky, and how much.
+    /// The sky in still water: its colour, and its share.
     pub const SKY: [f32; 3] = [126.0, 138.0, 148.0];
     pub const MIRROR: f32 = 0.42;
     /// From this depth on, in picture units, the surface is water.
@@ -201,7 +203,7 @@ impl Effects {
         let rub = wear::RUB * self.depth;
         let flat = order::within(place.near, sample.height - rub, sample.height + rub);
         let [slope, start] = wear::REACHED;
-        sample.height += (flat - sample.height) * worn * soft(slope * stand - start);
+        sample.height += (flat - sample.height) * worn * smoothstep(slope * stand - start);
         // Tops are cut off, with a soft edge.
         let stand = self.stand(sample);
         let ceiling = 1.0 + wear::EDGE - (wear::LOSS + wear::EDGE) * worn;
@@ -210,7 +212,7 @@ impl Effects {
         sample.height += (cut - stand) * self.depth * lesser(wear::SOON * worn, 1.0);
         let [once, twice] = wear::POLISHED;
         if worn > once {
-            sample.optics = (sample.optics + 1 + u8::from(worn > twice)).min(FINISHES as u8);
+            sample.material = (sample.material + 1 + u8::from(worn > twice)).min(FINISHES as u8);
         }
         sample.colour = sample.colour.map(|v| v * (1.0 + wear::LIGHTER * worn));
     }
@@ -226,13 +228,13 @@ impl Effects {
         let noise = dirt::NOISE;
         let lies = place.hollow + noise[0] * broad + noise[1] * grains - dirt::FROM + self.dirt;
         let [least, more] = dirt::COVER;
-        let cover = (least + more * self.dirt) * soft(dirt::SLOPE * lies);
+        let cover = (least + more * self.dirt) * smoothstep(dirt::SLOPE * lies);
         let tone = 1.0 + dirt::TONE[0] * grains + dirt::TONE[1] * broad;
         mix(&mut sample.colour, self.silt.map(|v| v * tone), cover);
         let [slope, start] = dirt::GATHERS;
-        sample.height += dirt::SILT * self.depth * cover * soft(slope * place.hollow - start);
+        sample.height += dirt::SILT * self.depth * cover * smoothstep(slope * place.hollow - start);
         if cover > dirt::SOLID {
-            sample.optics = DIRT;
+            sample.material = DIRT;
             sample.soaks = true;
         }
     }
@@ -248,7 +250,7 @@ impl Effects {
         let noise = moss::NOISE;
         let shade = moss::HOLLOW * hollow + noise[0] * broad + noise[1] * grains
             - moss::TRODDEN * place.trodden;
-        let cover = soft((shade - moss::FROM + moss::STRENGTH * self.moss) * moss::SLOPE);
+        let cover = smoothstep((shade - moss::FROM + moss::STRENGTH * self.moss) * moss::SLOPE);
         let [fine, patches] = moss::TONE;
         let light = 0.5 - moss::LIGHT * (hollow - 0.5) + fine * grains + patches * place.patches;
         let [mut green, lit] = moss::GREENS;
@@ -258,7 +260,7 @@ impl Effects {
         let [pad, tufts] = moss::THICKNESS;
         sample.height += self.depth * moss::PAD * cover * (pad + tufts * grains);
         if cover > moss::SOLID {
-            sample.optics = MOSS;
+            sample.material = MOSS;
             sample.soaks = true;
         }
     }
@@ -268,7 +270,7 @@ impl Effects {
         let lies = wet::STRENGTH * self.wet - wet::FROM
             + wet::HOLLOW * (place.hollow - 0.5)
             + wet::NOISE * place.broad;
-        let soaked = soft(lies) * soft(wet::SOON * self.wet);
+        let soaked = smoothstep(lies) * smoothstep(wet::SOON * self.wet);
         let [r, g, b] = sample.colour;
         let grey = (r + g + b) / 3.0;
         let [deep, slight] = wet::DARKER;
@@ -276,13 +278,13 @@ impl Effects {
         let vivid = 1.0 + wet::VIVID * soaked;
         sample.colour = sample.colour.map(|v| (grey + (v - grey) * vivid) * dark);
         let [damp, soaking] = wet::FINISHES;
-        sample.optics += ROWS * (u8::from(soaked > damp) + u8::from(soaked > soaking));
+        sample.material += ROWS * (u8::from(soaked > damp) + u8::from(soaked > soaking));
     }
 
     /// Puddles.
     fn flood(&self, place: &Place, sample: &mut Sample) {
         let [start, slope] = wet::AWAY;
-        let away = soft(start - slope * place.inside);
+        let away = smoothstep(start - slope * place.inside);
         let stand = wet::RISE * self.wet - wet::BELOW - wet::RUNS_OFF * away;
         let surface = self.level + self.depth * stand;
         let deep = surface - sample.height;
@@ -295,14 +297,9 @@ impl Effects {
         mix(&mut sample.colour, wet::SKY, wet::MIRROR * clear);
         sample.height = surface;
         if clear > wet::SOLID {
-            sample.optics = WATER;
+            sample.material = WATER;
         }
     }
-}
-
-/// From 0 at 0 to 1 at 1 without a kink.
-pub(crate) fn soft(t: f32) -> f32 {
-    smooth(f64::from(t)) as f32
 }
 
 fn mix(colour: &mut [f32; 3], other: [f32; 3], share: f32) {

@@ -1,7 +1,7 @@
 //! What lies between the stones.
 
-use super::optics::{EARTH, LEATHER};
 use super::palette::Ground;
+use super::phong::{EARTH, LEATHER};
 
 /// All grounds; the first is the default.
 pub const GROUNDS: &[Ground] = &[
@@ -14,7 +14,7 @@ pub const GROUNDS: &[Ground] = &[
         pebbles: 0.24,
         pebble: [166, 158, 146],
         dirt: [120, 106, 86],
-        optics: EARTH,
+        material: EARTH,
     },
     Ground {
         name: "soil",
@@ -25,7 +25,7 @@ pub const GROUNDS: &[Ground] = &[
         pebbles: 0.22,
         pebble: [112, 102, 90],
         dirt: [88, 74, 58],
-        optics: EARTH,
+        material: EARTH,
     },
     Ground {
         name: "mortar",
@@ -36,7 +36,7 @@ pub const GROUNDS: &[Ground] = &[
         pebbles: 0.05,
         pebble: [140, 136, 128],
         dirt: [102, 92, 78],
-        optics: EARTH,
+        material: EARTH,
     },
     Ground {
         name: "dark",
@@ -47,7 +47,7 @@ pub const GROUNDS: &[Ground] = &[
         pebbles: 0.30,
         pebble: [78, 76, 74],
         dirt: [58, 52, 46],
-        optics: EARTH,
+        material: EARTH,
     },
     Ground {
         name: "moss",
@@ -58,7 +58,7 @@ pub const GROUNDS: &[Ground] = &[
         pebbles: 0.0,
         pebble: [90, 90, 70],
         dirt: [84, 74, 50],
-        optics: EARTH,
+        material: EARTH,
     },
     Ground {
         name: "gravel",
@@ -69,7 +69,7 @@ pub const GROUNDS: &[Ground] = &[
         pebbles: 0.92,
         pebble: [146, 140, 132],
         dirt: [104, 93, 78],
-        optics: EARTH,
+        material: EARTH,
     },
     // Its colours are those of the palette's flesh.
     Ground {
@@ -81,6 +81,6 @@ pub const GROUNDS: &[Ground] = &[
         pebbles: 0.0,
         pebble: [0; 3],
         dirt: [118, 102, 80],
-        optics: LEATHER[0],
+        material: LEATHER[0],
     },
 ];

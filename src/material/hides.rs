@@ -1,7 +1,7 @@
 //! The palettes of animals, and of what grows or is told of like them.
 
-use super::optics::{DULL, FINISHES, HORN, LEATHER, Optics, PEARL, SATIN};
 use super::palette::Palette;
+use super::phong::{DULL, FINISHES, HORN, LEATHER, Material, PEARL, SATIN};
 use super::stones::PLAIN;
 
 /// Animals' skins.
@@ -135,7 +135,7 @@ const fn hide(
     name: &'static str,
     bases: &'static [[u8; 3]],
     others: [[u8; 3]; 3],
-    optics: [Optics; FINISHES],
+    finishes: [Material; FINISHES],
 ) -> Palette {
     let [mark, belly, flesh] = others;
     Palette {
@@ -149,7 +149,7 @@ const fn hide(
         mottle: 0.07,
         speckle: 0.035,
         bands: 0.03,
-        optics,
+        finishes,
         ..PLAIN
     }
 }

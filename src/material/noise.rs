@@ -13,14 +13,14 @@ const BELOW: f32 = 0.6;
 
 /// A periodic square of noise: mean 0, and deviation 1 at the distance of the coarse grid's points.
 #[derive(Clone, Debug)]
-pub struct Tile {
+pub struct NoiseTile {
     side: usize,
     /// Values for each unit of length, along a side.
     dense: f32,
     values: Vec<f32>,
 }
 
-impl Tile {
+impl NoiseTile {
     /// A tile of `2^log_side` values a side, begun on a grid of points `2^levels` apart (at most the
     /// side), of fractal dimension `dimension`, 1 to 2. `item` tells tiles of one seed apart.
     pub fn new(seed: u64, item: u64, log_side: u32, levels: u32, dimension: f64) -> Self {
@@ -189,7 +189,7 @@ mod tests {
     use super::*;
 
     /// Half the mean square difference of values `lag` apart along rows and columns.
-    fn variogram(tile: &Tile, lag: i32) -> f64 {
+    fn variogram(tile: &NoiseTile, lag: i32) -> f64 {
         let side = tile.side() as i32;
         let mut sum = 0.0;
         for y in 0..side {
@@ -204,7 +204,7 @@ mod tests {
     }
 
     /// From the slope 2 H of the logarithm of the variogram, least squares over doubling lags.
-    fn measured_dimension(tile: &Tile) -> f64 {
+    fn measured_dimension(tile: &NoiseTile) -> f64 {
         let points: Vec<(f64, f64)> = (0..6)
             .map(|k| (f64::from(k), libm::log2(variogram(tile, 1 << k))))
             .collect();
@@ -222,7 +222,7 @@ mod tests {
         for tenth in 11..=19 {
             let asked = f64::from(tenth) / 10.0;
             let mean = (0..4)
-                .map(|seed| measured_dimension(&Tile::new(seed, 0, 9, 8, asked)) / 4.0)
+                .map(|seed| measured_dimension(&NoiseTile::new(seed, 0, 9, 8, asked)) / 4.0)
                 .sum::<f64>();
             assert!((mean - asked).abs() < 0.1, "asked {asked}, got {mean}");
         }
@@ -230,8 +230,8 @@ mod tests {
 
     #[test]
     fn more_levels_keep_the_means() {
-        let tile = Tile::new(5, 2, 6, 9, 1.6);
-        let finer = Tile::finer(5, 2, [6, 9], 1.6, 2);
+        let tile = NoiseTile::new(5, 2, 6, 9, 1.6);
+        let finer = NoiseTile::finer(5, 2, [6, 9], 1.6, 2);
         let mut off = 0.0;
         for (x, y) in (0..64).flat_map(|y| (0..64).map(move |x| (x, y))) {
             let around = (0..16).map(|k| (4 * x - 2 + k % 4, 4 * y - 2 + k / 4));
@@ -244,7 +244,7 @@ mod tests {
 
     #[test]
     fn repeats_without_a_seam() {
-        let tile = Tile::new(3, 0, 6, 4, 1.3);
+        let tile = NoiseTile::new(3, 0, 6, 4, 1.3);
         assert_eq!(tile.at(-1, 5), tile.at(63, 69));
         let seam: f32 = (0..64)
             .map(|y| (tile.at(63, y) - tile.at(64, y)).abs())

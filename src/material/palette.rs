@@ -1,10 +1,10 @@
-//! What stones, hides and ground are made of: colours, patterns, optical attributes.
+//! What stones, hides and ground look like: colours, patterns, materials.
 //!
-//! Miyata, Itoh, Shimada (2000), section 5.4: a table given in advance, from which a random number
-//! draws for each stone. Colours are sRGB as one would pick them from a photograph taken in even
-//! light; amounts are parts of the colour's own lightness.
+//! Miyata, Itoh, Shimada (2000), section 5.4: a table given in advance, from which each stone draws at
+//! random. Colours are sRGB as in a photograph taken in even light; amounts are parts of the colour's own
+//! lightness.
 
-use super::optics::{FINISHES, Optics};
+use super::phong::{FINISHES, Material};
 
 /// A kind of stone or of hide.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,7 +38,7 @@ pub struct Palette {
     /// Scale of the relief the recipe asks for: sawn stone is smoother than hewn.
     pub relief: f32,
     /// From rough to smooth.
-    pub optics: [Optics; FINISHES],
+    pub finishes: [Material; FINISHES],
 }
 
 /// What lies between the stones and around the pavement.
@@ -61,5 +61,5 @@ pub struct Ground {
     /// Colour of what the wind and feet carry from it into hollows.
     pub dirt: [u8; 3],
     /// How the ground gives back light.
-    pub optics: Optics,
+    pub material: Material,
 }

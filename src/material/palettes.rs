@@ -1,9 +1,9 @@
-//! All stones, hides and grounds by their words, and the table of their optical attributes.
+//! All stones, hides and grounds by their words, and the table of their materials.
 
 use super::grounds::GROUNDS;
 use super::hides::HIDES;
-use super::optics::{EARTH, FINISHES, Gloss, Optics, PADS, POOL, ROWS};
 use super::palette::{Ground, Palette};
+use super::phong::{EARTH, FINISHES, Gloss, Material, PADS, POOL, ROWS};
 use super::stones::STONES;
 
 /// All palettes, stones first; the first is the default.
@@ -43,10 +43,10 @@ const HIDE: &str = "hide";
 
 /// The table of all materials of a picture: the ground first, then the palette's finishes,
 /// moss and dirt; the same rows damp, and wet; and at last water.
-pub fn optics_table(palette_name: &str, ground_name: &str, gloss: Gloss) -> Vec<Optics> {
+pub fn material_table(palette_name: &str, ground_name: &str, gloss: Gloss) -> Vec<Material> {
     let palette = palette(palette_name);
-    let mut table = vec![ground(ground_name, palette).optics];
-    table.extend(palette.optics.map(|own| gloss.of(own)));
+    let mut table = vec![ground(ground_name, palette).material];
+    table.extend(palette.finishes.map(|own| gloss.applied_to(own)));
     table.extend([PADS, EARTH]);
     for wet in [0.45, 1.0] {
         for row in 0..usize::from(ROWS) {
@@ -54,7 +54,7 @@ pub fn optics_table(palette_name: &str, ground_name: &str, gloss: Gloss) -> Vec<
             // Loose and soft things soak water up.
             let is_face = (1..=FINISHES).contains(&row);
             let gain = if is_face { 0.34 } else { 0.11 };
-            table.push(Optics {
+            table.push(Material {
                 ambient: dry.ambient,
                 diffuse: dry.diffuse * (1.0 - 0.06 * wet),
                 specular: dry.specular + gain * wet,

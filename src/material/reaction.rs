@@ -21,13 +21,13 @@ const SPREAD: f64 = 0.8;
 const RATIO: f64 = 0.05;
 /// k at a share of all.
 const FEED: f64 = 0.17;
-/// Growth of the fastest wave, of r, and how often it grows by e.
+/// Growth rate of the fastest wave, of r, and by how many factors of e it grows.
 const GROWTH: f64 = 0.336;
 const GROWTHS: f64 = 16.0;
 /// Most steps on the thinnest graph, and steps on each finer one.
 const MOST_STEPS: f64 = 2500.0;
 const REFINING: usize = 120;
-/// Links along a wave from which on the graph is thinned, and the fewest nodes for that.
+/// The graph is thinned where a wave is longer than this, in links, and it has more nodes than that.
 const COARSE: f64 = 8.0;
 const FEWEST: usize = 60;
 
@@ -49,7 +49,7 @@ pub(super) struct Reaction {
     u: Vec<f64>,
     v: Vec<f64>,
     next: Vec<f64>,
-    flow: Vec<f64>,
+    spread: Vec<f64>,
     /// Steps left on the graph at work, the last of `levels`.
     left: usize,
 }
@@ -93,7 +93,7 @@ impl Reaction {
             u: ids.iter().map(start).collect(),
             v: vec![0.0; ids.len()],
             next: Vec::new(),
-            flow: Vec::new(),
+            spread: Vec::new(),
             left: lesser(GROWTHS / (GROWTH * rate), MOST_STEPS) as usize,
         }
     }
@@ -126,16 +126,16 @@ impl Reaction {
         };
         let rate = level.rate;
         let (u, v) = (&mut self.u, &mut self.v);
-        level.flow(u, &mut self.next);
-        for (k, flow) in self.next.iter_mut().enumerate() {
+        level.laplacian(u, &mut self.next);
+        for (k, next) in self.next.iter_mut().enumerate() {
             let (a, b) = (u[k], v[k]);
-            *flow = a + SPREAD * RATIO * *flow + rate * (a - a * a * a - b + self.feed);
+            *next = a + SPREAD * RATIO * *next + rate * (a - a * a * a - b + self.feed);
         }
         std::mem::swap(u, &mut self.next);
         // `next` holds the activator before the step.
-        level.flow(v, &mut self.flow);
+        level.laplacian(v, &mut self.spread);
         for (k, b) in v.iter_mut().enumerate() {
-            *b += SPREAD * self.flow[k] + rate * (3.0 * self.next[k] - 2.0 * *b);
+            *b += SPREAD * self.spread[k] + rate * (3.0 * self.next[k] - 2.0 * *b);
         }
         self.left -= 1;
     }
@@ -185,7 +185,7 @@ impl Level {
     }
 
     /// L: the mean of the neighbours less the own value.
-    fn flow(&self, values: &[f64], out: &mut Vec<f64>) {
+    fn laplacian(&self, values: &[f64], out: &mut Vec<f64>) {
         out.clear();
         for (k, &own) in values.iter().enumerate() {
             let links = self.links(k);
@@ -227,7 +227,7 @@ fn thinned(domain: &Domain, places: &[DVec2], links: &[Vec<u32>]) -> (Vec<u32>, 
             let far = domain
                 .shortest(places[j as usize] - places[k])
                 .length_squared();
-            // Of two as near the first, whatever rounding says.
+            // The first of two that are as near but for rounding.
             if own[j as usize] != NONE && far < 0.99 * nearest {
                 nearest = far;
                 parents[k] = own[j as usize];

@@ -1,7 +1,7 @@
 //! The palettes of stones.
 
-use super::optics::{DENSE, DULL, HEWN, POLISHED};
 use super::palette::Palette;
+use super::phong::{DENSE, DULL, HEWN, POLISHED};
 
 /// What most have in common.
 pub(super) const PLAIN: Palette = Palette {
@@ -19,7 +19,7 @@ pub(super) const PLAIN: Palette = Palette {
     veins: 0.0,
     patches: 0.0,
     relief: 1.0,
-    optics: HEWN,
+    finishes: HEWN,
 };
 
 /// Stones; the first is the default palette.
@@ -54,7 +54,7 @@ pub(super) const STONES: &[Palette] = &[
         tone: 0.15,
         speckle: 0.06,
         mottle: 0.07,
-        optics: DENSE,
+        finishes: DENSE,
         ..PLAIN
     },
     Palette {
@@ -74,7 +74,7 @@ pub(super) const STONES: &[Palette] = &[
         speckle: 0.06,
         mottle: 0.08,
         bands: 0.10,
-        optics: DULL,
+        finishes: DULL,
         ..PLAIN
     },
     Palette {
@@ -94,7 +94,7 @@ pub(super) const STONES: &[Palette] = &[
         speckle: 0.05,
         mottle: 0.08,
         relief: 0.8,
-        optics: DULL,
+        finishes: DULL,
         ..PLAIN
     },
     Palette {
@@ -117,7 +117,7 @@ pub(super) const STONES: &[Palette] = &[
         mottle: 0.05,
         veins: 0.55,
         relief: 0.6,
-        optics: POLISHED,
+        finishes: POLISHED,
         ..PLAIN
     },
     Palette {
@@ -136,7 +136,7 @@ pub(super) const STONES: &[Palette] = &[
         tone: 0.12,
         speckle: 0.10,
         mottle: 0.07,
-        optics: DENSE,
+        finishes: DENSE,
         ..PLAIN
     },
     Palette {
@@ -159,7 +159,7 @@ pub(super) const STONES: &[Palette] = &[
         bands: 0.09,
         patches: 0.18,
         relief: 0.8,
-        optics: DENSE,
+        finishes: DENSE,
         ..PLAIN
     },
     Palette {
@@ -198,7 +198,7 @@ pub(super) const STONES: &[Palette] = &[
         speckle: 0.04,
         mottle: 0.07,
         patches: 0.2,
-        optics: HEWN,
+        finishes: HEWN,
         ..PLAIN
     },
 ];

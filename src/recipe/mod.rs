@@ -34,7 +34,7 @@ pub enum Stage {
     Mesh,
     /// One polygon per cell.
     Cells,
-    /// Stones, painted as they are made into planes of bump, colour, optics and id.
+    /// Stones, painted as they are made into planes of bump, colour, material and id.
     Planes,
     /// What years and weather do to the planes, and how much of the sky each place sees.
     Weather,

@@ -77,7 +77,7 @@ impl Studio {
         let begun = kept.is_none();
         let asked = &self.working.params.finish;
         let mut saving = kept.unwrap_or_else(|| Saving {
-            file: MeshFile::new(format, asked.planes.texture, &asked.light.optics),
+            file: MeshFile::new(format, asked.planes.texture, &asked.light.materials),
             solids: Solids::for_picture(1, MESH_STEPS),
             format,
             revision,
@@ -119,5 +119,5 @@ impl Studio {
 
 /// A map of planes under this light.
 pub(super) fn map_of(kind: MapKind, planes: &Planes, light: &LightParams) -> Map {
-    maps::map(kind, planes, &light.optics, light.shade.shininess)
+    maps::map(kind, planes, &light.materials, light.shade.shininess)
 }

@@ -7,7 +7,7 @@ use crate::graph::{Node, State};
 use crate::heightfield::{
     Painted, Painter, Planes, ShadeParams, Shader, TextureParams, Weathering,
 };
-use crate::material::{Coat, Optics, WeatherParams};
+use crate::material::{Coat, Material, WeatherParams};
 use crate::notice::{Code, Notice};
 use crate::recipe::Stage;
 use crate::solid::Solids;
@@ -27,8 +27,8 @@ pub(super) struct PlaneParams {
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct LightParams {
     pub shade: ShadeParams,
-    /// The table that the optics plane indexes.
-    pub optics: Vec<Optics>,
+    /// The table that the plane of materials indexes.
+    pub materials: Vec<Material>,
 }
 
 /// What is asked of all its stages.
@@ -173,7 +173,7 @@ impl HeightField {
                 if begun.replace(()).is_none() {
                     shader.restart(&params.shade);
                 }
-                let done = shader.advance(planes, &params.optics, ROWS);
+                let done = shader.advance(planes, &params.materials, ROWS);
                 Ok(done.then(|| match passes {
                     Passes::Many => shader.rgba().to_vec(),
                     Passes::One => Vec::new(),

@@ -23,7 +23,7 @@ pub enum Base {
     Normals,
     /// The colour plane, without light.
     Albedo,
-    /// The roughness that the optics plane stands for, white is rough.
+    /// The roughness of the materials, white is rough.
     Roughness,
     /// The openness plane: how much of the sky's light comes, white is all of it.
     Occlusion,

@@ -5,7 +5,7 @@ use super::terrain::{DomainParams, TerrainParams};
 use crate::domain::Outline;
 use crate::field::{Direction, FieldParams, Kind, Rim, Spot};
 use crate::heightfield::{Light, ShadeParams, TextureParams};
-use crate::material::{ColourParams, Gloss, Optics, Pattern, WeatherParams, optics_table};
+use crate::material::{ColourParams, Gloss, Material, Pattern, WeatherParams, material_table};
 use crate::notice::Notice;
 use crate::packing::{Edge, Integrator, PackingParams, Population, Start};
 use crate::recipe::{Key, Recipe, Stage};
@@ -286,7 +286,7 @@ pub(super) fn finish(recipe: &Recipe, fine: usize, finer: i32) -> HeightFieldPar
         weather: weather(recipe),
         light: LightParams {
             shade: shading(recipe),
-            optics: optics(recipe),
+            materials: materials(recipe),
         },
     }
 }
@@ -331,9 +331,9 @@ fn colour(recipe: &Recipe) -> ColourParams {
     }
 }
 
-/// The table that the optics plane indexes.
-pub(super) fn optics(recipe: &Recipe) -> Vec<Optics> {
-    optics_table(
+/// The table that the plane of materials indexes.
+pub(super) fn materials(recipe: &Recipe) -> Vec<Material> {
+    material_table(
         recipe.choice(Key::Palette),
         recipe.choice(Key::Ground),
         Gloss::of_word(recipe.choice(Key::Gloss)),

@@ -4,7 +4,7 @@ use super::shadow::Shadows;
 use super::tone::Tone;
 use super::{Light, ShadeParams};
 use crate::heightfield::{Planes, row_slopes};
-use crate::material::Optics;
+use crate::material::Material;
 use crate::order::greater;
 
 /// Colour of the lamp, linear.
@@ -44,14 +44,14 @@ struct Finish {
 }
 
 impl Finish {
-    fn new(optics: &Optics, params: &ShadeParams) -> Self {
-        let exponent = f64::from(optics.shininess) * params.shininess;
-        let strength = optics.specular * params.specular as f32;
+    fn new(material: &Material, params: &ShadeParams) -> Self {
+        let exponent = f64::from(material.shininess) * params.shininess;
+        let strength = material.specular * params.specular as f32;
         let shine = (0..=SHINE)
             .map(|i| strength * libm::pow(i as f64 / SHINE as f64, exponent.max(0.1)) as f32);
         Self {
-            ambient: optics.ambient * params.ambient as f32,
-            diffuse: optics.diffuse * params.diffuse as f32,
+            ambient: material.ambient * params.ambient as f32,
+            diffuse: material.diffuse * params.diffuse as f32,
             shine: shine.collect(),
         }
     }
@@ -118,11 +118,11 @@ impl Shader {
     }
 
     /// Goes on by about `rows` rows, first of the shadows, then of the picture; true when done. The
-    /// planes must be of the side given at first, and the table that of their optics.
-    pub fn advance(&mut self, planes: &Planes, optics: &[Optics], rows: usize) -> bool {
+    /// planes must be of the side given at first, and the table that of their material.
+    pub fn advance(&mut self, planes: &Planes, materials: &[Material], rows: usize) -> bool {
         if self.finishes.is_empty() {
             let finish = |o| Finish::new(o, &self.params);
-            self.finishes = optics.iter().map(finish).collect();
+            self.finishes = materials.iter().map(finish).collect();
         }
         if !self.shaded {
             self.shaded = self.shadows.advance(planes, rows);
@@ -211,12 +211,12 @@ impl Shader {
         let here = y * n..(y + 1) * n;
         let out = self.rgba[4 * here.start..4 * here.end].chunks_exact_mut(4);
         let colours = &planes.colour[here.clone()][..n];
-        let optics = &planes.optics[here][..n];
+        let materials = &planes.material[here][..n];
         let line = &self.line;
         let (sky, lamp, matt) = (&line.sky[..n], &line.lamp[..n], &line.matt[..n]);
         let entries = &line.mirrored[..n];
         for (x, pixel) in out.enumerate() {
-            let finish = &self.finishes[usize::from(optics[x])];
+            let finish = &self.finishes[usize::from(materials[x])];
             let ambient = finish.ambient * sky[x];
             let diffuse = finish.diffuse * matt[x];
             let shine = finish.shine[entries[x] as usize] * lamp[x];

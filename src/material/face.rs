@@ -1,34 +1,35 @@
-//! The face of one stone: what its id draws from the palette, and its colour at every pixel.
+//! The face of one stone: what its id draws from the palette, and its colour and relief at every place.
 
-use super::coat::{Coat, smooth};
-use super::noise::Tile;
-use super::optics::FINISHES;
+use super::coat::Coat;
+use super::noise::NoiseTile;
 use super::palette::Palette;
+use super::phong::FINISHES;
+use super::smoothstep::smoothstep_f32;
 use crate::cells::Cell;
 use crate::order::{greater, lesser};
 use crate::random::{Purpose, Random};
 use glam::DVec2;
 
-/// Patterns shared by all stones of a seed; each stone reads them at a place of its own.
+/// Noise shared by all stones of a seed; each stone reads them at a place of its own.
 #[derive(Clone, Debug)]
-pub struct Patterns {
+pub struct FaceNoise {
     /// The relief of the surface, of the dimension asked for.
-    pub relief: Tile,
-    broad: Tile,
-    grains: Tile,
-    /// Of the distance between values, from one picture unit on.
+    pub relief: NoiseTile,
+    broad: NoiseTile,
+    grains: NoiseTile,
+    /// There are `2^doublings` values for each picture unit, along a side.
     doublings: u32,
 }
 
-impl Patterns {
-    /// Patterns for stones of about `size` picture units, with `2^doublings` values for each unit.
+impl FaceNoise {
+    /// Noise for stones of about `size` picture units, with `2^doublings` values for each unit.
     pub fn new(seed: u64, size: f64, dimension: f64, doublings: u32) -> Self {
         let mut levels = 2;
         while levels < 8 && f64::from(1u32 << levels) * 1.42 < size {
             levels += 1;
         }
         let tile = |item, log_side, levels, dimension| {
-            Tile::finer(seed, item, [log_side, levels], dimension, doublings)
+            NoiseTile::finer(seed, item, [log_side, levels], dimension, doublings)
         };
         Self {
             relief: tile(1, 9, levels, dimension),
@@ -39,24 +40,24 @@ impl Patterns {
     }
 }
 
-/// Colours under the ground's dust reach up so far, of the joint's depth.
+/// Dust covers a stone up to this part of the joint's depth.
 const DUST_HEIGHT: f32 = 0.75;
-/// Most of the dust's share in the colour, at the rim.
+/// The dust's greatest share in the colour, at the rim.
 const DUST: f32 = 0.55;
 /// How much darker a stone is at its rim.
 const RIM: f32 = 0.30;
-/// Lightness of hollows and heights of the relief.
+/// Change of lightness for a deviation of the relief: hollows are darker.
 const CAVITY: f32 = 0.05;
-/// What the darkest rim or middle of a cell has lost of its light.
+/// How much darker the darkest rim or middle of a cell is.
 const SHADED: f32 = 0.66;
-/// How far the middle of a smoothed top is off that of its base, of how far the top leans.
+/// How far subdivision leaves the middle of a top from that of its base, of how far the top leans.
 const LEAN: f32 = 0.6;
-/// How long bands are for their width.
+/// Frequency of bands along a stone, of that across it.
 const BAND_STRETCH: f32 = 0.16;
 
 /// The attributes of one stone.
 #[derive(Clone, Debug)]
-pub struct Skin {
+pub struct Face {
     base: [f32; 3],
     centre: [f32; 2],
     axis: [f32; 2],
@@ -68,16 +69,16 @@ pub struct Skin {
     /// How far the rim is darkened, below 0 the middle.
     rim: f32,
     lean: [f32; 2],
-    /// For each side of the cell the way to it, over its squared length; none where nothing asks.
+    /// See [`sides`]; empty where neither rim nor middle is darkened.
     sides: Vec<[f32; 2]>,
-    /// Index into the optics table.
-    pub optics: u8,
+    /// Index into the table of materials.
+    pub material: u8,
 }
 
-impl Skin {
-    /// Draws the attributes of a cell's stone. `vary` scales what differs in tone, `uneven` (0..1)
-    /// what differs in the way stones are laid. `rim` darkens the rim, below 0 the middle, of a top
-    /// that is off its base by `lean`.
+impl Face {
+    /// Draws the attributes of a cell's stone. `vary` scales differences in tone, `uneven` (0..1) those in
+    /// height and tilt. `rim` darkens the rim, below 0 the middle, of a top whose middle is off that of
+    /// the base by `lean`.
     pub fn new(
         palette: &Palette,
         cell: &Cell,
@@ -88,7 +89,7 @@ impl Skin {
     ) -> Self {
         let mut random = attributes(seed, cell.id);
         let base = draw_colour(palette, &mut random, vary, coat);
-        let optics = 1 + random.below(FINISHES) as u8;
+        let material = 1 + random.below(FINISHES) as u8;
         let mut signed = || random.signed() as f32;
         let tilt = [signed() * uneven * 0.03, signed() * uneven * 0.03];
         let step = signed() * uneven * 0.035 * cell.size as f32;
@@ -107,11 +108,11 @@ impl Skin {
             rim,
             lean: [LEAN * lean.x as f32, LEAN * lean.y as f32],
             sides: if rim == 0.0 { Vec::new() } else { sides(cell) },
-            optics,
+            material,
         }
     }
 
-    /// What this stone is laid higher than the others at a place of the picture, in picture units.
+    /// How much higher than level this stone lies at a place of the picture, in picture units.
     pub fn lift(&self, [x, y]: [f32; 2]) -> f32 {
         let (dx, dy) = (x - self.centre[0], y - self.centre[1]);
         self.step + self.tilt[0] * dx + self.tilt[1] * dy
@@ -119,20 +120,20 @@ impl Skin {
 
     /// The fractal relief at a place, which counts in values of the noise: deviation about 1. Turned and
     /// mirrored, never interpolated, so that its roughness stays.
-    pub fn relief(&self, patterns: &Patterns, [x, y]: [i32; 2]) -> f32 {
+    pub fn relief(&self, noise: &FaceNoise, [x, y]: [i32; 2]) -> f32 {
         let (x, y) = if self.turn & 1 == 0 { (x, y) } else { (y, x) };
         let x = if self.turn & 2 == 0 { x } else { -x };
         let y = if self.turn & 4 == 0 { y } else { -y };
-        let [across, down] = self.shift.map(|v| v << patterns.doublings);
-        patterns.relief.at(x + across, y + down)
+        let [across, down] = self.shift.map(|v| v << noise.doublings);
+        noise.relief.at(x + across, y + down)
     }
 
-    /// The stone's colour at a place as [`Skin::lift`] takes it, 0..255, where its relief is `relief`. `height` is the part of
-    /// the joint's depth that the surface stands above the ground, `dust` the ground's colour.
+    /// The stone's colour at a place of the picture, 0..255, where its relief is `relief`. `height` is that
+    /// of the surface above the ground, of the joint's depth; `dust` is the ground's colour.
     pub fn colour(
         &self,
         palette: &Palette,
-        patterns: &Patterns,
+        noise: &FaceNoise,
         [x, y]: [f32; 2],
         relief: f32,
         (height, dust): (f32, [f32; 3]),
@@ -140,19 +141,19 @@ impl Skin {
         let (dx, dy) = (x - self.centre[0], y - self.centre[1]);
         let u = dx * self.axis[0] + dy * self.axis[1] + self.offset[0];
         let v = dy * self.axis[0] - dx * self.axis[1] + self.offset[1];
-        let blotch = patterns.broad.between(u, v);
-        let grain = patterns.grains.between(1.3 * v, 1.3 * u);
+        let blotch = noise.broad.between(u, v);
+        let grain = noise.grains.between(1.3 * v, 1.3 * u);
         let mut light = 1.0 + palette.mottle * blotch + palette.speckle * mineral(grain);
         light += CAVITY * relief.clamp(-2.0, 2.0);
         if palette.bands > 0.0 {
-            light += palette.bands * patterns.broad.between(u * BAND_STRETCH, 1.7 * v + 40.0);
+            light += palette.bands * noise.broad.between(u * BAND_STRETCH, 1.7 * v + 40.0);
         }
         let rim = (1.0 - height).clamp(0.0, 1.0);
         light *= 1.0 - RIM * rim * rim.sqrt();
         if self.rim != 0.0 {
             light *= 1.0 - SHADED * self.shade([dx, dy]);
         }
-        let second = self.second_share(palette, patterns, (u, v), rim);
+        let second = self.second_share(palette, noise, (u, v), rim);
         let dust_share = (1.0 - height / DUST_HEIGHT).clamp(0.0, 1.0);
         let dust_share = DUST * dust_share * dust_share * (1.0 + 0.5 * blotch).clamp(0.3, 1.5);
         std::array::from_fn(|k| {
@@ -162,12 +163,12 @@ impl Skin {
         })
     }
 
-    /// How much darker a place of the cell is, by its way from the middle.
+    /// How much darker a place of the cell is, by its distance from the middle.
     fn shade(&self, [dx, dy]: [f32; 2]) -> f32 {
         let (dx, dy) = (dx - self.lean[0], dy - self.lean[1]);
         let reach = |s: &[f32; 2]| s[0] * dx + s[1] * dy;
         let out = self.sides.iter().map(reach).fold(0.0, greater);
-        let step = |from: f32, to: f32| smooth(f64::from((out - from) / (to - from))) as f32;
+        let step = |from: f32, to: f32| smoothstep_f32((out - from) / (to - from));
         if self.rim > 0.0 {
             self.rim * step(0.45, 1.0)
         } else {
@@ -176,22 +177,16 @@ impl Skin {
     }
 
     /// Share of the palette's second colour: veins are the zero lines of a noise, patches its hills.
-    fn second_share(
-        &self,
-        palette: &Palette,
-        patterns: &Patterns,
-        at: (f32, f32),
-        rim: f32,
-    ) -> f32 {
+    fn second_share(&self, palette: &Palette, noise: &FaceNoise, at: (f32, f32), rim: f32) -> f32 {
         let (u, v) = at;
         let mut share = 0.0;
         if palette.veins > 0.0 {
-            let field = patterns.broad.between(0.8 * u + 17.0, 0.5 * v + 91.0);
+            let field = noise.broad.between(0.8 * u + 17.0, 0.5 * v + 91.0);
             let line = greater(1.0 - field.abs() * 5.0, 0.0);
             share += palette.veins * line * line;
         }
         if palette.patches > 0.0 {
-            let field = patterns.broad.between(v + 61.0, u - 29.0);
+            let field = noise.broad.between(v + 61.0, u - 29.0);
             let hill = (field * 0.8 - 0.55 + 1.2 * rim).clamp(0.0, 1.0);
             share += palette.patches * hill;
         }
@@ -199,8 +194,8 @@ impl Skin {
     }
 }
 
-/// For each side of a cell the way from its centre straight to it, over its squared length: times a
-/// way from the centre it is 1 on the side.
+/// For each side of a cell the normal from its centre to it, over its squared length: the dot product
+/// with a place relative to the centre is 1 on the side.
 fn sides(cell: &Cell) -> Vec<[f32; 2]> {
     let next = cell.ring.iter().cycle().skip(1);
     let side = |(&a, &b): (&DVec2, &DVec2)| {
@@ -212,7 +207,7 @@ fn sides(cell: &Cell) -> Vec<[f32; 2]> {
     cell.ring.iter().zip(next).map(side).collect()
 }
 
-/// The colour of the stone of the cell `id`, without its patterns: red, green, blue, 0..255 for sensible
+/// The colour of the stone of the cell `id`, without its noise: red, green, blue, 0..255 for sensible
 /// palettes. `vary` scales what differs between stones, `coat` is what the cell wears by rule.
 pub fn stone_colour(palette: &Palette, id: u32, seed: u64, vary: f32, coat: Coat) -> [f32; 3] {
     draw_colour(palette, &mut attributes(seed, id), vary, coat)
@@ -242,7 +237,7 @@ fn spread(random: &mut Random) -> f32 {
     ((random.signed() + random.signed() + random.signed()) as f32).clamp(-2.0, 2.0)
 }
 
-/// Single dark and bright grains rather than a haze.
+/// Strengthens large values: single dark and bright grains rather than a haze.
 fn mineral(grain: f32) -> f32 {
     let g = grain.clamp(-2.5, 2.5);
     0.35 * g + 0.3 * g * g.abs()
