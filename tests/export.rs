@@ -260,7 +260,7 @@ fn shifted(planes: &Planes, [dx, dy]: [usize; 2]) -> Planes {
         colour: moved(&planes.colour, planes.side, by),
         material: moved(&planes.material, planes.side, by),
         id: moved(&planes.id, planes.side, by),
-        openness: moved(&planes.openness, planes.side, by),
+        occlusion: moved(&planes.occlusion, planes.side, by),
         ..*planes
     }
 }

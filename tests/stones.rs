@@ -214,7 +214,7 @@ fn planes_are_the_same_each_time_and_follow_the_seed() {
     let reseeded = TextureParams { seed: 2, ..small() };
     assert_ne!(first.digest(), painted(reseeded, &cells).digest());
     let mut other = first.clone();
-    other.openness[77] ^= 1;
+    other.occlusion[77] ^= 1;
     assert_ne!(first.digest(), other.digest());
 }
 
@@ -225,7 +225,7 @@ fn joints_see_less_of_the_sky_than_tops() {
     let mean = |wanted: &dyn Fn(usize) -> bool| {
         let chosen: Vec<f64> = (0..SIDE * SIDE)
             .filter(|&i| inner(i) && wanted(i))
-            .map(|i| f64::from(planes.openness[i]))
+            .map(|i| f64::from(planes.occlusion[i]))
             .collect();
         chosen.iter().sum::<f64>() / chosen.len() as f64
     };
@@ -284,7 +284,7 @@ fn tiles_repeat_without_a_seam() {
     let open = |planes: &bubblestone::heightfield::Planes, id: u32| {
         let of = (0..SIDE * SIDE).filter(|&k| planes.id[k] == id);
         of.clone()
-            .map(|k| f64::from(planes.openness[k]))
+            .map(|k| f64::from(planes.occlusion[k]))
             .sum::<f64>()
             / of.count() as f64
     };

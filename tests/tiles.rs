@@ -145,7 +145,7 @@ fn shading_of_a_tile_has_no_edges() {
         other.bump = moved(&planes.bump, by);
         other.colour = moved(&planes.colour, by);
         other.material = moved(&planes.material, by);
-        other.openness = moved(&planes.openness, by);
+        other.occlusion = moved(&planes.occlusion, by);
         for (azimuth, elevation) in [(225, 40), (10, 20), (100, 5), (290, 8), (180, 5), (45, 70)] {
             let light = Light::Parallel {
                 azimuth: f64::from(azimuth).to_radians(),
@@ -200,14 +200,14 @@ fn planes_and_pictures_run_on_over_the_seams() {
             let height =
                 |a: usize, b: usize| f64::from((planes.bump[at(a)] - planes.bump[at(b)]).abs());
             let open = |a: usize, b: usize| {
-                f64::from(planes.openness[at(a)].abs_diff(planes.openness[at(b)]))
+                f64::from(planes.occlusion[at(a)].abs_diff(planes.occlusion[at(b)]))
             };
             let light =
                 |a: usize, b: usize| f64::from(picture[4 * at(a)].abs_diff(picture[4 * at(b)]));
             let all: [(&str, Vec<f64>); 4] = [
                 ("id", steps(id)),
                 ("height", steps(height)),
-                ("openness", steps(open)),
+                ("occlusion", steps(open)),
                 ("light", steps(light)),
             ];
             for (what, mut steps) in all {

@@ -46,7 +46,7 @@ fn fair_weather_changes_nothing_and_any_other_something() {
 #[test]
 fn moss_and_dirt_lie_low() {
     let plain = planes("");
-    let paved = |i: usize| plain.openness[i] < 250 || plain.id[i] != GROUND;
+    let paved = |i: usize| plain.occlusion[i] < 250 || plain.id[i] != GROUND;
     for more in ["&moss=0.4", "&dirt=0.6"] {
         let grown = planes(more);
         let covered = |i: usize| paved(i) && grown.material[i] != plain.material[i];

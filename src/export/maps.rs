@@ -103,7 +103,7 @@ pub fn map(kind: MapKind, planes: &Planes, materials: &[Material], shininess: f6
             let at = |&k: &u8| greys.get(usize::from(k)).copied().unwrap_or(255);
             (1, 8, planes.material.iter().map(at).collect())
         }
-        MapKind::Occlusion => (1, 8, planes.openness.clone()),
+        MapKind::Occlusion => (1, 8, planes.occlusion.clone()),
         MapKind::Id => (
             3,
             8,

@@ -1,8 +1,7 @@
-//! The bed of the pavement: between the stones and all around them.
-//!
-//! One periodic tile holds its height and colour: swells and patches, grains, and some pebbles.
+//! The bed of the pavement, between the stones and all around them: one periodic tile of heights and colours
+//! with swells and patches, grains, and some pebbles.
 
-use super::pitch::Pitch;
+use super::pixel_scale::PixelScale;
 use crate::material::{Ground, NoiseTile};
 use crate::random::{Purpose, Random};
 
@@ -10,11 +9,11 @@ use crate::random::{Purpose, Random};
 const SIDE: usize = 512;
 /// Item, logarithm of the side, levels and dimension of its two noises, broad and fine.
 const NOISES: [(u64, u32, u32, f64); 2] = [(11, 9, 7, 1.35), (12, 8, 1, 1.9)];
-/// Places for a pebble along the side.
+/// The side is divided in so many places, each of which may have a pebble.
 const PLACES: usize = 64;
 /// Radius of pebbles, in picture units: from and to, small ones more often.
 const PEBBLE: [f32; 2] = [0.7, 2.6];
-/// How much of a pebble looks out, of its radius.
+/// Height of a pebble over the ground, of its radius.
 const STAND: f32 = 0.55;
 
 /// Height and colour of the ground at any pixel, the same whenever asked.
@@ -26,7 +25,7 @@ pub struct Bed {
     seed: u64,
     /// The ground repeats after so many pixels.
     period: Option<usize>,
-    pitch: Pitch,
+    pixel_scale: PixelScale,
     /// Places of the tile for each picture unit, along a side: a power of two, not less than the
     /// pixels.
     dense: usize,
@@ -46,9 +45,9 @@ impl Bed {
         [level, depth]: [f32; 2],
         seed: u64,
         period: Option<usize>,
-        pitch: Pitch,
+        pixel_scale: PixelScale,
     ) -> Self {
-        let dense = (pitch.fine() as usize).next_power_of_two();
+        let dense = (pixel_scale.per_unit() as usize).next_power_of_two();
         let places = dense * SIDE * dense * SIDE;
         Self {
             ground,
@@ -56,7 +55,7 @@ impl Bed {
             depth,
             seed,
             period,
-            pitch,
+            pixel_scale,
             dense,
             tiles: Vec::new(),
             heights: Vec::with_capacity(places),
@@ -74,7 +73,7 @@ impl Bed {
         let mut left = rows;
         while self.tiles.len() < NOISES.len() && left > 0 {
             let (item, log_side, levels, dimension) = NOISES[self.tiles.len()];
-            let doublings = self.pitch.doublings();
+            let doublings = self.pixel_scale.noise_doublings();
             let tile = NoiseTile::finer(self.seed, item, [log_side, levels], dimension, doublings);
             self.tiles.push(tile);
             left = left.saturating_sub(SIDE);
@@ -86,7 +85,7 @@ impl Bed {
             self.row(y as i32);
         }
         if made < end && end == side {
-            self.strew();
+            self.scatter_pebbles();
         }
         end == side
     }
@@ -99,7 +98,7 @@ impl Bed {
             self.heights
                 .push(self.level + swell * wave + self.ground.grain * grain);
             let patch = 0.4 * wave + 0.6 * self.noise(0, [y + 131 * unit, x + 57 * unit]);
-            self.colours.push(soil(&self.ground, patch, grain));
+            self.colours.push(soil_colour(&self.ground, patch, grain));
         }
     }
 
@@ -130,12 +129,12 @@ impl Bed {
 
     /// At a place of the tile.
     fn noise(&self, which: usize, place: [i32; 2]) -> f32 {
-        let pitch = Pitch::new(self.dense);
-        let [x, y] = place.map(|v| pitch.value(v));
+        let places = PixelScale::new(self.dense);
+        let [x, y] = place.map(|v| places.noise_value(v));
         self.tiles[which].at(x, y)
     }
 
-    /// What is carried from it into hollows: red, green and blue, 0..255.
+    /// The colour of the dirt in hollows: red, green and blue, 0..255.
     pub fn dirt(&self) -> [f32; 3] {
         self.ground.dirt.map(f32::from)
     }
@@ -145,7 +144,10 @@ impl Bed {
         match self.period {
             Some(period) => {
                 let period = period as i32;
-                let (side, unit) = (self.side() as i32, SIDE as i32 * self.pitch.fine());
+                let (side, unit) = (
+                    self.side() as i32,
+                    SIDE as i32 * self.pixel_scale.per_unit(),
+                );
                 let tiles = ((period + unit / 2) / unit).max(1);
                 let stretched = |v: i32| v.rem_euclid(period) * tiles * side / period;
                 self.index(stretched(x), stretched(y))
@@ -155,11 +157,11 @@ impl Bed {
     }
 
     fn of_pixel(&self, v: i32) -> i32 {
-        let (fine, dense) = (self.pitch.fine(), self.dense as i32);
-        if fine == dense {
+        let (pixels, dense) = (self.pixel_scale.per_unit(), self.dense as i32);
+        if pixels == dense {
             v
         } else {
-            (v * dense).div_euclid(fine)
+            (v * dense).div_euclid(pixels)
         }
     }
 
@@ -168,7 +170,7 @@ impl Bed {
         (y as usize & (side - 1)) * side + (x as usize & (side - 1))
     }
 
-    fn strew(&mut self) {
+    fn scatter_pebbles(&mut self) {
         let ground = self.ground;
         let mut random = Random::new(self.seed, Purpose::Ground, 0);
         let apart = (self.side() / PLACES) as f64;
@@ -216,7 +218,7 @@ impl Bed {
     }
 }
 
-fn soil(ground: &Ground, patch: f32, grain: f32) -> [f32; 3] {
+fn soil_colour(ground: &Ground, patch: f32, grain: f32) -> [f32; 3] {
     let mix = (0.5 - 0.5 * patch).clamp(0.0, 1.0);
     let light = 1.0 + ground.speckle * grain;
     let [a, b] = ground.colours;

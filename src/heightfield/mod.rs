@@ -1,13 +1,13 @@
 //! Solids as a height field: they are put into data planes (Miyata, Itoh, Shimada 2000, section 3.2) on the
 //! ground, the weather goes over these, and they are lit.
 
+mod box_filter;
 mod ground;
 mod light;
-mod mean;
 mod occlusion;
 mod painter;
 mod params;
-mod pitch;
+mod pixel_scale;
 mod planes;
 mod samples;
 mod scan;

@@ -1,7 +1,7 @@
 //! Ambient occlusion: how much of the sky a point sees past its surroundings.
 //!
 //! For each of eight directions the horizon is the steepest rise to a few points at growing distance;
-//! the openness is the mean of 1 - sin(elevation of the horizon).
+//! the plane holds the mean of 1 - sin(elevation of the horizon), as maps do: all of it is 255.
 
 use super::Planes;
 use crate::order::greater;
@@ -22,7 +22,7 @@ const STEPS: [f64; 6] = [0.0, 0.08, 0.18, 0.34, 0.6, 1.0];
 /// How far to look, in cell sizes.
 const REACH: f64 = 0.6;
 
-/// The openness plane in the making.
+/// The occlusion plane in the making.
 #[derive(Clone, Debug)]
 pub struct Occlusion {
     /// Distances along an axis and along a diagonal, in pixels.
@@ -31,19 +31,19 @@ pub struct Occlusion {
     /// The picture is a torus.
     tile: bool,
     /// Pixels for each picture unit, along a side.
-    fine: usize,
+    pixel_scale: usize,
     row: usize,
 }
 
 impl Occlusion {
-    /// For cells of about `size` picture units, each of `fine` pixels along a side; with `tile`, what
-    /// lies beyond an edge is beyond the other.
-    pub fn new(size: f64, fine: usize, tile: bool) -> Self {
-        let reach = (REACH * size).max(4.0) * fine as f64;
+    /// For cells of about `size` picture units, each of `pixel_scale` pixels along a side. With `tile` the
+    /// picture goes on beyond an edge at the opposite one.
+    pub fn new(size: f64, pixel_scale: usize, tile: bool) -> Self {
+        let reach = (REACH * size).max(4.0) * pixel_scale as f64;
         let distances = |unit: f64| {
             let mut distances: Vec<i32> = STEPS
                 .iter()
-                .map(|s| ((s * reach / unit).round() as i32).max(fine as i32))
+                .map(|s| ((s * reach / unit).round() as i32).max(pixel_scale as i32))
                 .collect();
             distances.dedup();
             distances
@@ -52,7 +52,7 @@ impl Occlusion {
             straight: distances(1.0),
             diagonal: distances(std::f64::consts::SQRT_2),
             tile,
-            fine,
+            pixel_scale,
             row: 0,
         }
     }
@@ -72,7 +72,7 @@ impl Occlusion {
                     *sum += s / (1.0 + s * s).sqrt();
                 }
             }
-            let row = &mut planes.openness[y * side..(y + 1) * side];
+            let row = &mut planes.occlusion[y * side..(y + 1) * side];
             for (open, &sum) in row.iter_mut().zip(&closed) {
                 *open = (255.0 * (1.0 - sum / DIRECTIONS.len() as f32) + 0.5) as u8;
             }
@@ -104,7 +104,7 @@ impl Occlusion {
             if off && !self.tile {
                 break;
             }
-            let per = self.fine as f32 / (d as f32 * unit);
+            let per = self.pixel_scale as f32 / (d as f32 * unit);
             let there = &bump[row.rem_euclid(rim) as usize * side..][..side];
             let shift = if self.tile { shift % rim } else { shift };
             let mut compare = |first: usize, at: usize, span: usize| {

@@ -6,8 +6,8 @@
 //! how many of them each stone and the ground have, which keeps rims smooth.
 
 use super::ground::Bed;
-use super::pitch::Pitch;
-use super::samples::{EVEN, PER_PIXEL, Samples};
+use super::pixel_scale::PixelScale;
+use super::samples::{BLEND, PER_PIXEL, Samples};
 use super::scan::Raster;
 use super::weather::Painted;
 use super::{Planes, TextureParams};
@@ -30,7 +30,7 @@ pub struct Painter {
     noise: FaceNoise,
     coats: Vec<Coat>,
     raster: Raster,
-    pitch: Pitch,
+    pixel_scale: PixelScale,
     /// Pixels along a side of the picture.
     side: usize,
     /// The rows that stones are put into now, and of which the following three tell.
@@ -44,16 +44,31 @@ pub struct Painter {
     work: Option<Work>,
 }
 
-/// A stone on its way into the planes.
+/// A stone of which a part is in the planes.
 struct Work {
     face: Face,
     solid: Solid,
-    /// The ways to its images that are still to be placed, the next one last.
-    ways: Vec<[i32; 2]>,
-    /// The way that it has been moved.
-    at: [i32; 2],
-    /// Rows of the image at work that are done; none while it is scan converted.
+    /// The offsets of its images that are still to be painted, the next one last.
+    images: Vec<[i32; 2]>,
+    /// The offset of the image that is painted now, to which the solid is moved.
+    offset: [i32; 2],
+    /// Rows of that image that are done; none while it is scan converted.
     rows: Option<usize>,
+}
+
+impl Work {
+    /// Goes on with the next image; false where there is none left.
+    fn next_image(&mut self) -> bool {
+        let Some(to) = self.images.pop() else {
+            return false;
+        };
+        for v in &mut self.solid.vertices {
+            v.x += (to[0] - self.offset[0]) as f32;
+            v.y += (to[1] - self.offset[1]) as f32;
+        }
+        (self.offset, self.rows) = (to, None);
+        true
+    }
 }
 
 impl Painter {
@@ -62,23 +77,23 @@ impl Painter {
         Self::banded(params, usize::MAX)
     }
 
-    /// The same, with stones to be put into so many rows at a time only, the first ones first: what is
-    /// known of samples takes three times as much memory as the planes.
+    /// The same, with stones to be put into so many rows at a time only, from the top: the samples of all
+    /// pixels would take three times as much memory as the planes.
     pub fn banded(params: TextureParams, rows: usize) -> Self {
-        let side = params.side * params.fine;
+        let side = params.side * params.pixel_scale;
         let (level, depth) = (params.level() as f32, params.depth() as f32);
-        let pitch = Pitch::new(params.fine);
-        let doublings = pitch.doublings();
+        let pixel_scale = PixelScale::new(params.pixel_scale);
+        let doublings = pixel_scale.noise_doublings();
         let band = 0..side.min(rows);
-        let firm = match params.stone.kind {
-            StoneKind::Skin => 1.0 / EVEN,
+        let share_per_height = match params.stone.kind {
+            StoneKind::Skin => 1.0 / BLEND,
             _ => f32::INFINITY,
         };
         Self {
             palette: palette(params.palette),
             planes: Planes {
                 tile: params.tile,
-                fine: params.fine,
+                pixel_scale: params.pixel_scale,
                 ground: level,
                 ..Planes::new(side)
             },
@@ -86,9 +101,9 @@ impl Painter {
             noise: FaceNoise::new(params.seed, params.size, params.dimension, doublings),
             coats: Vec::new(),
             raster: Raster::default(),
-            pitch,
+            pixel_scale,
             side,
-            samples: Samples::new(band.len() * side, firm),
+            samples: Samples::new(band.len() * side, share_per_height),
             band,
             level,
             depth,
@@ -101,7 +116,7 @@ impl Painter {
 
     /// Makes and lays the ground, about `rows` rows of it; true when all are laid.
     /// [`Painter::paint`] lays what is missing.
-    pub fn prepare(&mut self, rows: usize) -> bool {
+    pub fn lay_ground(&mut self, rows: usize) -> bool {
         let side = self.side;
         if self.laid == 0 && !self.bed.advance(rows) {
             return false;
@@ -118,9 +133,9 @@ impl Painter {
         end == side
     }
 
-    /// What cells wear by rule, by their index; to be told before they are painted. Those that are
-    /// not in the list are plain.
-    pub fn dress(&mut self, coats: &[Coat]) {
+    /// The coats of the cells that are to be painted, by their index. Those that are not in the list are
+    /// plain.
+    pub fn set_coats(&mut self, coats: &[Coat]) {
         self.coats = coats.to_vec();
     }
 
@@ -146,7 +161,7 @@ impl Painter {
         let mut work = match self.work.take() {
             Some(work) => work,
             None => {
-                self.prepare(usize::MAX);
+                self.lay_ground(usize::MAX);
                 if !self.params.tile && self.is_beyond(cell) {
                     return true;
                 }
@@ -169,18 +184,18 @@ impl Painter {
 
     fn begin(&mut self, solid: Solid, cell: &Cell, index: usize) -> Work {
         let coat = self.coats.get(index).copied().unwrap_or_default();
-        let mut ways = match self.params.tile {
+        let mut images = match self.params.tile {
             true => images(&solid.vertices, self.params.side as i32),
             false => Vec::new(),
         };
-        ways.reverse();
-        let (window, fine) = (self.window(), self.params.fine as f32);
-        self.raster.begin(&solid, window, fine);
+        images.reverse();
+        let (window, pixel_scale) = (self.window(), self.params.pixel_scale as f32);
+        self.raster.begin(&solid, window, pixel_scale);
         Work {
             face: self.params.face(cell, coat),
             solid,
-            ways,
-            at: [0, 0],
+            images,
+            offset: [0, 0],
             rows: None,
         }
     }
@@ -195,7 +210,7 @@ impl Painter {
         // A prism's corners are displaced by its scale, its skew, its distortion.
         let reach = 1.0 + stone.scale + stone.skin.skew + stone.distortion;
         let reach = reach * (high - low).max_element();
-        let rows = |row: usize| row as f64 / self.params.fine as f64;
+        let rows = |row: usize| row as f64 / self.params.pixel_scale as f64;
         let from = DVec2::new(0.0, rows(self.band.start));
         let to = DVec2::new(self.params.side as f64, rows(self.band.end));
         (low - reach - to).max_element() > 0.0 || (high + reach - from).min_element() < 0.0
@@ -206,8 +221,8 @@ impl Painter {
         [0..self.side, self.band.clone()]
     }
 
-    /// Puts a stone and its images, which are moved by whole pixels and look as where it came from,
-    /// into the planes, for about the work of `left` triangles; true when all are there.
+    /// Puts a stone and its images, which are moved by whole pixels and look alike, into the planes, for
+    /// about the work of `left` triangles; true when all are there.
     fn place(&mut self, work: &mut Work, index: usize, mut left: usize) -> bool {
         let mut raster = std::mem::take(&mut self.raster);
         let floor = self.level - 0.5 * self.depth - 2.0 * self.relief;
@@ -215,37 +230,42 @@ impl Painter {
             if left == 0 {
                 break false;
             }
-            let Some(row) = work.rows else {
-                if raster.advance(&work.solid, floor, left) {
-                    work.rows = Some(0);
-                }
-                left = left.saturating_sub(work.solid.triangles.len());
-                continue;
-            };
-            if row < raster.extent[1] {
-                let moved = work.at.map(|v| v * self.pitch.fine());
-                for x in 0..raster.extent[0] {
-                    if let Some(heights) = raster.pixel(x, row) {
-                        let at = [x as i32 + raster.origin[0], row as i32 + raster.origin[1]];
-                        self.pixel(&work.face, at, moved, heights, index as u32 + 1);
+            let done = match work.rows {
+                None => {
+                    if raster.advance(&work.solid, floor, left) {
+                        work.rows = Some(0);
                     }
+                    work.solid.triangles.len()
                 }
-                work.rows = Some(row + 1);
-                left = left.saturating_sub(raster.extent[0]);
-                continue;
-            }
-            let Some(to) = work.ways.pop() else {
-                break true;
+                Some(row) if row < raster.extent[1] => {
+                    self.place_row(work, &raster, row, index as u32 + 1);
+                    work.rows = Some(row + 1);
+                    raster.extent[0]
+                }
+                Some(_) => {
+                    if !work.next_image() {
+                        break true;
+                    }
+                    let pixel_scale = self.params.pixel_scale as f32;
+                    raster.begin(&work.solid, self.window(), pixel_scale);
+                    0
+                }
             };
-            for v in &mut work.solid.vertices {
-                v.x += (to[0] - work.at[0]) as f32;
-                v.y += (to[1] - work.at[1]) as f32;
-            }
-            (work.at, work.rows) = (to, None);
-            raster.begin(&work.solid, self.window(), self.params.fine as f32);
+            left = left.saturating_sub(done);
         };
         self.raster = raster;
         done
+    }
+
+    /// Puts a row of the pixels of a stone's image into the planes.
+    fn place_row(&mut self, work: &Work, raster: &Raster, row: usize, id: u32) {
+        let moved = work.offset.map(|v| v * self.pixel_scale.per_unit());
+        for x in 0..raster.extent[0] {
+            if let Some(heights) = raster.pixel(x, row) {
+                let at = [x as i32 + raster.origin[0], row as i32 + raster.origin[1]];
+                self.pixel(&work.face, at, moved, heights, id);
+            }
+        }
     }
 
     /// The planes as they are by now.
@@ -255,7 +275,7 @@ impl Painter {
 
     /// The planes with all stones in them, for the weather.
     pub fn finish(mut self) -> Painted {
-        self.prepare(usize::MAX);
+        self.lay_ground(usize::MAX);
         Painted {
             planes: self.planes,
             bed: self.bed.into(),
@@ -274,35 +294,42 @@ impl Painter {
     ) {
         let i = y as usize * self.side + x as usize;
         let [own_x, own_y] = [x - moved[0], y - moved[1]];
-        let own_place = [self.pitch.place(own_x), self.pitch.place(own_y)];
-        let rough = face.relief(&self.noise, [own_x, own_y].map(|v| self.pitch.value(v)));
+        let own_place = [
+            self.pixel_scale.centre(own_x),
+            self.pixel_scale.centre(own_y),
+        ];
+        let rough = face.relief(
+            &self.noise,
+            [own_x, own_y].map(|v| self.pixel_scale.noise_value(v)),
+        );
         let raise = self.relief * rough + face.lift(own_place);
         let soil = self.bed.height(x, y);
         let in_band = i - self.band.start * self.side;
-        let claim = self.samples.claim(in_band, heights, raise, soil);
-        if claim.fresh == 0 && claim.share == 0.0 {
+        let cover = self.samples.cover(in_band, heights, raise, soil);
+        if cover.new == 0 && cover.shared == 0.0 {
             return;
         }
         let dust = self.bed.colour(x, y);
-        let own = claim.sum / claim.weight;
+        let own = cover.heights / cover.weight;
         let stand = (own - self.level) / self.depth;
         let colour = face.colour(self.palette, &self.noise, own_place, rough, (stand, dust));
         let each = 1.0 / PER_PIXEL as f32;
-        let new = f32::from(claim.fresh);
-        self.planes.bump[i] += (claim.risen - soil * new) * each + claim.gained * each;
+        let new = f32::from(cover.new);
+        self.planes.bump[i] += (cover.new_heights - soil * new) * each + cover.gained * each;
         let old = self.planes.colour[i].map(f32::from);
         self.planes.colour[i] = bytes(std::array::from_fn(|k| {
-            let gain = (colour[k] - dust[k]) * claim.bare + (colour[k] - old[k]) * claim.share;
+            let gain =
+                (colour[k] - dust[k]) * cover.new_share + (colour[k] - old[k]) * cover.shared;
             old[k] + gain * each
         }));
-        if self.samples.is_won(in_band, &claim) {
+        if self.samples.is_owner(in_band, &cover) {
             self.planes.id[i] = id;
             self.planes.material[i] = face.material;
         }
     }
 }
 
-/// The ways to the other pictures in which an image of a stone reaches into this one.
+/// The offsets of the images of a stone on a tile that reach into the picture.
 fn images(vertices: &[Vec3], side: i32) -> Vec<[i32; 2]> {
     let (mut low, mut high) = ([f32::MAX; 2], [f32::MIN; 2]);
     for v in vertices {

@@ -1,7 +1,7 @@
 //! What the planes are made by, and what follows from it for all stones and for one.
 
 use super::ground::Bed;
-use super::pitch::Pitch;
+use super::pixel_scale::PixelScale;
 use crate::cells::Cell;
 use crate::material::{Coat, ColourParams, Face, ground, palette};
 use crate::solid::{StoneKind, StoneParams, joint_depth, lean, top};
@@ -12,7 +12,7 @@ pub struct TextureParams {
     /// Picture units along a side of the picture.
     pub side: usize,
     /// Pixels for each picture unit, along a side: 1 to 4.
-    pub fine: usize,
+    pub pixel_scale: usize,
     /// Seed of colours, relief and ground.
     pub seed: u64,
     /// The size cells were asked to have on average, in picture units (Cs).
@@ -39,7 +39,7 @@ impl Default for TextureParams {
     fn default() -> Self {
         Self {
             side: 512,
-            fine: 1,
+            pixel_scale: 1,
             seed: 1,
             size: 23.0,
             stone: StoneParams::default(),
@@ -99,8 +99,8 @@ impl TextureParams {
             ground(self.ground, palette(self.palette)),
             [self.level() as f32, self.depth().min(most) as f32],
             self.seed,
-            self.tile.then_some(self.side * self.fine),
-            Pitch::new(self.fine),
+            self.tile.then_some(self.side * self.pixel_scale),
+            PixelScale::new(self.pixel_scale),
         )
     }
 

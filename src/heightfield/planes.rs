@@ -16,12 +16,12 @@ pub struct Planes {
     pub material: Vec<u8>,
     /// 0 for the ground, cell index + 1 for a stone.
     pub id: Vec<u32>,
-    /// Ambient light that reaches the point past its surroundings, 255 = all of it.
-    pub openness: Vec<u8>,
+    /// Ambient occlusion as maps have it: 255 where all of the sky is seen.
+    pub occlusion: Vec<u8>,
     /// Height of the ground without its swells, in picture units above the base level.
     pub ground: f32,
     /// Pixels for each picture unit, along a side.
-    pub fine: usize,
+    pub pixel_scale: usize,
     /// They repeat: what lies beyond an edge of the picture is beyond the other.
     pub tile: bool,
 }
@@ -36,9 +36,9 @@ impl Planes {
             colour: vec![[0; 3]; n],
             material: vec![0; n],
             id: vec![GROUND; n],
-            openness: vec![255; n],
+            occlusion: vec![255; n],
             ground: 0.0,
-            fine: 1,
+            pixel_scale: 1,
             tile: false,
         }
     }
@@ -65,7 +65,7 @@ impl Planes {
             .iter()
             .for_each(|h| hash.add(u64::from(h.to_bits())));
         for (i, &[r, g, b]) in self.colour.iter().enumerate() {
-            let bytes = [r, g, b, self.material[i], self.openness[i], 0, 0, 0];
+            let bytes = [r, g, b, self.material[i], self.occlusion[i], 0, 0, 0];
             hash.add(u64::from_le_bytes(bytes) | u64::from(self.id[i]) << 40);
         }
         format!("{:016x}", hash.finish())

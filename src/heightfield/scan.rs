@@ -5,8 +5,8 @@ use crate::solid::Solid;
 use glam::Vec3;
 use std::ops::Range;
 
-/// Samples along a pixel's side.
-pub const SAMPLES: usize = 3;
+/// Samples across a pixel.
+pub const ACROSS: usize = 3;
 
 /// No surface at a sample.
 pub const NOTHING: f32 = f32::NEG_INFINITY;
@@ -25,9 +25,9 @@ pub struct Raster {
     /// Columns and rows of pixels of the box.
     pub extent: [usize; 2],
     /// Pixels for each picture unit, along a side.
-    fine: f32,
+    pixel_scale: f32,
     /// Samples from row to row.
-    pitch: usize,
+    stride: usize,
     heights: Vec<f32>,
     /// The stone's vertices, x and y in samples of the box.
     placed: Vec<Vec3>,
@@ -36,20 +36,20 @@ pub struct Raster {
 }
 
 impl Raster {
-    /// Begins the scan conversion of a stone within these columns and rows of a picture with `fine`
+    /// Begins the scan conversion of a stone within these columns and rows of a picture with `pixel_scale`
     /// pixels for each unit, along a side.
-    pub fn begin(&mut self, solid: &Solid, window: [Range<usize>; 2], fine: f32) {
+    pub fn begin(&mut self, solid: &Solid, window: [Range<usize>; 2], pixel_scale: f32) {
         self.drawn = 0;
-        self.fine = fine;
+        self.pixel_scale = pixel_scale;
         self.frame(&solid.vertices, window);
         let [columns, rows] = self.extent;
-        self.pitch = columns * SAMPLES + LANES;
+        self.stride = columns * ACROSS + LANES;
         self.heights.clear();
         self.placed.clear();
         if columns * rows == 0 {
             return;
         }
-        self.heights.resize(rows * SAMPLES * self.pitch, NOTHING);
+        self.heights.resize(rows * ACROSS * self.stride, NOTHING);
         let mut placed = std::mem::take(&mut self.placed);
         placed.extend(solid.vertices.iter().map(|&v| self.in_samples(v)));
         self.placed = placed;
@@ -75,12 +75,12 @@ impl Raster {
     }
 
     /// The heights of a pixel of the box, row after row; `None` where there is no surface.
-    pub fn pixel(&self, x: usize, y: usize) -> Option<[f32; SAMPLES * SAMPLES]> {
-        let mut heights = [NOTHING; SAMPLES * SAMPLES];
+    pub fn pixel(&self, x: usize, y: usize) -> Option<[f32; ACROSS * ACROSS]> {
+        let mut heights = [NOTHING; ACROSS * ACROSS];
         let mut highest = NOTHING;
-        for (row, three) in heights.chunks_exact_mut(SAMPLES).enumerate() {
-            let at = (y * SAMPLES + row) * self.pitch + x * SAMPLES;
-            three.copy_from_slice(&self.heights[at..at + SAMPLES]);
+        for (row, three) in heights.chunks_exact_mut(ACROSS).enumerate() {
+            let at = (y * ACROSS + row) * self.stride + x * ACROSS;
+            three.copy_from_slice(&self.heights[at..at + ACROSS]);
             highest = three.iter().copied().fold(highest, greater);
         }
         (highest > NOTHING).then_some(heights)
@@ -95,8 +95,8 @@ impl Raster {
         let span = |k: usize| {
             let (from, to) = (window[k].start as f32, window[k].end as f32);
             let inside = |v: f32| within(v, from, to);
-            let first = inside((low[k] * self.fine).floor()) as usize;
-            let last = inside((high[k] * self.fine).ceil()) as usize;
+            let first = inside((low[k] * self.pixel_scale).floor()) as usize;
+            let last = inside((high[k] * self.pixel_scale).ceil()) as usize;
             (first as i32, last.saturating_sub(first))
         };
         let ((x, columns), (y, rows)) = (span(0), span(1));
@@ -106,10 +106,10 @@ impl Raster {
 
     /// Sample (0, 0) of the box lies at (0, 0).
     fn in_samples(&self, v: Vec3) -> Vec3 {
-        let scale = SAMPLES as f32;
+        let scale = ACROSS as f32;
         Vec3::new(
-            (v.x * self.fine - self.origin[0] as f32) * scale - 0.5,
-            (v.y * self.fine - self.origin[1] as f32) * scale - 0.5,
+            (v.x * self.pixel_scale - self.origin[0] as f32) * scale - 0.5,
+            (v.y * self.pixel_scale - self.origin[1] as f32) * scale - 0.5,
             v.z,
         )
     }
@@ -122,7 +122,7 @@ impl Raster {
         if area <= 1e-9 {
             return;
         }
-        let [columns, rows] = self.extent.map(|pixels| (pixels * SAMPLES) as i32);
+        let [columns, rows] = self.extent.map(|pixels| (pixels * ACROSS) as i32);
         let Some((x0, x1)) = whole_between([a.x, b.x, c.x], columns) else {
             return;
         };
@@ -139,7 +139,7 @@ impl Raster {
             let dy = y as f32 - a.y;
             let (b_row, c_row, row) = (b_down * dy, c_down * dy, a.z + fall * dy);
             for x in (x0..=x1).step_by(LANES) {
-                let start = y as usize * self.pitch + x as usize;
+                let start = y as usize * self.stride + x as usize;
                 let slots = &mut self.heights[start..start + LANES];
                 for (lane, slot) in slots.iter_mut().enumerate() {
                     let dx = (x + lane as i32) as f32 - a.x;

@@ -18,18 +18,18 @@ pub(crate) fn row_slopes(planes: &Planes, y: usize, to: &mut [Vec<f32>; 2]) {
     let row = |y: usize| &planes.bump[y * side..][..side];
     let [above, below] = beside(y, side, planes.tile);
     let rows = [row(above), row(y), row(below)];
-    slopes(rows, planes.fine as f32, planes.tile, to);
+    slopes(rows, planes.pixel_scale as f32, planes.tile, to);
 }
 
 /// Rise of the surface to the right and downwards, from the rows above, here and below, which have
-/// `fine` pixels for each picture unit.
+/// `pixel_scale` pixels for each picture unit.
 /// The rows beside count too (Sobel's weights 1, 2, 1, sharpened to 1, 4, 1), or rims show the pixels'
 /// steps.
-fn slopes(rows: [&[f32]; 3], fine: f32, tile: bool, slopes: &mut [Vec<f32>; 2]) {
+fn slopes(rows: [&[f32]; 3], pixel_scale: f32, tile: bool, slopes: &mut [Vec<f32>; 2]) {
     let [up, row, down] = rows;
     let n = row.len();
     let [across, fall] = slopes.each_mut().map(|slope| &mut slope[..n]);
-    let rise = fine * (1.0 / 12.0);
+    let rise = pixel_scale * (1.0 / 12.0);
     let at = |[left, x, right]: [usize; 3]| {
         let across = |row: &[f32]| row[right] - row[left];
         let along = |x: usize| down[x] - up[x];

@@ -24,7 +24,7 @@ pub struct Surface {
     pub triangles: Vec<[u32; 3]>,
 }
 
-/// The relief is whole from this part of a stone's height up, and nothing at its base.
+/// From the base up to this part of a stone's height the relief grows from nothing to its full size.
 const FOOT: f32 = 0.125;
 
 /// Makes surfaces, and keeps what those of all cells share.
@@ -32,14 +32,14 @@ pub struct Surfaces {
     params: TextureParams,
     noise: FaceNoise,
     relief: f32,
-    /// The open sides of the triangles seen so far; solids of one connectivity share theirs.
-    rims: Vec<Rim>,
+    /// The boundaries of the connectivities seen so far; solids share them.
+    boundaries: Vec<Boundary>,
 }
 
-/// The open sides of a connectivity.
-struct Rim {
+/// The boundary edges of a connectivity.
+struct Boundary {
     of: Rc<[[u32; 3]]>,
-    sides: Rc<[[u32; 2]]>,
+    edges: Rc<[[u32; 2]]>,
 }
 
 impl Surfaces {
@@ -48,7 +48,7 @@ impl Surfaces {
         Self {
             noise: FaceNoise::new(params.seed, params.size, params.dimension, 0),
             relief: params.relief(),
-            rims: Vec::new(),
+            boundaries: Vec::new(),
             params,
         }
     }
@@ -59,7 +59,7 @@ impl Surfaces {
         if solid.vertices.is_empty() {
             return Surface::default();
         }
-        let rim = self.rim(solid);
+        let boundary = self.boundary(solid);
         let mut positions = solid.vertices.clone();
         let face = self.params.face(cell, Coat::default());
         self.roughen(&face, &mut positions);
@@ -71,21 +71,21 @@ impl Surfaces {
             colours,
             triangles: solid.triangles.to_vec(),
         };
-        surface.cap(&rim);
+        surface.cap(&boundary);
         surface
     }
 
-    fn rim(&mut self, solid: &Solid) -> Rc<[[u32; 2]]> {
+    fn boundary(&mut self, solid: &Solid) -> Rc<[[u32; 2]]> {
         let of = &solid.triangles;
-        if let Some(rim) = self.rims.iter().find(|rim| Rc::ptr_eq(&rim.of, of)) {
-            return rim.sides.clone();
+        if let Some(known) = self.boundaries.iter().find(|b| Rc::ptr_eq(&b.of, of)) {
+            return known.edges.clone();
         }
-        let sides: Rc<[[u32; 2]]> = open_sides(of, solid.vertices.len()).into();
-        self.rims.push(Rim {
+        let edges: Rc<[[u32; 2]]> = boundary_edges(of, solid.vertices.len()).into();
+        self.boundaries.push(Boundary {
             of: of.clone(),
-            sides: sides.clone(),
+            edges: edges.clone(),
         });
-        sides
+        edges
     }
 
     /// Adds what the painter adds to each pixel of a stone.
@@ -98,7 +98,7 @@ impl Surfaces {
         }
     }
 
-    /// Between the middles of pixels.
+    /// What the painter adds at a place, interpolated between the middles of pixels.
     fn raise(&self, face: &Face, x: f32, y: f32) -> f32 {
         let (ix, iy) = (floor(x), floor(y));
         let (tx, ty) = (x - ix as f32, y - iy as f32);
@@ -116,30 +116,32 @@ impl Surfaces {
 }
 
 impl Surface {
-    /// Closes the base by a fan, at the level of the lowest point of its rim.
-    fn cap(&mut self, rim: &[[u32; 2]]) {
-        let on_rim =
-            |list: &[Vec3]| -> Vec<Vec3> { rim.iter().map(|&[a, _]| list[a as usize]).collect() };
-        let ring = on_rim(&self.positions);
+    /// Closes the base by a fan, at the level of the lowest point of the boundary.
+    fn cap(&mut self, boundary: &[[u32; 2]]) {
+        let on_boundary = |list: &[Vec3]| -> Vec<Vec3> {
+            boundary.iter().map(|&[a, _]| list[a as usize]).collect()
+        };
+        let ring = on_boundary(&self.positions);
         if ring.is_empty() {
             return;
         }
         let level = ring.iter().fold(f32::MAX, |low, p| lesser(low, p.z));
-        for &[a, _] in rim {
+        for &[a, _] in boundary {
             self.positions[a as usize].z = level;
         }
         let middle = ring.iter().sum::<Vec3>() / ring.len() as f32;
-        let colour = self.colours[rim[0][0] as usize];
+        let colour = self.colours[boundary[0][0] as usize];
         let new = self.positions.len() as u32;
         self.positions.push(Vec3::new(middle.x, middle.y, level));
         self.normals.push(Vec3::NEG_Z);
         self.colours.push(colour);
-        self.triangles.extend(rim.iter().map(|&[a, b]| [b, a, new]));
+        self.triangles
+            .extend(boundary.iter().map(|&[a, b]| [b, a, new]));
     }
 }
 
-/// The sides that belong to one triangle only, in its direction.
-fn open_sides(triangles: &[[u32; 3]], vertices: usize) -> Vec<[u32; 2]> {
+/// The edges that belong to one triangle only, in its direction.
+fn boundary_edges(triangles: &[[u32; 3]], vertices: usize) -> Vec<[u32; 2]> {
     let corners = triangles.as_flattened();
     // Corner k of the list and the next one of its triangle.
     let side = |k: usize| [corners[k], corners[if k % 3 == 2 { k - 2 } else { k + 1 }]];

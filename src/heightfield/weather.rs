@@ -1,10 +1,10 @@
 //! What years and weather do to the planes: wear, dirt, moss, wet.
 //!
-//! One pass over the finished stones; then the openness is worked out of them. Tops and hollows are
-//! told apart by the mean height around each pixel.
+//! One pass over the finished stones, and then one for the ambient occlusion. Tops and hollows are told
+//! apart by the mean height around each pixel.
 
+use super::box_filter::BoxFilter;
 use super::ground::Bed;
-use super::mean::Mean;
 use super::occlusion::Occlusion;
 use super::{GROUND, Planes};
 use crate::domain::Domain;
@@ -13,19 +13,19 @@ use crate::order::greater;
 use glam::DVec2;
 use std::rc::Rc;
 
-/// Picture units from one distance to the boundary to the next; between them it is interpolated.
+/// Distances to the boundary are worked out every so many picture units, and interpolated between.
 const STEP: usize = 8;
-/// Half the width of the means around a pixel, in cell sizes: of what feet round, and of what makes
-/// a hollow.
+/// Half the widths of the two box filters, in cell sizes: of the smooth surface that wear leaves, and of the
+/// surroundings that tell a hollow.
 const REACH: [f64; 2] = [0.1, 0.5];
-/// How trodden a tile is, which has no middle.
+/// How trodden a tile is, which has no boundary.
 const EVERYWHERE: f32 = 0.75;
 /// How fast treading grows from the boundary to the middle of the way.
 const TRODDEN: f32 = 1.15;
 /// Broad noise is taken so far off that of the ground, in picture units.
 const BROAD_OFF: [i32; 2] = [211, 97];
 
-/// Planes with all stones in them, dry and new and with all of the sky's light everywhere.
+/// Planes with all stones in them, before the weather and the ambient occlusion.
 #[derive(Clone)]
 pub struct Painted {
     /// The planes.
@@ -56,8 +56,8 @@ impl Weathering {
         } = painted;
         let effects = Effects::new(params, [planes.ground, depth], bed.dirt());
         Self {
-            weather: Weather::new(effects, [planes.side, planes.fine], size, depth),
-            occlusion: Occlusion::new(size, planes.fine, planes.tile),
+            weather: Weather::new(effects, [planes.side, planes.pixel_scale], size, depth),
+            occlusion: Occlusion::new(size, planes.pixel_scale, planes.tile),
             planes,
             bed,
         }
@@ -86,11 +86,11 @@ struct Weather {
     effects: Effects,
     /// Pixels along the picture's side, and for each picture unit.
     side: usize,
-    fine: usize,
+    pixel_scale: usize,
     /// Of the joints.
     depth: f32,
     size: f32,
-    means: [Mean; 2],
+    means: [BoxFilter; 2],
     /// Distances to the boundary at every [`STEP`]-th pixel; none on a tile.
     distances: Vec<f32>,
     farthest: f32,
@@ -98,17 +98,17 @@ struct Weather {
 }
 
 impl Weather {
-    /// Effects between stones of about `size` with joints so deep, in a picture of `side` pixels with `fine`
+    /// Effects between stones of about `size` with joints so deep, in a picture of `side` pixels with `pixel_scale`
     /// of them for each unit.
-    fn new(effects: Effects, [side, fine]: [usize; 2], size: f64, depth: f32) -> Self {
-        let radius = |reach: f64| (reach * size) as usize * fine + fine / 2;
+    fn new(effects: Effects, [side, pixel_scale]: [usize; 2], size: f64, depth: f32) -> Self {
+        let radius = |reach: f64| (reach * size) as usize * pixel_scale + pixel_scale / 2;
         Self {
             effects,
             side,
-            fine,
+            pixel_scale,
             depth,
             size: size as f32,
-            means: REACH.map(|reach| Mean::new(radius(reach), side)),
+            means: REACH.map(|reach| BoxFilter::new(radius(reach), side)),
             distances: Vec::new(),
             farthest: 1.0,
             row: 0,
@@ -159,7 +159,7 @@ impl Weather {
 
     /// Pixels from one distance to the next.
     fn step(&self) -> usize {
-        STEP * self.fine
+        STEP * self.pixel_scale
     }
 
     /// The distance to the boundary, below 0 outside; 0 or more everywhere on a tile.
@@ -181,8 +181,8 @@ impl Weather {
 
     fn pixel(&self, planes: &mut Planes, bed: &Bed, [x, y]: [usize; 2], [near, wide]: [f32; 2]) {
         let i = y * self.side + x;
-        let (px, py, fine) = (x as i32, y as i32, self.fine as i32);
-        let [right, down] = BROAD_OFF.map(|off| off * fine);
+        let (px, py, pixel_scale) = (x as i32, y as i32, self.pixel_scale as i32);
+        let [right, down] = BROAD_OFF.map(|off| off * pixel_scale);
         let distance = self.distance([x, y]);
         let height = planes.bump[i];
         let place = Place {

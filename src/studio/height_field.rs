@@ -168,7 +168,7 @@ impl HeightField {
             .advance(self.weather.revision(), |params, begun| {
                 // Under another light the same shader goes on: its tables stay.
                 let fits = kept.take().filter(|shader| shader.side() == planes.side);
-                let new = || Shader::new(&params.shade, planes.side, planes.fine);
+                let new = || Shader::new(&params.shade, planes.side, planes.pixel_scale);
                 let shader = kept.insert(fits.unwrap_or_else(new));
                 if begun.replace(()).is_none() {
                     shader.restart(&params.shade);
@@ -236,7 +236,7 @@ impl HeightField {
 }
 
 fn solids(params: &PlaneParams) -> Solids {
-    Solids::for_picture(params.texture.fine, params.finer)
+    Solids::for_picture(params.texture.pixel_scale, params.finer)
 }
 
 /// Planes on their way.
@@ -250,7 +250,7 @@ pub(super) struct Painting {
 impl Painting {
     fn new(params: &PlaneParams, coats: &[Coat], band: usize) -> Self {
         let mut painter = Painter::banded(params.texture, band);
-        painter.dress(coats);
+        painter.set_coats(coats);
         Self {
             painter,
             is_bedded: false,
@@ -263,7 +263,7 @@ impl Painting {
     /// them.
     fn advance(&mut self, solids: &mut Solids, cells: &[Cell]) -> bool {
         if !self.is_bedded {
-            self.is_bedded = self.painter.prepare(ROWS);
+            self.is_bedded = self.painter.lay_ground(ROWS);
             return false;
         }
         if let Some(cell) = cells.get(self.stones) {

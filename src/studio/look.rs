@@ -25,7 +25,7 @@ pub enum Base {
     Albedo,
     /// The roughness of the materials, white is rough.
     Roughness,
-    /// The openness plane: how much of the sky's light comes, white is all of it.
+    /// The plane of ambient occlusion: how much of the sky's light comes, white is all of it.
     Occlusion,
     /// One colour per stone.
     Ids,

@@ -275,10 +275,10 @@ pub(super) fn stone(recipe: &Recipe) -> StoneParams {
     }
 }
 
-/// Planes, weather and light with `fine` pixels for each of the recipe, along a side.
-pub(super) fn finish(recipe: &Recipe, fine: usize, finer: i32) -> HeightFieldParams {
+/// Planes, weather and light with `pixel_scale` pixels for each of the recipe, along a side.
+pub(super) fn finish(recipe: &Recipe, pixel_scale: usize, finer: i32) -> HeightFieldParams {
     let texture = TextureParams {
-        fine,
+        pixel_scale,
         ..texture(recipe)
     };
     HeightFieldParams {
@@ -294,7 +294,7 @@ pub(super) fn finish(recipe: &Recipe, fine: usize, finer: i32) -> HeightFieldPar
 pub(super) fn texture(recipe: &Recipe) -> TextureParams {
     TextureParams {
         side: side(recipe),
-        fine: 1,
+        pixel_scale: 1,
         seed: seed(recipe),
         size: recipe.number(Key::Cs),
         stone: stone(recipe),

@@ -11,11 +11,12 @@ use crate::order::greater;
 const LAMP: [f32; 3] = [1.44, 1.38, 1.28];
 /// Colour of the sky, linear.
 const SKY: [f32; 3] = [0.33, 0.35, 0.38];
-/// Part of the sky's light that a steep face still has.
+/// Part of the sky's light that reaches a vertical face.
 const STEEP: f32 = 0.72;
-/// Part of the lamp's light lost in gaps, at full occlusion: what neighbours would throw back is dim.
+/// Part of the lamp's light lost where the sky is hidden: little is reflected there.
 const GAP: f32 = 0.35;
-/// The point lamp's light: 1 at its foot, and this part of the loss by distance is kept back.
+/// The point lamp's light is 1 at its foot. Of its inverse this part grows with the square of the
+/// distance, and the rest stays.
 const FALL_OFF: f32 = 0.55;
 /// Entries of the table of highlights.
 const SHINE: usize = 256;
@@ -31,11 +32,11 @@ pub struct Shader {
     tone: Tone,
     finishes: Vec<Finish>,
     row: usize,
-    line: Line,
+    row_light: RowLight,
     rgba: Vec<u8>,
 }
 
-/// Optical attributes times the factors of the recipe.
+/// A material with the factors of the recipe.
 struct Finish {
     ambient: f32,
     diffuse: f32,
@@ -59,7 +60,7 @@ impl Finish {
 
 /// What reaches each pixel of a row, before its finish and colour come in.
 #[derive(Default)]
-struct Line {
+struct RowLight {
     /// Rise of the surface to the right and downwards.
     slope: [Vec<f32>; 2],
     /// Light of the sky.
@@ -71,7 +72,7 @@ struct Line {
     mirrored: Vec<i32>,
 }
 
-impl Line {
+impl RowLight {
     fn new(side: usize) -> Self {
         let row = || vec![0.0; side];
         Self {
@@ -85,20 +86,20 @@ impl Line {
 }
 
 impl Shader {
-    /// A picture of `side` pixels, `fine` for each picture unit, to be shaded; black until it is.
-    pub fn new(params: &ShadeParams, side: usize, fine: usize) -> Self {
+    /// A picture of `side` pixels, `pixel_scale` for each picture unit, to be shaded; black until it is.
+    pub fn new(params: &ShadeParams, side: usize, pixel_scale: usize) -> Self {
         let mut rgba = vec![0; side * side * 4];
         rgba.iter_mut().skip(3).step_by(4).for_each(|a| *a = 255);
         Self {
             params: *params,
             side,
-            unit: 1.0 / fine as f32,
-            shadows: Shadows::new(params.light, side, fine),
+            unit: 1.0 / pixel_scale as f32,
+            shadows: Shadows::new(params.light, side, pixel_scale),
             shaded: params.shadow <= 0.0,
             tone: Tone::new(),
             finishes: Vec::new(),
             row: 0,
-            line: Line::new(side),
+            row_light: RowLight::new(side),
             rgba,
         }
     }
@@ -147,7 +148,7 @@ impl Shader {
     }
 
     fn shade_row(&mut self, planes: &Planes, y: usize) {
-        row_slopes(planes, y, &mut self.line.slope);
+        row_slopes(planes, y, &mut self.row_light.slope);
         match self.params.light {
             Light::Parallel { azimuth, elevation } => {
                 let flat = libm::cos(elevation);
@@ -164,7 +165,7 @@ impl Shader {
                 let at = [(x * s) as f32, (v * s) as f32, (z * s).max(1.0) as f32];
                 self.light_row(planes, y, |x, height| {
                     let [x, y] = [x as f32, y as f32].map(|v| (v + 0.5) * unit);
-                    near([x, y, height - planes.ground], at)
+                    lamp_from([x, y, height - planes.ground], at)
                 });
             }
         }
@@ -177,10 +178,10 @@ impl Shader {
         let n = self.side;
         let here = y * n..(y + 1) * n;
         let heights = &planes.bump[here.clone()][..n];
-        let open = &planes.openness[here.clone()][..n];
+        let open = &planes.occlusion[here.clone()][..n];
         let lit = &self.shadows.lit()[here][..n];
         let (shadow, occlusion) = (self.params.shadow as f32, self.params.occlusion as f32);
-        let line = &mut self.line;
+        let line = &mut self.row_light;
         let [across, down] = [&line.slope[0][..n], &line.slope[1][..n]];
         let (sky, all, matt) = (&mut line.sky[..n], &mut line.lamp[..n], &mut line.matt[..n]);
         let entries = &mut line.mirrored[..n];
@@ -212,7 +213,7 @@ impl Shader {
         let out = self.rgba[4 * here.start..4 * here.end].chunks_exact_mut(4);
         let colours = &planes.colour[here.clone()][..n];
         let materials = &planes.material[here][..n];
-        let line = &self.line;
+        let line = &self.row_light;
         let (sky, lamp, matt) = (&line.sky[..n], &line.lamp[..n], &line.matt[..n]);
         let entries = &line.mirrored[..n];
         for (x, pixel) in out.enumerate() {
@@ -231,7 +232,7 @@ impl Shader {
 
 /// The unit vector from a point to a lamp, and the lamp's strength there.
 #[inline(always)]
-fn near(p: [f32; 3], lamp: [f32; 3]) -> ([f32; 3], f32) {
+fn lamp_from(p: [f32; 3], lamp: [f32; 3]) -> ([f32; 3], f32) {
     let d = [lamp[0] - p[0], lamp[1] - p[1], lamp[2] - p[2]];
     let square = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
     let inverse = 1.0 / greater(square.sqrt(), 1e-3);

@@ -2,12 +2,12 @@
 
 use std::ops::Range;
 
-/// Lines of one slice: as many columns are turned into rows at a time.
-const STRIP: usize = 16;
+/// Lines of one slice: as many columns are transposed at a time.
+const BLOCK: usize = 16;
 
 /// Neighbouring rows or columns, one after the other.
 #[derive(Clone, Debug)]
-pub struct Course {
+pub struct ScanOrder {
     /// Columns from left to right, else rows from top to bottom...
     pub columns: bool,
     /// ... or the other way.
@@ -16,7 +16,7 @@ pub struct Course {
     fresh: bool,
 }
 
-impl Course {
+impl ScanOrder {
     pub fn new(columns: bool, backwards: bool, lines: Range<usize>) -> Self {
         Self {
             columns,
@@ -49,7 +49,7 @@ impl Course {
 
     /// Takes the next few lines.
     pub fn take(&mut self) -> Range<usize> {
-        let count = self.left.len().min(STRIP);
+        let count = self.left.len().min(BLOCK);
         self.fresh = false;
         if self.backwards {
             let from = self.left.end - count;
@@ -65,20 +65,20 @@ impl Course {
     }
 }
 
-/// A few columns of heights and light, each as one slice.
+/// A few columns of heights and light, transposed: each is one slice.
 #[derive(Clone, Debug, Default)]
-pub struct Strip {
+pub struct ColumnBlock {
     side: usize,
     heights: Vec<f32>,
     lit: Vec<u8>,
 }
 
-impl Strip {
-    /// Turns columns of the planes into rows.
+impl ColumnBlock {
+    /// Transposes columns of the planes.
     pub fn load(&mut self, bump: &[f32], lit: &[u8], side: usize, columns: &Range<usize>) {
         self.side = side;
-        self.heights.resize(STRIP * side, 0.0);
-        self.lit.resize(STRIP * side, 0);
+        self.heights.resize(BLOCK * side, 0.0);
+        self.lit.resize(BLOCK * side, 0);
         for y in 0..side {
             let there = y * side + columns.start..y * side + columns.end;
             let pixels = bump[there.clone()].iter().zip(&lit[there]);
@@ -95,7 +95,7 @@ impl Strip {
         (&self.heights[line.clone()], &mut self.lit[line])
     }
 
-    /// Turns the light back.
+    /// Transposes the light back.
     pub fn store(&self, lit: &mut [u8], side: usize, columns: &Range<usize>) {
         for y in 0..side {
             let there = &mut lit[y * side + columns.start..y * side + columns.end];

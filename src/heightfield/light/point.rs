@@ -1,25 +1,25 @@
 //! The shadows of a point light.
 //!
-//! The picture is four quarters about the foot of the lamp, parted by the diagonals: in each, lines
-//! (rows above and below, columns to the sides) go outwards. Carried is the steepest rise, from the
-//! lamp's rims, of a line over the surface so far. The way from the lamp to a pixel `away` pixels
-//! along line k meets line k - 1 nearer to the axis, between two of its pixels:
+//! The diagonals through the foot of the lamp part the picture in four quarters, each scanned outwards in
+//! lines: rows above and below, columns to the sides. From line to line goes the steepest slope, seen from
+//! the lamp's rims, of the surface so far. The ray from the lamp to a pixel `away` pixels along line k
+//! crosses line k - 1 nearer to the axis, between two of its pixels:
 //!
 //! ```text
 //!   line k - 1   . inner . outer        inner has the weight away / k
 //!   line k       .       . pixel        (away = 0 is the axis, away = k the diagonal)
 //! ```
 
-use super::course::Course;
-use super::penumbra::{NOWHERE, seen};
+use super::penumbra::{NOWHERE, visible};
+use super::scan_order::ScanOrder;
 use crate::order::greater;
 use std::ops::Range;
 
 /// Half the height of the lamp, of its height.
 const HALF_LAMP: f32 = 0.10;
 
-/// The steepest rises along the lines of one quarter, in the making.
-pub struct Fan {
+/// The steepest slopes along the lines of one quarter.
+pub struct PointShadows {
     side: usize,
     /// Column and row of the lamp's foot, in the picture or not.
     foot: [i32; 2],
@@ -29,21 +29,21 @@ pub struct Fan {
     /// Heights of the lamp's upper and lower rim.
     upper: f32,
     lower: f32,
-    /// Rises from the two rims along the line before, a pixel more on both sides.
+    /// Slopes from the two rims along the line before, with a pixel more on both sides.
     before: [Vec<f32>; 2],
     now: [Vec<f32>; 2],
 }
 
-impl Fan {
-    /// The lamp's place in fractions of the picture's side, the pixels of which and of a picture unit
-    /// are given; and the four quarters' lines.
-    pub fn new(x: f64, y: f64, z: f64, [side, fine]: [usize; 2]) -> (Self, [Course; 4]) {
+impl PointShadows {
+    /// Shadows of a lamp at a place in fractions of the picture's side, with so many pixels along the side
+    /// and for each picture unit; and the four quarters.
+    pub fn new(x: f64, y: f64, z: f64, [side, pixel_scale]: [usize; 2]) -> (Self, [ScanOrder; 4]) {
         let span = side as i32;
         let place = |v: f64| ((v * side as f64).floor() as i32).clamp(-8 * span, 8 * span);
         let foot = [place(x), place(y)];
-        let height = (z * (side / fine) as f64).max(1.0) as f32;
+        let height = (z * (side / pixel_scale) as f64).max(1.0) as f32;
         let line = || vec![NOWHERE; side + 2];
-        let fan = Self {
+        let shadows = Self {
             side,
             foot,
             axis: 0,
@@ -57,12 +57,12 @@ impl Fan {
         let quarters = |columns: bool| {
             let foot = foot[usize::from(!columns)];
             [
-                Course::new(columns, true, 0..inside(foot)),
-                Course::new(columns, false, inside(foot + 1)..side),
+                ScanOrder::new(columns, true, 0..inside(foot)),
+                ScanOrder::new(columns, false, inside(foot + 1)..side),
             ]
         };
         let ([up, down], [left, right]) = (quarters(false), quarters(true));
-        (fan, [up, down, left, right])
+        (shadows, [up, down, left, right])
     }
 
     /// Puts the lamp on a ground of this height.
@@ -71,10 +71,10 @@ impl Fan {
         self.lower += ground;
     }
 
-    /// Begins a quarter: nothing rises yet but the surface at the lamp's foot.
-    pub fn turn(&mut self, course: &Course, bump: &[f32]) {
+    /// Begins a quarter, with the surface at the lamp's foot.
+    pub fn begin(&mut self, order: &ScanOrder, bump: &[f32]) {
         let [x, y] = self.foot;
-        (self.axis, self.start) = if course.columns { (y, x) } else { (x, y) };
+        (self.axis, self.start) = if order.columns { (y, x) } else { (x, y) };
         for line in self.before.iter_mut().chain(&mut self.now) {
             line.fill(NOWHERE);
         }
@@ -152,7 +152,7 @@ impl Fan {
             let (low, high) = (rise(dark), rise(light));
             let [a, b] = [self.upper + low * distance, self.lower + high * distance];
             // The two lines cross only where a surface is above the lamp.
-            lit[i] = seen(heights[i], if b < a { b } else { a }, greater(a, b));
+            lit[i] = visible(heights[i], if b < a { b } else { a }, greater(a, b));
             now_dark[i] = greater(low, (heights[i] - self.upper) * inverse);
             now_light[i] = greater(high, (heights[i] - self.lower) * inverse);
         }

@@ -1,11 +1,11 @@
 //! The shadows of a parallel light.
 //!
-//! Carried is the height below which the lamp is not seen: of the line before, less what the light
-//! falls from line to line, or the surface where that is higher. Between two pixels of the line before
-//! it is interpolated.
+//! From line to line goes the height below which the lamp is not seen: that of the line before,
+//! interpolated between two pixels, less what the light falls from line to line; or the surface where that
+//! is higher.
 
-use super::course::Course;
-use super::penumbra::{NOWHERE, seen};
+use super::penumbra::{NOWHERE, visible};
+use super::scan_order::ScanOrder;
 use crate::order::{greater, within};
 
 /// Half the angle under which the lamp is seen, in radians: more than the sun's, as in haze.
@@ -14,9 +14,9 @@ const HALF_DISC: f64 = 0.055;
 const BEFORE: usize = 1;
 const AFTER: usize = 2;
 
-/// Shadow heights of the lamp's two rims, in the making.
-pub struct Sweep {
-    /// Where the line before is met, in pixels along it, -1..1.
+/// Shadow heights of the lamp's two rims, from line to line.
+pub struct ParallelShadows {
+    /// How far along the line before the light comes from, in pixels, -1..1.
     shift: f32,
     /// The end of a line is followed by its beginning.
     tile: bool,
@@ -33,24 +33,24 @@ struct Rims<T> {
     lit: T,
 }
 
-impl Sweep {
-    /// The light's azimuth and elevation in radians, the picture's pixels along its side and for each
-    /// picture unit; and the lines it crosses.
-    pub fn new(azimuth: f64, elevation: f64, [side, fine]: [usize; 2]) -> (Self, Course) {
+impl ParallelShadows {
+    /// Shadows of a light of this azimuth and elevation, in radians, in a picture with so many pixels along
+    /// its side and for each picture unit; and the order in which it crosses the lines.
+    pub fn new(azimuth: f64, elevation: f64, [side, pixel_scale]: [usize; 2]) -> (Self, ScanOrder) {
         // Away from the light.
         let (x, y) = (-libm::cos(azimuth), -libm::sin(azimuth));
         let columns = x.abs() >= y.abs();
         let (along, across) = if columns { (x, y) } else { (y, x) };
         let step = 1.0 / along.abs();
         let steepest = std::f64::consts::FRAC_PI_2 - 1e-3;
-        let line_step = step / fine as f64;
+        let line_step = step / pixel_scale as f64;
         let fall = |angle: f64| (libm::tan(within(angle, 0.01, steepest)) * line_step) as f32;
         let line = || vec![NOWHERE; BEFORE + side + AFTER];
         let lines = || Rims {
             dark: line(),
             lit: line(),
         };
-        let sweep = Self {
+        let shadows = Self {
             tile: false,
             shift: (-across * step).clamp(-1.0, 1.0) as f32,
             fall: Rims {
@@ -60,7 +60,7 @@ impl Sweep {
             before: lines(),
             now: lines(),
         };
-        (sweep, Course::new(columns, along < 0.0, 0..side))
+        (shadows, ScanOrder::new(columns, along < 0.0, 0..side))
     }
 
     /// Lines run on from their end to their beginning from here on. Gives the number of lines that
@@ -92,7 +92,7 @@ impl Sweep {
             let met =
                 |line: [&[f32]; 2], fall: f32| line[0][i] + (line[1][i] - line[0][i]) * t - fall;
             let (low, high) = (met(dark, self.fall.dark), met(light, self.fall.lit));
-            lit[i] = seen(heights[i], low, high);
+            lit[i] = visible(heights[i], low, high);
             now_dark[i] = greater(low, heights[i]);
             now_lit[i] = greater(high, heights[i]);
         }

@@ -1,9 +1,9 @@
-//! Means of the heights around each pixel.
+//! Means of the heights around each pixel: a box filter by running sums.
 
 use super::Planes;
 
 /// The mean height of the square around each pixel: sums of rows first, then running sums of these.
-pub(super) struct Mean {
+pub(super) struct BoxFilter {
     radius: usize,
     /// Sums along rows.
     along: Vec<f32>,
@@ -12,7 +12,7 @@ pub(super) struct Mean {
     sums: Vec<f64>,
 }
 
-impl Mean {
+impl BoxFilter {
     pub fn new(radius: usize, side: usize) -> Self {
         Self {
             radius: radius.clamp(1, side / 2),
