@@ -1,6 +1,6 @@
 //! Layers as pixels, with soft edges, by tiny-skia. A picture unit is a pixel.
 
-use super::colour::Tint;
+use super::colour::Colour;
 use super::layer::{Layer, Pen};
 use super::shapes::{MITRE, bar, beside, copies, rounded};
 use glam::DVec2;
@@ -22,10 +22,10 @@ impl Board {
     ///
     /// # Panics
     /// Where a picture of that size does not fit into memory.
-    pub fn new(side: usize, ground: Tint) -> Self {
+    pub fn new(side: usize, ground: Colour) -> Self {
         let side = side.max(1) as u32;
         let mut pixmap = Pixmap::new(side, side).expect("a picture fits into memory");
-        pixmap.fill(colour(ground));
+        pixmap.fill(skia_colour(ground));
         Self {
             pixmap,
             tile: false,
@@ -55,8 +55,8 @@ impl Board {
     pub fn draw(&mut self, layers: &[Layer]) {
         for layer in layers {
             for shape in &layer.shapes {
-                if let Some(tint) = shape.fill {
-                    self.fill(&refs(&shape.paths), tint, shape.round);
+                if let Some(colour) = shape.fill {
+                    self.fill(&refs(&shape.paths), colour, shape.round);
                 }
             }
             let Some(pen) = layer.pen else {
@@ -65,7 +65,7 @@ impl Board {
             let paths = layer.shapes.iter().flat_map(|shape| &shape.paths);
             let paths: Vec<&[DVec2]> = paths.map(Vec::as_slice).collect();
             match pen.is_open {
-                true => self.strokes(&paths, pen.tint, pen.width),
+                true => self.strokes(&paths, pen.colour, pen.width),
                 false => self.edges(&paths, &pen),
             }
         }
@@ -73,12 +73,12 @@ impl Board {
 
     /// See [`Shape::fill`].
     #[inline(never)]
-    pub(super) fn fill(&mut self, rings: &[&[DVec2]], tint: Tint, round: f64) {
+    pub(super) fn fill(&mut self, rings: &[&[DVec2]], colour: Colour, round: f64) {
         let mut builder = PathBuilder::new();
         for ring in rings.iter().filter(|ring| self.reaches(ring, 0.0)) {
             self.trace(&mut builder, &[&rounded(ring, round)]);
         }
-        self.fill_path(builder.finish(), tint);
+        self.fill_path(builder.finish(), colour);
     }
 
     /// Draws the lines of rings.
@@ -92,12 +92,12 @@ impl Board {
             inner.reverse();
             self.trace(&mut builder, &[&outer, &inner]);
         }
-        self.fill_path(builder.finish(), pen.tint);
+        self.fill_path(builder.finish(), pen.colour);
     }
 
     /// Draws lines through points. They are filled bars: tiny-skia's own strokes are a twentieth of the
     /// WebAssembly module.
-    fn strokes(&mut self, lines: &[&[DVec2]], tint: Tint, width: f64) {
+    fn strokes(&mut self, lines: &[&[DVec2]], colour: Colour, width: f64) {
         let mut builder = PathBuilder::new();
         for piece in lines.iter().flat_map(|line| line.windows(2)) {
             let bar = bar([piece[0], piece[1]], width);
@@ -105,14 +105,14 @@ impl Board {
                 self.trace(&mut builder, &[&bar]);
             }
         }
-        self.fill_path(builder.finish(), tint);
+        self.fill_path(builder.finish(), colour);
     }
 
-    fn fill_path(&mut self, path: Option<Path>, tint: Tint) {
+    fn fill_path(&mut self, path: Option<Path>, colour: Colour) {
         let (Some(path), rows) = (path, self.rows.clone()) else {
             return;
         };
-        let (paint, rule) = (paint(tint), FillRule::Winding);
+        let (paint, rule) = (paint(colour), FillRule::Winding);
         let (side, count) = (self.side(), rows.len() as u32);
         let bytes = &mut self.pixmap.data_mut()[4 * side * rows.start..4 * side * rows.end];
         if let Some(mut pixmap) = PixmapMut::from_bytes(bytes, side as u32, count) {
@@ -190,14 +190,14 @@ fn refs(paths: &[Vec<DVec2>]) -> Vec<&[DVec2]> {
     paths.iter().map(Vec::as_slice).collect()
 }
 
-fn colour(tint: Tint) -> Color {
-    let [r, g, b, a] = tint.map(|c| c.clamp(0.0, 1.0));
+fn skia_colour(colour: Colour) -> Color {
+    let [r, g, b, a] = colour.map(|c| c.clamp(0.0, 1.0));
     Color::from_rgba(r, g, b, a).unwrap_or(Color::BLACK)
 }
 
-fn paint(tint: Tint) -> Paint<'static> {
+fn paint(colour: Colour) -> Paint<'static> {
     Paint {
-        shader: Shader::SolidColor(colour(tint)),
+        shader: Shader::SolidColor(skia_colour(colour)),
         ..Paint::default()
     }
 }
@@ -213,7 +213,7 @@ mod tests {
         bed: [0.6, 0.4, 0.2, 1.0],
         line: [1.0, 1.0, 1.0, 1.0],
     };
-    const WHITE: Tint = [1.0; 4];
+    const WHITE: Colour = [1.0; 4];
 
     fn square(lo: f64, hi: f64) -> Vec<DVec2> {
         [(lo, lo), (hi, lo), (hi, hi), (lo, hi)]
@@ -221,20 +221,20 @@ mod tests {
             .to_vec()
     }
 
-    fn edges(rings: Vec<Vec<DVec2>>, tint: Tint, width: f64, round: f64) -> Layer {
-        Layer::shapes(vec![Shape::bare(rings)]).edged(tint, width, round)
+    fn edges(rings: Vec<Vec<DVec2>>, colour: Colour, width: f64, round: f64) -> Layer {
+        Layer::shapes(vec![Shape::bare(rings)]).edged(colour, width, round)
     }
 
-    fn line(points: [(f64, f64); 2], tint: Tint, width: f64) -> Layer {
-        Layer::lines(vec![points.map(DVec2::from).to_vec()], tint, width)
+    fn line(points: [(f64, f64); 2], colour: Colour, width: f64) -> Layer {
+        Layer::lines(vec![points.map(DVec2::from).to_vec()], colour, width)
     }
 
     fn pixel(board: &Board, x: usize, y: usize) -> [u8; 4] {
         std::array::from_fn(|k| board.rgba()[4 * (y * 64 + x) + k])
     }
 
-    fn bytes(tint: Tint) -> [u8; 4] {
-        tint.map(|c| (255.0 * c + 0.5) as u8)
+    fn bytes(colour: Colour) -> [u8; 4] {
+        colour.map(|c| (255.0 * c + 0.5) as u8)
     }
 
     #[test]

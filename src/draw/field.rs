@@ -2,22 +2,22 @@
 
 use super::shapes::{closed, round};
 use super::stages::{INK, lines};
-use super::{Layer, SHEET, Shape, Tint};
+use super::{Colour, Layer, SHEET, Shape};
 use crate::domain::Domain;
 use crate::field::{Fields, Singularity, Spot};
 use glam::DVec2;
 
-const CROSS: Tint = [0.54, 0.29, 0.16, 1.0];
-const NO_DIRECTION: Tint = [0.20, 0.42, 0.54, 1.0];
-/// Where rows turn as the way around does, and where they turn against it.
-const WITH: Tint = [0.78, 0.25, 0.12, 1.0];
-const AGAINST: Tint = [0.13, 0.37, 0.58, 1.0];
-const CROSS_OVER: Tint = [1.0, 0.98, 0.94, 0.95];
-const STROKE_OVER: Tint = [0.55, 0.95, 0.65, 1.0];
-const SPOT_OVER: Tint = [1.0, 0.86, 0.50, 0.95];
-const STROKE: Tint = [0.16, 0.46, 0.33, 1.0];
-const SIZE_SPOT: Tint = [0.62, 0.40, 0.08, 0.9];
-const ASPECT_SPOT: Tint = [0.45, 0.25, 0.55, 0.9];
+const CROSS: Colour = [0.54, 0.29, 0.16, 1.0];
+const NO_DIRECTION: Colour = [0.20, 0.42, 0.54, 1.0];
+/// Singular points of positive and of negative index.
+const WITH: Colour = [0.78, 0.25, 0.12, 1.0];
+const AGAINST: Colour = [0.13, 0.37, 0.58, 1.0];
+const CROSS_OVER: Colour = [1.0, 0.98, 0.94, 0.95];
+const STROKE_OVER: Colour = [0.55, 0.95, 0.65, 1.0];
+const SPOT_OVER: Colour = [1.0, 0.86, 0.50, 0.95];
+const STROKE: Colour = [0.16, 0.46, 0.33, 1.0];
+const SIZE_SPOT: Colour = [0.62, 0.40, 0.08, 0.9];
+const ASPECT_SPOT: Colour = [0.45, 0.25, 0.55, 0.9];
 
 /// The field as crosses on a grid, as long as the cells wanted there as far as the grid has room, a dot
 /// where there is no direction; strokes, constraint lines, spots and singular points.
@@ -49,12 +49,12 @@ pub fn direction_over(domain: &Domain, fields: &Fields, side: f64) -> Vec<Layer>
     }
     let (arms, dots) = crosses(domain, fields, side, (side / 23.0).max(12.0));
     layers.push(dots);
-    for (lines, tint, width) in [
+    for (lines, colour, width) in [
         (arms, CROSS_OVER, thin),
         (domain.lines().to_vec(), CROSS_OVER, 1.3 * thin),
         (params.strokes.clone(), STROKE_OVER, 2.0 * thin),
     ] {
-        layers.extend(Layer::rimmed(lines, tint, width));
+        layers.extend(Layer::rimmed(lines, colour, width));
     }
     layers
 }
@@ -78,12 +78,12 @@ pub fn singularities(domain: &Domain, fields: &Fields, side: f64) -> Vec<Layer> 
     layers
 }
 
-fn spots(layers: &mut Vec<Layer>, spots: &[Spot], tint: Tint, width: f64) {
+fn spots(layers: &mut Vec<Layer>, spots: &[Spot], colour: Colour, width: f64) {
     for spot in spots {
         // Where it has its full share, half of it and none.
         for share in [0.05, 0.54, 1.0] {
             let circle = round(spot.centre, share * spot.radius);
-            layers.push(Layer::edges(vec![circle], tint, width));
+            layers.push(Layer::edges(vec![circle], colour, width));
         }
     }
 }
@@ -125,14 +125,14 @@ const LABEL: f64 = 14.0;
 /// A disc where the index is positive, a square on its tip where it is negative.
 fn mark(point: &Singularity, unit: f64) -> [Shape; 2] {
     let (p, turns_with) = (point.point, point.index > 0.0);
-    let tint = if turns_with { WITH } else { AGAINST };
-    [(2.1 * unit, SHEET.bed), (1.6 * unit, tint)].map(|(radius, tint)| {
+    let colour = if turns_with { WITH } else { AGAINST };
+    [(2.1 * unit, SHEET.bed), (1.6 * unit, colour)].map(|(radius, colour)| {
         if turns_with {
-            return Shape::dot(p, radius, tint);
+            return Shape::dot(p, radius, colour);
         }
         let tip = |c: DVec2| p + 1.2 * radius * c;
         let tips = [DVec2::X, DVec2::Y, -DVec2::X, -DVec2::Y].map(tip);
-        Shape::fill(vec![tips.to_vec()], tint, 0.0)
+        Shape::fill(vec![tips.to_vec()], colour, 0.0)
     })
 }
 

@@ -1,12 +1,12 @@
-//! What packed cells bear: the net force on each, and its potential energy.
+//! The net force on each packed cell, and its potential energy.
 
 use super::layer::CASING;
-use super::over::{in_steps, lines_of, scale, shapes};
+use super::over::{fill_by_scale, lines_of, scale, shapes};
 use super::stages::{line_width, mean};
-use super::{Layer, Tint};
+use super::{Colour, Layer};
 use crate::packing::{Load, Particle};
 
-const ARROW: Tint = [1.0, 0.36, 0.66, 1.0];
+const ARROW: Colour = [1.0, 0.36, 0.66, 1.0];
 /// An arrow's length, in cell sizes, for a force of 1 ...
 const LENGTH: f64 = 2.2;
 /// ... and the most.
@@ -14,10 +14,10 @@ const LONGEST: f64 = 1.3;
 /// Smaller forces are not drawn.
 const LEAST: f64 = 0.002;
 
-/// Held by its neighbours all around, half as much, and not at all or pressed.
-const HELD: Tint = [0.05, 0.28, 0.50, 0.72];
-const HALF: Tint = [0.98, 0.90, 0.55, 0.72];
-const PUSHED: Tint = [0.90, 0.16, 0.08, 0.72];
+/// From cells that their neighbours hold all around to those that they press: least energy, half of it, none.
+const HELD: Colour = [0.05, 0.28, 0.50, 0.72];
+const HALF: Colour = [0.98, 0.90, 0.55, 0.72];
+const PUSHED: Colour = [0.90, 0.16, 0.08, 0.72];
 /// The energy of a cell among neighbours at rest, with corners and without.
 const REST: [f64; 2] = [-0.20, -0.145];
 const STEPS: usize = 24;
@@ -51,7 +51,8 @@ pub fn forces(loads: &[(Particle, Load)]) -> Vec<Layer> {
         rims.push(triangle(0.5 * width + 0.3));
     }
     let [rim, shaft] = Layer::cased(shafts, ARROW, width);
-    let [rims, heads] = [(rims, CASING), (heads, ARROW)].map(|(r, tint)| Layer::fill(r, tint, 0.0));
+    let [rims, heads] =
+        [(rims, CASING), (heads, ARROW)].map(|(r, colour)| Layer::fill(r, colour, 0.0));
     vec![rim, rims, shaft, heads]
 }
 
@@ -72,7 +73,7 @@ pub fn energy(loads: &[(Particle, Load)]) -> Vec<Layer> {
         (1.0 - load.energy / rest) as f32
     };
     let shares: Vec<f32> = loads.iter().map(share).collect();
-    let filled = in_steps(&rings, &shares, &scale([HELD, HALF, PUSHED], STEPS));
+    let filled = fill_by_scale(&rings, &shares, &scale([HELD, HALF, PUSHED], STEPS));
     let width = line_width(mean(loads.iter().map(|(p, _)| p.size)));
     vec![filled, Layer::lines(lines_of(&rings), CASING, 0.8 * width)]
 }

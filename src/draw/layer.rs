@@ -3,7 +3,7 @@
 //! Whoever draws says what is to be seen, in picture units, y down. A sink makes pixels or a file of it: a
 //! [`crate::draw::Board`] paints layers, [`crate::export::svg`] writes them.
 
-use super::colour::Tint;
+use super::colour::Colour;
 use super::shapes::round;
 use glam::DVec2;
 
@@ -27,7 +27,7 @@ pub struct Shape {
     pub paths: Vec<Vec<DVec2>>,
     /// Fills the area that the rings run around: what two rings of the same sense share is filled once,
     /// what they share against each other is left out.
-    pub fill: Option<Tint>,
+    pub fill: Option<Colour>,
     /// So far corners of the filled area are rounded on the screen.
     pub round: f64,
 }
@@ -36,7 +36,7 @@ pub struct Shape {
 #[derive(Clone, Copy, Debug)]
 pub struct Pen {
     /// The lines' colour.
-    pub tint: Tint,
+    pub colour: Colour,
     /// The lines' width.
     pub width: f64,
     /// So far corners of rings are rounded on the screen.
@@ -46,9 +46,9 @@ pub struct Pen {
 }
 
 /// The rim of lines over pictures.
-pub(super) const CASING: Tint = [0.08, 0.06, 0.05, 0.50];
+pub(super) const CASING: Colour = [0.08, 0.06, 0.05, 0.50];
 /// The rim of thin lines over pictures.
-const RIM: Tint = [0.06, 0.04, 0.07, 0.82];
+const RIM: Colour = [0.06, 0.04, 0.07, 0.82];
 
 impl Layer {
     /// Filled shapes.
@@ -61,43 +61,43 @@ impl Layer {
 
     /// The area that rings run around.
     #[inline(never)]
-    pub fn fill(rings: Vec<Vec<DVec2>>, tint: Tint, round: f64) -> Self {
-        Self::shapes(vec![Shape::fill(rings, tint, round)])
+    pub fn fill(rings: Vec<Vec<DVec2>>, colour: Colour, round: f64) -> Self {
+        Self::shapes(vec![Shape::fill(rings, colour, round)])
     }
 
     /// Lines through points.
     #[inline(never)]
-    pub fn lines(lines: Vec<Vec<DVec2>>, tint: Tint, width: f64) -> Self {
+    pub fn lines(lines: Vec<Vec<DVec2>>, colour: Colour, width: f64) -> Self {
         let shape = Shape::bare(lines);
-        Self::shapes(vec![shape]).drawn(tint, width)
+        Self::shapes(vec![shape]).drawn(colour, width)
     }
 
     /// The lines of rings.
     #[inline(never)]
-    pub fn edges(rings: Vec<Vec<DVec2>>, tint: Tint, width: f64) -> Self {
+    pub fn edges(rings: Vec<Vec<DVec2>>, colour: Colour, width: f64) -> Self {
         let shape = Shape::bare(rings);
-        Self::shapes(vec![shape]).edged(tint, width, 0.0)
+        Self::shapes(vec![shape]).edged(colour, width, 0.0)
     }
 
     /// Lines that stand out from whatever is below: light, with a dark rim.
     #[inline(never)]
-    pub fn cased(lines: Vec<Vec<DVec2>>, tint: Tint, width: f64) -> [Self; 2] {
+    pub fn cased(lines: Vec<Vec<DVec2>>, colour: Colour, width: f64) -> [Self; 2] {
         let rim = Self::lines(lines.clone(), CASING, 2.0 * width + 0.6);
-        [rim, Self::lines(lines, tint, width)]
+        [rim, Self::lines(lines, colour, width)]
     }
 
     /// The same for few thin lines: the rim is as wide as the line on each side, and nearly black, so that
     /// pale stones do not swallow it.
     #[inline(never)]
-    pub fn rimmed(lines: Vec<Vec<DVec2>>, tint: Tint, width: f64) -> [Self; 2] {
+    pub fn rimmed(lines: Vec<Vec<DVec2>>, colour: Colour, width: f64) -> [Self; 2] {
         let rim = Self::lines(lines.clone(), RIM, 3.0 * width + 0.4);
-        [rim, Self::lines(lines, tint, width)]
+        [rim, Self::lines(lines, colour, width)]
     }
 
     /// The same layer with lines through its points.
-    pub fn drawn(mut self, tint: Tint, width: f64) -> Self {
+    pub fn drawn(mut self, colour: Colour, width: f64) -> Self {
         self.pen = Some(Pen {
-            tint,
+            colour,
             width,
             round: 0.0,
             is_open: true,
@@ -106,9 +106,9 @@ impl Layer {
     }
 
     /// The same layer with the lines of its rings.
-    pub fn edged(mut self, tint: Tint, width: f64, round: f64) -> Self {
+    pub fn edged(mut self, colour: Colour, width: f64, round: f64) -> Self {
         self.pen = Some(Pen {
-            tint,
+            colour,
             width,
             round,
             is_open: false,
@@ -117,8 +117,8 @@ impl Layer {
     }
 
     /// The same layer with lines of another colour.
-    pub fn inked(mut self, tint: Tint) -> Self {
-        self.pen = self.pen.map(|pen| Pen { tint, ..pen });
+    pub fn inked(mut self, colour: Colour) -> Self {
+        self.pen = self.pen.map(|pen| Pen { colour, ..pen });
         self
     }
 
@@ -139,17 +139,17 @@ impl Shape {
     }
 
     /// The area that rings run around.
-    pub fn fill(rings: Vec<Vec<DVec2>>, tint: Tint, round: f64) -> Self {
+    pub fn fill(rings: Vec<Vec<DVec2>>, colour: Colour, round: f64) -> Self {
         Self {
             paths: rings,
-            fill: Some(tint),
+            fill: Some(colour),
             round,
         }
     }
 
     /// A filled disc.
     #[inline(never)]
-    pub fn dot(centre: DVec2, radius: f64, tint: Tint) -> Self {
-        Self::fill(vec![round(centre, radius)], tint, 0.0)
+    pub fn dot(centre: DVec2, radius: f64, colour: Colour) -> Self {
+        Self::fill(vec![round(centre, radius)], colour, 0.0)
     }
 }

@@ -20,7 +20,7 @@ pub mod stages;
 mod tones;
 
 pub use board::Board;
-pub use colour::{Paper, Tint, blend, lit};
+pub use colour::{Colour, Paper, blend, lit};
 pub use layer::{Layer, Pen, Shape};
 pub use shapes::copies;
 pub use sketch::Sketch;

@@ -1,9 +1,9 @@
-//! Drawings over a picture: shapes and lines in light colours, with dark rims, each in a hue of its
-//! own, so that several can be told apart.
+//! Drawings over a picture: shapes, and light lines with dark rims, each in a hue of its own, so that several
+//! can be told apart.
 
 use super::shapes::closed;
 use super::stages::{elements, line_width, mean, mean_size, mesh_width};
-use super::{Layer, Shape, Tint, blend};
+use super::{Colour, Layer, Shape, blend};
 use crate::cells::Cell;
 use crate::domain::Domain;
 use crate::field::Fields;
@@ -11,30 +11,30 @@ use crate::mesh::Mesh;
 use crate::packing::{Particle, Stress};
 use glam::DVec2;
 
-const PACKED: Tint = [1.0, 0.97, 0.90, 0.95];
-const FREE: Tint = [1.0, 0.97, 0.90, 0.10];
-const PRESSED: Tint = [0.92, 0.16, 0.06, 0.62];
-const ALONE: Tint = [0.16, 0.50, 0.95, 0.62];
-/// Colours of the fillings; even, so that one is that of cells at ease.
+const PACKED: Colour = [1.0, 0.97, 0.90, 0.95];
+const FREE: Colour = [1.0, 0.97, 0.90, 0.10];
+const PRESSED: Colour = [0.92, 0.16, 0.06, 0.62];
+const ALONE: Colour = [0.16, 0.50, 0.95, 0.62];
+/// Steps between the colours of fillings; even, so that there is one for cells at rest.
 const STEPS: usize = 10;
 
-const CELL: Tint = [1.0, 0.80, 0.25, 1.0];
-const MESH: Tint = [0.45, 0.90, 1.0, 1.0];
-const LONE: Tint = [1.0, 0.45, 0.10, 0.50];
-/// As wide as long, and as long as cells may be.
-const EVEN: Tint = [0.96, 0.90, 1.0, 0.16];
-const STRETCHED: Tint = [0.56, 0.22, 0.85, 0.71];
-const RIM: Tint = [0.96, 0.90, 1.0, 1.0];
+const CELL: Colour = [1.0, 0.80, 0.25, 1.0];
+const MESH: Colour = [0.45, 0.90, 1.0, 1.0];
+const LONE: Colour = [1.0, 0.45, 0.10, 0.50];
+/// The colours of an aspect ratio of 1 and of the greatest.
+const EVEN: Colour = [0.96, 0.90, 1.0, 0.16];
+const STRETCHED: Colour = [0.56, 0.22, 0.85, 0.71];
+const RIM: Colour = [0.96, 0.90, 1.0, 1.0];
 
 /// Rings filled in the colours of a scale, those of one colour together.
 #[inline(never)]
-pub(super) fn in_steps(rings: &[Vec<DVec2>], shares: &[f32], scale: &[Tint]) -> Layer {
+pub(super) fn fill_by_scale(rings: &[Vec<DVec2>], shares: &[f32], scale: &[Colour]) -> Layer {
     let top = scale.len().saturating_sub(1);
-    let shape = |(step, &tint): (usize, &Tint)| {
+    let shape = |(step, &colour): (usize, &Colour)| {
         let here = |share: f32| (share.clamp(0.0, 1.0) * top as f32 + 0.5) as usize == step;
         let some = rings.iter().zip(shares).filter(|&(_, &share)| here(share));
         let some = some.map(|(ring, _)| ring.clone()).collect();
-        Shape::fill(some, tint, 0.0)
+        Shape::fill(some, colour, 0.0)
     };
     Layer::shapes(scale.iter().enumerate().map(shape).collect())
 }
@@ -53,15 +53,15 @@ fn with_lines(filled: Layer, lines: [Layer; 2]) -> Vec<Layer> {
 
 /// Colours from one over another in the middle to a third.
 #[inline(never)]
-pub(super) fn scale([low, middle, high]: [Tint; 3], steps: usize) -> Vec<Tint> {
-    let tint = |step: usize| {
+pub(super) fn scale([low, middle, high]: [Colour; 3], steps: usize) -> Vec<Colour> {
+    let colour = |step: usize| {
         let t = 2.0 * step as f32 / steps as f32;
         match t < 1.0 {
             true => blend(low, middle, t),
             false => blend(middle, high, t - 1.0),
         }
     };
-    (0..=steps).map(tint).collect()
+    (0..=steps).map(colour).collect()
 }
 
 /// The shapes of particles.
@@ -77,9 +77,9 @@ pub(super) fn shapes(
 pub fn packed(particles: &[Particle], stress: &[Stress]) -> Vec<Layer> {
     let rings = shapes(&mut particles.iter(), 1.0);
     // From 0, all alone, to 1, deep in each other.
-    let lot = |s: &Stress| 0.5 + 0.5 * (s.pressed - if s.pressed > 0.0 { 0.0 } else { s.alone });
-    let lots: Vec<f32> = stress.iter().map(lot).collect();
-    let filled = in_steps(&rings, &lots, &scale([ALONE, FREE, PRESSED], STEPS));
+    let share = |s: &Stress| 0.5 + 0.5 * (s.pressed - if s.pressed > 0.0 { 0.0 } else { s.alone });
+    let shares: Vec<f32> = stress.iter().map(share).collect();
+    let filled = fill_by_scale(&rings, &shares, &scale([ALONE, FREE, PRESSED], STEPS));
     let width = line_width(mean(particles.iter().map(|p| p.size)));
     with_lines(filled, Layer::cased(lines_of(&rings), PACKED, width))
 }
@@ -121,7 +121,7 @@ pub fn anisotropy(domain: &Domain, fields: &Fields, side: f64) -> Vec<Layer> {
     let longer = |s: &Particle| (libm::log2(s.aspect) / libm::log2(5.0)) as f32;
     let longer: Vec<f32> = shapes.iter().map(longer).collect();
     let middle = blend(EVEN, STRETCHED, 0.5);
-    let filled = in_steps(&rings, &longer, &scale([EVEN, middle, STRETCHED], STEPS));
+    let filled = fill_by_scale(&rings, &longer, &scale([EVEN, middle, STRETCHED], STEPS));
     let width = (side / 460.0).clamp(0.9, 3.0);
     with_lines(filled, Layer::rimmed(lines_of(&rings), RIM, width))
 }

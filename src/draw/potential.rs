@@ -5,16 +5,16 @@
 //! a ring with room for six.
 
 use super::stages::INK;
-use super::{Board, Layer, SHEET, Shape, Tint, blend};
+use super::{Board, Colour, Layer, SHEET, Shape, blend};
 use crate::field::Kind;
 use crate::packing::{Particle, force::Pair};
 use glam::DVec2;
 
-const HILL: Tint = [0.66, 0.25, 0.13, 1.0];
-const WELL: Tint = [0.05, 0.33, 0.40, 1.0];
-const LIGHT: Tint = [1.0, 0.98, 0.94, 1.0];
+const HILL: Colour = [0.66, 0.25, 0.13, 1.0];
+const WELL: Colour = [0.05, 0.33, 0.40, 1.0];
+const LIGHT: Colour = [1.0, 0.98, 0.94, 1.0];
 /// The cell itself.
-const OWN: Tint = [1.0, 0.98, 0.94, 0.30];
+const OWN: Colour = [1.0, 0.98, 0.94, 0.30];
 /// Contours in wells are so much apart, in k0 ...
 const STEP: f64 = 0.008;
 /// ... and on the hill so many to a doubling.
@@ -69,7 +69,7 @@ fn figures(cell: &Particle, wells: Vec<DVec2>, thin: f64) -> Vec<Layer> {
     let own = Layer::fill(vec![cell.ring(1.0, 64)], OWN, 0.0);
     layers.push(own.edged(INK, 1.8 * thin, 0.0));
     let dot = |&place: &DVec2| {
-        [(4.2, LIGHT), (2.6, WELL)].map(|(radius, tint)| Shape::dot(place, radius * thin, tint))
+        [(4.2, LIGHT), (2.6, WELL)].map(|(radius, colour)| Shape::dot(place, radius * thin, colour))
     };
     layers.push(Layer::shapes(places.iter().flat_map(dot).collect()));
     layers
@@ -99,10 +99,10 @@ fn contours(board: &mut Board, side: usize, level: impl Fn(DVec2) -> f64) {
             let slope = (here[x + 1] - v).abs().max((next[x] - v).abs()).max(1e-9);
             let from_line = ((v - v.floor()) - 0.5).abs();
             let band = (v + 0.5).floor();
-            let tint = shade(0.6 * band + 0.4 * v);
+            let colour = shade(0.6 * band + 0.4 * v);
             let dark = (1.0 - from_line / slope).clamp(0.0, 1.0) as f32;
-            let tint = blend(tint, INK, 0.38 * dark);
-            let bytes = tint.map(|c| (255.0 * c + 0.5) as u8);
+            let colour = blend(colour, INK, 0.38 * dark);
+            let bytes = colour.map(|c| (255.0 * c + 0.5) as u8);
             for (x, y) in [
                 (x, y),
                 (side - 1 - x, y),
@@ -116,7 +116,7 @@ fn contours(board: &mut Board, side: usize, level: impl Fn(DVec2) -> f64) {
     }
 }
 
-fn shade(level: f64) -> Tint {
+fn shade(level: f64) -> Colour {
     match level < 0.0 {
         true => blend(SHEET.bed, WELL, (-level / RANGE.0) as f32),
         false => blend(SHEET.bed, HILL, (level / RANGE.1) as f32),

@@ -1,15 +1,15 @@
 //! The size field as heat and contours over whatever is below.
 
-use super::{Board, Tint, blend};
+use super::{Board, Colour, blend};
 use crate::domain::Domain;
 use crate::field::Fields;
 use glam::DVec2;
 
 /// The smallest size there is, the middle, and the largest.
-const SMALL: Tint = [0.04, 0.26, 0.56, 0.66];
-const MIDDLE: Tint = [0.98, 0.82, 0.40, 0.42];
-const LARGE: Tint = [0.80, 0.10, 0.10, 0.66];
-const CONTOUR: Tint = [0.10, 0.07, 0.05, 0.80];
+const SMALL: Colour = [0.04, 0.26, 0.56, 0.66];
+const MIDDLE: Colour = [0.98, 0.82, 0.40, 0.42];
+const LARGE: Colour = [0.80, 0.10, 0.10, 0.66];
+const CONTOUR: Colour = [0.10, 0.07, 0.05, 0.80];
 const WIDTH: f32 = 1.1;
 /// Contours from the middle to the end of the scale.
 const CONTOURS: f32 = 5.0;
@@ -18,18 +18,18 @@ const LEAST: f32 = 0.35;
 /// The field is asked at places so many pixels apart.
 const STEP: usize = 4;
 
-/// The heat of a field, kept: it stays as it is while cells are packed.
+/// The size field as colours, kept from frame to frame: it stays as it is while cells are packed.
 #[derive(Clone, Debug, Default)]
-pub struct Veil {
+pub struct HeatMap {
     stamp: u64,
     side: usize,
     /// Colour times opacity, and what is left of that below, pixel by pixel, in 255ths.
     pixels: Vec<[u8; 4]>,
 }
 
-impl Veil {
-    /// Lays it over a board; made anew where the stamp is another one.
-    pub fn lay(
+impl HeatMap {
+    /// Draws it over a board; made anew where the stamp is another one.
+    pub fn draw(
         &mut self,
         board: &mut Board,
         stamp: u64,

@@ -1,6 +1,6 @@
-//! What is drawn of each stage: packed cells, cells, mesh.
+//! What the stages made, on paper: the outline, packed cells, cells, the mesh, constraint lines.
 
-use super::{Layer, Paper, Shape, Tint, Tones, blend, lit};
+use super::{Colour, Layer, Paper, Shape, Tones, blend, lit};
 use crate::cells::Cell;
 use crate::domain::Domain;
 use crate::field::Fields;
@@ -8,22 +8,22 @@ use crate::mesh::Mesh;
 use crate::packing::{Particle, stress};
 use glam::DVec2;
 
-/// A cell that others are pressed into, and how far it goes there at most.
-const PRESSED: Tint = [0.74, 0.33, 0.20, 1.0];
+/// The colour of cells that are deep in others, and its greatest share.
+const PRESSED: Colour = [0.74, 0.33, 0.20, 1.0];
 const MOST_PRESSED: f32 = 0.72;
-/// A cell that has nobody around it, and how far it goes there at most.
-const ALONE: Tint = [0.36, 0.56, 0.68, 1.0];
+/// The colour of cells without neighbours, and its greatest share.
+const ALONE: Colour = [0.36, 0.56, 0.68, 1.0];
 const MOST_ALONE: f32 = 1.0;
 /// Lines of cells before there are stones.
-const CELL_EDGE: Tint = [0.13, 0.10, 0.07, 0.55];
-/// How much darker a cell held on the boundary is.
+const CELL_EDGE: Colour = [0.13, 0.10, 0.07, 0.55];
+/// Lightness of cells that are fixed on the boundary, of the others.
 const FIXED: f32 = 0.82;
-/// Rounding of corners, of a cell's size.
+/// So far corners are rounded, of a cell's size.
 const ROUND: f64 = 0.13;
 
-const FACE: Tint = [0.836, 0.800, 0.735, 1.0];
-const LONE: Tint = [0.800, 0.510, 0.350, 1.0];
-pub(super) const INK: Tint = [0.33, 0.27, 0.21, 1.0];
+const FACE: Colour = [0.836, 0.800, 0.735, 1.0];
+const LONE: Colour = [0.800, 0.510, 0.350, 1.0];
+pub(super) const INK: Colour = [0.33, 0.27, 0.21, 1.0];
 
 /// The outline's bed and boundary. Holes are rings that run against the outer one.
 pub fn bed(rings: &[&[DVec2]], paper: &Paper) -> Layer {
@@ -99,8 +99,8 @@ pub fn mesh(mesh: &Mesh, fields: &Fields) -> Layer {
     let elements = elements(mesh, fields);
     let width = mesh_width(&elements);
     let filled = elements.into_iter().map(|(ring, is_lone)| {
-        let tint = if is_lone { LONE } else { FACE };
-        Shape::fill(vec![ring], tint, 0.0)
+        let colour = if is_lone { LONE } else { FACE };
+        Shape::fill(vec![ring], colour, 0.0)
     });
     Layer::shapes(filled.collect()).edged(INK, width, 0.0)
 }

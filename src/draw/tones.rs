@@ -1,6 +1,6 @@
-//! The colours of the drawings: earth and stones before there are any, and the paper of figures.
+//! The colours of drawings: those of the ground and the stones to come, and the paper of figures.
 
-use super::{Paper, Tint, blend, lit};
+use super::{Colour, Paper, blend, lit};
 use crate::cells::Cell;
 use crate::heightfield::TextureParams;
 use crate::material::{Coat, Ground, Palette, ground, palette, stone_colour};
@@ -13,13 +13,13 @@ pub const SHEET: Paper = Paper {
     line: [0.42, 0.36, 0.30, 1.0],
 };
 
-/// Stones in a picture are so light on average, of their own colour.
+/// Mean lightness of stones in the picture, of their own colour.
 const STONE_LIGHT: f32 = 0.95;
-/// Ground before it is laid, of its mean colour.
+/// Lightness of the ground around the outline, of its mean colour.
 const GROUND_LIGHT: f32 = 0.97;
-/// The bed, of the ground around it.
+/// Lightness of the bed, of the ground around it.
 const BED_LIGHT: f32 = 0.78;
-/// How far the ground's colour is drawn towards grey.
+/// Share of grey in the ground's colour.
 const CALM: f32 = 0.10;
 
 /// The tones of one recipe's pavement.
@@ -56,7 +56,7 @@ impl Tones {
     }
 
     /// The tone of the stone that the cell `id` will become.
-    pub fn stone(&self, id: u32) -> Tint {
+    pub fn stone(&self, id: u32) -> Colour {
         let place = self.coats.partition_point(|&(other, _)| other < id);
         let worn = self.coats.get(place).filter(|&&(other, _)| other == id);
         let coat = worn.map_or(Coat::default(), |&(_, coat)| coat);
@@ -88,7 +88,7 @@ mod tests {
     use super::*;
     use crate::material::{GROUNDS, PALETTES};
 
-    fn light(t: Tint) -> f32 {
+    fn light(t: Colour) -> f32 {
         (t[0] + t[1] + t[2]) / 3.0
     }
 

@@ -29,7 +29,7 @@ impl MeshFormat {
         [(MeshFormat::Obj, "obj"), (MeshFormat::Glb, "glb")];
 }
 
-enum Body {
+enum Writer {
     Obj(Obj),
     Glb(Box<Glb>),
 }
@@ -38,7 +38,7 @@ enum Body {
 pub struct MeshFile {
     surfaces: Surfaces,
     frame: Frame,
-    body: Body,
+    writer: Writer,
     cells: usize,
 }
 
@@ -50,9 +50,9 @@ impl MeshFile {
                 unit: 1.0 / params.side as f32,
             },
             surfaces: Surfaces::new(params),
-            body: match format {
-                MeshFormat::Obj => Body::Obj(Obj::new()),
-                MeshFormat::Glb => Body::Glb(Box::new(Glb::new(mean_roughness(materials)))),
+            writer: match format {
+                MeshFormat::Obj => Writer::Obj(Obj::new()),
+                MeshFormat::Glb => Writer::Glb(Box::new(Glb::new(mean_roughness(materials)))),
             },
             cells: 0,
         }
@@ -67,9 +67,9 @@ impl MeshFile {
     pub fn add(&mut self, solid: &Solid, cell: &Cell, planes: &Planes) {
         let surface = self.surfaces.close(solid, cell, self.cells, planes);
         if !surface.positions.is_empty() {
-            match &mut self.body {
-                Body::Obj(obj) => obj.add(&self.frame, &surface, self.cells),
-                Body::Glb(glb) => glb.add(&self.frame, &surface),
+            match &mut self.writer {
+                Writer::Obj(obj) => obj.add(&self.frame, &surface, self.cells),
+                Writer::Glb(glb) => glb.add(&self.frame, &surface),
             }
         }
         self.cells += 1;
@@ -77,17 +77,17 @@ impl MeshFile {
 
     /// The next parts of the file, as far as they are known before the last cell is.
     pub fn take(&mut self) -> Vec<Vec<u8>> {
-        match &mut self.body {
-            Body::Obj(obj) => obj.take(),
-            Body::Glb(_) => Vec::new(),
+        match &mut self.writer {
+            Writer::Obj(obj) => obj.take(),
+            Writer::Glb(_) => Vec::new(),
         }
     }
 
     /// The rest of the file in parts, one after the other.
     pub fn finish(self) -> Vec<Vec<u8>> {
-        match self.body {
-            Body::Obj(obj) => obj.finish(),
-            Body::Glb(glb) => glb.finish(),
+        match self.writer {
+            Writer::Obj(obj) => obj.finish(),
+            Writer::Glb(glb) => glb.finish(),
         }
     }
 }

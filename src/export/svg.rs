@@ -3,7 +3,7 @@
 use super::fixed::{push, push_whole};
 use crate::cells::Cell;
 use crate::domain::Domain;
-use crate::draw::{Layer, Pen, Shape, Tint, Tones, copies, lit, stages};
+use crate::draw::{Colour, Layer, Pen, Shape, Tones, copies, lit, stages};
 use glam::DVec2;
 
 /// Coordinates have so many decimals.
@@ -38,7 +38,7 @@ pub fn svg(
 struct File(Vec<u8>);
 
 impl File {
-    fn new(side: usize, ground: Tint) -> Self {
+    fn new(side: usize, ground: Colour) -> Self {
         let mut file = Self(Vec::new());
         file.number(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=",
@@ -104,8 +104,8 @@ impl File {
     }
 
     fn fill(&mut self, shape: &Shape) {
-        if let Some(tint) = shape.fill {
-            self.colour(" fill=", tint);
+        if let Some(colour) = shape.fill {
+            self.colour(" fill=", colour);
         }
     }
 
@@ -117,7 +117,7 @@ impl File {
         if pen.is_open {
             self.put(" fill=\"none\"");
         }
-        self.colour(" stroke=", pen.tint);
+        self.colour(" stroke=", pen.colour);
         self.put(ends);
         self.number(" stroke-width=", pen.width);
     }
@@ -162,11 +162,11 @@ impl File {
 
     /// An attribute whose value is a colour.
     #[inline(never)]
-    fn colour(&mut self, before: &str, tint: Tint) {
+    fn colour(&mut self, before: &str, colour: Colour) {
         const DIGITS: &[u8; 16] = b"0123456789abcdef";
         self.put(before);
         self.put("\"#");
-        for c in &tint[..3] {
+        for c in &colour[..3] {
             let byte = usize::from((255.0 * c + 0.5) as u8);
             self.0.extend([DIGITS[byte >> 4], DIGITS[byte & 15]]);
         }

@@ -1,14 +1,14 @@
 //! Overlays: what is drawn over a base.
 
 use super::{Overlay, Studio, View};
-use crate::draw::size::Veil;
+use crate::draw::size::HeatMap;
 use crate::draw::{self, Board};
 use crate::packing::{Packing, stress};
 use crate::recipe::Stage;
 
 impl Studio {
     /// Draws a view's overlays, each as soon as there is something to show of the pavement at work.
-    pub(super) fn draw_over(&mut self, view: View, board: &mut Board, veil: &mut Veil) {
+    pub(super) fn draw_over(&mut self, view: View, board: &mut Board, heat: &mut HeatMap) {
         let side = self.side();
         let [meshed, celled] = [Stage::Mesh, Stage::Cells].map(|stage| self.is_past(stage));
         let packs = self.made.is_packing();
@@ -28,7 +28,7 @@ impl Studio {
             };
             match overlay {
                 Overlay::Size => {
-                    veil.lay(board, made.terrain.revision(), side, domain, fields);
+                    heat.draw(board, made.terrain.revision(), side, domain, fields);
                 }
                 Overlay::Packed => {
                     let packing = made.packing().filter(|_| packs);

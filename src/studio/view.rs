@@ -22,7 +22,7 @@ pub(super) struct Gallery {
     /// The frame with overlays.
     over: Option<Board>,
     drawn_over: Option<(View, u64)>,
-    veil: draw::size::Veil,
+    heat: draw::size::HeatMap,
 }
 
 /// Stones in a simple light over the cells, while the picture is not there.
@@ -68,7 +68,7 @@ impl Studio {
         } else if gallery.drawn_over != Some((view, stamp)) {
             let mut board = gallery.frame.clone();
             if let Some(board) = &mut board {
-                self.draw_over(view, board, &mut gallery.veil);
+                self.draw_over(view, board, &mut gallery.heat);
             }
             gallery.over = board;
             gallery.drawn_over = Some((view, stamp));

@@ -10,9 +10,9 @@ pub fn metrics_json(metrics: &Metrics) -> String {
     let mut of_cells = vec![("count", cells.count.to_string())];
     of_cells.extend(cover(&cells.cover));
     of_cells.extend([
-        ("size_error", figure(cells.size_error)),
-        ("area_cv", figure(cells.area_cv)),
-        ("small", figure(cells.small)),
+        ("size_error", rounded(cells.size_error)),
+        ("area_cv", rounded(cells.area_cv)),
+        ("small", rounded(cells.small)),
         ("edge_angle", optional(cells.edge_angle)),
         ("axis_angle", optional(cells.axis_angle)),
         ("aspect", optional(cells.aspect)),
@@ -21,11 +21,11 @@ pub fn metrics_json(metrics: &Metrics) -> String {
     let (jacobian, triangles) = (mesh.jacobian, mesh.triangles);
     let mut of_mesh = vec![
         ("faces", mesh.faces.to_string()),
-        ("quads", figure(mesh.quads)),
+        ("quads", rounded(mesh.quads)),
     ];
     of_mesh.extend(cover(&mesh.cover));
     of_mesh.extend([
-        ("area_cv", figure(mesh.area_cv)),
+        ("area_cv", rounded(mesh.area_cv)),
         ("jacobian_mean", optional(jacobian.map(|j| j.mean))),
         ("jacobian_min", optional(jacobian.map(|j| j.min))),
         (
@@ -51,25 +51,25 @@ pub fn metrics_json(metrics: &Metrics) -> String {
 
 fn cover(cover: &Cover) -> [(&'static str, String); 3] {
     [
-        ("coverage", figure(cover.coverage)),
-        ("overlap", figure(cover.overlap)),
-        ("outside", figure(cover.outside)),
+        ("coverage", rounded(cover.coverage)),
+        ("overlap", rounded(cover.overlap)),
+        ("outside", rounded(cover.outside)),
     ]
 }
 
 /// To six digits after the point.
-fn figure(x: f64) -> String {
+fn rounded(x: f64) -> String {
     // No sum of lengths is exact: what is nothing should not be written as less.
     number((x * 1e6).round() / 1e6 + 0.0)
 }
 
 fn optional(x: Option<f64>) -> String {
-    figure(x.unwrap_or(f64::NAN))
+    rounded(x.unwrap_or(f64::NAN))
 }
 
 fn shares(histogram: &Histogram) -> String {
     let all = histogram.iter().sum::<usize>() as f64;
     let there = histogram.iter().enumerate().filter(|&(_, &n)| n > 0);
-    let items = there.map(|(k, &n)| (k.to_string(), figure(n as f64 / all)));
+    let items = there.map(|(k, &n)| (k.to_string(), rounded(n as f64 / all)));
     object(items)
 }
