@@ -12,7 +12,8 @@ use glam::DVec2;
 pub struct Layer {
     /// Its id in files.
     pub id: &'static str,
-    /// The ids of its shapes in files, before their places in the list; empty where it is one thing.
+    /// What the ids of its shapes in files begin with; their places in the list follow. Empty where the layer is
+    /// one thing.
     pub item: &'static str,
     /// Its shapes.
     pub shapes: Vec<Shape>,
@@ -28,7 +29,7 @@ pub struct Shape {
     /// Fills the area that the rings run around: what two rings of the same sense share is filled once,
     /// what they share against each other is left out.
     pub fill: Option<Colour>,
-    /// So far corners of the filled area are rounded on the screen.
+    /// Corners of the filled area are rounded by up to so much on the screen.
     pub round: f64,
 }
 
@@ -39,7 +40,7 @@ pub struct Pen {
     pub colour: Colour,
     /// The lines' width.
     pub width: f64,
-    /// So far corners of rings are rounded on the screen.
+    /// Corners of rings are rounded by up to so much on the screen.
     pub round: f64,
     /// Lines do not go on from their last point to their first.
     pub is_open: bool,

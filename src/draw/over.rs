@@ -51,7 +51,7 @@ fn with_lines(filled: Layer, lines: [Layer; 2]) -> Vec<Layer> {
     vec![filled, rim, line]
 }
 
-/// Colours from one over another in the middle to a third.
+/// A scale of colours, from low over middle to high.
 #[inline(never)]
 pub(super) fn scale([low, middle, high]: [Colour; 3], steps: usize) -> Vec<Colour> {
     let colour = |step: usize| {

@@ -75,7 +75,7 @@ fn figures(cell: &Particle, wells: Vec<DVec2>, thin: f64) -> Vec<Layer> {
     layers
 }
 
-/// Contours are at its halves: none lies on the plain where cells do not feel each other.
+/// The level of a height. Contours lie halfway between whole levels, so that none is where there is no force.
 fn level(height: f64) -> f64 {
     match height < 0.0 {
         true => height / STEP,

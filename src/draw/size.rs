@@ -23,7 +23,7 @@ const STEP: usize = 4;
 pub struct HeatMap {
     stamp: u64,
     side: usize,
-    /// Colour times opacity, and what is left of that below, pixel by pixel, in 255ths.
+    /// For each pixel colour times opacity, and the share of what is below, in 255ths.
     pixels: Vec<[u8; 4]>,
 }
 

@@ -25,7 +25,7 @@ const CALM: f32 = 0.10;
 /// The tones of one recipe's pavement.
 #[derive(Clone, Debug)]
 pub struct Tones {
-    /// The ground that will lie there, not laid yet.
+    /// The ground to come, flat.
     pub paper: Paper,
     palette: &'static Palette,
     seed: u64,
@@ -65,7 +65,7 @@ impl Tones {
     }
 }
 
-/// Flat ground, a darker bed in it, and a line that stands out from both.
+/// The paper of a ground: its colour, a darker bed, and a line that stands out from both.
 fn earth(ground: &Ground) -> Paper {
     let [a, b] = ground.colours;
     let [r, g, b] = [0, 1, 2].map(|k| (f32::from(a[k]) + f32::from(b[k])) / 510.0);

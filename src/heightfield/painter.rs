@@ -33,7 +33,7 @@ pub struct Painter {
     pixel_scale: PixelScale,
     /// Pixels along a side of the picture.
     side: usize,
-    /// The rows that stones are put into now, and of which the following three tell.
+    /// The rows that stones are put into now, and their samples.
     band: Range<usize>,
     samples: Samples,
     level: f32,

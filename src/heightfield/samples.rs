@@ -33,7 +33,7 @@ impl Samples {
         }
     }
 
-    /// All the ground's again, of not more pixels than before.
+    /// Gives all samples back to the ground, of not more pixels than before.
     pub fn clear(&mut self, pixels: usize) {
         self.taken.clear();
         self.taken.resize(pixels, 0);
@@ -45,7 +45,7 @@ impl Samples {
         }
     }
 
-    /// What a stone gets of pixel `i`, where it has these heights, `raise` more by its relief, and the
+    /// Puts a stone into the samples of pixel `i`: it has these heights, `raise` more by its relief, and the
     /// ground's is `soil`.
     pub fn cover(
         &mut self,

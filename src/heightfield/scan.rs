@@ -14,7 +14,7 @@ pub const NOTHING: f32 = f32::NEG_INFINITY;
 /// Samples of a row that are looked at together; each row of the box has as many to spare.
 const LANES: usize = 4;
 
-/// A hair of tolerance closes the seams that rounding leaves between neighbouring triangles.
+/// Tolerance of barycentric weights: closes the seams that rounding leaves between neighbouring triangles.
 const SLACK: f32 = -1e-4;
 
 /// The highest surface at each sample of a stone's box of pixels.

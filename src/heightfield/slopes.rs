@@ -23,8 +23,8 @@ pub(crate) fn row_slopes(planes: &Planes, y: usize, to: &mut [Vec<f32>; 2]) {
 
 /// Rise of the surface to the right and downwards, from the rows above, here and below, which have
 /// `pixel_scale` pixels for each picture unit.
-/// The rows beside count too (Sobel's weights 1, 2, 1, sharpened to 1, 4, 1), or rims show the pixels'
-/// steps.
+/// A derivative by central differences, smoothed across with the weights 1, 4, 1 (Sobel's are 1, 2, 1): without
+/// that rims would show the steps of pixels.
 fn slopes(rows: [&[f32]; 3], pixel_scale: f32, tile: bool, slopes: &mut [Vec<f32>; 2]) {
     let [up, row, down] = rows;
     let n = row.len();

@@ -1,4 +1,4 @@
-//! What years and weather do to the planes: wear, dirt, moss, wet.
+//! The weather over the planes: wear, dirt, moss, wet.
 //!
 //! One pass over the finished stones, and then one for the ambient occlusion. Tops and hollows are told
 //! apart by the mean height around each pixel.
@@ -87,7 +87,7 @@ struct Weather {
     /// Pixels along the picture's side, and for each picture unit.
     side: usize,
     pixel_scale: usize,
-    /// Of the joints.
+    /// Depth of the joints, in picture units.
     depth: f32,
     size: f32,
     means: [BoxFilter; 2],
@@ -98,8 +98,8 @@ struct Weather {
 }
 
 impl Weather {
-    /// Effects between stones of about `size` with joints so deep, in a picture of `side` pixels with `pixel_scale`
-    /// of them for each unit.
+    /// Effects between stones of about `size` with joints so deep, in a picture of `side` pixels, `pixel_scale`
+    /// for each unit.
     fn new(effects: Effects, [side, pixel_scale]: [usize; 2], size: f64, depth: f32) -> Self {
         let radius = |reach: f64| (reach * size) as usize * pixel_scale + pixel_scale / 2;
         Self {

@@ -1,5 +1,4 @@
-//! What each cell wears beside its palette's base colour, by rule: how much of the mark and of the
-//! belly's colour.
+//! Coats: colours of cells by rule, the mark's and the belly's, over the base colour of their palette.
 //!
 //! Itoh, Miyata, Shimada (2003) leave colours that follow the cells to future work (section 8). A
 //! rule gives each cell a value that is spread about evenly over 0..1; the share of cells asked for
@@ -103,7 +102,7 @@ impl Default for ColourParams {
     }
 }
 
-/// What one cell wears.
+/// The coat of one cell.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Coat {
     /// Share of the mark's colour, 0..1.
@@ -273,7 +272,7 @@ impl Coats {
         greater(1.0 - PI * nearest, 0.0)
     }
 
-    /// How much a cell of a value is marked.
+    /// The share of the mark in a cell, by the value that the rule gave it.
     fn weight(&self, value: f64) -> f64 {
         let c = &self.colour;
         let width = 1.0 - (1.0 - SHARPEST) * c.sharpness;

@@ -7,8 +7,8 @@
 
 use crate::random::{Purpose, Random};
 
-/// Fall of the amplitude with each half level below a unit of length: slopes get a little flatter with
-/// it, or a finer picture would be a rougher and darker one.
+/// Below the unit of length the amplitude falls by this factor each half level, whatever the dimension: more
+/// pixels must not make the picture rougher and darker.
 const BELOW: f32 = 0.6;
 
 /// A periodic square of noise: mean 0, and deviation 1 at the distance of the coarse grid's points.

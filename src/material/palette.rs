@@ -58,7 +58,7 @@ pub struct Ground {
     pub pebbles: f32,
     /// Colour of pebbles.
     pub pebble: [u8; 3],
-    /// Colour of what the wind and feet carry from it into hollows.
+    /// Colour of the dirt that comes from it.
     pub dirt: [u8; 3],
     /// How the ground gives back light.
     pub material: Material,

@@ -27,7 +27,7 @@ pub fn palette(name: &str) -> &'static Palette {
     found.unwrap_or(&PALETTES[0])
 }
 
-/// The ground of that name, the default where there is none. Hide is the palette's flesh.
+/// The ground of that name, the default where there is none. Bare skin has the colour of the palette's flesh.
 pub fn ground(name: &str, palette: &Palette) -> Ground {
     let found = GROUNDS.iter().find(|g| g.name == name);
     let mut ground = *found.unwrap_or(&GROUNDS[0]);

@@ -84,7 +84,7 @@ pub(super) const PEARL: [Material; FINISHES] = [
 /// Earth does not shine.
 pub(super) const EARTH: Material = phong(1.0, 1.0, 0.0, 4.0);
 
-/// Moss takes the light up.
+/// Moss absorbs some light.
 pub(super) const PADS: Material = phong(0.97, 0.98, 0.0, 4.0);
 
 /// Still water: what it mirrors of the sky is in its colour.

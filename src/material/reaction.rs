@@ -19,7 +19,7 @@ use glam::DVec2;
 /// Diffusion of the inhibitor, and that of the activator as a part of it.
 const SPREAD: f64 = 0.8;
 const RATIO: f64 = 0.05;
-/// k at a share of all.
+/// k where all cells are to be marked.
 const FEED: f64 = 0.17;
 /// Growth rate of the fastest wave, of r, and by how many factors of e it grows.
 const GROWTH: f64 = 0.336;
@@ -31,7 +31,7 @@ const REFINING: usize = 120;
 const COARSE: f64 = 8.0;
 const FEWEST: usize = 60;
 
-/// One graph.
+/// One of the graphs.
 struct Level {
     /// Where each node's links begin in `to`, and where the last one's end.
     starts: Vec<u32>,

@@ -22,7 +22,8 @@ pub enum Light {
         /// Radians above the horizon, 0 exclusive to a right angle.
         elevation: f64,
     },
-    /// A lamp at a place, once: under it a tile does not repeat; coordinates are fractions of the picture's side, z above the ground.
+    /// A lamp at a place, in fractions of the picture's side, z above the ground. There is one lamp only, so a
+    /// tile does not repeat.
     Point {
         /// From the left edge, any number.
         x: f64,

@@ -63,8 +63,8 @@ impl ParallelShadows {
         (shadows, ScanOrder::new(columns, along < 0.0, 0..side))
     }
 
-    /// Lines run on from their end to their beginning from here on. Gives the number of lines that
-    /// shadows of this height reach over.
+    /// From here on what follows the end of a line is its beginning. Gives the number of lines that a shadow
+    /// of this height reaches over.
     pub fn wrap(&mut self, height: f32) -> usize {
         self.tile = true;
         // Numbers too large become the greatest there is.

@@ -58,14 +58,14 @@ impl Finish {
     }
 }
 
-/// What reaches each pixel of a row, before its finish and colour come in.
+/// The light that reaches each pixel of a row, whatever its material and colour.
 #[derive(Default)]
 struct RowLight {
     /// Rise of the surface to the right and downwards.
     slope: [Vec<f32>; 2],
     /// Light of the sky.
     sky: Vec<f32>,
-    /// Light of the lamp: all of it, and the part that a matt surface throws back.
+    /// Light of the lamp: all of it, and the part that a matt surface scatters.
     lamp: Vec<f32>,
     matt: Vec<f32>,
     /// The cosine between mirrored light and view, as an entry of the table of highlights.
@@ -119,7 +119,7 @@ impl Shader {
     }
 
     /// Goes on by about `rows` rows, first of the shadows, then of the picture; true when done. The
-    /// planes must be of the side given at first, and the table that of their material.
+    /// planes must be of the side given at first, and the table that of their materials.
     pub fn advance(&mut self, planes: &Planes, materials: &[Material], rows: usize) -> bool {
         if self.finishes.is_empty() {
             let finish = |o| Finish::new(o, &self.params);

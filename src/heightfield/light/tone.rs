@@ -1,4 +1,4 @@
-//! Between the numbers of light and those of the screen.
+//! Tone mapping: between linear light and values of the screen.
 
 /// Entries of the table from linear light to screen values.
 const STEPS: usize = 8192;
