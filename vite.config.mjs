@@ -12,7 +12,7 @@ const escaped = (text) => text.replaceAll('&', '&amp;').replaceAll('<', '&lt;').
 
 /**
  * Writes the English words into the page: `data-t="key title=other"` names an element's text and its
- * attributes. Other languages are filled in by www/words.ts.
+ * attributes. Other languages are filled in by www/base/language.ts.
  */
 const words = {
   name: 'words',
@@ -68,7 +68,7 @@ function japanese() {
 await buildThumbs();
 await buildIcons();
 
-/** The page gives the module to the glue itself, packed (www/module.ts): the plain file is no part of the site. */
+/** The page gives the module to the glue itself, packed (www/module/load.ts): the plain file is no part of the site. */
 const packed = {
   name: 'packed',
   /** @param {string} code @param {string} id */

@@ -1,18 +1,19 @@
 /** Starts the page. */
-import { App } from './app';
-import { byId } from './dom';
-import { isEmbedded } from './link';
-import { load } from './engine';
-import { alertOf, passing } from './messages';
-import { keepModule } from './module';
-import { followTheme } from './theme';
-import { t, takeLanguage } from './words';
+import { byId } from './base/dom';
+import { takeLanguage } from './base/language';
+import { alertOf, passing } from './base/messages';
+import { followTheme } from './base/theme';
+import { keepModule } from './module/load';
+import { App } from './shell/app';
+import { load } from './state/engine';
+import { isEmbedded } from './state/link';
+import { t } from './words/words';
 
 async function start(): Promise<void> {
   try {
     const embedded = isEmbedded();
     document.documentElement.toggleAttribute('data-embed', embedded);
-    const [embed] = await Promise.all([embedded ? import('./embed') : undefined, load(), takeLanguage()]);
+    const [embed] = await Promise.all([embedded ? import('./shell/embed') : undefined, load(), takeLanguage()]);
     if (embed) window.bubblestone = embed.embed();
     else await begin();
   } catch (error) {
@@ -33,7 +34,7 @@ async function begin(): Promise<void> {
 async function storeSite(): Promise<void> {
   // Without a storage the next visit unpacks the module again.
   keepModule().catch(() => undefined);
-  const { register } = await import('./offline');
+  const { register } = await import('./shell/offline');
   register((what) => {
     if (what === 'newer') passing('offline', t('offline_newer'));
     // Nothing to do about it: it stands at the foot of the page.

@@ -44,7 +44,7 @@ export async function buildWasm(kind, env) {
   return folder;
 }
 
-/** What the page loads: see www/lzma.ts. @param {string} module */
+/** What the page loads: see www/module/lzma.ts. @param {string} module */
 async function pack(module) {
   const { default: lzma } = await import('lzma');
   writeFileSync(packedModule, Uint8Array.from(lzma.compress(readFileSync(module), 9)));

@@ -129,7 +129,7 @@ for (const [device, viewport] of Object.entries({ phone, 'upright tablet': table
     const { top, bottom } = await sight(page);
     assert.ok(top >= 0 && bottom <= viewport.height);
     if (button === '#light-button') continue;
-    const [bar, tools] = [await place(page, '#editor-bar'), await place(page, '#toolbox')];
+    const [bar, tools] = [await place(page, '#editor-bar'), await place(page, '#edit-tools')];
     assert.ok(bar.top >= bottom && tools.top >= bar.bottom && tools.top < viewport.height, JSON.stringify([bar, tools]));
     assert.ok(bar.height < 160, `the buttons take ${bar.height} pixels`);
     await page.tap(button);
@@ -143,14 +143,14 @@ for (const [device, viewport] of Object.entries({ phone, 'upright tablet': table
   test(`language and help come first, presets before tools: ${device}`, async () => {
     const { page, close } = await site.newPage(SMALL, { viewport });
     await digest(page);
-    const order = ['#about-button', '#canvas', '#rail', '#play', '#toolbox', '#viewbox', '#caption', '#panel'];
+    const order = ['#about-button', '#canvas', '#rail', '#play', '#edit-tools', '#look-tools', '#caption', '#panel'];
     const tops = await page.$$eval(order.join(), (elements) => elements.map((element) => [element.id, element.getBoundingClientRect().top]));
     assert.deepEqual(tops.map(([id]) => `#${id}`), order, 'the order in the document');
     assert.deepEqual(tops, [...tops].sort(([, a], [, b]) => a - b), 'the order on the page');
     for (const selector of ['#language', '#theme', '#about-button', '#keys-button']) assert.ok((await place(page, selector)).bottom < 100, selector);
     assert.ok((await place(page, '#rail')).bottom < viewport.height, 'the presets are below the first screen');
     // Tools stand side by side.
-    for (const box of ['.toolbox', '.viewbox']) {
+    for (const box of ['.edit-tools', '.look-tools']) {
       const rows = await page.$$eval(`${box} > .key`, (buttons) => new Set(buttons.map((button) => button.getBoundingClientRect().top)).size);
       assert.ok(rows <= (viewport === phone ? 2 : 1), `${box} has ${rows} rows`);
     }
@@ -164,7 +164,7 @@ for (const [device, viewport] of Object.entries({ phone, 'small phone': small, '
       const { page, close } = await site.newPage(`${SMALL}&kind=ellipse&lines=0.2,0.5,0.8,0.5`, { viewport, before: speaking(language) });
       await digest(page);
       await page.$eval('#more-tools', (button) => button.click());
-      const words = await page.$$eval(':is(.toolbox, .viewbox) .key', (buttons) =>
+      const words = await page.$$eval(':is(.edit-tools, .look-tools) .key', (buttons) =>
         buttons
           .filter((button) => button.getClientRects().length)
           .map((button) => {
@@ -183,7 +183,7 @@ for (const [device, viewport] of Object.entries({ phone, 'small phone': small, '
 test('rare tools come and go under More', async () => {
   const { page, problems, close } = await site.newPage(SMALL, { viewport: phone });
   await digest(page);
-  const shown = () => page.$$eval('.toolbox .key', (buttons) => buttons.filter((button) => button.getClientRects().length).map((button) => button.dataset.tool ?? button.id));
+  const shown = () => page.$$eval('.edit-tools .key', (buttons) => buttons.filter((button) => button.getClientRects().length).map((button) => button.dataset.tool ?? button.id));
   const common = ['outline', 'road', 'hole', 'lines', 'strokes', 'text', 'import', 'more-tools'];
   assert.deepEqual(await shown(), common);
   // By the keyboard: the arrow keys go to them, Escape takes them away.

@@ -455,7 +455,7 @@ test('on a phone everything for looking closer can be touched, and nothing is wi
     place.width,
   );
   const { small, wide } = await page.evaluate(() => {
-    const inside = '.frame, .viewbox, #layers, #plots';
+    const inside = '.frame, .look-tools, #layers, #plots';
     const seen = [...document.querySelectorAll(inside)].flatMap((part) => [...part.querySelectorAll('*')]).filter((element) => element.checkVisibility());
     const targets = seen.filter((element) => element.matches('button, input, select, [role=slider]'));
     const label = (element) => (element.matches('[type=radio], [type=checkbox]') ? element.closest('label') : element);

@@ -37,7 +37,7 @@ const places = (page, ...names) =>
 test('the canvas comes first and as wide as the screen, then presets, transport, tools and the rest', async () => {
   const { page, close } = await site.newPage(SMALL, { viewport });
   await digest(page);
-  const [canvas, rail, play, tools, panel] = await places(page, '#canvas', '#rail', '#play', '#toolbox', '#panel');
+  const [canvas, rail, play, tools, panel] = await places(page, '#canvas', '#rail', '#play', '#edit-tools', '#panel');
   assert.ok(canvas.width >= 388 && canvas.top < 100, JSON.stringify(canvas));
   assert.ok(rail.top >= canvas.bottom && play.top >= rail.bottom && play.bottom <= 844);
   assert.ok(tools.top >= play.bottom && panel.top >= tools.bottom);
@@ -49,12 +49,12 @@ test('buttons for what is edited stand under the picture, plots above the contro
   await digest(page);
   await page.tap('[data-tool=outline]');
   await page.waitForSelector('.handle');
-  const [sheet, bar, tools] = await places(page, '#sheet', '#editor-bar', '#toolbox');
+  const [sheet, bar, tools] = await places(page, '#sheet', '#editor-bar', '#edit-tools');
   assert.ok(bar.top >= sheet.bottom && tools.top >= bar.bottom, JSON.stringify([sheet, bar, tools]));
   await page.tap('#plots-button');
   await page.waitForSelector('#plots canvas');
-  const [viewbox, plots, panel] = await places(page, '#viewbox', '#plots', '#panel');
-  assert.ok(plots.top >= viewbox.bottom && panel.top >= plots.bottom, JSON.stringify([viewbox, plots, panel]));
+  const [look, plots, panel] = await places(page, '#look-tools', '#plots', '#panel');
+  assert.ok(plots.top >= look.bottom && panel.top >= plots.bottom, JSON.stringify([look, plots, panel]));
   const [name, box] = await places(page, '#p-cs-name', '#p-cs');
   assert.ok(name.left < 30 && name.right <= box.left && name.top < box.bottom && box.top < name.bottom, JSON.stringify([name, box]));
   await close();
@@ -63,7 +63,7 @@ test('buttons for what is edited stand under the picture, plots above the contro
 test('on its side the phone shows the whole picture, all the rest beside it', async () => {
   const { page, close } = await site.newPage(SMALL, { viewport: { ...viewport, width: 844, height: 390 } });
   await digest(page);
-  const [sheet, ...rest] = await places(page, '#sheet', '.head', '#rail', '#play', '#toolbox', '#viewbox', '#panel');
+  const [sheet, ...rest] = await places(page, '#sheet', '.head', '#rail', '#play', '#edit-tools', '#look-tools', '#panel');
   assert.ok(sheet.top >= 0 && sheet.bottom <= 390 && sheet.height > 300, JSON.stringify(sheet));
   for (const { left, right } of rest) assert.ok(left >= sheet.right && right <= 844, JSON.stringify([left, right]));
   await close();

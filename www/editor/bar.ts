@@ -1,7 +1,7 @@
 /** The buttons for what is edited over the canvas; they stand in the caption's place. */
-import { make, say } from '../dom';
-import type { Figure, FigureValue, Sort } from './figures';
-import { tell } from './words';
+import { make, say } from '../base/dom';
+import { tell } from '../words/editor';
+import type { Figure, FigureValue, Sort } from './geometry/figures';
 
 export interface BarNeeds {
   choose(word: string): void;

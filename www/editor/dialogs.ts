@@ -1,11 +1,11 @@
 /** Letters as an outline, and outlines that come from and go to files. */
-import { make, say } from '../dom';
-import { offer } from '../download';
-import type { Ring } from '../types';
+import { make, say } from '../base/dom';
+import { offer } from '../base/download';
+import type { Ring } from '../module/types';
+import { tell } from '../words/editor';
 import { jsonFile, svgFile } from './export';
-import { drawn } from './figures';
-import { FACES, letters, type Face } from './paint';
-import { tell } from './words';
+import { drawn } from './geometry/figures';
+import { FACES, letters, type Face } from './letters';
 
 export interface DialogNeeds {
   side(): number;

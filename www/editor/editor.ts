@@ -1,393 +1,283 @@
-/** Figures over the canvas, and what is done with them: by pointers (gestures.ts), keys, and the bar's buttons. */
-import { byId } from '../dom';
-import type { Point } from '../types';
-import { EditorBar } from './bar';
-import { divide, join, nearest, nearestLine, settle, turnOver } from './curve';
-import { drawn, type Figure, type Place, type Sort } from './figures';
-import { Gestures } from './gestures';
-import { Sheet } from './sheet';
-import { distance, toSegment } from './simplify';
-import { snap } from './snap';
+/** The editor as the page uses it: who edits what over the canvas, and what becomes of it. */
+import { byId } from '../base/dom';
+import { alertOf, clear, notice } from '../base/messages';
+import type { Point, Ring } from '../module/types';
+import type { Engine, Told } from '../state/engine';
+import { toolApplies } from '../state/rules';
+import type { Work } from '../state/work';
+import { tell } from '../words/editor';
+import { exportDialog, importDialog, textDialog } from './dialogs';
+import { FigureEditor } from './figure-editor';
+import { ringOf, scaled } from './geometry/curve';
+import type { Figure, Sort } from './geometry/figures';
+import { arranged, turned } from './geometry/rings';
+import { roadRings } from './geometry/road';
+import { simplify } from './geometry/simplify';
+import type { Try } from './import/read';
+import { read, remarks } from './import/reading';
+import { Sorts } from './sorts';
 
-/** Picture units that an arrow key moves a point; with Shift ten times as many. */
-const NUDGE = 1;
+/** Bytes of a file; the outline of a drawing of ten thousand points has some two hundred thousand. */
+const LARGEST = 4_000_000;
 
-/** CSS pixels from which Shift draws a point to others and to directions. */
-const REACH = 9;
+/** Outlines whose roads, or points, are remembered. */
+const REMEMBERED = 400;
 
-export interface EditorNeeds {
-  side(): number;
-  /** All that can be edited now. */
-  sorts(): Sort[];
-  /** Another sort was chosen in the bar. */
-  choose(word: string): void;
-  /** A new figure, away from those that are there; for a seed the one at this place. */
-  fresh(sort: Sort, figures: Figure[], at?: Point): Figure | undefined;
-  /** The value of a figure that was drawn. */
-  first(sort: Sort): number;
-  /** Takes the figures over, or says why it cannot and answers false. */
-  change(sort: Sort, figures: Figure[]): boolean;
-  /** The outline that the figures make, where they are not that themselves. */
-  rim(): Point[][];
-  /** A drag begins or ends. */
-  live(on: boolean): void;
-  /** A ring was drawn. */
-  disarmed(): void;
-  closed(): void;
-}
+/** Points that the engine takes. */
+const POINTS = 4096;
+
+/** Whether text may be an outline, so that it is worth a sentence if it is not. */
+const OUTLINE = /^\s*(<(\?xml|!--|!doctype svg|svg|path)|[[{]|m\s*[-+.\d])/i;
+
+/** An outline from elsewhere of more rings or points comes without handles, which would hide it. */
+const SHOWN = { rings: 50, points: 1500 };
 
 export class Editor {
-  readonly sheet: Sheet;
-  private readonly bar: EditorBar;
-  private readonly needs: EditorNeeds;
-  private readonly gestures: Gestures;
-  private figures: Figure[] = [];
-  private marked: Place = { figure: 0, index: 0 };
-  private frame = 0;
-  private holding = false;
-  sort: Sort | undefined;
-  /** The next drag over the canvas draws a ring. */
-  armed = false;
+  private readonly sorts: Sorts;
+  private readonly work: Work;
+  private readonly engine: Engine;
+  private readonly figureEditor: FigureEditor;
+  private last = 'outline';
+  /** What the recipe said of it when the handles were last the same. */
+  private known = '';
+  /** The recipe is changed from here. */
+  private writing = false;
+  /** Points are in the hand. */
+  private held = false;
+  /** The figures that gave an outline, with places in sides of the picture: they are there again whenever the outline is. */
+  private readonly given = new Map<string, Figure[]>();
+  private giving: Figure[] = [];
+  private rim: Ring[] = [];
+  /** The width of the last road. */
+  private width: number | undefined;
 
-  /** The layer lies over the canvas; the bar takes the buttons for the marked point. */
-  constructor(layer: HTMLElement, bar: HTMLElement, needs: EditorNeeds) {
-    this.needs = needs;
-    this.sheet = new Sheet(layer);
-    this.bar = new EditorBar(bar, {
-      choose: (word) => needs.choose(word),
-      addFigure: () => this.addFigure(),
-      addPoint: () => this.addAfter(this.marked),
-      remove: () => this.take(this.marked),
-      turnOver: () => this.turnOver(this.marked),
-      value: (value, last) => this.setValue(value, last),
-      finish: () => this.gestures.finish(),
-      cancel: () => this.gestures.cancel(),
-      close: () => this.close(),
+  constructor(work: Work) {
+    this.work = work;
+    const { engine } = work;
+    this.engine = engine;
+    this.sorts = new Sorts(engine);
+    this.figureEditor = new FigureEditor(byId('editor'), byId('editor-bar'), {
+      side: () => engine.side(),
+      sorts: () => this.sorts.now(),
+      choose: (word) => this.begin(word),
+      fresh: (sort, figures, at) => {
+        const fresh = this.sorts.fresh(sort, figures, at);
+        return fresh && sort.broad ? { ...fresh, value: this.first(sort) } : fresh;
+      },
+      first: (sort) => this.first(sort),
+      change: (sort, figures) => this.take(sort, figures),
+      rim: () => this.rim,
+      live: (on) => {
+        engine.live(on);
+        this.held = on;
+        if (!on) this.remember();
+        work.store.update({ held: on });
+      },
+      disarmed: () => work.store.update({ editing: this.word }),
+      closed: () => work.store.update({ editing: undefined }),
     });
-    this.gestures = new Gestures(this);
-    for (const place of [layer, bar]) place.addEventListener('keydown', (event) => this.keyAnywhere(event));
-    // After a tool was clicked the keyboard is on its button.
-    byId('toolbox').addEventListener('keydown', (event) => this.open && event.key === 'Escape' && this.keyAnywhere(event));
-    document.body.addEventListener('keydown', (event) => this.open && event.target === document.body && this.keyAnywhere(event));
-    layer.addEventListener('focusin', ({ target }) => {
-      const part = this.sheet.part(target);
-      if (part.part === 'point') this.mark(part.place);
+  }
+
+  /** The word of what is edited now. */
+  private get word(): string | undefined {
+    return this.figureEditor.open ? this.figureEditor.figures.sort?.word : undefined;
+  }
+
+  private first(sort: Sort): number {
+    return (sort.broad ? this.width : undefined) ?? sort.value?.first ?? 0;
+  }
+
+  /** Ends the editing of this sort, or begins it, with a first figure where there is none and one is wanted; without a word what was edited last is just looked at. */
+  toggle(asked?: string, fresh = true): void {
+    const word = asked ?? this.last;
+    if (this.word === word && !this.figureEditor.figures.armed) return this.figureEditor.close();
+    this.begin(word);
+    if (fresh) this.figureEditor.start(asked !== undefined);
+  }
+
+  /** A tool of the box; by the keyboard, a new figure comes without drawing. */
+  use(tool: string, byKey: boolean): void {
+    if (tool === 'hole') return this.hole(byKey);
+    const dialog = { text: textDialog, import: importDialog, export: exportDialog }[tool];
+    if (!dialog) return this.toggle(tool, byKey);
+    dialog({
+      side: () => this.engine.side(),
+      outline: () => this.engine.outline(),
+      take: (rings) => this.takeNew([{ rings: arranged(rings), left: {} }]),
+      takeFile: (file) => this.takeFile(file),
+      takeText: (text, name) => this.takeText(text, name),
     });
-    layer.addEventListener('keydown', (event) => {
-      const part = this.sheet.part(event.target);
-      if (part.part === 'point') this.key(event, part.place);
-    });
-    layer.addEventListener('keyup', () => this.drop());
   }
 
-  get open(): boolean {
-    return !this.sheet.layer.hidden;
+  private hole(byKey: boolean): void {
+    if (this.figureEditor.figures.armed) return this.figureEditor.figures.disarm();
+    if (this.word !== 'outline') this.begin('outline');
+    if (byKey) return this.figureEditor.figures.addFigure();
+    this.begin('outline', true);
   }
 
-  get side(): number {
-    return this.needs.side();
+  /** The outline at hand becomes a free one. */
+  free(): void {
+    if (this.takeRings(this.engine.outline())) this.begin('outline');
   }
 
-  /** Shows handles on these figures; `armed` where a ring is to be drawn next. */
-  show(sort: Sort, figures: Figure[], armed = false): void {
-    this.drop();
-    const same = this.sort?.word === sort.word && this.open;
-    const focused = this.sheet.layer.contains(document.activeElement);
-    this.sort = sort;
-    this.figures = figures;
-    this.armed = armed;
-    if (!same) this.marked = { figure: 0, index: 0 };
-    this.gestures.reset();
-    const { layer } = this.sheet;
-    layer.hidden = false;
-    layer.dataset['form'] = sort.form;
-    layer.toggleAttribute('data-armed', armed);
-    layer.toggleAttribute('data-draws', armed || sort.form === 'line' || sort.form === 'spot');
-    layer.setAttribute('aria-label', sort.label);
-    layer.classList.remove('bad');
-    this.rebuild(this.marked);
-    if (focused && same) this.focus();
+  /** Shows handles on figures of this sort. Nothing changes by that. */
+  begin(word: string, armed = false): void {
+    const now = this.sorts.now();
+    const sort = now.find((other) => other.word === word) ?? now[0];
+    if (!sort) return;
+    this.last = sort.word;
+    this.known = this.text(sort.word);
+    const figures = this.remembered(sort.word) ?? (sort.word === 'road' ? [] : this.sorts.read(sort));
+    this.rim = sort.word === 'road' && figures.length ? arranged(roadRings(figures, this.engine.side())) : [];
+    this.figureEditor.show(sort, figures, armed);
+    this.work.store.update({ editing: armed ? 'hole' : sort.word });
   }
 
-  /** Puts the keyboard on the marked point; where there is none, on one of a new figure if there may be one. */
-  start(fresh: boolean): void {
-    if (this.figures.length || !fresh) this.focus();
-    else this.addFigure();
+  /** The recipe changed: where that came by other ways, what is edited goes on with what it has of the same sort. */
+  follow(): void {
+    const word = this.word;
+    if (word === undefined || this.writing || this.text(word) === this.known) return;
+    clear('outline');
+    const there = toolApplies(this.engine, word) && (isOutline(word) || this.engine.get(word) !== '');
+    if (there) this.begin(word);
+    else this.figureEditor.close();
   }
 
-  /** Puts the keyboard on the marked point, or where figures are added. */
-  focus(): void {
-    if (!this.sheet.focus(this.figures, this.marked)) this.bar.focus();
+  /** What the recipe says of what is edited, and the units of its points. */
+  private text(word: string): string {
+    const keys = isOutline(word) ? ['tile', 'outline', 'poly', 'ow', 'on', 'oa'] : [word];
+    return ['size', ...keys].map((key) => this.engine.get(key)).join();
   }
 
   close(): void {
-    if (!this.open) return;
-    this.gestures.reset();
-    this.drop();
-    this.sheet.layer.hidden = true;
-    this.bar.hide();
-    this.needs.closed();
+    this.figureEditor.close();
   }
 
-  /** Elements for all figures, and a point that is there marked. */
-  private rebuild({ figure, index }: Place): void {
-    if (!this.sort) return;
-    const known = Math.max(0, Math.min(figure, this.figures.length - 1));
-    this.marked = { figure: known, index: Math.max(0, Math.min(index, (this.figures[known]?.points.length ?? 1) - 1)) };
-    this.sheet.build(this.sort, this.figures);
-    this.place();
+  /** An outline's file, chosen or dropped. */
+  async takeFile(file: File): Promise<boolean> {
+    if (await (await import('../take/recipe-file')).openRecipe(this.work, file)) return true;
+    const refused = /^image\/(?!svg)/.test(file.type) ? 'only_picture' : file.size > LARGEST ? 'too_large' : undefined;
+    if (!refused) return this.takeText(await file.text(), file.name);
+    alertOf('outline', tell('kept', { sentence: tell(refused, { name: file.name }) }));
+    return false;
   }
 
-  /** Puts lines, handles and buttons where the points are. */
-  place(): void {
-    const { sort } = this;
-    if (!sort) return;
-    this.sheet.place(sort, this.figures, this.marked, this.side);
-    this.showBar();
+  /** Text from the clipboard, where that is an outline. */
+  paste(text: string): void {
+    if (OUTLINE.test(text)) void this.takeText(text, tell('pasted'));
   }
 
-  showBar(): void {
-    if (!this.sort) return;
-    this.sheet.rim(this.needs.rim().map((ring) => drawn('ring', ring)).join(''));
-    const { drawing } = this.gestures;
-    const marked = this.figures[this.marked.figure];
-    const smooth = marked?.stretches?.[this.marked.index]?.smooth ?? false;
-    this.bar.show(this.needs.sorts(), this.sort, { marked, smooth, removable: this.removable(), drawing, armed: this.armed });
-  }
-
-  /** The value that a line being drawn will have. */
-  get firstValue(): number {
-    return this.sort ? this.needs.first(this.sort) : 0;
-  }
-
-  /** The outer ring keeps three points. */
-  private removable(): boolean {
-    const marked = this.figures[this.marked.figure];
-    const only = this.sort?.form === 'ring' && this.figures.length === 1;
-    return marked !== undefined && !(only && marked.points.length <= 3);
-  }
-
-  mark(place: Place): void {
-    if (place.figure === this.marked.figure && place.index === this.marked.index) return;
-    this.marked = place;
-    this.place();
-  }
-
-  /** Where a point goes: with Shift, to what is near. Tells by a guide to what. */
-  snapped(at: Point, snaps: boolean, place: Place | undefined, neighbour?: Point): Point {
-    if (!snaps) {
-      this.sheet.guide('');
-      return at;
+  /** Text that has an outline. */
+  async takeText(text: string, name: string): Promise<boolean> {
+    if (this.tiled()) return false;
+    const side = this.engine.side();
+    try {
+      const tries = await read(text, name, side);
+      const by = this.engine.side() / side;
+      return tries !== undefined && this.takeNew(tries.map((one) => ({ ...one, rings: one.rings.map((ring) => ring.map(([x, y]): Point => [x * by, y * by])) })));
+    } catch (error) {
+      alertOf('outline', tell('kept', { sentence: error instanceof Error ? error.message : String(error) }));
+      return false;
     }
-    const points = place ? this.figures[place.figure]?.points : undefined;
-    const own = place && points?.[place.index];
-    const closed = this.sort?.form === 'ring';
-    const beside = (step: number): Point | undefined =>
-      points && place && this.sort?.form !== 'spot' ? points[closed ? (place.index + step + points.length) % points.length : place.index + step] : undefined;
-    const others = this.figures.flatMap((figure) => figure.points).filter((point) => point !== own);
-    const neighbours = [beside(-1), beside(1), neighbour].filter((point) => point !== undefined);
-    const found = snap(at, this.side, REACH * this.sheet.unit(this.side), neighbours, others);
-    this.sheet.guide(found.guide);
-    return found.at;
   }
 
-  move({ figure, index }: Place, [x, y]: Point): void {
-    const points = this.figures[figure]?.points;
-    const here = points?.[index];
-    if (!points || !here) return;
-    if (this.sort?.form === 'spot' && index === 0) return this.shift(figure, [x - here[0], y - here[1]]);
-    points[index] = this.clamped([x, y]);
-    this.changed();
+  /** Whether there is no outline to be changed, which is told. */
+  private tiled(): boolean {
+    const tiled = this.engine.get('tile') === '1';
+    if (tiled) alertOf('outline', tell('tile_has_none'));
+    return tiled;
   }
 
-  /** Moves a whole figure, as far as its points (of a spot, its middle) stay in the picture. */
-  shift(figure: number, by: Point): void {
-    const points = this.figures[figure]?.points;
-    if (!points) return;
-    const inside = this.sort?.form === 'spot' ? points.slice(0, 1) : points;
-    const [dx, dy] = [0, 1].map((axis) => {
-      const places = inside.map((point) => point[axis] ?? 0);
-      const [back, on] = [Math.min(0, -Math.min(...places)), Math.max(0, this.side - Math.max(...places))];
-      return Math.min(on, Math.max(back, by[axis] ?? 0));
+  /** An outline from elsewhere: the first of these that can be used. */
+  private takeNew(tries: Try[]): boolean {
+    if (this.tiled()) return false;
+    const taken = this.change('outline', () => {
+      let first = '';
+      for (const one of tries) {
+        const { refused, sentences } = this.work.outline(one.rings, this.held);
+        if (!refused) return { refused, sentences: [...sentences, ...remarks(one)] };
+        first ||= sentences.join(' ');
+      }
+      return { refused: true, sentences: [tell('last_good', { sentence: first })] };
     });
-    points.forEach(([x, y], k) => (points[k] = [x + (dx ?? 0), y + (dy ?? 0)]));
-    this.changed();
+    if (!taken) return false;
+    const rings = this.engine.outline();
+    if (rings.length > SHOWN.rings || rings.flat().length > SHOWN.points) this.figureEditor.close();
+    // Both at once would hold the page.
+    else setTimeout(() => this.begin('outline'));
+    return true;
   }
 
-  /** A band's side is at this place. */
-  widen(index: number, at: Point): void {
-    const figure = this.figures[index];
-    const value = this.sort?.value;
-    const [from, to] = figure?.points ?? [];
-    if (!figure || !value || !from || !to) return;
-    const across = Math.abs((at[0] - from[0]) * (to[1] - from[1]) - (at[1] - from[1]) * (to[0] - from[0])) / (distance(from, to) || 1);
-    figure.value = Math.min(value.max, Math.max(value.min, (200 * across) / this.side));
-    this.changed();
+  /** Gives an outline to the engine; false where it was refused. */
+  private takeRings(rings: Ring[]): boolean {
+    return this.change('outline', () => {
+      const { refused, sentences } = this.work.outline(rings, this.held);
+      return { refused, sentences: refused ? [tell('last_good', { sentence: sentences.join(' ') })] : sentences };
+    });
   }
 
-  /** Whether a figure's line moves it: an outline's first ring stays where it is. */
-  loose(figure: number): boolean {
-    return this.sort?.form !== 'ring' || figure > 0;
+  private take(sort: Sort, figures: Figure[]): boolean {
+    if (sort.word === 'road') return this.takeRoads(figures);
+    if (sort.form === 'ring') return this.takeOutline(figures);
+    return this.change(sort.word, () => this.work.write(sort.word, this.sorts.text(sort, figures), this.held));
   }
 
-  /** The pointer or the key that changes something is held down: all is one step until it is let go. */
-  hold(): void {
-    if (this.holding) return;
-    this.settle();
-    this.holding = true;
-    this.needs.live(true);
+  private takeRoads(figures: Figure[]): boolean {
+    const side = this.engine.side();
+    this.width = figures.at(-1)?.value ?? this.width;
+    this.rim = arranged(roadRings(figures, side));
+    // The last road was removed: the outline stays as it is.
+    if (!this.rim.length) return true;
+    return this.takeRings(this.rim) && this.gave(figures);
   }
 
-  /** What is moved next is moved from here. */
-  private settle(): void {
-    for (const figure of this.figures) settle(figure, this.side);
+  private takeOutline(figures: Figure[]): boolean {
+    const side = this.engine.side();
+    const rings = turned(figures.map((figure) => ringOf(figure, side)));
+    return this.takeRings(simplify(rings, side, POINTS)) && this.gave(figures);
   }
 
-  /** It is let go: by rising, by being cancelled, or as what it held is gone. */
-  drop(): void {
-    this.sheet.guide('');
-    if (!this.holding) return;
-    this.holding = false;
-    if (this.frame) this.hand();
-    this.needs.live(false);
+  /** The outline is that of these figures. */
+  private gave(figures: Figure[]): true {
+    const side = this.engine.side();
+    this.giving = figures.map((figure) => scaled(figure, 1 / side));
+    if (!this.held) this.remember();
+    return true;
   }
 
-  /** Escape leaves the points; while something is drawn, it only takes that back. */
-  private keyAnywhere(event: KeyboardEvent): void {
-    if (event.target instanceof HTMLElement && event.target.matches('input, select') && event.key !== 'Escape') return;
-    if (this.gestures.key(event)) return event.preventDefault();
-    if (event.key === 'Escape') this.close();
+  private remember(): void {
+    const word = this.word;
+    if (!this.giving.length || word === undefined) return;
+    const oldest = this.given.keys().next().value;
+    if (this.given.size >= REMEMBERED && oldest !== undefined) this.given.delete(oldest);
+    this.given.set(this.shape(word), this.giving);
+    this.giving = [];
   }
 
-  private key(event: KeyboardEvent, place: Place): void {
-    const point = this.figures[place.figure]?.points[place.index];
-    if (!point || event.defaultPrevented) return;
-    const step = NUDGE * (event.shiftKey ? 10 : 1);
-    const [x, y] = point;
-    const go = (dx: number, dy: number) => (): void => {
-      if (event.repeat) this.hold();
-      else this.settle();
-      if (event.ctrlKey || event.metaKey) this.shift(place.figure, [dx * step, dy * step]);
-      else this.move(place, [x + dx * step, y + dy * step]);
-    };
-    const moves: Record<string, () => void> = {
-      ArrowLeft: go(-1, 0),
-      ArrowRight: go(1, 0),
-      ArrowUp: go(0, -1),
-      ArrowDown: go(0, 1),
-      Delete: () => this.take(place),
-      Backspace: () => this.take(place),
-      Insert: () => this.addAfter(place),
-      Enter: () => this.turnOver(place),
-    };
-    const act = moves[event.key];
-    if (!act) return;
-    event.preventDefault();
-    act();
+  /** The figures that gave the outline at hand, where they are known. */
+  private remembered(word: string): Figure[] | undefined {
+    const side = this.engine.side();
+    return isOutline(word) ? this.given.get(this.shape(word))?.map((figure) => scaled(figure, side)) : undefined;
   }
 
-  private setValue(value: number, last: boolean): void {
-    const figure = this.figures[this.marked.figure];
-    const limits = this.sort?.value;
-    if (!figure || !limits || Number.isNaN(value)) return this.place();
-    if (!last) this.hold();
-    figure.value = Math.min(limits.max, Math.max(limits.min, value));
-    this.changed();
-    if (last) this.drop();
+  /** The outline at hand, at any size of the picture. */
+  private shape(word: string): string {
+    return [word, this.engine.get('outline'), this.engine.get('poly')].join();
   }
 
-  addFigure(at?: Point): void {
-    const fresh = this.sort && this.needs.fresh(this.sort, this.figures, at);
-    if (fresh) this.add(fresh);
-  }
-
-  /** A figure that was drawn, or a fresh one. */
-  add(figure: Figure): void {
-    this.figures.push({ ...figure, points: figure.points.map((point) => this.clamped(point)) });
-    if (this.armed) this.disarm();
-    this.restructured({ figure: this.figures.length - 1, index: 0 });
-  }
-
-  disarm(): void {
-    this.armed = false;
-    this.sheet.layer.removeAttribute('data-armed');
-    this.sheet.layer.toggleAttribute('data-draws', this.sort?.form === 'line' || this.sort?.form === 'spot');
-    this.gestures.reset();
-    this.needs.disarmed();
-  }
-
-  /** Adds a point half the way to the next one; behind the end of a line, on the way on. */
-  addAfter({ figure, index }: Place): void {
-    const found = this.figures[figure];
-    const form = this.sort?.form;
-    const [before, here] = [found?.points[index - 1], found?.points[index]];
-    const next = found?.points[index + 1] ?? (before && here && mirrored(before, here));
-    if (found && form === 'ring') divide(found, index, undefined, this.side);
-    else if (found && here && next && form === 'line') found.points.splice(index + 1, 0, this.clamped([(here[0] + next[0]) / 2, (here[1] + next[1]) / 2]));
-    else return;
-    this.restructured({ figure, index: index + 1 });
-  }
-
-  private clamped([x, y]: Point): Point {
-    const { side } = this;
-    return [Math.min(side, Math.max(0, x)), Math.min(side, Math.max(0, y))];
-  }
-
-  /** Adds a point on the piece of a ring or a line that is nearest to this place. */
-  split(figure: number, point: Point): void {
-    const found = this.figures[figure];
-    const form = this.sort?.form;
-    if (!found || !(form === 'ring' || form === 'line')) return;
-    const { points } = found;
-    const index = form === 'ring' ? nearestLine(found, point, this.side) : nearest(points.slice(1).map((to, k) => toSegment(point, points[k] ?? to, to)));
-    if (form === 'ring') divide(found, index, point, this.side);
-    else points.splice(index + 1, 0, point);
-    this.restructured({ figure, index: index + 1 });
-  }
-
-  /** Takes a point away; of a figure that has no more than it needs, all go. The last ring stays. */
-  take({ figure, index }: Place): void {
-    this.marked = { figure, index };
-    const found = this.figures[figure];
-    const { sort } = this;
-    if (!found || !sort || !this.removable()) return;
-    if (found.points.length <= sort.least) this.figures.splice(figure, 1);
-    else if (sort.form === 'ring') join(found, index, this.side);
-    else found.points.splice(index, 1);
-    this.restructured({ figure, index });
-  }
-
-  /** Makes a ring's corner smooth, or a smooth point a corner. */
-  private turnOver({ figure, index }: Place): void {
-    const found = this.figures[figure];
-    if (!found || this.sort?.form !== 'ring') return;
-    turnOver(found, index, this.side);
-    this.changed();
-  }
-
-  private restructured(marked: Place): void {
-    this.rebuild(marked);
-    this.focus();
-    this.changed();
-  }
-
-  /** Hands the figures over once a frame; bad ones stay drawn here, so that they can be mended. */
-  private changed(): void {
-    this.place();
-    this.frame ||= requestAnimationFrame(() => this.hand());
-  }
-
-  private hand(): void {
-    cancelAnimationFrame(this.frame);
-    this.frame = 0;
-    if (!this.sort) return;
-    this.sheet.layer.classList.toggle('bad', !this.needs.change(this.sort, this.figures));
-    // Other sorts may do something now.
-    this.showBar();
+  /** A change from here, which the handles need not follow. */
+  private change(word: string, act: () => Told): boolean {
+    this.writing = true;
+    const { refused, sentences } = act();
+    this.writing = false;
+    this.known = this.text(word);
+    if (refused) alertOf('outline', sentences.join(' '));
+    else notice('outline', ...sentences);
+    return !refused;
   }
 }
 
-/** The place as far behind the second point as the first one is before it. */
-function mirrored(from: Point, at: Point): Point {
-  return [2 * at[0] - from[0], 2 * at[1] - from[1]];
+function isOutline(word: string): boolean {
+  return word === 'outline' || word === 'road';
 }

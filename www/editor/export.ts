@@ -1,5 +1,5 @@
 /** Outlines as files. */
-import type { Ring } from '../types';
+import type { Ring } from '../module/types';
 
 /** The outline as an SVG file of one path. */
 export function svgFile(rings: Ring[], side: number): string {

@@ -1,7 +1,7 @@
 /** Mouse, pen and finger over the canvas: what is pressed, dragged, and clicked twice. */
-import type { Point } from '../types';
-import type { Editor } from './editor';
-import type { Place } from './figures';
+import type { Point } from '../module/types';
+import type { EditedFigures } from './edited';
+import type { Place } from './geometry/figures';
 import { DOUBLE, Pen } from './pen';
 import type { Part } from './sheet';
 
@@ -19,14 +19,14 @@ type Hold = { pointer: number; x: number; y: number; moved: boolean; finger: boo
 );
 
 export class Gestures {
-  private readonly editor: Editor;
+  private readonly figures: EditedFigures;
   private hold: Hold | undefined;
   private pen: Pen | undefined;
   private before = { time: -Infinity, x: 0, y: 0 };
 
-  constructor(editor: Editor) {
-    this.editor = editor;
-    const { layer } = editor.sheet;
+  constructor(figures: EditedFigures) {
+    this.figures = figures;
+    const { layer } = figures.sheet;
     layer.addEventListener('pointerdown', (event) => this.down(event));
     // A point that is pressed has the keyboard, which browsers do not give to every button, and not to what came only now.
     layer.addEventListener('mousedown', (event) => this.hold?.holds === 'point' && event.preventDefault());
@@ -51,79 +51,79 @@ export class Gestures {
   finish(): void {
     const figure = this.pen?.finish();
     this.draft();
-    if (figure) this.editor.add({ ...figure, value: this.editor.firstValue });
-    else this.editor.showBar();
+    if (figure) this.figures.add({ ...figure, value: this.figures.firstValue });
+    else this.figures.follow();
   }
 
   cancel(): void {
     this.hold = undefined;
     this.pen?.cancel();
     this.draft();
-    if (this.editor.armed) this.editor.disarm();
-    this.editor.showBar();
+    if (this.figures.armed) this.figures.disarm();
+    this.figures.follow();
   }
 
   /** Enter ends what is drawn, Escape takes it back, Backspace and undo its last point. */
   key({ key, ctrlKey, metaKey, shiftKey }: KeyboardEvent): boolean {
-    if (!this.pen?.open && !(this.editor.armed && key === 'Escape')) return false;
+    if (!this.pen?.open && !(this.figures.armed && key === 'Escape')) return false;
     const undo = key.toLowerCase() === 'z' && (ctrlKey || metaKey) && !shiftKey;
     if (key === 'Escape') this.cancel();
     else if (key === 'Enter') this.finish();
     else if (undo || key === 'Backspace' || key === 'Delete') this.pen?.back();
     else return false;
     this.draft();
-    this.editor.showBar();
+    this.figures.follow();
     return true;
   }
 
   private down(event: PointerEvent): void {
-    const { editor } = this;
+    const { figures } = this;
     if (this.hold) return this.second();
     if (event.button !== 0) return;
-    const at = editor.sheet.at(event, editor.side);
+    const at = figures.sheet.at(event, figures.side);
     const finger = event.pointerType === 'touch';
     const twice = event.timeStamp - this.before.time < DOUBLE && Math.hypot(event.clientX - this.before.x, event.clientY - this.before.y) < (finger ? NEAR_FOR_FINGERS : NEAR);
     this.before = { time: event.timeStamp, x: event.clientX, y: event.clientY };
     // What is being drawn may begin and go on anywhere: an island in a hole, a line over another one.
-    const part: Part = this.pen?.open || editor.armed ? { part: 'nothing' } : editor.sheet.part(event.target);
+    const part: Part = this.pen?.open || figures.armed ? { part: 'nothing' } : figures.sheet.part(event.target);
     const common = { pointer: event.pointerId, x: event.clientX, y: event.clientY, moved: false, finger };
     if (part.part === 'point') {
       this.hold = { ...common, holds: 'point', place: part.place, twice };
-      editor.mark(part.place);
-      editor.focus();
+      figures.mark(part.place);
+      figures.focus();
     } else if (part.part === 'edge') {
       const { figure, index } = part.place;
       // Adding a point and dragging it on is one step.
-      editor.hold();
-      editor.addAfter(part.place);
+      figures.hold();
+      figures.addAfter(part.place);
       this.before.time = -Infinity;
       this.hold = { ...common, holds: 'point', place: { figure, index: index + 1 }, twice: false };
     } else if (part.part === 'knob') {
       this.hold = { ...common, holds: 'knob', figure: part.figure };
     } else if (part.part === 'line' && twice) {
       this.before.time = -Infinity;
-      editor.split(part.figure, at);
-    } else if (part.part === 'line' && editor.loose(part.figure)) {
+      figures.split(part.figure, at);
+    } else if (part.part === 'line' && figures.loose(part.figure)) {
       this.hold = { ...common, holds: 'figure', figure: part.figure, last: at };
-      editor.mark({ figure: part.figure, index: 0 });
+      figures.mark({ figure: part.figure, index: 0 });
     } else if (part.part === 'nothing') {
       this.begin(common, at, event.shiftKey);
     }
     if (!this.hold) return;
-    editor.sheet.layer.setPointerCapture(event.pointerId);
-    editor.sheet.layer.toggleAttribute('data-busy', part.part !== 'nothing');
+    figures.sheet.layer.setPointerCapture(event.pointerId);
+    figures.sheet.layer.toggleAttribute('data-busy', part.part !== 'nothing');
   }
 
   /** Presses the canvas itself. */
   private begin(common: Omit<Hold, 'holds' | 'place' | 'twice' | 'figure' | 'last'>, at: Point, snaps: boolean): void {
-    const { editor } = this;
-    const form = editor.sort?.form;
+    const { figures } = this;
+    const form = figures.sort?.form;
     if (form === 'seed') this.hold = { ...common, holds: 'seed' };
-    else if (form === 'line' || form === 'spot' || (form === 'ring' && editor.armed)) {
-      this.pen ??= new Pen(form, editor.side);
-      this.pen.press(editor.snapped(at, snaps, undefined, this.pen.last));
+    else if (form === 'line' || form === 'spot' || (form === 'ring' && figures.armed)) {
+      this.pen ??= new Pen(form, figures.side);
+      this.pen.press(figures.snapped(at, snaps, undefined, this.pen.last));
       this.hold = { ...common, holds: 'pen' };
-      editor.sheet.layer.focus({ preventScroll: true });
+      figures.sheet.layer.focus({ preventScroll: true });
     }
   }
 
@@ -134,17 +134,17 @@ export class Gestures {
     if (pen) {
       this.pen?.lift();
       this.draft();
-      this.editor.showBar();
+      this.figures.follow();
     }
-    this.editor.drop();
+    this.figures.drop();
   }
 
   private move(event: PointerEvent): void {
-    const { editor, hold } = this;
-    const raw = editor.sheet.at(event, editor.side);
+    const { figures, hold } = this;
+    const raw = figures.sheet.at(event, figures.side);
     if (!hold) {
       if (!this.pen?.open || event.pointerType === 'touch') return;
-      this.pen.hover(editor.snapped(raw, event.shiftKey, undefined, this.pen.last));
+      this.pen.hover(figures.snapped(raw, event.shiftKey, undefined, this.pen.last));
       return this.draft();
     }
     if (hold.pointer !== event.pointerId) return;
@@ -152,51 +152,51 @@ export class Gestures {
     hold.moved = true;
     if (hold.holds === 'seed') return;
     if (hold.holds === 'pen') {
-      this.pen?.draw(editor.snapped(raw, event.shiftKey, undefined, this.pen.last), event.shiftKey);
+      this.pen?.draw(figures.snapped(raw, event.shiftKey, undefined, this.pen.last), event.shiftKey);
       return this.draft();
     }
-    editor.hold();
-    if (hold.holds === 'point') editor.move(hold.place, editor.snapped(raw, event.shiftKey, hold.place));
-    else if (hold.holds === 'knob') editor.widen(hold.figure, raw);
+    figures.hold();
+    if (hold.holds === 'point') figures.move(hold.place, figures.snapped(raw, event.shiftKey, hold.place));
+    else if (hold.holds === 'knob') figures.widen(hold.figure, raw);
     else {
-      const at = editor.snapped(raw, false, undefined);
-      editor.shift(hold.figure, [at[0] - hold.last[0], at[1] - hold.last[1]]);
+      const at = figures.snapped(raw, false, undefined);
+      figures.shift(hold.figure, [at[0] - hold.last[0], at[1] - hold.last[1]]);
       hold.last = at;
     }
   }
 
   private up(event: PointerEvent): void {
-    const { editor, hold } = this;
+    const { figures, hold } = this;
     if (hold?.pointer !== event.pointerId) return;
     this.hold = undefined;
     if (hold.moved) this.before.time = -Infinity;
     if (hold.holds === 'pen') this.ink(hold, event);
-    else if (hold.holds === 'seed' && !hold.moved) editor.addFigure(editor.sheet.at(event, editor.side));
+    else if (hold.holds === 'seed' && !hold.moved) figures.addFigure(figures.sheet.at(event, figures.side));
     else if (hold.holds === 'point' && hold.twice && !hold.moved) {
       this.before.time = -Infinity;
-      editor.take(hold.place);
+      figures.take(hold.place);
     }
-    editor.drop();
+    figures.drop();
   }
 
   private ink({ moved, finger }: Hold, event: PointerEvent): void {
-    const { editor, pen } = this;
-    const at = editor.snapped(editor.sheet.at(event, editor.side), event.shiftKey, undefined, pen?.last);
-    const near = (finger ? NEAR_FOR_FINGERS : NEAR) * editor.sheet.unit(editor.side);
+    const { figures, pen } = this;
+    const at = figures.snapped(figures.sheet.at(event, figures.side), event.shiftKey, undefined, pen?.last);
+    const near = (finger ? NEAR_FOR_FINGERS : NEAR) * figures.sheet.unit(figures.side);
     const figure = pen?.release(at, moved, near, event.timeStamp);
     this.draft();
-    if (figure) editor.add({ ...figure, value: editor.firstValue });
-    else editor.showBar();
+    if (figure) figures.add({ ...figure, value: figures.firstValue });
+    else figures.follow();
   }
 
   /** The browser took the pointer away, as for scrolling. */
   private lost(event: PointerEvent): void {
-    this.editor.sheet.layer.removeAttribute('data-busy');
+    this.figures.sheet.layer.removeAttribute('data-busy');
     if (this.hold?.pointer === event.pointerId) this.second();
   }
 
   private draft(): void {
-    const { editor } = this;
-    editor.sheet.draft(this.pen?.shown() ?? '', editor.sort?.broad ? (editor.firstValue / 100) * editor.side : 0);
+    const { figures } = this;
+    figures.sheet.draft(this.pen?.shown() ?? '', figures.sort?.broad ? (figures.firstValue / 100) * figures.side : 0);
   }
 }

@@ -1,7 +1,8 @@
 /** Draws a new figure: a line point after point or in one stroke, a spot or a ring from its middle. */
-import type { Point } from '../types';
-import { drawn, hexagon, type Figure } from './figures';
-import { distance, thinLine } from './simplify';
+import type { Point } from '../module/types';
+import { drawn, hexagon, type Figure } from './geometry/figures';
+import { distance } from './geometry/plane';
+import { thinLine } from './geometry/simplify';
 
 /** Of a spot and of a hole that were only tapped, in sides. */
 const SPOT = 0.18;

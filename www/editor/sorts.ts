@@ -1,12 +1,12 @@
 /** What can be edited over the canvas: the outline, the roads it is made of, and the lists of the recipe. */
-import type { Engine } from '../engine';
-import { applies } from '../kinds';
-import type { Point } from '../types';
-import { hexagon, type Figure, type Place, type Sort } from './figures';
-import { handled } from './handles';
-import { depth } from './rings';
-import { distance, toSegment } from './simplify';
-import { tell, type EditorWord } from './words';
+import type { Point } from '../module/types';
+import type { Engine } from '../state/engine';
+import { toolApplies } from '../state/rules';
+import { tell, type EditorWord } from '../words/editor';
+import { hexagon, type Figure, type Place, type Sort } from './geometry/figures';
+import { handled } from './geometry/handles';
+import { depth } from './geometry/rings';
+import { distance, toSegment } from './geometry/plane';
 
 /** Half the length of a new line and the radius of a new spot, in sides; the width of the first road, in hundredths. */
 const NEW_LINE = 0.12;
@@ -72,7 +72,7 @@ export class Sorts {
 
   /** Those that do something now. */
   now(): Sort[] {
-    return this.all.filter(({ word }) => applies(this.engine, word));
+    return this.all.filter(({ word }) => toolApplies(this.engine, word));
   }
 
   /** The figures of a sort, in picture units. */

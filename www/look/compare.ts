@@ -1,12 +1,12 @@
 /** Another recipe under the one that is shown, up to a divider; it is made by an engine of its own in idle moments. */
-import { byId, make, say } from '../dom';
-import { Engine } from '../engine';
-import { isEnd } from '../loop';
-import { notice } from '../messages';
-import type { Store } from '../store';
-import type { View } from '../view';
-import { t } from './words';
-import type { Work } from '../work';
+import { byId, make, say } from '../base/dom';
+import { notice } from '../base/messages';
+import { isEnd } from '../module/stages';
+import type { View } from '../picture/view';
+import { Engine } from '../state/engine';
+import type { Store } from '../state/store';
+import type { Work } from '../state/work';
+import { t } from '../words/look';
 import '../styles/look.css';
 
 /** Milliseconds of work in one idle slice, and between two drawings of work in progress. */

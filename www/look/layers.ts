@@ -1,8 +1,8 @@
 /** What is drawn below and what over it, with a sentence for each about what one sees. */
-import { byId, make } from '../dom';
-import type { Store } from '../store';
-import { VIEWS, type View } from '../view';
-import { t } from './words';
+import { byId, make } from '../base/dom';
+import { VIEWS, type View } from '../picture/view';
+import type { Store } from '../state/store';
+import { t } from '../words/look';
 import '../styles/look.css';
 
 /** In the order in which they are drawn. */
@@ -39,7 +39,7 @@ export class Layers {
         store.update({ layers: false });
       });
     }
-    byId('viewbox').after(this.box);
+    byId('look-tools').after(this.box);
     store.on(['view', 'overlays', 'stage', 'paused'], () => this.follow());
   }
 

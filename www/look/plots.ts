@@ -1,13 +1,13 @@
 /** How the packing goes and how its cells are, in plots that follow the work. */
 import uPlot from 'uplot';
-import { byId, make, say } from '../dom';
-import type { Engine } from '../engine';
-import { REPAINT } from '../theme';
-import type { Histogram } from '../types';
-import type { View } from '../view';
-import { t, type Word } from './words';
-import 'uplot/dist/uPlot.min.css';
+import { byId, make, say } from '../base/dom';
+import { REPAINT } from '../base/theme';
+import type { Histogram } from '../module/types';
+import type { View } from '../picture/view';
+import type { Engine } from '../state/engine';
+import { t, type Word } from '../words/look';
 import '../styles/look.css';
+import 'uplot/dist/uPlot.min.css';
 
 /** Milliseconds between two drawings. */
 const PAUSE = 120;

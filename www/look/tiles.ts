@@ -1,7 +1,7 @@
 /** The picture two or three times side by side, as a tile repeats. */
-import { byId, make } from '../dom';
-import type { Store } from '../store';
-import type { View } from '../view';
+import { byId, make } from '../base/dom';
+import type { View } from '../picture/view';
+import type { Store } from '../state/store';
 import '../styles/look.css';
 
 /** Pixels along the side of all of them, at most. */

@@ -1,5 +1,5 @@
 // Light or dark, as it was chosen here or else as the system is: worked out before anything is painted, so this is no
-// module. www/theme.ts goes on from here.
+// module. www/base/theme.ts goes on from here.
 {
   let chosen;
   try {

@@ -1,4 +1,4 @@
-import type { Notice } from '../types';
+import type { Notice } from '../module/types';
 
 /** What a language other than English says for the words that come from the module. */
 export interface Foreign {

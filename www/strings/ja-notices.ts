@@ -1,6 +1,6 @@
 /** What the module says, in Japanese. */
 import notices from 'virtual:notices-ja';
-import type { Notice, NoticeArg } from '../types';
+import type { Notice, NoticeArg } from '../module/types';
 import type { Foreign } from './foreign';
 
 /** `parameters` have the names of parameters and of the words of choices. */

@@ -1,6 +1,6 @@
 /** Dialogs made by script: a heading, what they hold, and the way out. Closed, they give the focus back to where it was. */
-import { make } from '../dom';
-import { t } from './words';
+import { make } from '../base/dom';
+import { t } from '../words/take';
 import '../styles/take.css';
 
 export function dialogOf(id: string, title: string, ...body: HTMLElement[]): HTMLDialogElement {

@@ -1,8 +1,8 @@
 /** Files of a recipe, made in a worker that packs it anew, so that the page stays free; to stop it frees all it held. */
-import type { Task } from '../stoppable';
-import type { Notice } from '../types';
-import { said } from '../words';
-import { t } from './words';
+import type { Task } from '../base/task';
+import type { Notice } from '../module/types';
+import { t } from '../words/take';
+import { said } from '../words/words';
 
 /** What is to be made; `normals` is the word of the normal map. */
 export type Job =

@@ -1,6 +1,6 @@
 /** Makes one file. Nothing here blocks the page: it is a worker, which ends with the file. */
 import { Bubblestone } from '../../pkg/bubblestone.js';
-import { loadModule } from '../module';
+import { loadModule } from '../module/load';
 import { formingGif } from './forming';
 import type { Job, Order, Said } from './job';
 import { mapsZip } from './maps-zip';

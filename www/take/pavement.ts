@@ -1,7 +1,7 @@
 /** Makes a studio's picture from its start to its end. */
 import type { Bubblestone } from '../../pkg/bubblestone.js';
-import { progressOf } from '../progress';
-import type { Status } from '../types';
+import { progressOf } from '../module/stages';
+import type { Status } from '../module/types';
 import { Refusal } from './refusal';
 
 /** Milliseconds of work between two words about how far it is. */

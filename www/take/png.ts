@@ -1,5 +1,5 @@
 /** Pixels as PNG files, with 16 bits a channel where a map has them, which a canvas cannot do. */
-import type { PixelMap } from '../types';
+import type { PixelMap } from '../module/types';
 
 const SIGNATURE = [137, 80, 78, 71, 13, 10, 26, 10];
 /** Each row as the difference to the one above (PNG specification, section 9). */

@@ -3,13 +3,13 @@
  * of which `recipe` is what counts, and pictures and drawings that were saved here.
  */
 import { version } from '../../package.json';
-import type { Engine } from '../engine';
-import { pageAddress } from '../link';
-import { passing } from '../messages';
-import type { Parameter } from '../types';
-import type { Work } from '../work';
+import { passing } from '../base/messages';
+import type { Parameter } from '../module/types';
+import type { Engine } from '../state/engine';
+import { pageAddress } from '../state/link';
+import type { Work } from '../state/work';
+import { t } from '../words/take';
 import { originIn, PROGRAM } from './origin';
-import { t } from './words';
 
 /** Of a file so many bytes are read; a link of a thousand points has some ten thousand. */
 const LARGEST = 200_000;

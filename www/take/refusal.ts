@@ -1,5 +1,5 @@
 /** What the module refuses, on its way through what makes a file. */
-import type { Notice } from '../types';
+import type { Notice } from '../module/types';
 
 export class Refusal extends Error {
   readonly notice: Notice;

@@ -1,15 +1,15 @@
 /** The dialog of all that can be saved: pictures, drawings, an animation, files for other programs, the recipe. */
-import { make } from '../dom';
-import { pageAddress } from '../link';
-import { notice } from '../messages';
-import type { Work } from '../work';
+import { make } from '../base/dom';
+import { notice } from '../base/messages';
+import type { Task } from '../base/task';
+import { pageAddress } from '../state/link';
+import type { Work } from '../state/work';
+import { t } from '../words/take';
 import { dialogOf } from './dialog';
 import { fileOf, type Job } from './job';
 import { signed, signedPng } from './origin';
 import { openRecipe, recipeFile } from './recipe-file';
-import { t } from './words';
 import { working } from './working';
-import type { Task } from '../stoppable';
 
 export function save(work: Work, canvas: HTMLCanvasElement): void {
   const { engine, store } = work;

@@ -1,12 +1,12 @@
 /** The dialog that shares the picture: its link, the system's way, a QR code, and code for other pages. */
-import { make, say } from '../dom';
-import type { Engine } from '../engine';
-import { address, embedAddress, valuesIn } from '../link';
-import type { Store } from '../store';
+import { make, say } from '../base/dom';
+import type { Engine } from '../state/engine';
+import { address, embedAddress, valuesIn } from '../state/link';
+import type { Store } from '../state/store';
+import { t } from '../words/take';
 import { dialogOf } from './dialog';
 import { signedPng } from './origin';
 import { MOST, qrCode } from './qr';
-import { t } from './words';
 
 /** Sides in pixels that the embedded picture may have. */
 const SIDES = [320, 480, 640, 800];

@@ -1,8 +1,8 @@
 /** A file in the making: how far it is, and a way to stop it; then the file. */
-import { offer } from '../download';
-import { clear, notice, passing } from '../messages';
-import { stoppable, type Task } from '../stoppable';
-import { t } from './words';
+import { offer } from '../base/download';
+import { clear, notice, passing } from '../base/messages';
+import { stoppable, type Task } from '../base/task';
+import { t } from '../words/take';
 
 /** What is being made. */
 let busy: string | undefined;

@@ -1,0 +1,292 @@
+//! The finisher of what lies in the plane: stones painted into planes, the weather over them, and
+//! their light.
+
+use crate::cells::Cell;
+use crate::domain::Domain;
+use crate::graph::{Node, State};
+use crate::heightfield::{
+    Painted, Painter, Planes, ShadeParams, Shader, TextureParams, Weathering,
+};
+use crate::material::{Coat, Material, WeatherParams};
+use crate::notice::{Code, Notice};
+use crate::solid::Solids;
+
+/// The stages of the finisher, in their order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Finish {
+    /// Bodies, painted as they are made into planes of bump, colour, material and id.
+    Planes,
+    /// What years and weather do to the planes, and how much of the sky each place sees.
+    Weather,
+    /// The picture.
+    Shading,
+}
+
+/// Rows of the picture in one slice.
+pub(super) const ROWS: usize = 16;
+
+/// What planes are made by.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct PlaneParams {
+    pub texture: TextureParams,
+    /// Loop steps of skin beyond those that a picture needs.
+    pub finer: i32,
+}
+
+/// What the light is made by.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct LightParams {
+    pub shade: ShadeParams,
+    /// The table that the plane of materials indexes.
+    pub materials: Vec<Material>,
+}
+
+/// What is asked of all its stages.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct HeightFieldParams {
+    pub planes: PlaneParams,
+    pub weather: WeatherParams,
+    pub light: LightParams,
+}
+
+/// Planes, weather and light.
+pub(super) struct HeightField {
+    /// None once the weather has taken them.
+    pub planes: Node<PlaneParams, Painting, Option<Painted>>,
+    pub weather: Node<WeatherParams, Weathering, Planes>,
+    /// The picture: opaque RGBA, row after row from the top. [`Passes::One`] leaves it in the shader.
+    pub light: Node<LightParams, (), Vec<u8>>,
+    passes: Passes,
+    /// Rows that stones are put into at a time.
+    band: usize,
+    solids: Solids,
+    shader: Option<Shader>,
+}
+
+/// How often its stages are worked on: what they made is kept for passes to come, which takes memory.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Passes {
+    Many,
+    One,
+}
+
+/// What it is made of.
+#[derive(Clone, Copy)]
+pub(super) struct Bodies<'a> {
+    pub domain: &'a Domain,
+    /// The cells that stones are made of, and what they wear by rule.
+    pub cells: &'a [Cell],
+    pub coats: &'a [Coat],
+}
+
+/// Revisions of its inputs.
+#[derive(Clone, Copy)]
+pub(super) struct Revisions {
+    pub domain: u64,
+    /// Of the cells and coats, summed up.
+    pub cells: u64,
+}
+
+impl HeightField {
+    /// Nothing made yet; stones are put into `band` rows at a time.
+    pub fn new(params: HeightFieldParams, passes: Passes, band: usize) -> Self {
+        Self {
+            solids: solids(&params.planes),
+            planes: Node::new(params.planes),
+            weather: Node::new(params.weather),
+            light: Node::new(params.light),
+            passes,
+            band,
+            shader: None,
+        }
+    }
+
+    /// What its stages are to be made by from now on.
+    pub fn want(&mut self, params: HeightFieldParams) {
+        if params.planes.finer != self.planes.params().finer {
+            self.solids = solids(&params.planes);
+        }
+        self.planes.want(params.planes);
+        self.weather.want(params.weather);
+        self.light.want(params.light);
+    }
+
+    /// The first of its stages that is not fresh.
+    pub fn due(&self, inputs: Revisions) -> Option<(Finish, State)> {
+        let states = [
+            (Finish::Planes, self.planes.state(inputs.cells)),
+            (
+                Finish::Weather,
+                self.weather.state(self.weather_inputs(inputs)),
+            ),
+            (Finish::Shading, self.light.state(self.weather.revision())),
+        ];
+        let mut states = states.into_iter();
+        states.find(|&(_, state)| state != State::Fresh)
+    }
+
+    fn weather_inputs(&self, inputs: Revisions) -> u64 {
+        inputs.domain + self.planes.revision()
+    }
+
+    /// One slice of a stage.
+    pub fn advance(&mut self, stage: Finish, bodies: Bodies, inputs: Revisions) {
+        match stage {
+            Finish::Planes => self.paint(bodies, inputs.cells),
+            Finish::Weather => self.weather(bodies.domain, self.weather_inputs(inputs)),
+            _ => self.shade(),
+        }
+    }
+
+    fn paint(&mut self, bodies: Bodies, inputs: u64) {
+        let (solids, band) = (&mut self.solids, self.band);
+        self.planes.advance(inputs, |params, work| {
+            let Some(painting) = work else {
+                *work = Some(Painting::new(params, bodies.coats, band));
+                return Ok(None);
+            };
+            if !painting.advance(solids, bodies.cells) {
+                return Ok(None);
+            }
+            let painting = work.take();
+            Ok(painting.map(|painting| Some(painting.painter.finish())))
+        });
+    }
+
+    fn weather(&mut self, domain: &Domain, inputs: u64) {
+        let (planes, passes) = (&mut self.planes, self.passes);
+        self.weather.advance(inputs, |params, work| {
+            if work.is_none() {
+                let painted = planes.made_mut().and_then(|painted| match passes {
+                    Passes::Many => painted.clone(),
+                    Passes::One => painted.take(),
+                });
+                let painted = painted.ok_or(Code::StageMissing)?;
+                *work = Some(Weathering::new(*params, painted));
+            }
+            let over = work.take_if(|weathering| weathering.advance(domain, ROWS));
+            Ok(over.map(Weathering::finish))
+        });
+    }
+
+    fn shade(&mut self) {
+        let Some(planes) = self.weather.made() else {
+            return;
+        };
+        let (kept, passes) = (&mut self.shader, self.passes);
+        self.light
+            .advance(self.weather.revision(), |params, begun| {
+                // Under another light the same shader goes on: its tables stay.
+                let fits = kept.take().filter(|shader| shader.side() == planes.side);
+                let new = || Shader::new(&params.shade, planes.side, planes.pixel_scale);
+                let shader = kept.insert(fits.unwrap_or_else(new));
+                if begun.replace(()).is_none() {
+                    shader.restart(&params.shade);
+                }
+                let done = shader.advance(planes, &params.materials, ROWS);
+                Ok(done.then(|| match passes {
+                    Passes::Many => shader.rgba().to_vec(),
+                    Passes::One => Vec::new(),
+                }))
+            });
+    }
+
+    /// Why a stage cannot go on.
+    pub fn failure(&self) -> Option<&Notice> {
+        self.weather.failure()
+    }
+
+    /// Grows with every slice of work.
+    pub fn slices(&self) -> u64 {
+        self.planes.slices() + self.weather.slices() + self.light.slices()
+    }
+
+    /// The painting at work.
+    fn painting(&self, inputs: Revisions) -> Option<&Painting> {
+        self.planes.work_of(inputs.cells)
+    }
+
+    /// Stones painted by now, of the band of rows at work.
+    pub fn stones_coming(&self, inputs: Revisions) -> usize {
+        self.painting(inputs).map_or(0, |painting| painting.stones)
+    }
+
+    /// Bands of rows that all stones are in.
+    pub fn bands_done(&self, inputs: Revisions) -> usize {
+        self.painting(inputs).map_or(0, |painting| painting.bands)
+    }
+
+    /// Is the ground laid?
+    pub fn is_bedded(&self, inputs: Revisions) -> bool {
+        self.painting(inputs)
+            .is_some_and(|painting| painting.is_bedded)
+    }
+
+    /// The planes as they are by now, while planes or weather are at work.
+    pub fn planes_coming(&self, stage: Finish, inputs: Revisions) -> Option<&Planes> {
+        match stage {
+            Finish::Planes => Some(self.painting(inputs)?.painter.planes()),
+            Finish::Weather => match self.weather.work_of(self.weather_inputs(inputs)) {
+                Some(weathering) => Some(weathering.planes()),
+                None => Some(&self.planes.made()?.as_ref()?.planes),
+            },
+            _ => None,
+        }
+    }
+
+    /// The rows of the picture that are shaded by now.
+    pub fn shaded(&self) -> &[u8] {
+        self.shader.as_ref().map_or(&[], Shader::finished)
+    }
+
+    /// Lets go of the picture, once all its rows were taken.
+    pub fn drop_shader(&mut self) {
+        self.shader = None;
+    }
+}
+
+fn solids(params: &PlaneParams) -> Solids {
+    Solids::for_picture(params.texture.pixel_scale, params.finer)
+}
+
+/// Planes on their way.
+pub(super) struct Painting {
+    painter: Painter,
+    is_bedded: bool,
+    stones: usize,
+    bands: usize,
+}
+
+impl Painting {
+    fn new(params: &PlaneParams, coats: &[Coat], band: usize) -> Self {
+        let mut painter = Painter::banded(params.texture, band);
+        painter.set_coats(coats);
+        Self {
+            painter,
+            is_bedded: false,
+            stones: 0,
+            bands: 0,
+        }
+    }
+
+    /// One slice: some ground, a stone, or the next band of rows; true when all stones are in all of
+    /// them.
+    fn advance(&mut self, solids: &mut Solids, cells: &[Cell]) -> bool {
+        if !self.is_bedded {
+            self.is_bedded = self.painter.lay_ground(ROWS);
+            return false;
+        }
+        if let Some(cell) = cells.get(self.stones) {
+            let done = self.painter.paint_slice(solids, cell, self.stones);
+            self.stones += usize::from(done);
+        }
+        if self.stones < cells.len() {
+            return false;
+        }
+        let goes_on = self.painter.next_band();
+        if goes_on {
+            (self.bands, self.stones) = (self.bands + 1, 0);
+        }
+        !goes_on
+    }
+}

@@ -1,0 +1,132 @@
+//! Why a view, or a drawing over it, shows nothing.
+
+use super::{Base, Overlay, Pavement, Stage, View};
+use crate::domain::Domain;
+use crate::draw;
+use crate::heightfield::Planes;
+use glam::DVec2;
+
+/// Why there is nothing to be seen of something.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Absence {
+    /// What it shows is still to be made.
+    NotYet,
+    /// No cell bears a force that is worth an arrow.
+    AtRest,
+    /// The directions meet nowhere.
+    NoPoint,
+    /// Too few cells for a mesh.
+    NoMesh,
+    /// Cells are asked to have one size everywhere.
+    OneSize,
+    /// Cells are asked to be as wide as long everywhere.
+    AllEven,
+}
+
+impl Absence {
+    /// Its name, as the page knows it.
+    pub fn word(self) -> &'static str {
+        match self {
+            Absence::NotYet => "not_yet",
+            Absence::AtRest => "at_rest",
+            Absence::NoPoint => "no_point",
+            Absence::NoMesh => "no_mesh",
+            Absence::OneSize => "one_size",
+            Absence::AllEven => "all_even",
+        }
+    }
+}
+
+/// Places along a side of the picture at which fields are asked.
+const PLACES: usize = 32;
+/// Fields that vary by less than this part are the same everywhere.
+const SAME: f64 = 0.01;
+
+impl Pavement {
+    /// What of a view shows nothing, by its word, and why: first what lies below, then the drawings
+    /// over it in their order.
+    pub(super) fn missing(&mut self, view: View) -> Vec<(&'static str, Absence)> {
+        let mut found = Vec::new();
+        if let Some(why) = self.base_absence(view.base) {
+            let word = Base::ALL.iter().find(|(base, _)| *base == view.base);
+            found.extend(word.map(|&(_, word)| (word, why)));
+        }
+        for overlay in view.overlays() {
+            if let Some(why) = self.overlay_absence(overlay) {
+                let word = Overlay::ALL.iter().find(|(other, _)| *other == overlay);
+                found.extend(word.map(|&(_, word)| (word, why)));
+            }
+        }
+        found
+    }
+
+    /// From the lowest place of the bump plane that is shown to the highest, in picture units; 0 where
+    /// there is none yet.
+    pub fn height_range(&self) -> f64 {
+        let range = self.planes_to_show().map(Planes::height_range);
+        range.map_or(0.0, |(low, high)| f64::from(high - low))
+    }
+
+    fn base_absence(&mut self, base: Base) -> Option<Absence> {
+        match base {
+            Base::Auto | Base::Picture | Base::Paper | Base::Direction | Base::Potential => None,
+            Base::Packed => self.overlay_absence(Overlay::Packed),
+            Base::Cells => self.overlay_absence(Overlay::Cells),
+            Base::Mesh => self.overlay_absence(Overlay::Mesh),
+            _ => self.planes_to_show().is_none().then_some(Absence::NotYet),
+        }
+    }
+
+    fn overlay_absence(&mut self, overlay: Overlay) -> Option<Absence> {
+        let [packs, meshed, celled] = [
+            self.made.is_packing(),
+            self.is_past(Stage::Mesh),
+            self.is_past(Stage::Cells),
+        ];
+        let not_yet = |there: bool| (!there).then_some(Absence::NotYet);
+        if overlay == Overlay::Forces && packs {
+            let packing = self.made.packing_mut();
+            let loads = packing.map(|(packing, domain)| packing.loads(domain));
+            let still = loads.is_some_and(|loads| draw::forces::at_rest(&loads));
+            return still.then_some(Absence::AtRest);
+        }
+        let made = &self.made;
+        let Some((domain, fields)) = made.terrain.made() else {
+            return Some(Absence::NotYet);
+        };
+        match overlay {
+            Overlay::Packed | Overlay::Energy | Overlay::Forces => not_yet(packs),
+            Overlay::Cells => not_yet(celled),
+            Overlay::Mesh => not_yet(meshed).or_else(|| {
+                let some = made.mesh().is_some_and(|mesh| !mesh.faces.is_empty());
+                (!some).then_some(Absence::NoMesh)
+            }),
+            Overlay::Size => {
+                let same = is_even(domain, &|p| fields.size(p) / fields.params().size, None);
+                same.then_some(Absence::OneSize)
+            }
+            Overlay::Anisotropy => {
+                let same = is_even(domain, &|p| fields.aspect(p), Some(1.0));
+                same.then_some(Absence::AllEven)
+            }
+            Overlay::Direction => None,
+            Overlay::Singularities => {
+                let none = fields.singularities(domain).is_empty();
+                none.then_some(Absence::NoPoint)
+            }
+        }
+    }
+}
+
+/// Is a field about the same everywhere in the outline, or about `wanted`?
+fn is_even(domain: &Domain, field: &dyn Fn(DVec2) -> f64, wanted: Option<f64>) -> bool {
+    let (low, high) = domain.bounds();
+    let places = (0..PLACES * PLACES).map(|k| {
+        let cell = DVec2::new((k % PLACES) as f64 + 0.5, (k / PLACES) as f64 + 0.5);
+        low + (high - low) * cell / PLACES as f64
+    });
+    let values = places.filter(|&p| domain.contains(p)).map(field);
+    let start = wanted.map_or((f64::MAX, f64::MIN), |wanted| (wanted, wanted));
+    let (least, most) = values.fold(start, |(low, high), v| (low.min(v), high.max(v)));
+    most - least < SAME
+}

@@ -1,0 +1,142 @@
+//! While a point is dragged the cells flow after it: a draft of the packing goes on with the
+//! particles that are there, in the outline and the fields of the latest recipe. When the point is
+//! let go the packing is made from its own start, as ever, and takes the place of the draft.
+
+use super::terrain::Terrain;
+use super::{Pavement, Stage, Wish};
+use crate::domain::{Domain, Outline};
+use crate::draw::Tones;
+use crate::field::Fields;
+use crate::generators::{Clock, Engine};
+use crate::packing::Packing;
+use glam::DVec2;
+
+/// Steps that a draft makes in one tick at most: more would look hasty.
+const STEPS: u32 = 4;
+
+/// A packing that flows, and what it lies in.
+pub(super) struct Draft {
+    wish: Wish,
+    terrain: Terrain,
+    pub packing: Packing,
+    pub tones: Tones,
+}
+
+impl Pavement {
+    /// The draft, while it is to be seen.
+    pub(super) fn draft(&self) -> Option<&Draft> {
+        let is_failed = self.made.failure().is_some();
+        let packs = self.made.at().is_some_and(|stage| stage <= Stage::Packing) && !is_failed;
+        self.draft.as_ref().filter(|_| packs || self.is_drafting())
+    }
+
+    /// The draft, while it is at work.
+    pub(super) fn flowing(&self) -> Option<&Draft> {
+        self.draft.as_ref().filter(|_| self.is_drafting())
+    }
+
+    /// Works on the draft; true when it may look different.
+    pub(super) fn flow(&mut self, clock: Clock, budget: f64) -> bool {
+        let begin = clock();
+        let is_old = |draft: &mut Draft| draft.wish.params != self.latest.params;
+        let stale = self.draft.take_if(is_old);
+        let mut worked = stale.is_some() || self.draft.is_none();
+        if worked {
+            self.draft = self.drafted(stale);
+        }
+        if let Some(draft) = &mut self.draft {
+            for _ in 0..STEPS {
+                if draft.packing.done() {
+                    break;
+                }
+                draft.step();
+                worked = true;
+                // Not `>=`: a clock that fails must not make this slower than it is.
+                let inside = clock() - begin < budget;
+                if !inside {
+                    break;
+                }
+            }
+        }
+        self.changes += u64::from(worked);
+        worked
+    }
+
+    /// A draft for the latest recipe with the particles of the last one, or of the last packing;
+    /// nothing where no cell fits.
+    fn drafted(&self, last: Option<Draft>) -> Option<Draft> {
+        let wish = self.latest.clone();
+        let asked = wish.params.terrain.clone();
+        let (mut terrain, packing, tones) = match last {
+            Some(last) => (last.terrain, Some(last.packing), last.tones),
+            None => (
+                Terrain::new(asked.clone()),
+                self.made.packing().cloned(),
+                self.tones(),
+            ),
+        };
+        terrain.want(asked);
+        terrain.finish();
+        let (domain, fields) = terrain.made()?;
+        let params = wish.params.packing;
+        let carried = packing.map(|mut packing| {
+            packing.carry(domain, fields, params);
+            packing
+        });
+        let packing = match carried.filter(|packing| packing.report().cells > 0) {
+            Some(packing) => packing,
+            None => Packing::new(domain, fields, params).ok()?,
+        };
+        Some(Draft {
+            wish,
+            terrain,
+            packing,
+            tones,
+        })
+    }
+
+    /// The outline, domain, fields and packing to look at: those of the draft while it is to be seen.
+    pub(super) fn shown(&self) -> Shown<'_> {
+        let (outline, terrain, packing) = match self.draft() {
+            Some(draft) => (&draft.wish.outline, &draft.terrain, Some(&draft.packing)),
+            None => (
+                &self.working.outline,
+                &self.made.terrain,
+                self.made.packing(),
+            ),
+        };
+        Shown {
+            rings: rings(outline),
+            domain: terrain.domain.made(),
+            fields: terrain.fields.made(),
+            packing,
+        }
+    }
+}
+
+impl Draft {
+    /// One step of the packing.
+    fn step(&mut self) {
+        if let Some((domain, fields)) = self.terrain.made() {
+            self.packing.step(domain, fields);
+        }
+    }
+
+    /// The packing's potential energy, in units of a cell's.
+    pub fn energy(&mut self) -> f64 {
+        let domain = self.terrain.domain.made();
+        domain.map_or(0.0, |domain| self.packing.energy(domain))
+    }
+}
+
+/// What is shown of the stages that a draft has.
+pub(super) struct Shown<'a> {
+    pub rings: Vec<&'a [DVec2]>,
+    pub domain: Option<&'a Domain>,
+    pub fields: Option<&'a Fields>,
+    pub packing: Option<&'a Packing>,
+}
+
+fn rings(outline: &Outline) -> Vec<&[DVec2]> {
+    outline.rings.iter().map(Vec::as_slice).collect()
+}

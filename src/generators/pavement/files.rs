@@ -1,0 +1,136 @@
+//! What can be taken out of a finished studio: maps, and the mesh of all cells.
+
+use super::{Pavement, params};
+use crate::export::{self, Map, MapKind, MeshFile, MeshFormat, maps};
+use crate::generators::bigger::{Bigger, Picture};
+use crate::generators::height_field::{Bodies, LightParams};
+use crate::generators::{Clock, Engine, MeshSlice, PictureSlice};
+use crate::heightfield::Planes;
+use crate::notice::{Code, Notice};
+use crate::solid::Solids;
+
+/// Loop steps of skin in a file, beyond those of the picture: its triangles are still about a pixel
+/// large, and a file is a quarter as long.
+const MESH_STEPS: i32 = -1;
+
+/// A mesh file in the making.
+pub(super) struct Saving {
+    file: MeshFile,
+    solids: Solids,
+    format: MeshFormat,
+    /// Which of the planes it is made of.
+    revision: u64,
+}
+
+impl Pavement {
+    pub(super) fn map_of_planes(&self, kind: MapKind) -> Result<Map, Notice> {
+        let planes = self.made.planes().filter(|_| self.is_done());
+        let planes = planes.ok_or(Code::NotYet)?;
+        Ok(map_of(kind, planes, &self.working.params.finish.light))
+    }
+
+    pub(super) fn map_of_bigger(&self, kind: MapKind) -> Result<Map, Notice> {
+        let revision = self.made.finish.light.revision();
+        let bigger = self.bigger.as_ref().filter(|_| self.is_done());
+        let planes = bigger.and_then(|bigger| bigger.planes(revision));
+        let planes = planes.ok_or(Code::NoBiggerPicture)?;
+        Ok(map_of(kind, planes, &self.working.params.finish.light))
+    }
+
+    pub(super) fn bigger_slice(
+        &mut self,
+        scale: usize,
+        clock: Clock,
+        budget: f64,
+    ) -> Result<PictureSlice, Notice> {
+        let mut kept = self.bigger.take();
+        let domain = self.made.terrain.domain.made();
+        let picture = Picture {
+            side: self.side(),
+            revision: self.is_done().then(|| self.made.finish.light.revision()),
+            bodies: domain.map(|domain| Bodies {
+                domain,
+                cells: self.made.scales(),
+                coats: self.made.coats(),
+            }),
+        };
+        let params = || params::finish(&self.working.recipe, scale, self.finer);
+        let slice = Bigger::advance(&mut kept, &picture, (scale, &params), clock, budget);
+        self.bigger = kept;
+        slice
+    }
+
+    /// The cells last finished as a standalone SVG file of the picture's size; '' before there are any.
+    pub fn svg(&self) -> String {
+        let made = &self.made;
+        match made.terrain.domain.made() {
+            Some(domain) if !made.cells().is_empty() => export::svg(
+                self.side(),
+                domain,
+                &self.rings(),
+                made.cells(),
+                &self.tones(),
+            ),
+            _ => String::new(),
+        }
+    }
+
+    pub(super) fn mesh_slice(
+        &mut self,
+        format: MeshFormat,
+        clock: Clock,
+        budget: f64,
+    ) -> Result<MeshSlice, Notice> {
+        let revision = self.made.finish.weather.revision();
+        let fits = |s: &Saving| (s.format, s.revision) == (format, revision);
+        let kept = self.saving.take().filter(fits);
+        if !self.is_done() {
+            return Err(Code::NotYet.into());
+        }
+        let begun = kept.is_none();
+        let asked = &self.working.params.finish;
+        let mut saving = kept.unwrap_or_else(|| Saving {
+            file: MeshFile::new(format, asked.planes.texture, &asked.light.materials),
+            solids: Solids::for_picture(1, MESH_STEPS),
+            format,
+            revision,
+        });
+        let done = self.add_cells(&mut saving.file, &mut saving.solids, clock, budget);
+        let mut parts = saving.file.take();
+        if done {
+            parts.extend(saving.file.finish());
+        } else {
+            self.saving = Some(saving);
+        }
+        Ok(MeshSlice { begun, parts, done })
+    }
+
+    /// Adds cells for about `budget` milliseconds; true when all are in.
+    fn add_cells(
+        &self,
+        file: &mut MeshFile,
+        solids: &mut Solids,
+        clock: Clock,
+        budget: f64,
+    ) -> bool {
+        let stone = self.stone_params();
+        let Some(planes) = self.made.planes() else {
+            return true;
+        };
+        let begin = clock();
+        while let Some(cell) = self.scales().get(file.cells()) {
+            file.add(&solids.solid(cell, &stone), cell, planes);
+            // Not `>=`: a clock that fails must not make this endless.
+            let inside = clock() - begin < budget;
+            if !inside {
+                return false;
+            }
+        }
+        true
+    }
+}
+
+/// A map of planes under this light.
+pub(super) fn map_of(kind: MapKind, planes: &Planes, light: &LightParams) -> Map {
+    maps::map(kind, planes, &light.materials, light.shade.shininess)
+}

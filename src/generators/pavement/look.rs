@@ -1,0 +1,188 @@
+//! The words for what is looked at: something at the bottom, and drawings over it.
+
+/// What a view shows at the bottom.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Base {
+    /// The packing as it forms, then the stones as they come, then the picture.
+    Auto,
+    /// The shaded picture.
+    Picture,
+    /// Paper with the bare outline.
+    Paper,
+    /// The packed cells in their shapes, on paper.
+    Packed,
+    /// The cells' polygons, on paper.
+    Cells,
+    /// The mesh of triangles and quadrilaterals, on paper.
+    Mesh,
+    /// The direction field, what shapes it, and its singular points, on paper.
+    Direction,
+    /// The bump plane in grey.
+    Height,
+    /// The bump plane's normals as colours.
+    Normals,
+    /// The colour plane, without light.
+    Albedo,
+    /// The roughness of the materials, white is rough.
+    Roughness,
+    /// The plane of ambient occlusion: how much of the sky's light comes, white is all of it.
+    Occlusion,
+    /// One colour per stone.
+    Ids,
+    /// The potential around one cell of the recipe's kind.
+    Potential,
+}
+
+/// A drawing over it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Overlay {
+    /// The size that the field asks for, as heat and contours.
+    Size,
+    /// The packed cells in their shapes, warm where pressed, cool where alone.
+    Packed,
+    /// The potential energy of each packed cell.
+    Energy,
+    /// The cells' polygons.
+    Cells,
+    /// The mesh of triangles and quadrilaterals.
+    Mesh,
+    /// The aspect ratio that the field asks for, as ellipses.
+    Anisotropy,
+    /// The direction field and what shapes it.
+    Direction,
+    /// The net force on each packed cell.
+    Forces,
+    /// The singular points of the direction with their index.
+    Singularities,
+}
+
+/// A way to look at the work.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct View {
+    /// What is at the bottom.
+    pub base: Base,
+    /// Bit by bit the overlays over it.
+    over: u16,
+}
+
+impl Base {
+    /// All words: those of [`Overlay`], too, stand for drawings on paper where they stand alone.
+    pub const ALL: [(Base, &'static str); 14] = [
+        (Base::Auto, "auto"),
+        (Base::Picture, "picture"),
+        (Base::Paper, "paper"),
+        (Base::Packed, "packed"),
+        (Base::Cells, "cells"),
+        (Base::Mesh, "mesh"),
+        (Base::Direction, "direction"),
+        (Base::Height, "height"),
+        (Base::Normals, "normals"),
+        (Base::Albedo, "albedo"),
+        (Base::Roughness, "roughness"),
+        (Base::Occlusion, "ao"),
+        (Base::Ids, "ids"),
+        (Base::Potential, "potential"),
+    ];
+}
+
+impl Overlay {
+    /// All overlays with their words, in the order in which they are drawn.
+    pub const ALL: [(Overlay, &'static str); 9] = [
+        (Overlay::Size, "size"),
+        (Overlay::Packed, "packed"),
+        (Overlay::Energy, "energy"),
+        (Overlay::Cells, "cells"),
+        (Overlay::Mesh, "mesh"),
+        (Overlay::Anisotropy, "anisotropy"),
+        (Overlay::Direction, "direction"),
+        (Overlay::Forces, "forces"),
+        (Overlay::Singularities, "singularities"),
+    ];
+
+    const fn bit(self) -> u16 {
+        1 << self as u16
+    }
+
+    /// What stands for it alone on paper.
+    const fn on_paper(self) -> Option<Base> {
+        match self {
+            Overlay::Packed => Some(Base::Packed),
+            Overlay::Cells => Some(Base::Cells),
+            Overlay::Mesh => Some(Base::Mesh),
+            Overlay::Direction => Some(Base::Direction),
+            _ => None,
+        }
+    }
+}
+
+impl Base {
+    /// The words alone.
+    pub(super) const WORDS: [&str; 14] = {
+        let (mut words, mut k) = ([""; 14], 0);
+        while k < 14 {
+            words[k] = Base::ALL[k].1;
+            k += 1;
+        }
+        words
+    };
+}
+
+impl Overlay {
+    /// The words alone.
+    pub(super) const WORDS: [&str; 9] = {
+        let (mut words, mut k) = ([""; 9], 0);
+        while k < 9 {
+            words[k] = Overlay::ALL[k].1;
+            k += 1;
+        }
+        words
+    };
+}
+
+impl From<Base> for View {
+    fn from(base: Base) -> Self {
+        Self { base, over: 0 }
+    }
+}
+
+impl View {
+    /// The view of words joined by '+': at most one base, and overlays. Words that name nothing, and
+    /// more bases, are passed over. Overlays without a base are drawn on paper, the first of them (in
+    /// the order in which they are drawn) in full colours if it is the packing, the cells, the mesh or
+    /// the direction. Without any word that names something it is [`Base::Auto`].
+    pub fn of_words(words: &str) -> View {
+        let (mut base, mut over) = (None, 0);
+        for word in words.split('+') {
+            if let Some((overlay, _)) = Overlay::ALL.iter().find(|(_, w)| *w == word) {
+                over |= overlay.bit();
+            } else if base.is_none() {
+                let found = Base::ALL.iter().find(|(_, w)| *w == word);
+                base = found.map(|&(base, _)| base);
+            }
+        }
+        let view = |base: Base, over: u16| View { base, over };
+        match base {
+            // The potential is of one cell: nothing of the picture lies over it.
+            Some(Base::Potential) => Base::Potential.into(),
+            Some(base) => view(base, over),
+            None => match view(Base::Paper, over).overlays().next() {
+                None => Base::Auto.into(),
+                Some(first) => match first.on_paper() {
+                    None => view(Base::Paper, over),
+                    Some(base) => view(base, over & !first.bit()),
+                },
+            },
+        }
+    }
+
+    /// The overlays in the order in which they are drawn.
+    pub fn overlays(self) -> impl Iterator<Item = Overlay> {
+        let all = Overlay::ALL.iter().map(|&(overlay, _)| overlay);
+        all.filter(move |overlay| self.over & overlay.bit() != 0)
+    }
+
+    /// Is nothing drawn over the base?
+    pub fn is_plain(self) -> bool {
+        self.over == 0
+    }
+}

@@ -1,0 +1,64 @@
+//! Overlays: what is drawn over a base.
+
+use super::{Overlay, Pavement, Stage, View};
+use crate::draw::{self, Board, size::HeatMap};
+use crate::generators::common;
+use crate::packing::{Packing, stress};
+
+impl Pavement {
+    /// Draws a view's overlays, each as soon as there is something to show of the pavement at work.
+    pub(super) fn draw_over(&mut self, view: View, board: &mut Board, heat: &mut HeatMap) {
+        let side = common::side(&self.working.recipe);
+        let [meshed, celled] = [Stage::Mesh, Stage::Cells].map(|stage| self.is_past(stage));
+        let packs = self.made.is_packing();
+        let domain = self.made.terrain.domain.made();
+        if domain.is_some_and(|domain| domain.period().is_some()) {
+            board.repeat();
+        }
+        for overlay in view.overlays() {
+            let loads = match overlay {
+                Overlay::Energy | Overlay::Forces if packs => self.made.packing_mut(),
+                _ => None,
+            };
+            let loads = loads.map(|(packing, domain)| packing.loads(domain));
+            let made = &self.made;
+            let Some((domain, fields)) = made.terrain.made() else {
+                return;
+            };
+            match overlay {
+                Overlay::Size => {
+                    heat.draw(board, made.terrain.revision(), side, domain, fields);
+                }
+                Overlay::Packed => {
+                    let packing = made.packing().filter(|_| packs);
+                    let particles = packing.map_or(Vec::new(), Packing::particles);
+                    let stress = stress(domain, &particles);
+                    board.draw(&draw::over::packed(&particles, &stress));
+                }
+                Overlay::Energy | Overlay::Forces => {
+                    let of_loads = match overlay {
+                        Overlay::Energy => draw::forces::energy,
+                        _ => draw::forces::forces,
+                    };
+                    board.draw(&of_loads(&loads.unwrap_or_default()));
+                }
+                Overlay::Cells if celled => board.draw(&draw::over::cells(made.cells())),
+                Overlay::Mesh if meshed => {
+                    if let Some(mesh) = made.mesh() {
+                        board.draw(&draw::over::mesh(mesh, fields));
+                    }
+                }
+                Overlay::Cells | Overlay::Mesh => {}
+                Overlay::Anisotropy => {
+                    board.draw(&draw::over::anisotropy(domain, fields, side as f64));
+                }
+                Overlay::Direction => {
+                    board.draw(&draw::field::direction_over(domain, fields, side as f64));
+                }
+                Overlay::Singularities => {
+                    board.draw(&draw::field::singularities(domain, fields, side as f64));
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,307 @@
+//! From the recipe's words and numbers to the small parameter structures of the stages.
+
+use super::outline::PavementRecipe;
+use super::schema::keys;
+use super::stages::Stage;
+use super::terrain::{DomainParams, TerrainParams};
+use crate::domain::Outline;
+use crate::field::{Direction, FieldParams, Kind, Rim, Spot};
+use crate::generators::common;
+use crate::generators::height_field::{HeightFieldParams, PlaneParams};
+use crate::heightfield::TextureParams;
+use crate::material::{ColourParams, Pattern};
+use crate::packing::{Edge, Integrator, PackingParams, Population, Start};
+use crate::recipe::Recipe;
+use crate::recipe::common::keys as shared;
+use crate::solid::{Distribution, SkinParams, StoneKind, StoneParams};
+use glam::DVec2;
+
+/// Rounds of Lloyd's relaxation: after these it hardly gets better.
+const LLOYD_ROUNDS: u32 = 50;
+
+/// What cells are made of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum CellParams {
+    /// The dual of the packing's mesh.
+    Fitted,
+    /// The packed squares as they are.
+    Packed,
+    /// The Voronoi diagram of as many scattered points, evened out in so many rounds.
+    Scattered { rounds: u32, seed: u64 },
+}
+
+/// What coats are made by.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct CoatParams {
+    pub colour: ColourParams,
+    pub seed: u64,
+    /// Of the picture.
+    pub side: f64,
+}
+
+/// What a recipe asks of each stage.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Params {
+    pub terrain: TerrainParams,
+    pub packing: PackingParams,
+    pub cells: CellParams,
+    /// Are the stones skin, whose flow has one sense?
+    pub is_skin: bool,
+    pub coats: CoatParams,
+    pub finish: HeightFieldParams,
+}
+
+impl Params {
+    /// Of a recipe for this outline ([`outline`]); skin gets `finer` Loop steps more than it needs.
+    pub fn new(recipe: &Recipe, outline: &Outline, finer: i32) -> Self {
+        Self {
+            terrain: terrain(recipe, outline),
+            packing: packing(recipe),
+            cells: cells(recipe),
+            is_skin: recipe.is_skin(),
+            coats: CoatParams {
+                colour: colour(recipe),
+                seed: common::seed(recipe),
+                side: recipe.side(),
+            },
+            finish: finish(recipe, 1, finer),
+        }
+    }
+
+    /// The first stage of which others ask something else.
+    pub fn first_difference(&self, other: &Params) -> Option<Stage> {
+        let differences = [
+            (Stage::Domain, self.terrain.domain != other.terrain.domain),
+            (Stage::Fields, self.terrain.fields != other.terrain.fields),
+            (Stage::Packing, self.packing != other.packing),
+            (Stage::Cells, self.cells != other.cells),
+            (Stage::Planes, self.is_skin != other.is_skin),
+            (Stage::Planes, self.coats != other.coats),
+            (Stage::Planes, self.finish.planes != other.finish.planes),
+            (Stage::Weather, self.finish.weather != other.finish.weather),
+            (Stage::Shading, self.finish.light != other.finish.light),
+        ];
+        let mut differences = differences.into_iter();
+        differences
+            .find(|&(_, differs)| differs)
+            .map(|(stage, _)| stage)
+    }
+}
+
+/// The outline to pave: the exact one where there is one, the recipe's constraint lines in either.
+pub(super) fn outline(recipe: &Recipe, exact: Option<&Outline>) -> Outline {
+    let Some(exact) = exact else {
+        return recipe.outline();
+    };
+    let mut outline = exact.clone();
+    outline.lines.extend(recipe.lines());
+    outline
+}
+
+/// The domain and its fields.
+pub(super) fn terrain(recipe: &Recipe, outline: &Outline) -> TerrainParams {
+    TerrainParams {
+        domain: domain(recipe, outline),
+        fields: fields(recipe),
+    }
+}
+
+/// An outline's rings and lines, or the whole picture as a tile.
+fn domain(recipe: &Recipe, outline: &Outline) -> DomainParams {
+    if recipe.is_tile() {
+        DomainParams::Torus {
+            side: recipe.side(),
+            lines: outline.lines.clone(),
+        }
+    } else {
+        DomainParams::Plane(outline.clone())
+    }
+}
+
+/// The aspect ratio that cells of a kind are packed with for one of `ca`. The cells of ellipses are
+/// hexagons: by their second moments they are as long as the ellipses, by the box around them 0.87
+/// times. This is between.
+fn drawn(kind: Kind, ca: f64) -> f64 {
+    if kind == Kind::Ellipse {
+        1.0 + 1.06 * (ca - 1.0)
+    } else {
+        ca
+    }
+}
+
+/// The kind of the cells and their aspect ratio.
+pub(super) fn kind(recipe: &Recipe) -> (Kind, f64) {
+    let kind = Kind::from_word(recipe.choice(keys::KIND)).unwrap_or_default();
+    let ca = recipe.number(keys::CA);
+    (kind, drawn(kind, ca))
+}
+
+fn fields(recipe: &Recipe) -> FieldParams {
+    let number = |key| recipe.number(key);
+    let side = recipe.side();
+    let (direction, angle) = match recipe.choice(keys::DIR) {
+        "constant" => (Direction::Constant, number(keys::ANGLE)),
+        "strokes" => (Direction::Strokes, number(keys::ANGLE)),
+        "radial" => (Direction::Spiral, 0.0),
+        "circular" => (Direction::Spiral, 90.0),
+        "spiral" => (Direction::Spiral, number(keys::FA)),
+        "printed" => (Direction::Printed, number(keys::ANGLE)),
+        _ => (Direction::Boundary, number(keys::ANGLE)),
+    };
+    let rim = |factor, reach| Rim {
+        factor: number(factor),
+        reach: side * number(reach),
+    };
+    let spots = |spots: Vec<[f64; 4]>| {
+        let spot = |[x, y, radius, value]: [f64; 4]| Spot {
+            centre: DVec2::new(x, y),
+            radius,
+            value,
+        };
+        spots.into_iter().map(spot).collect()
+    };
+    let (kind, aspect) = kind(recipe);
+    let mut aspect_spots = recipe.spots(keys::STRETCH);
+    for [.., ratio] in &mut aspect_spots {
+        *ratio = drawn(kind, *ratio);
+    }
+    FieldParams {
+        direction,
+        angle: angle.to_radians(),
+        centre: side * DVec2::new(number(keys::FX), number(keys::FY)),
+        power: number(keys::DP) as u32,
+        ends: number(keys::ENDS),
+        strokes: recipe.polylines(keys::STROKES),
+        reach: side * number(keys::REACH),
+        kind,
+        part_kinds: part_kinds(recipe, kind),
+        aspect,
+        aspect_rim: rim(keys::CB, keys::CD),
+        aspect_spots: spots(aspect_spots),
+        size: number(keys::CS),
+        linear: DVec2::new(number(keys::GX), number(keys::GY)),
+        radial: number(keys::GR),
+        size_rim: rim(keys::GB, keys::GD),
+        size_spots: spots(recipe.spots(keys::SPOTS)),
+        side,
+    }
+}
+
+fn part_kinds(recipe: &Recipe, kind: Kind) -> Vec<(DVec2, Kind)> {
+    let seeds = recipe.seeds(keys::PARTS).into_iter();
+    let own = |word| Kind::from_word(word).unwrap_or(kind);
+    seeds.map(|(place, word)| (place, own(word))).collect()
+}
+
+pub(super) fn packing(recipe: &Recipe) -> PackingParams {
+    PackingParams {
+        edge: match recipe.choice(keys::EDGE) {
+            "on" => Edge::On,
+            _ => Edge::Wall,
+        },
+        start: match recipe.choice(keys::START) {
+            "quadtree" => Start::Quadtree,
+            _ => Start::Stream,
+        },
+        integrator: match recipe.choice(keys::MOVE) {
+            "rk4" => Integrator::RungeKutta,
+            _ => Integrator::SemiImplicit,
+        },
+        population: match recipe.choice(keys::POP) {
+            "smallest" => Population::Smallest,
+            "off" => Population::Off,
+            _ => Population::Slots,
+        },
+        variance: recipe.number(keys::VS),
+        seed: common::seed(recipe),
+    }
+}
+
+fn cells(recipe: &Recipe) -> CellParams {
+    let scattered = |rounds| CellParams::Scattered {
+        rounds,
+        seed: common::seed(recipe),
+    };
+    match recipe.choice(keys::CELLS) {
+        "packed" => CellParams::Packed,
+        "voronoi" => scattered(0),
+        "lloyd" => scattered(LLOYD_ROUNDS),
+        _ => CellParams::Fitted,
+    }
+}
+
+pub(super) fn stone(recipe: &Recipe) -> StoneParams {
+    StoneParams {
+        kind: match recipe.choice(keys::STONE) {
+            "flag" => StoneKind::Flagstone,
+            "skin" => StoneKind::Skin,
+            _ => StoneKind::Cobble,
+        },
+        height: recipe.number(keys::HS),
+        scale: recipe.number(keys::SV),
+        distortion: recipe.number(keys::DR),
+        distribution: match recipe.choice(keys::RAND) {
+            "normal" => Distribution::Normal,
+            _ => Distribution::Uniform,
+        },
+        bevel_horizontal: recipe.number(keys::BH),
+        bevel_vertical: recipe.number(keys::BV),
+        skin: SkinParams {
+            sweep: recipe.number(keys::SR),
+            skew: recipe.number(keys::SC),
+            skew_angle: recipe.number(keys::SA).to_radians(),
+            tilt: recipe.number(keys::TILT),
+            taper: recipe.number(keys::TC),
+            flatness: recipe.number(keys::FLAT),
+            keel: recipe.number(keys::KEEL),
+            rings: recipe.number(keys::RINGS) as u32,
+            dimension: recipe.number(shared::FD),
+            amplitude: recipe.number(shared::AF),
+        },
+        seed: common::seed(recipe),
+    }
+}
+
+/// Planes, weather and light with `pixel_scale` pixels for each of the recipe, along a side.
+pub(super) fn finish(recipe: &Recipe, pixel_scale: usize, finer: i32) -> HeightFieldParams {
+    let texture = TextureParams {
+        pixel_scale,
+        ..texture(recipe)
+    };
+    HeightFieldParams {
+        planes: PlaneParams { texture, finer },
+        weather: common::weather(recipe),
+        light: common::light(recipe),
+    }
+}
+
+pub(super) fn texture(recipe: &Recipe) -> TextureParams {
+    TextureParams {
+        side: common::side(recipe),
+        pixel_scale: 1,
+        seed: common::seed(recipe),
+        size: recipe.number(keys::CS),
+        stone: stone(recipe),
+        dimension: recipe.number(shared::FD),
+        amplitude: recipe.number(shared::AF),
+        palette: recipe.choice(shared::PALETTE),
+        ground: recipe.choice(shared::GROUND),
+        vary: recipe.number(shared::VARY),
+        colour: colour(recipe),
+        tile: recipe.is_tile(),
+    }
+}
+
+fn colour(recipe: &Recipe) -> ColourParams {
+    ColourParams {
+        pattern: Pattern::of_word(recipe.choice(keys::PATTERN)),
+        scale: recipe.number(keys::PN) * recipe.side(),
+        angle: recipe.number(keys::PA).to_radians(),
+        sharpness: recipe.number(keys::PS),
+        share: recipe.number(keys::PC),
+        amount: recipe.number(keys::PM),
+        rim: recipe.number(keys::RIM),
+        belly: recipe.number(keys::BELLY),
+        belly_angle: recipe.number(keys::BA).to_radians(),
+    }
+}

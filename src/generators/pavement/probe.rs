@@ -1,0 +1,281 @@
+//! What the cell at a place is like, and how all of them are.
+
+use super::{Pavement, Stage};
+use crate::cells::Cell;
+use crate::domain::{Domain, ring_contains};
+use crate::field::Kind;
+use crate::metrics::{Figure, period};
+use crate::packing::Sample;
+use glam::DVec2;
+
+/// A cell as it is found at a place. Lengths are picture units, angles degrees from +x, y down.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Probe {
+    /// Its place in the list of cells; while they are packed, in that of the packing by rising ids.
+    pub cell: usize,
+    /// Its middle.
+    pub centre: DVec2,
+    /// Its kind.
+    pub kind: Kind,
+    /// Its size: that of its kind which has its area.
+    pub size: f64,
+    /// The size that the field asks for there.
+    pub wanted: f64,
+    /// Length over width, at least 1.
+    pub aspect: f64,
+    /// Where it points to: 0..90 of squares, 0..180 of rectangles and ellipses. None of circles, and
+    /// where there is no direction.
+    pub angle: Option<f64>,
+    /// How far that is from the direction field: 0..45 of squares, else 0..90.
+    pub off: Option<f64>,
+    /// Its outline, not closed; of a packed cell its shape.
+    pub outline: Vec<DVec2>,
+    /// What only a cell with a polygon has.
+    pub polygon: Option<Polygon>,
+}
+
+/// What a cell's polygon tells.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Polygon {
+    /// Its area.
+    pub area: f64,
+    /// Corners that turn by more than 10 degrees.
+    pub sides: usize,
+    /// Cells on the other side of its sides; those that meet it in a corner only do not count.
+    pub neighbours: usize,
+}
+
+/// How many values fall into each of equal classes; what lies beyond counts in the outermost.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Histogram {
+    /// Where the first class begins.
+    pub from: f64,
+    /// Where the last one ends.
+    pub to: f64,
+    /// By class; none where there is nothing to count.
+    pub counts: Vec<u32>,
+}
+
+/// Classes of a histogram.
+const CLASSES: usize = 30;
+/// Sizes over wanted sizes are counted from here to there.
+const SIZES: (f64, f64) = (0.55, 1.45);
+
+/// Places along a side at which a neighbour is looked for are about so far apart, in cell sizes ...
+const STEP: f64 = 0.12;
+/// ... and so far outside: neighbours that share the side, and packed ones with a gap between.
+const REACH: [f64; 2] = [0.03, 0.25];
+
+/// Boxes around the cells, so that not every polygon is looked at.
+#[derive(Default)]
+pub(super) struct Boxes {
+    /// Of the cells.
+    revision: u64,
+    boxes: Vec<[DVec2; 2]>,
+}
+
+impl Pavement {
+    /// Are the products of this stage those of the pass at work?
+    pub(super) fn is_past(&self, stage: Stage) -> bool {
+        self.made.at().is_none_or(|at| at > stage)
+    }
+
+    /// The cell at a place of the picture: of the polygons once they are there, while they form of
+    /// the packing.
+    pub fn probe(&mut self, x: f64, y: f64) -> Option<Probe> {
+        let p = DVec2::new(x, y);
+        if self.is_past(Stage::Cells) {
+            self.polygon_at(p)
+        } else {
+            self.packed_at(p)
+        }
+    }
+
+    fn packed_at(&self, p: DVec2) -> Option<Probe> {
+        let made = &self.made;
+        let packing = made.packing().filter(|_| made.is_packing())?;
+        let (domain, fields) = made.terrain.made()?;
+        let (cell, particle) = packing.at(domain, p)?;
+        let shift = domain.shortest(particle.centre - p) + p - particle.centre;
+        let has_axis = particle.kind != Kind::Circle && particle.axis != DVec2::ZERO;
+        let outline = particle.ring(1.0, 24).iter().map(|q| *q + shift).collect();
+        Some(Probe {
+            cell,
+            centre: particle.centre + shift,
+            kind: particle.kind,
+            size: particle.size,
+            wanted: fields.size(particle.centre),
+            aspect: particle.aspect,
+            angle: has_axis.then(|| degrees(particle.axis, particle.kind)),
+            off: has_axis.then_some(0.0),
+            outline,
+            polygon: None,
+        })
+    }
+
+    fn polygon_at(&mut self, p: DVec2) -> Option<Probe> {
+        let made = &self.made;
+        let (domain, fields) = made.terrain.made()?;
+        let (cells, revision) = (made.cells(), made.cells_revision());
+        if self.boxes.revision != revision {
+            let boxes = cells.iter().map(bounds).collect();
+            self.boxes = Boxes { revision, boxes };
+        }
+        let (index, image) = self.boxes.find(domain, cells, p)?;
+        let cell = cells.get(index)?;
+        let figure = Figure::new(cell);
+        let neighbours = self.boxes.neighbours(domain, cells, index);
+        let shift = p - image;
+        Some(Probe {
+            cell: index,
+            centre: cell.centre + shift,
+            kind: cell.kind,
+            size: figure.size,
+            wanted: fields.size(cell.centre),
+            aspect: figure.aspect,
+            angle: figure.axis.map(|axis| degrees(axis, cell.kind)),
+            off: figure.off(cell.kind, fields.direction(cell.centre)),
+            outline: cell.ring.iter().map(|q| *q + shift).collect(),
+            polygon: Some(Polygon {
+                area: figure.area,
+                sides: figure.sides,
+                neighbours,
+            }),
+        })
+    }
+
+    /// How the packing at work went so far, or the last one, by rising steps.
+    pub fn samples(&self) -> &[Sample] {
+        let packing = self.made.packing();
+        let begun = packing.filter(|_| self.made.is_packing());
+        begun.map_or(&[], |packing| packing.samples())
+    }
+
+    /// The sizes of all cells over the wanted ones, and their angles to the direction field in degrees
+    /// (0..45 where all with an angle are squares or stand in a packing of cells with corners, else
+    /// 0..90; circles have none). While they are packed, sizes are told by the neighbours' distances
+    /// and angles by the rows that they stand in.
+    pub fn histograms(&mut self) -> [Histogram; 2] {
+        let past = self.is_past(Stage::Cells);
+        let stands = match past || !self.made.is_packing() {
+            true => Vec::new(),
+            false => {
+                let packing = self.made.packing_mut();
+                packing.map_or(Vec::new(), |(packing, domain)| packing.stands(domain))
+            }
+        };
+        let Some(fields) = self.made.terrain.fields.made() else {
+            return Default::default();
+        };
+        let mut found: Vec<(f64, Option<f64>)> = Vec::new();
+        let mut widest = 0.0;
+        if past {
+            for cell in self.made.cells() {
+                let figure = Figure::new(cell);
+                let off = figure.off(cell.kind, fields.direction(cell.centre));
+                found.push((figure.size / fields.size(cell.centre), off));
+                if cell.kind != Kind::Circle {
+                    widest = period(cell.kind).max(widest);
+                }
+            }
+        }
+        for (particle, stand) in stands {
+            let size = particle.size * stand.spacing;
+            found.push((size / fields.size(particle.centre), stand.off));
+            widest = match particle.kind {
+                Kind::Circle => widest,
+                Kind::Ellipse => 180.0,
+                Kind::Square | Kind::Rectangle => widest.max(90.0),
+            };
+        }
+        let sizes = found.iter().map(|&(size, _)| size);
+        let angles = found.iter().filter_map(|&(_, off)| off);
+        [
+            Histogram::new(SIZES, &mut { sizes }),
+            Histogram::new((0.0, widest / 2.0), &mut { angles }),
+        ]
+    }
+}
+
+impl Histogram {
+    fn new((from, to): (f64, f64), values: &mut dyn Iterator<Item = f64>) -> Self {
+        let mut counts = Vec::new();
+        for value in values {
+            counts.resize(CLASSES, 0);
+            let class = (value - from) / (to - from) * CLASSES as f64;
+            counts[(class.max(0.0) as usize).min(CLASSES - 1)] += 1;
+        }
+        Self { from, to, counts }
+    }
+}
+
+impl Boxes {
+    /// The cell that holds a place or one of its images, and that image.
+    #[inline(never)]
+    fn find(&self, domain: &Domain, cells: &[Cell], p: DVec2) -> Option<(usize, DVec2)> {
+        let here = |image: DVec2| {
+            self.meeting([image; 2])
+                .find(|&k| ring_contains(&cells[k].ring, image))
+        };
+        images(domain).find_map(|shift| Some((here(p + shift)?, p + shift)))
+    }
+
+    /// The cells whose boxes meet a box.
+    fn meeting(&self, [lo, hi]: [DVec2; 2]) -> impl Iterator<Item = usize> {
+        let meets = move |b: &[DVec2; 2]| b[0].cmple(hi).all() && b[1].cmpge(lo).all();
+        let boxes = self.boxes.iter().enumerate();
+        boxes.filter(move |(_, b)| meets(b)).map(|(k, _)| k)
+    }
+
+    /// How many cells there are beyond the sides of one.
+    fn neighbours(&self, domain: &Domain, cells: &[Cell], index: usize) -> usize {
+        let cell = &cells[index];
+        let reach = REACH.map(|reach| reach * cell.size);
+        let [lo, hi] = self.boxes[index];
+        let mut near: Vec<(usize, DVec2)> = Vec::new();
+        for shift in images(domain) {
+            let around = [lo - reach[1] + shift, hi + reach[1] + shift];
+            near.extend(self.meeting(around).map(|k| (k, shift)));
+        }
+        let there = |p: DVec2| {
+            let mut near = near.iter();
+            near.find(|&&(k, shift)| ring_contains(&cells[k].ring, p + shift))
+        };
+        let n = cell.ring.len();
+        let mut found: Vec<usize> = Vec::new();
+        for (k, &a) in cell.ring.iter().enumerate() {
+            let b = cell.ring[(k + 1) % n];
+            let outwards = -(b - a).normalize_or_zero().perp();
+            let count = (a.distance(b) / (STEP * cell.size)).min(100.0) as usize;
+            for place in 0..count {
+                let p = a.lerp(b, (place as f64 + 0.5) / count as f64);
+                let beyond = |reach: &f64| there(p + *reach * outwards);
+                let other = reach.iter().find_map(beyond);
+                let other = other.filter(|(other, _)| *other != index && !found.contains(other));
+                found.extend(other.map(|(other, _)| other));
+            }
+        }
+        found.len()
+    }
+}
+
+/// From a place to its images on a torus, itself first.
+fn images(domain: &Domain) -> impl Iterator<Item = DVec2> {
+    let shift = |k: usize| f64::from([0, -1, 1][k]);
+    let period = domain.period();
+    let count = if period.is_some() { 9 } else { 1 };
+    (0..count).map(move |k| period.unwrap_or(0.0) * DVec2::new(shift(k % 3), shift(k / 3)))
+}
+
+fn bounds(cell: &Cell) -> [DVec2; 2] {
+    let first = cell.ring.first().copied().unwrap_or(cell.centre);
+    let around = cell.ring.iter();
+    around.fold([first; 2], |[lo, hi], &q| [lo.min(q), hi.max(q)])
+}
+
+/// The angle of a cell's axis.
+fn degrees(axis: DVec2, kind: Kind) -> f64 {
+    let degrees = libm::atan2(axis.y, axis.x).to_degrees();
+    let period = period(kind);
+    degrees - period * (degrees / period).floor()
+}

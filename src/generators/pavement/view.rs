@@ -1,0 +1,384 @@
+//! What can be looked at, as pictures of the recipe's size.
+
+use super::files::map_of;
+use super::look::{Base, View};
+use super::{Pavement, PavementRecipe, Stage, params};
+use crate::cells::Cell;
+use crate::draw::{self, Board, Layer, Paper, SHEET, Sketch, Tones};
+use crate::export::MapKind;
+use crate::generators::{Clock, Engine};
+use crate::heightfield::{Planes, row_slopes};
+use crate::order;
+use glam::DVec2;
+
+/// The frame last drawn, and what the next one can be made from.
+#[derive(Default)]
+pub(super) struct Gallery {
+    frame: Option<Board>,
+    drawn: Option<(Base, u64)>,
+    /// The next frame's drawing, begun, and of what it is.
+    begun: Option<((Base, u64, Way), Sketch)>,
+    preview: Preview,
+    /// The frame with overlays.
+    over: Option<Board>,
+    drawn_over: Option<(View, u64)>,
+    heat: draw::size::HeatMap,
+}
+
+/// Stones in a simple light over the cells, while the picture is not there.
+#[derive(Default)]
+struct Preview {
+    board: Option<Board>,
+    /// Which pass over the stones it shows.
+    pass: u64,
+    stones: usize,
+}
+
+/// What is to be seen on the way from the packing to the picture.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Way {
+    /// Nothing but the outline yet.
+    Bare,
+    Packed,
+    /// Nothing new for a moment: what was there stays.
+    Stays,
+    /// The cells' polygons, before the ground is laid.
+    Cells,
+    /// The stones so far on them.
+    Stones,
+    Picture,
+}
+
+impl Pavement {
+    /// The picture of a view; while a stage has nothing to show yet, what was there before, or the bare
+    /// outline.
+    pub(super) fn look_at(&mut self, view: View) -> &[u8] {
+        let stamp = self.stamp();
+        let mut gallery = std::mem::take(&mut self.gallery);
+        let side = self.side();
+        gallery.frame = gallery.frame.filter(|board| board.fits(side));
+        if gallery.drawn != Some((view.base, stamp)) || gallery.frame.is_none() {
+            let sketch = self.sketch(view.base, &mut gallery);
+            self.draw(view.base, &mut gallery, sketch);
+            gallery.drawn = Some((view.base, stamp));
+            gallery.drawn_over = None;
+        }
+        if view.is_plain() {
+            (gallery.over, gallery.drawn_over) = (None, None);
+        } else if gallery.drawn_over != Some((view, stamp)) {
+            let mut board = gallery.frame.clone();
+            if let Some(board) = &mut board {
+                self.draw_over(view, board, &mut gallery.heat);
+            }
+            gallery.over = board;
+            gallery.drawn_over = Some((view, stamp));
+        }
+        self.gallery = gallery;
+        let shown = self.gallery.over.as_ref().or(self.gallery.frame.as_ref());
+        shown.map_or(&[], Board::rgba)
+    }
+
+    /// Work on the recipe in between makes it begin again.
+    pub(super) fn draw_beforehand(&mut self, view: View, clock: Clock, budget: f64) -> bool {
+        let begin = clock();
+        let mut gallery = std::mem::take(&mut self.gallery);
+        let key = (view.base, self.stamp(), self.way(view.base, &gallery));
+        let mut worked = gallery.begun.as_ref().is_none_or(|(of, _)| *of != key);
+        let is_drawn = gallery.drawn == Some((view.base, self.stamp()));
+        let mut sketch = match is_drawn {
+            true => None,
+            false => self.sketch(view.base, &mut gallery),
+        };
+        let ready = sketch.as_mut().is_none_or(|sketch| {
+            loop {
+                // Not `>=`: a clock that fails must not make this endless.
+                let inside = clock() - begin < budget;
+                if worked && !inside {
+                    return false;
+                }
+                if sketch.advance() {
+                    return true;
+                }
+                worked = true;
+            }
+        });
+        gallery.begun = sketch.map(|sketch| (key, sketch));
+        self.gallery = gallery;
+        ready
+    }
+
+    /// Changes whenever something else may be seen.
+    pub(super) fn stamp(&self) -> u64 {
+        self.changes + self.made.slices()
+    }
+
+    /// The drawing that a view is or lies on, as far as it was begun; nothing where there is none.
+    fn sketch(&self, base: Base, gallery: &mut Gallery) -> Option<Sketch> {
+        let key = (base, self.stamp(), self.way(base, gallery));
+        match gallery.begun.take() {
+            Some((of, sketch)) if of == key => Some(sketch),
+            _ => self.new_sketch(base, gallery),
+        }
+    }
+
+    fn new_sketch(&self, base: Base, gallery: &Gallery) -> Option<Sketch> {
+        let made = &self.made;
+        Some(match base {
+            Base::Auto | Base::Picture => match self.way(base, gallery) {
+                Way::Bare => self.bare(),
+                Way::Packed => self.packed(),
+                Way::Cells => {
+                    let tones = self.tones();
+                    let cells = draw::stages::cells(made.cells(), &tones);
+                    self.on_paper(&tones.paper, vec![cells])
+                }
+                Way::Stones if !self.goes_on(&gallery.preview) => self.bedded()?,
+                Way::Stones | Way::Stays | Way::Picture => return None,
+            },
+            Base::Paper => self.on_paper(&SHEET, Vec::new()),
+            Base::Packed => self.packed(),
+            Base::Cells | Base::Mesh if self.draft().is_some() => self.packed(),
+            Base::Cells => {
+                let tones = self.tones();
+                let mut layers = vec![draw::stages::cells(made.cells(), &tones)];
+                layers.extend(self.lines());
+                self.on_paper(&tones.paper, layers)
+            }
+            Base::Mesh => {
+                let both = made.mesh().zip(made.terrain.fields.made());
+                let mesh = both.map(|(mesh, fields)| draw::stages::mesh(mesh, fields));
+                let mut layers = Vec::from_iter(mesh);
+                layers.extend(self.lines());
+                self.on_paper(&SHEET, layers)
+            }
+            _ => return None,
+        })
+    }
+
+    /// Draws a new frame, or leaves the last one where it should stay.
+    fn draw(&self, base: Base, gallery: &mut Gallery, sketch: Option<Sketch>) {
+        let planes = self.planes_to_show();
+        let of_planes = |draw: fn(&Planes) -> Vec<u8>| {
+            let mut board = Board::new(self.side(), SHEET.surround);
+            match planes {
+                Some(planes) => board.show(&draw(planes)),
+                None => return self.bare().finish(),
+            }
+            board
+        };
+        let sketched = sketch.map(Sketch::finish);
+        gallery.frame = match base {
+            Base::Auto | Base::Picture => match self.way(base, gallery) {
+                Way::Picture => Some(self.picture_on(gallery.frame.take())),
+                Way::Stones => self.stones_coming(&mut gallery.preview, sketched),
+                Way::Stays => return,
+                Way::Bare | Way::Packed | Way::Cells => sketched,
+            },
+            Base::Paper | Base::Packed | Base::Cells | Base::Mesh => sketched,
+            Base::Direction => {
+                let mut board = self.on_paper(&SHEET, Vec::new()).finish();
+                let shown = self.shown();
+                if let (Some(domain), Some(fields)) = (shown.domain, shown.fields) {
+                    let side = self.side() as f64;
+                    board.draw(&draw::field::direction(domain, fields, side));
+                }
+                Some(board)
+            }
+            Base::Potential => {
+                let mut board = Board::new(self.side(), SHEET.bed);
+                let (kind, aspect) = params::kind(&self.working.recipe);
+                draw::potential::potential(&mut board, kind, aspect, self.side() as f64);
+                Some(board)
+            }
+            Base::Height => Some(of_planes(draw::planes::height)),
+            Base::Normals => Some(of_planes(draw::planes::normals)),
+            Base::Ids => Some(of_planes(draw::planes::ids)),
+            Base::Albedo => Some(self.map_shown(MapKind::Albedo)),
+            Base::Roughness => Some(self.map_shown(MapKind::Roughness)),
+            Base::Occlusion => Some(self.map_shown(MapKind::Occlusion)),
+        };
+    }
+
+    /// A map as it is handed out, of the planes there are.
+    fn map_shown(&self, kind: MapKind) -> Board {
+        let Some(planes) = self.planes_to_show() else {
+            return self.bare().finish();
+        };
+        let mut board = Board::new(self.side(), SHEET.surround);
+        let map = map_of(kind, planes, &self.working.params.finish.light);
+        board.show(&map.rgba());
+        board
+    }
+
+    /// The planes to look at: the finished ones unless they are of another pavement.
+    pub(super) fn planes_to_show(&self) -> Option<&Planes> {
+        let finished = self.made.planes();
+        let finished = finished.filter(|p| p.side == self.side());
+        let coming = self.made.planes_coming();
+        if self.made.is_forming() {
+            coming.or(finished)
+        } else {
+            finished.or(coming)
+        }
+    }
+
+    /// What is to be seen on the way from the packing to the picture.
+    fn way(&self, base: Base, gallery: &Gallery) -> Way {
+        let made = &self.made;
+        if base == Base::Auto && self.draft().is_some() {
+            return Way::Packed;
+        }
+        let picture = made.picture().len() == 4 * self.side() * self.side();
+        let settled = !made.is_forming() || made.failure().is_some();
+        if picture && (settled || base == Base::Picture) {
+            return Way::Picture;
+        }
+        match self.made.at().filter(|_| made.failure().is_none()) {
+            Some(stage) if stage >= Stage::Planes => match self.ground_shown() {
+                Some(_) => Way::Stones,
+                None => Way::Cells,
+            },
+            _ if made.is_packing() => Way::Packed,
+            _ if gallery.frame.is_some() => Way::Stays,
+            _ => Way::Bare,
+        }
+    }
+
+    fn picture_on(&self, frame: Option<Board>) -> Board {
+        let mut board = frame.unwrap_or_else(|| Board::new(self.side(), SHEET.surround));
+        board.show(self.made.picture());
+        board
+    }
+
+    /// The planes of stones that come, once the ground is laid.
+    fn ground_shown(&self) -> Option<&Planes> {
+        self.planes_to_show().filter(|_| self.made.is_bedded())
+    }
+
+    pub(super) fn tones(&self) -> Tones {
+        if let Some(draft) = self.draft() {
+            return draft.tones.clone();
+        }
+        let made = &self.made;
+        let texture = &self.working.params.finish.planes.texture;
+        Tones::new(texture).wearing(made.cells(), made.coats())
+    }
+
+    /// Layers over the area to pave, which is the outline or all of a tile.
+    fn on_paper(&self, paper: &Paper, layers: Vec<Layer>) -> Sketch {
+        self.on_board(Board::new(self.side(), paper.surround), paper, layers)
+    }
+
+    fn on_board(&self, mut board: Board, paper: &Paper, layers: Vec<Layer>) -> Sketch {
+        let mut all = Vec::with_capacity(layers.len() + 2);
+        if self.working.recipe.is_tile() {
+            board.repeat();
+            let side = self.side() as f64;
+            let ring = [DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y].map(|p| side * p);
+            all.push(Layer::fill(vec![ring.to_vec()], paper.bed, 0.0));
+        } else {
+            all.push(draw::stages::bed(&self.shown().rings, paper));
+        }
+        all.extend(layers);
+        Sketch::new(board, all)
+    }
+
+    fn lines(&self) -> Option<Layer> {
+        let domain = self.shown().domain?;
+        Some(draw::stages::lines(domain, self.side() as f64))
+    }
+
+    fn bare(&self) -> Sketch {
+        self.on_paper(&self.tones().paper, Vec::new())
+    }
+
+    fn packed(&self) -> Sketch {
+        let shown = self.shown();
+        let (Some(packing), Some(domain)) = (shown.packing, shown.domain) else {
+            return self.bare();
+        };
+        let tones = self.tones();
+        let packed = draw::stages::packed(domain, &packing.particles(), &tones);
+        let mut layers = vec![packed];
+        layers.extend(self.lines());
+        self.on_paper(&tones.paper, layers)
+    }
+
+    /// Does the preview show the stones that come now?
+    fn goes_on(&self, preview: &Preview) -> bool {
+        let board = preview.board.as_ref().filter(|b| b.fits(self.side()));
+        board.is_some() && preview.pass == self.made.finish.planes.passes()
+    }
+
+    /// The cells on the ground that is laid, before there are stones.
+    fn bedded(&self) -> Option<Sketch> {
+        let (planes, tones) = (self.ground_shown()?, self.tones());
+        let mut board = Board::new(planes.side, tones.paper.surround);
+        light_ground(planes, board.rgba_mut());
+        let cells = draw::stages::cells(self.made.cells(), &tones);
+        Some(self.on_board(board, &tones.paper, vec![cells]))
+    }
+
+    /// The cells with the stones so far on them; `bedded` is what the first one lies on.
+    fn stones_coming(&self, preview: &mut Preview, bedded: Option<Board>) -> Option<Board> {
+        let made = &self.made;
+        let planes = self.ground_shown()?;
+        if !self.goes_on(preview) {
+            (preview.board, preview.stones) = (bedded, 0);
+            preview.pass = made.finish.planes.passes();
+        }
+        let board = preview.board.as_mut()?;
+        let stones = made.stones();
+        for k in preview.stones..stones {
+            light_stone(planes, &made.cells()[k], k, board.rgba_mut());
+        }
+        preview.stones = stones;
+        Some(board.clone())
+    }
+}
+
+/// Shows the ground in a plain light.
+fn light_ground(planes: &Planes, rgba: &mut [u8]) {
+    let side = planes.side;
+    let mut slopes = [(); 2].map(|()| vec![0.0; side]);
+    for (y, row) in rgba.chunks_exact_mut(4 * side).enumerate() {
+        row_slopes(planes, y, &mut slopes);
+        let [across, fall] = &slopes;
+        let places = planes.colour[y * side..].iter().zip(across).zip(fall);
+        for (pixel, ((&colour, &dx), &dy)) in row.chunks_exact_mut(4).zip(places) {
+            let scale = 1.0 / (dx * dx + dy * dy + 1.0).sqrt();
+            light_pixel(colour, [-dx * scale, -dy * scale, scale], pixel);
+        }
+    }
+}
+
+/// Shows one stone in a plain light.
+fn light_stone(planes: &Planes, cell: &Cell, index: usize, rgba: &mut [u8]) {
+    let side = planes.side;
+    let reach = DVec2::splat(0.25 * cell.size + 1.0);
+    let first = cell.ring.first().copied().unwrap_or(cell.centre);
+    let (lo, hi) = cell
+        .ring
+        .iter()
+        .fold((first, first), |(lo, hi), &p| (lo.min(p), hi.max(p)));
+    let clip = |v: f64| order::within(v, 0.0, side as f64) as usize;
+    let (lo, hi) = (lo - reach, hi + reach);
+    for y in clip(lo.y)..clip(hi.y) {
+        for x in clip(lo.x)..clip(hi.x) {
+            if planes.id[y * side + x] == index as u32 + 1 {
+                let at = y * side + x;
+                let normal = draw::planes::normal(planes, x, y);
+                light_pixel(planes.colour[at], normal, &mut rgba[4 * at..]);
+            }
+        }
+    }
+}
+
+/// Light from the upper left, as strong on level ground as in a finished picture.
+fn light_pixel(colour: [u8; 3], n: [f32; 3], pixel: &mut [u8]) {
+    let facing = order::greater(-0.42 * n[0] - 0.48 * n[1] + 0.77 * n[2], 0.0);
+    let light = 0.42 + 0.80 * facing;
+    for (shown, colour) in pixel.iter_mut().zip(colour) {
+        *shown = order::lesser(f32::from(colour) * light, 255.0) as u8;
+    }
+}

@@ -1,0 +1,61 @@
+/** Words to the visitor over the canvas: notices that may go, and errors that stay until dismissed. */
+import { t } from '../words/words';
+import { byId, make } from './dom';
+
+/** Notices of the same topic replace each other. */
+export type Topic = 'link' | 'value' | 'outline' | 'done' | 'files' | 'busy' | 'replaced' | 'offline' | 'trouble' | 'part';
+
+/** Milliseconds that a passing word stays; longer texts stay until dismissed. */
+const PASSING = 4000;
+
+const alerts = byId('alerts');
+const notices = byId('notices');
+
+/** One or more sentences about something that needs no action. */
+export function notice(topic: Topic, ...sentences: string[]): void {
+  put(notices, topic, sentences);
+}
+
+/** Something that may be taken back or followed; `actions` are offered below the sentence. */
+export function offerOf(topic: Topic, sentence: string, ...actions: HTMLElement[]): void {
+  put(notices, topic, [sentence])?.append(make('div', { class: 'actions' }, ...actions));
+}
+
+/** Work that goes on until it ends or is stopped: it cannot be put out of sight. */
+export function underWay(topic: Topic, sentence: string, ...actions: HTMLElement[]): HTMLElement | undefined {
+  const note = put(notices, topic, [sentence]);
+  note?.querySelector('.close')?.remove();
+  note?.append(make('div', { class: 'actions' }, ...actions));
+  return note;
+}
+
+/** A word that goes by itself. */
+export function passing(topic: Topic, sentence: string): void {
+  const note = put(notices, topic, [sentence]);
+  setTimeout(() => note?.remove(), PASSING);
+}
+
+/** Something went wrong; `actions` are offered below the sentence. */
+export function alertOf(topic: Topic, sentence: string, ...actions: HTMLElement[]): void {
+  const note = put(alerts, topic, [sentence]);
+  if (note && actions.length) note.append(make('div', { class: 'actions' }, ...actions));
+}
+
+/** Takes back what was said on a topic. */
+export function clear(topic: Topic): void {
+  for (const note of document.querySelectorAll(`.message[data-topic="${topic}"]`)) note.remove();
+}
+
+function put(place: HTMLElement, topic: Topic, sentences: string[]): HTMLElement | undefined {
+  clear(topic);
+  if (!sentences.length) return undefined;
+  const close = make('button', { type: 'button', class: 'close', 'aria-label': t('dismiss'), title: t('dismiss') }, '×');
+  const text =
+    sentences.length === 1
+      ? make('p', {}, sentences[0] ?? '')
+      : make('div', {}, make('p', {}, t('things', { n: sentences.length })), make('ul', {}, ...sentences.map((sentence) => make('li', {}, sentence))));
+  const note = make('div', { class: 'message', 'data-topic': topic }, text, close);
+  close.addEventListener('click', () => note.remove());
+  place.append(note);
+  return note;
+}

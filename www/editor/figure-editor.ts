@@ -1,0 +1,130 @@
+/** Edits figures over the canvas: by pointers (gestures.ts), by keys, and by the bar's buttons. */
+import { byId } from '../base/dom';
+import type { Point } from '../module/types';
+import { EditorBar } from './bar';
+import { EditedFigures, type FigureNeeds } from './edited';
+import { drawn, type Figure, type Place, type Sort } from './geometry/figures';
+import { Gestures } from './gestures';
+
+/** Picture units that an arrow key moves a point; with Shift ten times as many. */
+const NUDGE = 1;
+
+const ARROWS: Record<string, Point> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
+
+export interface FigureEditorNeeds extends FigureNeeds {
+  /** All that can be edited now. */
+  sorts(): Sort[];
+  /** Another sort was chosen in the bar. */
+  choose(word: string): void;
+  /** The outline that the figures make, where they are not that themselves. */
+  rim(): Point[][];
+  closed(): void;
+}
+
+export class FigureEditor {
+  readonly figures: EditedFigures;
+  private readonly bar: EditorBar;
+  private readonly needs: FigureEditorNeeds;
+  private readonly gestures: Gestures;
+
+  /** The layer lies over the canvas; the bar takes the buttons for the marked point. */
+  constructor(layer: HTMLElement, bar: HTMLElement, needs: FigureEditorNeeds) {
+    this.needs = needs;
+    const disarmed = (): void => {
+      this.gestures.reset();
+      needs.disarmed();
+    };
+    const figures = (this.figures = new EditedFigures(layer, { ...needs, disarmed }, { follow: () => this.showBar(), focus: () => this.focus() }));
+    this.gestures = new Gestures(figures);
+    this.bar = new EditorBar(bar, {
+      choose: (word) => needs.choose(word),
+      addFigure: () => figures.addFigure(),
+      addPoint: () => figures.addAfter(figures.at),
+      remove: () => figures.take(figures.at),
+      turnOver: () => figures.turnOver(figures.at),
+      value: (value, last) => figures.setValue(value, last),
+      finish: () => this.gestures.finish(),
+      cancel: () => this.gestures.cancel(),
+      close: () => this.close(),
+    });
+    this.listen(layer, bar);
+  }
+
+  private listen(layer: HTMLElement, bar: HTMLElement): void {
+    const { figures } = this;
+    for (const place of [layer, bar]) place.addEventListener('keydown', (event) => this.keyAnywhere(event));
+    // After a tool was clicked the keyboard is on its button.
+    byId('edit-tools').addEventListener('keydown', (event) => this.open && event.key === 'Escape' && this.keyAnywhere(event));
+    document.body.addEventListener('keydown', (event) => this.open && event.target === document.body && this.keyAnywhere(event));
+    layer.addEventListener('focusin', ({ target }) => {
+      const part = figures.sheet.part(target);
+      if (part.part === 'point') figures.mark(part.place);
+    });
+    layer.addEventListener('keydown', (event) => {
+      const part = figures.sheet.part(event.target);
+      if (part.part === 'point') this.key(event, part.place);
+    });
+    layer.addEventListener('keyup', () => figures.drop());
+  }
+
+  get open(): boolean {
+    return !this.figures.sheet.layer.hidden;
+  }
+
+  /** Shows handles on these figures; `armed` where a ring is to be drawn next. */
+  show(sort: Sort, figures: Figure[], armed = false): void {
+    this.figures.drop();
+    const same = this.figures.sort?.word === sort.word && this.open;
+    const focused = this.figures.sheet.layer.contains(document.activeElement);
+    this.gestures.reset();
+    this.figures.begin(sort, figures, armed);
+    if (focused && same) this.focus();
+  }
+
+  /** Puts the keyboard on the marked point; where there is none, on one of a new figure if there may be one. */
+  start(fresh: boolean): void {
+    if (this.figures.isEmpty && fresh) this.figures.addFigure();
+    else this.focus();
+  }
+
+  close(): void {
+    if (!this.open) return;
+    this.gestures.reset();
+    this.figures.drop();
+    this.figures.sheet.layer.hidden = true;
+    this.bar.hide();
+    this.needs.closed();
+  }
+
+  private focus(): void {
+    if (!this.figures.focus()) this.bar.focus();
+  }
+
+  private showBar(): void {
+    const { sort, sheet, marked, smooth, removable, armed } = this.figures;
+    if (!sort) return;
+    sheet.rim(this.needs.rim().map((ring) => drawn('ring', ring)).join(''));
+    this.bar.show(this.needs.sorts(), sort, { marked, smooth, removable, drawing: this.gestures.drawing, armed });
+  }
+
+  /** Escape leaves the points; while something is drawn, it only takes that back. */
+  private keyAnywhere(event: KeyboardEvent): void {
+    if (event.target instanceof HTMLElement && event.target.matches('input, select') && event.key !== 'Escape') return;
+    if (this.gestures.key(event)) return event.preventDefault();
+    if (event.key === 'Escape') this.close();
+  }
+
+  private key(event: KeyboardEvent, place: Place): void {
+    if (event.defaultPrevented) return;
+    const { figures } = this;
+    const arrow = ARROWS[event.key];
+    if (arrow) {
+      const step = NUDGE * (event.shiftKey ? 10 : 1);
+      figures.nudge(place, [arrow[0] * step, arrow[1] * step], event.ctrlKey || event.metaKey, event.repeat);
+    } else if (event.key === 'Delete' || event.key === 'Backspace') figures.take(place);
+    else if (event.key === 'Insert') figures.addAfter(place);
+    else if (event.key === 'Enter') figures.turnOver(place);
+    else return;
+    event.preventDefault();
+  }
+}

@@ -1,0 +1,61 @@
+/** Outlines from files and texts, read in a worker, so that the page stays free; to stop it frees all it held. */
+import { passing } from '../../base/messages';
+import { stoppable, type Task } from '../../base/task';
+import { tell, type EditorWord } from '../../words/editor';
+import { language } from '../../words/words';
+import { LEFT, type Count, type Told } from '../svg/refusal';
+import type { Try } from './read';
+import type { Order, Said } from './read.worker';
+
+/** What is read now. */
+let now: AbortController | undefined;
+
+/** The outlines that a text has, of which the first that will do is meant; undefined where that was stopped. Throws a sentence. */
+export async function read(text: string, name: string, side: number): Promise<Try[] | undefined> {
+  now?.abort();
+  const stopping = (now = new AbortController());
+  try {
+    return await stoppable({ topic: 'outline', sentence: tell('import_reading', { name }), name, stop: tell('import_stop') }, stopping, (task) => answer([text, side], name, task));
+  } catch (error) {
+    if (!stopping.signal.aborted) throw error;
+    // Another file has taken its place, and is told of.
+    if (stopping === now) passing('outline', tell('kept', { sentence: tell('import_stopped', { name }) }));
+    return undefined;
+  }
+}
+
+function answer(order: Order, name: string, task: Task): Promise<Try[]> {
+  const worker = new Worker(new URL('./read.worker.ts', import.meta.url), { type: 'module' });
+  const found = new Promise<Try[]>((resolve, reject) => {
+    const failed = (reason: string): void => reject(new Error(tell('import_trouble', { name, reason })));
+    worker.addEventListener('error', ({ message }) => failed(message));
+    worker.addEventListener('message', ({ data }: MessageEvent<Said>) => {
+      if ('progress' in data) task.progress(data.progress);
+      else if ('tries' in data) resolve(data.tries);
+      else if ('trouble' in data) failed(data.trouble);
+      else reject(new Error([sentence(data.refused, name), ...leftOut(data.left, 'left_besides')].join(' ')));
+    });
+    task.signal.addEventListener('abort', () => reject(new Error()));
+    worker.postMessage(order);
+  });
+  return found.finally(() => worker.terminate());
+}
+
+function sentence({ word, values }: Told, name: string): string {
+  return tell(word, { name, ...Object.fromEntries(Object.entries(values).map(([key, value]) => [key, number(value)])) });
+}
+
+/** What is to be said of an outline that was taken. */
+export function remarks({ rings, left, coarse }: Try): string[] {
+  return [...leftOut(left, 'left_out'), ...(coarse ? [tell('coarse', { n: number(rings.flat().length), before: number(coarse) })] : [])];
+}
+
+/** The sentence that counts what was left out, where there is anything. */
+function leftOut(left: Count, word: EditorWord): string[] {
+  const parts = LEFT.filter((what) => left[what]).map((what) => tell(left[what] === 1 ? `left_${what}_one` : `left_${what}`, { n: number(left[what] ?? 0) }));
+  return parts.length ? [tell(word, { list: new Intl.ListFormat(language()).format(parts) })] : [];
+}
+
+function number(value: string | number): string {
+  return typeof value === 'number' ? value.toLocaleString(language()) : value;
+}

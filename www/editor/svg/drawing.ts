@@ -1,0 +1,343 @@
+/** What an SVG file draws, piece by piece as they are painted, with what each is cut by; nothing of it comes near the page. */
+import { DomHandler, isDirective, isTag, type ChildNode, type Document, type Element } from 'domhandler';
+import { Parser } from 'htmlparser2';
+import type { Point } from '../../module/types';
+import type { Rule } from './area';
+import { back, growth, matrixOf, moved, shift, STILL, stretch, times, type Matrix } from './matrix';
+import { paintOf, type Paint } from './paint';
+import { POINTS, type Run } from './path';
+import { Refusal, type Count, type Left } from './refusal';
+import { boxOf, fit, lengthOf, runsOf, SHAPES, type Box } from './shapes';
+import type { Pen } from './stroke';
+import { INHERITED, Sheet, type Said } from './style';
+
+/** Elements that a drawing may have, those that it uses again counted again, and how deep they may lie in each other. */
+const ELEMENTS = 50_000;
+const DEEPEST = 200;
+
+/** Never drawn itself. */
+const ASIDE = new Set(['defs', 'clipPath', 'mask', 'pattern', 'symbol', 'marker', 'linearGradient', 'radialGradient', 'filter', 'style', 'script', 'title', 'desc', 'metadata']);
+
+const PICTURES = new Set(['image', 'foreignObject', 'video', 'iframe', 'canvas']);
+
+export interface Piece {
+  runs: Run[];
+  /** To the drawing's own units. */
+  matrix: Matrix;
+  rule: Rule;
+  /** It is a stroke; `still` where its width is the same however large the line is drawn. */
+  pen?: Pen & { still: boolean };
+  paint: Exclude<Paint, undefined>;
+  /** All that it is cut by. */
+  clips: Clip[];
+}
+
+export interface Clip {
+  pieces: Piece[];
+}
+
+export interface Drawing {
+  pieces: Piece[];
+  /** What is to be seen of it; undefined where nothing tells. */
+  frame: Box | undefined;
+  left: Count;
+}
+
+/** What is around an element. */
+interface Around {
+  matrix: Matrix;
+  look: Said;
+  opacity: number;
+  /** What hundredths count from. */
+  page: Box;
+  /** Elements in use here. */
+  used: Element[];
+  deep: number;
+  /** All shapes count as areas: they cut others. */
+  cutting: boolean;
+}
+
+/** Undefined where there is no drawing. */
+export function drawingOf(text: string): Drawing | undefined {
+  const whole = parsed(text);
+  const root = [...elements(whole)].find(({ name }) => name === 'svg') ?? [...elements(parsed(`<svg>${text}</svg>`))][0];
+  return root && new Reader(root, whole).read();
+}
+
+/** Ends before what is nested so deep that to read it takes the square of its length. */
+class Shallow extends DomHandler {
+  override onopentag(name: string, attributes: Record<string, string>): void {
+    super.onopentag(name, attributes);
+    if (this.tagStack.length > DEEPEST) throw new Refusal('too_deep', { most: DEEPEST });
+  }
+}
+
+function parsed(text: string): Document {
+  const handler = new Shallow();
+  new Parser(handler, { xmlMode: true }).end(withEntities(text));
+  return handler.root;
+}
+
+/** Short texts that the file has names for, as some programs use them for styles. */
+function withEntities(text: string): string {
+  const known = new Map([...text.slice(0, 20_000).matchAll(/<!ENTITY\s+([\w.-]+)\s+(?:"([^"]{0,300})"|'([^']{0,300})')\s*>/g)].map(([, name, one, other]) => [name, one ?? other ?? '']));
+  let most = 20_000;
+  return known.size ? text.replace(/&([\w.-]+);/g, (whole, name: string) => (most-- > 0 ? (known.get(name) ?? whole) : whole)) : text;
+}
+
+/** All elements, from the first to the last. */
+function* elements(within: Document | Element): Generator<Element> {
+  const left: ChildNode[] = within.children.toReversed();
+  for (let node = left.pop(); node; node = left.pop()) {
+    if (!isTag(node)) continue;
+    yield node;
+    for (let k = node.children.length - 1; k >= 0; k -= 1) left.push(node.children[k] as ChildNode);
+  }
+}
+
+function textOf(element: Element): string {
+  return element.children.map((node) => ('data' in node ? node.data : 'children' in node ? node.children.map((inner) => ('data' in inner ? inner.data : '')).join('') : '')).join('');
+}
+
+class Reader {
+  private readonly root: Element;
+  private readonly sheet: Sheet;
+  private readonly known = new Map<Element, Said>();
+  private readonly byId = new Map<string, Element>();
+  private readonly left: Count = {};
+  private pieces: Piece[] = [];
+  private seen = 0;
+  private points = 0;
+  /** CSS pixels of a unit of the drawing. */
+  private scale = 1;
+
+  constructor(root: Element, whole: Document) {
+    this.root = root;
+    const sheets: string[] = [];
+    for (const element of elements(root)) {
+      const { id } = element.attribs;
+      if (id !== undefined && !this.byId.has(id)) this.byId.set(id, element);
+      if (element.name === 'style') sheets.push(textOf(element));
+    }
+    this.count('link', sheets.join('').match(/@import\b/g)?.length ?? 0);
+    this.count('link', whole.children.filter((node) => isDirective(node) && /^\?xml-stylesheet\b/.test(node.data)).length);
+    this.sheet = new Sheet(sheets);
+  }
+
+  read(): Drawing {
+    const said = this.said(this.root);
+    const box = boxOf(said);
+    const [width, height] = ['width', 'height'].map((key) => lengthOf(said.get(key), 0)) as [number, number];
+    const page = box ?? { x: 0, y: 0, width: width || 100, height: height || 100 };
+    if (box && width > 0 && height > 0) this.scale = growth(fit(box, width, height, said)) / Math.SQRT2;
+    this.walk(this.root, { matrix: STILL, look: new Map(), opacity: 1, page, used: [], deep: 0, cutting: false });
+    const open = /visible|auto/.test(said.get('overflow') ?? '') || !(box ?? (width > 0 && height > 0));
+    return { pieces: this.pieces, frame: open ? undefined : shown(box, width, height, said), left: this.left };
+  }
+
+  private count(what: Left, by = 1): void {
+    if (by) this.left[what] = (this.left[what] ?? 0) + by;
+  }
+
+  private said(element: Element): Said {
+    const said = this.known.get(element) ?? this.sheet.of(element);
+    this.known.set(element, said);
+    return said;
+  }
+
+  private walk(element: Element, before: Around): void {
+    if (ASIDE.has(element.name)) return;
+    if ((this.seen += 1) > ELEMENTS) throw new Refusal('too_many_shapes', { most: ELEMENTS });
+    if (before.deep > DEEPEST) throw new Refusal('too_deep', { most: DEEPEST });
+    const said = this.said(element);
+    const opacity = before.opacity * share(said.get('opacity'));
+    if (said.get('display') === 'none' || !(opacity > 0 || before.cutting)) return;
+    const around: Around = { ...before, opacity, look: inherited(before.look, said), matrix: times(before.matrix, transformOf(said)), deep: before.deep + 1 };
+    const from = this.pieces.length;
+    const hidden = /hidden|collapse/.test(around.look.get('visibility') ?? '');
+    if (SHAPES.has(element.name)) {
+      if (!hidden) this.shape(element.name, said, around);
+    } else if (element.name === 'text') {
+      if (!hidden && textOf(element).trim()) this.count('text');
+    } else if (PICTURES.has(element.name)) {
+      if (!hidden) this.count('image');
+    } else if (element.name === 'use') this.use(said, around);
+    else this.inside(element, element.name === 'svg' && element !== this.root, said, around);
+    if (this.pieces.length > from) this.cut(said, around, from);
+  }
+
+  /** What lies in a group, in a picture in the picture, or in what is used as one. */
+  private inside(element: Element, framed: boolean, said: Said, around: Around, size: Said = said): void {
+    let within = around;
+    if (framed) {
+      const at = (key: string, of: number, otherwise = 0): number => lengthOf(size.get(key) ?? said.get(key), of, otherwise);
+      const { width, height } = around.page;
+      const page = { x: 0, y: 0, width: at('width', width, width), height: at('height', height, height) };
+      if (!(page.width > 0 && page.height > 0)) return;
+      const place = element.name === 'svg' ? shift(lengthOf(said.get('x'), width), lengthOf(said.get('y'), height)) : STILL;
+      const box = boxOf(said);
+      const matrix = times(around.matrix, place);
+      const from = this.pieces.length;
+      within = { ...around, page: box ?? page, matrix: box ? times(matrix, fit(box, page.width, page.height, said)) : matrix };
+      this.children(element, within);
+      if (!/visible|auto/.test(said.get('overflow') ?? '')) this.cutFrom(from, { pieces: [frameOf(page, matrix)] });
+      return;
+    }
+    this.children(element, within);
+  }
+
+  private children(element: Element, around: Around): void {
+    const children = element.children.filter(isTag);
+    // Of a switch the first is drawn that may be.
+    const may = ({ name, attribs }: Element): boolean => name !== 'foreignObject' && attribs['requiredExtensions'] === undefined && /^$|\ben\b/.test(attribs['systemLanguage'] ?? '');
+    const chosen = element.name === 'switch' ? children.filter(may).slice(0, 1) : children;
+    for (const child of chosen) this.walk(child, around);
+  }
+
+  private use(said: Said, around: Around): void {
+    const href = said.get('href') ?? said.get('xlink:href') ?? '';
+    if (!href.startsWith('#')) return this.count('link', href ? 1 : 0);
+    const used = this.byId.get(href.slice(1));
+    // What uses itself is not drawn.
+    if (!used || around.used.includes(used)) return;
+    const { width, height } = around.page;
+    const matrix = times(around.matrix, shift(lengthOf(said.get('x'), width), lengthOf(said.get('y'), height)));
+    const within = { ...around, matrix, used: [...around.used, used] };
+    if (used.name !== 'symbol' && used.name !== 'svg') return this.walk(used, within);
+    const own = this.said(used);
+    if (own.get('display') === 'none') return;
+    if ((this.seen += 1) > ELEMENTS) throw new Refusal('too_many_shapes', { most: ELEMENTS });
+    this.inside(used, true, own, { ...within, look: inherited(within.look, own), deep: within.deep + 1 }, said);
+  }
+
+  private shape(name: string, said: Said, { matrix, look, opacity, page, cutting }: Around): void {
+    const runs = runsOf(name, said, page);
+    if (!runs.some(({ curves, closed }) => curves.length || closed)) return;
+    this.points += runs.reduce((sum, { curves }) => sum + 1 + curves.length, 0);
+    if (this.points > POINTS) throw new Refusal('too_many_points', { most: POINTS });
+    const rule = look.get(cutting ? 'clip-rule' : 'fill-rule') === 'evenodd' ? 'evenodd' : 'nonzero';
+    const fill = cutting ? 'ink' : this.paint(look, 'fill', 'black', opacity);
+    if (fill && name !== 'line') this.pieces.push({ runs, matrix, rule, paint: fill, clips: [] });
+    const stroke = cutting ? undefined : this.paint(look, 'stroke', 'none', opacity);
+    const pen = penOf(look, Math.hypot(page.width, page.height) / Math.SQRT2);
+    if (!stroke || !(pen.width > 0)) return;
+    const still = said.get('vector-effect') === 'non-scaling-stroke';
+    const own = still ? { ...pen, width: pen.width / this.scale, dashes: pen.dashes.map((length) => length / this.scale), offset: pen.offset / this.scale } : pen;
+    this.pieces.push({ runs, matrix, rule: 'nonzero', pen: { ...own, still }, paint: stroke, clips: [] });
+    if (name !== 'rect' && ['marker-start', 'marker-mid', 'marker-end'].some((key) => /url/.test(look.get(key) ?? ''))) this.count('marker');
+  }
+
+  private paint(look: Said, key: 'fill' | 'stroke', otherwise: string, opacity: number): Paint {
+    const value = withoutVariables(look.get(key) ?? '') || otherwise;
+    const [, id, fallback = ''] = /^url\(\s*["']?#([^"')]*)["']?\s*\)\s*(.*)$/.exec(value) ?? [];
+    const server = id === undefined ? undefined : this.byId.get(id);
+    if (server?.name === 'pattern') this.count('pattern');
+    const colour = server ? 'black' : id === undefined ? value : fallback || 'none';
+    return paintOf(/^currentcolor$/i.test(colour) ? (look.get('color') ?? 'black') : colour, opacity * share(look.get(`${key}-opacity`)));
+  }
+
+  /** Cuts what was drawn since then by what the element asks for. */
+  private cut(said: Said, around: Around, from: number): void {
+    if (/\(/.test(said.get('mask') ?? '') && !around.cutting) this.count('mask');
+    if (/\(/.test(said.get('filter') ?? '') && !around.cutting) this.count('filter');
+    const value = said.get('clip-path') ?? '';
+    if (!value || value === 'none') return;
+    const id = /^url\(\s*["']?#([^"')]*)["']?\s*\)/.exec(value)?.[1];
+    const by = id === undefined ? undefined : this.byId.get(id);
+    if (id === undefined) this.count('clip');
+    if (by?.name !== 'clipPath' || around.used.includes(by)) return;
+    const told = this.said(by);
+    const inBox = told.get('clipPathUnits') === 'objectBoundingBox';
+    const matrix = inBox ? times(around.matrix, this.boxFrom(from, around.matrix)) : around.matrix;
+    const pieces = this.pieces;
+    this.pieces = [];
+    const within = { ...around, matrix: times(matrix, transformOf(told)), look: inherited(new Map(), told), used: [...around.used, by], cutting: true, deep: around.deep + 1 };
+    this.children(by, within);
+    this.cut(told, within, 0);
+    const clip = { pieces: this.pieces };
+    this.pieces = pieces;
+    this.cutFrom(from, clip);
+  }
+
+  private cutFrom(from: number, clip: Clip): void {
+    for (const piece of this.pieces.slice(from)) piece.clips.push(clip);
+  }
+
+  /** From 0 to 1 over the box around what was drawn since then, as it lies in the element's units. */
+  private boxFrom(from: number, matrix: Matrix): Matrix {
+    const inverse = back(matrix) ?? STILL;
+    const points = this.pieces.slice(from).flatMap((piece) => placesOf(piece).map((point) => moved(inverse, point)));
+    const [left, right, top, bottom] = boundsOf(points);
+    return times(shift(left, top), stretch(right - left, bottom - top));
+  }
+}
+
+/** The places that a piece's lines and curves are told by. */
+export function placesOf({ runs, matrix }: Piece): Point[] {
+  return runs.flatMap(({ start, curves }) => [start, ...curves.flat()].map((point) => moved(matrix, point)));
+}
+
+/** Left, right, top and bottom of points. */
+export function boundsOf(points: Point[]): [number, number, number, number] {
+  return points.reduce<[number, number, number, number]>(
+    ([left, right, top, bottom], [x, y]) => [Math.min(left, x), Math.max(right, x), Math.min(top, y), Math.max(bottom, y)],
+    [Infinity, -Infinity, Infinity, -Infinity],
+  );
+}
+
+/** What a browser shows of a drawing, in its own units. */
+function shown(box: Box | undefined, width: number, height: number, said: Said): Box {
+  if (!box) return { x: 0, y: 0, width, height };
+  const inverse = width > 0 && height > 0 ? back(fit(box, width, height, said)) : undefined;
+  if (!inverse) return box;
+  const [[x, y], [right, bottom]] = [moved(inverse, [0, 0]), moved(inverse, [width, height])];
+  return { x, y, width: right - x, height: bottom - y };
+}
+
+function frameOf({ width, height }: Box, matrix: Matrix): Piece {
+  const curves: Point[][] = [[[width, 0]], [[width, height]], [[0, height]]];
+  return { runs: [{ start: [0, 0], curves, closed: true }], matrix, rule: 'nonzero', paint: 'ink', clips: [] };
+}
+
+function inherited(look: Said, said: Said): Said {
+  const told = INHERITED.filter((key) => said.has(key) && said.get(key) !== 'inherit');
+  if (!told.length) return look;
+  const own = new Map(look);
+  for (const key of told) {
+    if (said.get(key) === 'initial') own.delete(key);
+    else own.set(key, said.get(key) ?? '');
+  }
+  return own;
+}
+
+/** A transform, around the point that it is said to be around. */
+function transformOf(said: Said): Matrix {
+  const matrix = matrixOf(said.get('transform') ?? '');
+  const [x = NaN, y = NaN] = (said.get('transform-origin') ?? '').split(/\s+/).map((part) => (/^-?[\d.]+(px)?$/.test(part) ? parseFloat(part) : NaN));
+  return Number.isFinite(x + y) ? times(times(shift(x, y), matrix), shift(-x, -y)) : matrix;
+}
+
+/** A share between 0 and 1; all where nothing is said. */
+function share(text: string | undefined): number {
+  const number = parseFloat(text ?? '');
+  return Number.isFinite(number) ? Math.min(1, Math.max(0, text?.endsWith('%') ? number / 100 : number)) : 1;
+}
+
+function penOf(look: Said, of: number): Pen {
+  const told = (key: string): string => withoutVariables(look.get(key) ?? '');
+  const limit = parseFloat(told('stroke-miterlimit'));
+  const list = told('stroke-dasharray');
+  return {
+    width: lengthOf(told('stroke-width'), of, 1),
+    cap: told('stroke-linecap'),
+    join: told('stroke-linejoin'),
+    limit: limit >= 1 ? limit : 4,
+    dashes: !list || list === 'none' ? [] : list.split(/[\s,]+/).map((length) => lengthOf(length, of, NaN)),
+    offset: lengthOf(told('stroke-dashoffset'), of),
+  };
+}
+
+/** With what a variable falls back on in its place, as there is no page to give it a value. */
+function withoutVariables(value: string): string {
+  return value.replace(/var\(\s*--[\w-]+\s*(?:,([^()]*(?:\([^()]*\))?[^()]*))?\)/g, '$1').trim();
+}

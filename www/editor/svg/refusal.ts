@@ -1,0 +1,26 @@
+/** What is wrong with an outline, or was left out of it, on the way to the page, which has the words for it. */
+import type { EditorWord } from '../../words/editor';
+
+export interface Told {
+  word: EditorWord;
+  values: Record<string, string | number>;
+}
+
+export class Refusal extends Error {
+  readonly told: Told;
+  readonly left: Count;
+
+  constructor(word: EditorWord, values: Told['values'] = {}, left: Count = {}) {
+    super(word);
+    this.told = { word, values };
+    this.left = left;
+  }
+}
+
+/** What a drawing may have that an outline cannot. */
+export const LEFT = ['text', 'image', 'mask', 'filter', 'pattern', 'marker', 'clip', 'link', 'far', 'speck'] as const;
+
+export type Left = (typeof LEFT)[number];
+
+/** How many of each were left out. */
+export type Count = Partial<Record<Left, number>>;

@@ -1,0 +1,169 @@
+/** Zoom and pan: wheel, two fingers, drag, double click, buttons. Handles over the picture keep their size. */
+import { byId, say } from '../base/dom';
+import type { Store } from '../state/store';
+
+const MOST = 16;
+
+/** What one press of a button does, and a double click. */
+const STEP = 1.5;
+const CLOSER = 3;
+
+/** From here on the picture's pixels are shown as squares. */
+const CRISP = 3;
+
+/** A pointer that moves less than this many pixels has clicked. */
+const SLACK = 4;
+
+/** Elements over the picture that want pointers for themselves. */
+const OWN = 'button, input, select, [role=slider], .grip';
+
+interface Spot {
+  x: number;
+  y: number;
+}
+
+export class Zoom {
+  private readonly sheet = byId('sheet');
+  private readonly store: Store;
+  private readonly moved: () => void;
+  private scale = 1;
+  /** Where the picture's upper left corner is, in sides of the sheet. */
+  private corner: Spot = { x: 0, y: 0 };
+  private readonly down = new Map<number, Spot>();
+  private begun: Spot | undefined;
+
+  /** `moved` is called after the picture was zoomed or moved. */
+  constructor(store: Store, moved: () => void) {
+    this.store = store;
+    this.moved = moved;
+    const { sheet } = this;
+    sheet.addEventListener('wheel', (event) => this.wheel(event), { passive: false });
+    sheet.addEventListener('dblclick', (event) => this.twice(event));
+    sheet.addEventListener('pointerdown', (event) => this.press(event));
+    sheet.addEventListener('pointermove', (event) => this.move(event));
+    for (const end of ['pointerup', 'pointercancel'] as const) sheet.addEventListener(end, (event) => this.release(event));
+    // What a finger came down on loses it to the sheet: that is no end.
+    sheet.addEventListener('lostpointercapture', (event) => event.target === sheet && this.release(event));
+  }
+
+  /** The picture is being moved. */
+  get busy(): boolean {
+    return 'panning' in this.sheet.dataset;
+  }
+
+  /** Closer (1), farther (-1), or all of the picture (0). */
+  step(by: number): void {
+    this.to(by ? this.scale * STEP ** by : 1, { x: 0.5, y: 0.5 });
+  }
+
+  /** Brings a place (in sides of the picture) to sight. */
+  reveal({ x, y }: Spot): void {
+    const inward = (at: number, corner: number): number => {
+      const seen = corner + at * this.scale;
+      return seen < 0.1 || seen > 0.9 ? 0.5 - at * this.scale : corner;
+    };
+    this.corner = { x: inward(x, this.corner.x), y: inward(y, this.corner.y) };
+    this.show();
+  }
+
+  /** Zooms with a place of the sheet, in its sides, staying where it is. */
+  private to(zoom: number, at: Spot): void {
+    const next = Math.min(Math.max(zoom, 1), MOST);
+    const ratio = next / this.scale;
+    this.corner = { x: at.x - (at.x - this.corner.x) * ratio, y: at.y - (at.y - this.corner.y) * ratio };
+    // A hair above 1 is 1, so that one finger scrolls the page again.
+    this.scale = next < 1.01 ? 1 : next;
+    this.show();
+  }
+
+  private show(): void {
+    const { sheet, scale, corner } = this;
+    const kept = (v: number): number => Math.min(0, Math.max(1 - scale, v));
+    this.corner = { x: kept(corner.x), y: kept(corner.y) };
+    sheet.style.setProperty('--zoom', String(scale));
+    sheet.style.setProperty('--pan-x', String(this.corner.x));
+    sheet.style.setProperty('--pan-y', String(this.corner.y));
+    sheet.toggleAttribute('data-zoomed', scale > 1);
+    sheet.toggleAttribute('data-crisp', scale >= CRISP);
+    say(byId('zoom-now'), `${scale < 9.95 ? Number(scale.toFixed(1)) : Math.round(scale)}×`);
+    this.moved();
+  }
+
+  private at({ clientX, clientY }: MouseEvent): Spot {
+    const box = this.sheet.getBoundingClientRect();
+    return { x: (clientX - box.left) / box.width, y: (clientY - box.top) / box.height };
+  }
+
+  /** All the way out, the wheel scrolls the page again. */
+  wheel(event: WheelEvent): void {
+    const { deltaY, deltaMode, ctrlKey } = event;
+    if (deltaY > 0 && this.scale === 1 && !ctrlKey) return;
+    event.preventDefault();
+    const lines = deltaMode === WheelEvent.DOM_DELTA_LINE ? 30 : 1;
+    this.to(this.scale * Math.exp(-deltaY * lines * (ctrlKey ? 0.01 : 0.002)), this.at(event));
+  }
+
+  /** A double click: closer, or all of the picture again. */
+  twice(event: MouseEvent): void {
+    if (this.wanted(event) || this.store.state.editing !== undefined) return;
+    if (this.scale > 1) this.step(0);
+    else this.to(CLOSER, this.at(event));
+  }
+
+  /** Whether something over the picture takes the pointer for itself. */
+  private wanted({ target }: Event): boolean {
+    return !(target instanceof Element) || target.closest(OWN) !== null;
+  }
+
+  private press(event: PointerEvent): void {
+    const touch = event.pointerType === 'touch';
+    const middle = event.button === 1;
+    if (this.wanted(event) && !touch) return;
+    // What is drawn with one pointer is drawn; the middle button and two fingers move the picture all the same.
+    const drawing = this.store.state.editing !== undefined || this.wanted(event);
+    if (!touch && (drawing ? !middle : event.button > 1)) return;
+    if (middle) event.preventDefault();
+    this.down.set(event.pointerId, this.at(event));
+    this.begun = this.down.size === 1 && !(drawing && touch) ? this.at(event) : undefined;
+  }
+
+  private move(event: PointerEvent): void {
+    const { pointerId, pointerType, buttons } = event;
+    const now = this.at(event);
+    const before = this.down.get(pointerId);
+    if (!before) {
+      // A finger that came down before this was here.
+      if (pointerType === 'touch' && buttons) this.down.set(pointerId, now);
+      return;
+    }
+    const other = [...this.down].find(([id]) => id !== pointerId)?.[1];
+    this.down.set(pointerId, now);
+    if (other) return this.pinch(before, now, other);
+    if (this.scale === 1 || !this.begun) return;
+    const { width } = this.sheet.getBoundingClientRect();
+    const far = Math.hypot(now.x - this.begun.x, now.y - this.begun.y) * width > SLACK;
+    if (!this.busy && !far) return;
+    if (!this.busy) {
+      this.sheet.setPointerCapture(pointerId);
+      this.sheet.toggleAttribute('data-panning', true);
+    }
+    this.corner = { x: this.corner.x + now.x - before.x, y: this.corner.y + now.y - before.y };
+    this.show();
+  }
+
+  /** One of two fingers moved: what was under both stays under both. */
+  private pinch(before: Spot, now: Spot, other: Spot): void {
+    this.sheet.toggleAttribute('data-panning', true);
+    const apart = (p: Spot): number => Math.max(0.02, Math.hypot(p.x - other.x, p.y - other.y));
+    const middle = { x: (before.x + other.x) / 2, y: (before.y + other.y) / 2 };
+    this.corner = { x: this.corner.x + (now.x - before.x) / 2, y: this.corner.y + (now.y - before.y) / 2 };
+    this.to((this.scale * apart(now)) / apart(before), { x: middle.x + (now.x - before.x) / 2, y: middle.y + (now.y - before.y) / 2 });
+  }
+
+  private release({ pointerId }: PointerEvent): void {
+    if (!this.down.delete(pointerId)) return;
+    // One finger that stays goes on moving the picture.
+    this.begun = [...this.down.values()][0];
+    if (!this.down.size) this.sheet.toggleAttribute('data-panning', false);
+  }
+}

@@ -1,0 +1,26 @@
+/** The stages of the work: their order, their end, and how far the work is. */
+import type { Status } from './types';
+
+/** In their order; then comes 'done', or 'error'. */
+export const STAGES = ['domain', 'fields', 'packing', 'mesh', 'cells', 'planes', 'weather', 'shading'] as const;
+
+/** Whether there is no work left at this stage. */
+export function isEnd(stage: string): boolean {
+  return stage === 'done' || stage === 'error';
+}
+
+/** Where each stage begins, by its share of the time of common recipes. */
+const BEGINS: Record<string, number> = { domain: 0, fields: 0.02, packing: 0.1, mesh: 0.6, cells: 0.62, planes: 0.66, weather: 0.92, shading: 0.95 };
+
+/** Packing steps in which half of the way that is left is gone: nobody knows how many it takes. */
+const HALF = 60;
+
+/** How far the work on a picture is, about: 0..1, and never less than before while a picture is made. */
+export function progressOf(stage: string, { steps, stones, cells }: Status): number {
+  const at = STAGES.findIndex((word) => word === stage);
+  if (at < 0) return 1;
+  const begin = BEGINS[stage] ?? 0;
+  const end = BEGINS[STAGES[at + 1] ?? ''] ?? 1;
+  const within = stage === 'packing' ? 1 - 2 ** (-steps / HALF) : stage === 'planes' && cells ? Math.min(1, stones / cells) : 0;
+  return begin + (end - begin) * within;
+}

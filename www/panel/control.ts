@@ -1,0 +1,228 @@
+/** One control of the panel: a label, the ways to change it, a reset, and its help. */
+import { make, say, symbol } from '../base/dom';
+import type { Parameter } from '../module/types';
+import { differs } from '../state/rules';
+import { fromPlace, isLogarithmic, onStep, stepOf, toPlace } from '../state/scale';
+import { t } from '../words/words';
+
+/** Choices stand side by side where their labels, with some letters' room around each, have no more letters than this. */
+const SEGMENT_LETTERS = 38;
+const SEGMENT_ROOM = 4;
+
+/** Places on a slider's way. */
+const PLACES = 1000;
+
+export interface Control {
+  readonly parameter: Parameter;
+  readonly element: HTMLElement;
+  /** Shows the value that the engine holds, and what the default is now. */
+  show(value: string, standard: string): void;
+}
+
+/** `change` gets the new text; `last` is false while a slider is still on its way. */
+export type Change = (key: string, text: string, last: boolean) => void;
+
+interface Parts {
+  inputs: HTMLElement[];
+  show: (value: string, standard: string) => void;
+}
+
+/** `edit` opens what is edited over the canvas. */
+export function makeControl(parameter: Parameter, change: Change, edit: (key: string) => void): Control {
+  const id = `p-${parameter.key}`;
+  const { inputs, show } = waysOf(parameter, id, change, edit);
+  const numeric = parameter.kind === 'number' || parameter.kind === 'int';
+  const name = make(numeric || inputs[0]?.tagName === 'SELECT' ? 'label' : 'span', { class: 'name', id: `${id}-name` }, parameter.name);
+  if (name instanceof HTMLLabelElement) name.htmlFor = id;
+  if (parameter.symbol) name.append(' ', symbol(parameter.symbol));
+  const reset = make('button', { type: 'button', class: 'reset' });
+  const help = make('span', { class: 'said', id: `${id}-help` }, parameter.help);
+  const element = make('div', { class: `control ${parameter.kind}`, 'data-key': parameter.key, title: parameter.help });
+  element.append(name, reset, ...inputs, help);
+
+  let known: string | undefined;
+  const back = (): void => change(parameter.key, known ?? parameter.default, true);
+  reset.addEventListener('click', () => {
+    back();
+    element.querySelector<HTMLElement>('input, select, .wide')?.focus();
+  });
+  for (const spot of [name, ...inputs.filter((input) => input.matches('[type=range]'))]) {
+    spot.addEventListener('dblclick', (event) => {
+      event.preventDefault();
+      back();
+    });
+  }
+  return {
+    parameter,
+    element,
+    show: (value, standard) => {
+      element.toggleAttribute('data-changed', differs(parameter, value, standard));
+      if (standard !== known) {
+        known = standard;
+        reset.title = t('reset_title', { value: shown(parameter, standard) });
+        reset.setAttribute('aria-label', t('reset', { name: parameter.name, value: shown(parameter, standard) }));
+      }
+      show(value, standard);
+    },
+  };
+}
+
+function waysOf(parameter: Parameter, id: string, change: Change, edit: (key: string) => void): Parts {
+  if (parameter.kind === 'text') return drawnList(parameter, id, edit);
+  if (parameter.kind === 'choice') {
+    const letters = parameter.choices.reduce((sum, { label }) => sum + width(label) + SEGMENT_ROOM, 0);
+    return letters > SEGMENT_LETTERS ? list(parameter, id, change) : segments(parameter, id, change);
+  }
+  return numberAndSlider(parameter, id, change);
+}
+
+/** Letters, of which those of Chinese origin are twice as wide. */
+function width(label: string): number {
+  return label.length + (label.match(/[\u3000-\u9fff]/g)?.length ?? 0);
+}
+
+/** How a value reads in a sentence. */
+export function shown(parameter: Parameter, value: string): string {
+  const choice = parameter.choices.find(({ word }) => word === value);
+  if (parameter.kind === 'text') return t('none');
+  return choice?.label ?? `${value}${parameter.unit && ` ${parameter.unit}`}`;
+}
+
+function numberAndSlider(parameter: Parameter, id: string, change: Change): Parts {
+  const { key, min, max, unit } = parameter;
+  const box = make('input', {
+    type: 'number',
+    id,
+    inputmode: min < 0 ? 'text' : 'decimal',
+    min: String(min),
+    max: String(max),
+    step: String(stepOf(parameter)),
+    'aria-describedby': `${id}-help ${id}-unit`,
+  });
+  const slider = make('input', {
+    type: 'range',
+    min: '0',
+    max: String(PLACES),
+    step: 'any',
+    'aria-label': parameter.name,
+    'aria-describedby': `${id}-help`,
+  });
+  const origin = String(toPlace(parameter, Math.max(min, 0)));
+  slider.style.setProperty('--origin', isLogarithmic(parameter) ? '0' : origin);
+  const value = make('span', { class: 'value' }, box, make('span', { class: 'unit', id: `${id}-unit` }, unit));
+  const now = (): number => fromPlace(parameter, Number(slider.value) / PLACES);
+
+  box.addEventListener('change', () => change(key, box.value, true));
+  whenMeant(slider, (last) => change(key, String(now()), last));
+  slider.addEventListener('keydown', (event) => {
+    const next = byKey(parameter, Number(box.value), event);
+    if (next === undefined) return;
+    event.preventDefault();
+    change(key, String(next), true);
+  });
+  return {
+    inputs: [value, slider],
+    show: (text, standard) => {
+      slider.style.setProperty('--default', String(toPlace(parameter, Number(standard))));
+      const place = toPlace(parameter, Number(text));
+      // The number on its way is left alone; the slider under the finger as well, where it says the same.
+      if (box.value !== text) box.value = text;
+      if (now() !== Number(text) || document.activeElement !== slider) slider.value = String(place * PLACES);
+      slider.style.setProperty('--place', String(place));
+      slider.setAttribute('aria-valuetext', shown(parameter, text));
+    },
+  };
+}
+
+/** Pixels that a finger goes along a slider before it is taken to move it; a finger that scrolls the page goes across. */
+const ALONG = 8;
+
+/** Reports a slider's values, but none of a finger that only began on it to scroll the page. */
+function whenMeant(slider: HTMLInputElement, report: (last: boolean) => void): void {
+  let open: { x: number; value: string } | undefined;
+  let scrolled = false;
+  slider.addEventListener('pointerdown', ({ pointerType, clientX }) => {
+    open = pointerType === 'touch' ? { x: clientX, value: slider.value } : undefined;
+    scrolled = false;
+  });
+  slider.addEventListener('pointermove', ({ clientX }) => {
+    if (open && Math.abs(clientX - open.x) > ALONG) open = undefined;
+  });
+  slider.addEventListener('pointerup', () => (open = undefined));
+  slider.addEventListener('pointercancel', () => {
+    if (open) slider.value = open.value;
+    scrolled = open !== undefined;
+  });
+  for (const kind of ['input', 'change']) {
+    slider.addEventListener(kind, () => {
+      if (!open && !scrolled) report(kind === 'change');
+    });
+  }
+}
+
+/** Arrow keys move by the parameter's step, page keys by a tenth of the way, whatever the slider's scale. */
+function byKey(parameter: Parameter, value: number, event: KeyboardEvent): number | undefined {
+  const step = stepOf(parameter);
+  const page = (way: number): number =>
+    isLogarithmic(parameter)
+      ? fromPlace(parameter, Math.min(1, Math.max(0, toPlace(parameter, value) + way / 10)))
+      : onStep(parameter, value + (way * (parameter.max - parameter.min)) / 10);
+  const fine = event.shiftKey ? 10 : 1;
+  switch (event.key) {
+    case 'ArrowRight':
+    case 'ArrowUp':
+      return onStep(parameter, value + step * fine);
+    case 'ArrowLeft':
+    case 'ArrowDown':
+      return onStep(parameter, value - step * fine);
+    case 'PageUp':
+      return page(1);
+    case 'PageDown':
+      return page(-1);
+    case 'Home':
+      return parameter.min;
+    case 'End':
+      return parameter.max;
+    default:
+      return undefined;
+  }
+}
+
+function list(parameter: Parameter, id: string, change: Change): Parts {
+  const select = make('select', { id, 'aria-describedby': `${id}-help` });
+  for (const { word, label } of parameter.choices) select.append(make('option', { value: word }, label));
+  select.addEventListener('change', () => change(parameter.key, select.value, true));
+  return { inputs: [select], show: (value) => void (select.value = value) };
+}
+
+function segments(parameter: Parameter, id: string, change: Change): Parts {
+  const row = make('div', {
+    class: 'segments',
+    role: 'radiogroup',
+    'aria-labelledby': `${id}-name`,
+    'aria-describedby': `${id}-help`,
+  });
+  const radios = parameter.choices.map(({ word, label }) => {
+    const radio = make('input', { type: 'radio', name: id, value: word });
+    radio.addEventListener('change', () => change(parameter.key, word, true));
+    row.append(make('label', {}, radio, make('span', {}, label)));
+    return radio;
+  });
+  return {
+    inputs: [row],
+    show: (value) => {
+      for (const radio of radios) radio.checked = radio.value === value;
+    },
+  };
+}
+
+/** A list that is edited over the canvas: how many there are, and the way there. */
+function drawnList(parameter: Parameter, id: string, edit: (key: string) => void): Parts {
+  const button = make('button', { type: 'button', class: 'wide', id, 'aria-labelledby': `${id}-name ${id}`, 'aria-describedby': `${id}-help` });
+  button.addEventListener('click', () => edit(parameter.key));
+  return {
+    inputs: [button],
+    // Dots divide the rows of a list.
+    show: (value) => say(button, value ? t('list_edit', { n: value.split('.').length }) : t('list_add')),
+  };
+}

@@ -1,0 +1,156 @@
+/** The panel: every parameter of the schema as a control, in groups in the order of the pipeline. */
+import { byId, byIdAs, frame, make, say } from '../base/dom';
+import { keep, kept } from '../base/storage';
+import type { Engine } from '../state/engine';
+import { applies, differs, recipeOf, type Recipe } from '../state/rules';
+import { groupIn, t } from '../words/words';
+import { makeControl, type Change, type Control } from './control';
+
+/** Parameters that have their own place on the page. */
+const ELSEWHERE = new Set(['seed', 'poly']);
+
+/**
+ * What matters most: four choices, and ten sliders of a recipe. Of some of them one stands for another, as the height of
+ * skin and the lamp's place do.
+ */
+const SIMPLE = new Set(['outline', 'kind', 'stone', 'palette', 'cs', 'ca', 'vs', 'sv', 'hs', 'sr', 'dr', 'wear', 'moss', 'wet', 'az', 'el', 'lx', 'ly']);
+
+/** The visitor's choice of how much of the panel is shown. */
+const EXTENT = 'panel';
+
+/** Groups that stand open at first where there is room; on a phone only the first of them does. */
+const OPEN_AT_FIRST = ['Outline', 'Cells', 'Size', 'Direction', 'Relief'];
+
+/** Milliseconds of building in a frame. */
+const SLICE = 8;
+
+interface Group {
+  readonly box: HTMLElement;
+  readonly details: HTMLDetailsElement;
+  readonly badge: HTMLElement;
+  readonly controls: Control[];
+  /** Whether it stands open among all groups. */
+  open: boolean;
+}
+
+export class Panel {
+  private readonly groups = new Map<string, Group>();
+  private readonly engine: Engine;
+  private readonly recipe: Recipe;
+  private readonly rest = byIdAs('rest', HTMLButtonElement);
+  private readonly extents = [...byId('extent').querySelectorAll('input')];
+  private simple = kept(EXTENT) !== 'all';
+
+  constructor(engine: Engine) {
+    this.engine = engine;
+    this.recipe = recipeOf(engine);
+    for (const radio of this.extents) radio.checked = this.simple === (radio.value === 'simple');
+  }
+
+  /** Builds the controls, a few a frame: they are much, and the cells move meanwhile. `edit` opens a list over the canvas. */
+  async build(change: Change, edit: (key: string) => void): Promise<void> {
+    let begin = performance.now();
+    for (const parameter of this.recipe.schema) {
+      if (ELSEWHERE.has(parameter.key)) continue;
+      const control = makeControl(parameter, change, edit);
+      const group = this.group(parameter.group);
+      group.controls.push(control);
+      group.details.append(control.element);
+      if (performance.now() - begin < SLICE) continue;
+      await frame();
+      begin = performance.now();
+    }
+  }
+
+  /** Puts them on the page, once all of them are as they will be. */
+  attach(): void {
+    const form = byIdAs('controls', HTMLFormElement);
+    form.addEventListener('submit', (event) => event.preventDefault());
+    hintFrom(form);
+    form.replaceChildren(...Array.from(this.groups.values(), ({ box }) => box));
+    this.bindExtent();
+  }
+
+  private bindExtent(): void {
+    const take = (extent: string): void => {
+      keep(EXTENT, extent);
+      this.simple = extent === 'simple';
+      for (const group of this.groups.values()) {
+        if (this.simple) group.open = group.details.open;
+        group.details.open = this.simple || group.open;
+      }
+      this.refresh();
+    };
+    for (const radio of this.extents) radio.addEventListener('change', () => take(radio.value));
+    this.rest.addEventListener('click', () => {
+      const all = this.extents.find(({ value }) => value === 'all');
+      all?.click();
+      all?.focus();
+    });
+  }
+
+  /** Appends something of the page's own to a group. */
+  append(group: string, element: HTMLElement): void {
+    this.groups.get(group)?.details.append(element);
+  }
+
+  /** The groups' names with the elements that hold them. */
+  *groupings(): Iterable<[name: string, element: HTMLElement]> {
+    for (const [name, { box }] of this.groups) yield [name, box];
+  }
+
+  /** Shows what the engine holds: values, which controls apply, how many differ from the default. */
+  refresh(): void {
+    let apart = 0;
+    for (const { controls, badge, details } of this.groups.values()) {
+      let changed = 0;
+      for (const control of controls) {
+        const { parameter, element } = control;
+        const value = this.engine.get(parameter.key);
+        const standard = this.recipe.defaultOf(parameter);
+        control.show(value, standard);
+        const active = applies(parameter, this.recipe);
+        const shown = !this.simple || SIMPLE.has(parameter.key);
+        element.hidden = !active || !shown;
+        if (!active || !differs(parameter, value, standard)) continue;
+        changed += 1;
+        if (!shown) apart += 1;
+      }
+      say(badge, changed ? t('changed', { n: changed }) : '');
+      details.hidden = controls.every(({ element }) => element.hidden);
+    }
+    this.rest.hidden = !this.simple;
+    say(this.rest, apart ? t('rest_changed', { n: apart }) : t('rest'));
+    byId('panel').dataset['extent'] = this.simple ? 'simple' : 'all';
+  }
+
+  private group(name: string): Group {
+    const known = this.groups.get(name);
+    if (known) return known;
+    const badge = make('span', { class: 'badge' });
+    const details = make('details', { class: 'group' }, make('summary', {}, make('span', {}, groupIn(name)), badge));
+    const narrow = matchMedia('(max-width: 60rem)').matches;
+    const open = narrow ? this.groups.size === 0 : OPEN_AT_FIRST.includes(name);
+    details.open = this.simple || open;
+    const group = { box: make('div', { class: 'grouping' }, details), details, badge, controls: [], open };
+    this.groups.set(name, group);
+    return group;
+  }
+}
+
+/** The help of the control under the pointer or the keyboard, in one line at the panel's foot. */
+function hintFrom(form: HTMLFormElement): void {
+  const hint = byId('hint');
+  const show = (event: Event): void => {
+    const control = event.target instanceof Element ? event.target.closest('.control') : null;
+    say(hint, control?.querySelector('[id$="-help"]')?.textContent ?? '');
+  };
+  form.addEventListener('pointerover', show);
+  form.addEventListener('focusin', (event) => {
+    show(event);
+    // Not every browser scrolls to what is in sight but under the help.
+    if (event.target instanceof Element && event.target.matches(':focus-visible')) event.target.scrollIntoView({ block: 'nearest' });
+  });
+  form.addEventListener('pointerleave', () => say(hint, ''));
+  form.addEventListener('focusout', () => say(hint, ''));
+}

@@ -1,0 +1,105 @@
+/** The rail of presets: the house's own and the papers' figures, each a small picture. */
+import { byId, make } from '../base/dom';
+import type { Preset } from '../module/types';
+import { groupIn } from '../words/words';
+
+/** Sides of the small pictures (thumbs/NAME.avif, made by the build) on the page, in its pixels. */
+const THUMB = '72';
+
+interface Group {
+  readonly heading: HTMLButtonElement;
+  readonly list: HTMLUListElement;
+}
+
+/** One group of presets is unfolded at a time. */
+export class Presets {
+  private readonly groups: Group[] = [];
+  private readonly buttons = new Map<string, HTMLButtonElement>();
+  private marked: string | undefined;
+  private placed: ResizeObserver | undefined;
+  /** Browsers' own lazy loading fetches far more of a list than is to be seen. */
+  private readonly inSight = new IntersectionObserver((entries) => {
+    for (const { isIntersecting, target } of entries) {
+      if (!isIntersecting || !(target instanceof HTMLImageElement)) continue;
+      target.src = `thumbs/${target.dataset['name'] ?? ''}.avif`;
+      this.inSight.unobserve(target);
+    }
+  });
+
+  constructor(presets: Preset[], private readonly chosen: (preset: Preset) => void) {
+    const rail = byId('rail');
+    rail.replaceChildren();
+    for (const title of new Set(presets.map(({ group }) => group))) {
+      const id = `presets-${this.groups.length}`;
+      const list = make('ul', { id, 'aria-label': groupIn(title) });
+      for (const preset of presets) {
+        if (preset.group === title) list.append(make('li', {}, this.button(preset)));
+      }
+      const heading = make('button', { type: 'button', 'aria-controls': id }, groupIn(title));
+      const group = { heading, list };
+      heading.addEventListener('click', () => this.unfold(group));
+      this.groups.push(group);
+      rail.append(make('h2', {}, heading), list);
+    }
+    const [first] = this.groups;
+    if (first) this.unfold(first);
+  }
+
+  /** Marks the preset that is shown, and brings it to sight when it is another one than before. */
+  mark(name: string | undefined): void {
+    for (const [key, button] of this.buttons) {
+      if (key === name) button.setAttribute('aria-current', 'true');
+      else button.removeAttribute('aria-current');
+    }
+    const button = name !== undefined && name !== this.marked && this.buttons.get(name);
+    this.marked = name;
+    if (button) this.reveal(button);
+  }
+
+  private unfold(group: Group): void {
+    for (const each of this.groups) {
+      each.list.hidden = each !== group;
+      each.heading.setAttribute('aria-expanded', String(each === group));
+    }
+  }
+
+  /** Only the list is scrolled, never the page. */
+  private reveal(button: HTMLButtonElement): void {
+    const group = this.groups.find(({ list }) => list.contains(button));
+    if (!group) return;
+    if (group.list.hidden) this.unfold(group);
+    // Asked for at once, places would have to be worked out while the page is still being changed.
+    this.placed?.disconnect();
+    this.placed = new ResizeObserver(() => {
+      this.placed?.disconnect();
+      scrollInto(group.list, button);
+    });
+    this.placed.observe(button);
+  }
+
+  private button(preset: Preset): HTMLButtonElement {
+    const picture = make('img', { decoding: 'async', width: THUMB, height: THUMB, alt: '', 'data-name': preset.name });
+    this.inSight.observe(picture);
+    const button = make(
+      'button',
+      { type: 'button', title: preset.note ? `${preset.figure || preset.title}: ${preset.note}` : preset.title, 'data-preset': preset.name },
+      picture,
+      make('span', {}, preset.figure ? short(preset.figure) : preset.title),
+    );
+    if (preset.figure) button.setAttribute('aria-label', preset.figure);
+    button.addEventListener('click', () => this.chosen(preset));
+    this.buttons.set(preset.name, button);
+    return button;
+  }
+}
+
+function scrollInto(list: HTMLElement, item: HTMLElement): void {
+  const [box, frame] = [item.getBoundingClientRect(), list.getBoundingClientRect()];
+  if (box.top < frame.top || box.bottom > frame.bottom) list.scrollTop += box.top - frame.top - (frame.height - box.height) / 2;
+  if (box.left < frame.left || box.right > frame.right) list.scrollLeft += box.left - frame.left - (frame.width - box.width) / 2;
+}
+
+/** "Fig. 13 (1b) of 2000, Fig. 12 (1b) of 2001" as it fits under a small picture: the first paper's number. */
+function short(figure: string): string {
+  return /\d+\s*(\(\w+\))?/.exec(figure)?.[0] ?? figure;
+}

@@ -1,0 +1,52 @@
+/** A recipe worked out unseen and at full speed while it forms slowly on the screen: scripts need not wait for that. */
+import { isEnd } from '../module/stages';
+import type { Status } from '../module/types';
+import { Engine } from '../state/engine';
+
+/** Milliseconds of work at a time, between frames, and more packing steps than fit into that. */
+const SLICE = 12;
+const STEPS = 100_000;
+
+export class Ahead {
+  /** What is told of the planes once they are there; the studio that made them is gone by then. */
+  planes: { digest: string; status: Status } | undefined;
+  private readonly studio: Engine;
+  private readonly tell: () => void;
+  private timer = 0;
+
+  /** `tell` is called after each piece of work. */
+  constructor(recipe: string, crashed: (error: unknown, link: string) => void, tell: () => void) {
+    this.studio = new Engine(recipe, crashed);
+    this.tell = tell;
+    this.wait();
+  }
+
+  /** The stage at work, then 'done'. */
+  get stage(): string {
+    return this.planes ? 'done' : this.studio.stage();
+  }
+
+  get status(): Status {
+    return this.planes?.status ?? this.studio.status();
+  }
+
+  /** Nobody asks any more. */
+  end(): void {
+    clearTimeout(this.timer);
+    this.studio.free();
+  }
+
+  private wait(): void {
+    this.timer = window.setTimeout(() => this.work());
+  }
+
+  private work(): void {
+    this.studio.tick(SLICE, STEPS);
+    if (this.studio.stage() === 'done') {
+      this.planes = { digest: this.studio.digest(), status: this.studio.status() };
+      this.studio.free();
+    }
+    if (!isEnd(this.stage)) this.wait();
+    this.tell();
+  }
+}

@@ -1,0 +1,161 @@
+/** The animation frames: a slice of work in each, none when there is nothing to do or to see. */
+import { isEnd, STAGES } from '../module/stages';
+import type { Engine } from '../state/engine';
+import type { Watch } from './watch';
+
+/** Milliseconds of work in a frame; the rest of it belongs to the browser. */
+const BUDGET = 12;
+
+/** Drawing that takes longer than this many milliseconds is done in some frames only: it may take this part of the time. */
+const DRAWN_ALWAYS = 8;
+const DRAWING_SHARE = 0.25;
+
+/** Milliseconds after which a page that has no cells yet shows the bare ground. */
+const BARE = 250;
+
+/** A frame in which work and drawing would take longer than this only works, and the next one only draws. */
+const LONG = 32;
+
+/** Milliseconds of a frame for a drawing that is made in pieces, over as many frames as it takes. */
+const PIECE = 16;
+
+export class Loop {
+  /** Packing steps that a frame may take at most; below 1, several frames share one. */
+  stepsPerFrame = 1;
+  /** The pace while somebody watches. */
+  watch: Watch | undefined;
+  private credit = 0;
+  private readonly engine: Engine;
+  private readonly view: (stage: string) => string | undefined;
+  private readonly drawn: (stage: string, changed: boolean) => void;
+  private held = false;
+  /** While held: run up to the packing and what follows a finished packing, but take no packing step. */
+  private settling = false;
+  private dirty = false;
+  private frame = 0;
+  /** Not before this time is work in progress drawn again; what was asked for, the first cells and what is done are drawn at once. */
+  private nextDrawing = 0;
+  /** What is left of a drawing takes so long when its pieces are made, as those of late took: nobody knows of the first one. */
+  private drawing = LONG;
+  /** What the pieces of the next drawing took so far. */
+  private pieces = 0;
+  /** The next frame draws what was done in this one, and does no work. */
+  private owed = false;
+  private spared = false;
+
+  /** `view` is what is to be drawn at a stage, if anything; `drawn` is called in every frame in which something was done. */
+  constructor(engine: Engine, view: (stage: string) => string | undefined, drawn: (stage: string, changed: boolean) => void) {
+    this.engine = engine;
+    this.view = view;
+    this.drawn = drawn;
+    document.addEventListener('visibilitychange', () => this.wake());
+  }
+
+  get paused(): boolean {
+    return this.held;
+  }
+
+  set paused(paused: boolean) {
+    this.held = paused;
+    // What has no cells yet goes on to its first ones.
+    this.settling = STAGES.findIndex((word) => word === this.engine.stage()) <= STAGES.indexOf('packing');
+    // A pause shows the step that it holds, which may not have been drawn.
+    this.redraw();
+  }
+
+  /** Nothing is left to do or to draw, or nobody sees it. */
+  get rests(): boolean {
+    return this.frame === 0;
+  }
+
+  /** The first work: cells are the first thing to be drawn, unless they take long. */
+  begin(): void {
+    this.nextDrawing = performance.now() + BARE;
+    this.settling = true;
+    this.wake();
+  }
+
+  /** Something was changed: work and draw again, up to where a pause holds the packing. */
+  changed(): void {
+    this.settling = true;
+    this.redraw();
+  }
+
+  /** What is to be seen was changed, but not what it is made of. */
+  redraw(): void {
+    this.dirty = true;
+    this.wake();
+  }
+
+  /** The next frame is left to the browser, which has something new to lay out. */
+  spare(): void {
+    this.spared = true;
+  }
+
+  private wake(): void {
+    if (!this.frame && !document.hidden) this.frame = requestAnimationFrame((begin) => this.run(begin));
+  }
+
+  /** Whole steps for this frame; what is left over goes to the next one. */
+  private stepsNow(): number {
+    this.credit += this.stepsPerFrame;
+    const steps = Math.floor(this.credit);
+    this.credit -= steps;
+    return steps;
+  }
+
+  /** Works on the pieces of a drawing; true when they are made. */
+  private prepared(stage: string): boolean {
+    const view = this.view(stage);
+    if (view === undefined) return true;
+    const begin = performance.now();
+    const ready = this.engine.prepare(view, PIECE);
+    this.pieces += performance.now() - begin;
+    return ready;
+  }
+
+  private show(stage: string, draw: boolean): void {
+    const begin = performance.now();
+    this.drawn(stage, draw);
+    if (!draw) return;
+    const end = performance.now();
+    this.drawing = Math.max(end - begin, 0.8 * this.drawing);
+    const spent = end - begin + this.pieces;
+    this.pieces = 0;
+    this.nextDrawing = spent > DRAWN_ALWAYS ? end + spent * (1 / DRAWING_SHARE - 1) : end;
+  }
+
+  /** `begin` is when the frame began. */
+  private run(begin: number): void {
+    this.frame = 0;
+    if (document.hidden || !this.engine.alive) return;
+    if (this.spared) {
+      this.spared = false;
+      return this.wake();
+    }
+    const before = this.engine.stage();
+    const working = !this.owed && !isEnd(before) && (!this.held || this.settling);
+    const changed = working && this.work(begin);
+    const stage = this.engine.stage();
+    // Held, work ends where only packing steps are left: the packing's first cells may take a slice of their own.
+    if (isEnd(stage) || (working && this.held && stage === 'packing' && !changed)) this.settling = false;
+    const now = changed ? performance.now() : begin;
+    const due = changed && now >= this.nextDrawing;
+    const draw = this.owed || this.dirty || due || isEnd(stage) || (stage !== before && (this.held || stage === 'packing'));
+    const isLong = working && now - begin + this.drawing > LONG;
+    this.owed = draw && (isLong || !this.prepared(stage));
+    if (this.owed) return this.wake();
+    this.dirty = false;
+    this.show(stage, draw);
+    if (!isEnd(stage) && (!this.held || this.settling)) this.wake();
+  }
+
+  /** A slice of the work in a frame that began then; true when what is shown may have changed. */
+  private work(begin: number): boolean {
+    const { engine, watch } = this;
+    if (this.held) return engine.tick(BUDGET, 0);
+    if (!watch) return engine.tick(BUDGET, this.stepsNow());
+    // Who asked for slow steps gets them.
+    return watch.tick(engine, begin, BUDGET, this.stepsPerFrame < 1 ? this.stepsNow() : undefined);
+  }
+}

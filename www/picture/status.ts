@@ -1,0 +1,113 @@
+/** The state of the work: the stages with their milliseconds, the counts, and the caption. */
+import { byId, make, say } from '../base/dom';
+import { progressOf, STAGES } from '../module/stages';
+import type { Preset, Status } from '../module/types';
+import { partIn, t } from '../words/words';
+
+/** Milliseconds; shorter work does not show how far it is, nor does what takes its time because somebody watches. */
+const LONG = 400;
+const WATCHED = 6000;
+
+const COUNTS = ['cells', 'steps', 'move', 'added'] as const;
+
+export class StatusLine {
+  private readonly stages = new Map<string, { item: HTMLElement; time: HTMLElement }>();
+  private readonly counts = new Map<string, HTMLElement>();
+  private readonly caption = byId('caption');
+  private readonly work = byId('work');
+  private readonly way = make('span');
+  private began: number | undefined;
+
+  constructor() {
+    this.work.replaceChildren(this.way);
+    const pipeline = byId('pipeline');
+    pipeline.replaceChildren();
+    for (const word of STAGES) {
+      const time = make('span', { class: 'time' }, '–');
+      const item = make('li', { 'data-word': word }, make('span', { class: 'word' }, t(`stage_${word}`)), time);
+      this.stages.set(word, { item, time });
+      pipeline.append(item);
+    }
+    const list = byId('counts');
+    list.replaceChildren();
+    for (const count of COUNTS) {
+      const value = make('dd', { id: `count-${count}` }, '–');
+      list.append(make('div', { title: t(`count_${count}_title`) }, make('dt', {}, t(`count_${count}`)), value));
+      this.counts.set(count, value);
+    }
+  }
+
+  show(stage: string, status: Status, watched: boolean): void {
+    const at = STAGES.findIndex((word) => word === stage);
+    STAGES.forEach((word, index) => {
+      const parts = this.stages.get(word);
+      if (!parts) return;
+      const state = stage === 'done' || index < at ? 'done' : index === at ? 'now' : 'next';
+      if (parts.item.dataset['state'] !== state) parts.item.dataset['state'] = state;
+      if (state === 'now') parts.item.setAttribute('aria-current', 'step');
+      else parts.item.removeAttribute('aria-current');
+      const spent = status.ms[word];
+      say(parts.time, state === 'next' || spent === undefined ? '–' : `${milliseconds(spent)} ms`);
+    });
+    this.progress(stage, status, watched ? WATCHED : LONG);
+    this.count('cells', String(status.cells));
+    this.count('steps', String(status.steps));
+    this.count('move', status.steps ? status.largestMove.toFixed(3) : '–');
+    this.count('added', `+${status.added} −${status.removed}`);
+  }
+
+  /** What is shown (of drawings and recipes without a name, `note`), what of it shows nothing, and where the papers print how long they took, their seconds beside ours. */
+  name(note: string, absent: Iterable<string>, preset: Preset | undefined, changed: boolean, stage: string, status: Status): void {
+    const parts = note || !preset ? [note] : this.named(preset, changed, stage, status);
+    for (const sentence of new Set(absent)) parts.push(' – ', make('span', { class: 'absent' }, sentence));
+    const text = parts.map((part) => (typeof part === 'string' ? part : part.textContent)).join('');
+    if (this.caption.textContent !== text) this.caption.replaceChildren(...parts);
+  }
+
+  private named(preset: Preset, changed: boolean, stage: string, status: Status): (string | HTMLElement)[] {
+    const name = preset.figure || preset.title;
+    if (changed) return [t('after', { name })];
+    const parts: (string | HTMLElement)[] = [make('strong', {}, preset.note ? t('titled', { name }) : t('titled_only', { name })), ...(preset.note ? [` ${preset.note}`] : [])];
+    if (preset.timing) {
+      const { machine, parts: timed } = preset.timing;
+      const what = capital(timed.map(({ name }) => partIn(name)).join(t('and')));
+      const theirs = timed.map((part) => `${part.seconds} s`).join(t('and'));
+      const ours = stage === 'done' ? timed.map((part) => ourSeconds(part.stages, status)).join(t('and')) : '…';
+      parts.push(make('span', { class: 'seconds', title: t('timing_title', { what, machine }) }, t(stage === 'done' ? 'timing' : 'timing_open', { what, theirs, ours })));
+    }
+    return parts;
+  }
+
+  /** The bar under the canvas, while work takes long. */
+  private progress(stage: string, status: Status, long: number): void {
+    const word = STAGES.find((each) => each === stage);
+    const now = performance.now();
+    this.began = word && (this.began ?? now);
+    this.work.hidden = this.began === undefined || now - this.began < long;
+    if (!word || this.work.hidden) return;
+    const done = progressOf(word, status);
+    const n = Math.round(100 * done);
+    this.way.style.transform = `scaleX(${done})`;
+    this.work.setAttribute('aria-valuenow', String(n));
+    this.work.setAttribute('aria-valuetext', t('work_stage', { stage: t(`stage_${word}`), n }));
+  }
+
+  private count(name: (typeof COUNTS)[number], text: string): void {
+    const value = this.counts.get(name);
+    if (value) say(value, text);
+  }
+}
+
+function milliseconds(spent: number): string {
+  return spent < 9.95 ? spent.toFixed(1) : spent.toFixed(0);
+}
+
+function capital(words: string): string {
+  return words.charAt(0).toUpperCase() + words.slice(1);
+}
+
+/** The time of some stages with two digits that count, of which the papers print one or two as well. */
+function ourSeconds(stages: string[], status: Status): string {
+  const spent = stages.reduce((total, word) => total + (status.ms[word] ?? 0), 0);
+  return `${spent < 1 ? t('below') : Number((spent / 1000).toPrecision(2))} s`;
+}

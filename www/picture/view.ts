@@ -1,0 +1,65 @@
+/** The canvas: its size, and what it shows. */
+import { byIdAs, make } from '../base/dom';
+import type { Engine } from '../state/engine';
+import type { Store } from '../state/store';
+import { t } from '../words/words';
+
+/** The views, the first ten in the order of their keys 0 to 9. */
+export const VIEWS = ['auto', 'picture', 'packed', 'cells', 'mesh', 'direction', 'height', 'normals', 'ids', 'potential', 'albedo', 'roughness', 'ao', 'paper'] as const;
+
+/** Views that need a sentence about what they show. */
+const DRAWINGS = ['packed', 'cells', 'mesh', 'direction', 'potential', 'height', 'normals', 'albedo', 'roughness', 'ao', 'ids', 'paper'] as const;
+
+export class View {
+  readonly canvas = byIdAs('canvas', HTMLCanvasElement);
+  private readonly select = byIdAs('view', HTMLSelectElement);
+  private readonly context: CanvasRenderingContext2D;
+  private readonly engine: Engine;
+  private readonly store: Store;
+  private readonly followers: (() => void)[] = [];
+
+  constructor(engine: Engine, store: Store) {
+    this.engine = engine;
+    this.store = store;
+    const context = this.canvas.getContext('2d');
+    if (!context) throw new Error('This browser gives no canvas to draw on.');
+    this.context = context;
+    this.select.replaceChildren(...VIEWS.map((word) => make('option', { value: word }, t(`view_${word}`))));
+    this.select.addEventListener('change', () => store.update({ view: this.select.value }));
+    store.on(['view'], ({ view }) => (this.select.value = view));
+  }
+
+  /** What a drawing shows, in a sentence; '' for pictures. */
+  get note(): string {
+    const drawing = DRAWINGS.find((word) => word === this.store.state.view);
+    return drawing ? t(`note_${drawing}`, { n: this.engine.heightRange().toFixed(1) }) : '';
+  }
+
+  /** What of the view shows nothing, by its word, with a sentence that says why; while work goes on all of it may still come. */
+  absences(): Map<string, string> {
+    const { stage, paused } = this.store.state;
+    const found = stage === 'done' || paused ? this.engine.absences(this.words) : [];
+    return new Map([...found].map(([word, why]) => [word, t(`absent_${why}`)]));
+  }
+
+  draw(): void {
+    const side = this.engine.side();
+    if (this.canvas.width !== side) {
+      this.canvas.width = side;
+      this.canvas.height = side;
+    }
+    this.engine.draw(this.context, this.words);
+    for (const follow of this.followers) follow();
+  }
+
+  /** What is drawn, in the words of the module. */
+  get words(): string {
+    const { view, overlays } = this.store.state;
+    return [view, ...overlays].join('+');
+  }
+
+  /** `follow` is called whenever the canvas was drawn anew. */
+  drawn(follow: () => void): void {
+    this.followers.push(follow);
+  }
+}

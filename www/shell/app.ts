@@ -1,0 +1,399 @@
+/** The wiring: what happens when something on the page is changed, and what is shown of it. */
+import { byId, byIdAs, frame, make, say } from '../base/dom';
+import { bindKeys, listenToKeys } from '../base/keys';
+import { speak } from '../base/language';
+import { alertOf, clear, notice, offerOf, passing } from '../base/messages';
+import { isFirstVisit } from '../base/storage';
+import { isEnd, STAGES } from '../module/stages';
+import { shown } from '../panel/control';
+import { makeDice } from '../panel/dice';
+import { Panel } from '../panel/panel';
+import { Presets } from '../panel/presets';
+import { Seed, SEED, withSeed } from '../panel/seed';
+import { Ahead } from '../picture/ahead';
+import { Loop } from '../picture/loop';
+import { keepInSight } from '../picture/sight';
+import { StatusLine } from '../picture/status';
+import { Subtitle } from '../picture/subtitle';
+import { Transport } from '../picture/transport';
+import { View, VIEWS } from '../picture/view';
+import { Watch } from '../picture/watch';
+import { Engine } from '../state/engine';
+import { History } from '../state/history';
+import { address, fragment, isReload, Link } from '../state/link';
+import { isLocked, keptLocks } from '../state/locks';
+import { lastWork, remember, type LastWork } from '../state/memory';
+import { Store, type State } from '../state/store';
+import { presetOf, Work } from '../state/work';
+import { language, t } from '../words/words';
+import { EditTools } from './edit-tools';
+import { makeLookTools } from './look-tools';
+import { partsOf, type Parts } from './parts';
+import { scriptFace, type ScriptFace } from './scripts';
+import { tellCrash } from './trouble';
+
+/** Milliseconds that the picture stands still before listeners are told: a slider's steps are not told one by one. */
+const SETTLED = 400;
+/** Frames that the first cells may take before the panel comes all the same. */
+const PATIENCE = 12;
+
+export class App {
+  private readonly engine: Engine;
+  private readonly store: Store;
+  private readonly work: Work;
+  private readonly history: History;
+  private readonly loop: Loop;
+  private readonly link: Link;
+  private readonly view: View;
+  private readonly transport: Transport;
+  private readonly status = new StatusLine();
+  private readonly subtitle = new Subtitle();
+  private readonly parts: Parts;
+  private readonly face: ScriptFace;
+  /** Whether cells were shown. */
+  private begun = false;
+  /** The picture that the page begins with forms slowly, for a newcomer: scripts are to be told ahead. */
+  private newcomer: boolean;
+  private ahead: Ahead | undefined;
+  /** The first picture is done. */
+  readonly finished: Promise<void>;
+  private finish = (): void => undefined;
+  /** A timer: the end of the work is told once it lasts. */
+  private telling = 0;
+  /** Visitors who asked for less motion see no cells move until they choose a speed. */
+  private still = matchMedia('(prefers-reduced-motion: reduce)').matches;
+
+  constructor() {
+    const last = lastWork();
+    const asked = last && isReload() && last.past.includes(fragment()) ? last.recipe : fragment();
+    this.newcomer = isFirstVisit() && asked === '' && !this.still;
+    this.finished = new Promise((resolve) => (this.finish = resolve));
+    this.engine = new Engine(asked === '' && last?.own ? last.recipe : asked, (error, link) => this.crashed(error, link));
+    this.face = scriptFace(this.engine, () => this.loop.rests, () => this.ahead);
+    this.store = new Store(this.first(asked, last));
+    this.work = new Work(this.engine, this.store);
+    this.history = new History(this.store);
+    this.view = new View(this.engine, this.store);
+    this.loop = new Loop(this.engine, (stage) => this.shownAt(stage), (stage, changed) => this.drawn(stage, changed));
+    this.link = new Link((link, ours) => {
+      const { own, recipe } = this.store.state;
+      this.work.open(link);
+      this.link.write(this.store.state.recipe);
+      if (own && !ours && this.store.state.recipe !== recipe) this.tellReplaced();
+    });
+    this.parts = partsOf(this.work, this.view);
+    this.transport = this.makeTransport();
+    new Seed(this.work, () => this.push());
+    this.follow();
+    this.bind();
+    makeLookTools(this.store, this.parts, () => this.leaveEditor());
+    notice('link', ...this.engine.notices());
+    if (last && asked !== '' && last.own && last.recipe !== this.store.state.recipe && !isReload()) this.tellReplaced();
+    remember(this.store);
+    keepInSight(this.store);
+    if (this.newcomer) this.watch();
+    this.loop.begin();
+  }
+
+  /** Panel and rail, which are much to build: the first cells are shown before. */
+  async furnish(): Promise<void> {
+    const { store } = this;
+    for (let waited = 0; waited < PATIENCE && !this.hasBegun(); waited += 1) await frame();
+    const panel = new Panel(this.engine);
+    await panel.build(
+      (key, text, done) => this.change(key, text, done),
+      (key) => this.parts.editor.ask((editor) => editor.toggle(key)),
+    );
+    new EditTools(this.work, panel, this.parts.editor);
+    makeDice(this.work, panel, () => this.push());
+    panel.refresh();
+    panel.attach();
+    store.on(['recipe'], () => panel.refresh());
+    this.loop.spare();
+    await frame();
+    const presets = new Presets(this.engine.presets, (preset) => {
+      this.leaveEditor();
+      this.push();
+      if (isLocked(store, SEED)) this.work.open(withSeed(preset.link, this.engine.get(SEED)), false, preset);
+      else this.work.open(preset.link);
+      store.update({ paused: false });
+    });
+    const mark = ({ recipe, preset }: State): void => presets.mark(preset?.recipe === recipe ? preset.shown.name : undefined);
+    mark(store.state);
+    store.on(['recipe'], mark);
+  }
+
+  /** Whether cells were shown, or never will be. */
+  private hasBegun(): boolean {
+    return this.begun || this.store.state.stage === 'error' || !this.engine.alive;
+  }
+
+  /** What scripts may use. */
+  scripts(): ScriptFace['face'] {
+    return this.face.face;
+  }
+
+  /** The state that the page begins with: the last work's history goes on, whatever is opened now. */
+  private first(asked: string, last: LastWork | undefined): State {
+    const recipe = this.engine.link();
+    const same = last?.recipe === recipe;
+    return {
+      recipe,
+      held: false,
+      past: last ? (same ? last.past : [...last.past, last.recipe]) : [],
+      future: last && same ? last.future : [],
+      preset: presetOf(this.engine.presets, recipe),
+      own: same && last.own && (asked === '' || asked === recipe),
+      stored: same,
+      pace: 3,
+      paused: false,
+      view: 'auto',
+      overlays: [],
+      repeat: 1,
+      light: false,
+      layers: false,
+      compare: false,
+      plots: false,
+      locks: keptLocks(),
+      editing: undefined,
+      stage: '',
+    };
+  }
+
+  /** recipe -> studio -> view: what follows which part of the state. */
+  private follow(): void {
+    const { store } = this;
+    const showHistory = ({ past, future, stored, own }: State): void => {
+      byIdAs('undo', HTMLButtonElement).disabled = past.length === 0;
+      byIdAs('redo', HTMLButtonElement).disabled = future.length === 0;
+      const note = byId('stored');
+      const text = stored && own ? t('stored') : '';
+      // Ears are told the first time only.
+      if (!text && note.textContent) note.ariaLive = 'off';
+      say(note, text);
+    };
+    const showTransport = ({ paused, pace, stage }: State): void => {
+      if (this.loop.paused !== paused) this.loop.paused = paused;
+      this.loop.stepsPerFrame = pace;
+      this.transport.show(isEnd(stage) ? 'again' : paused ? 'play' : 'pause', pace);
+    };
+    store.on(['recipe', 'editing'], () => this.leave());
+    store.on(['recipe'], ({ recipe }) => {
+      this.endAhead();
+      this.link.write(recipe);
+      this.parts.editor.here?.follow();
+      this.loop.changed();
+    });
+    store.on(['past', 'future', 'stored', 'own'], showHistory);
+    store.on(['paused', 'pace', 'stage'], showTransport);
+    store.on(['held'], () => this.loop.changed());
+    store.on(['view', 'overlays'], () => this.loop.redraw());
+    this.link.write(store.state.recipe);
+    showTransport(store.state);
+    showHistory(store.state);
+  }
+
+  private makeTransport(): Transport {
+    const { store } = this;
+    const transport = new Transport({
+      toggle: () => (isEnd(this.engine.stage()) ? this.again() : store.update({ paused: !store.state.paused })),
+      step: () => this.step(),
+      speed: (pace) => {
+        this.still = false;
+        store.update({ pace });
+        if (pace === this.transport.fastest()) this.leave();
+      },
+    });
+    if (this.still) store.update({ pace: transport.fastest() });
+    return transport;
+  }
+
+  private bind(): void {
+    const { parts } = this;
+    const press = (id: string) => () => byId(id).click();
+    bindKeys(
+      { keys: [' '], shown: ['Space'], word: 'key_play', act: press('play') },
+      { keys: ['s', '.'], word: 'key_step', act: press('step'), repeats: true },
+      { keys: ['r'], word: 'key_restart', act: () => this.again() },
+      { keys: ['d'], word: 'key_dice', act: press('dice') },
+      { keys: ['x'], word: 'key_throw', act: press('throw') },
+      { keys: ['ctrl+z'], shown: ['Ctrl+Z'], word: 'key_undo', act: press('undo'), repeats: true },
+      { keys: ['ctrl+shift+z', 'ctrl+y'], shown: ['Ctrl+Shift+Z', 'Ctrl+Y'], word: 'key_redo', act: press('redo'), repeats: true },
+      { keys: ['c'], word: 'key_copy', act: () => void this.copy() },
+      { keys: '0123456789'.split(''), shown: ['0', '–', '9'], word: 'key_view', act: (key) => this.store.update({ view: VIEWS[Number(key)] ?? 'auto' }) },
+      { keys: ['e'], word: 'key_edit', act: () => parts.editor.ask((editor) => editor.toggle()) },
+    );
+    listenToKeys();
+    for (const id of ['share', 'save']) byId(id).addEventListener('click', () => this.leave());
+    byId('share').addEventListener('click', () => parts.share.ask(({ share }) => share(this.engine, this.store, this.view.canvas)));
+    byId('save').addEventListener('click', () => parts.save.ask(({ save }) => save(this.work, this.view.canvas)));
+    byId('undo').addEventListener('click', () => this.history.undo());
+    byId('redo').addEventListener('click', () => this.history.redo());
+    byId('about-button').addEventListener('click', () => {
+      byId('about').scrollIntoView({ behavior: this.still ? 'auto' : 'smooth' });
+      byId('about').focus({ preventScroll: true });
+    });
+    const select = byIdAs('language', HTMLSelectElement);
+    select.value = language();
+    select.addEventListener('change', () => speak(select.value));
+  }
+
+  /** May come at any time, even while the engine is being made. */
+  private crashed(error: unknown, link: string): void {
+    (this.store as Store | undefined)?.update({ stage: 'error' });
+    document.documentElement.dataset['stage'] = 'error';
+    (this.face as ScriptFace | undefined)?.failed();
+    tellCrash(error, link);
+  }
+
+  /** A control was moved. */
+  private change(key: string, text: string, done: boolean): void {
+    if (key === 'outline' && text === 'polygon') return this.parts.editor.ask((editor) => editor.free());
+    this.work.set(key, text, !done);
+  }
+
+  /** A link was opened over work of the visitor's own: that is one step back. */
+  private tellReplaced(): void {
+    const back = make('button', { type: 'button' }, t('replaced_back'));
+    back.addEventListener('click', () => {
+      clear('replaced');
+      this.history.undo();
+    });
+    offerOf('replaced', t('replaced'), back);
+  }
+
+  /** The forming from its start, at a pace to watch it, or held there. */
+  private again(paused = false): void {
+    this.still = false;
+    this.store.update({ paused });
+    this.watch();
+    this.engine.restart();
+    // Buttons tell at once what they do now, not with the next frame.
+    this.report(this.engine.stage());
+    this.loop.changed();
+  }
+
+  /** From now on the work goes at the pace of who watches. */
+  private watch(): void {
+    const watch = new Watch();
+    if (isEnd(this.engine.stage())) watch.expected = this.engine.status().steps;
+    this.loop.watch = watch;
+    this.subtitle.begin(this.engine.get('stone') === 'skin');
+  }
+
+  /** Nobody watches any more: the work goes on at its own pace. */
+  private leave(): void {
+    this.newcomer = false;
+    if (!this.loop.watch) return;
+    this.loop.watch = undefined;
+    this.subtitle.end(true);
+  }
+
+  private leaveEditor(): void {
+    this.parts.editor.here?.close();
+  }
+
+  private endAhead(): void {
+    this.ahead?.end();
+    this.ahead = undefined;
+  }
+
+  private step(): void {
+    const stage = this.engine.stage();
+    if (isEnd(stage)) return this.again(true);
+    this.store.update({ paused: true });
+    // The first cells come by themselves.
+    if (STAGES.findIndex((word) => word === stage) < STAGES.indexOf('packing')) return;
+    const before = this.engine.status().steps;
+    this.engine.step();
+    if (this.engine.status().steps === before && this.engine.alive) passing('done', t('settled'));
+    this.loop.redraw();
+  }
+
+  /** The view that is drawn at a stage: who asks for less motion gets what stays only. */
+  private shownAt(stage: string): string | undefined {
+    return !this.still || stage === 'done' || this.store.state.paused ? this.view.words : undefined;
+  }
+
+  /** After each frame in which something was done. */
+  private drawn(stage: string, changed: boolean): void {
+    if (!this.engine.alive) return;
+    const { preset, recipe } = this.store.state;
+    if (changed && this.shownAt(stage) !== undefined) this.view.draw();
+    const status = this.engine.status();
+    this.begun ||= changed && status.cells > 0;
+    this.watched(stage);
+    this.status.show(stage, status, this.loop.watch !== undefined);
+    this.status.name(this.view.note || (preset ? '' : this.described()), this.view.absences().values(), preset?.shown, preset?.recipe !== recipe, stage, status);
+    this.report(stage);
+    if (stage === 'error') this.stuck();
+    if (stage === 'done') this.finish();
+  }
+
+  /** What is said of the forming, and to scripts ahead of it. */
+  private watched(stage: string): void {
+    const { loop } = this;
+    if (isEnd(stage)) {
+      loop.watch = undefined;
+      this.subtitle.end(false);
+      return this.endAhead();
+    }
+    if (!loop.watch || !this.begun) return;
+    this.subtitle.show(loop.watch.phase);
+    if (this.newcomer) this.ahead = new Ahead(this.store.state.recipe, (error, link) => this.crashed(error, link), () => this.told());
+    this.newcomer = false;
+  }
+
+  /** Tells scripts the stage of the recipe: on the screen it may be an earlier one. */
+  private told(): void {
+    const stage = this.ahead?.stage ?? this.engine.stage();
+    const { dataset } = document.documentElement;
+    if (dataset['stage'] !== stage) dataset['stage'] = stage;
+    if (stage === 'done') this.face.done();
+    if (this.ahead?.planes && this.loop.watch) this.loop.watch.expected = this.ahead.planes.status.steps;
+  }
+
+  /** A recipe that has no name, in the words of its controls. */
+  private described(): string {
+    const { engine } = this;
+    const keys = [engine.get('tile') === '1' ? 'tile' : 'outline', 'kind', 'stone', 'palette'];
+    const labels = engine.schema.filter(({ key }) => keys.includes(key)).map((parameter) => shown(parameter, engine.get(parameter.key)));
+    return t('own_recipe', { what: labels.join(' · ') });
+  }
+
+  /** This recipe gives no pavement; another one may. */
+  private stuck(): void {
+    const sentence = this.engine.problem();
+    alertOf('trouble', sentence);
+    this.face.failed(sentence);
+  }
+
+  /** Names the stage at work to scripts, and the end of the work to listeners. */
+  private report(stage: string): void {
+    this.told();
+    const before = this.store.state.stage;
+    if (stage === before) return;
+    if (before === 'error') clear('trouble');
+    // A pause holds one forming, not the next.
+    this.store.update(isEnd(stage) ? { stage, paused: false } : { stage });
+    const { cells, steps } = this.engine.status();
+    clearTimeout(this.telling);
+    say(byId('live'), '');
+    if (stage === 'done') this.telling = window.setTimeout(() => say(byId('live'), t('done', { cells, steps })), SETTLED);
+  }
+
+  /** The next change is an entry of its own in the browser's history. */
+  private push(): void {
+    this.link.next = 'push';
+  }
+
+  private async copy(): Promise<void> {
+    const link = this.engine.link();
+    try {
+      await navigator.clipboard.writeText(address(link));
+      passing('done', t('copied'));
+    } catch {
+      notice('done', t('not_copied', { link: address(link) }));
+    }
+  }
+}

@@ -1,0 +1,103 @@
+/** The editor's tools beside the canvas, the panel's button for the outline, and outlines that are dropped or pasted. */
+import { byId, isShown, make, say, walkByArrows } from '../base/dom';
+import type { Panel } from '../panel/panel';
+import type { Engine } from '../state/engine';
+import { toolApplies } from '../state/rules';
+import type { Work } from '../state/work';
+import { t } from '../words/words';
+import type { Parts } from './parts';
+
+export class EditTools {
+  private readonly engine: Engine;
+  private readonly work: Work;
+  private readonly editor: Parts['editor'];
+  private readonly tools = [...byId('edit-tools').querySelectorAll<HTMLButtonElement>('[data-tool]')];
+  private readonly more = byId('more-tools');
+  private readonly edit = make('button', { type: 'button', class: 'wide', id: 'edit-outline', 'aria-keyshortcuts': 'E' });
+
+  constructor(work: Work, panel: Panel, editor: Parts['editor']) {
+    this.engine = work.engine;
+    this.work = work;
+    this.editor = editor;
+    panel.append('Outline', make('div', { class: 'tools' }, this.edit));
+    this.edit.addEventListener('click', () => editor.ask((it) => it.toggle('outline')));
+    for (const tool of this.tools) {
+      // A click without a place comes from the keyboard.
+      tool.addEventListener('click', (event) => editor.ask((it) => it.use(tool.dataset['tool'] ?? '', event.detail === 0)));
+    }
+    const box = byId('edit-tools');
+    walkByArrows(box);
+    this.foldRare(box);
+    for (const near of ['pointerover', 'focusin']) box.addEventListener(near, () => void editor.load(), { once: true });
+    this.receive();
+    work.store.on(['editing', 'recipe'], () => this.show());
+    this.show();
+  }
+
+  /** Where there is little room the rare tools come and go by a button of their own; one that is chosen takes them away. */
+  private foldRare(box: HTMLElement): void {
+    const { more } = this;
+    const rare = byId('rare-tools');
+    const isOpen = (): boolean => more.getAttribute('aria-expanded') === 'true';
+    const open = (on: boolean): void => {
+      // What goes out of sight with the keyboard's place in it leaves that to the button.
+      const stop = rare.querySelector<HTMLElement>('[tabindex="0"]');
+      if (!on && stop && isShown(more)) [stop.tabIndex, more.tabIndex] = [-1, 0];
+      more.setAttribute('aria-expanded', String(on));
+    };
+    more.addEventListener('click', () => open(!isOpen()));
+    rare.addEventListener('click', () => open(false));
+    box.addEventListener('keydown', ({ key }) => {
+      if (key !== 'Escape' || !isOpen()) return;
+      open(false);
+      more.focus();
+    });
+  }
+
+  /** Outlines come by the clipboard and as files dropped anywhere: beside the picture a browser would open them instead of the page. */
+  private receive(): void {
+    const sheet = byId('sheet');
+    const page = document.documentElement;
+    const over = (event: DragEvent): void => {
+      if (!event.dataTransfer?.types.includes('Files')) return;
+      event.preventDefault();
+      sheet.classList.add('dropping');
+    };
+    page.addEventListener('dragenter', over);
+    page.addEventListener('dragover', over);
+    page.addEventListener('dragleave', ({ relatedTarget }) => {
+      if (!(relatedTarget instanceof Node)) sheet.classList.remove('dropping');
+    });
+    page.addEventListener('drop', (event) => {
+      const files = [...(event.dataTransfer?.files ?? [])];
+      // Text that is dropped into a field goes there.
+      if (files.length) event.preventDefault();
+      sheet.classList.remove('dropping');
+      // Of several files the first one that may be an outline or a recipe.
+      const file = files.find(({ name }) => /\.(svg|json|png)$/i.test(name)) ?? files[0];
+      if (file) this.editor.ask((it) => void it.takeFile(file));
+    });
+    document.addEventListener('paste', ({ target, clipboardData }) => {
+      if (target instanceof Element && target.matches('input, textarea')) return;
+      const file = clipboardData?.files[0];
+      const text = clipboardData?.getData('text/plain');
+      if (file) this.editor.ask((it) => void it.takeFile(file));
+      else if (text) this.editor.ask((it) => it.paste(text));
+    });
+  }
+
+  private show(): void {
+    const { editing } = this.work.store.state;
+    const active = editing === 'outline' || editing === 'hole';
+    say(this.edit, t(active ? 'outline_leave' : 'outline_edit'));
+    this.edit.title = t(active ? 'outline_leave_title' : 'outline_edit_title');
+    this.edit.hidden = !toolApplies(this.engine, 'outline');
+    for (const tool of this.tools) {
+      const word = tool.dataset['tool'] ?? '';
+      tool.hidden = !toolApplies(this.engine, word);
+      if (tool.hasAttribute('aria-pressed')) tool.setAttribute('aria-pressed', String(editing === word));
+    }
+    const shown = this.tools.filter((tool) => !tool.hidden);
+    if (!shown.some((tool) => tool.tabIndex === 0)) shown.slice(0, 1).forEach((tool) => (tool.tabIndex = 0));
+  }
+}

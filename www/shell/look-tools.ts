@@ -1,0 +1,85 @@
+/** The buttons for looking closer, beside the canvas. */
+import { byId, say, walkByArrows } from '../base/dom';
+import { bindKeys } from '../base/keys';
+import type { Later } from '../base/later';
+import type { Store } from '../state/store';
+import { t } from '../words/words';
+import type { Parts } from './parts';
+
+/** What may stand beside or over the picture. */
+type Tool = 'light' | 'layers' | 'compare' | 'plots';
+
+interface Shown {
+  /** Is called whenever the tool is shown or goes. */
+  show(on: boolean): void;
+}
+
+const REPEATS = 3;
+
+/** `leave` ends the editing on the picture. */
+export function makeLookTools(store: Store, parts: Parts, leave: () => void): void {
+  forward(parts.pointer);
+  tool(store, 'light', parts.light);
+  tool(store, 'layers', parts.layers);
+  tool(store, 'compare', parts.compare);
+  tool(store, 'plots', parts.plots);
+  byId('tile-button').addEventListener('click', () => {
+    // Points are moved on one picture, and two are compared as one: what was asked for last goes on.
+    leave();
+    store.update({ compare: false, repeat: (store.state.repeat % REPEATS) + 1 });
+  });
+  store.on(['repeat'], ({ repeat }) => {
+    say(byId('tile-word'), t('repeat_now', { n: repeat }));
+    parts.tiles.ask((it) => it.follow());
+  });
+  walkByArrows(byId('look-tools'));
+  bind();
+}
+
+/** What is done on the picture may come before what answers it, and is kept for that. */
+function forward(pointer: Parts['pointer']): void {
+  const zoom = (by: number) => () => pointer.ask((it) => it.zoom.step(by));
+  byId('zoom-in').addEventListener('click', zoom(1));
+  byId('zoom-out').addEventListener('click', zoom(-1));
+  byId('zoom-fit').addEventListener('click', zoom(0));
+  const sheet = byId('sheet');
+  for (const sign of ['pointerover', 'pointerdown', 'focusin']) sheet.addEventListener(sign, () => void pointer.load(), { once: true, passive: true });
+  sheet.addEventListener(
+    'wheel',
+    (event) => {
+      if (pointer.here) return;
+      // All the way out, the wheel scrolls the page.
+      if (event.deltaY < 0 || event.ctrlKey) event.preventDefault();
+      pointer.ask((it) => it.zoom.wheel(event));
+    },
+    { passive: false },
+  );
+  sheet.addEventListener('dblclick', (event) => pointer.here || pointer.ask((it) => it.zoom.twice(event)));
+  sheet.addEventListener('click', (event) => pointer.ask((it) => it.probe.tap(event)));
+  // Two fingers zoom the picture, not the page.
+  sheet.addEventListener('touchstart', (event) => event.touches.length > 1 && event.cancelable && event.preventDefault(), { passive: false });
+}
+
+function bind(): void {
+  const press = (id: string) => () => byId(id).click();
+  bindKeys(
+    { keys: ['+', '=', '-'], shown: ['+', '-'], word: 'key_zoom', act: (key) => byId(key === '-' ? 'zoom-out' : 'zoom-in').click(), repeats: true },
+    { keys: ['f'], word: 'key_fit', act: press('zoom-fit') },
+    { keys: ['l'], word: 'key_light', act: press('light-button') },
+    { keys: ['o'], word: 'key_layers', act: press('layers-button') },
+    { keys: ['t'], word: 'key_repeat', act: press('tile-button') },
+    { keys: ['v'], word: 'key_compare', act: press('compare-button') },
+    { keys: ['p'], word: 'key_plots', act: press('plots-button') },
+  );
+}
+
+/** A button that shows and hides what its state says. */
+function tool(store: Store, name: Tool, part: Later<Shown>): void {
+  const button = byId(`${name}-button`);
+  const state = button.hasAttribute('aria-pressed') ? 'aria-pressed' : 'aria-expanded';
+  button.addEventListener('click', () => store.update({ [name]: !store.state[name] }));
+  store.on([name], (now) => {
+    button.setAttribute(state, String(now[name]));
+    part.ask((it) => it.show(store.state[name]));
+  });
+}

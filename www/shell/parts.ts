@@ -1,0 +1,21 @@
+/** The parts of the page that are loaded when they are first asked for, by name. */
+import { Later } from '../base/later';
+import type { View } from '../picture/view';
+import type { Work } from '../state/work';
+
+export type Parts = ReturnType<typeof partsOf>;
+
+export function partsOf(work: Work, view: View) {
+  const { engine, store } = work;
+  return {
+    editor: new Later(async () => new (await import('../editor/editor')).Editor(work)),
+    pointer: new Later(async () => new (await import('../look/pointer')).Pointer(work, view)),
+    light: new Later(async () => new (await import('../look/light')).LightOnCanvas(work)),
+    layers: new Later(async () => new (await import('../look/layers')).Layers(store, view)),
+    compare: new Later(async () => new (await import('../look/compare')).Compare(work, view)),
+    plots: new Later(async () => new (await import('../look/plots')).Plots(engine, view)),
+    tiles: new Later(async () => new (await import('../look/tiles')).Tiles(store, view)),
+    share: new Later(() => import('../take/share')),
+    save: new Later(() => import('../take/save')),
+  };
+}

@@ -1,0 +1,63 @@
+/** `window.bubblestone`: the words of the page for scripts. */
+import type { Parameter, Preset, Probe, Status } from '../module/types';
+import type { Ahead } from '../picture/ahead';
+import type { Engine } from '../state/engine';
+
+export interface Bubblestone {
+  /** The digest of the planes, once they are done and drawn; on a first visit, while they still form on the screen. */
+  digest(): Promise<string>;
+  /** The fragment of the recipe, without '#'. */
+  link(): string;
+  get(key: string): string;
+  status(): Status;
+  /** The cell at a place in picture units. */
+  probe(x: number, y: number): Probe | undefined;
+  readonly schema: Parameter[];
+  readonly presets: Preset[];
+}
+
+declare global {
+  interface Window {
+    bubblestone?: Bubblestone;
+  }
+}
+
+export interface ScriptFace {
+  readonly face: Bubblestone;
+  /** The planes are done, and drawn or worked out ahead: answers those who wait. */
+  done(): void;
+  /** They never will be. */
+  failed(sentence?: string): void;
+}
+
+/** `rests` tells that all that was done is drawn; `ahead` is where the recipe was worked out before. */
+export function scriptFace(engine: Engine, rests: () => boolean, ahead: () => Ahead | undefined = () => undefined): ScriptFace {
+  const waiting: { resolve: (digest: string) => void; reject: (error: Error) => void }[] = [];
+  const digest = (): string => ahead()?.planes?.digest ?? engine.digest();
+  const broken = (): Error => new Error('Bubblestone has stopped after an error; load the page again.');
+  return {
+    face: {
+      digest: () =>
+        new Promise((resolve, reject) => {
+          if (!engine.alive) reject(broken());
+          else if (engine.stage() === 'error') reject(new Error(engine.problem()));
+          else if (ahead()?.planes ?? (engine.stage() === 'done' && rests())) resolve(digest());
+          else waiting.push({ resolve, reject });
+        }),
+      link: () => engine.link(),
+      get: (key) => engine.get(key),
+      status: () => ahead()?.status ?? engine.status(),
+      probe: (x, y) => engine.probe([x, y]),
+      schema: engine.schema,
+      presets: engine.presets,
+    },
+    done: () => {
+      if (!waiting.length) return;
+      const answer = digest();
+      for (const { resolve } of waiting.splice(0)) resolve(answer);
+    },
+    failed: (sentence) => {
+      for (const { reject } of waiting.splice(0)) reject(sentence ? new Error(sentence) : broken());
+    },
+  };
+}

@@ -1,0 +1,42 @@
+/** The last work and its history, kept in this browser. */
+import { keep, kept } from '../base/storage';
+import type { State, Store } from './store';
+
+const WORK = 'work';
+
+/** Milliseconds between two writings. */
+const THROTTLE = 400;
+
+export type LastWork = Pick<State, 'recipe' | 'past' | 'future' | 'own'>;
+
+/** The last work; undefined where there is none, or it cannot be read. */
+export function lastWork(): LastWork | undefined {
+  try {
+    const { recipe, past, future, own } = JSON.parse(kept(WORK) ?? 'null') as Record<keyof LastWork, unknown>;
+    if (typeof recipe !== 'string' || !areLinks(past) || !areLinks(future)) return undefined;
+    return { recipe, past, future, own: own === true };
+  } catch {
+    return undefined;
+  }
+}
+
+function areLinks(list: unknown): list is string[] {
+  return Array.isArray(list) && list.every((link) => typeof link === 'string');
+}
+
+/** Writes each step of the work into the storage, soon, and says in the store whether it is there. */
+export function remember(store: Store): void {
+  let timer = 0;
+  const write = (): void => {
+    clearTimeout(timer);
+    timer = 0;
+    const { recipe, past, future, own } = store.state;
+    // Where there is no place for it, the link in the address still holds the work.
+    if (keep(WORK, JSON.stringify({ recipe, past, future, own }))) store.update({ stored: true });
+  };
+  store.on(['recipe', 'past', 'future', 'own', 'held'], ({ held }) => {
+    store.update({ stored: false });
+    if (!held && !timer) timer = window.setTimeout(write, THROTTLE);
+  });
+  addEventListener('pagehide', () => timer && write());
+}

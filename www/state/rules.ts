@@ -1,0 +1,46 @@
+/** What does something in a recipe: which parameters, and which of the editor's tools. */
+import type { Parameter } from '../module/types';
+import type { Engine } from './engine';
+
+/** A recipe's values, or those of one that is still to be. */
+export interface Recipe {
+  readonly schema: readonly Parameter[];
+  /** What a parameter has: one value, of some several. */
+  valuesOf(key: string): readonly string[];
+  defaultOf(parameter: Parameter): string;
+}
+
+/** Whether a parameter does anything, as the schema's rule and that of the parameter it names say. */
+export function applies({ shownFor: rule }: Parameter, recipe: Recipe): boolean {
+  if (!rule) return true;
+  const other = recipe.schema.find(({ key }) => key === rule.key);
+  if (!other) return false;
+  const fits = (value: string): boolean => (rule.words.length ? rule.words.includes(value) : differs(other, value, recipe.defaultOf(other)));
+  return recipe.valuesOf(rule.key).some(fits) && applies(other, recipe);
+}
+
+/** Whether a value is not the default, however the number is written. */
+export function differs({ kind }: Parameter, value: string, standard: string): boolean {
+  return kind === 'number' || kind === 'int' ? Number(value) !== Number(standard) : value !== standard;
+}
+
+/** The recipe at hand: of the kind of cells it has those of parts as well. */
+export function recipeOf(engine: Engine): Recipe {
+  return {
+    schema: engine.schema,
+    valuesOf: (key) => (key === 'kind' ? kindsIn(engine) : [engine.get(key)]),
+    defaultOf: (parameter) => engine.defaultOf(parameter),
+  };
+}
+
+function kindsIn(engine: Engine): string[] {
+  const words = engine.schema.find(({ key }) => key === 'kind')?.choices.map(({ word }) => word) ?? [];
+  return [engine.get('kind'), ...engine.list('parts').map((row) => words[row[2] ?? 0] ?? '')];
+}
+
+/** Whether a tool does something now: parts need lines, a tile has no outline. */
+export function toolApplies(engine: Engine, tool: string): boolean {
+  if (tool === 'parts') return engine.get('lines') !== '';
+  if (tool === 'stretch') return kindsIn(engine).some((kind) => kind === 'rectangle' || kind === 'ellipse');
+  return ['lines', 'strokes', 'spots'].includes(tool) || engine.get('tile') !== '1';
+}

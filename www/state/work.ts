@@ -1,0 +1,65 @@
+/** The recipe in the store, which the engine follows: everything that changes it goes this way. */
+import { clear, notice } from '../base/messages';
+import type { Preset, Ring } from '../module/types';
+import type { Engine, Told } from './engine';
+import type { State, Store } from './store';
+
+export class Work {
+  readonly engine: Engine;
+  readonly store: Store;
+
+  constructor(engine: Engine, store: Store) {
+    this.engine = engine;
+    this.store = store;
+    store.on(['recipe'], ({ recipe }) => {
+      if (engine.link() !== recipe) engine.open(recipe);
+      const preset = presetOf(engine.presets, recipe);
+      if (preset) store.update({ preset });
+    });
+  }
+
+  /** A parameter's new value; `held` while a slider is still on its way. */
+  set(key: string, text: string, held = false): void {
+    notice('value', ...this.engine.set(key, text).sentences);
+    this.changed(held);
+  }
+
+  /** The same without a word to the visitor: answers what is to be said. */
+  write(key: string, text: string, held = false): Told {
+    const told = this.engine.set(key, text);
+    this.changed(held);
+    return told;
+  }
+
+  /** Many values in one step; those that do not fit are kept within their limits. */
+  setAll(values: readonly [key: string, text: string][]): void {
+    for (const [key, text] of values) this.engine.set(key, text);
+    this.changed(false);
+  }
+
+  /** Rings of a free outline: whether they were refused, and what is to be said. */
+  outline(rings: Ring[], held = false): Told {
+    const told = this.engine.setOutline(rings);
+    this.changed(held);
+    return told;
+  }
+
+  /** A whole other recipe; a link's mistakes are told. `preset` is the one it is, where it does not say so itself. */
+  open(link: string, own = false, preset?: Preset): void {
+    notice('link', ...this.engine.open(link));
+    clear('value');
+    clear('outline');
+    const recipe = this.engine.link();
+    this.store.update({ recipe, held: false, own, preset: preset ? { shown: preset, recipe } : presetOf(this.engine.presets, recipe) });
+  }
+
+  private changed(held: boolean): void {
+    this.store.update({ recipe: this.engine.link(), held, own: true });
+  }
+}
+
+/** The preset that a recipe is. */
+export function presetOf(presets: Preset[], recipe: string): State['preset'] {
+  const found = presets.find(({ link }) => link.replace(/^#/, '') === recipe);
+  return found && { shown: found, recipe };
+}

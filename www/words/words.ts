@@ -1,0 +1,69 @@
+/** The page's words in the language in use. All of them stand in strings/; English is at hand. */
+import type { Notice, Parameter, Preset } from '../module/types';
+import { words as english } from '../strings/en.json';
+import type { Foreign } from '../strings/foreign';
+
+export type Word = keyof typeof english;
+
+let words: Record<Word, string> = english;
+let foreign: Foreign | undefined;
+
+/** The code of the language in use. */
+export function language(): string {
+  return document.documentElement.lang;
+}
+
+/** The words of a key, with `{name}` replaced by values. */
+export function t(key: Word, values: Record<string, string | number> = {}): string {
+  return filled(words[key], values);
+}
+
+/** The same for words that come later, in all languages, with what says them. */
+export function wordsOf<Key extends string>(by: { en: Record<Key, string>; ja: Record<Key, string> }) {
+  return (key: Key, values: Record<string, string | number> = {}): string => filled(by[language() === 'ja' ? 'ja' : 'en'][key], values);
+}
+
+/** A text with `{name}` replaced by values. */
+function filled(text: string, values: Record<string, string | number>): string {
+  return text.replace(/\{(\w+)\}/g, (whole, name: string) => String(values[name] ?? whole));
+}
+
+/** Another language from now on. */
+export function translate(code: string, to: { words: Record<Word, string>; foreign: Foreign }): void {
+  ({ words, foreign } = to);
+  document.documentElement.lang = code;
+}
+
+/** A parameter with its names and help in the language in use. */
+export function parameterIn(parameter: Parameter): Parameter {
+  const own = foreign?.parameters[parameter.key];
+  if (!foreign || !own) return parameter;
+  return {
+    ...parameter,
+    name: own.name,
+    help: own.help,
+    unit: foreign.units[parameter.unit] ?? parameter.unit,
+    choices: parameter.choices.map((choice) => ({ ...choice, label: own.choices?.[choice.word] ?? choice.label })),
+  };
+}
+
+/** A group's title in the language in use. */
+export function groupIn(group: string): string {
+  return foreign?.groups[group] ?? group;
+}
+
+/** A preset with its title and note in the language in use. */
+export function presetIn(preset: Preset): Preset {
+  const own = foreign?.presets[preset.name];
+  return foreign && own ? { ...preset, title: own.title || foreign.figure(preset.figure), note: own.note, figure: foreign.figure(preset.figure) } : preset;
+}
+
+/** What the module says, in the language in use. */
+export function said(notice: Notice): string {
+  return foreign?.said(notice) ?? notice.text;
+}
+
+/** What a paper calls a part of its work, in the language in use. */
+export function partIn(name: string): string {
+  return foreign?.parts[name] ?? name;
+}
