@@ -11,7 +11,7 @@ use bubblestone::packing::{
 };
 use bubblestone::solid::Stencil;
 #[cfg(target_arch = "wasm32")]
-use bubblestone::solid::{Quarry, TriangleMesh};
+use bubblestone::solid::{Solids, TriangleMesh, control_mesh as solid_mesh};
 use bubblestone::studio::Studio;
 use glam::{DVec2, Vec3};
 
@@ -231,16 +231,16 @@ pub fn skin_mesh() -> (TriangleMesh, u32, usize) {
     let mut studio = Studio::new(ALL, pavement::recipe(SKIN).0);
     // Without cells there is nothing to count.
     let _ = studio.finish(&mut || 0.0);
-    let mut quarry = Quarry::new();
+    let mut solids = Solids::new();
     let params = studio.stone_params();
     let cells = studio.scales();
     let triangles: usize = cells
         .iter()
-        .map(|cell| quarry.stone(cell, &params).triangles.len())
+        .map(|cell| solids.solid(cell, &params).triangles.len())
         .sum();
-    let six = cells.iter().find_map(|cell| {
-        Quarry::control_mesh(cell, &params).filter(|mesh| mesh.triangles.len() == 18)
-    });
+    let six = cells
+        .iter()
+        .find_map(|cell| solid_mesh(cell, &params).filter(|mesh| mesh.triangles.len() == 18));
     let mesh = six.unwrap_or_default();
     let each = mesh.triangles.len().max(1) << (2 * STEPS);
     (mesh, STEPS, triangles.div_ceil(each))

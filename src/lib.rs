@@ -3,8 +3,8 @@
 //!
 //! The way of the data, one module each: a [`recipe`] names an outline ([`domain`]) and fields of
 //! size and direction ([`field`]); particles pack it ([`packing`]); their centres become a [`mesh`],
-//! the mesh [`cells`], each cell a stone ([`solid`]); stones are drawn into data planes
-//! ([`texture`]) and the planes are lit ([`render`]). [`generators`] wire these stages together, and
+//! the mesh [`cells`], each cell a stone ([`solid`]) of some [`material`]; stones are put into data
+//! planes, and the planes are lit ([`heightfield`]). [`generators`] wire these stages together, and
 //! [`studio`] runs any of them in small slices.
 //!
 //! It implements Miyata, Itoh, Shimada (2000), A Method of Generating Pavement Textures Using the
@@ -34,10 +34,13 @@
 pub mod cells;
 mod decimal;
 pub mod domain;
+pub mod draw;
 pub mod export;
 pub mod field;
 pub mod generators;
 mod graph;
+pub mod heightfield;
+pub mod material;
 pub mod mesh;
 pub mod metrics;
 pub mod notice;
@@ -46,10 +49,8 @@ pub mod packing;
 mod planar;
 pub mod random;
 pub mod recipe;
-pub mod render;
 pub mod solid;
 pub mod studio;
-pub mod texture;
 #[cfg(target_arch = "wasm32")]
 pub mod web;
 

@@ -7,7 +7,7 @@ mod paving;
 use bubblestone::cells::Cell;
 use bubblestone::domain::Domain;
 use bubblestone::field::Kind;
-use bubblestone::texture::{Coat, Coats, ColourParams, Pattern};
+use bubblestone::material::{Coat, Coats, ColourParams, Pattern};
 use finished::finished;
 use glam::DVec2;
 use paving::OfPavement;

@@ -4,19 +4,20 @@
 
 mod finished;
 mod paving;
-mod quarry;
+mod samples;
 
 use bubblestone::export::{MapKind, MeshFormat, maps};
 use bubblestone::generators::pavement;
+use bubblestone::heightfield::{Planes, Surfaces, TextureParams};
+use bubblestone::material::Gloss;
 use bubblestone::notice::Code;
-use bubblestone::solid::{Quarry, SkinParams, StoneKind, StoneParams};
+use bubblestone::solid::{SkinParams, Solids, StoneKind, StoneParams};
 use bubblestone::studio::Studio;
-use bubblestone::texture::{Gloss, Planes, Surfaces, TextureParams};
 use finished::finished;
 use glam::Vec3;
 use paving::OfPavement;
 use proptest::prelude::*;
-use quarry::{painted, small, star};
+use samples::{painted, small, star};
 use std::collections::HashSet;
 
 const LINK: &str = "size=160&outline=annulus&cs=14";
@@ -75,7 +76,7 @@ proptest! {
         let skin = SkinParams { skew, taper, keel, ..SkinParams::default() };
         let stone = StoneParams { kind, scale, distortion, skin, ..StoneParams::default() };
         let params = TextureParams { stone, amplitude, ..small() };
-        let solid = Quarry::new().stone(&cell, &stone);
+        let solid = Solids::new().solid(&cell, &stone);
         prop_assume!(!solid.vertices.is_empty());
         let planes = painted(params, std::slice::from_ref(&cell));
         let surface = Surfaces::new(params).close(&solid, &cell, 0, &planes);
@@ -101,12 +102,12 @@ fn a_surface_stands_as_its_planes_show_it() {
         amplitude: 4.0,
         ..small()
     };
-    let cells = quarry::pavement(16.0);
+    let cells = samples::pavement(16.0);
     let planes = painted(params, &cells);
-    let (mut quarry, mut surfaces) = (Quarry::new(), Surfaces::new(params));
+    let (mut solids, mut surfaces) = (Solids::new(), Surfaces::new(params));
     let (mut off, mut count) = (0.0, 0);
     for (index, cell) in cells.iter().enumerate() {
-        let solid = quarry.stone(cell, &params.stone);
+        let solid = solids.solid(cell, &params.stone);
         let surface = surfaces.close(&solid, cell, index, &planes);
         // All but the middle of the base.
         let vertices = surface.positions.iter().zip(&surface.colours);
@@ -261,9 +262,9 @@ fn shifted(planes: &Planes, [dx, dy]: [usize; 2]) -> Planes {
     Planes {
         bump: moved(&planes.bump, planes.side, by),
         colour: moved(&planes.colour, planes.side, by),
-        optics: moved(&planes.optics, planes.side, by),
+        material: moved(&planes.material, planes.side, by),
         id: moved(&planes.id, planes.side, by),
-        openness: moved(&planes.openness, planes.side, by),
+        occlusion: moved(&planes.occlusion, planes.side, by),
         ..*planes
     }
 }
@@ -272,7 +273,7 @@ fn shifted(planes: &Planes, [dx, dy]: [usize; 2]) -> Planes {
 fn maps_of_a_tile_repeat_to_the_pixel() {
     let studio = finished("size=192&tile=1&cs=17&kind=square");
     let planes = studio.pavement().planes().unwrap();
-    let optics = bubblestone::texture::optics_table("granite", "sand", Gloss::default());
+    let materials = bubblestone::material::material_table("granite", "sand", Gloss::default());
     for (kind, word) in MapKind::ALL {
         let map = studio.engine().map(kind).unwrap();
         let pixel = usize::from(map.channels) * usize::from(map.bits) / 8;
@@ -280,7 +281,7 @@ fn maps_of_a_tile_repeat_to_the_pixel() {
         let values: HashSet<&[u8]> = map.bytes.chunks_exact(pixel).collect();
         assert!(values.len() > 2, "{word} is flat");
         let [dx, dy] = [77, 130];
-        let other = maps::map(kind, &shifted(planes, [dx, dy]), &optics, 1.0);
+        let other = maps::map(kind, &shifted(planes, [dx, dy]), &materials, 1.0);
         for (k, there) in other.bytes.chunks_exact(pixel).enumerate() {
             let (x, y) = ((k % 192 + dx) % 192, (k / 192 + dy) % 192);
             let here = &map.bytes[(y * 192 + x) * pixel..][..pixel];

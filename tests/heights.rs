@@ -4,9 +4,9 @@ mod finished;
 mod paving;
 
 use bubblestone::generators::pavement;
+use bubblestone::heightfield::GROUND;
 use bubblestone::solid::{StoneKind, StoneParams, joint_depth};
 use bubblestone::studio::Studio;
-use bubblestone::texture::GROUND;
 use finished::finished;
 use paving::OfPavement;
 
@@ -52,7 +52,7 @@ fn pictures_tell_low_stones_from_high_ones() {
     }
 }
 
-/// The mean over the pixels of stones less that over the joints, and of the openness of these.
+/// The mean over the pixels of stones less that over the joints, and of the occlusion of these.
 fn joints(studio: &Studio) -> [f64; 2] {
     let planes = studio.pavement().planes().unwrap();
     // Ground that stones are near to: beside it there is a cell's stone on two sides at least.
@@ -72,7 +72,7 @@ fn joints(studio: &Studio) -> [f64; 2] {
     let height = |i: usize| f64::from(planes.bump[i]);
     let joint = |i: usize| planes.id[i] == GROUND && near(i);
     let stones = mean(&height, &|i| planes.id[i] != GROUND);
-    let open = |i: usize| f64::from(planes.openness[i]);
+    let open = |i: usize| f64::from(planes.occlusion[i]);
     [stones - mean(&height, &joint), mean(&open, &joint)]
 }
 

@@ -1,14 +1,14 @@
 //! Shading: shadows, slices, changes of light.
 
-mod quarry;
+mod samples;
 
-use bubblestone::render::{Light, ShadeParams, Shader};
-use bubblestone::texture::{Gloss, Planes, optics_table};
-use quarry::{SIDE, painted, pavement, small};
+use bubblestone::heightfield::{Light, Planes, ShadeParams, Shader};
+use bubblestone::material::{Gloss, material_table};
+use samples::{SIDE, painted, pavement, small};
 use std::f64::consts::TAU;
 
 fn shaded(planes: &Planes, params: &ShadeParams, rows: usize) -> Vec<u8> {
-    let table = optics_table("granite", "sand", Gloss::Own);
+    let table = material_table("granite", "sand", Gloss::Own);
     let mut shader = Shader::new(params, planes.side, 1);
     let mut calls = 0;
     while !shader.advance(planes, &table, rows) {
@@ -94,7 +94,7 @@ fn slices_do_not_change_the_picture() {
 #[test]
 fn a_restarted_shader_forgets_the_light_before() {
     let planes = painted(small(), &pavement(16.0));
-    let table = optics_table("granite", "sand", Gloss::Own);
+    let table = material_table("granite", "sand", Gloss::Own);
     let low = Light::Parallel {
         azimuth: 1.0,
         elevation: 0.2,

@@ -3,17 +3,17 @@
 
 mod finished;
 mod paving;
-mod quarry;
+mod samples;
 
 use bubblestone::cells::Cell;
 use bubblestone::field::Kind;
 use bubblestone::generators::pavement::{self, PAVEMENT, PavementRecipe};
-use bubblestone::solid::{Prism, Quarry, SkinParams, StoneKind, StoneParams};
-use bubblestone::texture::{GROUND, Painter, Planes, TextureParams};
+use bubblestone::heightfield::{GROUND, Painter, Planes, TextureParams};
+use bubblestone::solid::{Prism, SkinParams, Solids, StoneKind, StoneParams};
 use finished::{finished, refined};
 use glam::{DVec2, DVec3};
 use paving::OfPavement;
-use quarry::in_fair_weather;
+use samples::in_fair_weather;
 
 /// A regular polygon about the middle of a picture, its first corner to the right.
 fn polygon(n: usize, radius: f64) -> Vec<DVec2> {
@@ -163,9 +163,9 @@ fn painted(cells: &[Cell], stone: StoneParams) -> Planes {
         stone,
         ..TextureParams::default()
     });
-    let mut quarry = Quarry::new();
+    let mut solids = Solids::new();
     for (k, cell) in cells.iter().enumerate() {
-        painter.paint(&mut quarry, cell, k);
+        painter.paint(&mut solids, cell, k);
     }
     in_fair_weather(painter)
 }
@@ -290,7 +290,7 @@ fn noise_on_a_flat_cell_has_its_dimension() {
             stone,
             ..TextureParams::default()
         });
-        painter.paint(&mut Quarry::new(), &cell(ring.clone(), 1), 0);
+        painter.paint(&mut Solids::new(), &cell(ring.clone(), 1), 0);
         painter.finish().planes.bump
     };
     let smooth = bump(1.5, 0.0, 1);
@@ -339,9 +339,9 @@ fn triangles_are_fine_and_finer_ones_are_not_seen() {
     for link in ["stone=skin", FIGURE].map(|link| format!("{link}&{HIDE}")) {
         let studio = finished(&link);
         let (mut triangles, mut area) = (0, 0.0);
-        let mut quarry = Quarry::new();
+        let mut solids = Solids::new();
         for cell in studio.pavement().scales() {
-            let solid = quarry.stone(cell, &studio.pavement().stone_params());
+            let solid = solids.solid(cell, &studio.pavement().stone_params());
             triangles += solid.triangles.len();
             for t in solid.triangles.iter() {
                 let [a, b, c] = t.map(|i| solid.vertices[i as usize]);

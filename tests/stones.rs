@@ -1,14 +1,15 @@
 //! Stones and planes: what must hold for any cell.
 
-mod quarry;
+mod samples;
 
 use bubblestone::cells::Cell;
 use bubblestone::field::Kind;
-use bubblestone::solid::{Quarry, Solid, Spread, StoneKind, StoneParams, joint_depth};
-use bubblestone::texture::{GROUND, GROUNDS, Gloss, PALETTES, TextureParams, optics_table};
+use bubblestone::heightfield::{GROUND, TextureParams};
+use bubblestone::material::{GROUNDS, Gloss, PALETTES, material_table};
+use bubblestone::solid::{Distribution, Solid, Solids, StoneKind, StoneParams, joint_depth};
 use glam::{DVec2, Vec3};
 use proptest::prelude::*;
-use quarry::{SIDE, cell, painted, pavement, small, star};
+use samples::{SIDE, cell, painted, pavement, small, star};
 
 fn stone(kind: StoneKind, distortion: f64, scale: f64) -> StoneParams {
     StoneParams {
@@ -49,13 +50,13 @@ fn assert_inside(cell: &Cell, solid: &Solid, scale: f64) {
 
 #[test]
 fn stones_of_all_corner_counts_stay_in_their_cells() {
-    let mut quarry = Quarry::new();
+    let mut solids = Solids::new();
     for kind in [StoneKind::Cobble, StoneKind::Flagstone] {
         for n in (3..=12).chain([20, 40, 60]) {
             for (rough, distortion) in [(0.0, 0.0), (0.2, 0.3), (0.4, 1.0)] {
                 let cell = star(n, 30.0, rough, n as u32);
                 for scale in [0.5, 0.8, 1.0] {
-                    let solid = quarry.stone(&cell, &stone(kind, distortion, scale));
+                    let solid = solids.solid(&cell, &stone(kind, distortion, scale));
                     assert!(!solid.vertices.is_empty());
                     assert_inside(&cell, &solid, 1.0);
                 }
@@ -67,12 +68,12 @@ fn stones_of_all_corner_counts_stay_in_their_cells() {
 #[test]
 fn scale_above_one_is_the_only_way_out() {
     let cell = star(4, 20.0, 0.0, 1);
-    for spread in [Spread::Uniform, Spread::Normal] {
+    for distribution in [Distribution::Uniform, Distribution::Normal] {
         let params = StoneParams {
-            spread,
+            distribution,
             ..stone(StoneKind::Cobble, 0.6, 1.2)
         };
-        let solid = Quarry::new().stone(&cell, &params);
+        let solid = Solids::new().solid(&cell, &params);
         assert_inside(&cell, &solid, 1.2);
         let out = |v: &Vec3| outside(&cell.ring, cell.centre, 1.0, flat(v)) > 0.1;
         assert!(solid.vertices.iter().any(out));
@@ -86,18 +87,18 @@ fn cells_that_no_centre_sees_whole_are_filled_from_within() {
     let points: Vec<f64> = corners.into_iter().chain(notch).collect();
     let ring = points.chunks(2).map(|p| DVec2::new(p[0], p[1])).collect();
     let cell = cell(3, ring);
-    let solid = Quarry::new().stone(&cell, &stone(StoneKind::Flagstone, 0.3, 1.0));
+    let solid = Solids::new().solid(&cell, &stone(StoneKind::Flagstone, 0.3, 1.0));
     assert!(!solid.vertices.is_empty());
     assert_inside(&cell, &solid, 1.0);
 }
 
 #[test]
 fn no_distortion_moves_nothing_and_distortion_does() {
-    let mut quarry = Quarry::new();
+    let mut solids = Solids::new();
     let (a, b) = (star(4, 20.0, 0.0, 1), star(4, 20.0, 0.0, 2));
     let mut vertices = |cell, dr| {
         let params = stone(StoneKind::Cobble, dr, 1.0);
-        quarry.stone(cell, &params).vertices
+        solids.solid(cell, &params).vertices
     };
     assert_eq!(vertices(&a, 0.0), vertices(&b, 0.0));
     assert_ne!(vertices(&a, 0.3), vertices(&b, 0.3));
@@ -108,7 +109,7 @@ fn stones_reach_their_height_and_their_cells_sides() {
     let cell = star(4, 20.0, 0.0, 1);
     for kind in [StoneKind::Cobble, StoneKind::Flagstone] {
         let params = stone(kind, 0.0, 1.0);
-        let solid = Quarry::new().stone(&cell, &params);
+        let solid = Solids::new().solid(&cell, &params);
         let top = solid.vertices.iter().map(|v| v.z).fold(0.0, f32::max);
         let high = f64::from(top) / params.height;
         assert!((0.9..=1.001).contains(&high), "{high} of the height");
@@ -122,7 +123,7 @@ fn stones_reach_their_height_and_their_cells_sides() {
 fn tops_are_watertight_and_face_up() {
     for n in 3..=12 {
         let cell = star(n, 25.0, 0.0, 7);
-        let solid = Quarry::new().stone(&cell, &stone(StoneKind::Cobble, 0.0, 1.0));
+        let solid = Solids::new().solid(&cell, &stone(StoneKind::Cobble, 0.0, 1.0));
         let mut sides: Vec<[u32; 2]> = Vec::new();
         for &[a, b, c] in solid.triangles.iter() {
             sides.extend([[a, b], [b, c], [c, a]]);
@@ -142,10 +143,10 @@ fn tops_are_watertight_and_face_up() {
 
 #[test]
 fn one_connectivity_is_shared() {
-    let mut quarry = Quarry::new();
+    let mut solids = Solids::new();
     let params = StoneParams::default();
-    let a = quarry.stone(&star(4, 20.0, 0.0, 1), &params);
-    let b = quarry.stone(&star(4, 20.0, 0.1, 2), &params);
+    let a = solids.solid(&star(4, 20.0, 0.0, 1), &params);
+    let b = solids.solid(&star(4, 20.0, 0.1, 2), &params);
     assert!(std::rc::Rc::ptr_eq(&a.triangles, &b.triangles));
 }
 
@@ -193,11 +194,11 @@ fn planes_are_finite_and_stones_stand_above_the_ground() {
     for (i, &h) in planes.bump.iter().enumerate() {
         assert!(h.is_finite() && f64::from(h) < params.stone.height * 1.6);
         if planes.id[i] == GROUND {
-            assert_eq!(planes.optics[i], 0);
+            assert_eq!(planes.material[i], 0);
         } else {
             stones += 1;
             sum += f64::from(h);
-            assert!((1..=3).contains(&planes.optics[i]));
+            assert!((1..=3).contains(&planes.material[i]));
         }
     }
     let covered = stones as f64 / (80.0 * 80.0);
@@ -213,7 +214,7 @@ fn planes_are_the_same_each_time_and_follow_the_seed() {
     let reseeded = TextureParams { seed: 2, ..small() };
     assert_ne!(first.digest(), painted(reseeded, &cells).digest());
     let mut other = first.clone();
-    other.openness[77] ^= 1;
+    other.occlusion[77] ^= 1;
     assert_ne!(first.digest(), other.digest());
 }
 
@@ -224,7 +225,7 @@ fn joints_see_less_of_the_sky_than_tops() {
     let mean = |wanted: &dyn Fn(usize) -> bool| {
         let chosen: Vec<f64> = (0..SIDE * SIDE)
             .filter(|&i| inner(i) && wanted(i))
-            .map(|i| f64::from(planes.openness[i]))
+            .map(|i| f64::from(planes.occlusion[i]))
             .collect();
         chosen.iter().sum::<f64>() / chosen.len() as f64
     };
@@ -254,7 +255,7 @@ fn every_palette_on_every_ground_gives_stones_of_many_tones() {
             tones.dedup();
             assert!(tones.len() >= 6, "{} on {}", palette.name, ground.name);
         }
-        assert_eq!(optics_table(palette.name, "sand", Gloss::Own).len(), 19);
+        assert_eq!(material_table(palette.name, "sand", Gloss::Own).len(), 19);
     }
 }
 
@@ -280,10 +281,10 @@ fn tiles_repeat_without_a_seam() {
     // Relief and ground are others at another place: they decide a few pixels of the rim.
     let other = other.count();
     assert!(other < 80, "{other} pixels");
-    let open = |planes: &bubblestone::texture::Planes, id: u32| {
+    let open = |planes: &bubblestone::heightfield::Planes, id: u32| {
         let of = (0..SIDE * SIDE).filter(|&k| planes.id[k] == id);
         of.clone()
-            .map(|k| f64::from(planes.openness[k]))
+            .map(|k| f64::from(planes.occlusion[k]))
             .sum::<f64>()
             / of.count() as f64
     };
@@ -315,7 +316,7 @@ proptest! {
         let cell = star(n, radius, rough, 9);
         let params = StoneParams {
             kind: if flag { StoneKind::Flagstone } else { StoneKind::Cobble },
-            spread: if normal { Spread::Normal } else { Spread::Uniform },
+            distribution: if normal { Distribution::Normal } else { Distribution::Uniform },
             height: hs,
             scale: sv,
             distortion: dr,
@@ -324,7 +325,7 @@ proptest! {
             skin: Default::default(),
             seed: 4,
         };
-        let solid = Quarry::new().stone(&cell, &params);
+        let solid = Solids::new().solid(&cell, &params);
         for v in &solid.vertices {
             prop_assert!(v.is_finite());
             prop_assert!(v.z > -0.5 * hs as f32 && v.z < 1.5 * hs as f32, "height {}", v.z);

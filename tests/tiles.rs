@@ -5,12 +5,12 @@ mod finished;
 mod paving;
 
 use bubblestone::domain::{Domain, signed_area};
+use bubblestone::heightfield::{Light, Planes, ShadeParams, Shader};
+use bubblestone::material::{Gloss, material_table};
 use bubblestone::mesh::Mesh;
 use bubblestone::metrics::Metrics;
 use bubblestone::random::{Purpose, Random};
-use bubblestone::render::{Light, ShadeParams, Shader};
 use bubblestone::studio::Studio;
-use bubblestone::texture::{Gloss, Planes, optics_table};
 use paving::OfPavement;
 use std::collections::HashMap;
 
@@ -122,7 +122,7 @@ fn meshes_of_few_cells_close_over_the_seams() {
 }
 
 fn shaded(planes: &Planes, light: Light) -> Vec<u8> {
-    let table = optics_table("granite", "sand", Gloss::Own);
+    let table = material_table("granite", "sand", Gloss::Own);
     let params = ShadeParams {
         light,
         ..ShadeParams::default()
@@ -151,8 +151,8 @@ fn shading_of_a_tile_has_no_edges() {
         let mut other = planes.clone();
         other.bump = moved(&planes.bump, by);
         other.colour = moved(&planes.colour, by);
-        other.optics = moved(&planes.optics, by);
-        other.openness = moved(&planes.openness, by);
+        other.material = moved(&planes.material, by);
+        other.occlusion = moved(&planes.occlusion, by);
         for (azimuth, elevation) in [(225, 40), (10, 20), (100, 5), (290, 8), (180, 5), (45, 70)] {
             let light = Light::Parallel {
                 azimuth: f64::from(azimuth).to_radians(),
@@ -205,14 +205,14 @@ fn planes_and_pictures_run_on_over_the_seams() {
             let height =
                 |a: usize, b: usize| f64::from((planes.bump[at(a)] - planes.bump[at(b)]).abs());
             let open = |a: usize, b: usize| {
-                f64::from(planes.openness[at(a)].abs_diff(planes.openness[at(b)]))
+                f64::from(planes.occlusion[at(a)].abs_diff(planes.occlusion[at(b)]))
             };
             let light =
                 |a: usize, b: usize| f64::from(picture[4 * at(a)].abs_diff(picture[4 * at(b)]));
             let all: [(&str, Vec<f64>); 4] = [
                 ("id", steps(id)),
                 ("height", steps(height)),
-                ("openness", steps(open)),
+                ("occlusion", steps(open)),
                 ("light", steps(light)),
             ];
             for (what, mut steps) in all {

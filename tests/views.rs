@@ -352,7 +352,7 @@ fn planes_have_views_of_their_own() {
     let planes = studio.pavement().planes().unwrap();
     let at = SIDE * SIDE / 2 + SIDE / 2;
     assert_eq!(views[3][4 * at..][..3], planes.colour[at]);
-    assert_eq!(views[5][4 * at..][..3], [planes.openness[at]; 3]);
+    assert_eq!(views[5][4 * at..][..3], [planes.occlusion[at]; 3]);
 }
 
 #[test]

@@ -4,8 +4,9 @@
 mod finished;
 mod paving;
 
+use bubblestone::heightfield::{GROUND, Planes};
+use bubblestone::material::{Gloss, material_table};
 use bubblestone::studio::Studio;
-use bubblestone::texture::{GROUND, Gloss, Planes, optics_table};
 use glam::DVec2;
 use paving::OfPavement;
 
@@ -47,10 +48,10 @@ fn fair_weather_changes_nothing_and_any_other_something() {
 #[test]
 fn moss_and_dirt_lie_low() {
     let plain = planes("");
-    let paved = |i: usize| plain.openness[i] < 250 || plain.id[i] != GROUND;
+    let paved = |i: usize| plain.occlusion[i] < 250 || plain.id[i] != GROUND;
     for more in ["&moss=0.4", "&dirt=0.6"] {
         let grown = planes(more);
-        let covered = |i: usize| paved(i) && grown.optics[i] != plain.optics[i];
+        let covered = |i: usize| paved(i) && grown.material[i] != plain.material[i];
         let many = (0..SIDE * SIDE).filter(|&i| covered(i)).count();
         assert!(many > SIDE * SIDE / 50, "{more}: {many}");
         let low = height(&plain, covered);
@@ -66,7 +67,7 @@ fn more_moss_covers_more() {
     let covered = |more: &str| {
         let [plain, grown] = ["", more].map(planes);
         (0..SIDE * SIDE)
-            .filter(|&i| plain.optics[i] != grown.optics[i])
+            .filter(|&i| plain.material[i] != grown.material[i])
             .count()
     };
     let (few, some, most) = (
@@ -130,9 +131,9 @@ fn wet_darkens_shines_and_stands_level() {
         "{dry} {some} {most}"
     );
     // What is under water is one level among the stones.
-    let water = (optics_table("granite", "sand", Gloss::Own).len() - 1) as u8;
+    let water = (material_table("granite", "sand", Gloss::Own).len() - 1) as u8;
     let pools: Vec<usize> = (0..SIDE * SIDE)
-        .filter(|&i| wet.optics[i] == water && wet.bump[i] > plain.bump[i])
+        .filter(|&i| wet.material[i] == water && wet.bump[i] > plain.bump[i])
         .collect();
     assert!(pools.len() > 500, "{}", pools.len());
     let inner = pools.iter().map(|&i| wet.bump[i]).fold(f32::MIN, f32::max);
@@ -148,8 +149,8 @@ fn gloss_changes_the_light_and_not_the_planes() {
         let other = finished(&format!("&gloss={word}"));
         assert_eq!(own.digest(), other.digest());
         assert_ne!(own.picture(), other.picture(), "{word}");
-        let table = optics_table("granite", "sand", Gloss::of_word(word));
-        assert_eq!(table[0], optics_table("granite", "sand", Gloss::Own)[0]);
+        let table = material_table("granite", "sand", Gloss::of_word(word));
+        assert_eq!(table[0], material_table("granite", "sand", Gloss::Own)[0]);
         shine.push(table[1].specular);
     }
     assert!(shine.is_sorted() && shine[0] < shine[2]);

@@ -99,7 +99,7 @@ async function thumbsOf({ presets, Bubblestone }, word) {
  * pictures of planes. Any other change of the module needs no new ones.
  */
 function sources() {
-  const folders = ['recipe', 'generators', 'texture', 'render'].map((name) => join(root, 'src', name));
+  const folders = ['recipe', 'generators', 'material', 'heightfield'].map((name) => join(root, 'src', name));
   const code = folders.flatMap((folder) =>
     readdirSync(folder, { recursive: true, withFileTypes: true })
       .filter((entry) => entry.isFile())

@@ -1,4 +1,4 @@
-//! From picture units to those of mesh files.
+//! From the picture's axes and units to those of mesh files.
 
 use glam::Vec3;
 

@@ -5,9 +5,8 @@
 
 use super::frame::Frame;
 use crate::decimal;
+use crate::heightfield::{Surface, decoded};
 use crate::order::{greater, lesser};
-use crate::render::decoded;
-use crate::texture::Surface;
 
 /// Bytes of a vertex.
 const STRIDE: usize = 32;

@@ -1,9 +1,8 @@
 //! The data planes as the maps that other programs light surfaces by. On tiles they repeat to the
 //! pixel.
 
-use crate::render::overlay_planes::height_range;
-use crate::render::row_slopes;
-use crate::texture::{Optics, Planes};
+use crate::heightfield::{Planes, row_slopes};
+use crate::material::Material;
 
 /// A map, `side` x `side` pixels, row after row from the top.
 #[derive(Clone, Debug, PartialEq)]
@@ -90,21 +89,21 @@ pub fn id_colour(id: u32) -> [u8; 3] {
     [r, g, b]
 }
 
-/// Makes a map of finished planes. `optics` is the table that their optics plane indexes,
+/// Makes a map of finished planes. `materials` is the table that their plane of materials indexes,
 /// `shininess` the factor of its exponents.
-pub fn map(kind: MapKind, planes: &Planes, optics: &[Optics], shininess: f64) -> Map {
+pub fn map(kind: MapKind, planes: &Planes, materials: &[Material], shininess: f64) -> Map {
     let (channels, bits, bytes) = match kind {
         MapKind::Height => (1, 16, heights(planes)),
         MapKind::NormalOpengl => (3, 8, normals(planes, -1.0)),
         MapKind::NormalDirectx => (3, 8, normals(planes, 1.0)),
         MapKind::Albedo => (3, 8, planes.colour.as_flattened().to_vec()),
         MapKind::Roughness => {
-            let grey = |o: &Optics| roughness(f64::from(o.shininess) * shininess);
-            let greys: Vec<u8> = optics.iter().map(|o| byte(255.0 * grey(o))).collect();
+            let grey = |o: &Material| roughness(f64::from(o.shininess) * shininess);
+            let greys: Vec<u8> = materials.iter().map(|o| byte(255.0 * grey(o))).collect();
             let at = |&k: &u8| greys.get(usize::from(k)).copied().unwrap_or(255);
-            (1, 8, planes.optics.iter().map(at).collect())
+            (1, 8, planes.material.iter().map(at).collect())
         }
-        MapKind::Occlusion => (1, 8, planes.openness.clone()),
+        MapKind::Occlusion => (1, 8, planes.occlusion.clone()),
         MapKind::Id => (
             3,
             8,
@@ -120,7 +119,7 @@ pub fn map(kind: MapKind, planes: &Planes, optics: &[Optics], shininess: f64) ->
 }
 
 fn heights(planes: &Planes) -> Vec<u8> {
-    let (low, high) = height_range(planes);
+    let (low, high) = planes.height_range();
     let scale = if high > low {
         65535.0 / (high - low)
     } else {
@@ -159,13 +158,13 @@ mod tests {
         let mut planes = Planes::new(8);
         for at in 0..64 {
             planes.bump[at] = (at % 8 + 2 * (at / 8)) as f32;
-            planes.optics[at] = (at % 2) as u8;
+            planes.material[at] = (at % 2) as u8;
         }
         planes
     }
 
     fn made(kind: MapKind) -> Map {
-        let exponent = |shininess| Optics {
+        let exponent = |shininess| Material {
             ambient: 1.0,
             diffuse: 1.0,
             specular: 0.0,

@@ -2,7 +2,7 @@
 
 use super::fixed::{push, push_whole};
 use super::frame::Frame;
-use crate::texture::Surface;
+use crate::heightfield::Surface;
 
 /// Bytes after which another part of the file begins.
 const PART: usize = 1 << 20;

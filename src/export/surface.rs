@@ -10,8 +10,9 @@ use super::glb::Glb;
 use super::maps::roughness;
 use super::obj::Obj;
 use crate::cells::Cell;
+use crate::heightfield::{Planes, Surfaces, TextureParams};
+use crate::material::{FINISHES, Material};
 use crate::solid::Solid;
-use crate::texture::{FINISHES, Optics, Planes, Surfaces, TextureParams};
 
 /// A kind of mesh file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -28,7 +29,7 @@ impl MeshFormat {
         [(MeshFormat::Obj, "obj"), (MeshFormat::Glb, "glb")];
 }
 
-enum Body {
+enum Writer {
     Obj(Obj),
     Glb(Box<Glb>),
 }
@@ -37,21 +38,21 @@ enum Body {
 pub struct MeshFile {
     surfaces: Surfaces,
     frame: Frame,
-    body: Body,
+    writer: Writer,
     cells: usize,
 }
 
 impl MeshFile {
-    /// A file without cells, for planes of these parameters and optical attributes.
-    pub fn new(format: MeshFormat, params: TextureParams, optics: &[Optics]) -> Self {
+    /// A file without cells, for planes of these parameters and this table of materials.
+    pub fn new(format: MeshFormat, params: TextureParams, materials: &[Material]) -> Self {
         Self {
             frame: Frame {
                 unit: 1.0 / params.side as f32,
             },
             surfaces: Surfaces::new(params),
-            body: match format {
-                MeshFormat::Obj => Body::Obj(Obj::new()),
-                MeshFormat::Glb => Body::Glb(Box::new(Glb::new(mean_roughness(optics)))),
+            writer: match format {
+                MeshFormat::Obj => Writer::Obj(Obj::new()),
+                MeshFormat::Glb => Writer::Glb(Box::new(Glb::new(mean_roughness(materials)))),
             },
             cells: 0,
         }
@@ -66,9 +67,9 @@ impl MeshFile {
     pub fn add(&mut self, solid: &Solid, cell: &Cell, planes: &Planes) {
         let surface = self.surfaces.close(solid, cell, self.cells, planes);
         if !surface.positions.is_empty() {
-            match &mut self.body {
-                Body::Obj(obj) => obj.add(&self.frame, &surface, self.cells),
-                Body::Glb(glb) => glb.add(&self.frame, &surface),
+            match &mut self.writer {
+                Writer::Obj(obj) => obj.add(&self.frame, &surface, self.cells),
+                Writer::Glb(glb) => glb.add(&self.frame, &surface),
             }
         }
         self.cells += 1;
@@ -76,24 +77,24 @@ impl MeshFile {
 
     /// The next parts of the file, as far as they are known before the last cell is.
     pub fn take(&mut self) -> Vec<Vec<u8>> {
-        match &mut self.body {
-            Body::Obj(obj) => obj.take(),
-            Body::Glb(_) => Vec::new(),
+        match &mut self.writer {
+            Writer::Obj(obj) => obj.take(),
+            Writer::Glb(_) => Vec::new(),
         }
     }
 
     /// The rest of the file in parts, one after the other.
     pub fn finish(self) -> Vec<Vec<u8>> {
-        match self.body {
-            Body::Obj(obj) => obj.finish(),
-            Body::Glb(glb) => glb.finish(),
+        match self.writer {
+            Writer::Obj(obj) => obj.finish(),
+            Writer::Glb(glb) => glb.finish(),
         }
     }
 }
 
 /// Of the stones' dry finishes, which come after the ground's.
-fn mean_roughness(optics: &[Optics]) -> f32 {
-    let stones = optics.get(1..=FINISHES).unwrap_or_default();
+fn mean_roughness(materials: &[Material]) -> f32 {
+    let stones = materials.get(1..=FINISHES).unwrap_or_default();
     let sum: f32 = stones
         .iter()
         .map(|o| roughness(f64::from(o.shininess)))

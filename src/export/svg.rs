@@ -3,16 +3,15 @@
 use super::fixed::{push, push_whole};
 use crate::cells::Cell;
 use crate::domain::Domain;
-use crate::render::overlay::{Tint, copies, lit};
-use crate::render::overlay_tones::Tones;
+use crate::draw::{Colour, Layer, Pen, Shape, Tones, copies, lit, stages};
 use glam::DVec2;
 
 /// Coordinates have so many decimals.
 const DECIMALS: u32 = 2;
 
 /// A standalone SVG file of the picture's size: the outline, each cell as a path in its stone's colour
-/// whose id is `cell-` and its place in the list, and the constraint lines. Of a tile, what reaches
-/// over an edge comes in again at the opposite one, as copies of the paths.
+/// whose id is `cell-` and its place in the list, and each constraint line, `line-` and its place. Of a
+/// tile, what reaches over an edge comes in again at the opposite one, as copies of the paths.
 pub fn svg(
     side: usize,
     domain: &Domain,
@@ -20,68 +19,133 @@ pub fn svg(
     cells: &[Cell],
     tones: &Tones,
 ) -> String {
-    let mut file = File(Vec::new());
-    let paper = &tones.paper;
-    let size = cells.iter().map(|c| c.size).sum::<f64>() / cells.len().max(1) as f64;
-    let whole = side as f64;
-    file.number("<svg xmlns=\"http://www.w3.org/2000/svg\" width=", whole);
-    file.number(" height=", whole);
-    file.put(" viewBox=\"0 0 ");
-    push_whole(&mut file.0, side as u64);
-    file.put(" ");
-    push_whole(&mut file.0, side as u64);
-    file.put("\">\n<rect id=\"ground\" width=\"100%\" height=\"100%\"");
-    if domain.space().period().is_some() {
-        file.colour(" fill=", paper.bed);
-    } else {
-        file.colour(" fill=", paper.surround);
-        file.colour("/>\n<path id=\"outline\" fill=", paper.bed);
-        file.colour(" stroke=", paper.line);
-        file.put(" stroke-width=\"1.25\" fill-rule=\"evenodd\"");
-        file.path(rings, true);
+    let (paper, period) = (&tones.paper, domain.space().period());
+    let mut file = File::new(side, period.map_or(paper.surround, |_| paper.bed));
+    if period.is_none() {
+        file.one(&stages::bed(rings, paper));
     }
-    file.colour("/>\n<g id=\"cells\" stroke=", lit(paper.bed, 0.7));
-    file.number(" stroke-linejoin=\"round\" stroke-width=", 0.06 * size);
-    for (index, cell) in cells.iter().enumerate() {
-        file.put(">\n<path id=\"cell-");
-        push_whole(&mut file.0, index as u64);
-        file.colour("\" fill=", tones.stone(cell.id));
-        file.path(&[&cell.ring], true);
-        let copies = domain
-            .space()
-            .period()
-            .map_or_else(Vec::new, |side| copies(&cell.ring, side));
-        for shift in copies {
-            file.put("/>\n<use href=\"#cell-");
-            push_whole(&mut file.0, index as u64);
-            file.number("\" x=", shift.x);
-            file.number(" y=", shift.y);
-        }
-        file.put("/");
-    }
-    file.put(">\n</g>\n");
-    if !domain.lines().is_empty() {
-        file.colour(
-            "<g id=\"lines\" fill=\"none\" stroke=",
-            lit(paper.line, 0.6),
-        );
-        file.number(
-            " stroke-linecap=\"round\" stroke-width=",
-            (whole / 300.0).max(1.2),
-        );
-        let lines: Vec<&[DVec2]> = domain.lines().iter().map(Vec::as_slice).collect();
-        file.put("><path");
-        file.path(&lines, false);
-        file.put("/></g>\n");
-    }
-    file.put("</svg>\n");
-    file.0.into_iter().map(char::from).collect()
+    // Joints are thinner than on the screen, and lines as dark as the boundary.
+    let joint = 0.06 * stages::mean_size(cells);
+    let cells = stages::cells(cells, tones).edged(lit(paper.bed, 0.7), joint, 0.0);
+    file.group(&cells, period);
+    let lines = stages::lines(domain, side as f64);
+    file.group(&lines.inked(lit(paper.line, 0.6)), period);
+    file.finish()
 }
 
-/// A file in the making, ASCII. Its few calls take less room in WebAssembly than pieces of text.
+/// Layers as text, in ASCII: colours are opaque, and corners are not rounded. Its few calls take less
+/// room in WebAssembly than pieces of text.
 struct File(Vec<u8>);
 
 impl File {
+    fn new(side: usize, ground: Colour) -> Self {
+        let mut file = Self(Vec::new());
+        file.number(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=",
+            side as f64,
+        );
+        file.number(" height=", side as f64);
+        file.count(" viewBox=\"0 0 ", side);
+        file.count(" ", side);
+        file.put("\">\n<rect id=\"ground\" width=\"100%\" height=\"100%\"");
+        file.colour(" fill=", ground);
+        file.put("/>\n");
+        file
+    }
+
+    fn finish(mut self) -> String {
+        self.put("</svg>\n");
+        self.0.into_iter().map(char::from).collect()
+    }
+
+    /// A layer as a path for each shape.
+    fn one(&mut self, layer: &Layer) {
+        for shape in &layer.shapes {
+            self.put("<path id=\"");
+            self.put(layer.id);
+            self.put("\"");
+            self.fill(shape);
+            self.stroke(layer.pen, "");
+            self.put(" fill-rule=\"evenodd\"");
+            self.paths(shape, layer.pen);
+        }
+    }
+
+    /// A layer as a group of paths, each with its copies on a tile of side `period`.
+    fn group(&mut self, layer: &Layer, period: Option<f64>) {
+        if layer.shapes.is_empty() {
+            return;
+        }
+        self.put("<g id=\"");
+        self.put(layer.id);
+        self.put("\"");
+        let ends = match layer.pen {
+            Some(Pen { is_open: true, .. }) => " stroke-linecap=\"round\"",
+            _ => " stroke-linejoin=\"round\"",
+        };
+        self.stroke(layer.pen, ends);
+        self.put(">\n");
+        for (index, shape) in layer.shapes.iter().enumerate() {
+            self.put("<path id=\"");
+            self.count(layer.item, index);
+            self.put("\"");
+            self.fill(shape);
+            self.paths(shape, layer.pen);
+            let copies = period.map_or_else(Vec::new, |side| copies(&shape.paths.concat(), side));
+            for shift in copies {
+                self.put("<use href=\"#");
+                self.count(layer.item, index);
+                self.number("\" x=", shift.x);
+                self.number(" y=", shift.y);
+                self.put("/>\n");
+            }
+        }
+        self.put("</g>\n");
+    }
+
+    fn fill(&mut self, shape: &Shape) {
+        if let Some(colour) = shape.fill {
+            self.colour(" fill=", colour);
+        }
+    }
+
+    /// What a pen does; `ends` tells what it does at ends and corners.
+    fn stroke(&mut self, pen: Option<Pen>, ends: &str) {
+        let Some(pen) = pen else {
+            return;
+        };
+        if pen.is_open {
+            self.put(" fill=\"none\"");
+        }
+        self.colour(" stroke=", pen.colour);
+        self.put(ends);
+        self.number(" stroke-width=", pen.width);
+    }
+
+    /// A shape's rings or lines, and the end of its path.
+    fn paths(&mut self, shape: &Shape, pen: Option<Pen>) {
+        self.put(" d=\"");
+        for points in &shape.paths {
+            for (k, p) in points.iter().enumerate() {
+                self.0.push(if k == 0 { b'M' } else { b'L' });
+                push(&mut self.0, p.x as f32, DECIMALS);
+                self.0.push(b' ');
+                push(&mut self.0, p.y as f32, DECIMALS);
+            }
+            if pen.is_none_or(|pen| !pen.is_open) {
+                self.0.push(b'Z');
+            }
+        }
+        self.put("\"/>\n");
+    }
+
+    /// A whole number after some text.
+    #[inline(never)]
+    fn count(&mut self, before: &str, x: usize) {
+        self.put(before);
+        push_whole(&mut self.0, x as u64);
+    }
+
     #[inline(never)]
     fn put(&mut self, text: &str) {
         self.0.extend_from_slice(text.as_bytes());
@@ -98,31 +162,13 @@ impl File {
 
     /// An attribute whose value is a colour.
     #[inline(never)]
-    fn colour(&mut self, before: &str, tint: Tint) {
+    fn colour(&mut self, before: &str, colour: Colour) {
         const DIGITS: &[u8; 16] = b"0123456789abcdef";
         self.put(before);
         self.put("\"#");
-        for c in &tint[..3] {
+        for c in &colour[..3] {
             let byte = usize::from((255.0 * c + 0.5) as u8);
             self.0.extend([DIGITS[byte >> 4], DIGITS[byte & 15]]);
-        }
-        self.put("\"");
-    }
-
-    /// Rings or lines as the attribute of a path.
-    #[inline(never)]
-    fn path(&mut self, runs: &[&[DVec2]], closed: bool) {
-        self.put(" d=\"");
-        for points in runs {
-            for (k, p) in points.iter().enumerate() {
-                self.0.push(if k == 0 { b'M' } else { b'L' });
-                push(&mut self.0, p.x as f32, DECIMALS);
-                self.0.push(b' ');
-                push(&mut self.0, p.y as f32, DECIMALS);
-            }
-            if closed {
-                self.0.push(b'Z');
-            }
         }
         self.put("\"");
     }

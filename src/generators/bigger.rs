@@ -4,8 +4,8 @@ use super::height_field::{
     Bodies, Finish, HeightField, HeightFieldParams, Passes, ROWS, Revisions,
 };
 use super::{Clock, PictureSlice};
+use crate::heightfield::Planes;
 use crate::notice::{Code, Notice};
-use crate::texture::Planes;
 
 /// Most pixels along the side: more would not fit into the memory that browsers give a page.
 pub const MOST_PIXELS: usize = 4096;

@@ -1,10 +1,10 @@
 //! From the rows that generators share to the parameters of the height field's weather and light.
 
 use super::height_field::LightParams;
+use crate::heightfield::{Light, ShadeParams};
+use crate::material::{Gloss, WeatherParams, material_table};
 use crate::recipe::Recipe;
 use crate::recipe::common::keys;
-use crate::render::{Light, ShadeParams};
-use crate::texture::{Gloss, WeatherParams, optics_table};
 
 /// Pixels along the picture's side.
 pub(super) fn side(recipe: &Recipe) -> usize {
@@ -30,7 +30,7 @@ pub(super) fn weather(recipe: &Recipe) -> WeatherParams {
 pub(super) fn light(recipe: &Recipe) -> LightParams {
     LightParams {
         shade: shading(recipe),
-        optics: optics_table(
+        materials: material_table(
             recipe.choice(keys::PALETTE),
             recipe.choice(keys::GROUND),
             Gloss::of_word(recipe.choice(keys::GLOSS)),

@@ -4,17 +4,17 @@
 use crate::cells::Cell;
 use crate::domain::Domain;
 use crate::graph::{Node, State};
-use crate::notice::{Code, Notice};
-use crate::render::{ShadeParams, Shader};
-use crate::solid::Quarry;
-use crate::texture::{
-    Coat, Optics, Painted, Painter, Planes, TextureParams, WeatherParams, Weathering,
+use crate::heightfield::{
+    Painted, Painter, Planes, ShadeParams, Shader, TextureParams, Weathering,
 };
+use crate::material::{Coat, Material, WeatherParams};
+use crate::notice::{Code, Notice};
+use crate::solid::Solids;
 
 /// The stages of the finisher, in their order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Finish {
-    /// Bodies, painted as they are made into planes of bump, colour, optics and id.
+    /// Bodies, painted as they are made into planes of bump, colour, material and id.
     Planes,
     /// What years and weather do to the planes, and how much of the sky each place sees.
     Weather,
@@ -37,8 +37,8 @@ pub(super) struct PlaneParams {
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct LightParams {
     pub shade: ShadeParams,
-    /// The table that the optics plane indexes.
-    pub optics: Vec<Optics>,
+    /// The table that the plane of materials indexes.
+    pub materials: Vec<Material>,
 }
 
 /// What is asked of all its stages.
@@ -59,7 +59,7 @@ pub(super) struct HeightField {
     passes: Passes,
     /// Rows that stones are put into at a time.
     band: usize,
-    quarry: Quarry,
+    solids: Solids,
     shader: Option<Shader>,
 }
 
@@ -91,7 +91,7 @@ impl HeightField {
     /// Nothing made yet; stones are put into `band` rows at a time.
     pub fn new(params: HeightFieldParams, passes: Passes, band: usize) -> Self {
         Self {
-            quarry: quarry(&params.planes),
+            solids: solids(&params.planes),
             planes: Node::new(params.planes),
             weather: Node::new(params.weather),
             light: Node::new(params.light),
@@ -104,7 +104,7 @@ impl HeightField {
     /// What its stages are to be made by from now on.
     pub fn want(&mut self, params: HeightFieldParams) {
         if params.planes.finer != self.planes.params().finer {
-            self.quarry = quarry(&params.planes);
+            self.solids = solids(&params.planes);
         }
         self.planes.want(params.planes);
         self.weather.want(params.weather);
@@ -139,13 +139,13 @@ impl HeightField {
     }
 
     fn paint(&mut self, bodies: Bodies, inputs: u64) {
-        let (quarry, band) = (&mut self.quarry, self.band);
+        let (solids, band) = (&mut self.solids, self.band);
         self.planes.advance(inputs, |params, work| {
             let Some(painting) = work else {
                 *work = Some(Painting::new(params, bodies.coats, band));
                 return Ok(None);
             };
-            if !painting.advance(quarry, bodies.cells) {
+            if !painting.advance(solids, bodies.cells) {
                 return Ok(None);
             }
             let painting = work.take();
@@ -178,12 +178,12 @@ impl HeightField {
             .advance(self.weather.revision(), |params, begun| {
                 // Under another light the same shader goes on: its tables stay.
                 let fits = kept.take().filter(|shader| shader.side() == planes.side);
-                let new = || Shader::new(&params.shade, planes.side, planes.fine);
+                let new = || Shader::new(&params.shade, planes.side, planes.pixel_scale);
                 let shader = kept.insert(fits.unwrap_or_else(new));
                 if begun.replace(()).is_none() {
                     shader.restart(&params.shade);
                 }
-                let done = shader.advance(planes, &params.optics, ROWS);
+                let done = shader.advance(planes, &params.materials, ROWS);
                 Ok(done.then(|| match passes {
                     Passes::Many => shader.rgba().to_vec(),
                     Passes::One => Vec::new(),
@@ -245,8 +245,8 @@ impl HeightField {
     }
 }
 
-fn quarry(params: &PlaneParams) -> Quarry {
-    Quarry::for_picture(params.texture.fine, params.finer)
+fn solids(params: &PlaneParams) -> Solids {
+    Solids::for_picture(params.texture.pixel_scale, params.finer)
 }
 
 /// Planes on their way.
@@ -260,7 +260,7 @@ pub(super) struct Painting {
 impl Painting {
     fn new(params: &PlaneParams, coats: &[Coat], band: usize) -> Self {
         let mut painter = Painter::banded(params.texture, band);
-        painter.dress(coats);
+        painter.set_coats(coats);
         Self {
             painter,
             is_bedded: false,
@@ -271,13 +271,13 @@ impl Painting {
 
     /// One slice: some ground, a stone, or the next band of rows; true when all stones are in all of
     /// them.
-    fn advance(&mut self, quarry: &mut Quarry, cells: &[Cell]) -> bool {
+    fn advance(&mut self, solids: &mut Solids, cells: &[Cell]) -> bool {
         if !self.is_bedded {
-            self.is_bedded = self.painter.prepare(ROWS);
+            self.is_bedded = self.painter.lay_ground(ROWS);
             return false;
         }
         if let Some(cell) = cells.get(self.stones) {
-            let done = self.painter.paint_slice(quarry, cell, self.stones);
+            let done = self.painter.paint_slice(solids, cell, self.stones);
             self.stones += usize::from(done);
         }
         if self.stones < cells.len() {

@@ -17,12 +17,14 @@ mod placement;
 mod population;
 mod quadtree;
 mod shape;
+mod stress;
 mod wall;
 mod warm_start;
 
 pub(crate) use grid::Grid;
 pub use measures::{Alignment, NetForce, Sample};
 pub use placement::Placing;
+pub use stress::{Stress, stress};
 
 use crate::domain::{Domain, Walls};
 use crate::field::{Fields, Kind};

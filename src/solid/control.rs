@@ -1,4 +1,4 @@
-//! The control mesh of a stone: rings of points about its axis, one above the other, and a top.
+//! The control mesh of a stone: rings of points about its axis, one above the other, and the top's middle.
 //!
 //! Miyata, Itoh, Shimada (2000), A Method of Generating Pavement Textures Using the Square Packing
 //! Technique, section 5.1: the cell is scaled by Sv, swept by Hs, and its top corners are displaced by
@@ -17,7 +17,7 @@
 //! ```
 
 use super::footprint::Footprint;
-use super::{Spread, StoneKind, StoneParams};
+use super::{Distribution, StoneKind, StoneParams};
 use crate::random::{Purpose, Random};
 use glam::{DVec2, Vec3};
 
@@ -32,12 +32,12 @@ const LEAST_HALF_JOINT: f64 = 0.85;
 const MOST_HALF_JOINT: f64 = 0.065;
 /// Heights of top corners differ by so much of the joint's depth at Dr = 0.3.
 const UNEVEN: f64 = 0.10;
-/// So much of a low stone's height stands over the ground; of a tall one no more than its size, as it is
-/// held by what is between the stones.
-const STAND: f64 = 0.7;
-/// What stands over the ground of a flagstone as high as half its size, of its size: eq. (7) holds for it.
-const USUAL_FLAG: f64 = 0.25;
-/// How deep the ground lies below the bevel of flagstones, of what stands over the ground of cobbles.
+/// So much of a low stone's height stands over the ground; of a tall one no more than its size, as the
+/// joints' filling holds it.
+const EXPOSED: f64 = 0.7;
+/// The height over the ground of a flagstone half as high as wide, of its size: eq. (7) holds for it.
+const USUAL_EXPOSED: f64 = 0.25;
+/// How deep the ground lies below the bevel of flagstones, of the height of cobbles over the ground.
 const FLAG_JOINT: f64 = 0.4;
 /// A joint's floor is never lower than this part of the stones' height.
 const DEEPEST: f64 = 0.92;
@@ -63,25 +63,25 @@ const MOST_INSET: f64 = 0.72;
 
 /// How deep the ground lies below the tops of stones of `size`, in picture units.
 pub(super) fn joint_depth(params: &StoneParams, size: f64) -> f64 {
-    let stand = stand(params.height, size);
+    let exposed = exposed_height(params.height, size);
     let wanted = match params.kind {
-        StoneKind::Flagstone => FLAG_JOINT * stand + bevel_down(params, stand),
-        _ => stand,
+        StoneKind::Flagstone => FLAG_JOINT * exposed + bevel_down(params, exposed),
+        _ => exposed,
     };
     wanted.min(DEEPEST * params.height)
 }
 
-/// How much of a stone stands over the ground: half the harmonic mean of what a low one and a tall one
-/// has there, so it grows with the height without end, and with the size.
-fn stand(height: f64, size: f64) -> f64 {
-    let low = STAND * height;
+/// The height of a stone over the ground: half the harmonic mean of a low stone's part and the size, so it
+/// grows with both, and never beyond the size.
+fn exposed_height(height: f64, size: f64) -> f64 {
+    let low = EXPOSED * height;
     low * size / (low + size)
 }
 
-/// How far below the top the bevel of a flagstone begins: eq. (7), and so much less or more for one that
-/// stands lower or higher than usual over the ground.
-fn bevel_down(params: &StoneParams, stand: f64) -> f64 {
-    bevel(params.bevel_vertical, stand / USUAL_FLAG)
+/// How far below the top the bevel of a flagstone begins: eq. (7), times the stone's height over the ground
+/// by the usual one.
+fn bevel_down(params: &StoneParams, exposed: f64) -> f64 {
+    bevel(params.bevel_vertical, exposed / USUAL_EXPOSED)
 }
 
 /// From a slab (0) to a stone far higher than wide (1).
@@ -91,7 +91,7 @@ fn tallness(height: f64, size: f64) -> f64 {
 }
 
 /// From what low stones have to what tall ones have.
-fn between([low, tall]: [f64; 2], tallness: f64) -> f64 {
+fn lerp([low, tall]: [f64; 2], tallness: f64) -> f64 {
     low + (tall - low) * tallness
 }
 
@@ -106,67 +106,67 @@ fn half_joint(size: f64) -> f64 {
 
 /// One ring of the control mesh.
 #[derive(Clone, Copy, Default)]
-struct Band {
+struct RingProfile {
     height: f64,
     /// Drawn in from the outline, in picture units.
     inset: f64,
     /// The part of the top corners' displacement that reaches this ring.
-    sway: f64,
+    displaced: f64,
     /// From the outline's shape (0) to an ellipse (1): a dome has no ridges from its corners.
     round: f64,
 }
 
-/// The bands from base to top, and how far a dome falls from the middle to half the stone's width.
-fn profile(params: &StoneParams, size: f64) -> ([Band; RINGS], f64) {
+/// The rings from base to top, and how far a dome falls from the middle to half the stone's width.
+fn profile(params: &StoneParams, size: f64) -> ([RingProfile; RINGS], f64) {
     match params.kind {
         StoneKind::Flagstone => (flagstone(params, size), 0.0),
         _ => cobble(params, size),
     }
 }
 
-fn flagstone(params: &StoneParams, size: f64) -> [Band; RINGS] {
+fn flagstone(params: &StoneParams, size: f64) -> [RingProfile; RINGS] {
     let (top, depth) = (params.height, joint_depth(params, size));
-    let down = bevel_down(params, stand(top, size)).min(DEEPEST * depth);
+    let down = bevel_down(params, exposed_height(top, size)).min(DEEPEST * depth);
     let across = bevel(params.bevel_horizontal, size);
-    let band = |height: f64, inset: f64, sway: f64| Band {
+    let ring = |height: f64, inset: f64, displaced: f64| RingProfile {
         height,
         inset,
-        sway,
-        ..Band::default()
+        displaced,
+        ..RingProfile::default()
     };
     [
-        Band::default(),
-        band(top - down, 0.0, 0.8),
-        band(top - 0.3 * down, 0.15 * across, 1.0),
-        band(top, across, 1.0),
-        band(top, across + 0.12 * size, 1.0),
+        RingProfile::default(),
+        ring(top - down, 0.0, 0.8),
+        ring(top - 0.3 * down, 0.15 * across, 1.0),
+        ring(top, across, 1.0),
+        ring(top, across + 0.12 * size, 1.0),
     ]
 }
 
-/// Low setts have flat heads with edges all around, tall cobbles round ones. Of each band the drop from
+/// Low setts have flat heads with edges all around, tall cobbles round ones. Of each ring the drop from
 /// the top, of the joint's depth, the inset, of the size, and the roundness, of low ones and of tall ones.
-fn cobble(params: &StoneParams, size: f64) -> ([Band; RINGS], f64) {
+fn cobble(params: &StoneParams, size: f64) -> ([RingProfile; RINGS], f64) {
     let (top, depth) = (params.height, joint_depth(params, size));
     let tall = tallness(top, size);
-    let of = |ends: [f64; 2]| between(ends, tall);
-    let band = |drop: [f64; 2], inset: [f64; 2], round: [f64; 2], sway: f64| Band {
+    let of = |ends: [f64; 2]| lerp(ends, tall);
+    let ring = |drop: [f64; 2], inset: [f64; 2], round: [f64; 2], displaced: f64| RingProfile {
         height: top - of(drop) * depth,
         inset: of(inset) * size,
-        sway,
+        displaced,
         round: of(round),
     };
-    let bands = [
-        Band::default(),
-        band([1.0, 1.0], [0.0, 0.0], [0.0, 0.3], 0.7),
-        band([0.2, 0.44], [0.005, 0.05], [0.0, 0.6], 0.9),
-        band([0.0, 0.12], [0.10, 0.19], [0.0, 1.0], 1.0),
-        band([0.0, 0.0], [0.24, 0.33], [0.6, 1.0], 1.0),
+    let rings = [
+        RingProfile::default(),
+        ring([1.0, 1.0], [0.0, 0.0], [0.0, 0.3], 0.7),
+        ring([0.2, 0.44], [0.005, 0.05], [0.0, 0.6], 0.9),
+        ring([0.0, 0.12], [0.10, 0.19], [0.0, 1.0], 1.0),
+        ring([0.0, 0.0], [0.24, 0.33], [0.6, 1.0], 1.0),
     ];
-    (bands, of(DOME) * depth)
+    (rings, of(DOME) * depth)
 }
 
 /// A point of the outline and its share of the next corner's displacement.
-struct Station {
+struct OutlinePoint {
     at: DVec2,
     factor: f64,
     /// Its share of what the top is uneven, -1..1.
@@ -175,18 +175,18 @@ struct Station {
 
 /// The control points of a stone, in the order of [`triangles`].
 pub fn points(plan: &Footprint, params: &StoneParams, id: u32) -> Vec<Vec3> {
-    let (bands, dome) = profile(params, plan.size);
-    let stations = stations(plan, params, id);
+    let (rings, dome) = profile(params, plan.size);
+    let outline = outline(plan, params, id);
     let uneven = UNEVEN * (params.distortion / 0.3).min(1.5) * joint_depth(params, plan.size);
-    let mut points = Vec::with_capacity(RINGS * stations.len() + 1);
-    for (ring, band) in bands.iter().enumerate() {
-        for station in &stations {
-            let arm = arm(plan, params, station, band);
-            let scale = crowded(params.scale, band.sway).max(1.0);
+    let mut points = Vec::with_capacity(RINGS * outline.len() + 1);
+    for (k, ring) in rings.iter().enumerate() {
+        for point in &outline {
+            let arm = arm(plan, params, point, ring);
+            let scale = scale_at(params.scale, ring.displaced).max(1.0);
             let p = plan.centre + plan.axis * arm.x + plan.axis.perp() * arm.y;
             let p = plan.kept_in(p, scale);
-            let mut z = band.height + uneven * station.lift * band.sway;
-            if ring > 1 {
+            let mut z = ring.height + uneven * point.lift * ring.displaced;
+            if k > 1 {
                 z -= dome * (arm / plan.half).length_squared().min(2.0);
             }
             points.push(Vec3::new(p.x as f32, p.y as f32, z as f32));
@@ -197,20 +197,21 @@ pub fn points(plan: &Footprint, params: &StoneParams, id: u32) -> Vec<Vec3> {
     points
 }
 
-/// Above 1 the scale widens the foot more than the top: stones crowd, and still show their joints.
-fn crowded(scale: f64, sway: f64) -> f64 {
-    scale.min(1.0) + (scale - 1.0).max(0.0) * (1.0 - CROWDED * sway)
+/// The scale at a ring. Above 1 it widens the foot more than the top: stones touch, and still show their
+/// joints.
+fn scale_at(scale: f64, displaced: f64) -> f64 {
+    scale.min(1.0) + (scale - 1.0).max(0.0) * (1.0 - CROWDED * displaced)
 }
 
 /// From the axis of the stone to a control point, along and across the footprint's principal axis.
-fn arm(plan: &Footprint, params: &StoneParams, station: &Station, band: &Band) -> DVec2 {
-    let factor = 1.0 + (station.factor - 1.0) * band.sway;
-    let arm = (station.at - plan.centre) * crowded(params.scale, band.sway) * factor;
+fn arm(plan: &Footprint, params: &StoneParams, point: &OutlinePoint, ring: &RingProfile) -> DVec2 {
+    let factor = 1.0 + (point.factor - 1.0) * ring.displaced;
+    let arm = (point.at - plan.centre) * scale_at(params.scale, ring.displaced) * factor;
     // Drawn in by the same length along and across, so that joints of long cells are even.
-    let inset = band.inset + half_joint(plan.size);
+    let inset = ring.inset + half_joint(plan.size);
     let narrow = DVec2::ONE - (inset / plan.half).min(DVec2::splat(MOST_INSET));
     let arm = DVec2::new(arm.dot(plan.axis), arm.dot(plan.axis.perp())) * narrow;
-    arm.lerp(rounded(arm, plan.half * narrow), band.round)
+    arm.lerp(rounded(arm, plan.half * narrow), ring.round)
 }
 
 /// A point of the ellipse that fits in between the sides and corners of a rectangle of half extents
@@ -223,52 +224,52 @@ fn rounded(arm: DVec2, half: DVec2) -> DVec2 {
     arm * (BETWEEN / away)
 }
 
-fn stations(plan: &Footprint, params: &StoneParams, id: u32) -> Vec<Station> {
+fn outline(plan: &Footprint, params: &StoneParams, id: u32) -> Vec<OutlinePoint> {
     let corners = &plan.corners;
     let n = corners.len();
     let mut random = Random::new(params.seed, Purpose::Distortion, u64::from(id));
     let mut factors = displacements(params, &mut random, n);
     let mut lifts: Vec<f64> = (0..n).map(|_| random.signed()).collect();
-    even_out(corners, &mut [&mut factors, &mut lifts]);
-    let spread = match params.kind {
+    interpolate_flat_corners(corners, &mut [&mut factors, &mut lifts]);
+    let beside = match params.kind {
         StoneKind::Flagstone => bevel(params.bevel_horizontal, plan.size).max(0.01 * plan.size),
-        _ => between(COBBLE_CORNER, tallness(params.height, plan.size)) * plan.size,
+        _ => lerp(COBBLE_CORNER, tallness(params.height, plan.size)) * plan.size,
     };
-    let mut stations = Vec::with_capacity(3 * n);
+    let mut outline = Vec::with_capacity(3 * n);
     for i in 0..n {
-        let beside = |j: usize| {
+        let towards = |j: usize| {
             let side = corners[j] - corners[i];
-            let t = (spread / side.length()).min(LONGEST_CORNER);
-            Station {
+            let t = (beside / side.length()).min(LONGEST_CORNER);
+            OutlinePoint {
                 at: corners[i] + side * t,
                 factor: factors[i] + (factors[j] - factors[i]) * t,
                 lift: lifts[i] + (lifts[j] - lifts[i]) * t,
             }
         };
-        stations.push(beside((i + n - 1) % n));
-        stations.push(Station {
+        outline.push(towards((i + n - 1) % n));
+        outline.push(OutlinePoint {
             at: corners[i],
             factor: factors[i],
             lift: lifts[i],
         });
-        stations.push(beside((i + 1) % n));
+        outline.push(towards((i + 1) % n));
     }
-    stations
+    outline
 }
 
 /// Eq. (6), read as a factor of each top corner's distance from the stone's axis.
 fn displacements(params: &StoneParams, random: &mut Random, n: usize) -> Vec<f64> {
-    let mut number = || match params.spread {
-        Spread::Uniform => random.signed(),
-        Spread::Normal => random.normal().clamp(-MOST_NORMAL, MOST_NORMAL),
+    let mut number = || match params.distribution {
+        Distribution::Uniform => random.signed(),
+        Distribution::Normal => random.normal().clamp(-MOST_NORMAL, MOST_NORMAL),
     };
     let factor = |r: f64| (1.0 + params.distortion * r).clamp(DISPLACEMENT.0, DISPLACEMENT.1);
     (0..n).map(|_| factor(number())).collect()
 }
 
-/// Only true corners move by themselves: those along a curved coast follow the true corners to either
-/// side, or such a stone would look gnawed.
-fn even_out(corners: &[DVec2], values: &mut [&mut Vec<f64>]) {
+/// Interpolates what corners draw between the true ones: along a curved boundary numbers of their own would
+/// make the stone ragged.
+fn interpolate_flat_corners(corners: &[DVec2], values: &mut [&mut Vec<f64>]) {
     let n = corners.len();
     let true_corners: Vec<usize> = (0..n).filter(|&i| is_true_corner(corners, i)).collect();
     if true_corners.len() < 3 {

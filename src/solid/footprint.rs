@@ -1,10 +1,10 @@
-//! From a cell's ring to the few corners of a stone's ground plan.
+//! From a cell's ring to the few corners of a stone's footprint.
 
 use crate::domain::{cross, signed_area};
 use crate::order;
 use glam::DVec2;
 
-/// At most so many corners make a stone; a ring along a curved coast has more points.
+/// At most so many corners make a stone; a ring along a curved boundary has more points.
 pub const MOST_CORNERS: usize = 12;
 
 /// A convex corner that stands out less than this (of the root of the area) is dropped.
@@ -17,7 +17,7 @@ const CANDIDATES: usize = 12;
 /// Angle between the rays to either side of a corner, in radians.
 const SIDE_RAY: f64 = 1e-5;
 
-/// The ground plan of a stone: star-shaped about its centre and inside the cell's ring.
+/// The footprint of a stone: star-shaped about its centre and inside the cell's ring.
 #[derive(Clone, Debug)]
 pub struct Footprint {
     /// Sees every corner.
@@ -103,7 +103,7 @@ fn cleaned(ring: &[DVec2]) -> Option<Vec<DVec2>> {
     (kept.len() >= 3 && !thin).then_some(kept)
 }
 
-/// A centre and a ring about it that it sees whole.
+/// A centre, and a ring that is star-shaped about it.
 fn star(ring: Vec<DVec2>, hint: DVec2) -> Option<(DVec2, Vec<DVec2>)> {
     let centroid = centroid(&ring);
     if let Some(&centre) = [centroid, hint].iter().find(|&&c| sees_all(&ring, c)) {

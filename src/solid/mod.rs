@@ -4,19 +4,21 @@
 //! section 6. Lengths are picture units, y down, heights above the base level.
 
 mod control;
+mod displacement;
 mod edges;
-mod flow;
 mod footprint;
-mod hide;
+mod orientation;
 mod prism;
-mod quarry;
+mod solids;
 mod sparse;
+mod stencil_cache;
 mod subdivide;
 
-pub use flow::oriented;
 pub use footprint::{Footprint, MOST_CORNERS};
+pub use orientation::oriented;
 pub use prism::{Prism, lean};
-pub use quarry::{MOST_LEVELS, Quarry, Solid};
+pub use solids::{Solid, Solids, control_mesh};
+pub use stencil_cache::MOST_LEVELS;
 pub use subdivide::{Stencil, TriangleMesh, beta, loop_subdivide};
 
 /// The control mesh a stone begins with.
@@ -33,7 +35,7 @@ pub enum StoneKind {
 
 /// The distribution of the random number in the displacement of top corners.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Spread {
+pub enum Distribution {
     /// Uniform in -1..1 (Miyata, Itoh, Shimada 2000).
     #[default]
     Uniform,
@@ -53,7 +55,7 @@ pub struct StoneParams {
     /// Displacement of the top corners, 0..1; 0 moves nothing (Dr).
     pub distortion: f64,
     /// The random number of the displacement.
-    pub spread: Spread,
+    pub distribution: Distribution,
     /// Horizontal bevel of a flagstone, 0..1 of half its size (Bh).
     pub bevel_horizontal: f64,
     /// Vertical bevel of a flagstone, 0..1 of half its size (Bv).
@@ -78,9 +80,9 @@ pub struct SkinParams {
     pub tilt: f64,
     /// How far the top corners are displaced to the middle, 0..1 (Tc).
     pub taper: f64,
-    /// From faces that subdivision has made round (0) to those of the prism itself (1).
+    /// From the rounded faces that subdivision gives (0) to the flat ones of the prism (1).
     pub flatness: f64,
-    /// Height of the ridge along the flow, in the prism's height, 0..1.
+    /// Height of the ridge along the flow, of the prism's height, 0..1.
     pub keel: f64,
     /// Number of growth rings.
     pub rings: u32,
@@ -114,7 +116,7 @@ impl Default for StoneParams {
             height: 18.0,
             scale: 1.0,
             distortion: 0.3,
-            spread: Spread::Uniform,
+            distribution: Distribution::Uniform,
             bevel_horizontal: 0.2,
             bevel_vertical: 0.2,
             skin: SkinParams::default(),

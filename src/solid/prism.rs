@@ -13,7 +13,7 @@
 //! ```
 
 use super::footprint::Footprint;
-use super::{Spread, StoneKind, StoneParams};
+use super::{Distribution, StoneKind, StoneParams};
 use crate::cells::Cell;
 use crate::order;
 use crate::random::{Purpose, Random};
@@ -131,9 +131,9 @@ fn fill_in(corners: &mut [DVec2]) {
 
 /// A random way to go, within a ball of the radius Dr.
 fn displacement(params: &StoneParams, random: &mut Random) -> DVec3 {
-    let amount = match params.spread {
-        Spread::Uniform => random.unit(),
-        Spread::Normal => random.normal().abs().min(MOST_NORMAL) / 2.0,
+    let amount = match params.distribution {
+        Distribution::Uniform => random.unit(),
+        Distribution::Normal => random.normal().abs().min(MOST_NORMAL) / 2.0,
     };
     // Uniform on the sphere (Archimedes).
     let (z, angle) = (random.signed(), TAU * random.unit());

@@ -1,14 +1,14 @@
 //! Sparse matrices and their products.
 
-/// A sparse matrix in compressed rows: row i holds the entries `starts[i] .. starts[i + 1]`.
+/// A sparse matrix in compressed rows (CSR): row i holds the entries `starts[i] .. starts[i + 1]`.
 #[derive(Debug)]
-pub(super) struct Rows {
+pub(super) struct Matrix {
     pub starts: Vec<u32>,
     pub columns: Vec<u32>,
     pub weights: Vec<f64>,
 }
 
-impl Rows {
+impl Matrix {
     pub fn empty() -> Self {
         Self {
             starts: vec![0],
@@ -42,18 +42,18 @@ impl Rows {
     }
 }
 
-/// The product of two matrices, row by row. The second one's columns are few: sums go into a dense
-/// row that is emptied after use.
+/// The product of two matrices, worked out row by row. The second one's columns are few: sums go into a
+/// dense row that is emptied after use.
 #[derive(Debug)]
 pub(super) struct Product {
-    first: Rows,
+    first: Matrix,
     dense: Vec<f64>,
-    pub done: Rows,
+    pub done: Matrix,
 }
 
 impl Product {
-    pub fn new(first: Rows, columns: usize) -> Self {
-        let mut done = Rows::empty();
+    pub fn new(first: Matrix, columns: usize) -> Self {
+        let mut done = Matrix::empty();
         done.starts.reserve(first.len());
         done.columns.reserve(first.len() * columns / 2);
         done.weights.reserve(first.len() * columns / 2);
@@ -65,10 +65,10 @@ impl Product {
     }
 
     /// At most `most` rows, which it takes from that number; true when all are done.
-    pub fn advance(&mut self, second: &Rows, most: &mut usize) -> bool {
+    pub fn advance(&mut self, second: &Matrix, most: &mut usize) -> bool {
         let from = self.done.len();
         let to = self.first.len().min(from.saturating_add(*most));
-        let Rows {
+        let Matrix {
             starts,
             columns,
             weights,

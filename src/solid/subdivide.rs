@@ -10,7 +10,7 @@
 //! share it: see [`Stencil`].
 
 use super::edges::{Edge, Edges, split, starts};
-use super::sparse::{Product, Rows};
+use super::sparse::{Matrix, Product};
 use glam::Vec3;
 use std::rc::Rc;
 
@@ -69,9 +69,9 @@ impl Stencil {
     }
 
     fn made(vertices: usize, triangles: Vec<[u32; 3]>, levels: u32, limit: bool) -> Self {
-        let mut growing = Growing::new(vertices, triangles, levels, limit);
-        while !growing.advance(usize::MAX) {}
-        growing.finish()
+        let mut builder = StencilBuilder::new(vertices, triangles, levels, limit);
+        while !builder.advance(usize::MAX) {}
+        builder.finish()
     }
 
     /// How many vertices the unrefined mesh has.
@@ -133,9 +133,9 @@ impl Stencil {
 
 /// A stencil in the making.
 #[derive(Debug)]
-pub(super) struct Growing {
+pub(super) struct StencilBuilder {
     sources: usize,
-    rows: Rows,
+    rows: Matrix,
     triangles: Vec<[u32; 3]>,
     parents: Vec<[u32; 2]>,
     ends: Vec<usize>,
@@ -147,12 +147,12 @@ pub(super) struct Growing {
     product: Option<Product>,
 }
 
-impl Growing {
+impl StencilBuilder {
     /// See [`Stencil::new`] and [`Stencil::to_limit`].
     pub fn new(vertices: usize, triangles: Vec<[u32; 3]>, levels: u32, limit: bool) -> Self {
         Self {
             sources: vertices,
-            rows: Rows::identity(vertices),
+            rows: Matrix::identity(vertices),
             triangles,
             parents: Vec::new(),
             ends: Vec::new(),
@@ -168,7 +168,7 @@ impl Growing {
         while most > 0 {
             if let Some(product) = &mut self.product {
                 if product.advance(&self.rows, &mut most) {
-                    self.rows = self.product.take().map_or(Rows::empty(), |p| p.done);
+                    self.rows = self.product.take().map_or(Matrix::empty(), |p| p.done);
                 }
             } else if let Some(edges) = self.edges.take() {
                 most = most.saturating_sub(edges.list.len());
@@ -185,10 +185,10 @@ impl Growing {
     }
 
     /// The matrix of the next step.
-    fn step(&mut self, edges: &Edges) -> Rows {
+    fn step(&mut self, edges: &Edges) -> Matrix {
         let count = self.rows.len();
         if self.levels == 0 {
-            let mut step = Rows::empty();
+            let mut step = Matrix::empty();
             push_vertices(count, edges, limit_share, &mut step);
             self.limit = false;
             return step;
@@ -216,8 +216,8 @@ impl Growing {
 }
 
 /// The matrix of one step: the old vertices first, then one per edge in the order of their ends.
-fn step(vertices: usize, edges: &Edges) -> Rows {
-    let mut rows = Rows::empty();
+fn step(vertices: usize, edges: &Edges) -> Matrix {
+    let mut rows = Matrix::empty();
     push_vertices(vertices, edges, step_share, &mut rows);
     for Edge { ends, opposite } in &edges.list {
         let [a, b] = *ends;
@@ -244,7 +244,12 @@ fn limit_share(n: usize, rim: usize) -> f64 {
     }
 }
 
-fn push_vertices(vertices: usize, edges: &Edges, share: fn(usize, usize) -> f64, rows: &mut Rows) {
+fn push_vertices(
+    vertices: usize,
+    edges: &Edges,
+    share: fn(usize, usize) -> f64,
+    rows: &mut Matrix,
+) {
     let mut counts = vec![0; vertices];
     for [a, b] in edges.list.iter().map(|edge| edge.ends) {
         counts[a as usize] += 1;

@@ -2,7 +2,8 @@
 
 use super::{Base, Overlay, Pavement, Stage, View};
 use crate::domain::Domain;
-use crate::render::{overlay_loads, overlay_planes};
+use crate::draw;
+use crate::heightfield::Planes;
 use glam::DVec2;
 
 /// Why there is nothing to be seen of something.
@@ -62,7 +63,7 @@ impl Pavement {
     /// From the lowest place of the bump plane that is shown to the highest, in picture units; 0 where
     /// there is none yet.
     pub fn height_range(&self) -> f64 {
-        let range = self.planes_to_show().map(overlay_planes::height_range);
+        let range = self.planes_to_show().map(Planes::height_range);
         range.map_or(0.0, |(low, high)| f64::from(high - low))
     }
 
@@ -86,7 +87,7 @@ impl Pavement {
         if overlay == Overlay::Forces && packs {
             let packing = self.made.packing_mut();
             let loads = packing.map(|(packing, domain)| packing.net_forces(domain));
-            let still = loads.is_some_and(|loads| overlay_loads::at_rest(&loads));
+            let still = loads.is_some_and(|loads| draw::forces::at_rest(&loads));
             return still.then_some(Absence::AtRest);
         }
         let made = &self.made;

@@ -5,10 +5,10 @@
 use super::terrain::Terrain;
 use super::{Pavement, Stage, Wish};
 use crate::domain::{Domain, Outline};
+use crate::draw::Tones;
 use crate::field::Fields;
 use crate::generators::{Clock, Engine};
 use crate::packing::Packing;
-use crate::render::overlay_tones::Tones;
 use glam::DVec2;
 
 /// Steps that a draft makes in one tick at most: more would look hasty.

@@ -5,9 +5,9 @@ use crate::export::{self, Map, MapKind, MeshFile, MeshFormat, maps};
 use crate::generators::bigger::{Bigger, Picture};
 use crate::generators::height_field::{Bodies, LightParams};
 use crate::generators::{Clock, Engine, MeshSlice, PictureSlice};
+use crate::heightfield::Planes;
 use crate::notice::{Code, Notice};
-use crate::solid::Quarry;
-use crate::texture::Planes;
+use crate::solid::Solids;
 
 /// Loop steps of skin in a file, beyond those of the picture: its triangles are still about a pixel
 /// large, and a file is a quarter as long.
@@ -16,7 +16,7 @@ const MESH_STEPS: i32 = -1;
 /// A mesh file in the making.
 pub(super) struct Saving {
     file: MeshFile,
-    quarry: Quarry,
+    solids: Solids,
     format: MeshFormat,
     /// Which of the planes it is made of.
     revision: u64,
@@ -90,12 +90,12 @@ impl Pavement {
         let begun = kept.is_none();
         let asked = &self.working.params.finish;
         let mut saving = kept.unwrap_or_else(|| Saving {
-            file: MeshFile::new(format, asked.planes.texture, &asked.light.optics),
-            quarry: Quarry::for_picture(1, MESH_STEPS),
+            file: MeshFile::new(format, asked.planes.texture, &asked.light.materials),
+            solids: Solids::for_picture(1, MESH_STEPS),
             format,
             revision,
         });
-        let done = self.add_cells(&mut saving.file, &mut saving.quarry, clock, budget);
+        let done = self.add_cells(&mut saving.file, &mut saving.solids, clock, budget);
         let mut parts = saving.file.take();
         if done {
             parts.extend(saving.file.finish());
@@ -109,7 +109,7 @@ impl Pavement {
     fn add_cells(
         &self,
         file: &mut MeshFile,
-        quarry: &mut Quarry,
+        solids: &mut Solids,
         clock: Clock,
         budget: f64,
     ) -> bool {
@@ -119,7 +119,7 @@ impl Pavement {
         };
         let begin = clock();
         while let Some(cell) = self.scales().get(file.cells()) {
-            file.add(&quarry.stone(cell, &stone), cell, planes);
+            file.add(&solids.solid(cell, &stone), cell, planes);
             // Not `>=`: a clock that fails must not make this endless.
             let inside = clock() - begin < budget;
             if !inside {
@@ -132,5 +132,5 @@ impl Pavement {
 
 /// A map of planes under this light.
 pub(super) fn map_of(kind: MapKind, planes: &Planes, light: &LightParams) -> Map {
-    maps::map(kind, planes, &light.optics, light.shade.shininess)
+    maps::map(kind, planes, &light.materials, light.shade.shininess)
 }

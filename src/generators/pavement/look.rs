@@ -23,9 +23,9 @@ pub enum Base {
     Normals,
     /// The colour plane, without light.
     Albedo,
-    /// The roughness that the optics plane stands for, white is rough.
+    /// The roughness of the materials, white is rough.
     Roughness,
-    /// The openness plane: how much of the sky's light comes, white is all of it.
+    /// The plane of ambient occlusion: how much of the sky's light comes, white is all of it.
     Occlusion,
     /// One colour per stone.
     Ids,

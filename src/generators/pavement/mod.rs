@@ -30,13 +30,13 @@ use crate::cells::Cell;
 use crate::domain::{Domain, Outline};
 use crate::export::{Map, MapKind, MeshFormat, Report};
 use crate::field::Fields;
+use crate::heightfield::Planes;
 use crate::mesh::Mesh;
 use crate::metrics::Metrics;
 use crate::notice::Notice;
 use crate::packing::{Packing, StepReport};
 use crate::recipe::{Recipe, Schema};
 use crate::solid::StoneParams;
-use crate::texture::Planes;
 use draft::Draft;
 use params::Params;
 use stages::Stages;
@@ -400,9 +400,7 @@ impl Engine for Pavement {
         report.removed = last.removed;
         report.largest_move = last.largest_move;
         report.energy = self.energy();
-        let range = self
-            .planes()
-            .map(crate::render::overlay_planes::height_range);
+        let range = self.planes().map(Planes::height_range);
         report.height_range = range.unwrap_or_default();
     }
 

@@ -1,16 +1,13 @@
 //! Overlays: what is drawn over a base.
 
 use super::{Overlay, Pavement, Stage, View};
+use crate::draw::{self, Board, size::HeatMap};
 use crate::generators::common;
-use crate::packing::Packing;
-use crate::render::overlay::Board;
-use crate::render::overlay_size::Veil;
-use crate::render::overlay_stress::stress;
-use crate::render::{overlay_field, overlay_loads, overlay_over};
+use crate::packing::{Packing, stress};
 
 impl Pavement {
     /// Draws a view's overlays, each as soon as there is something to show of the pavement at work.
-    pub(super) fn draw_over(&mut self, view: View, board: &mut Board, veil: &mut Veil) {
+    pub(super) fn draw_over(&mut self, view: View, board: &mut Board, heat: &mut HeatMap) {
         let side = common::side(&self.working.recipe);
         let [meshed, celled] = [Stage::Mesh, Stage::Cells].map(|stage| self.is_past(stage));
         let packs = self.made.is_packing();
@@ -30,33 +27,36 @@ impl Pavement {
             };
             match overlay {
                 Overlay::Size => {
-                    veil.lay(board, made.terrain.revision(), side, domain, fields);
+                    heat.draw(board, made.terrain.revision(), side, domain, fields);
                 }
                 Overlay::Packed => {
                     let packing = made.packing().filter(|_| packs);
                     let particles = packing.map_or(Vec::new(), Packing::particles);
-                    overlay_over::packed(board, &particles, &stress(domain, &particles));
+                    let stress = stress(domain, &particles);
+                    board.draw(&draw::over::packed(&particles, &stress));
                 }
                 Overlay::Energy | Overlay::Forces => {
-                    let draw = match overlay {
-                        Overlay::Energy => overlay_loads::energy,
-                        _ => overlay_loads::forces,
+                    let of_loads = match overlay {
+                        Overlay::Energy => draw::forces::energy,
+                        _ => draw::forces::forces,
                     };
-                    draw(board, &loads.unwrap_or_default());
+                    board.draw(&of_loads(&loads.unwrap_or_default()));
                 }
-                Overlay::Cells if celled => overlay_over::cells(board, made.cells()),
+                Overlay::Cells if celled => board.draw(&draw::over::cells(made.cells())),
                 Overlay::Mesh if meshed => {
                     if let Some(mesh) = made.mesh() {
-                        overlay_over::mesh(board, mesh, fields);
+                        board.draw(&draw::over::mesh(mesh, fields));
                     }
                 }
                 Overlay::Cells | Overlay::Mesh => {}
-                Overlay::Anisotropy => overlay_over::anisotropy(board, domain, fields, side as f64),
+                Overlay::Anisotropy => {
+                    board.draw(&draw::over::anisotropy(domain, fields, side as f64));
+                }
                 Overlay::Direction => {
-                    overlay_field::direction_over(board, domain, fields, side as f64);
+                    board.draw(&draw::field::direction_over(domain, fields, side as f64));
                 }
                 Overlay::Singularities => {
-                    overlay_field::singularities(board, domain, fields, side as f64);
+                    board.draw(&draw::field::singularities(domain, fields, side as f64));
                 }
             }
         }

@@ -8,11 +8,12 @@ use crate::domain::Outline;
 use crate::field::{Direction, FieldParams, Grading, Kind, Spot};
 use crate::generators::common;
 use crate::generators::height_field::{HeightFieldParams, PlaneParams};
+use crate::heightfield::TextureParams;
+use crate::material::{ColourParams, Pattern};
 use crate::packing::{BoundaryCondition, Integrator, PackingParams, Population, Start};
 use crate::recipe::Recipe;
 use crate::recipe::common::keys as shared;
-use crate::solid::{SkinParams, Spread, StoneKind, StoneParams};
-use crate::texture::{ColourParams, Pattern, TextureParams};
+use crate::solid::{Distribution, SkinParams, StoneKind, StoneParams};
 use glam::DVec2;
 
 /// Rounds of Lloyd's relaxation: after these it hardly gets better.
@@ -239,9 +240,9 @@ pub(super) fn stone(recipe: &Recipe) -> StoneParams {
         height: recipe.number(keys::HS),
         scale: recipe.number(keys::SV),
         distortion: recipe.number(keys::DR),
-        spread: match recipe.choice(keys::RAND) {
-            "normal" => Spread::Normal,
-            _ => Spread::Uniform,
+        distribution: match recipe.choice(keys::RAND) {
+            "normal" => Distribution::Normal,
+            _ => Distribution::Uniform,
         },
         bevel_horizontal: recipe.number(keys::BH),
         bevel_vertical: recipe.number(keys::BV),
@@ -261,10 +262,10 @@ pub(super) fn stone(recipe: &Recipe) -> StoneParams {
     }
 }
 
-/// Planes, weather and light with `fine` pixels for each of the recipe, along a side.
-pub(super) fn finish(recipe: &Recipe, fine: usize, finer: i32) -> HeightFieldParams {
+/// Planes, weather and light with `pixel_scale` pixels for each of the recipe, along a side.
+pub(super) fn finish(recipe: &Recipe, pixel_scale: usize, finer: i32) -> HeightFieldParams {
     let texture = TextureParams {
-        fine,
+        pixel_scale,
         ..texture(recipe)
     };
     HeightFieldParams {
@@ -277,7 +278,7 @@ pub(super) fn finish(recipe: &Recipe, fine: usize, finer: i32) -> HeightFieldPar
 pub(super) fn texture(recipe: &Recipe) -> TextureParams {
     TextureParams {
         side: common::side(recipe),
-        fine: 1,
+        pixel_scale: 1,
         seed: common::seed(recipe),
         size: recipe.number(keys::CS),
         stone: stone(recipe),

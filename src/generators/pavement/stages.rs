@@ -6,11 +6,12 @@ use crate::cells::{self, Cell, Fitting, Graph, Scatter, ScatterParams};
 use crate::domain::Domain;
 use crate::generators::height_field::{Bodies, Finish, HeightField, Passes, Revisions};
 use crate::graph::{Node, State};
+use crate::heightfield::Planes;
+use crate::material::{Coat, Coats};
 use crate::mesh::{Mesh, Meshing};
 use crate::notice::{Code, Notice};
 use crate::packing::{Packing, PackingParams, Placing};
 use crate::solid::oriented;
-use crate::texture::{Coat, Coats, Planes};
 
 /// The stages of a pavement, in their order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -25,7 +26,7 @@ pub enum Stage {
     Mesh,
     /// One polygon per cell.
     Cells,
-    /// Stones, painted as they are made into planes of bump, colour, optics and id.
+    /// Stones, painted as they are made into planes of bump, colour, material and id.
     Planes,
     /// What years and weather do to the planes, and how much of the sky each place sees.
     Weather,

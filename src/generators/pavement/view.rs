@@ -4,16 +4,11 @@ use super::files::map_of;
 use super::look::{Base, View};
 use super::{Pavement, PavementRecipe, Stage, params};
 use crate::cells::Cell;
+use crate::draw::{self, Board, Layer, Paper, SHEET, Sketch, Tones};
 use crate::export::MapKind;
 use crate::generators::{Clock, Engine};
+use crate::heightfield::{Planes, row_slopes};
 use crate::order;
-use crate::render::overlay::{Board, Paper};
-use crate::render::overlay_sketch::{Layer, Sketch};
-use crate::render::overlay_tones::{SHEET, Tones};
-use crate::render::{
-    overlay_field, overlay_planes, overlay_potential, overlay_size, overlay_stages, row_slopes,
-};
-use crate::texture::Planes;
 use glam::DVec2;
 
 /// The frame last drawn, and what the next one can be made from.
@@ -27,7 +22,7 @@ pub(super) struct Gallery {
     /// The frame with overlays.
     over: Option<Board>,
     drawn_over: Option<(View, u64)>,
-    veil: overlay_size::Veil,
+    heat: draw::size::HeatMap,
 }
 
 /// Stones in a simple light over the cells, while the picture is not there.
@@ -73,7 +68,7 @@ impl Pavement {
         } else if gallery.drawn_over != Some((view, stamp)) {
             let mut board = gallery.frame.clone();
             if let Some(board) = &mut board {
-                self.draw_over(view, board, &mut gallery.veil);
+                self.draw_over(view, board, &mut gallery.heat);
             }
             gallery.over = board;
             gallery.drawn_over = Some((view, stamp));
@@ -134,8 +129,8 @@ impl Pavement {
                 Way::Packed => self.packed(),
                 Way::Cells => {
                     let tones = self.tones();
-                    let cells = overlay_stages::cells(made.cells(), &tones);
-                    self.on_paper(&tones.paper, cells)
+                    let cells = draw::stages::cells(made.cells(), &tones);
+                    self.on_paper(&tones.paper, vec![cells])
                 }
                 Way::Stones if !self.goes_on(&gallery.preview) => self.bedded()?,
                 Way::Stones | Way::Stays | Way::Picture => return None,
@@ -145,15 +140,14 @@ impl Pavement {
             Base::Cells | Base::Mesh if self.draft().is_some() => self.packed(),
             Base::Cells => {
                 let tones = self.tones();
-                let mut layers = overlay_stages::cells(made.cells(), &tones);
+                let mut layers = vec![draw::stages::cells(made.cells(), &tones)];
                 layers.extend(self.lines());
                 self.on_paper(&tones.paper, layers)
             }
             Base::Mesh => {
                 let both = made.mesh().zip(made.terrain.fields.made());
-                let mut layers = both.map_or_else(Vec::new, |(mesh, fields)| {
-                    overlay_stages::mesh(mesh, fields)
-                });
+                let mesh = both.map(|(mesh, fields)| draw::stages::mesh(mesh, fields));
+                let mut layers = Vec::from_iter(mesh);
                 layers.extend(self.lines());
                 self.on_paper(&SHEET, layers)
             }
@@ -186,19 +180,19 @@ impl Pavement {
                 let shown = self.shown();
                 if let (Some(domain), Some(fields)) = (shown.domain, shown.fields) {
                     let side = self.side() as f64;
-                    overlay_field::direction(&mut board, domain, fields, side);
+                    board.draw(&draw::field::direction(domain, fields, side));
                 }
                 Some(board)
             }
             Base::Potential => {
                 let mut board = Board::new(self.side(), SHEET.bed);
                 let (kind, aspect) = params::kind(&self.working.recipe);
-                overlay_potential::potential(&mut board, kind, aspect, self.side() as f64);
+                draw::potential::potential(&mut board, kind, aspect, self.side() as f64);
                 Some(board)
             }
-            Base::Height => Some(of_planes(overlay_planes::height)),
-            Base::Normals => Some(of_planes(overlay_planes::normals)),
-            Base::Ids => Some(of_planes(overlay_planes::ids)),
+            Base::Height => Some(of_planes(draw::planes::height)),
+            Base::Normals => Some(of_planes(draw::planes::normals)),
+            Base::Ids => Some(of_planes(draw::planes::ids)),
             Base::Albedo => Some(self.map_shown(MapKind::Albedo)),
             Base::Roughness => Some(self.map_shown(MapKind::Roughness)),
             Base::Occlusion => Some(self.map_shown(MapKind::Occlusion)),
@@ -283,7 +277,7 @@ impl Pavement {
             let ring = [DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y].map(|p| side * p);
             all.push(Layer::fill(vec![ring.to_vec()], paper.bed, 0.0));
         } else {
-            all.extend(overlay_stages::bed(&self.shown().rings, paper));
+            all.push(draw::stages::bed(&self.shown().rings, paper));
         }
         all.extend(layers);
         Sketch::new(board, all)
@@ -291,7 +285,7 @@ impl Pavement {
 
     fn lines(&self) -> Option<Layer> {
         let domain = self.shown().domain?;
-        Some(overlay_stages::lines(domain, self.side() as f64))
+        Some(draw::stages::lines(domain, self.side() as f64))
     }
 
     fn bare(&self) -> Sketch {
@@ -304,7 +298,8 @@ impl Pavement {
             return self.bare();
         };
         let tones = self.tones();
-        let mut layers = overlay_stages::packed(domain, &packing.particles(), &tones);
+        let packed = draw::stages::packed(domain, &packing.particles(), &tones);
+        let mut layers = vec![packed];
         layers.extend(self.lines());
         self.on_paper(&tones.paper, layers)
     }
@@ -320,8 +315,8 @@ impl Pavement {
         let (planes, tones) = (self.ground_shown()?, self.tones());
         let mut board = Board::new(planes.side, tones.paper.surround);
         light_ground(planes, board.rgba_mut());
-        let cells = overlay_stages::cells(self.made.cells(), &tones);
-        Some(self.on_board(board, &tones.paper, cells))
+        let cells = draw::stages::cells(self.made.cells(), &tones);
+        Some(self.on_board(board, &tones.paper, vec![cells]))
     }
 
     /// The cells with the stones so far on them; `bedded` is what the first one lies on.
@@ -372,7 +367,7 @@ fn light_stone(planes: &Planes, cell: &Cell, index: usize, rgba: &mut [u8]) {
         for x in clip(lo.x)..clip(hi.x) {
             if planes.id[y * side + x] == index as u32 + 1 {
                 let at = y * side + x;
-                let normal = overlay_planes::normal(planes, x, y);
+                let normal = draw::planes::normal(planes, x, y);
                 light_pixel(planes.colour[at], normal, &mut rgba[4 * at..]);
             }
         }

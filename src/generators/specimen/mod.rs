@@ -9,12 +9,13 @@ use crate::domain::{Domain, Outline};
 use crate::export::{Map, MapKind, Report, maps};
 use crate::field::Kind;
 use crate::graph::{Node, State};
+use crate::heightfield::{Planes, TextureParams};
+use crate::material::ColourParams;
 use crate::notice::{Code, Notice};
 use crate::recipe::parameter::{int, number};
 use crate::recipe::schema::{NoRules, rows};
 use crate::recipe::{Recipe, Schema, common as shared};
-use crate::solid::{Spread, StoneKind, StoneParams};
-use crate::texture::{ColourParams, Planes, TextureParams};
+use crate::solid::{Distribution, StoneKind, StoneParams};
 use glam::DVec2;
 
 rows! {
@@ -126,17 +127,17 @@ fn grid(recipe: &Recipe) -> GridParams {
     }
 }
 
-fn finish(recipe: &Recipe, fine: usize) -> HeightFieldParams {
+fn finish(recipe: &Recipe, pixel_scale: usize) -> HeightFieldParams {
     let size = recipe.side() / recipe.number(keys::ACROSS);
     let texture = TextureParams {
         side: common::side(recipe),
-        fine,
+        pixel_scale,
         seed: common::seed(recipe),
         size,
         stone: StoneParams {
             kind: StoneKind::Flagstone,
             height: 0.3 * size,
-            spread: Spread::Uniform,
+            distribution: Distribution::Uniform,
             seed: common::seed(recipe),
             ..StoneParams::default()
         },
@@ -350,7 +351,7 @@ impl Engine for Specimen {
         Ok(maps::map(
             kind,
             planes,
-            &light.optics,
+            &light.materials,
             light.shade.shininess,
         ))
     }
@@ -384,7 +385,7 @@ impl Engine for Specimen {
         Ok(maps::map(
             kind,
             planes,
-            &light.optics,
+            &light.materials,
             light.shade.shininess,
         ))
     }

@@ -1,0 +1,243 @@
+//! Phong's shading of the data planes, in slices of rows.
+
+use super::shadow::Shadows;
+use super::tone::Tone;
+use super::{Light, ShadeParams};
+use crate::heightfield::{Planes, row_slopes};
+use crate::material::Material;
+use crate::order::greater;
+
+/// Colour of the lamp, linear.
+const LAMP: [f32; 3] = [1.44, 1.38, 1.28];
+/// Colour of the sky, linear.
+const SKY: [f32; 3] = [0.33, 0.35, 0.38];
+/// Part of the sky's light that reaches a vertical face.
+const STEEP: f32 = 0.72;
+/// Part of the lamp's light lost where the sky is hidden: little is reflected there.
+const GAP: f32 = 0.35;
+/// The point lamp's light is 1 at its foot. Of its inverse this part grows with the square of the
+/// distance, and the rest stays.
+const FALL_OFF: f32 = 0.55;
+/// Entries of the table of highlights.
+const SHINE: usize = 256;
+
+/// Shades planes into a picture.
+pub struct Shader {
+    params: ShadeParams,
+    side: usize,
+    /// Picture units for each pixel.
+    unit: f32,
+    shadows: Shadows,
+    shaded: bool,
+    tone: Tone,
+    finishes: Vec<Finish>,
+    row: usize,
+    row_light: RowLight,
+    rgba: Vec<u8>,
+}
+
+/// A material with the factors of the recipe.
+struct Finish {
+    ambient: f32,
+    diffuse: f32,
+    /// The highlight by the cosine between mirrored light and view, 0..1.
+    shine: Vec<f32>,
+}
+
+impl Finish {
+    fn new(material: &Material, params: &ShadeParams) -> Self {
+        let exponent = f64::from(material.shininess) * params.shininess;
+        let strength = material.specular * params.specular as f32;
+        let shine = (0..=SHINE)
+            .map(|i| strength * libm::pow(i as f64 / SHINE as f64, exponent.max(0.1)) as f32);
+        Self {
+            ambient: material.ambient * params.ambient as f32,
+            diffuse: material.diffuse * params.diffuse as f32,
+            shine: shine.collect(),
+        }
+    }
+}
+
+/// The light that reaches each pixel of a row, whatever its material and colour.
+#[derive(Default)]
+struct RowLight {
+    /// Rise of the surface to the right and downwards.
+    slope: [Vec<f32>; 2],
+    /// Light of the sky.
+    sky: Vec<f32>,
+    /// Light of the lamp: all of it, and the part that a matt surface scatters.
+    lamp: Vec<f32>,
+    matt: Vec<f32>,
+    /// The cosine between mirrored light and view, as an entry of the table of highlights.
+    mirrored: Vec<i32>,
+}
+
+impl RowLight {
+    fn new(side: usize) -> Self {
+        let row = || vec![0.0; side];
+        Self {
+            slope: [row(), row()],
+            sky: row(),
+            lamp: row(),
+            matt: row(),
+            mirrored: vec![0; side],
+        }
+    }
+}
+
+impl Shader {
+    /// A picture of `side` pixels, `pixel_scale` for each picture unit, to be shaded; black until it is.
+    pub fn new(params: &ShadeParams, side: usize, pixel_scale: usize) -> Self {
+        let mut rgba = vec![0; side * side * 4];
+        rgba.iter_mut().skip(3).step_by(4).for_each(|a| *a = 255);
+        Self {
+            params: *params,
+            side,
+            unit: 1.0 / pixel_scale as f32,
+            shadows: Shadows::new(params.light, side, pixel_scale),
+            shaded: params.shadow <= 0.0,
+            tone: Tone::new(),
+            finishes: Vec::new(),
+            row: 0,
+            row_light: RowLight::new(side),
+            rgba,
+        }
+    }
+
+    /// Begins anew under other light, keeping what does not depend on it.
+    pub fn restart(&mut self, params: &ShadeParams) {
+        self.params = *params;
+        self.shadows.restart(params.light);
+        self.shaded = params.shadow <= 0.0;
+        self.finishes.clear();
+        self.row = 0;
+    }
+
+    /// Pixels along the picture's side.
+    pub fn side(&self) -> usize {
+        self.side
+    }
+
+    /// Goes on by about `rows` rows, first of the shadows, then of the picture; true when done. The
+    /// planes must be of the side given at first, and the table that of their materials.
+    pub fn advance(&mut self, planes: &Planes, materials: &[Material], rows: usize) -> bool {
+        if self.finishes.is_empty() {
+            let finish = |o| Finish::new(o, &self.params);
+            self.finishes = materials.iter().map(finish).collect();
+        }
+        if !self.shaded {
+            self.shaded = self.shadows.advance(planes, rows);
+            return false;
+        }
+        let end = self.side.min(self.row.saturating_add(rows));
+        for y in self.row..end {
+            self.shade_row(planes, y);
+        }
+        self.row = end;
+        end == self.side
+    }
+
+    /// The picture: red, green, blue, 255 for each pixel, row after row.
+    pub fn rgba(&self) -> &[u8] {
+        &self.rgba
+    }
+
+    /// The rows of the picture that are shaded by now.
+    pub fn finished(&self) -> &[u8] {
+        &self.rgba[..4 * self.side * self.row]
+    }
+
+    fn shade_row(&mut self, planes: &Planes, y: usize) {
+        row_slopes(planes, y, &mut self.row_light.slope);
+        match self.params.light {
+            Light::Parallel { azimuth, elevation } => {
+                let flat = libm::cos(elevation);
+                let to = [
+                    (libm::cos(azimuth) * flat) as f32,
+                    (libm::sin(azimuth) * flat) as f32,
+                    libm::sin(elevation) as f32,
+                ];
+                self.light_row(planes, y, |_, _| (to, 1.0));
+            }
+            Light::Point { x, y: v, z } => {
+                let unit = self.unit;
+                let s = self.side as f64 * f64::from(unit);
+                let at = [(x * s) as f32, (v * s) as f32, (z * s).max(1.0) as f32];
+                self.light_row(planes, y, |x, height| {
+                    let [x, y] = [x as f32, y as f32].map(|v| (v + 0.5) * unit);
+                    lamp_from([x, y, height - planes.ground], at)
+                });
+            }
+        }
+        self.colour_row(planes, y);
+    }
+
+    /// The light that reaches a row. `lamp` gives the unit vector to the lamp and its strength, for a
+    /// column and a height.
+    fn light_row(&mut self, planes: &Planes, y: usize, lamp: impl Fn(i32, f32) -> ([f32; 3], f32)) {
+        let n = self.side;
+        let here = y * n..(y + 1) * n;
+        let heights = &planes.bump[here.clone()][..n];
+        let open = &planes.occlusion[here.clone()][..n];
+        let lit = &self.shadows.lit()[here][..n];
+        let (shadow, occlusion) = (self.params.shadow as f32, self.params.occlusion as f32);
+        let line = &mut self.row_light;
+        let [across, down] = [&line.slope[0][..n], &line.slope[1][..n]];
+        let (sky, all, matt) = (&mut line.sky[..n], &mut line.lamp[..n], &mut line.matt[..n]);
+        let entries = &mut line.mirrored[..n];
+        for x in 0..n {
+            let (dx, dy) = (across[x], down[x]);
+            let upright = 1.0 / (1.0 + dx * dx + dy * dy).sqrt();
+            let ([lx, ly, lz], strength) = lamp(x as i32, heights[x]);
+            let facing = greater((lz - dx * lx - dy * ly) * upright, 0.0);
+            let open = 1.0 - occlusion * (1.0 - f32::from(open[x]) * (1.0 / 255.0));
+            let seen = 1.0 - shadow * (1.0 - f32::from(lit[x]) * (1.0 / 255.0));
+            let arrives = seen * strength * (1.0 - GAP * (1.0 - open));
+            // Where the lamp is behind the surface there is no light to be mirrored.
+            let mirrored = if facing > 0.0 {
+                (2.0 * facing * upright - lz).clamp(0.0, 1.0)
+            } else {
+                0.0
+            };
+            sky[x] = open * (STEEP + (1.0 - STEEP) * upright);
+            all[x] = arrives;
+            matt[x] = facing * arrives;
+            entries[x] = (mirrored * SHINE as f32) as i32;
+        }
+    }
+
+    /// The colours of a row, from the light that reaches it.
+    fn colour_row(&mut self, planes: &Planes, y: usize) {
+        let n = self.side;
+        let here = y * n..(y + 1) * n;
+        let out = self.rgba[4 * here.start..4 * here.end].chunks_exact_mut(4);
+        let colours = &planes.colour[here.clone()][..n];
+        let materials = &planes.material[here][..n];
+        let line = &self.row_light;
+        let (sky, lamp, matt) = (&line.sky[..n], &line.lamp[..n], &line.matt[..n]);
+        let entries = &line.mirrored[..n];
+        for (x, pixel) in out.enumerate() {
+            let finish = &self.finishes[usize::from(materials[x])];
+            let ambient = finish.ambient * sky[x];
+            let diffuse = finish.diffuse * matt[x];
+            let shine = finish.shine[entries[x] as usize] * lamp[x];
+            for k in 0..3 {
+                let albedo = self.tone.linear(colours[x][k]);
+                let light = albedo * (ambient * SKY[k] + diffuse * LAMP[k]) + shine * LAMP[k];
+                pixel[k] = self.tone.screen(light);
+            }
+        }
+    }
+}
+
+/// The unit vector from a point to a lamp, and the lamp's strength there.
+#[inline(always)]
+fn lamp_from(p: [f32; 3], lamp: [f32; 3]) -> ([f32; 3], f32) {
+    let d = [lamp[0] - p[0], lamp[1] - p[1], lamp[2] - p[2]];
+    let square = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+    let inverse = 1.0 / greater(square.sqrt(), 1e-3);
+    let loss = square / (lamp[2] * lamp[2]);
+    let strength = 1.0 / greater(1.0 - FALL_OFF + FALL_OFF * loss, 0.05);
+    let strength = if strength > 2.0 { 2.0 } else { strength };
+    (d.map(|v| v * inverse), strength)
+}

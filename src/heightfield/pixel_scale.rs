@@ -1,0 +1,66 @@
+//! Pixels and picture units: a picture may have more than one pixel for each unit.
+
+/// Levels of noise below the unit, in pictures with more than one pixel for each unit.
+const DOUBLINGS: u32 = 2;
+
+/// How many pixels a picture unit has.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct PixelScale {
+    /// Pixels for each picture unit, along a side.
+    per_unit: i32,
+    /// Picture units for each pixel.
+    unit: f32,
+}
+
+impl PixelScale {
+    pub fn new(per_unit: usize) -> Self {
+        Self {
+            per_unit: per_unit as i32,
+            unit: 1.0 / per_unit as f32,
+        }
+    }
+
+    /// Pixels for each picture unit, along a side.
+    pub fn per_unit(self) -> i32 {
+        self.per_unit
+    }
+
+    /// The middle of a pixel, in picture units from that of the first pixel in pictures with a pixel for each.
+    #[inline(always)]
+    pub fn centre(self, pixel: i32) -> f32 {
+        (pixel as f32 + 0.5) * self.unit - 0.5
+    }
+
+    /// Noise has `2^doublings` values for each picture unit, along a side.
+    pub fn noise_doublings(self) -> u32 {
+        if self.per_unit == 1 { 0 } else { DOUBLINGS }
+    }
+
+    /// The value of such a noise that lies nearest to a pixel's middle.
+    #[inline(always)]
+    pub fn noise_value(self, pixel: i32) -> i32 {
+        if self.per_unit == 1 {
+            return pixel;
+        }
+        // centre(pixel) times the values for each unit, rounded.
+        let (pixels, values) = (self.per_unit, 1 << DOUBLINGS);
+        (values * (2 * pixel + 1) - (values - 1) * pixels).div_euclid(2 * pixels)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn values_are_those_nearest_to_pixels() {
+        assert_eq!(PixelScale::new(1).noise_value(-7), -7);
+        for per_unit in 2..=4 {
+            let scale = PixelScale::new(per_unit);
+            for pixel in -40..40 {
+                let off = scale.centre(pixel) * 4.0 - scale.noise_value(pixel) as f32;
+                assert!(off.abs() <= 0.51, "{per_unit} {pixel} {off}");
+            }
+        }
+    }
+}

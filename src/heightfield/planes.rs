@@ -1,0 +1,98 @@
+//! The data planes of the texture (Miyata, Itoh, Shimada 2000, section 3.2).
+
+/// Id of the ground in [`Planes::id`]; a stone has its cell's index + 1.
+pub const GROUND: u32 = 0;
+
+/// The data planes, each `side` x `side`, row after row from the top.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Planes {
+    /// Pixels along a side of the square picture.
+    pub side: usize,
+    /// Height above the base level in picture units.
+    pub bump: Vec<f32>,
+    /// Red, green, blue, 8 bits each, as shown (sRGB).
+    pub colour: Vec<[u8; 3]>,
+    /// Index into the table of materials: the optics plane of the paper.
+    pub material: Vec<u8>,
+    /// 0 for the ground, cell index + 1 for a stone.
+    pub id: Vec<u32>,
+    /// Ambient occlusion as maps have it: 255 where all of the sky is seen.
+    pub occlusion: Vec<u8>,
+    /// Height of the ground without its swells, in picture units above the base level.
+    pub ground: f32,
+    /// Pixels for each picture unit, along a side.
+    pub pixel_scale: usize,
+    /// They repeat: what lies beyond an edge of the picture is beyond the other.
+    pub tile: bool,
+}
+
+impl Planes {
+    /// Planes of bare ground at height 0.
+    pub fn new(side: usize) -> Self {
+        let n = side * side;
+        Self {
+            side,
+            bump: vec![0.0; n],
+            colour: vec![[0; 3]; n],
+            material: vec![0; n],
+            id: vec![GROUND; n],
+            occlusion: vec![255; n],
+            ground: 0.0,
+            pixel_scale: 1,
+            tile: false,
+        }
+    }
+
+    /// The lowest and the highest value of the bump plane; (0, 0) where there is none.
+    pub fn height_range(&self) -> (f32, f32) {
+        let heights = self.bump.iter().filter(|h| h.is_finite());
+        let range = heights.fold((f32::INFINITY, f32::NEG_INFINITY), |(lo, hi), &h| {
+            (lo.min(h), hi.max(h))
+        });
+        if range.0 <= range.1 {
+            range
+        } else {
+            (0.0, 0.0)
+        }
+    }
+
+    /// 16 hex digits that change with any bit of any plane (FNV-1a on words of 64 bits, finished as
+    /// SplitMix64).
+    pub fn digest(&self) -> String {
+        let mut hash = Fnv(0xCBF2_9CE4_8422_2325);
+        hash.add(self.side as u64);
+        self.bump
+            .iter()
+            .for_each(|h| hash.add(u64::from(h.to_bits())));
+        for (i, &[r, g, b]) in self.colour.iter().enumerate() {
+            let bytes = [r, g, b, self.material[i], self.occlusion[i], 0, 0, 0];
+            hash.add(u64::from_le_bytes(bytes) | u64::from(self.id[i]) << 40);
+        }
+        format!("{:016x}", hash.finish())
+    }
+}
+
+struct Fnv(u64);
+
+impl Fnv {
+    fn add(&mut self, word: u64) {
+        let mixed = (self.0 ^ word).wrapping_mul(0x0000_0100_0000_01B3);
+        // Plain FNV on whole words never brings high bits down.
+        self.0 = mixed ^ (mixed >> 29);
+    }
+
+    fn finish(&self) -> u64 {
+        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        z ^ (z >> 27)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn empty_planes_have_a_range() {
+        assert_eq!(Planes::default().height_range(), (0.0, 0.0));
+    }
+}

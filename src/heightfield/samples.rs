@@ -1,0 +1,122 @@
+//! The nine samples of each pixel: a depth buffer, in which the highest surface wins.
+
+use super::scan::ACROSS;
+use crate::order::lesser;
+
+/// Samples of a pixel.
+pub(super) const PER_PIXEL: usize = ACROSS * ACROSS;
+
+/// Two stones whose heights differ by less, in picture units, share a sample's colour, which would else hang
+/// on rounding.
+pub(super) const BLEND: f32 = 0.5;
+
+/// The samples of all pixels of a few rows.
+pub(super) struct Samples {
+    /// Those that a stone has, bit by bit; the others are the ground's.
+    taken: Vec<u16>,
+    /// The height of each taken sample.
+    heights: Vec<[f32; PER_PIXEL]>,
+    /// How many the stone that owns the pixel has.
+    owned: Vec<u8>,
+    /// Share of a stone in a sample for each picture unit that it stands above the ground.
+    share_per_height: f32,
+}
+
+impl Samples {
+    /// Samples that are all the ground's.
+    pub fn new(pixels: usize, share_per_height: f32) -> Self {
+        Self {
+            taken: vec![0; pixels],
+            heights: vec![[0.0; PER_PIXEL]; pixels],
+            owned: vec![0; pixels],
+            share_per_height,
+        }
+    }
+
+    /// Gives all samples back to the ground, of not more pixels than before.
+    pub fn clear(&mut self, pixels: usize) {
+        self.taken.clear();
+        self.taken.resize(pixels, 0);
+        self.owned.clear();
+        self.owned.resize(pixels, 0);
+        self.heights.truncate(pixels);
+        if pixels == 0 {
+            self.heights = Vec::new();
+        }
+    }
+
+    /// Puts a stone into the samples of pixel `i`: it has these heights, `raise` more by its relief, and the
+    /// ground's is `soil`.
+    pub fn cover(
+        &mut self,
+        i: usize,
+        heights: [f32; PER_PIXEL],
+        raise: f32,
+        soil: f32,
+    ) -> Coverage {
+        let mut cover = Coverage::default();
+        let highest = &mut self.heights[i];
+        for (k, &height) in heights.iter().enumerate() {
+            let height = height + raise;
+            if height <= soil {
+                continue;
+            }
+            if self.taken[i] & (1 << k) == 0 {
+                self.taken[i] |= 1 << k;
+                highest[k] = height;
+                cover.new += 1;
+                cover.new_heights += height;
+                let share = lesser((height - soil) * self.share_per_height, 1.0);
+                cover.new_share += share;
+                cover.add(height, share);
+                continue;
+            }
+            let above = height - highest[k];
+            if above > -0.5 * BLEND {
+                let share = lesser(above * (1.0 / BLEND) + 0.5, 1.0);
+                cover.shared += share;
+                cover.add(height, share);
+            }
+            if above > 0.0 {
+                highest[k] = height;
+                cover.won += 1;
+                cover.gained += above;
+            }
+        }
+        cover
+    }
+
+    /// Whether pixel `i` belongs to the stone with this coverage from now on. It belongs to the one that has
+    /// most of its samples, of equals to the first; to the ground only where no stone has half of them.
+    pub fn is_owner(&mut self, i: usize, cover: &Coverage) -> bool {
+        let count = cover.new + cover.won;
+        let owned = self.owned[i].saturating_sub(cover.won);
+        let is_owner = count > owned && usize::from(count) * 2 >= PER_PIXEL;
+        self.owned[i] = if is_owner { count } else { owned };
+        is_owner
+    }
+}
+
+/// What a stone gets of the samples of a pixel.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Coverage {
+    /// Samples that were the ground's, the sum of the heights there, and its share in their colour.
+    pub new: u8,
+    pub new_heights: f32,
+    pub new_share: f32,
+    /// Samples at which it is higher than stones before it, and by how much together.
+    won: u8,
+    pub gained: f32,
+    /// Its share in the colour of samples that other stones have, too.
+    pub shared: f32,
+    /// The sum of its heights where it is seen, weighted by its shares, and the sum of these.
+    pub heights: f32,
+    pub weight: f32,
+}
+
+impl Coverage {
+    fn add(&mut self, height: f32, share: f32) {
+        self.heights += height * share;
+        self.weight += share;
+    }
+}

@@ -1,0 +1,48 @@
+//! Slopes of the bump plane.
+
+use super::Planes;
+
+/// The pixels before and after one of `n`; at the ends itself, or on a tile that at the other end.
+pub(crate) fn beside(k: usize, n: usize, tile: bool) -> [usize; 2] {
+    if tile {
+        [(k + n - 1) % n, (k + 1) % n]
+    } else {
+        [k.saturating_sub(1), (k + 1).min(n - 1)]
+    }
+}
+
+/// Rise of the surface to the right and downwards along a row of the bump plane; the two lists are as
+/// long as the row.
+pub(crate) fn row_slopes(planes: &Planes, y: usize, to: &mut [Vec<f32>; 2]) {
+    let side = planes.side;
+    let row = |y: usize| &planes.bump[y * side..][..side];
+    let [above, below] = beside(y, side, planes.tile);
+    let rows = [row(above), row(y), row(below)];
+    slopes(rows, planes.pixel_scale as f32, planes.tile, to);
+}
+
+/// Rise of the surface to the right and downwards, from the rows above, here and below, which have
+/// `pixel_scale` pixels for each picture unit.
+/// A derivative by central differences, smoothed across with the weights 1, 4, 1 (Sobel's are 1, 2, 1): without
+/// that rims would show the steps of pixels.
+fn slopes(rows: [&[f32]; 3], pixel_scale: f32, tile: bool, slopes: &mut [Vec<f32>; 2]) {
+    let [up, row, down] = rows;
+    let n = row.len();
+    let [across, fall] = slopes.each_mut().map(|slope| &mut slope[..n]);
+    let rise = pixel_scale * (1.0 / 12.0);
+    let at = |[left, x, right]: [usize; 3]| {
+        let across = |row: &[f32]| row[right] - row[left];
+        let along = |x: usize| down[x] - up[x];
+        (
+            (across(up) + 4.0 * across(row) + across(down)) * rise,
+            (along(left) + 4.0 * along(x) + along(right)) * rise,
+        )
+    };
+    for x in [0, n - 1] {
+        let [left, right] = beside(x, n, tile);
+        (across[x], fall[x]) = at([left, x, right]);
+    }
+    for x in 1..n - 1 {
+        (across[x], fall[x]) = at([x - 1, x, x + 1]);
+    }
+}

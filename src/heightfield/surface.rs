@@ -1,0 +1,220 @@
+//! A cell's surface as it stands in the planes, closed to a solid.
+//!
+//! To the solid, which is open at its base, come a cap over the base, the relief that the painter adds
+//! to stones, and at each vertex the colour that the picture has there.
+
+use super::{Planes, TextureParams};
+use crate::cells::Cell;
+use crate::material::{Coat, Face, FaceNoise, floor};
+use crate::order::{greater, lesser};
+use crate::solid::Solid;
+use glam::Vec3;
+use std::rc::Rc;
+
+/// A closed surface: each side of a triangle is that of another one, in the other direction.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Surface {
+    /// x, y (down) and height above the base level, in picture units.
+    pub positions: Vec<Vec3>,
+    /// Unit vectors outwards; around the base those of the walls.
+    pub normals: Vec<Vec3>,
+    /// Red, green, blue, 8 bits each, before light (sRGB).
+    pub colours: Vec<[u8; 3]>,
+    /// Clockwise on screen seen from outside.
+    pub triangles: Vec<[u32; 3]>,
+}
+
+/// From the base up to this part of a stone's height the relief grows from nothing to its full size.
+const FOOT: f32 = 0.125;
+
+/// Makes surfaces, and keeps what those of all cells share.
+pub struct Surfaces {
+    params: TextureParams,
+    noise: FaceNoise,
+    relief: f32,
+    /// The boundaries of the connectivities seen so far; solids share them.
+    boundaries: Vec<Boundary>,
+}
+
+/// The boundary edges of a connectivity.
+struct Boundary {
+    of: Rc<[[u32; 3]]>,
+    edges: Rc<[[u32; 2]]>,
+}
+
+impl Surfaces {
+    /// For the planes made by these parameters.
+    pub fn new(params: TextureParams) -> Self {
+        Self {
+            noise: FaceNoise::new(params.seed, params.size, params.dimension, 0),
+            relief: params.relief(),
+            boundaries: Vec::new(),
+            params,
+        }
+    }
+
+    /// The surface of a cell's solid, empty where that is; `index` is the cell's place in the list
+    /// that the planes were painted from.
+    pub fn close(&mut self, solid: &Solid, cell: &Cell, index: usize, planes: &Planes) -> Surface {
+        if solid.vertices.is_empty() {
+            return Surface::default();
+        }
+        let boundary = self.boundary(solid);
+        let mut positions = solid.vertices.clone();
+        let face = self.params.face(cell, Coat::default());
+        self.roughen(&face, &mut positions);
+        let normals = normals(&positions, &solid.triangles);
+        let colours = colours(&positions, &solid.triangles, index as u32 + 1, planes);
+        let mut surface = Surface {
+            positions,
+            normals,
+            colours,
+            triangles: solid.triangles.to_vec(),
+        };
+        surface.cap(&boundary);
+        surface
+    }
+
+    fn boundary(&mut self, solid: &Solid) -> Rc<[[u32; 2]]> {
+        let of = &solid.triangles;
+        if let Some(known) = self.boundaries.iter().find(|b| Rc::ptr_eq(&b.of, of)) {
+            return known.edges.clone();
+        }
+        let edges: Rc<[[u32; 2]]> = boundary_edges(of, solid.vertices.len()).into();
+        self.boundaries.push(Boundary {
+            of: of.clone(),
+            edges: edges.clone(),
+        });
+        edges
+    }
+
+    /// Adds what the painter adds to each pixel of a stone.
+    fn roughen(&self, face: &Face, positions: &mut [Vec3]) {
+        let top = positions.iter().fold(0.0, |top, p| greater(top, p.z));
+        let foot = greater(FOOT * top, f32::MIN_POSITIVE);
+        for p in positions {
+            let whole = lesser(p.z / foot, 1.0);
+            p.z = greater(p.z + whole * self.raise(face, p.x - 0.5, p.y - 0.5), 0.0);
+        }
+    }
+
+    /// What the painter adds at a place, interpolated between the middles of pixels.
+    fn raise(&self, face: &Face, x: f32, y: f32) -> f32 {
+        let (ix, iy) = (floor(x), floor(y));
+        let (tx, ty) = (x - ix as f32, y - iy as f32);
+        let mut sum = 0.0;
+        for k in 0..4 {
+            let (right, below) = (k & 1, k >> 1);
+            let across = if right == 1 { tx } else { 1.0 - tx };
+            let down = if below == 1 { ty } else { 1.0 - ty };
+            let (x, y) = (ix + right, iy + below);
+            let relief = self.relief * face.relief(&self.noise, [x, y]);
+            sum += across * down * (relief + face.lift([x as f32, y as f32]));
+        }
+        sum
+    }
+}
+
+impl Surface {
+    /// Closes the base by a fan, at the level of the lowest point of the boundary.
+    fn cap(&mut self, boundary: &[[u32; 2]]) {
+        let on_boundary = |list: &[Vec3]| -> Vec<Vec3> {
+            boundary.iter().map(|&[a, _]| list[a as usize]).collect()
+        };
+        let ring = on_boundary(&self.positions);
+        if ring.is_empty() {
+            return;
+        }
+        let level = ring.iter().fold(f32::MAX, |low, p| lesser(low, p.z));
+        for &[a, _] in boundary {
+            self.positions[a as usize].z = level;
+        }
+        let middle = ring.iter().sum::<Vec3>() / ring.len() as f32;
+        let colour = self.colours[boundary[0][0] as usize];
+        let new = self.positions.len() as u32;
+        self.positions.push(Vec3::new(middle.x, middle.y, level));
+        self.normals.push(Vec3::NEG_Z);
+        self.colours.push(colour);
+        self.triangles
+            .extend(boundary.iter().map(|&[a, b]| [b, a, new]));
+    }
+}
+
+/// The edges that belong to one triangle only, in its direction.
+fn boundary_edges(triangles: &[[u32; 3]], vertices: usize) -> Vec<[u32; 2]> {
+    let corners = triangles.as_flattened();
+    // Corner k of the list and the next one of its triangle.
+    let side = |k: usize| [corners[k], corners[if k % 3 == 2 { k - 2 } else { k + 1 }]];
+    // The ends of the sides from each vertex, those from vertex k at starts[k] .. starts[k + 1].
+    let mut starts = vec![0usize; vertices + 1];
+    for &a in corners {
+        starts[a as usize + 1] += 1;
+    }
+    for k in 0..vertices {
+        starts[k + 1] += starts[k];
+    }
+    let mut ends = vec![0; corners.len()];
+    let mut next = starts.clone();
+    for k in 0..corners.len() {
+        let [a, b] = side(k);
+        ends[next[a as usize]] = b;
+        next[a as usize] += 1;
+    }
+    let mut open = Vec::new();
+    for [a, b] in (0..corners.len()).map(side) {
+        let b_to = starts[b as usize]..starts[b as usize + 1];
+        if !ends[b_to].contains(&a) {
+            open.push([a, b]);
+        }
+    }
+    open
+}
+
+/// Means of the normals of the triangles around each vertex, by their areas.
+fn normals(positions: &[Vec3], triangles: &[[u32; 3]]) -> Vec<Vec3> {
+    let mut sums = vec![Vec3::ZERO; positions.len()];
+    for triangle in triangles {
+        let [a, b, c] = triangle.map(|k| positions[k as usize]);
+        let normal = (b - a).cross(c - a);
+        for &k in triangle {
+            sums[k as usize] += normal;
+        }
+    }
+    sums.iter()
+        .map(|n| n.try_normalize().unwrap_or(Vec3::Z))
+        .collect()
+}
+
+/// The colours of the picture at the vertices where the stone `id` is to be seen; walls and what lies
+/// under other stones go on in the colour that is nearest along the surface.
+fn colours(positions: &[Vec3], triangles: &[[u32; 3]], id: u32, planes: &Planes) -> Vec<[u8; 3]> {
+    let side = planes.side as i32;
+    let mut seen: Vec<Option<[u8; 3]>> = vec![None; positions.len()];
+    for (colour, p) in seen.iter_mut().zip(positions) {
+        let (mut x, mut y) = (floor(p.x), floor(p.y));
+        if planes.tile {
+            (x, y) = (x.rem_euclid(side), y.rem_euclid(side));
+        }
+        let at = (y * side + x) as usize;
+        let inside = x >= 0 && y >= 0 && x < side && y < side;
+        if inside && planes.id[at] == id {
+            *colour = Some(planes.colour[at]);
+        }
+    }
+    let mut spreads = true;
+    while spreads {
+        spreads = false;
+        for &[a, b, c] in triangles {
+            let [a, b, c] = [a as usize, b as usize, c as usize];
+            let colour = seen[a].or(seen[b]).or(seen[c]);
+            for k in [a, b, c] {
+                if seen[k].is_none() && colour.is_some() {
+                    seen[k] = colour;
+                    spreads = true;
+                }
+            }
+        }
+    }
+    // A stone of which nothing is to be seen is grey.
+    seen.iter().map(|c| c.unwrap_or([128; 3])).collect()
+}

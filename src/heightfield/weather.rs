@@ -1,0 +1,209 @@
+//! The weather over the planes: wear, dirt, moss, wet.
+//!
+//! One pass over the finished stones, and then one for the ambient occlusion. Tops and hollows are told
+//! apart by the mean height around each pixel.
+
+use super::box_filter::BoxFilter;
+use super::ground::Bed;
+use super::occlusion::Occlusion;
+use super::{GROUND, Planes};
+use crate::domain::Domain;
+use crate::material::{Effects, Place, Sample, WeatherParams, smoothstep_f32};
+use crate::order::greater;
+use glam::DVec2;
+use std::rc::Rc;
+
+/// Distances to the boundary are worked out every so many picture units, and interpolated between.
+const STEP: usize = 8;
+/// Half the widths of the two box filters, in cell sizes: of the smooth surface that wear leaves, and of the
+/// surroundings that tell a hollow.
+const REACH: [f64; 2] = [0.1, 0.5];
+/// How trodden a tile is, which has no boundary.
+const EVERYWHERE: f32 = 0.75;
+/// How fast treading grows from the boundary to the middle of the way.
+const TRODDEN: f32 = 1.15;
+/// Broad noise is taken so far off that of the ground, in picture units.
+const BROAD_OFF: [i32; 2] = [211, 97];
+
+/// Planes with all stones in them, before the weather and the ambient occlusion.
+#[derive(Clone)]
+pub struct Painted {
+    /// The planes.
+    pub planes: Planes,
+    pub(super) bed: Rc<Bed>,
+    /// The size cells were asked to have on average, in picture units.
+    pub(super) size: f64,
+    /// The joints' depth, in picture units.
+    pub(super) depth: f32,
+}
+
+/// The weather over all stones, and then how much of the sky's light comes to each place.
+pub struct Weathering {
+    planes: Planes,
+    bed: Rc<Bed>,
+    weather: Weather,
+    occlusion: Occlusion,
+}
+
+impl Weathering {
+    /// Weather to come over planes as they were painted.
+    pub fn new(params: WeatherParams, painted: Painted) -> Self {
+        let Painted {
+            planes,
+            bed,
+            size,
+            depth,
+        } = painted;
+        let effects = Effects::new(params, [planes.ground, depth], bed.dirt());
+        Self {
+            weather: Weather::new(effects, [planes.side, planes.pixel_scale], size, depth),
+            occlusion: Occlusion::new(size, planes.pixel_scale, planes.tile),
+            planes,
+            bed,
+        }
+    }
+
+    /// Goes on by about `rows` rows; true when all is done. The domain must stay the same.
+    pub fn advance(&mut self, domain: &Domain, rows: usize) -> bool {
+        let planes = &mut self.planes;
+        let weathered = self.weather.advance(planes, &self.bed, domain, rows);
+        weathered && self.occlusion.advance(planes, rows)
+    }
+
+    /// The planes as they are by now.
+    pub fn planes(&self) -> &Planes {
+        &self.planes
+    }
+
+    /// The planes, to keep.
+    pub fn finish(self) -> Planes {
+        self.planes
+    }
+}
+
+/// The weather at work.
+struct Weather {
+    effects: Effects,
+    /// Pixels along the picture's side, and for each picture unit.
+    side: usize,
+    pixel_scale: usize,
+    /// Depth of the joints, in picture units.
+    depth: f32,
+    size: f32,
+    means: [BoxFilter; 2],
+    /// Distances to the boundary at every [`STEP`]-th pixel; none on a tile.
+    distances: Vec<f32>,
+    farthest: f32,
+    row: usize,
+}
+
+impl Weather {
+    /// Effects between stones of about `size` with joints so deep, in a picture of `side` pixels, `pixel_scale`
+    /// for each unit.
+    fn new(effects: Effects, [side, pixel_scale]: [usize; 2], size: f64, depth: f32) -> Self {
+        let radius = |reach: f64| (reach * size) as usize * pixel_scale + pixel_scale / 2;
+        Self {
+            effects,
+            side,
+            pixel_scale,
+            depth,
+            size: size as f32,
+            means: REACH.map(|reach| BoxFilter::new(radius(reach), side)),
+            distances: Vec::new(),
+            farthest: 1.0,
+            row: 0,
+        }
+    }
+
+    /// Goes on by about `rows` rows; true when all is done.
+    fn advance(&mut self, planes: &mut Planes, bed: &Bed, domain: &Domain, rows: usize) -> bool {
+        if self.effects.is_none() {
+            return true;
+        }
+        let side = self.side;
+        if self.measure(domain, rows) || self.means.iter_mut().any(|m| m.fill(planes, rows)) {
+            return false;
+        }
+        let end = side.min(self.row.saturating_add(rows));
+        let mut means = [vec![0.0; side], vec![0.0; side]];
+        for y in self.row..end {
+            for (mean, row) in self.means.iter_mut().zip(&mut means) {
+                mean.row(y, planes.tile, row);
+            }
+            let [near, wide] = &means;
+            for (x, (&near, &wide)) in near.iter().zip(wide).enumerate() {
+                self.pixel(planes, bed, [x, y], [near, wide]);
+            }
+        }
+        self.row = end;
+        end == side
+    }
+
+    /// Some more rows of distances; false when all are there.
+    fn measure(&mut self, domain: &Domain, rows: usize) -> bool {
+        let across = self.side / self.step() + 2;
+        let made = self.distances.len() / across;
+        if domain.space().period().is_some() || made == across {
+            return false;
+        }
+        for y in made..across.min(made.saturating_add(rows)) {
+            for x in 0..across {
+                let at = DVec2::new(x as f64, y as f64) * STEP as f64;
+                let distance = domain.nearest(at).distance as f32;
+                self.farthest = greater(self.farthest, distance);
+                self.distances.push(distance);
+            }
+        }
+        true
+    }
+
+    /// Pixels from one distance to the next.
+    fn step(&self) -> usize {
+        STEP * self.pixel_scale
+    }
+
+    /// The distance to the boundary, below 0 outside; 0 or more everywhere on a tile.
+    fn distance(&self, [x, y]: [usize; 2]) -> f32 {
+        let step = self.step();
+        let across = self.side / step + 2;
+        let at = y / step * across + x / step;
+        let part = |v: usize| (v % step) as f32 / step as f32;
+        let between = |at: usize| {
+            let (a, b) = (self.distances[at], self.distances[at + 1]);
+            a + (b - a) * part(x)
+        };
+        if self.distances.is_empty() {
+            return EVERYWHERE * self.farthest;
+        }
+        let (upper, lower) = (between(at), between(at + across));
+        upper + (lower - upper) * part(y)
+    }
+
+    fn pixel(&self, planes: &mut Planes, bed: &Bed, [x, y]: [usize; 2], [near, wide]: [f32; 2]) {
+        let i = y * self.side + x;
+        let (px, py, pixel_scale) = (x as i32, y as i32, self.pixel_scale as i32);
+        let [right, down] = BROAD_OFF.map(|off| off * pixel_scale);
+        let distance = self.distance([x, y]);
+        let height = planes.bump[i];
+        let place = Place {
+            is_stone: planes.id[i] != GROUND,
+            hollow: (0.5 + (wide - height) / self.depth).clamp(0.0, 1.0),
+            near,
+            trodden: smoothstep_f32(distance / self.farthest * TRODDEN),
+            inside: distance / self.size,
+            broad: bed.broad(px + right, py + down),
+            grains: bed.grains(px, py),
+            patches: bed.broad(py, px),
+        };
+        let mut sample = Sample {
+            height,
+            colour: planes.colour[i].map(f32::from),
+            material: planes.material[i],
+            soaks: !place.is_stone,
+        };
+        self.effects.apply(&place, &mut sample);
+        planes.bump[i] = sample.height;
+        planes.colour[i] = sample.colour.map(|v| (v.clamp(0.0, 255.0) + 0.5) as u8);
+        planes.material[i] = sample.material;
+    }
+}

@@ -1,0 +1,86 @@
+//! What lies between the stones.
+
+use super::palette::Ground;
+use super::phong::{EARTH, LEATHER};
+
+/// All grounds; the first is the default.
+pub const GROUNDS: &[Ground] = &[
+    Ground {
+        name: "sand",
+        colours: [[168, 156, 134], [132, 119, 99]],
+        speckle: 0.10,
+        grain: 0.16,
+        swell: 0.16,
+        pebbles: 0.24,
+        pebble: [166, 158, 146],
+        dirt: [120, 106, 86],
+        material: EARTH,
+    },
+    Ground {
+        name: "soil",
+        colours: [[96, 80, 62], [72, 60, 47]],
+        speckle: 0.13,
+        grain: 0.28,
+        swell: 0.12,
+        pebbles: 0.22,
+        pebble: [112, 102, 90],
+        dirt: [88, 74, 58],
+        material: EARTH,
+    },
+    Ground {
+        name: "mortar",
+        colours: [[158, 154, 145], [145, 140, 131]],
+        speckle: 0.05,
+        grain: 0.10,
+        swell: 0.05,
+        pebbles: 0.05,
+        pebble: [140, 136, 128],
+        dirt: [102, 92, 78],
+        material: EARTH,
+    },
+    Ground {
+        name: "dark",
+        colours: [[60, 58, 56], [47, 46, 45]],
+        speckle: 0.11,
+        grain: 0.22,
+        swell: 0.08,
+        pebbles: 0.30,
+        pebble: [78, 76, 74],
+        dirt: [58, 52, 46],
+        material: EARTH,
+    },
+    Ground {
+        name: "moss",
+        colours: [[88, 98, 48], [62, 74, 36]],
+        speckle: 0.20,
+        grain: 0.42,
+        swell: 0.24,
+        pebbles: 0.0,
+        pebble: [90, 90, 70],
+        dirt: [84, 74, 50],
+        material: EARTH,
+    },
+    Ground {
+        name: "gravel",
+        colours: [[134, 128, 120], [112, 107, 100]],
+        speckle: 0.12,
+        grain: 0.22,
+        swell: 0.06,
+        pebbles: 0.92,
+        pebble: [146, 140, 132],
+        dirt: [104, 93, 78],
+        material: EARTH,
+    },
+    // Its colours are those of the palette's flesh.
+    Ground {
+        name: "hide",
+        colours: [[0; 3]; 2],
+        speckle: 0.05,
+        grain: 0.07,
+        swell: 0.10,
+        pebbles: 0.0,
+        pebble: [0; 3],
+        dirt: [118, 102, 80],
+        material: LEATHER[0],
+    },
+];

@@ -1,0 +1,28 @@
+//! What surfaces are made of: colours, noise, Phong's attributes, coats by rule, and what the weather does
+//! to a place. It knows cells, and neither solids nor pixels.
+
+mod coat;
+mod effects;
+mod face;
+mod grounds;
+mod hides;
+mod noise;
+mod palette;
+mod palettes;
+mod phong;
+mod reaction;
+mod smoothstep;
+mod stones;
+
+pub use coat::{Coat, Coats, ColourParams, Pattern};
+pub use effects::WeatherParams;
+pub(crate) use effects::{Effects, Place, Sample};
+pub use face::stone_colour;
+pub(crate) use face::{Face, FaceNoise};
+pub use grounds::GROUNDS;
+pub use noise::NoiseTile;
+pub(crate) use noise::floor;
+pub use palette::{Ground, Palette};
+pub use palettes::{PALETTES, ground, material_table, palette};
+pub use phong::{FINISHES, Gloss, Material};
+pub(crate) use smoothstep::smoothstep_f32;

@@ -1,0 +1,141 @@
+//! Materials: how surfaces give back light, and the rows of the table of all that may be in a picture.
+
+/// Phong's optical attributes (Miyata, Itoh, Shimada 2000, section 3.2: A, D, S, N).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Material {
+    /// Part of the light of the sky given back, 0..1 (A).
+    pub ambient: f32,
+    /// Part of the lamp's light scattered, 0..1 (D).
+    pub diffuse: f32,
+    /// Part of the lamp's light mirrored, 0..1 (S).
+    pub specular: f32,
+    /// Exponent of the highlight, 1..200 (N).
+    pub shininess: f32,
+}
+
+/// Finishes that a stone may have; each palette has as many materials.
+pub const FINISHES: usize = 3;
+
+const fn phong(ambient: f32, diffuse: f32, specular: f32, shininess: f32) -> Material {
+    Material {
+        ambient,
+        diffuse,
+        specular,
+        shininess,
+    }
+}
+
+/// Hewn faces, worn ones, and ones polished by feet.
+pub(super) const HEWN: [Material; FINISHES] = [
+    phong(1.0, 0.96, 0.03, 6.0),
+    phong(1.0, 0.95, 0.06, 10.0),
+    phong(1.0, 0.93, 0.10, 16.0),
+];
+
+/// Dense stone that takes a sheen.
+pub(super) const DENSE: [Material; FINISHES] = [
+    phong(1.0, 0.95, 0.07, 9.0),
+    phong(1.0, 0.93, 0.13, 16.0),
+    phong(1.0, 0.92, 0.20, 26.0),
+];
+
+/// Sawn and polished.
+pub(super) const POLISHED: [Material; FINISHES] = [
+    phong(1.0, 0.92, 0.14, 22.0),
+    phong(1.0, 0.90, 0.22, 34.0),
+    phong(1.0, 0.90, 0.28, 48.0),
+];
+
+/// Powdery: brick, sandstone.
+pub(super) const DULL: [Material; FINISHES] = [
+    phong(1.0, 1.0, 0.01, 4.0),
+    phong(1.0, 0.98, 0.03, 6.0),
+    phong(1.0, 0.97, 0.05, 9.0),
+];
+
+/// Dry skin, and soft.
+pub(super) const LEATHER: [Material; FINISHES] = [
+    phong(1.0, 0.98, 0.05, 7.0),
+    phong(1.0, 0.96, 0.08, 10.0),
+    phong(1.0, 0.95, 0.11, 13.0),
+];
+
+/// Scales with a satin sheen.
+pub(super) const SATIN: [Material; FINISHES] = [
+    phong(1.0, 0.94, 0.12, 13.0),
+    phong(1.0, 0.93, 0.17, 18.0),
+    phong(1.0, 0.92, 0.22, 24.0),
+];
+
+/// Horn: plates and claws.
+pub(super) const HORN: [Material; FINISHES] = [
+    phong(1.0, 0.94, 0.14, 20.0),
+    phong(1.0, 0.92, 0.22, 30.0),
+    phong(1.0, 0.91, 0.28, 42.0),
+];
+
+/// Fish, thinly coated and silvery.
+pub(super) const PEARL: [Material; FINISHES] = [
+    phong(1.06, 0.88, 0.30, 22.0),
+    phong(1.06, 0.86, 0.40, 32.0),
+    phong(1.08, 0.84, 0.50, 46.0),
+];
+
+/// Earth does not shine.
+pub(super) const EARTH: Material = phong(1.0, 1.0, 0.0, 4.0);
+
+/// Moss absorbs some light.
+pub(super) const PADS: Material = phong(0.97, 0.98, 0.0, 4.0);
+
+/// Still water: what it mirrors of the sky is in its colour.
+pub(super) const POOL: Material = phong(1.15, 0.55, 0.85, 150.0);
+
+/// What a palette's finishes are made to shine like.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Gloss {
+    /// As the palette has it.
+    #[default]
+    Own,
+    /// Powdery.
+    Matt,
+    /// Waxed.
+    Glossy,
+    /// Under a film of water.
+    Wet,
+}
+
+impl Gloss {
+    /// The gloss of a word, [`Gloss::Own`] where there is none.
+    pub fn of_word(word: &str) -> Gloss {
+        match word {
+            "matt" => Gloss::Matt,
+            "glossy" => Gloss::Glossy,
+            "wet" => Gloss::Wet,
+            _ => Gloss::Own,
+        }
+    }
+
+    pub(super) fn applied_to(self, own: Material) -> Material {
+        // Factor of the diffuse part; factor and gain of the specular part, and of the exponent.
+        let [diffuse, specular, more, exponent, narrower] = match self {
+            Gloss::Own => return own,
+            Gloss::Matt => [1.0, 0.2, 0.0, 0.6, 0.0],
+            Gloss::Glossy => [0.97, 1.5, 0.15, 1.6, 8.0],
+            Gloss::Wet => [0.92, 1.4, 0.55, 1.2, 22.0],
+        };
+        Material {
+            ambient: own.ambient,
+            diffuse: own.diffuse * diffuse,
+            specular: own.specular * specular + more,
+            shininess: own.shininess * exponent + narrower,
+        }
+    }
+}
+
+/// Rows of the table: the ground, then the finishes from rough to smooth, then these two.
+pub(super) const MOSS: u8 = FINISHES as u8 + 1;
+pub(super) const DIRT: u8 = MOSS + 1;
+/// All these rows are there three times: dry, damp, wet.
+pub(super) const ROWS: u8 = DIRT + 1;
+/// The last row.
+pub(super) const WATER: u8 = 3 * ROWS;

@@ -1,0 +1,257 @@
+//! A reaction-diffusion system on the graph of the cells.
+//!
+//! Turk (1991), Generating Textures on Arbitrary Surfaces Using Reaction-Diffusion; Witkin and Kass
+//! (1991), Reaction-Diffusion Textures. An activator u makes itself and an inhibitor v that spreads
+//! twenty times as fast (Turing 1952, with the cubic term of FitzHugh 1961 and Nagumo 1962):
+//!
+//!   du/dt = Du Lu + r (u - u^3 - v + k),   dv/dt = Dv Lv + r (3 u - 2 v),
+//!
+//! L being the mean of the neighbours less the own value. Around u = v = 0 waves grow fastest at
+//! Dv L = -r sqrt(Dv / Du), so the rate r sets the pattern's scale. Where that is many cells,
+//! the pattern is made on a thinned graph first and refined from graph to graph.
+
+use crate::cells::Cell;
+use crate::domain::Domain;
+use crate::order::{greater, lesser};
+use crate::random::{Purpose, Random};
+use glam::DVec2;
+
+/// Diffusion of the inhibitor, and that of the activator as a part of it.
+const SPREAD: f64 = 0.8;
+const RATIO: f64 = 0.05;
+/// k where all cells are to be marked.
+const FEED: f64 = 0.17;
+/// Growth rate of the fastest wave, of r, and by how many factors of e it grows.
+const GROWTH: f64 = 0.336;
+const GROWTHS: f64 = 16.0;
+/// Most steps on the thinnest graph, and steps on each finer one.
+const MOST_STEPS: f64 = 2500.0;
+const REFINING: usize = 120;
+/// The graph is thinned where a wave is longer than this, in links, and it has more nodes than that.
+const COARSE: f64 = 8.0;
+const FEWEST: usize = 60;
+
+/// One of the graphs.
+struct Level {
+    /// Where each node's links begin in `to`, and where the last one's end.
+    starts: Vec<u32>,
+    to: Vec<u32>,
+    /// The node of the next thinner graph that stands for each.
+    parents: Vec<u32>,
+    /// The rate r.
+    rate: f64,
+}
+
+/// The system at work.
+pub(super) struct Reaction {
+    levels: Vec<Level>,
+    feed: f64,
+    u: Vec<f64>,
+    v: Vec<f64>,
+    next: Vec<f64>,
+    spread: Vec<f64>,
+    /// Steps left on the graph at work, the last of `levels`.
+    left: usize,
+}
+
+impl Reaction {
+    /// The system at its beginning, random by cell. `scale` is the length of a wave in picture
+    /// units, `share` the part of the plane where u is high.
+    pub fn new(
+        domain: &Domain,
+        cells: &[Cell],
+        mut links: Vec<Vec<u32>>,
+        scale: f64,
+        share: f64,
+        seed: u64,
+    ) -> Self {
+        let mut places: Vec<DVec2> = cells.iter().map(|c| c.centre).collect();
+        let mut ids: Vec<u32> = cells.iter().map(|c| c.id).collect();
+        let mut levels = Vec::new();
+        loop {
+            let square = mean_square(domain, &places, &links);
+            let wave = scale / square.sqrt();
+            let thin = wave > COARSE && places.len() > FEWEST;
+            let (kept, parents) = if thin {
+                thinned(domain, &places, &links)
+            } else {
+                (Vec::new(), Vec::new())
+            };
+            levels.push(Level::new(&links, parents, wave));
+            if kept.is_empty() || kept.len() == places.len() {
+                break;
+            }
+            links = joined(&links, &levels[levels.len() - 1].parents, kept.len());
+            places = kept.iter().map(|&k| places[k as usize]).collect();
+            ids = kept.iter().map(|&k| ids[k as usize]).collect();
+        }
+        let start = |&id: &u32| 0.1 * Random::new(seed, Purpose::Pattern, id.into()).signed();
+        let rate = levels.last().map_or(1.0, |level| level.rate);
+        Self {
+            levels,
+            feed: FEED * (2.0 * share - 1.0),
+            u: ids.iter().map(start).collect(),
+            v: vec![0.0; ids.len()],
+            next: Vec::new(),
+            spread: Vec::new(),
+            left: lesser(GROWTHS / (GROWTH * rate), MOST_STEPS) as usize,
+        }
+    }
+
+    /// Goes on by the work of about `count` cells; true when the pattern stands.
+    pub fn advance(&mut self, count: usize) -> bool {
+        let mut done = 0;
+        while done < count {
+            if self.left == 0 {
+                if self.levels.len() < 2 {
+                    return true;
+                }
+                self.refine();
+            }
+            self.step();
+            // A step is much less work for a cell than finding its neighbours.
+            done += self.u.len() / 16 + 1;
+        }
+        false
+    }
+
+    /// The activator of each cell.
+    pub fn finish(self) -> Vec<f64> {
+        self.u
+    }
+
+    fn step(&mut self) {
+        let Some(level) = self.levels.last() else {
+            return;
+        };
+        let rate = level.rate;
+        let (u, v) = (&mut self.u, &mut self.v);
+        level.laplacian(u, &mut self.next);
+        for (k, next) in self.next.iter_mut().enumerate() {
+            let (a, b) = (u[k], v[k]);
+            *next = a + SPREAD * RATIO * *next + rate * (a - a * a * a - b + self.feed);
+        }
+        std::mem::swap(u, &mut self.next);
+        // `next` holds the activator before the step.
+        level.laplacian(v, &mut self.spread);
+        for (k, b) in v.iter_mut().enumerate() {
+            *b += SPREAD * self.spread[k] + rate * (3.0 * self.next[k] - 2.0 * *b);
+        }
+        self.left -= 1;
+    }
+
+    /// Goes to the next finer graph: each node takes the mean of those that stand for it and for its
+    /// neighbours.
+    fn refine(&mut self) {
+        self.levels.pop();
+        let Some(level) = self.levels.last() else {
+            return;
+        };
+        for values in [&mut self.u, &mut self.v] {
+            let of = |k: usize| values[level.parents[k] as usize];
+            let finer = (0..level.parents.len()).map(|k| {
+                let around: f64 = level.links(k).map(of).sum();
+                (of(k) + around) / (level.links(k).len() + 1) as f64
+            });
+            let finer: Vec<f64> = finer.collect();
+            *values = finer;
+        }
+        self.left = REFINING;
+    }
+}
+
+impl Level {
+    fn new(links: &[Vec<u32>], parents: Vec<u32>, wave: f64) -> Self {
+        let mut starts = vec![0];
+        let mut to: Vec<u32> = Vec::new();
+        for list in links {
+            to.extend(list);
+            starts.push(to.len() as u32);
+        }
+        // L of a wave on links of mean square 1 is a quarter of its squared wave number.
+        let turn = std::f64::consts::TAU / greater(wave, 1.0);
+        let fastest = lesser(0.25 * turn * turn, 1.0);
+        Self {
+            starts,
+            to,
+            parents,
+            rate: fastest * SPREAD * RATIO.sqrt(),
+        }
+    }
+
+    fn links(&self, k: usize) -> impl ExactSizeIterator<Item = usize> {
+        let (from, to) = (self.starts[k] as usize, self.starts[k + 1] as usize);
+        self.to[from..to].iter().map(|&j| j as usize)
+    }
+
+    /// L: the mean of the neighbours less the own value.
+    fn laplacian(&self, values: &[f64], out: &mut Vec<f64>) {
+        out.clear();
+        for (k, &own) in values.iter().enumerate() {
+            let links = self.links(k);
+            let count = links.len().max(1) as f64;
+            let sum: f64 = links.map(|j| values[j] - own).sum();
+            out.push(sum / count);
+        }
+    }
+}
+
+/// The mean square of the links' lengths.
+fn mean_square(domain: &Domain, places: &[DVec2], links: &[Vec<u32>]) -> f64 {
+    let (mut sum, mut count) = (0.0, 0.0);
+    for (list, &place) in links.iter().zip(places) {
+        for &j in list {
+            sum += domain
+                .space()
+                .shortest(places[j as usize] - place)
+                .length_squared();
+            count += 1.0;
+        }
+    }
+    greater(sum / greater(count, 1.0), 1.0)
+}
+
+/// The nodes of a thinner graph, no two of them neighbours, and which of them stands for each node:
+/// the nearest among its neighbours.
+fn thinned(domain: &Domain, places: &[DVec2], links: &[Vec<u32>]) -> (Vec<u32>, Vec<u32>) {
+    const NONE: u32 = u32::MAX;
+    let mut kept = Vec::new();
+    let mut parents = vec![NONE; places.len()];
+    for (k, list) in links.iter().enumerate() {
+        if list.iter().all(|&j| parents[j as usize] == NONE) {
+            parents[k] = kept.len() as u32;
+            kept.push(k as u32);
+        }
+    }
+    let own = parents.clone();
+    for (k, list) in links.iter().enumerate() {
+        let mut nearest = f64::MAX;
+        for &j in list.iter().filter(|_| own[k] == NONE) {
+            let far = domain
+                .space()
+                .shortest(places[j as usize] - places[k])
+                .length_squared();
+            // The first of two that are as near but for rounding.
+            if own[j as usize] != NONE && far < 0.99 * nearest {
+                nearest = far;
+                parents[k] = own[j as usize];
+            }
+        }
+    }
+    (kept, parents)
+}
+
+/// The links of a thinner graph: between those that stand for neighbours.
+fn joined(links: &[Vec<u32>], parents: &[u32], count: usize) -> Vec<Vec<u32>> {
+    let mut joined = vec![Vec::new(); count];
+    for (k, list) in links.iter().enumerate() {
+        for &j in list {
+            let (from, to) = (parents[k], parents[j as usize]);
+            let known: &mut Vec<u32> = &mut joined[from as usize];
+            if from != to && !known.contains(&to) {
+                known.push(to);
+            }
+        }
+    }
+    joined
+}

@@ -1,0 +1,231 @@
+//! The stress on each packed cell: how deep its neighbours overlap it, and how many of its sides are free.
+
+use super::Particle;
+use super::force::Pair;
+use super::grid::Grid;
+use crate::domain::Domain;
+use glam::DVec2;
+
+/// The stress on a packed cell, each 0..=1.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Stress {
+    /// How deep it and its neighbours stand in each other; 1 from a depth on.
+    pub pressed: f32,
+    /// The share of its sides along which there is neither a neighbour nor the boundary.
+    pub alone: f32,
+}
+
+/// An overlap of this share of the stable distance counts in full ...
+const DEEP: f64 = 0.40;
+/// ... and one of this share is what soft cells at rest have.
+const REST: f64 = 0.08;
+/// A side is open where no centre is within so many stable distances along it ...
+const OPEN: f64 = 1.35;
+/// ... and within this slope of it.
+const ASIDE: f64 = 0.75;
+/// Centres more than so many mean lengths of two cells apart neither press nor stand beside: the
+/// corner of what a side looks at is 1.55 off, and corners touch at 1.42.
+const FAR: f64 = 1.6;
+/// Sides of cells with corners, and ways around the others, at any turn.
+const SIDES: u32 = 4;
+const WAYS: u32 = 12;
+
+/// The stress on each particle, in their order.
+pub fn stress(domain: &Domain, particles: &[Particle]) -> Vec<Stress> {
+    let mut surroundings = Surroundings::new(domain, particles);
+    let of = |k: usize| {
+        let depth = surroundings.meet(k);
+        Stress {
+            pressed: ((depth - REST) / (DEEP - REST)).clamp(0.0, 1.0) as f32,
+            alone: surroundings.free_share(k),
+        }
+    };
+    (0..particles.len()).map(of).collect()
+}
+
+/// What is around one particle after the other.
+struct Surroundings<'a> {
+    domain: &'a Domain,
+    particles: &'a [Particle],
+    grid: Grid,
+    reach: f64,
+    /// See [`FAR`], of the size.
+    far: f64,
+    /// The centres of the neighbours in the frame of the particle, in stable distances.
+    around: Vec<DVec2>,
+}
+
+impl<'a> Surroundings<'a> {
+    fn new(domain: &'a Domain, particles: &'a [Particle]) -> Self {
+        let most = |value: fn(&Particle) -> f64| particles.iter().map(value).fold(1.0, f64::max);
+        let stretch = most(|p| p.aspect.sqrt());
+        let reach = OPEN * most(|p| p.size * p.aspect.sqrt());
+        let (lo, hi) = domain.bounds();
+        let mut grid = Grid::new(lo, hi, reach);
+        particles.iter().for_each(|p| grid.push(p.centre));
+        Self {
+            domain,
+            particles,
+            grid,
+            reach,
+            far: FAR * stretch,
+            around: Vec::new(),
+        }
+    }
+
+    /// Finds the neighbours of a particle; gives the depth of its deepest overlap with one.
+    fn meet(&mut self, own: usize) -> f64 {
+        let (domain, particle) = (self.domain, &self.particles[own]);
+        let centre = particle.centre;
+        let (e, f) = particle.half_axes();
+        let mut depth = 0.0_f64;
+        self.around.clear();
+        let mut meet = |k: usize| {
+            let other = &self.particles[k];
+            let r = domain.space().shortest(other.centre - centre);
+            let far = self.far * 0.5 * (particle.size + other.size);
+            let is_near = k != own && r.length_squared() < far * far;
+            if is_near && !domain.is_parted(centre, centre + r) {
+                let pair = Pair::new(particle, other);
+                depth = depth.max(pair.penetration(r));
+                let stable = 2.0 * pair.stable_distance() / particle.size;
+                let q = DVec2::new(r.dot(e) / e.length_squared(), r.dot(f) / f.length_squared());
+                self.around.push(q / stable);
+            }
+            false
+        };
+        self.grid
+            .any_near(domain.space(), centre, self.reach, &mut meet);
+        depth
+    }
+
+    /// The share of the sides of a particle, whose neighbours were found before, that are free.
+    fn free_share(&self, own: usize) -> f32 {
+        let particle = &self.particles[own];
+        let centre = particle.centre;
+        let (e, f) = particle.half_axes();
+        let count = match particle.kind.has_corners() {
+            true => SIDES,
+            false => WAYS,
+        };
+        let is_free = |k: &u32| {
+            let turn = std::f64::consts::TAU * f64::from(*k) / f64::from(count);
+            let way = DVec2::new(libm::cos(turn), libm::sin(turn));
+            let taken = self.around.iter().any(|q| {
+                let (along, across) = (way.dot(*q), way.perp_dot(*q).abs());
+                along < OPEN && across < ASIDE * along.clamp(0.0, 1.0)
+            });
+            let beyond = centre + 2.2 * (way.x * e + way.y * f);
+            !taken && self.domain.contains(beyond) && !self.domain.is_parted(centre, beyond)
+        };
+        (0..count).filter(is_free).count() as f32 / count as f32
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::domain::Outline;
+
+    fn row(places: &[(f64, f64)]) -> Vec<Stress> {
+        lots(crate::field::Kind::Square, places)
+    }
+
+    fn lots(kind: crate::field::Kind, places: &[(f64, f64)]) -> Vec<Stress> {
+        let ring = [(0.0, 0.0), (100.0, 0.0), (100.0, 100.0), (0.0, 100.0)];
+        let domain = Domain::from_checked(&Outline {
+            rings: vec![ring.map(DVec2::from).to_vec()],
+            ..Outline::default()
+        });
+        stress(&domain, &particles(kind, places))
+    }
+
+    fn particles(kind: crate::field::Kind, places: &[(f64, f64)]) -> Vec<Particle> {
+        (0..)
+            .zip(places)
+            .map(|(id, &(x, y))| Particle {
+                id,
+                centre: DVec2::new(x, y),
+                kind,
+                size: 10.0,
+                aspect: 1.0,
+                axis: DVec2::X,
+                fixed: false,
+            })
+            .collect()
+    }
+
+    #[test]
+    fn neighbours_over_the_edge_of_a_tile_are_parted_only_by_lines_between_them() {
+        let places = [(1.0, 20.0), (96.0, 20.0), (52.0, 80.0), (47.0, 80.0)];
+        let line = [(50.0, 5.0), (50.0, 95.0)].map(DVec2::from).to_vec();
+        let torus = Domain::torus(100.0, &[line]);
+        let lots = stress(&torus, &particles(crate::field::Kind::Square, &places));
+        assert_eq!((lots[0].pressed, lots[1].pressed), (1.0, 1.0));
+        assert_eq!((lots[2].pressed, lots[3].pressed), (0.0, 0.0));
+    }
+
+    #[test]
+    fn one_large_cell_changes_nothing_for_small_ones_far_away() {
+        let mut cells = particles(
+            crate::field::Kind::Square,
+            &[(20.0, 20.0), (25.0, 20.0), (80.0, 80.0)],
+        );
+        let torus = Domain::torus(100.0, &[]);
+        let before = stress(&torus, &cells[..2]);
+        cells[2].size = 30.0;
+        assert_eq!(stress(&torus, &cells)[..2], before);
+    }
+
+    #[test]
+    fn a_cell_among_its_equals_is_at_ease() {
+        let places: Vec<(f64, f64)> = (0..9)
+            .map(|k| {
+                (
+                    40.0 + 10.0 * f64::from(k % 3),
+                    40.0 + 10.0 * f64::from(k / 3),
+                )
+            })
+            .collect();
+        assert_eq!(row(&places)[4], Stress::default());
+    }
+
+    #[test]
+    fn overlaps_press_and_gaps_leave_alone() {
+        let lots = row(&[(50.0, 50.0), (55.0, 50.0), (20.0, 80.0)]);
+        assert_eq!(lots[0].pressed, 1.0);
+        assert_eq!(lots[0].alone, 0.75);
+        assert_eq!(
+            lots[2],
+            Stress {
+                pressed: 0.0,
+                alone: 1.0
+            }
+        );
+    }
+
+    #[test]
+    fn the_boundary_is_company() {
+        assert_eq!(row(&[(5.0, 5.0)])[0].alone, 0.5);
+    }
+
+    #[test]
+    fn round_cells_have_six_neighbours_at_any_turn() {
+        for turn in [0.0, 0.3, 0.5] {
+            let around = |k: i32| {
+                let angle = turn + std::f64::consts::FRAC_PI_3 * f64::from(k);
+                (
+                    50.0 + 10.0 * libm::cos(angle),
+                    50.0 + 10.0 * libm::sin(angle),
+                )
+            };
+            let mut places = vec![(50.0, 50.0)];
+            places.extend((0..6).map(around));
+            let six = lots(crate::field::Kind::Circle, &places);
+            assert_eq!(six[0], Stress::default(), "{turn}");
+            assert!(six[1].alone > 0.3);
+            let five = lots(crate::field::Kind::Circle, &places[..6]);
+            assert!(five[0].alone > 0.0 && five[0].alone < 0.2, "{turn}");
+        }
+    }
+}

@@ -1,0 +1,204 @@
+//! Orientation of the cells' axes: neighbours point alike, so that scales lean one way.
+//!
+//! Itoh, Miyata, Shimada (2003), section 6.1, take an oriented flow vector as given. Axes of cells have no
+//! orientation: four of a square are alike, two of other cells. So neighbours are joined to groups, the
+//! pairs that agree best first (Kruskal's spanning forest), and each cell is turned to agree with the one
+//! that it is joined to. Each group as a whole is then turned so that most of its cells keep their axes.
+//! Beside a singular point two cells may agree the wrong way round; so a pair agrees as little as either
+//! does with a common neighbour.
+
+use crate::cells::Cell;
+use crate::order;
+use glam::DVec2;
+
+/// The cells with their axes turned, by quarters for squares and by halves for others, so that
+/// neighbours point alike. `links` are the neighbours by index: see [`crate::cells::graph`].
+pub fn oriented(cells: &[Cell], links: &[Vec<u32>]) -> Vec<Cell> {
+    let mut groups = Groups {
+        parent: (0..cells.len()).map(|k| (k, 0)).collect(),
+        stiff: cells.iter().map(|c| c.kind.symmetry() != 4).collect(),
+    };
+    let mut pairs: Vec<(usize, usize, f64)> = Vec::new();
+    for (i, list) in links.iter().enumerate() {
+        for j in list.iter().map(|&j| j as usize).filter(|&j| j > i) {
+            let agreement = |a: usize, b: usize| best_turn(&cells[a], &cells[b], 0, 1).1;
+            let mut least = agreement(i, j);
+            for k in list.iter().filter(|k| links[j].contains(k)) {
+                let k = *k as usize;
+                least = least.min(agreement(i, k)).min(agreement(j, k));
+            }
+            pairs.push((i, j, least));
+        }
+    }
+    order::sort(&mut pairs, |&(i, j, agreement)| {
+        (order::rank(-agreement), order::pair(i as u32, j as u32))
+    });
+    for (i, j, _) in pairs {
+        groups.join(cells, i, j);
+    }
+    let turns: Vec<(usize, u8)> = (0..cells.len()).map(|k| groups.root(k)).collect();
+    let whole = whole_turns(cells, &turns, &groups.stiff);
+    let turned = |(k, cell): (usize, &Cell)| Cell {
+        axis: quarters(cell.axis, turns[k].1 + whole[turns[k].0]),
+        ..cell.clone()
+    };
+    cells.iter().enumerate().map(turned).collect()
+}
+
+/// By how many quarters each group, by its root, is turned so that most cells keep their axes.
+fn whole_turns(cells: &[Cell], turns: &[(usize, u8)], stiff: &[bool]) -> Vec<u8> {
+    let mut kept = vec![[0.0f64; 4]; cells.len()];
+    for (cell, &(root, turn)) in cells.iter().zip(turns) {
+        for whole in 0..4 {
+            let now = quarters(cell.axis, turn + whole);
+            kept[root][usize::from(whole)] += now.dot(cell.axis);
+        }
+    }
+    let best = |(root, kept): (usize, &[f64; 4])| {
+        let step = if stiff[root] { 2 } else { 1 };
+        let mut best = 0;
+        for whole in (0..4).step_by(step) {
+            // A hair more, or groups that go round would hang on rounding.
+            if kept[whole] > kept[best] + 1e-6 {
+                best = whole;
+            }
+        }
+        best as u8
+    };
+    kept.iter().enumerate().map(best).collect()
+}
+
+/// A vector turned clockwise by so many quarters.
+fn quarters(v: DVec2, count: u8) -> DVec2 {
+    match count % 4 {
+        0 => v,
+        1 => v.perp(),
+        2 => -v,
+        _ => -v.perp(),
+    }
+}
+
+/// The turn of `b`, in steps of so many quarters, in which it agrees best with `a` turned by `turn`;
+/// and how well.
+fn best_turn(a: &Cell, b: &Cell, turn: u8, step: u8) -> (u8, f64) {
+    let axis = quarters(a.axis, turn);
+    let mut best = (0, f64::MIN);
+    for own in (0..4).step_by(usize::from(step)) {
+        let agreement = axis.dot(quarters(b.axis, own));
+        if agreement > best.1 + 1e-9 {
+            best = (own, agreement);
+        }
+    }
+    best
+}
+
+/// Cells joined to groups, each with its turn in quarters to the group's root.
+struct Groups {
+    parent: Vec<(usize, u8)>,
+    /// Of roots: can the group be turned by half turns only?
+    stiff: Vec<bool>,
+}
+
+impl Groups {
+    fn root(&mut self, k: usize) -> (usize, u8) {
+        let (mut root, mut turn) = (k, 0);
+        while self.parent[root].0 != root {
+            let (next, step) = self.parent[root];
+            turn = (turn + step) % 4;
+            root = next;
+        }
+        self.parent[k] = (root, turn);
+        (root, turn)
+    }
+
+    fn join(&mut self, cells: &[Cell], i: usize, j: usize) {
+        let ((a, turn), (b, other)) = (self.root(i), self.root(j));
+        if a == b {
+            return;
+        }
+        let step = if self.stiff[a] && self.stiff[b] { 2 } else { 1 };
+        // As it stands in its group, `j` is turned by `other`; by so much more the group is turned.
+        let standing = Cell {
+            axis: quarters(cells[j].axis, other),
+            ring: Vec::new(),
+            ..cells[j]
+        };
+        let (more, _) = best_turn(&cells[i], &standing, turn, step);
+        // The stiff group stays as it is.
+        if self.stiff[b] {
+            self.parent[a] = (b, (4 - more) % 4);
+        } else {
+            self.parent[b] = (a, more);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::field::Kind;
+
+    fn ring(kind: Kind, count: usize) -> (Vec<Cell>, Vec<Vec<u32>>) {
+        let cell = |k: usize| {
+            let angle = k as f64 / count as f64 * std::f64::consts::TAU;
+            let out = DVec2::new(libm::cos(angle), libm::sin(angle));
+            Cell {
+                id: k as u32,
+                centre: 100.0 * out,
+                kind,
+                size: 10.0,
+                aspect: 1.0,
+                axis: quarters(
+                    out.perp(),
+                    (k * k % 7) as u8 * if kind == Kind::Square { 1 } else { 2 },
+                ),
+                ring: Vec::new(),
+            }
+        };
+        let next = |k: usize| {
+            let mut list = vec![((k + 1) % count) as u32, ((k + count - 1) % count) as u32];
+            list.sort_unstable();
+            list
+        };
+        (
+            (0..count).map(cell).collect(),
+            (0..count).map(next).collect(),
+        )
+    }
+
+    #[test]
+    fn flow_goes_round_a_ring() {
+        for kind in [Kind::Square, Kind::Ellipse] {
+            let (cells, links) = ring(kind, 40);
+            let flow = oriented(&cells, &links);
+            for k in 0..40 {
+                let (a, b) = (flow[k].axis, flow[(k + 1) % 40].axis);
+                assert!(a.dot(b) > 0.98, "{kind:?} {k}: {a} {b}");
+                let turned = (0..4).any(|q| quarters(cells[k].axis, q) == flow[k].axis);
+                assert!(turned);
+            }
+        }
+    }
+
+    #[test]
+    fn what_agrees_stays_as_it_is() {
+        let (mut cells, links) = ring(Kind::Rectangle, 12);
+        cells.iter_mut().for_each(|c| c.axis = DVec2::new(0.6, 0.8));
+        assert_eq!(oriented(&cells, &links), cells);
+    }
+
+    #[test]
+    fn squares_beside_ellipses_give_way() {
+        let (mut cells, links) = ring(Kind::Square, 12);
+        for cell in &mut cells {
+            cell.axis = if cell.id < 6 { DVec2::X } else { DVec2::Y };
+            cell.kind = if cell.id < 6 {
+                Kind::Square
+            } else {
+                Kind::Ellipse
+            };
+        }
+        let flow = oriented(&cells, &links);
+        assert!(flow.iter().all(|c| c.axis.x.abs() < 1e-12), "{flow:?}");
+    }
+}

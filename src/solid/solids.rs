@@ -1,0 +1,167 @@
+//! From cells to solids: control meshes, refined by stencils.
+
+use super::footprint::Footprint;
+use super::stencil_cache::{MOST_LEVELS, StencilCache};
+use super::{Prism, StoneKind, StoneParams, TriangleMesh};
+use super::{control, displacement, prism};
+use crate::cells::Cell;
+use glam::{DVec2, Vec3};
+use std::rc::Rc;
+
+/// Triangles of a stone for a pixel of its area; nearly half of them stand in its walls.
+const STONE_TRIANGLES: f64 = 1.2;
+/// Loop steps of a stone at most: its control mesh is fine.
+const STONE_LEVELS: u32 = 5;
+/// Triangles of a cell of skin for a pixel of its prism's surface, at least. Finer ones change
+/// nothing that can be seen.
+const SKIN_TRIANGLES: f64 = 0.9;
+
+/// A stone or a cell of skin: its surface from the base up, open below.
+#[derive(Clone, Debug)]
+pub struct Solid {
+    /// x, y and height above the base level, in picture units.
+    pub vertices: Vec<Vec3>,
+    /// Triangles, clockwise on screen seen from above; shared by all solids of one connectivity.
+    pub triangles: Rc<[[u32; 3]]>,
+}
+
+impl Solid {
+    fn empty() -> Self {
+        Self {
+            vertices: Vec::new(),
+            triangles: Rc::new([]),
+        }
+    }
+}
+
+/// Makes the solids of cells, and keeps the stencils that they share.
+#[derive(Debug)]
+pub struct Solids {
+    stencils: StencilCache,
+    /// Loop steps of skin more than a picture needs, or fewer.
+    finer: i32,
+    /// Pixels for each square picture unit.
+    pixels: f64,
+}
+
+impl Default for Solids {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl Solids {
+    /// Solids for pictures with a pixel for each picture unit.
+    pub fn new() -> Self {
+        Self::for_picture(1, 0)
+    }
+
+    /// Solids for pictures with `pixel_scale` pixels for each picture unit, along a side. Skin has
+    /// `finer` Loop steps more than such a picture needs, or below 0 fewer.
+    pub fn for_picture(pixel_scale: usize, finer: i32) -> Self {
+        Self {
+            stencils: StencilCache::new(),
+            finer,
+            pixels: (pixel_scale * pixel_scale) as f64,
+        }
+    }
+
+    /// The solid of a cell, empty where the cell has no area to speak of. Stones lie inside the cell's
+    /// ring, or inside the ring enlarged by the scale where that is above 1. Skin leans along the cell's
+    /// axis: see [`super::oriented`].
+    pub fn solid(&mut self, cell: &Cell, params: &StoneParams) -> Solid {
+        loop {
+            if let Some(solid) = self.solid_or_slice(cell, params) {
+                return solid;
+            }
+        }
+    }
+
+    /// The same, or nothing where only a slice of the work on its stencil could be done.
+    pub fn solid_or_slice(&mut self, cell: &Cell, params: &StoneParams) -> Option<Solid> {
+        let Some(plan) = Footprint::new(&cell.ring, cell.centre) else {
+            return Some(Solid::empty());
+        };
+        match params.kind {
+            StoneKind::Skin => self.skin(&plan, params, cell),
+            _ => self.stone(&plan, params, cell.id),
+        }
+    }
+
+    fn stone(&mut self, plan: &Footprint, params: &StoneParams, id: u32) -> Option<Solid> {
+        let corners = plan.corners.len();
+        let points = control::points(plan, params, id);
+        let area = plan.size * plan.size * params.scale * params.scale;
+        let wanted = STONE_TRIANGLES * self.pixels * area;
+        let levels = levels(control::triangle_count(corners), wanted).min(STONE_LEVELS);
+        let refinement = self.stencils.get(false, corners, levels)?;
+        let stencil = &refinement.stencil;
+        let mut vertices = stencil.apply(&points);
+        if !plan.convex {
+            keep_in(plan, params, &mut vertices);
+        }
+        Some(Solid {
+            vertices,
+            triangles: stencil.triangles.clone(),
+        })
+    }
+
+    /// Itoh, Miyata, Shimada (2003), section 6: prism, subdivision, noise.
+    fn skin(&mut self, plan: &Footprint, params: &StoneParams, cell: &Cell) -> Option<Solid> {
+        let (flow, id) = (cell.axis, cell.id);
+        let corners = plan.corners.len();
+        let prism = Prism::over(plan, flow, params, id);
+        let coarse = prism::triangle_count(corners);
+        let needed = levels(coarse, SKIN_TRIANGLES * self.pixels * prism.area());
+        let finer = needed.saturating_add_signed(self.finer).min(MOST_LEVELS);
+        let refinement = self.stencils.get(true, corners, finer)?;
+        let (stencil, radii) = (&refinement.stencil, &refinement.radii);
+        let control = prism.points();
+        let mut vertices = stencil.apply(&control);
+        displacement::flatten(&mut vertices, stencil, &control, params.skin.flatness);
+        let place = (&prism, plan.centre, flow);
+        displacement::add_keel_and_rings(&mut vertices, radii, place, &params.skin);
+        let size = prism.skin_size;
+        displacement::add_noise(&mut vertices, radii, (stencil, needed), (size, id), params);
+        Some(Solid {
+            vertices,
+            triangles: stencil.triangles.clone(),
+        })
+    }
+}
+
+/// The control mesh that a cell's solid is refined from; None where the cell has no area to speak of.
+pub fn control_mesh(cell: &Cell, params: &StoneParams) -> Option<TriangleMesh> {
+    let plan = Footprint::new(&cell.ring, cell.centre)?;
+    let corners = plan.corners.len();
+    Some(match params.kind {
+        StoneKind::Skin => TriangleMesh {
+            vertices: Prism::over(&plan, cell.axis, params, cell.id).points(),
+            triangles: prism::triangles(corners),
+        },
+        _ => TriangleMesh {
+            vertices: control::points(&plan, params, cell.id),
+            triangles: control::triangles(corners),
+        },
+    })
+}
+
+/// Moves vertices back into the ring: smoothing cuts across reflex corners.
+fn keep_in(plan: &Footprint, params: &StoneParams, vertices: &mut [Vec3]) {
+    for v in vertices {
+        let p = DVec2::new(f64::from(v.x), f64::from(v.y));
+        let q = plan.kept_in(p, params.scale.max(1.0));
+        (v.x, v.y) = (q.x as f32, q.y as f32);
+    }
+}
+
+/// Loop steps until `triangles` have become as many as are wanted.
+fn levels(triangles: usize, wanted: f64) -> u32 {
+    let mut triangles = triangles as f64;
+    let mut levels = 0;
+    while triangles < wanted && levels < MOST_LEVELS {
+        triangles *= 4.0;
+        levels += 1;
+    }
+    levels
+}
