@@ -1,14 +1,14 @@
 /** Starts the page. */
+import { keepModule } from './module/load';
+import { t } from './words/words';
 import { byId } from './base/dom';
 import { reasonOf } from './base/errors';
 import { takeLanguage } from './base/language';
 import { alertOf, passing } from './base/messages';
 import { followTheme } from './base/theme';
-import { keepModule } from './module/load';
-import { App } from './shell/app';
 import { load } from './state/engine';
 import { isEmbedded } from './state/link';
-import { t } from './words/words';
+import { App } from './shell/app';
 
 async function start(): Promise<void> {
   try {

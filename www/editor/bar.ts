@@ -1,6 +1,6 @@
 /** The buttons for what is edited over the canvas; they stand in the caption's place. */
-import { make, say } from '../base/dom';
 import { tell } from '../words/editor';
+import { make, say } from '../base/dom';
 import type { Figure, FigureValue, Sort } from './geometry/figures';
 
 interface BarNeeds {

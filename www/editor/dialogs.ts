@@ -1,9 +1,9 @@
 /** Letters as an outline, and outlines that come from and go to files. */
+import type { Ring } from '../module/types';
+import { tell } from '../words/editor';
 import { dialogOf } from '../base/dialog';
 import { make, say } from '../base/dom';
 import { offer } from '../base/download';
-import type { Ring } from '../module/types';
-import { tell } from '../words/editor';
 import { jsonFile, svgFile } from './export';
 import { drawn } from './geometry/figures';
 import { FACES, letters, type Face } from './letters';

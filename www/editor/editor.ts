@@ -1,12 +1,12 @@
 /** The editor as the page uses it: who edits what over the canvas, and what becomes of it. */
+import type { Point, Ring } from '../module/types';
+import { tell } from '../words/editor';
 import { byId } from '../base/dom';
 import { reasonOf } from '../base/errors';
 import { alertOf, clear, notice } from '../base/messages';
-import type { Point, Ring } from '../module/types';
 import type { Engine, Told } from '../state/engine';
 import { toolApplies } from '../state/rules';
 import type { Work } from '../state/work';
-import { tell } from '../words/editor';
 import { exportDialog, importDialog, textDialog } from './dialogs';
 import { FigureEditor } from './figure-editor';
 import { ringOf, scaled } from './geometry/curve';

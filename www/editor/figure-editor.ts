@@ -1,6 +1,6 @@
 /** Edits figures over the canvas: by pointers (gestures.ts), by keys, and by the bar's buttons. */
-import { byId } from '../base/dom';
 import type { Point } from '../module/types';
+import { byId } from '../base/dom';
 import { EditorBar } from './bar';
 import { EditedFigures, type FigureNeeds } from './edited';
 import { drawn, type Figure, type Place, type Sort } from './geometry/figures';

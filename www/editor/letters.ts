@@ -1,7 +1,7 @@
 /** The shapes of letters, by way of pixels. */
-import { make } from '../base/dom';
 import type { Ring } from '../module/types';
 import { tell } from '../words/editor';
+import { make } from '../base/dom';
 import { contour, tidy } from './geometry/contour';
 import { fitted } from './geometry/fit';
 

@@ -1,11 +1,11 @@
 /** What the editor draws over the canvas: lines, handles, and guides. */
-import { make } from '../base/dom';
 import type { Point } from '../module/types';
 import { tell } from '../words/editor';
+import { make } from '../base/dom';
 import { lines, middle } from './geometry/curve';
 import { drawn, knobs, type Figure, type Place, type Sort } from './geometry/figures';
-import { depth } from './geometry/rings';
 import { distance } from './geometry/plane';
+import { depth } from './geometry/rings';
 
 const SVG = 'http://www.w3.org/2000/svg';
 

@@ -1,12 +1,12 @@
 /** What can be edited over the canvas: the outline, the roads it is made of, and the lists of the recipe. */
 import type { Point } from '../module/types';
+import { tell, type EditorWord } from '../words/editor';
 import type { Engine } from '../state/engine';
 import { toolApplies } from '../state/rules';
-import { tell, type EditorWord } from '../words/editor';
 import { hexagon, type Figure, type Place, type Sort } from './geometry/figures';
 import { handled } from './geometry/handles';
-import { depth } from './geometry/rings';
 import { distance, toSegment } from './geometry/plane';
+import { depth } from './geometry/rings';
 
 /** Half the length of a new line and the radius of a new spot, in sides; the width of the first road, in hundredths. */
 const NEW_LINE = 0.12;

@@ -1,12 +1,12 @@
 /** Another recipe under the one that is shown, up to a divider; it is made by an engine of its own in idle moments. */
+import { isEnd } from '../module/stages';
+import { t } from '../words/look';
 import { byId, make, say } from '../base/dom';
 import { notice } from '../base/messages';
-import { isEnd } from '../module/stages';
-import type { View } from '../picture/view';
 import { Engine } from '../state/engine';
 import type { Store } from '../state/store';
 import type { Work } from '../state/work';
-import { t } from '../words/look';
+import type { View } from '../picture/view';
 import '../styles/late/compare.css';
 import '../styles/late/look.css';
 

@@ -1,8 +1,8 @@
 /** What is drawn below and what over it, with a sentence for each about what one sees. */
-import { byId, make } from '../base/dom';
-import { VIEWS, type View } from '../picture/view';
-import type { Store } from '../state/store';
 import { t } from '../words/look';
+import { byId, make } from '../base/dom';
+import type { Store } from '../state/store';
+import { VIEWS, type View } from '../picture/view';
 import '../styles/late/look.css';
 
 /** In the order in which they are drawn. */

@@ -1,9 +1,9 @@
 /** The sun, or the lamp, on the picture: handles to drag, or to move by arrow keys. Only the light is worked out anew. */
+import { t } from '../words/look';
 import { byId, make } from '../base/dom';
 import type { Engine } from '../state/engine';
 import type { Store } from '../state/store';
 import type { Work } from '../state/work';
-import { t } from '../words/look';
 import '../styles/late/look.css';
 
 const SVG = 'http://www.w3.org/2000/svg';

@@ -1,11 +1,11 @@
 /** How the packing goes and how its cells are, in plots that follow the work. */
 import uPlot from 'uplot';
+import type { Histogram } from '../module/types';
+import { t, type Word } from '../words/look';
 import { byId, make, say } from '../base/dom';
 import { REPAINT } from '../base/theme';
-import type { Histogram } from '../module/types';
-import type { View } from '../picture/view';
 import type { Engine } from '../state/engine';
-import { t, type Word } from '../words/look';
+import type { View } from '../picture/view';
 import '../styles/late/plots.css';
 import 'uplot/dist/uPlot.min.css';
 

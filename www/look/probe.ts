@@ -1,11 +1,11 @@
 /** The cell under the pointer, or the one that arrow keys came to: its outline over the picture, and its numbers. */
-import { byId, make, say } from '../base/dom';
 import type { Point, Probe } from '../module/types';
-import type { View } from '../picture/view';
+import { t } from '../words/look';
+import { byId, make, say } from '../base/dom';
 import type { Engine } from '../state/engine';
 import type { Store } from '../state/store';
 import type { Work } from '../state/work';
-import { t } from '../words/look';
+import type { View } from '../picture/view';
 
 const SVG = 'http://www.w3.org/2000/svg';
 

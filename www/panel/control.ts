@@ -1,9 +1,9 @@
 /** One control of the panel: a label, the ways to change it, a reset, and its help. */
-import { make, say, symbol } from '../base/dom';
 import type { Parameter } from '../module/types';
+import { t } from '../words/words';
+import { make, say, symbol } from '../base/dom';
 import { differs } from '../state/rules';
 import { fromPlace, isLogarithmic, onStep, stepOf, toPlace } from '../state/scale';
-import { t } from '../words/words';
 
 /** Choices stand side by side where their labels, with some letters' room around each, have no more letters than this. */
 const SEGMENT_LETTERS = 38;

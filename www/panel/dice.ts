@@ -1,9 +1,9 @@
 /** The buttons of chance: one that throws all that is not locked, and a dice and a lock for each group. */
+import { groupIn, t } from '../words/words';
 import { byId, make } from '../base/dom';
 import { Later } from '../base/later';
 import { isLocked, onLocks, toggleLock } from '../state/locks';
 import type { Work } from '../state/work';
-import { groupIn, t } from '../words/words';
 import type { Panel } from './panel';
 import { SEED } from './seed';
 

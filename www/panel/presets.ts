@@ -1,7 +1,7 @@
 /** The rail of presets: the house's own and the papers' figures, each a small picture. */
-import { byId, make } from '../base/dom';
 import type { Preset } from '../module/types';
 import { groupIn } from '../words/words';
+import { byId, make } from '../base/dom';
 
 /** Sides of the small pictures (thumbs/NAME.avif, made by the build) on the page, in its pixels. */
 const THUMB = '72';

@@ -1,8 +1,8 @@
 /** The state of the work: the stages with their milliseconds, the counts, and the caption. */
-import { byId, make, say } from '../base/dom';
 import { placeOf, progressOf, STAGES } from '../module/stages';
 import type { Preset, Status } from '../module/types';
 import { partIn, t } from '../words/words';
+import { byId, make, say } from '../base/dom';
 
 /** Milliseconds; shorter work does not show how far it is, nor does what takes its time because somebody watches. */
 const LONG = 400;

@@ -1,8 +1,8 @@
 /** The canvas: its size, and what it shows. */
+import { t } from '../words/words';
 import { byIdAs, make } from '../base/dom';
 import type { Engine } from '../state/engine';
 import type { Store } from '../state/store';
-import { t } from '../words/words';
 
 /** Views that need a sentence about what they show. */
 const DRAWINGS = ['packed', 'cells', 'mesh', 'direction', 'height', 'normals', 'ids', 'potential', 'albedo', 'roughness', 'ao', 'paper'] as const;

@@ -1,10 +1,10 @@
 /** The editor's tools beside the canvas, the panel's button for the outline, and outlines that are dropped or pasted. */
+import { t } from '../words/words';
 import { byId, isShown, make, say, walkByArrows } from '../base/dom';
-import type { Panel } from '../panel/panel';
 import type { Engine } from '../state/engine';
 import { toolApplies } from '../state/rules';
 import type { Work } from '../state/work';
-import { t } from '../words/words';
+import type { Panel } from '../panel/panel';
 import type { Parts } from './parts';
 
 export class EditTools {

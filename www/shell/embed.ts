@@ -1,11 +1,11 @@
 /** The picture alone, for other pages: a click pauses and plays, a link in the corner opens the whole page. It stores nothing. */
+import { isEnd } from '../module/stages';
+import { t } from '../words/words';
 import { byId, byIdAs, make } from '../base/dom';
 import { alertOf } from '../base/messages';
-import { isEnd } from '../module/stages';
-import { Loop } from '../picture/loop';
 import { Engine } from '../state/engine';
 import { fragment, pageAddress } from '../state/link';
-import { t } from '../words/words';
+import { Loop } from '../picture/loop';
 import { scriptFace, type Bubblestone } from './scripts';
 import { tellCrash } from './trouble';
 import '../styles/late/embed.css';

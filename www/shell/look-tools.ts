@@ -1,9 +1,9 @@
 /** The buttons for looking closer, beside the canvas. */
+import { t } from '../words/words';
 import { byId, say, walkByArrows } from '../base/dom';
 import { bindKeys } from '../base/keys';
 import type { Later } from '../base/later';
 import type { Store } from '../state/store';
-import { t } from '../words/words';
 import type { Parts } from './parts';
 
 /** What may stand beside or over the picture. */

@@ -1,7 +1,7 @@
 /** `window.bubblestone`: the words of the page for scripts. */
 import type { Parameter, Preset, Probe, Status } from '../module/types';
-import type { Ahead } from '../picture/ahead';
 import type { Engine } from '../state/engine';
+import type { Ahead } from '../picture/ahead';
 
 export interface Bubblestone {
   /** The digest of the planes, once they are done and drawn; on a first visit, while they still form on the screen. */

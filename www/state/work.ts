@@ -1,6 +1,6 @@
 /** The recipe in the store, which the engine follows: everything that changes it goes this way. */
-import { clear, notice } from '../base/messages';
 import type { Preset, Ring } from '../module/types';
+import { clear, notice } from '../base/messages';
 import type { Engine, Told } from './engine';
 import type { State, Store } from './store';
 

@@ -1,9 +1,9 @@
 /** Outlines from files and texts, read in a worker, so that the page stays free; to stop it frees all it held. */
+import { tell, type EditorWord } from '../../words/editor';
+import { language } from '../../words/words';
 import { passing } from '../../base/messages';
 import { stoppable, type Task } from '../../base/task';
 import { answerOf } from '../../base/worker';
-import { tell, type EditorWord } from '../../words/editor';
-import { language } from '../../words/words';
 import { LEFT, type Count, type Told } from '../svg/refusal';
 import type { Try } from './read';
 import type { Answer, Order } from './read.worker';

@@ -1,8 +1,8 @@
 /** Makes one file. Nothing here blocks the page: it is a worker, which ends with the file. */
 import { Bubblestone } from '../../../pkg/bubblestone.js';
-import { serve } from '../../base/worker';
 import { loadModule } from '../../module/load';
 import type { Notice } from '../../module/types';
+import { serve } from '../../base/worker';
 import { formingGif } from './forming';
 import { mapsZip } from './maps-zip';
 import { meshFile } from './mesh-file';
