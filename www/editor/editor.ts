@@ -1,6 +1,6 @@
 /** The editor as the page uses it: who edits what over the canvas, and what becomes of it. */
 import type { Point, Ring } from '../module/types';
-import { tell } from '../words/editor';
+import { t } from '../words/editor';
 import { byId } from '../base/dom';
 import { reasonOf } from '../base/errors';
 import { alertOf, clear, notice } from '../base/messages';
@@ -160,13 +160,13 @@ export class Editor {
     if (await (await import('../take/recipe-file')).openRecipe(this.work, file)) return true;
     const refused = /^image\/(?!svg)/.test(file.type) ? 'only_picture' : file.size > LARGEST ? 'too_large' : undefined;
     if (!refused) return this.takeText(await file.text(), file.name);
-    alertOf('outline', tell('kept', { sentence: tell(refused, { name: file.name }) }));
+    alertOf('outline', t('kept', { sentence: t(refused, { name: file.name }) }));
     return false;
   }
 
   /** Text from the clipboard, where that is an outline. */
   paste(text: string): void {
-    if (OUTLINE.test(text)) void this.takeText(text, tell('pasted'));
+    if (OUTLINE.test(text)) void this.takeText(text, t('pasted'));
   }
 
   /** Text that has an outline. */
@@ -178,7 +178,7 @@ export class Editor {
       const by = this.engine.side() / side;
       return tries !== undefined && this.takeNew(tries.map((one) => ({ ...one, rings: one.rings.map((ring) => ring.map(([x, y]): Point => [x * by, y * by])) })));
     } catch (error) {
-      alertOf('outline', tell('kept', { sentence: reasonOf(error) }));
+      alertOf('outline', t('kept', { sentence: reasonOf(error) }));
       return false;
     }
   }
@@ -186,7 +186,7 @@ export class Editor {
   /** Whether there is no outline to be changed, which is told. */
   private tiled(): boolean {
     const tiled = this.engine.get('tile') === '1';
-    if (tiled) alertOf('outline', tell('tile_has_none'));
+    if (tiled) alertOf('outline', t('tile_has_none'));
     return tiled;
   }
 
@@ -200,7 +200,7 @@ export class Editor {
         if (!refused) return { refused, sentences: [...sentences, ...remarks(one)] };
         first ||= sentences.join(' ');
       }
-      return { refused: true, sentences: [tell('last_good', { sentence: first })] };
+      return { refused: true, sentences: [t('last_good', { sentence: first })] };
     });
     if (!taken) return false;
     const rings = this.engine.outline();
@@ -214,7 +214,7 @@ export class Editor {
   private takeRings(rings: Ring[]): boolean {
     return this.change('outline', () => {
       const { refused, sentences } = this.work.outline(rings, this.held);
-      return { refused, sentences: refused ? [tell('last_good', { sentence: sentences.join(' ') })] : sentences };
+      return { refused, sentences: refused ? [t('last_good', { sentence: sentences.join(' ') })] : sentences };
     });
   }
 

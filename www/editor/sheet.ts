@@ -1,6 +1,6 @@
 /** What the editor draws over the canvas: lines, handles, and guides. */
 import type { Point } from '../module/types';
-import { tell } from '../words/editor';
+import { t } from '../words/editor';
 import { make } from '../base/dom';
 import { lines, middle } from './geometry/curve';
 import { drawn, knobs, type Figure, type Place, type Sort } from './geometry/figures';
@@ -57,7 +57,7 @@ export class Sheet {
       ...(sort.broad ? figures.flatMap((_, figure) => [0, 1].map(() => marked(make('span', { class: 'handle knob', 'aria-hidden': 'true' }), { figure }))) : []),
     );
     const divided = sort.form === 'ring' || sort.form === 'line';
-    this.edges.replaceChildren(...(divided ? points : []).map((place) => marked(make('span', { class: 'handle ghost', title: tell('ghost') }), { ...place })));
+    this.edges.replaceChildren(...(divided ? points : []).map((place) => marked(make('span', { class: 'handle ghost', title: t('ghost') }), { ...place })));
   }
 
   /** Puts everything where the figures are. */
@@ -84,7 +84,7 @@ export class Sheet {
     figures.forEach((figure, f) =>
       figure.points.forEach((point, index) => {
         if (put(handle, point)) {
-          handle.setAttribute('aria-label', `${sort.name({ figure: f, index }, figures)}, ${tell('at', { x: Math.round(point[0]), y: Math.round(point[1]) })}`);
+          handle.setAttribute('aria-label', `${sort.name({ figure: f, index }, figures)}, ${t('at', { x: Math.round(point[0]), y: Math.round(point[1]) })}`);
           handle.toggleAttribute('data-marked', at.figure === f && at.index === index);
           const tag = index === 0 && !sort.broad && sort.value?.shown(figure.value);
           if (tag) handle.dataset['tag'] = tag;
