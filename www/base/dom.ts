@@ -50,6 +50,11 @@ export function isShown(element: Element): boolean {
   return element.getClientRects().length > 0;
 }
 
+/** Whether the visitor asks for less motion. */
+export function wantsStill(): boolean {
+  return matchMedia('(prefers-reduced-motion: reduce)').matches;
+}
+
 /** Lets the browser show what there is; where it shows nothing, as in a hidden tab, a moment passes. */
 export function frame(): Promise<void> {
   return new Promise((resolve) => {

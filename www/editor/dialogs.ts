@@ -1,9 +1,10 @@
 /** Letters as an outline, and outlines that come from and go to files. */
 import type { Ring } from '../module/types';
 import { t } from '../words/editor';
-import { dialogOf } from '../base/dialog';
 import { make, say } from '../base/dom';
-import { offer } from '../base/download';
+import { dialogOf } from '../late/dialog';
+import { offer } from '../late/download';
+import { shape } from '../late/svg';
 import { jsonFile, svgFile } from './export';
 import { drawn } from './geometry/figures';
 import { FACES, letters, type Face } from './letters';
@@ -26,8 +27,8 @@ function button(id: string, text: string, act: () => void): HTMLButtonElement {
 export function textDialog(needs: DialogNeeds): void {
   const word = make('input', { type: 'text', id: 'letters', maxlength: '24', value: 'B' });
   const face = make('select', { id: 'face' }, ...(Object.keys(FACES) as Face[]).map((key) => make('option', { value: key }, t(`face_${key}`))));
-  const preview = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
-  const path = document.createElementNS('http://www.w3.org/2000/svg', 'path');
+  const path = shape('path');
+  const preview = shape('svg', { viewBox: `0 0 ${needs.side()} ${needs.side()}`, 'aria-hidden': 'true' }, path);
   const count = make('p', { class: 'count', role: 'status' });
   let rings: Ring[] = [];
   const take = (): void => {
@@ -40,9 +41,6 @@ export function textDialog(needs: DialogNeeds): void {
     say(count, rings.length ? t('text_points', { n: rings.flat().length }) : t('text_none'));
     use.disabled = !rings.length;
   };
-  preview.setAttribute('viewBox', `0 0 ${needs.side()} ${needs.side()}`);
-  preview.setAttribute('aria-hidden', 'true');
-  preview.append(path);
   word.addEventListener('input', show);
   word.addEventListener('keydown', (event) => {
     if (event.key !== 'Enter' || event.isComposing) return;

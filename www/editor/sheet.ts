@@ -2,12 +2,11 @@
 import type { Point } from '../module/types';
 import { t } from '../words/editor';
 import { make } from '../base/dom';
+import { shape } from '../late/svg';
 import { lines, middle } from './geometry/curve';
 import { drawn, knobs, type Figure, type Place, type Sort } from './geometry/figures';
 import { distance } from './geometry/plane';
 import { depth } from './geometry/rings';
-
-const SVG = 'http://www.w3.org/2000/svg';
 
 /** Edges shorter than this, in CSS pixels, show no place for another point; for fingers more. */
 const ROOM = 56;
@@ -21,8 +20,8 @@ export type Part =
 
 export class Sheet {
   readonly layer: HTMLElement;
-  private readonly lines = document.createElementNS(SVG, 'svg');
-  private readonly grips = document.createElementNS(SVG, 'g');
+  private readonly lines = shape('svg', { 'aria-hidden': 'true' });
+  private readonly grips = shape('g');
   private readonly paths: Record<'rim' | 'band' | 'draft' | 'edge' | 'guide', SVGElement>;
   private readonly edges = make('div', { 'aria-hidden': 'true' });
   private readonly handles = make('div', { class: 'handles' });
@@ -30,7 +29,6 @@ export class Sheet {
 
   constructor(layer: HTMLElement) {
     this.layer = layer;
-    this.lines.setAttribute('aria-hidden', 'true');
     this.paths = { rim: path('rim'), band: path('band'), draft: path('draft'), edge: path('edge'), guide: path('guide') };
     this.lines.append(this.paths.rim, this.paths.band, this.paths.edge, this.grips, this.paths.draft, this.paths.guide);
     layer.replaceChildren(this.lines, this.edges, this.handles);
@@ -142,9 +140,7 @@ export class Sheet {
 }
 
 function path(name: string): SVGElement {
-  const element = document.createElementNS(SVG, 'path');
-  element.classList.add(name);
-  return element;
+  return shape('path', { class: name });
 }
 
 function marked<E extends HTMLElement | SVGElement>(element: E, data: Record<string, number>): E {

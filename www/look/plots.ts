@@ -2,7 +2,7 @@
 import uPlot from 'uplot';
 import type { Histogram } from '../module/types';
 import { t, type Word } from '../words/look';
-import { byId, make, say } from '../base/dom';
+import { byId, make, say, wantsStill } from '../base/dom';
 import { REPAINT } from '../base/theme';
 import type { Engine } from '../state/engine';
 import type { View } from '../picture/view';
@@ -69,7 +69,7 @@ export class Plots {
     if (!on) return;
     this.draw();
     // Under the picture they may be out of sight.
-    if (this.narrow.matches) this.section.scrollIntoView({ block: 'nearest', behavior: matchMedia('(prefers-reduced-motion: reduce)').matches ? 'auto' : 'smooth' });
+    if (this.narrow.matches) this.section.scrollIntoView({ block: 'nearest', behavior: wantsStill() ? 'auto' : 'smooth' });
   }
 
   /** On a narrow page the plots stand under the picture, else above the controls. */

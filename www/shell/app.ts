@@ -1,7 +1,7 @@
 /** The wiring: what happens when something on the page is changed, and what is shown of it. */
 import { isEnd, placeOf } from '../module/stages';
 import { language, t } from '../words/words';
-import { byId, byIdAs, frame, make, say } from '../base/dom';
+import { byId, byIdAs, frame, make, say, wantsStill } from '../base/dom';
 import { bindKeys, listenToKeys } from '../base/keys';
 import { speak } from '../base/language';
 import { alertOf, clear, notice, offerOf, passing } from '../base/messages';
@@ -58,7 +58,7 @@ export class App {
   /** A timer: the end of the work is told once it lasts. */
   private telling = 0;
   /** Visitors who asked for less motion see no cells move until they choose a speed. */
-  private still = matchMedia('(prefers-reduced-motion: reduce)').matches;
+  private still = wantsStill();
 
   constructor() {
     const last = lastWork();

@@ -1,7 +1,7 @@
 /** The picture alone, for other pages: a click pauses and plays, a link in the corner opens the whole page. It stores nothing. */
 import { isEnd } from '../module/stages';
 import { t } from '../words/words';
-import { byId, byIdAs, make } from '../base/dom';
+import { byId, byIdAs, make, wantsStill } from '../base/dom';
 import { alertOf } from '../base/messages';
 import { Engine } from '../state/engine';
 import { fragment, pageAddress } from '../state/link';
@@ -13,7 +13,7 @@ import '../styles/late/embed.css';
 export function embed(): Bubblestone {
   const canvas = byIdAs('canvas', HTMLCanvasElement);
   const context = canvas.getContext('2d');
-  const still = matchMedia('(prefers-reduced-motion: reduce)').matches;
+  const still = wantsStill();
   const engine = new Engine(fragment(), (error, link) => {
     document.documentElement.dataset['stage'] = 'error';
     tellCrash(error, link);

@@ -2,7 +2,7 @@
 import { t } from '../words/take';
 import { make } from '../base/dom';
 import { notice } from '../base/messages';
-import type { Task } from '../base/task';
+import type { Task } from '../late/task';
 import { pageAddress } from '../state/link';
 import type { Work } from '../state/work';
 import { takeDialog } from './dialog';

@@ -2,8 +2,8 @@
 import { t, type Word } from '../../words/editor';
 import { language } from '../../words/words';
 import { passing } from '../../base/messages';
-import { stoppable, type Task } from '../../base/task';
-import { answerOf } from '../../base/worker';
+import { stoppable, type Task } from '../../late/task';
+import { answerOf } from '../../late/worker';
 import { LEFT, type Count, type Told } from '../svg/refusal';
 import type { Try } from './read';
 import type { Answer, Order } from './read.worker';

@@ -2,7 +2,7 @@
 import { Bubblestone } from '../../../pkg/bubblestone.js';
 import { loadModule } from '../../module/load';
 import type { Notice } from '../../module/types';
-import { serve } from '../../base/worker';
+import { serve } from '../../late/worker';
 import { formingGif } from './forming';
 import { mapsZip } from './maps-zip';
 import { meshFile } from './mesh-file';

@@ -1,6 +1,6 @@
 /** Work that goes on for a while: how far it is, and a way to stop it. */
-import { make } from './dom';
-import { underWay, type Topic } from './messages';
+import { make } from '../base/dom';
+import { underWay, type Topic } from '../base/messages';
 
 /** What is done sooner than this, in milliseconds, is not told. */
 const SOON = 250;
