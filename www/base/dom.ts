@@ -63,6 +63,14 @@ export function frame(): Promise<void> {
   });
 }
 
+/** The browser has nothing to do; where it does not tell, as Safari, some milliseconds pass. */
+export function idle(otherwise: number): Promise<void> {
+  return new Promise((resolve) => {
+    if ('requestIdleCallback' in window) requestIdleCallback(() => resolve());
+    else setTimeout(resolve, otherwise);
+  });
+}
+
 /** Sets a text only when it differs, so that idle frames touch nothing. */
 export function say(element: Element, text: string): void {
   if (element.textContent !== text) element.textContent = text;

@@ -1,7 +1,7 @@
 /** Another recipe under the one that is shown, up to a divider; it is made by an engine of its own in idle moments. */
 import { isEnd } from '../module/stages';
 import { t } from '../words/look';
-import { byId, make, say } from '../base/dom';
+import { byId, idle, make, say } from '../base/dom';
 import { notice } from '../base/messages';
 import { Engine } from '../state/engine';
 import type { Store } from '../state/store';
@@ -127,7 +127,7 @@ export class Compare {
     if (!isEnd(engine.stage())) say(this.progress, t('compare_working'));
     if (this.waiting) return;
     this.waiting = true;
-    whenIdle(() => {
+    void idle(50).then(() => {
       this.waiting = false;
       this.goOn();
     });
@@ -163,10 +163,4 @@ export class Compare {
     engine.draw(context, this.view.words);
     this.drawn = performance.now() + DRAWINGS;
   }
-}
-
-/** Safari has no idle callbacks. */
-function whenIdle(call: () => void): void {
-  if ('requestIdleCallback' in window) requestIdleCallback(call);
-  else setTimeout(call, 50);
 }
