@@ -45,7 +45,7 @@ export function closeFromBeside(dialog: HTMLDialogElement): void {
   dialog.addEventListener('click', ({ target }) => target === dialog && dialog.close());
 }
 
-/** Whether an element has a place on the page now. */
+/** Whether an element is laid out now: neither it nor what it is in is hidden. */
 export function isShown(element: Element): boolean {
   return element.getClientRects().length > 0;
 }
@@ -55,7 +55,7 @@ export function wantsStill(): boolean {
   return matchMedia('(prefers-reduced-motion: reduce)').matches;
 }
 
-/** Lets the browser show what there is; where it shows nothing, as in a hidden tab, a moment passes. */
+/** Waits until the browser has painted, or 200 ms where it does not, as in a hidden tab. */
 export function frame(): Promise<void> {
   return new Promise((resolve) => {
     requestAnimationFrame(() => setTimeout(resolve));

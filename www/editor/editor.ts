@@ -39,11 +39,11 @@ export class Editor {
   private readonly engine: Engine;
   private readonly figureEditor: FigureEditor;
   private last = 'outline';
-  /** What the recipe said of it when the handles were last the same. */
+  /** The recipe's text of it when the handles last agreed with that. */
   private known = '';
-  /** The recipe is changed from here. */
+  /** The recipe is being changed from here, so that the handles need not follow. */
   private writing = false;
-  /** Points are in the hand. */
+  /** Points are being dragged. */
   private held = false;
   /** The figures that gave an outline, with places in sides of the picture: they are there again whenever the outline is. */
   private readonly given = new Map<string, Figure[]>();
@@ -88,7 +88,7 @@ export class Editor {
     return (sort.broad ? this.width : undefined) ?? sort.value?.first ?? 0;
   }
 
-  /** Ends the editing of this sort, or begins it, with a first figure where there is none and one is wanted; without a word what was edited last is just looked at. */
+  /** Ends the editing of this sort, or begins it; where there is no figure yet, `fresh` makes a first one. Without a word what was edited last is shown. */
   toggle(asked?: string, fresh = true): void {
     const word = asked ?? this.last;
     if (this.word === word && !this.figureEditor.figures.armed) return this.figureEditor.close();
@@ -205,7 +205,7 @@ export class Editor {
     if (!taken) return false;
     const rings = this.engine.outline();
     if (rings.length > SHOWN.rings || rings.flat().length > SHOWN.points) this.figureEditor.close();
-    // Both at once would hold the page.
+    // Together they would block the page for too long.
     else setTimeout(() => this.begin('outline'));
     return true;
   }
@@ -262,7 +262,7 @@ export class Editor {
     return isOutline(word) ? this.given.get(this.shape(word))?.map((figure) => scaled(figure, side)) : undefined;
   }
 
-  /** The outline at hand, at any size of the picture. */
+  /** A key for the outline at hand, the same at any size of the picture. */
   private shape(word: string): string {
     return [word, this.engine.get('outline'), this.engine.get('poly')].join();
   }

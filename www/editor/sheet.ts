@@ -8,7 +8,7 @@ import { drawn, knobs, type Figure, type Place, type Sort } from './geometry/fig
 import { distance } from './geometry/plane';
 import { depth } from './geometry/rings';
 
-/** Edges shorter than this, in CSS pixels, show no place for another point; for fingers more. */
+/** Edges shorter than this, in CSS pixels, have no handle that adds a point; for fingers they must be longer. */
 const ROOM = 56;
 const ROOM_FOR_FINGERS = 112;
 

@@ -112,7 +112,7 @@ export class Sorts {
     return { points: [[x - half, y], [x + half, y]], value: first };
   }
 
-  /** The part at this place gets a seed, or, where it has one, that one is marked by taking its place. */
+  /** A seed for the part at this place; one that the part has already goes, and leaves its value. */
   private seed(figures: Figure[], at: Point, first: number): Figure | undefined {
     const part = this.engine.part(at);
     if (part < 0) return undefined;

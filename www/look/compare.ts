@@ -114,7 +114,7 @@ export class Compare {
     this.wake();
   }
 
-  /** Its failure is no failure of what is shown. */
+  /** The other engine failed; what is shown goes on. */
   private failed(): void {
     this.engine = undefined;
     say(this.progress, t('compare_failed'));

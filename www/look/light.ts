@@ -107,7 +107,7 @@ export class LightOnCanvas {
     this.put({ az: (Math.round(azimuth) + 360) % 360, el: 90 - far * 90 });
   }
 
-  /** Sets values in the next frame, the last ones that came; they are in the hand until the end of the drag. */
+  /** Sets values in the next frame, the last ones that came; they are held until the end of the drag. */
   private put(values: Record<string, number>): void {
     Object.assign(this.waiting, values);
     this.frame ||= requestAnimationFrame(() => this.hand(true));
@@ -146,7 +146,7 @@ export class LightOnCanvas {
     element.addEventListener('lostpointercapture', () => this.hand(false));
   }
 
-  /** Arrow keys; with Shift five times as far. The values stay in the hand until the key rises. */
+  /** Arrow keys; with Shift five times as far. The values are held until the key rises. */
   private keys(element: HTMLElement, to: (dx: number, dy: number) => Record<string, number>): void {
     element.addEventListener('keydown', (event) => {
       const way = ARROWS[event.key];

@@ -77,7 +77,7 @@ export class CellProbe {
     for (const path of this.outline) path.setAttribute('d', '');
   }
 
-  /** Cells are told of where the picture shows them, and only while nothing is drawn or compared. */
+  /** No cell is told of while something is drawn or compared, while the picture is moved, and where it shows no cells. */
   private get rests(): boolean {
     return this.layer.hidden !== false || this.sight.busy() || this.store.state.view === 'potential';
   }
@@ -173,7 +173,7 @@ export class CellProbe {
     say(byId('cell-said'), this.numbers(this.cell).map((row) => row.join(' ')).join(', '));
   }
 
-  /** The next cell straight on; where the way leaves them, to either side of it. */
+  /** The next cell straight on; where there is none, one to either side of the way. */
   private beyond(from: Probe, [dx, dy]: readonly [number, number], side: number): Point | undefined {
     const stride = STRIDE * from.size;
     for (const aside of [0, 0.5, -0.5, 1, -1]) {

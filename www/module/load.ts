@@ -3,7 +3,7 @@ import init from '../../pkg/bubblestone.js';
 import packed from '../../pkg/bubblestone.lzma?url';
 import { Unpacker } from './lzma';
 
-/** Bytes that are unpacked between two breaths of the page: a few milliseconds of work. */
+/** Bytes that are unpacked at a time: a few milliseconds of work, after which the page may do other things. */
 const PIECE = 32_768;
 
 const CACHE = 'bubblestone module';
@@ -17,7 +17,7 @@ export async function loadModule(): Promise<void> {
       await init({ module_or_path: kept });
       return;
     } catch {
-      // What was kept is broken: the site has it, too.
+      // The kept copy is broken: the site has another.
       await caches.delete(CACHE);
     }
   }
@@ -36,13 +36,13 @@ async function keptModule(): Promise<Response | undefined> {
   try {
     return await caches.match(KEPT, { cacheName: CACHE });
   } catch {
-    // Not every place has a storage.
+    // Some browsers have no cache, or forbid it.
     return undefined;
   }
 }
 
 async function unpacked(): Promise<Response> {
-  // The second time, to keep it, the browser still has it.
+  // When it is to be kept, the browser still has it from the first time.
   const answer = await fetch(packed, { cache: 'force-cache' });
   if (!answer.ok) throw new Error(`${answer.status}`);
   const unpacker = new Unpacker(new Uint8Array(await answer.arrayBuffer()));

@@ -18,7 +18,7 @@ export function makeDice(work: Work, panel: Panel, push: () => void): void {
       if (groups.length > 1 && !isLocked(store, SEED)) values.push([SEED, String(engine.randomSeed())]);
       push();
       work.setAll(values);
-      // A throw of all is no change of what was there before.
+      // What all groups were thrown for is no variant of the preset before.
       if (groups.length > 1) store.update({ preset: undefined });
     });
   };
@@ -38,7 +38,7 @@ export function makeDice(work: Work, panel: Panel, push: () => void): void {
   byId('throw').addEventListener('click', () => throwAll(names));
 }
 
-/** A button with the sign of one that the page has already. */
+/** A button with the icon of another one of the page. */
 function signed(like: 'dice' | 'lock', words: string): HTMLButtonElement {
   const signs = Array.from(byId(like === 'lock' ? 'seed-lock' : 'dice').querySelectorAll('svg'), (sign) => sign.cloneNode(true));
   return make('button', { type: 'button', class: `key ${like}`, title: words, 'aria-label': words }, ...signs);

@@ -10,8 +10,8 @@ import { makeControl, type Change, type Control } from './control';
 const ELSEWHERE = new Set(['seed', 'poly']);
 
 /**
- * What matters most: four choices, and ten sliders of a recipe. Of some of them one stands for another, as the height of
- * skin and the lamp's place do.
+ * What matters most: four choices, and ten sliders of any recipe. There are more here, as some never apply together: the
+ * sun's direction and the lamp's place, the heights of stones and of skin.
  */
 const SIMPLE = new Set(['outline', 'kind', 'stone', 'palette', 'cs', 'ca', 'vs', 'sv', 'hs', 'sr', 'dr', 'wear', 'moss', 'wet', 'az', 'el', 'lx', 'ly']);
 
@@ -29,7 +29,7 @@ interface Group {
   readonly details: HTMLDetailsElement;
   readonly badge: HTMLElement;
   readonly controls: Control[];
-  /** Whether it stands open among all groups. */
+  /** Whether it is open while all groups are shown. */
   open: boolean;
 }
 
@@ -47,7 +47,7 @@ export class Panel {
     for (const radio of this.extents) radio.checked = this.simple === (radio.value === 'simple');
   }
 
-  /** Builds the controls, a few a frame: they are much, and the cells move meanwhile. `edit` opens a list over the canvas. */
+  /** Builds the controls, a few a frame, as that takes long and the cells move meanwhile. `edit` opens a list over the canvas. */
   async build(change: Change, edit: (key: string) => void): Promise<void> {
     let begin = performance.now();
     for (const parameter of this.recipe.schema) {

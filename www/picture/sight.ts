@@ -5,7 +5,7 @@
 import { byId, wantsStill } from '../base/dom';
 import type { State, Store } from '../state/store';
 
-/** A picture of less than this part of its size is only looked at. */
+/** A picture of less than this part of its size is to be looked at only: a press brings it back. */
 const SMALL = 0.9;
 
 /** What is done on the picture itself, and wants it large. */

@@ -145,7 +145,7 @@ export class App {
       byIdAs('redo', HTMLButtonElement).disabled = future.length === 0;
       const note = byId('stored');
       const text = stored && own ? t('stored') : '';
-      // Ears are told the first time only.
+      // Screen readers tell it the first time only.
       if (!text && note.textContent) note.ariaLive = 'off';
       say(note, text);
     };
@@ -266,7 +266,7 @@ export class App {
     this.loop.redraw();
   }
 
-  /** The view that is drawn at a stage: who asks for less motion gets what stays only. */
+  /** The view that is drawn at a stage: who asks for less motion sees finished pictures only. */
   private shownAt(stage: string): string | undefined {
     return !this.still || stage === 'done' || this.store.state.paused ? this.view.words : undefined;
   }

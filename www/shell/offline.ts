@@ -28,7 +28,7 @@ async function begin(): Promise<void> {
   worker.postMessage(new URL(ownScript(), document.baseURI).href.slice(registration.scope.length));
 }
 
-/** What names the page's build. */
+/** The path of the page's script, which has the build's hash in its name. */
 function ownScript(): string {
   return document.querySelector('script[type=module]')?.getAttribute('src') ?? '';
 }

@@ -8,7 +8,7 @@ import type { Preset } from '../module/types';
 export interface State {
   /** The recipe's link, without '#', as the engine writes it. */
   readonly recipe: string;
-  /** Something is in the hand (a slider, a point): the recipe is on its way and no step of the history yet. */
+  /** Something is being dragged (a slider, a point): the recipe still changes, and is no step of the history yet. */
   readonly held: boolean;
   /** Recipes before and after this one, the nearest last and first. */
   readonly past: readonly string[];
@@ -26,7 +26,7 @@ export interface State {
   readonly view: string;
   /** What is drawn over it. */
   readonly overlays: readonly string[];
-  /** How often the picture stands side by side, as a tile does. */
+  /** So many copies of the picture stand along each side, as of a tile. */
   readonly repeat: number;
   /** Tools for looking closer that are shown. */
   readonly light: boolean;
