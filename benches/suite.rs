@@ -4,8 +4,9 @@
 use bubblestone::domain::{Domain, Outline};
 use bubblestone::export::StageTime;
 use bubblestone::field::{FieldBuilder, FieldParams, Fields};
+use bubblestone::generators::ALL;
+use bubblestone::generators::pavement::{self, Pavement};
 use bubblestone::packing::{Edge, Integrator, Packing, PackingParams, Population, Start};
-use bubblestone::recipe::Recipe;
 use bubblestone::solid::Stencil;
 #[cfg(target_arch = "wasm32")]
 use bubblestone::solid::{Quarry, TriangleMesh};
@@ -138,15 +139,20 @@ fn packing_step(cells: u32, integrator: Integrator, clock: Clock, timings: &mut 
 /// From an outline to about `cells` fitted cells, and what the direction field takes of it.
 fn whole_way(name: &str, outline: &Outline, cells: u32, clock: Clock, timings: &mut Vec<Timing>) {
     let size = side_of(&Domain::from_checked(outline), cells);
-    let (recipe, _) = Recipe::from_link(&format!("cs={size:.2}"));
+    let (recipe, _) = pavement::recipe(&format!("cs={size:.2}"));
     let mut whole = Vec::new();
     let mut field = Vec::new();
     for _ in 0..9 {
-        let Ok((mut studio, _)) = Studio::with_outline(recipe.clone(), outline) else {
+        let Ok((engine, _)) = Pavement::with_outline(&recipe, outline) else {
             return;
         };
+        let mut studio = Studio::with_engine(ALL, recipe.clone(), Box::new(engine));
+        let has_cells = |studio: &Studio| {
+            let pavement = studio.engine_as::<Pavement>();
+            pavement.is_some_and(|pavement| !pavement.cells().is_empty())
+        };
         let start = clock();
-        while studio.cells().is_empty() && studio.problem().is_none() {
+        while !has_cells(&studio) && studio.problem().is_none() {
             studio.tick(clock, 0.0, 1);
         }
         whole.push(clock() - start);
@@ -220,7 +226,7 @@ fn subdivision(clock: Clock) -> Timing {
 #[cfg(target_arch = "wasm32")]
 pub fn skin_mesh() -> (TriangleMesh, u32, usize) {
     const STEPS: u32 = 4;
-    let mut studio = Studio::new(Recipe::from_link(SKIN).0);
+    let mut studio = Studio::new(ALL, pavement::recipe(SKIN).0);
     // Without cells there is nothing to count.
     let _ = studio.finish(&mut || 0.0);
     let mut quarry = Quarry::new();
@@ -240,9 +246,9 @@ pub fn skin_mesh() -> (TriangleMesh, u32, usize) {
 
 /// The whole skin of [`SKIN`]: prisms, subdivision, noise, planes.
 fn skin(clock: Clock) -> Timing {
-    let recipe = Recipe::from_link(SKIN).0;
+    let recipe = pavement::recipe(SKIN).0;
     let times = (0..5).map(|_| {
-        let mut studio = Studio::new(recipe.clone());
+        let mut studio = Studio::new(ALL, recipe.clone());
         // A run that fails shows as missing time.
         let _ = studio.finish(clock);
         let stages = studio.milliseconds();
@@ -258,10 +264,10 @@ fn skin(clock: Clock) -> Timing {
 /// Every stage of the default recipe and of one with small cells.
 fn stages(clock: Clock, timings: &mut Vec<Timing>) {
     for link in ["", "cs=8"] {
-        let (recipe, _) = Recipe::from_link(link);
+        let (recipe, _) = pavement::recipe(link);
         let runs: Vec<_> = (0..5)
             .map(|_| {
-                let mut studio = Studio::new(recipe.clone());
+                let mut studio = Studio::new(ALL, recipe.clone());
                 // A run that fails shows as missing time.
                 let _ = studio.finish(clock);
                 studio.milliseconds()
@@ -281,9 +287,9 @@ fn stages(clock: Clock, timings: &mut Vec<Timing>) {
 /// The default picture shaded anew, each time with the light elsewhere.
 fn moved_light(light: &str, clock: Clock) -> Timing {
     let link = |k: usize| format!("light={light}&az={}&lx=0.{k:02}", 25 * k);
-    let mut studio = Studio::new(Recipe::from_link(&link(0)).0);
+    let mut studio = Studio::new(ALL, pavement::recipe(&link(0)).0);
     let times = (0..14).map(|k| {
-        studio.set_recipe(Recipe::from_link(&link(k)).0);
+        studio.set_recipe(pavement::recipe(&link(k)).0);
         let start = clock();
         let _ = studio.finish(clock);
         clock() - start

@@ -19,7 +19,10 @@ fn main() -> std::process::ExitCode {
 mod figures {
     use super::native;
     use bubblestone::export::StageTime;
-    use bubblestone::recipe::{PRESETS, Preset, Recipe, Stage};
+    use bubblestone::generators::ALL;
+    use bubblestone::generators::Preset;
+    use bubblestone::generators::pavement::{self, PAVEMENT};
+
     use bubblestone::studio::Studio;
     use std::path::Path;
 
@@ -28,7 +31,7 @@ mod figures {
     const GAP: usize = 8;
     const COLUMNS: usize = 4;
     /// How the work is divided where no paper does.
-    const PARTS: [&[Stage]; 2] = [Stage::ALL.split_at(3).0, Stage::ALL.split_at(3).1];
+    const PARTS: [&[&str]; 2] = [PAVEMENT.stages.split_at(3).0, PAVEMENT.stages.split_at(3).1];
     const PAPER: [u8; 3] = [38, 34, 30];
 
     pub fn run() -> Result<(), String> {
@@ -46,8 +49,8 @@ mod figures {
             "{:<12}{:>7}{:>7}{:>16}{:>9}{:>16}{:>9}  figure",
             "preset", "cells", "steps", "cells: paper", "ours s", "texture: paper", "ours s"
         );
-        let mut sheet = Sheet::new(PRESETS.len());
-        for (k, preset) in PRESETS.iter().enumerate() {
+        let mut sheet = Sheet::new(PAVEMENT.presets.len());
+        for (k, preset) in PAVEMENT.presets.iter().enumerate() {
             let picture = render(preset, &out.join(preset.name))?;
             sheet.put(k, &picture);
         }
@@ -56,8 +59,8 @@ mod figures {
     }
 
     fn render(preset: &Preset, dir: &Path) -> Result<Vec<u8>, String> {
-        let (recipe, notices) = Recipe::from_link(preset.link);
-        let mut studio = Studio::new(recipe);
+        let (recipe, notices) = pavement::recipe(preset.link);
+        let mut studio = Studio::new(ALL, recipe);
         let mut clock = native::clock();
         let finished = studio.finish(&mut clock);
         finished.map_err(|e| format!("{}: {e}", preset.name))?;
@@ -73,7 +76,7 @@ mod figures {
         for (k, &plain) in PARTS.iter().enumerate() {
             let part = preset.timing.map(|timing| timing.parts[k]);
             let stages = part.map_or(plain, |part| part.stages);
-            let is_of = |t: &&StageTime| stages.iter().any(|s| s.word() == t.stage);
+            let is_of = |t: &&StageTime| stages.contains(&t.stage);
             let ours: f64 = report.milliseconds.iter().filter(is_of).map(|t| t.ms).sum();
             let paper = part.map_or("-".into(), |part| part.seconds.to_string());
             print!("{paper:>16}{:>9.3}", ours / 1e3);

@@ -27,25 +27,29 @@ fn main() -> std::process::ExitCode {
 
 #[cfg(not(target_arch = "wasm32"))]
 fn run() -> Result<(), String> {
-    use bubblestone::recipe::{Key, Recipe};
+    use bubblestone::generators::ALL;
+    use bubblestone::generators::pavement::{self, Pavement};
     use bubblestone::studio::Studio;
 
     let wish = Wish::read(std::env::args().skip(1))?;
-    let (mut recipe, mut notices) = Recipe::from_link(&wish.link);
+    let (mut recipe, mut notices) = ALL.recipe(&wish.link);
     let mut studio = match &wish.outline {
-        None => Studio::new(recipe),
+        None => Studio::new(ALL, recipe),
+        Some(_) if !recipe.is_of(&pavement::SCHEMA) => {
+            return Err("--outline is for pavements only.".into());
+        }
         Some(path) => {
             let mut file = native::read_outline(path)?;
             if let Some(size) = file.size {
                 if !wish.link_has_size() {
-                    notices.extend(recipe.set(Key::Size.parameter().key, &size.to_string())?);
+                    notices.extend(recipe.set("size", &size.to_string())?);
                 }
                 file.scale(recipe.side() / size);
             }
-            let made = Studio::with_outline(recipe, &file.outline);
-            let (studio, mended) = made.map_err(|e| format!("{path}: {e}"))?;
+            let made = Pavement::with_outline(&recipe, &file.outline);
+            let (engine, mended) = made.map_err(|e| format!("{path}: {e}"))?;
             notices.extend(mended);
-            studio
+            Studio::with_engine(ALL, recipe, Box::new(engine))
         }
     };
     let mut clock = native::clock();
@@ -56,7 +60,7 @@ fn run() -> Result<(), String> {
         native::write_views(&mut studio, out)?;
     }
     if wish.maps {
-        native::write_maps(&studio, out)?;
+        native::write_maps(&mut studio, out)?;
     }
     if wish.mesh {
         native::write_meshes(&mut studio, out)?;

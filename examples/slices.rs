@@ -1,7 +1,8 @@
 //! `cargo run --release --example slices [-- LINK...]`: the longest slice of each stage, of all
 //! presets or of these links, as the best of three runs.
 
-use bubblestone::recipe::{PRESETS, Recipe};
+use bubblestone::generators::ALL;
+use bubblestone::generators::pavement::{self, PAVEMENT};
 use bubblestone::studio::Studio;
 use std::collections::BTreeMap;
 use std::time::Instant;
@@ -10,13 +11,13 @@ use std::time::Instant;
 fn main() {
     let mut links: Vec<String> = std::env::args().skip(1).collect();
     if links.is_empty() {
-        links = PRESETS.iter().map(|p| p.link.to_owned()).collect();
+        links = PAVEMENT.presets.iter().map(|p| p.link.to_owned()).collect();
     }
     for link in links {
         let mut best: BTreeMap<(&str, u32), f64> = BTreeMap::new();
         for _ in 0..3 {
-            let (recipe, _) = Recipe::from_link(&link);
-            let mut studio = Studio::new(recipe);
+            let (recipe, _) = pavement::recipe(&link);
+            let mut studio = Studio::new(ALL, recipe);
             let begin = Instant::now();
             let mut clock = || begin.elapsed().as_secs_f64() * 1e3;
             let mut count = BTreeMap::new();
@@ -41,9 +42,9 @@ fn main() {
             w.3 += 1;
         }
         println!("{link}");
-        for stage in bubblestone::recipe::Stage::ALL {
-            if let Some((ms, k, total, n)) = worst.get(stage.word()) {
-                print!("  {} {ms:.1} (#{k}/{n}, {total:.0})", stage.word());
+        for &stage in PAVEMENT.stages {
+            if let Some((ms, k, total, n)) = worst.get(stage) {
+                print!("  {stage} {ms:.1} (#{k}/{n}, {total:.0})");
             }
         }
         println!();

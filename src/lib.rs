@@ -4,7 +4,8 @@
 //! The way of the data, one module each: a [`recipe`] names an outline ([`domain`]) and fields of
 //! size and direction ([`field`]); particles pack it ([`packing`]); their centres become a [`mesh`],
 //! the mesh [`cells`], each cell a stone ([`solid`]); stones are drawn into data planes
-//! ([`texture`]) and the planes are lit ([`render`]). [`studio`] runs all of it in small slices.
+//! ([`texture`]) and the planes are lit ([`render`]). [`generators`] wire these stages together, and
+//! [`studio`] runs any of them in small slices.
 //!
 //! It implements Miyata, Itoh, Shimada (2000), A Method of Generating Pavement Textures Using the
 //! Square Packing Technique, and Miyata, Itoh, Shimada (2001), Generating Pavement Textures via
@@ -17,12 +18,12 @@
 //! same recipe gives the same bits on every machine.
 //!
 //! ```
-//! use bubblestone::recipe::Recipe;
+//! use bubblestone::generators;
 //! use bubblestone::studio::Studio;
 //!
-//! let (recipe, notices) = Recipe::from_link("#v=1&size=128&cs=24");
+//! let (recipe, notices) = generators::ALL.recipe("#v=1&size=128&cs=24");
 //! assert!(notices.is_empty());
-//! let mut studio = Studio::new(recipe);
+//! let mut studio = Studio::new(generators::ALL, recipe);
 //! studio.finish(&mut || 0.0).unwrap();
 //! assert_eq!(studio.digest().len(), 16);
 //! ```
@@ -35,6 +36,7 @@ mod decimal;
 pub mod domain;
 pub mod export;
 pub mod field;
+pub mod generators;
 mod graph;
 pub mod mesh;
 pub mod metrics;

@@ -9,13 +9,15 @@ mod catalogue;
 mod objects;
 mod said;
 
-pub use catalogue::{presets, schema};
+pub use catalogue::{generators, presets, schema};
 
 use crate::domain::Outline;
 use crate::export::{Map, MapKind, MeshFormat};
+use crate::generators::ALL;
+use crate::generators::pavement::{self, Pavement, PavementRecipe};
 use crate::notice::{Code, Notice};
-use crate::recipe::{Key, Recipe};
-use crate::studio::{Studio, View};
+use crate::recipe::Recipe;
+use crate::studio::Studio;
 use glam::DVec2;
 use js_sys::{Array, Date, Object, Reflect};
 use said::{all, answer, notice, or_why};
@@ -38,7 +40,7 @@ impl Clock {
     }
 }
 
-/// A pavement in the making.
+/// A picture in the making, of any generator.
 #[wasm_bindgen]
 pub struct Bubblestone {
     studio: Studio,
@@ -55,9 +57,9 @@ impl Bubblestone {
         // The page's own module has no words for a panic: see scripts/lib/trim.mjs.
         #[cfg(debug_assertions)]
         console_error_panic_hook::set_once();
-        let (recipe, notices) = Recipe::from_link(link);
+        let (recipe, notices) = ALL.recipe(link);
         Self {
-            studio: Studio::new(recipe),
+            studio: Studio::new(ALL, recipe),
             notices,
             clock: Clock::new(),
         }
@@ -66,7 +68,7 @@ impl Bubblestone {
     /// Opens another link; answers with what was clamped, dropped or refused.
     #[wasm_bindgen(unchecked_return_type = "Notice[]")]
     pub fn open(&mut self, link: &str) -> Array {
-        let (recipe, notices) = Recipe::from_link(link);
+        let (recipe, notices) = ALL.recipe(link);
         self.studio.set_recipe(recipe);
         self.notices = notices;
         self.notices()
@@ -83,12 +85,25 @@ impl Bubblestone {
         self.studio.recipe().link()
     }
 
+    /// The generator at work, by its word.
+    pub fn generator(&self) -> String {
+        self.studio.generator().schema.word.to_owned()
+    }
+
     /// Sets a parameter from text.
     #[wasm_bindgen(unchecked_return_type = "Answer")]
     pub fn set(&mut self, key: &str, text: &str) -> Object {
         let mut recipe = self.studio.recipe().clone();
         let said = recipe.set(key, text);
         self.take(recipe, said)
+    }
+
+    fn pavement(&self) -> Option<&Pavement> {
+        self.studio.engine_as()
+    }
+
+    fn pavement_mut(&mut self) -> Option<&mut Pavement> {
+        self.studio.engine_as_mut()
     }
 
     /// Works by a recipe from now on, where it was not refused.
@@ -129,7 +144,7 @@ impl Bubblestone {
         self.studio.restart();
     }
 
-    /// The stage at work, then 'done', or 'error' where no pavement can be made.
+    /// The stage at work, then 'done', or 'error' where no picture can be made.
     pub fn stage(&self) -> String {
         self.studio.stage().to_string()
     }
@@ -144,14 +159,8 @@ impl Bubblestone {
     /// How far the work is.
     #[wasm_bindgen(unchecked_return_type = "Status")]
     pub fn status(&mut self) -> Object {
-        let energy = self.studio.energy();
-        let studio = &self.studio;
-        objects::status(
-            &studio.progress(),
-            energy,
-            studio.stones(),
-            &studio.milliseconds(),
-        )
+        let energy = self.studio.engine_mut().energy();
+        objects::status(&self.studio.progress(), energy, &self.studio.milliseconds())
     }
 
     /// Draws a view at the context's upper left corner: words joined by '+', at most one of what lies
@@ -161,7 +170,7 @@ impl Bubblestone {
     /// that name nothing are passed over.
     pub fn draw(&mut self, context: &CanvasRenderingContext2d, view: &str) {
         let side = self.studio.side() as u32;
-        let frame = self.studio.view(View::of_words(view));
+        let frame = self.studio.engine_mut().view(view);
         let image = ImageData::new_with_u8_clamped_array_and_sh(Clamped(frame), side, side);
         // A context that is lost draws nothing; the next frame tries again.
         let _ = image.and_then(|image| context.put_image_data(&image, 0.0, 0.0));
@@ -171,54 +180,58 @@ impl Bubblestone {
     /// [`Bubblestone::draw`] has only the rest to do.
     pub fn prepare(&mut self, view: &str, budget: f64) -> bool {
         let clock = &self.clock;
-        self.studio
-            .prepare(View::of_words(view), &mut || clock.now(), budget)
+        let engine = self.studio.engine_mut();
+        engine.prepare(view, &mut || clock.now(), budget)
     }
 
     /// What of a view shows nothing, and why: each as its word, ':' and 'not_yet', 'at_rest', 'no_point',
     /// 'no_mesh', 'one_size' or 'all_even'.
     pub fn absences(&mut self, view: &str) -> Vec<String> {
-        let found = self.studio.absences(View::of_words(view));
-        let told = found.iter().map(|(word, why)| [word, why.word()].join(":"));
+        let found = self.studio.engine_mut().absences(view);
+        let told = found.iter().map(|&(word, why)| [word, why].join(":"));
         told.collect()
     }
 
     /// From black to white in the view 'height', in picture units; 0 before there are planes.
     #[wasm_bindgen(js_name = heightRange)]
     pub fn height_range(&self) -> f64 {
-        self.studio.height_range()
+        self.pavement().map_or(0.0, Pavement::height_range)
     }
 
     /// The cell at a place in picture units.
     #[wasm_bindgen(unchecked_return_type = "Probe | undefined")]
     pub fn probe(&mut self, x: f64, y: f64) -> JsValue {
-        let probe = self.studio.probe(x, y);
+        let probe = self
+            .pavement_mut()
+            .and_then(|pavement| pavement.probe(x, y));
         probe.map_or(JsValue::UNDEFINED, |probe| objects::probe(&probe).into())
     }
 
     /// How the packing went so far.
     #[wasm_bindgen(unchecked_return_type = "Series")]
     pub fn series(&self) -> Object {
-        objects::series(self.studio.samples())
+        objects::series(self.pavement().map_or(&[], Pavement::samples))
     }
 
     /// How many cells have a size so many times the wanted one, and how many stand so many degrees off
     /// the direction field.
     #[wasm_bindgen(unchecked_return_type = "Histograms")]
     pub fn histograms(&mut self) -> Object {
-        objects::histograms(&self.studio.histograms())
+        let pavement = self.pavement_mut();
+        objects::histograms(&pavement.map(Pavement::histograms).unwrap_or_default())
     }
 
     /// The cells as a standalone SVG file; '' before there are any.
     pub fn svg(&self) -> String {
-        self.studio.svg()
+        self.pavement().map_or(String::new(), Pavement::svg)
     }
 
     /// A map of the finished picture ('height', 'normal-opengl', 'normal-directx', 'albedo',
     /// 'roughness', 'ao', 'id'), or why there is none.
     #[wasm_bindgen(unchecked_return_type = "PixelMap | Notice")]
     pub fn map(&self, word: &str) -> Object {
-        map_of(word, |kind| self.studio.map(kind))
+        let engine = self.studio.engine();
+        map_of(word, |kind| engine.map(kind))
     }
 
     /// Works for about `budget` milliseconds on the file of all cells' surfaces ('glb' or 'obj').
@@ -228,7 +241,8 @@ impl Bubblestone {
         let format = format.ok_or(Code::NoSuchFile.into());
         let clock = &self.clock;
         let made = format.and_then(|&(format, _)| {
-            let slice = self.studio.mesh_file(format, &mut || clock.now(), budget);
+            let engine = self.studio.engine_mut();
+            let slice = engine.mesh_file(format, &mut || clock.now(), budget);
             slice.map(|slice| objects::mesh_slice(&slice))
         });
         or_why(made)
@@ -239,22 +253,22 @@ impl Bubblestone {
     #[wasm_bindgen(js_name = pictureFile, unchecked_return_type = "PictureSlice | Notice")]
     pub fn picture_file(&mut self, scale: u32, budget: f64) -> Object {
         let clock = &self.clock;
-        let made = self
-            .studio
-            .picture_file(scale as usize, &mut || clock.now(), budget);
+        let engine = self.studio.engine_mut();
+        let made = engine.picture_file(scale as usize, &mut || clock.now(), budget);
         or_why(made.map(|slice| objects::picture_slice(&slice)))
     }
 
     /// As `map`, of the picture that `pictureFile` finished last.
     #[wasm_bindgen(js_name = biggerMap, unchecked_return_type = "PixelMap | Notice")]
     pub fn bigger_map(&self, word: &str) -> Object {
-        map_of(word, |kind| self.studio.bigger_map(kind))
+        let engine = self.studio.engine();
+        map_of(word, |kind| engine.bigger_map(kind))
     }
 
     /// Stops `meshFile` or `pictureFile` and frees what they hold.
     #[wasm_bindgen(js_name = stopFile)]
     pub fn stop_file(&mut self) {
-        self.studio.stop_file();
+        self.studio.engine_mut().stop_file();
     }
 
     /// The fields of the native program's report.json, as text.
@@ -267,8 +281,9 @@ impl Bubblestone {
     /// The default of a number in the recipe at hand.
     #[wasm_bindgen(js_name = defaultOf)]
     pub fn default_of(&self, key: &str) -> f64 {
-        let key = Key::from_word(key);
-        key.map_or(0.0, |key| self.studio.recipe().default_of(key))
+        let recipe = self.studio.recipe();
+        let row = recipe.schema().row(key);
+        row.map_or(0.0, |row| recipe.default_of(row))
     }
 
     /// Hex digest of the planes; '' until done.
@@ -282,7 +297,10 @@ impl Bubblestone {
     pub fn set_outline(&mut self, points: &[f64], ring_lengths: &[u32]) -> Object {
         let mut recipe = self.studio.recipe().clone();
         let outline = rings_of(points, ring_lengths);
-        let said = outline.and_then(|outline| recipe.set_polygon(&outline));
+        let said = match recipe.is_of(&pavement::SCHEMA) {
+            true => outline.and_then(|outline| recipe.set_polygon(&outline)),
+            false => Err(Code::NoOutline.into()),
+        };
         self.take(recipe, said)
     }
 
@@ -290,7 +308,8 @@ impl Bubblestone {
     #[wasm_bindgen(unchecked_return_type = "Rings")]
     pub fn outline(&self) -> Object {
         let numbers = |ring: &&[DVec2]| ring.iter().flat_map(|p| [p.x, p.y]).collect();
-        let rings: Vec<Vec<f64>> = self.studio.rings().iter().map(numbers).collect();
+        let rings = self.pavement().map_or(Vec::new(), Pavement::rings);
+        let rings: Vec<Vec<f64>> = rings.iter().map(numbers).collect();
         objects::rows(&rings, 2, ["points", "rings"])
     }
 
@@ -298,14 +317,19 @@ impl Bubblestone {
     /// between rows.
     #[wasm_bindgen(unchecked_return_type = "Rows")]
     pub fn list(&self, key: &str) -> Object {
-        let rows = Key::from_word(key).map_or(Vec::new(), |key| self.studio.recipe().list(key));
+        let recipe = self.studio.recipe();
+        let row = recipe.schema().row(key);
+        let rows = row.map_or(Vec::new(), |row| recipe.list(row.key));
         objects::rows(&rows, 1, ["numbers", "rows"])
     }
 
     /// Which of the parts that lines cut the outline into holds this point; -1 outside.
     pub fn part(&self, x: f64, y: f64) -> i32 {
         let p = DVec2::new(x, y);
-        let domain = self.studio.domain().filter(|domain| domain.contains(p));
+        let domain = self
+            .pavement()
+            .and_then(Pavement::domain)
+            .filter(|domain| domain.contains(p));
         domain.map_or(-1, |domain| domain.part(p) as i32)
     }
 
@@ -355,8 +379,8 @@ pub fn random_seed() -> u32 {
 /// none.
 #[wasm_bindgen]
 pub fn digest_of_link(link: &str) -> String {
-    let (recipe, _) = Recipe::from_link(link);
-    let mut studio = Studio::new(recipe);
+    let (recipe, _) = ALL.recipe(link);
+    let mut studio = Studio::new(ALL, recipe);
     match studio.finish(&mut || 0.0) {
         Ok(()) => studio.digest(),
         Err(why) => why.to_string(),
@@ -367,8 +391,8 @@ pub fn digest_of_link(link: &str) -> String {
 /// `problem` where it could not be done.
 #[wasm_bindgen]
 pub fn report_of_link(link: &str) -> Object {
-    let (recipe, notices) = Recipe::from_link(link);
-    let mut studio = Studio::new(recipe);
+    let (recipe, notices) = ALL.recipe(link);
+    let mut studio = Studio::new(ALL, recipe);
     let clock = Clock::new();
     let problem = studio.finish(&mut || clock.now()).err();
     let mut report = studio.report();

@@ -4,13 +4,16 @@
 mod finished;
 
 use bubblestone::export::MapKind;
+use bubblestone::generators::PictureSlice;
 use bubblestone::notice::Code;
-use bubblestone::studio::{PictureSlice, Studio};
+use bubblestone::studio::Studio;
 use finished::finished;
 
 /// All of a bigger picture, in one call.
 fn bigger(studio: &mut Studio, scale: usize) -> PictureSlice {
-    let made = studio.picture_file(scale, &mut || 0.0, f64::INFINITY);
+    let made = studio
+        .engine_mut()
+        .picture_file(scale, &mut || 0.0, f64::INFINITY);
     made.expect("a picture that can be saved")
 }
 
@@ -86,7 +89,10 @@ fn slices_give_the_same_picture() {
     let (mut rows, mut progress, mut slices) = (Vec::new(), 0.0, 0);
     loop {
         // No time at all: the least there can be.
-        let slice = studio.picture_file(2, &mut || 0.0, 0.0).unwrap();
+        let slice = studio
+            .engine_mut()
+            .picture_file(2, &mut || 0.0, 0.0)
+            .unwrap();
         assert_eq!(slice.begun, slices == 0);
         assert!(
             slice.progress >= progress,
@@ -106,11 +112,12 @@ fn slices_give_the_same_picture() {
 #[test]
 fn another_picture_begins_anew() {
     let mut studio = finished("size=160&outline=annulus&cs=14");
-    let slice = |studio: &mut Studio, scale| studio.picture_file(scale, &mut || 0.0, 0.0);
+    let slice =
+        |studio: &mut Studio, scale| studio.engine_mut().picture_file(scale, &mut || 0.0, 0.0);
     assert!(slice(&mut studio, 2).unwrap().begun);
     assert!(!slice(&mut studio, 2).unwrap().begun);
     assert!(slice(&mut studio, 3).unwrap().begun);
-    studio.stop_file();
+    studio.engine_mut().stop_file();
     assert!(slice(&mut studio, 3).unwrap().begun);
     let mut recipe = studio.recipe().clone();
     assert_eq!(recipe.set("az", "10"), Ok(vec![]));
@@ -124,7 +131,10 @@ fn another_picture_begins_anew() {
 fn what_is_too_large_gets_a_sentence() {
     let mut studio = finished("size=1088&cs=60");
     for scale in [0, 4, 5, usize::MAX / 4096] {
-        let said = studio.picture_file(scale, &mut || 0.0, 0.0).unwrap_err();
+        let said = studio
+            .engine_mut()
+            .picture_file(scale, &mut || 0.0, 0.0)
+            .unwrap_err();
         let said = said.to_string();
         assert!(said.contains("1 to 3 times its side"), "{said}");
     }
@@ -133,10 +143,13 @@ fn what_is_too_large_gets_a_sentence() {
 #[test]
 fn its_maps_are_those_of_the_picture() {
     let mut studio = finished("size=160&tile=1&cs=14");
-    assert!(studio.bigger_map(MapKind::Height).is_err());
+    assert!(studio.engine().bigger_map(MapKind::Height).is_err());
     bigger(&mut studio, 2);
     for (kind, word) in MapKind::ALL {
-        let (map, own) = (studio.bigger_map(kind).unwrap(), studio.map(kind).unwrap());
+        let (map, own) = (
+            studio.engine().bigger_map(kind).unwrap(),
+            studio.engine().map(kind).unwrap(),
+        );
         assert_eq!(
             (map.side, map.bytes.len()),
             (320, 4 * own.bytes.len()),
@@ -151,6 +164,6 @@ fn its_maps_are_those_of_the_picture() {
         let (big, small) = (mean(&map.bytes), mean(&own.bytes));
         assert!((big - small).abs() < 4.0, "{word}: {big}, {small}");
     }
-    studio.stop_file();
-    assert!(studio.bigger_map(MapKind::Height).is_err());
+    studio.engine_mut().stop_file();
+    assert!(studio.engine().bigger_map(MapKind::Height).is_err());
 }

@@ -4,7 +4,8 @@
 //! After a change that is meant to change pictures:
 //! `BUBBLESTONE_UPDATE=1 cargo test --test digests`.
 
-use bubblestone::recipe::{PRESETS, Recipe};
+use bubblestone::generators::ALL;
+use bubblestone::generators::pavement::{self, PAVEMENT};
 use bubblestone::studio::Studio;
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
@@ -13,14 +14,14 @@ const GOLDEN: &str = include_str!("digests.txt");
 
 /// A line for each preset: its name and its digest.
 fn digests() -> String {
-    let line = |preset: &bubblestone::recipe::Preset| {
-        let (recipe, _) = Recipe::from_link(preset.link);
-        let mut studio = Studio::new(recipe);
+    let line = |preset: &bubblestone::generators::Preset| {
+        let (recipe, _) = pavement::recipe(preset.link);
+        let mut studio = Studio::new(ALL, recipe);
         let finished = studio.finish(&mut || 0.0);
         assert_eq!(finished, Ok(()), "{}", preset.name);
         format!("{} {}\n", preset.name, studio.digest())
     };
-    PRESETS.iter().map(line).collect()
+    PAVEMENT.presets.iter().map(line).collect()
 }
 
 #[test]

@@ -3,16 +3,18 @@
 #![cfg(not(target_arch = "wasm32"))]
 
 mod finished;
+mod paving;
 mod quarry;
 
 use bubblestone::export::{MapKind, MeshFormat, maps};
+use bubblestone::generators::pavement;
 use bubblestone::notice::Code;
-use bubblestone::recipe::Recipe;
 use bubblestone::solid::{Quarry, SkinParams, StoneKind, StoneParams};
 use bubblestone::studio::Studio;
 use bubblestone::texture::{Gloss, Planes, Surfaces, TextureParams};
 use finished::finished;
 use glam::Vec3;
+use paving::OfPavement;
 use proptest::prelude::*;
 use quarry::{painted, small, star};
 use std::collections::HashSet;
@@ -22,7 +24,9 @@ const LINK: &str = "size=160&outline=annulus&cs=14";
 const SKIN: &str = "size=160&outline=annulus&cs=20&stone=skin&sc=0.7&dir=boundary";
 
 fn file(studio: &mut Studio, format: MeshFormat) -> Vec<u8> {
-    let made = studio.mesh_file(format, &mut || 0.0, f64::INFINITY);
+    let made = studio
+        .engine_mut()
+        .mesh_file(format, &mut || 0.0, f64::INFINITY);
     made.expect("a finished picture").parts.concat()
 }
 
@@ -136,8 +140,8 @@ fn read_as_obj(mut studio: Studio) {
         Err(tobj::LoadError::GenericFailure)
     })
     .expect("an OBJ file");
-    assert_eq!(models.len(), studio.cells().len());
-    let planes = studio.planes().unwrap();
+    assert_eq!(models.len(), studio.pavement().cells().len());
+    let planes = studio.pavement().planes().unwrap();
     let side = planes.side as f32;
     let mut seen = 0;
     for (k, model) in models.iter().enumerate() {
@@ -161,7 +165,7 @@ fn read_as_obj(mut studio: Studio) {
             let same = |c: usize| (colour[c] * 255.0 - f32::from(planes.colour[at][c])).abs() < 0.6;
             seen += i32::from(planes.id[at] == k as u32 + 1 && (0..3).all(same));
         }
-        let cell = &studio.cells()[k];
+        let cell = &studio.pavement().cells()[k];
         let mean = places.iter().sum::<Vec3>() / places.len() as f32 + 0.5;
         let (x, z) = (cell.centre.x as f32 / side, cell.centre.y as f32 / side);
         assert!((mean.x - x).abs() < 0.1 && (mean.z - z).abs() < 0.1, "{k}");
@@ -221,7 +225,7 @@ fn slices_do_not_matter_and_changes_begin_anew() {
     let mut studio = finished(LINK);
     for (format, word) in MeshFormat::ALL {
         let whole = file(&mut studio, format);
-        let slice = |studio: &mut Studio| studio.mesh_file(format, &mut || 0.0, 0.0);
+        let slice = |studio: &mut Studio| studio.engine_mut().mesh_file(format, &mut || 0.0, 0.0);
         let (mut cut, mut slices, mut done) = (Vec::new(), 0, false);
         while !done {
             let next = slice(&mut studio).unwrap();
@@ -233,10 +237,10 @@ fn slices_do_not_matter_and_changes_begin_anew() {
 
         assert!(slice(&mut studio).is_ok_and(|next| next.begun && !next.done));
         let before = studio.recipe().clone();
-        let (recipe, _) = Recipe::from_link(&format!("{LINK}&palette=basalt"));
+        let (recipe, _) = pavement::recipe(&format!("{LINK}&palette=basalt"));
         studio.set_recipe(recipe);
         let why = slice(&mut studio).unwrap_err();
-        assert!(why.code == Code::NotYet && studio.map(MapKind::Id) == Err(why));
+        assert!(why.code == Code::NotYet && studio.engine().map(MapKind::Id) == Err(why));
         studio.finish(&mut || 0.0).unwrap();
         assert!(slice(&mut studio).is_ok_and(|next| next.begun));
         let other = file(&mut studio, format);
@@ -267,10 +271,10 @@ fn shifted(planes: &Planes, [dx, dy]: [usize; 2]) -> Planes {
 #[test]
 fn maps_of_a_tile_repeat_to_the_pixel() {
     let studio = finished("size=192&tile=1&cs=17&kind=square");
-    let planes = studio.planes().unwrap();
+    let planes = studio.pavement().planes().unwrap();
     let optics = bubblestone::texture::optics_table("granite", "sand", Gloss::default());
     for (kind, word) in MapKind::ALL {
-        let map = studio.map(kind).unwrap();
+        let map = studio.engine().map(kind).unwrap();
         let pixel = usize::from(map.channels) * usize::from(map.bits) / 8;
         assert_eq!(map.bytes.len(), map.side * map.side * pixel, "{word}");
         let values: HashSet<&[u8]> = map.bytes.chunks_exact(pixel).collect();

@@ -1,9 +1,12 @@
 //! Fields: where rows go, how large cells are, and where directions cannot be told.
 
+mod paving;
+
 use bubblestone::domain::{Domain, Outline};
 use bubblestone::field::{Direction, FieldBuilder, FieldParams, Fields, Kind, Rim, Spot};
-use bubblestone::recipe::Recipe;
+use bubblestone::generators::pavement::{self, PavementRecipe, keys};
 use glam::DVec2;
+use paving::row;
 
 const SIDE: f64 = 512.0;
 
@@ -312,8 +315,8 @@ fn sizes_on_a_torus_fit_a_whole_number_of_times() {
 
 #[test]
 fn every_built_in_outline_has_directions_throughout() {
-    for choice in bubblestone::recipe::Key::Outline.parameter().choices {
-        let recipe = Recipe::from_link(&format!("outline={}", choice.word)).0;
+    for choice in row(keys::OUTLINE).choices {
+        let recipe = pavement::recipe(&format!("outline={}", choice.word)).0;
         let domain = Domain::from_checked(&recipe.outline());
         for kind in [Kind::Square, Kind::Ellipse] {
             let fields = FieldBuilder::build(&domain, params(Direction::Boundary, kind));

@@ -1,12 +1,14 @@
 //! The height of stones, Hs, over its whole range: in the joints, in the shadows, in the picture.
 
 mod finished;
+mod paving;
 
-use bubblestone::recipe::Recipe;
+use bubblestone::generators::pavement;
 use bubblestone::solid::{StoneKind, StoneParams, joint_depth};
 use bubblestone::studio::Studio;
 use bubblestone::texture::GROUND;
 use finished::finished;
+use paving::OfPavement;
 
 const KINDS: [StoneKind; 2] = [StoneKind::Cobble, StoneKind::Flagstone];
 /// The default ring, smaller, with as many stones, and its heights in parts of the default cell size.
@@ -17,7 +19,7 @@ const UNIT: f64 = 0.5;
 fn at_heights(more: &str, heights: &[f64], mut look: impl FnMut(&Studio)) {
     let mut studio = finished(&format!("{SMALL}{more}"));
     for height in heights {
-        let (recipe, notices) = Recipe::from_link(&format!("{SMALL}{more}&hs={}", height * UNIT));
+        let (recipe, notices) = pavement::recipe(&format!("{SMALL}{more}&hs={}", height * UNIT));
         assert!(notices.is_empty(), "{notices:?}");
         studio.set_recipe(recipe);
         assert_eq!(studio.finish(&mut || 0.0), Ok(()));
@@ -52,7 +54,7 @@ fn pictures_tell_low_stones_from_high_ones() {
 
 /// The mean over the pixels of stones less that over the joints, and of the openness of these.
 fn joints(studio: &Studio) -> [f64; 2] {
-    let planes = studio.planes().unwrap();
+    let planes = studio.pavement().planes().unwrap();
     // Ground that stones are near to: beside it there is a cell's stone on two sides at least.
     let side = planes.side;
     let near = |i: usize| {
@@ -124,8 +126,8 @@ fn the_ground_swallows_no_stone_however_low() {
         // How many pixels there are of each stone, of low ones and of high ones.
         let [low, high] = [1, 20].map(|hs| {
             let studio = finished(&format!("size=256&cs=40&hs={hs}{more}"));
-            let mut seen = vec![0usize; studio.cells().len()];
-            for &id in &studio.planes().unwrap().id {
+            let mut seen = vec![0usize; studio.pavement().cells().len()];
+            for &id in &studio.pavement().planes().unwrap().id {
                 if id != GROUND {
                     seen[id as usize - 1] += 1;
                 }

@@ -6,14 +6,19 @@
 //! views; `BUBBLESTONE_CELLS=500` leaves out those that may have more cells than so many.
 
 mod common;
+mod paving;
 
 use bubblestone::cells::{Cell, Fitting};
 use bubblestone::domain::{Domain, Outline, signed_area};
+use bubblestone::generators::ALL;
+use bubblestone::generators::pavement::{self, PavementRecipe, SCHEMA, keys};
+use bubblestone::generators::pavement::{Base, Overlay};
 use bubblestone::random::{Purpose, Random};
-use bubblestone::recipe::{Key, Kind, Recipe, SCHEMA};
-use bubblestone::studio::{Base, Overlay, Studio, View};
+use bubblestone::recipe::{Key, Kind, Recipe};
+use bubblestone::studio::Studio;
 use common::{star, valid};
 use glam::DVec2;
+use paving::OfPavement;
 use std::panic::catch_unwind;
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
@@ -40,15 +45,15 @@ fn list(key: Key, random: &mut Random) -> String {
     let rows = (0..rows).map(|_| {
         let mut row: Vec<String> = (0..2).map(|_| place(random)).collect();
         match key {
-            Key::Spots => {
+            keys::SPOTS => {
                 row.extend([random.unit() + 0.01, 0.2 + random.unit()].map(|x| x.to_string()))
             }
-            Key::Stretch => {
+            keys::STRETCH => {
                 row.extend(
                     [random.unit() + 0.01, 1.0 + 4.0 * random.unit()].map(|x| x.to_string()),
                 );
             }
-            Key::Parts => row.push(random.below(4).to_string()),
+            keys::PARTS => row.push(random.below(4).to_string()),
             _ => row.extend((0..2 + 2 * random.below(5)).map(|_| place(random))),
         }
         row.join(",")
@@ -59,23 +64,24 @@ fn list(key: Key, random: &mut Random) -> String {
 
 /// A recipe with some of its parameters far from home.
 fn wild(random: &mut Random) -> Recipe {
-    let mut recipe = Recipe::default();
+    let mut recipe = pavement::recipe("").0;
     let side = [128, 128, 160, 200, 333][random.below(5)];
     recipe.set("size", &side.to_string()).unwrap();
     let share = random.unit();
-    for (&key, row) in Key::ALL.iter().zip(SCHEMA) {
-        if random.unit() > share || matches!(key, Key::Size | Key::Poly | Key::Seed) {
+    for row in SCHEMA.rows {
+        let key = row.key;
+        if random.unit() > share || matches!(key, keys::SIZE | keys::POLY | keys::SEED) {
             continue;
         }
         let text = match row.kind {
             Kind::Choice => row.choices[random.below(row.choices.len())].word.to_owned(),
             Kind::Text => list(key, random),
-            _ => number(random, recipe.limits(key)).to_string(),
+            _ => number(random, recipe.limits(row)).to_string(),
         };
-        recipe.set(row.key, &text).unwrap();
+        recipe.set(row.key.0, &text).unwrap();
     }
     // Few of the finest: they take seconds.
-    if recipe.number(Key::Cs) < 6.0 && random.below(12) > 0 {
+    if recipe.number(keys::CS) < 6.0 && random.below(12) > 0 {
         recipe.set("cs", "8").unwrap();
     }
     recipe
@@ -165,8 +171,8 @@ fn assert_whole(cells: &[Cell]) {
 
 /// Everything of a finished pavement is finite and in its place.
 fn sound(studio: &mut Studio) {
-    assert!(studio.energy().is_finite());
-    let report = studio.packing().unwrap().report();
+    assert!(studio.engine_mut().energy().is_finite());
+    let report = studio.pavement().packing().unwrap().report();
     assert!(report.step <= 200, "{report:?}");
     assert!(
         report.largest_move.is_finite() && report.largest_force.is_finite(),
@@ -178,14 +184,17 @@ fn sound(studio: &mut Studio) {
 
 /// Mesh and cells are whole.
 fn sound_cells(studio: &Studio) {
-    assert!(!studio.cells().is_empty());
-    if studio.recipe().choice(Key::Cells) != "packed" {
-        assert_fills(studio.domain().unwrap(), studio.cells());
+    assert!(!studio.pavement().cells().is_empty());
+    if studio.recipe().choice(keys::CELLS) != "packed" {
+        assert_fills(
+            studio.pavement().domain().unwrap(),
+            studio.pavement().cells(),
+        );
     }
-    for face in &studio.mesh().unwrap().faces {
+    for face in &studio.pavement().mesh().unwrap().faces {
         let nodes = face.nodes().iter();
         let corners: Vec<DVec2> = nodes
-            .map(|&k| studio.mesh().unwrap().vertices[k as usize])
+            .map(|&k| studio.pavement().mesh().unwrap().vertices[k as usize])
             .collect();
         // On a tile the mesh is that of places moved by less than a thousandth.
         let least = if studio.recipe().is_tile() {
@@ -196,22 +205,22 @@ fn sound_cells(studio: &Studio) {
         let area = signed_area(&corners);
         assert!(area > least, "{face:?} is inverted: {area}");
     }
-    assert_whole(studio.cells());
+    assert_whole(studio.pavement().cells());
 }
 
 /// Planes and views are whole.
 fn sound_picture(studio: &mut Studio) {
-    let planes = studio.planes().unwrap();
+    let planes = studio.pavement().planes().unwrap();
     assert!(
         planes.bump.iter().all(|h| h.is_finite()),
         "a height is not finite"
     );
-    let count = studio.cells().len() as u32;
+    let count = studio.pavement().cells().len() as u32;
     assert!(planes.id.iter().all(|&id| id <= count));
     assert!(studio.picture().unwrap().chunks(4).all(|p| p[3] == 255));
     for word in every_view() {
         assert_eq!(
-            studio.view(View::of_words(&word)).len(),
+            studio.engine_mut().view(&word).len(),
             4 * studio.side() * studio.side(),
             "{word}"
         );
@@ -259,7 +268,7 @@ fn try_all(count: u64, seed: u64, largest: u64, end: fn(Recipe) -> bool) -> (u64
     let (mut tried, mut refused, mut bad) = (0, 0, Vec::new());
     for index in 0..count {
         let recipe = wild(&mut Random::new(seed, Purpose::Attribute, index));
-        let across = recipe.side() / recipe.number(Key::Cs);
+        let across = recipe.side() / recipe.number(keys::CS);
         if across * across > largest as f64 {
             continue;
         }
@@ -280,13 +289,14 @@ fn try_all(count: u64, seed: u64, largest: u64, end: fn(Recipe) -> bool) -> (u64
 
 /// False where no packing comes of the recipe.
 fn fills_at_once(recipe: Recipe) -> bool {
-    let steps = recipe.number(Key::Seed) as u32 % 4;
-    let mut studio = Studio::new(recipe);
+    let steps = recipe.number(keys::SEED) as u32 % 4;
+    let mut studio = Studio::new(ALL, recipe);
     while ["domain", "fields"].contains(&studio.stage()) {
         studio.tick(&mut || 0.0, 0.0, 0);
     }
     (0..=steps).for_each(|_| studio.step(&mut || 0.0));
-    let (Some(domain), Some(packing)) = (studio.domain(), studio.packing()) else {
+    let (Some(domain), Some(packing)) = (studio.pavement().domain(), studio.pavement().packing())
+    else {
         return false;
     };
     let particles = packing.particles();
@@ -306,8 +316,8 @@ fn fills_at_once(recipe: Recipe) -> bool {
 fn ends_well(recipe: Recipe) -> bool {
     let link = recipe.link();
     valid(&recipe);
-    assert_eq!(Recipe::from_link(&link).0.link(), link);
-    let mut studio = Studio::new(recipe);
+    assert_eq!(pavement::recipe(&link).0.link(), link);
+    let mut studio = Studio::new(ALL, recipe);
     if until_cells() {
         while BEFORE_STONES.contains(&studio.stage()) {
             studio.tick(&mut || 0.0, 0.0, u32::MAX);
@@ -364,10 +374,10 @@ const ONCE_BAD: &[&str] = &[
 #[test]
 fn what_once_was_bad_is_good() {
     for link in ONCE_BAD {
-        let (recipe, notices) = Recipe::from_link(link);
+        let (recipe, notices) = pavement::recipe(link);
         assert!(notices.is_empty(), "{notices:?}");
         fills_at_once(recipe.clone());
-        let mut studio = Studio::new(recipe);
+        let mut studio = Studio::new(ALL, recipe);
         assert_eq!(studio.finish(&mut || 0.0), Ok(()), "{link}");
         sound(&mut studio);
     }

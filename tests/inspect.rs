@@ -1,14 +1,19 @@
 //! What can be asked of cells and packings: one cell, the plots' figures, the cells as SVG.
 #![cfg(not(target_arch = "wasm32"))]
 
-use bubblestone::recipe::Recipe;
-use bubblestone::studio::{Histogram, Studio};
+mod paving;
+
+use bubblestone::generators::ALL;
+use bubblestone::generators::pavement;
+use bubblestone::generators::pavement::Histogram;
+use bubblestone::studio::Studio;
 use glam::DVec2;
+use paving::OfPavement;
 
 fn studio(link: &str) -> Studio {
-    let (recipe, notices) = Recipe::from_link(link);
+    let (recipe, notices) = pavement::recipe(link);
     assert!(notices.is_empty(), "{notices:?}");
-    Studio::new(recipe)
+    Studio::new(ALL, recipe)
 }
 
 fn finished(link: &str) -> Studio {
@@ -51,7 +56,7 @@ fn the_cell_at_its_centre_is_found() {
         "tile=1",
     ] {
         let mut studio = finished(link);
-        let cells = studio.cells().to_vec();
+        let cells = studio.pavement().cells().to_vec();
         let (mut found, side) = (0, 192.0);
         for (index, cell) in cells.iter().enumerate() {
             if !contains(&cell.ring, cell.centre) {
@@ -64,7 +69,10 @@ fn the_cell_at_its_centre_is_found() {
             } else {
                 cell.centre
             };
-            let probe = studio.probe(p.x, p.y).expect("a cell is there");
+            let probe = studio
+                .pavement_mut()
+                .probe(p.x, p.y)
+                .expect("a cell is there");
             assert_eq!(probe.cell, index, "{link}");
             assert!((probe.centre - p).length() < 1e-9, "{link}");
             assert!(contains(&probe.outline, p), "{link}");
@@ -87,17 +95,22 @@ fn the_cell_at_its_centre_is_found() {
 fn there_is_no_cell_outside() {
     let mut studio = finished("outline=annulus");
     for (x, y) in [(96.0, 96.0), (1.0, 1.0), (-50.0, 1e9), (f64::NAN, 0.0)] {
-        assert_eq!(studio.probe(x, y), None);
+        assert_eq!(studio.pavement_mut().probe(x, y), None);
     }
-    assert_eq!(Studio::new(Recipe::default()).probe(96.0, 96.0), None);
+    assert_eq!(
+        Studio::new(ALL, pavement::recipe("").0)
+            .pavement_mut()
+            .probe(96.0, 96.0),
+        None
+    );
 }
 
 #[test]
 fn rows_of_squares_are_as_wanted() {
     for (angle, turn) in [("0", 0.0), ("30", 30.0)] {
         let mut studio = finished(&format!("tile=1&dir=constant&angle={angle}"));
-        let wanted = studio.fields().unwrap().params().clone();
-        let probe = studio.probe(96.0, 96.0).unwrap();
+        let wanted = studio.pavement().fields().unwrap().params().clone();
+        let probe = studio.pavement_mut().probe(96.0, 96.0).unwrap();
         let polygon = probe.polygon.unwrap();
         assert_eq!((polygon.sides, polygon.neighbours), (4, 4));
         assert!((probe.size / wanted.size - 1.0).abs() < 0.02, "{probe:?}");
@@ -118,7 +131,12 @@ fn honeycombs_have_six_neighbours() {
             10.0 + 18.0 * f64::from(k % 10),
             10.0 + 18.0 * f64::from(k / 10),
         );
-        let polygon = studio.probe(p.0, p.1).unwrap().polygon.unwrap();
+        let polygon = studio
+            .pavement_mut()
+            .probe(p.0, p.1)
+            .unwrap()
+            .polygon
+            .unwrap();
         neighbours[polygon.neighbours] += 1;
     }
     assert!(neighbours[6] > 75, "{neighbours:?}");
@@ -128,10 +146,13 @@ fn honeycombs_have_six_neighbours() {
 fn cells_on_their_way_can_be_asked_too() {
     for link in ["outline=star", "kind=circle", "tile=1&kind=rectangle"] {
         let mut studio = packing(link, 4);
-        let particles = studio.packing().unwrap().particles();
+        let particles = studio.pavement().packing().unwrap().particles();
         let mut own = 0;
         for (index, particle) in particles.iter().enumerate() {
-            let probe = studio.probe(particle.centre.x, particle.centre.y).unwrap();
+            let probe = studio
+                .pavement_mut()
+                .probe(particle.centre.x, particle.centre.y)
+                .unwrap();
             own += usize::from(probe.cell == index);
             assert_eq!(probe.polygon, None);
             assert!(probe.outline.len() >= 4);
@@ -154,11 +175,11 @@ fn histograms_count_all_cells() {
         ("tile=1", 45.0),
     ] {
         let mut done = finished(link);
-        let cells = done.cells().len();
+        let cells = done.pavement().cells().len();
         let mut early = packing(link, 3);
         let placed = early.progress().cells;
         for (studio, cells) in [(&mut done, cells), (&mut early, placed)] {
-            let [size, angle] = studio.histograms();
+            let [size, angle] = studio.pavement_mut().histograms();
             assert_eq!(count(&size), cells, "{link}");
             assert!(size.from < 1.0 && size.to > 1.0);
             if widest == 0.0 {
@@ -167,7 +188,7 @@ fn histograms_count_all_cells() {
                 assert!(count(&angle) > 9 * cells / 10, "{link}");
             }
         }
-        let [size, angle] = done.histograms();
+        let [size, angle] = done.pavement_mut().histograms();
         assert_eq!(angle.to, widest, "{link}");
         // Most are about as large as they should be, and stand as the field does.
         let within = |h: &Histogram, classes: std::ops::Range<usize>| -> usize {
@@ -180,9 +201,9 @@ fn histograms_count_all_cells() {
             "{link}: {angle:?}"
         );
     }
-    let mut none = Studio::new(Recipe::default());
+    let mut none = Studio::new(ALL, pavement::recipe("").0);
     assert_eq!(
-        none.histograms(),
+        none.pavement_mut().histograms(),
         [Histogram::default(), Histogram::default()]
     );
 }
@@ -190,23 +211,23 @@ fn histograms_count_all_cells() {
 #[test]
 fn packings_are_recorded_step_by_step() {
     let mut whole = finished("outline=star&kind=circle");
-    let rows = whole.samples().to_vec();
+    let rows = whole.pavement().samples().to_vec();
     assert!(rows.windows(2).all(|w| w[0].step < w[1].step));
     let last = whole.progress();
     let end = rows.last().unwrap();
-    assert_eq!((rows.len(), end.step), (last.step as usize, last.step));
+    assert_eq!((rows.len(), end.step), (last.steps as usize, last.steps));
     assert_eq!(end.largest_move, last.largest_move);
-    assert_eq!(whole.energy(), end.energy);
+    assert_eq!(whole.engine_mut().energy(), end.energy);
     assert!(end.energy < rows[0].energy);
     // Whoever looks on, and however the work is cut, it is the same.
     let mut watched = studio("size=192&cs=16&outline=star&kind=circle");
     while !watched.done() {
         watched.tick(&mut || 0.0, 0.0, 1);
-        watched.view(bubblestone::studio::View::of_words("auto+forces+energy"));
-        watched.histograms();
-        watched.probe(96.0, 60.0);
+        watched.engine_mut().view("auto+forces+energy");
+        watched.pavement_mut().histograms();
+        watched.pavement_mut().probe(96.0, 60.0);
     }
-    assert_eq!(watched.samples(), rows);
+    assert_eq!(watched.pavement().samples(), rows);
     assert_eq!(watched.digest(), whole.digest());
 }
 
@@ -218,20 +239,20 @@ fn records_of_large_packings_are_thinned() {
     }
     let last = studio.progress();
     assert!(last.cells > 2000);
-    let rows = studio.samples();
+    let rows = studio.pavement().samples();
     assert!(
         rows.iter()
-            .all(|row| row.step % 4 == 0 || row.step == last.step)
+            .all(|row| row.step % 4 == 0 || row.step == last.steps)
     );
-    assert_eq!(rows.len(), last.step.div_ceil(4) as usize);
+    assert_eq!(rows.len(), last.steps.div_ceil(4) as usize);
 }
 
 #[test]
 fn the_net_force_is_what_the_energy_asks_for() {
     // At rest all are near to nothing; at the start they are not, and the energy is shared out.
     let greatest = |studio: &Studio| {
-        let mut packing = studio.packing().unwrap().clone();
-        let loads = packing.loads(studio.domain().unwrap());
+        let mut packing = studio.pavement().packing().unwrap().clone();
+        let loads = packing.loads(studio.pavement().domain().unwrap());
         let forces = loads.iter().filter(|(p, _)| !p.fixed);
         forces
             .map(|(_, load)| load.force.length())
@@ -239,11 +260,11 @@ fn the_net_force_is_what_the_energy_asks_for() {
     };
     let (early, done) = (packing("outline=star", 2), finished("outline=star"));
     assert!(greatest(&done) < 0.5 * greatest(&early));
-    let mut packing = done.packing().unwrap().clone();
-    let loads = packing.loads(done.domain().unwrap());
+    let mut packing = done.pavement().packing().unwrap().clone();
+    let loads = packing.loads(done.pavement().domain().unwrap());
     let sum: f64 = loads.iter().map(|(p, l)| l.energy * p.size * p.size).sum();
     let mean = loads.iter().map(|(p, _)| p.size * p.size).sum::<f64>() / loads.len() as f64;
-    let energy = packing.energy(done.domain().unwrap());
+    let energy = packing.energy(done.pavement().domain().unwrap());
     assert!(
         (sum / mean - energy).abs() < 1e-6 * energy.abs(),
         "{sum} {energy}"
@@ -274,7 +295,7 @@ fn the_svg_has_every_cell() {
         "cells=packed",
     ] {
         let studio = finished(link);
-        let text = studio.svg();
+        let text = studio.pavement().svg();
         let svg = roxmltree::Document::parse(&text).expect("an SVG file is XML");
         let root = svg.root_element();
         assert!(root.has_tag_name(("http://www.w3.org/2000/svg", "svg")));
@@ -282,7 +303,7 @@ fn the_svg_has_every_cell() {
         assert_eq!(root.attribute("width"), Some("192"));
         let named = |id: &str| root.descendants().find(|n| n.attribute("id") == Some(id));
         let (mut sum, mut whole) = (0.0, 0.0);
-        for (index, cell) in studio.cells().iter().enumerate() {
+        for (index, cell) in studio.pavement().cells().iter().enumerate() {
             let node = named(&format!("cell-{index}")).expect("each cell has its path");
             let ring = points(node.attribute("d").unwrap());
             assert_eq!(ring.len(), cell.ring.len());
@@ -294,11 +315,14 @@ fn the_svg_has_every_cell() {
         assert!((sum / whole - 1.0).abs() < 1e-3, "{sum} {whole}");
         let paths = named("cells").unwrap().children();
         let paths = paths.filter(|n| n.has_tag_name("path")).count();
-        assert_eq!(paths, studio.cells().len());
+        assert_eq!(paths, studio.pavement().cells().len());
         assert_eq!(named("outline").is_some(), !link.contains("tile"));
         assert_eq!(named("lines").is_some(), link.contains("lines"));
         let copies = root.descendants().filter(|n| n.has_tag_name("use"));
         assert_eq!(copies.count() > 0, link.contains("tile"));
     }
-    assert_eq!(Studio::new(Recipe::default()).svg(), "");
+    assert_eq!(
+        Studio::new(ALL, pavement::recipe("").0).pavement().svg(),
+        ""
+    );
 }

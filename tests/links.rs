@@ -3,22 +3,23 @@
 mod common;
 
 use bubblestone::domain::Outline;
+use bubblestone::generators::pavement::{self, PavementRecipe, SCHEMA, keys};
 use bubblestone::notice::text;
 use bubblestone::random::{Purpose, Random};
-use bubblestone::recipe::{Key, Kind, Recipe, SCHEMA};
+use bubblestone::recipe::{Kind, Recipe};
 use common::{star, valid};
 use glam::DVec2;
 use proptest::prelude::*;
 
 fn open(link: &str) -> (Recipe, String) {
-    let (recipe, notices) = Recipe::from_link(link);
+    let (recipe, notices) = pavement::recipe(link);
     valid(&recipe);
     (recipe, text(&notices))
 }
 
 #[test]
 fn the_default_has_an_empty_link() {
-    assert_eq!(Recipe::default().link(), "");
+    assert_eq!(pavement::recipe("").0.link(), "");
     for link in [
         "",
         "#",
@@ -30,8 +31,8 @@ fn the_default_has_an_empty_link() {
         "&&",
     ] {
         assert_eq!(
-            Recipe::from_link(link),
-            (Recipe::default(), vec![]),
+            pavement::recipe(link),
+            (pavement::recipe("").0, vec![]),
             "{link}"
         );
     }
@@ -294,20 +295,20 @@ fn bad_links_are_mended_and_told() {
 
 #[test]
 fn junk_of_any_length_is_told_shortly() {
-    let (_, notices) = Recipe::from_link(&format!("cs={}", "9x".repeat(100_000)));
+    let (_, notices) = pavement::recipe(&format!("cs={}", "9x".repeat(100_000)));
     assert!(
         notices.len() == 1 && text(&notices).len() < 200,
         "{notices:?}"
     );
-    let (recipe, notices) = Recipe::from_link(&"a=1&".repeat(100_000));
-    assert_eq!(recipe, Recipe::default());
+    let (recipe, notices) = pavement::recipe(&"a=1&".repeat(100_000));
+    assert_eq!(recipe, pavement::recipe("").0);
     assert!(notices.len() < 20, "{}", notices.len());
-    let (_, notices) = Recipe::from_link(&format!("poly={}", "CC".repeat(100_000)));
+    let (_, notices) = pavement::recipe(&format!("poly={}", "CC".repeat(100_000)));
     assert!(
         text(&notices).contains("more than 4096 points"),
         "{notices:?}"
     );
-    let (_, notices) = Recipe::from_link("a%0Ab=1");
+    let (_, notices) = pavement::recipe("a%0Ab=1");
     assert!(!text(&notices).contains('\n'));
 }
 
@@ -320,7 +321,7 @@ fn golden_links_keep_their_meaning() {
             .collect::<Vec<_>>()
             .try_into()
             .unwrap_or_else(|_| panic!("three words: {line}"));
-        let (recipe, told) = Recipe::from_link(link);
+        let (recipe, told) = pavement::recipe(link);
         assert_eq!(
             recipe.link(),
             canonical.replace('-', ""),
@@ -337,7 +338,7 @@ fn a_hundred_points_make_a_short_link_with_the_same_bits() {
         .collect();
     let hole: Vec<DVec2> = star(512.0, &[0.2; 20]).into_iter().rev().collect();
     for side in ["128", "512", "700", "2048"] {
-        let mut recipe = Recipe::default();
+        let mut recipe = pavement::recipe("").0;
         recipe.set("size", side).unwrap();
         let outline = Outline {
             rings: vec![
@@ -349,7 +350,7 @@ fn a_hundred_points_make_a_short_link_with_the_same_bits() {
         assert_eq!(recipe.set_polygon(&outline), Ok(vec![]));
         let link = recipe.link();
         assert!(link.len() < 1000, "{} characters", link.len());
-        assert_eq!(Recipe::from_link(&link), (recipe.clone(), vec![]));
+        assert_eq!(pavement::recipe(&link), (recipe.clone(), vec![]));
         let taken = recipe.outline();
         let moved = outline.rings[0].iter().zip(&taken.rings[0]);
         let most = moved.map(|(p, q)| p.distance(*q)).fold(0.0, f64::max);
@@ -373,7 +374,7 @@ fn jagged(random: &mut Random, side: f64, count: usize) -> Vec<DVec2> {
 fn links_of_hundreds_of_points_stay_below_two_thousand_characters() {
     let mut random = Random::new(1, Purpose::Noise, 0);
     for side in ["512", "2048"] {
-        let mut recipe = Recipe::default();
+        let mut recipe = pavement::recipe("").0;
         recipe.set("size", side).unwrap();
         let ring = jagged(&mut random, recipe.side(), 100);
         recipe
@@ -400,7 +401,7 @@ fn links_of_hundreds_of_points_stay_below_two_thousand_characters() {
         let link = recipe.link();
         assert!(link.len() < 2000, "{} characters", link.len());
         println!("{side}: {}", link.len());
-        assert_eq!(Recipe::from_link(&link), (recipe, vec![]));
+        assert_eq!(pavement::recipe(&link), (recipe, vec![]));
     }
 }
 
@@ -408,7 +409,7 @@ fn links_of_hundreds_of_points_stay_below_two_thousand_characters() {
 #[test]
 fn outlines_of_many_rings_come_back_from_the_link() {
     let mut random = Random::new(2, Purpose::Noise, 0);
-    let mut recipe = Recipe::default();
+    let mut recipe = pavement::recipe("").0;
     let ring = |random: &mut Random, k: usize| {
         let at = DVec2::new((k % 4) as f64, (k / 4) as f64) * 128.0;
         let small = jagged(random, 120.0, 9);
@@ -422,14 +423,14 @@ fn outlines_of_many_rings_come_back_from_the_link() {
         })
         .unwrap();
     assert_eq!(recipe.outline().rings.len(), 16);
-    let (back, notices) = Recipe::from_link(&recipe.link());
+    let (back, notices) = pavement::recipe(&recipe.link());
     assert_eq!(notices, vec![]);
     assert_eq!(back.outline(), recipe.outline());
 }
 
 #[test]
 fn numbers_are_written_as_short_as_can_be() {
-    let mut recipe = Recipe::default();
+    let mut recipe = pavement::recipe("").0;
     for (given, text) in [
         ("0.10000000000000000555", "0.1"),
         ("0.30", "0.3"),
@@ -459,21 +460,24 @@ fn lists_are_read_in_decimals_and_written_compactly() {
         ]
     );
     assert_eq!(recipe.outline().lines, recipe.lines());
-    assert_eq!(recipe.part_kinds(), [(DVec2::new(512.0, 768.0), "ellipse")]);
-    assert_eq!(recipe.list(Key::Parts), [[0.5, 0.75, 3.0]]);
     assert_eq!(
-        recipe.list(Key::Spots)[1],
+        recipe.seeds(keys::PARTS),
+        [(DVec2::new(512.0, 768.0), "ellipse")]
+    );
+    assert_eq!(recipe.list(keys::PARTS), [[0.5, 0.75, 3.0]]);
+    assert_eq!(
+        recipe.list(keys::SPOTS)[1],
         [1.0, 1.0, 3277.0 / 32768.0, 3.0]
     );
-    assert_eq!(recipe.list(Key::Lines)[0], [0.25, 0.25, 0.75, 0.5]);
-    assert!(recipe.list(Key::Cs).is_empty());
+    assert_eq!(recipe.list(keys::LINES)[0], [0.25, 0.25, 0.75, 0.5]);
+    assert!(recipe.list(keys::CS).is_empty());
     assert_eq!(
-        recipe.size_spots()[0],
+        recipe.spots(keys::SPOTS)[0],
         [512.0, 512.0, 256.0, 205.0 / 1024.0]
     );
-    assert_eq!(recipe.size_spots()[1][3], 3.0);
-    assert_eq!(recipe.aspect_spots(), [[512.0, 512.0, 256.0, 2.5]]);
-    assert_eq!(recipe.strokes()[0].len(), 3);
+    assert_eq!(recipe.spots(keys::SPOTS)[1][3], 3.0);
+    assert_eq!(recipe.spots(keys::STRETCH), [[512.0, 512.0, 256.0, 2.5]]);
+    assert_eq!(recipe.polylines(keys::STROKES)[0].len(), 3);
     // From their compact form the same again, in any picture.
     let (mut back, notices) = open(&recipe.link());
     assert_eq!((&back, notices.as_str()), (&recipe, ""));
@@ -482,22 +486,22 @@ fn lists_are_read_in_decimals_and_written_compactly() {
     assert_eq!(back.lines()[0][0], DVec2::splat(128.0));
     // An empty text clears a list.
     assert_eq!(recipe.set("strokes", ""), Ok(vec![]));
-    assert!(recipe.strokes().is_empty());
+    assert!(recipe.polylines(keys::STROKES).is_empty());
 }
 
 #[test]
 fn lists_that_are_too_long_are_told() {
     let many = vec!["0,0,1,1"; 65].join(";");
-    let (_, told) = Recipe::from_link(&format!("strokes={many}"));
+    let (_, told) = pavement::recipe(&format!("strokes={many}"));
     assert!(text(&told).contains("more than 64 rows"), "{told:?}");
     let long = vec!["0,0"; 257].join(",");
-    let (_, told) = Recipe::from_link(&format!("strokes={long}"));
+    let (_, told) = pavement::recipe(&format!("strokes={long}"));
     assert!(text(&told).contains("more than 256 points"), "{told:?}");
 }
 
 /// A value for a row: in its range, at its ends, or a word.
 fn value(index: usize, t: f64) -> String {
-    let row = &SCHEMA[index];
+    let row = &SCHEMA.rows[index];
     match row.kind {
         Kind::Number => format!("{}", row.min + t * (row.max - row.min)),
         Kind::Int => format!("{}", (row.min + t * (row.max - row.min)).round()),
@@ -507,8 +511,8 @@ fn value(index: usize, t: f64) -> String {
                 .word
                 .to_owned()
         }
-        Kind::Text if row.key == "poly" => String::new(),
-        Kind::Text => match row.key {
+        Kind::Text if row.key == keys::POLY => String::new(),
+        Kind::Text => match row.key.0 {
             "parts" => format!("{t},0.5,{}", (t * 3.0).round()),
             "spots" => format!("{t},0.5,0.1,{};0.5,0.5,0.2,0.2", 1.0 + t),
             "stretch" => format!("{t},0.5,0.1,{}", 1.0 + t),
@@ -521,12 +525,12 @@ fn value(index: usize, t: f64) -> String {
 proptest! {
     #[test]
     fn recipes_round_trip(
-        values in prop::collection::vec((0..SCHEMA.len(), prop_oneof![Just(0.0), Just(1.0), 0.0..1.0f64]), 0..30),
+        values in prop::collection::vec((0..SCHEMA.rows.len(), prop_oneof![Just(0.0), Just(1.0), 0.0..1.0f64]), 0..30),
         radii in prop::option::of(prop::collection::vec(0.1..0.95f64, 3..40)),
     ) {
-        let mut recipe = Recipe::default();
+        let mut recipe = pavement::recipe("").0;
         for (index, t) in values {
-            let _ = recipe.set(SCHEMA[index].key, &value(index, t));
+            let _ = recipe.set(SCHEMA.rows[index].key.0, &value(index, t));
         }
         if let Some(radii) = radii {
             let outer = star(recipe.side(), &radii);
@@ -534,34 +538,34 @@ proptest! {
         }
         valid(&recipe);
         let link = recipe.link();
-        let (back, notices) = Recipe::from_link(&link);
+        let (back, notices) = pavement::recipe(&link);
         prop_assert_eq!(&notices, &vec![], "{}", link);
         prop_assert_eq!(back.link(), link);
         prop_assert_eq!(back.outline(), recipe.outline());
-        for row in SCHEMA.iter().filter(|row| row.key != "poly") {
-            prop_assert_eq!(back.get(row.key), recipe.get(row.key), "{}", row.key);
+        for row in SCHEMA.rows.iter().filter(|row| row.key != keys::POLY) {
+            prop_assert_eq!(back.get(row.key.0), recipe.get(row.key.0), "{}", row.key.0);
         }
     }
 
     #[test]
     fn no_text_breaks_a_recipe(link in ".{0,80}") {
-        valid(&Recipe::from_link(&link).0);
+        valid(&pavement::recipe(&link).0);
     }
 
     #[test]
-    fn no_value_breaks_a_recipe(index in 0..SCHEMA.len(), text in "[-+.0-9eEinfaNA-Z%_!]{0,24}") {
-        let (recipe, _) = Recipe::from_link(&format!("{}={text}", SCHEMA[index].key));
+    fn no_value_breaks_a_recipe(index in 0..SCHEMA.rows.len(), text in "[-+.0-9eEinfaNA-Z%_!]{0,24}") {
+        let (recipe, _) = pavement::recipe(&format!("{}={text}", SCHEMA.rows[index].key.0));
         valid(&recipe);
-        prop_assert_eq!(Recipe::from_link(&recipe.link()), (recipe, vec![]));
+        prop_assert_eq!(pavement::recipe(&recipe.link()), (recipe, vec![]));
     }
 
     #[test]
     fn numbers_keep_their_bits(x in 0.0..0.5f64, y in -0.8..0.8f64) {
-        let mut recipe = Recipe::default();
+        let mut recipe = pavement::recipe("").0;
         recipe.set("vs", &format!("{x:e}")).unwrap();
         recipe.set("gx", &format!("{y:e}")).unwrap();
-        let back = Recipe::from_link(&recipe.link()).0;
-        prop_assert_eq!(back.number(Key::Vs).to_bits(), x.to_bits());
-        prop_assert_eq!(back.number(Key::Gx).to_bits(), (y + 0.0).to_bits());
+        let back = pavement::recipe(&recipe.link()).0;
+        prop_assert_eq!(back.number(keys::VS).to_bits(), x.to_bits());
+        prop_assert_eq!(back.number(keys::GX).to_bits(), (y + 0.0).to_bits());
     }
 }

@@ -1,10 +1,15 @@
 //! Dragging: the cells flow, and what stays is what the link gives. The same tests run natively and
 //! in WebAssembly.
 
+mod paving;
+
 use bubblestone::domain::Outline;
+use bubblestone::generators::ALL;
+use bubblestone::generators::pavement::{self, PavementRecipe};
 use bubblestone::recipe::Recipe;
-use bubblestone::studio::{Studio, View};
+use bubblestone::studio::Studio;
 use glam::DVec2;
+use paving::OfPavement;
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
@@ -21,7 +26,7 @@ const LINKS: [&str; 8] = [
 ];
 
 fn recipe(link: &str) -> Recipe {
-    let (recipe, notices) = Recipe::from_link(link);
+    let (recipe, notices) = pavement::recipe(link);
     assert!(notices.is_empty(), "{link}: {notices:?}");
     recipe
 }
@@ -35,7 +40,7 @@ fn clock() -> impl FnMut() -> f64 {
 }
 
 fn finished(recipe: &Recipe) -> Studio {
-    let mut studio = Studio::new(recipe.clone());
+    let mut studio = Studio::new(ALL, recipe.clone());
     assert_eq!(studio.finish(&mut clock()), Ok(()), "{}", recipe.link());
     studio
 }
@@ -94,8 +99,8 @@ fn what_stays_is_what_the_link_gives() {
                     "{link}: {:?}",
                     studio.progress()
                 );
-                assert!(studio.energy().is_finite());
-                studio.view(View::of_words("auto"));
+                assert!(studio.engine_mut().energy().is_finite());
+                studio.engine_mut().view("auto");
             }
         }
         assert_eq!(studio.recipe().link(), last.link());
@@ -125,7 +130,7 @@ fn flowing_cells_fill_what_is_dragged() {
         }
         while studio.tick(&mut clock, 8.0, 1) {}
         let fresh = finished(studio.recipe());
-        let [warm, cold] = [&studio, &fresh].map(|s| s.packing().unwrap().particles());
+        let [warm, cold] = [&studio, &fresh].map(|s| s.pavement().packing().unwrap().particles());
         let more = warm.len() as f64 / cold.len() as f64;
         assert!(
             (0.75..1.25).contains(&more),
@@ -133,7 +138,7 @@ fn flowing_cells_fill_what_is_dragged() {
             warm.len(),
             cold.len()
         );
-        let domain = fresh.domain().unwrap();
+        let domain = fresh.pavement().domain().unwrap();
         for (k, cell) in warm.iter().enumerate() {
             let depth = domain.nearest(cell.centre).distance;
             assert!(depth > -1e-6, "{link}: {cell:?}");
@@ -148,18 +153,18 @@ fn the_draft_is_seen_until_the_new_packing_has_ended() {
     let last = dragged(&first, 1.0);
     let mut studio = finished(&first);
     let mut clock = clock();
-    let picture = studio.view(View::of_words("auto")).to_vec();
+    let picture = studio.engine_mut().view("auto").to_vec();
     studio.set_live(true);
     studio.set_recipe(last.clone());
     while studio.tick(&mut clock, 8.0, 0) {}
-    let draft = studio.view(View::of_words("auto")).to_vec();
+    let draft = studio.engine_mut().view("auto").to_vec();
     assert_ne!(draft, picture);
     studio.set_live(false);
     while ["domain", "fields", "packing"].contains(&studio.stage()) {
-        assert_eq!(studio.view(View::of_words("auto")), draft);
+        assert_eq!(studio.engine_mut().view("auto"), draft);
         studio.tick(&mut clock, 0.0, 1);
     }
-    assert_ne!(studio.view(View::of_words("auto")), draft);
+    assert_ne!(studio.engine_mut().view("auto"), draft);
     // Held, the packing that begins is shown instead.
     let mut held = finished(&first);
     held.set_live(true);
@@ -167,12 +172,12 @@ fn the_draft_is_seen_until_the_new_packing_has_ended() {
     held.tick(&mut clock, 8.0, 0);
     held.set_live(false);
     while held.tick(&mut clock, 8.0, 0) {}
-    assert_eq!((held.stage(), held.progress().step), ("packing", 0));
-    let mut plain = Studio::new(held.recipe().clone());
+    assert_eq!((held.stage(), held.progress().steps), ("packing", 0));
+    let mut plain = Studio::new(ALL, held.recipe().clone());
     while plain.tick(&mut clock, 8.0, 0) {}
     assert_eq!(
-        held.view(View::of_words("packed")),
-        plain.view(View::of_words("packed"))
+        held.engine_mut().view("packed"),
+        plain.engine_mut().view("packed")
     );
 }
 
@@ -218,7 +223,7 @@ fn cells_that_lie_elsewhere_start_anew() {
     studio.set_live(true);
     studio.set_recipe(away.clone());
     studio.tick(&mut clock(), 8.0, 1);
-    let cells = studio.packing().unwrap().particles();
+    let cells = studio.pavement().packing().unwrap().particles();
     assert!(!cells.is_empty());
     let inside = |p: DVec2| p.x > 2.0 && p.x < 30.0 && p.y > 2.0 && p.y < 12.0;
     assert!(cells.iter().all(|cell| inside(cell.centre)));

@@ -3,8 +3,8 @@
 mod common;
 
 use bubblestone::domain::{Domain, MAX_POINTS, Outline, signed_area};
+use bubblestone::generators::pavement::{self, PavementRecipe};
 use bubblestone::notice::text;
-use bubblestone::recipe::Recipe;
 use common::{star, valid};
 use glam::DVec2;
 use proptest::prelude::*;
@@ -461,7 +461,7 @@ proptest! {
         // What passes is fit for the next stage.
         let domain = Domain::from_checked(&checked);
         prop_assert!(domain.contains(DVec2::splat(SIDE / 2.0)));
-        let mut recipe = Recipe::default();
+        let mut recipe = pavement::recipe("").0;
         prop_assert_eq!(recipe.set_polygon(&given), Ok(vec![]));
         valid(&recipe);
         let mut turned = given.clone();

@@ -7,8 +7,10 @@
 // Files are there natively only.
 #![cfg(not(target_arch = "wasm32"))]
 
-use bubblestone::recipe::Recipe;
-use bubblestone::studio::{Base, Studio};
+use bubblestone::generators::ALL;
+use bubblestone::generators::pavement;
+use bubblestone::generators::pavement::Base;
+use bubblestone::studio::Studio;
 use std::fs::{self, File};
 use std::io::BufReader;
 use std::path::{Path, PathBuf};
@@ -19,9 +21,9 @@ const SAME: u8 = 10;
 const OTHERS_PER_MILLE: usize = 4;
 
 fn studio(link: &str) -> Studio {
-    let (recipe, notices) = Recipe::from_link(link);
+    let (recipe, notices) = pavement::recipe(link);
     assert!(notices.is_empty(), "{notices:?}");
-    let mut studio = Studio::new(recipe);
+    let mut studio = Studio::new(ALL, recipe);
     assert_eq!(studio.finish(&mut || 0.0), Ok(()));
     studio
 }
@@ -122,7 +124,7 @@ fn views_look_as_they_did() {
     let mut studio = studio("size=128&outline=plaza&on=1&cs=14&gx=0.4&hs=10&palette=marble");
     for (base, word) in Base::ALL {
         if base != Base::Auto {
-            check(&format!("view-{word}"), studio.view(base.into()));
+            check(&format!("view-{word}"), studio.engine_mut().view(word));
         }
     }
 }

@@ -1,12 +1,18 @@
 //! The pipeline as a whole: slices, staleness, the latest recipe wins, views at any moment. The same
 //! tests run natively and in WebAssembly.
 
+mod paving;
+
 use bubblestone::domain::Outline;
 use bubblestone::field::Kind;
+use bubblestone::generators::ALL;
+use bubblestone::generators::pavement::{self, PAVEMENT, Pavement};
+use bubblestone::generators::pavement::{Base, Overlay};
 use bubblestone::random::{Purpose, Random};
-use bubblestone::recipe::{PRESETS, Recipe};
-use bubblestone::studio::{Base, Overlay, Studio, View};
+use bubblestone::recipe::Recipe;
+use bubblestone::studio::Studio;
 use glam::DVec2;
+use paving::OfPavement;
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
@@ -14,7 +20,7 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 const LINK: &str = "size=160&outline=annulus&cs=14&vs=0.1&gx=0.3";
 
 fn recipe(link: &str) -> Recipe {
-    let (recipe, notices) = Recipe::from_link(link);
+    let (recipe, notices) = pavement::recipe(link);
     assert!(notices.is_empty(), "{link}: {notices:?}");
     recipe
 }
@@ -26,7 +32,7 @@ fn with(recipe: &Recipe, key: &str, text: &str) -> Recipe {
 }
 
 fn finished(recipe: &Recipe) -> Studio {
-    let mut studio = Studio::new(recipe.clone());
+    let mut studio = Studio::new(ALL, recipe.clone());
     assert_eq!(studio.finish(&mut || 0.0), Ok(()), "{}", recipe.link());
     assert_eq!(studio.stage(), "done");
     studio
@@ -50,15 +56,15 @@ fn slices_do_not_matter() {
     let whole = finished(&recipe(LINK));
     let mut clock = counting_clock();
     for (budget, most_steps) in [(0.0, 1), (2.0, 1), (7.0, 3), (50.0, 1000)] {
-        let mut studio = Studio::new(recipe(LINK));
+        let mut studio = Studio::new(ALL, recipe(LINK));
         let mut ticks = 0;
         while !studio.done() {
             assert!(studio.tick(&mut clock, budget, most_steps));
             ticks += 1;
             // To look, and to ask for figures, changes nothing either.
             if ticks % 5 == 0 {
-                studio.view(View::of_words("auto"));
-                assert!(studio.energy().is_finite());
+                studio.engine_mut().view("auto");
+                assert!(studio.engine_mut().energy().is_finite());
             }
         }
         assert!(ticks > 3);
@@ -70,19 +76,22 @@ fn slices_do_not_matter() {
 
 #[test]
 fn steps_are_made_one_by_one() {
-    let mut studio = Studio::new(recipe(LINK));
+    let mut studio = Studio::new(ALL, recipe(LINK));
     let mut clock = counting_clock();
     for wanted in 1..=3 {
         studio.step(&mut clock);
-        assert_eq!(studio.packing().map(|p| p.report().step), Some(wanted));
+        assert_eq!(
+            studio.pavement().packing().map(|p| p.report().step),
+            Some(wanted)
+        );
     }
     // No steps allowed: the packing stands still, whatever the time.
     assert!(!studio.tick(&mut clock, f64::INFINITY, 0));
     assert_eq!(studio.stage(), "packing");
     run_on(&mut studio);
-    let steps = studio.packing().map(|p| p.report().step);
+    let steps = studio.pavement().packing().map(|p| p.report().step);
     studio.step(&mut clock);
-    assert_eq!(studio.packing().map(|p| p.report().step), steps);
+    assert_eq!(studio.pavement().packing().map(|p| p.report().step), steps);
     assert_eq!(studio.digest(), finished(&recipe(LINK)).digest());
 }
 
@@ -106,8 +115,11 @@ fn only_stale_stages_run_again() {
         ("ow", "0.8", "domain"),
     ] {
         let mut studio = finished(&base);
-        let steps = studio.packing().map(|p| p.particles());
-        let (cells, planes) = (studio.cells().to_vec(), studio.planes().cloned());
+        let steps = studio.pavement().packing().map(|p| p.particles());
+        let (cells, planes) = (
+            studio.pavement().cells().to_vec(),
+            studio.pavement().planes().cloned(),
+        );
         let before = studio.runs();
         let changed = with(&base, key, text);
         studio.set_recipe(changed.clone());
@@ -115,9 +127,12 @@ fn only_stale_stages_run_again() {
         assert_eq!(studio.digest(), "", "{key}");
         run_on(&mut studio);
         let kept = |same: bool, from: &str| assert_eq!(same, rank(stage) > rank(from), "{key}");
-        kept(studio.packing().map(|p| p.particles()) == steps, "packing");
-        kept(studio.cells() == cells, "cells");
-        kept(studio.planes() == planes.as_ref(), "weather");
+        kept(
+            studio.pavement().packing().map(|p| p.particles()) == steps,
+            "packing",
+        );
+        kept(studio.pavement().cells() == cells, "cells");
+        kept(studio.pavement().planes() == planes.as_ref(), "weather");
         for ((word, runs), (_, old)) in studio.runs().into_iter().zip(before) {
             // The mesh is of the packing, not of what cells are made of.
             let is_due = rank(word) >= rank(stage) && (word, stage) != ("mesh", "cells");
@@ -159,7 +174,7 @@ fn the_latest_recipe_wins() {
     ];
     for _ in 0..12 {
         let mut wanted = recipe(LINK);
-        let mut studio = Studio::new(wanted.clone());
+        let mut studio = Studio::new(ALL, wanted.clone());
         for _ in 0..6 {
             for _ in 0..random.below(400) {
                 studio.tick(&mut clock, 0.0, 1);
@@ -168,7 +183,7 @@ fn the_latest_recipe_wins() {
             wanted = with(&wanted, key, texts[random.below(2)]);
             studio.set_recipe(wanted.clone());
             let length = 4 * studio.side() * studio.side();
-            assert_eq!(studio.view(View::of_words("auto")).len(), length);
+            assert_eq!(studio.engine_mut().view("auto").len(), length);
         }
         run_on(&mut studio);
         assert_eq!(
@@ -184,7 +199,7 @@ fn the_latest_recipe_wins() {
 
 #[test]
 fn every_view_is_whole_at_every_moment() {
-    let mut studio = Studio::new(recipe(LINK));
+    let mut studio = Studio::new(ALL, recipe(LINK));
     let mut clock = counting_clock();
     let mut last = String::new();
     loop {
@@ -194,7 +209,7 @@ fn every_view_is_whole_at_every_moment() {
             let all = format!("auto+{}", overlays.join("+"));
             let bases = Base::ALL.iter().map(|(_, word)| *word);
             for word in bases.chain(overlays).chain([&all[..]]) {
-                let frame = studio.view(View::of_words(word));
+                let frame = studio.engine_mut().view(word);
                 assert_eq!(frame.len(), 4 * 160 * 160, "{word} at {last}");
                 assert!(frame.chunks(4).all(|p| p[3] == 255), "{word} at {last}");
             }
@@ -205,7 +220,7 @@ fn every_view_is_whole_at_every_moment() {
     }
     assert_eq!(last, "done");
     let picture = studio.picture().unwrap().to_vec();
-    assert_eq!(studio.view(View::of_words("auto")), picture);
+    assert_eq!(studio.engine_mut().view("auto"), picture);
 }
 
 #[test]
@@ -216,10 +231,10 @@ fn the_old_picture_stays_until_the_new_one_is_there() {
         let old = studio.picture().unwrap().to_vec();
         studio.set_recipe(with(&recipe(LINK), key, text));
         while !studio.done() {
-            assert!(studio.view(View::of_words("auto")) == old, "{key}");
+            assert!(studio.engine_mut().view("auto") == old, "{key}");
             studio.tick(&mut clock, 0.0, 1);
         }
-        assert!(studio.view(View::of_words("auto")) != old, "{key}");
+        assert!(studio.engine_mut().view("auto") != old, "{key}");
     }
 }
 
@@ -235,11 +250,13 @@ fn an_exact_outline_is_used_as_it_is() {
         ]],
         ..Outline::default()
     };
-    let made = Studio::with_outline(recipe("size=160&cs=14"), &outline);
-    let (mut studio, notices) = made.map_err(|e| panic!("{e}")).unwrap();
+    let recipe = recipe("size=160&cs=14");
+    let made = Pavement::with_outline(&recipe, &outline);
+    let (engine, notices) = made.map_err(|e| panic!("{e}")).unwrap();
     assert!(notices.is_empty());
+    let mut studio = Studio::with_engine(ALL, recipe, Box::new(engine));
     run_on(&mut studio);
-    assert_eq!(studio.rings(), [&outline.rings[0][..]]);
+    assert_eq!(studio.pavement().rings(), [&outline.rings[0][..]]);
 }
 
 #[test]
@@ -252,13 +269,9 @@ fn bad_outlines_get_a_sentence() {
             rings: vec![outer],
             ..Outline::default()
         };
-        let sentence = Studio::with_outline(recipe(""), &outline).err().unwrap();
-        let sentence = sentence.to_string();
+        let refused = Pavement::with_outline(&recipe(""), &outline);
+        let sentence = refused.err().unwrap().to_string();
         assert!(sentence.ends_with('.') && sentence.len() > 20, "{sentence}");
-        let mut studio = finished(&recipe(LINK));
-        let digest = studio.digest();
-        assert!(studio.set_exact_outline(&outline).is_err());
-        assert_eq!(studio.digest(), digest);
     }
 }
 
@@ -271,16 +284,18 @@ fn coarse_cells_in_small_outlines_do_no_harm() {
             ..Outline::default()
         };
         for link in ["size=160&cs=80", "size=160&cs=80&edge=on", "size=160&cs=2"] {
-            let Ok((mut studio, _)) = Studio::with_outline(recipe(link), &outline) else {
+            let recipe = recipe(link);
+            let Ok((engine, _)) = Pavement::with_outline(&recipe, &outline) else {
                 continue;
             };
+            let mut studio = Studio::with_engine(ALL, recipe, Box::new(engine));
             match studio.finish(&mut || 0.0) {
-                Ok(()) => assert!(!studio.cells().is_empty()),
+                Ok(()) => assert!(!studio.pavement().cells().is_empty()),
                 Err(why) => {
                     assert!(why.to_string().ends_with('.'), "{why}");
                     assert_eq!((studio.stage(), studio.problem()), ("error", Some(&why)));
-                    studio.view(View::of_words("auto"));
-                    studio.set_recipe(recipe("size=160&cs=4"));
+                    studio.engine_mut().view("auto");
+                    studio.set_recipe(self::recipe("size=160&cs=4"));
                     assert_ne!(studio.stage(), "error");
                 }
             }
@@ -290,9 +305,9 @@ fn coarse_cells_in_small_outlines_do_no_harm() {
 
 #[test]
 fn every_preset_is_rendered() {
-    for preset in PRESETS {
+    for preset in PAVEMENT.presets {
         let studio = finished(&recipe(preset.link));
-        let report = studio.packing().map(|p| p.report()).unwrap();
+        let report = studio.pavement().packing().map(|p| p.report()).unwrap();
         assert!(report.converged, "{}: {report:?}", preset.name);
         let picture = studio.picture().unwrap();
         let mut tones: Vec<u8> = picture.chunks(4).map(|p| p[1]).collect();
@@ -305,14 +320,14 @@ fn every_preset_is_rendered() {
 /// Held in its packing, a studio goes on to the first cells of another one, and no further.
 #[test]
 fn a_held_packing_begins_anew_with_its_first_cells() {
-    let mut studio = Studio::new(recipe(LINK));
+    let mut studio = Studio::new(ALL, recipe(LINK));
     let mut clock = counting_clock();
     (0..3).for_each(|_| studio.step(&mut clock));
-    let before = studio.packing().map(|p| p.particles());
+    let before = studio.pavement().packing().map(|p| p.particles());
     studio.set_recipe(with(&recipe(LINK), "kind", "circle"));
     while studio.tick(&mut clock, 0.0, 0) {}
-    assert_eq!((studio.stage(), studio.progress().step), ("packing", 0));
-    let now = studio.packing().map(|p| p.particles()).unwrap();
+    assert_eq!((studio.stage(), studio.progress().steps), ("packing", 0));
+    let now = studio.pavement().packing().map(|p| p.particles()).unwrap();
     assert!(now.iter().all(|p| p.kind == Kind::Circle));
     assert_ne!(Some(now), before);
 }

@@ -1,52 +1,70 @@
 //! Recipes: the schema, the presets, the polygon, and what a change makes stale.
 
 mod common;
+mod paving;
 
 use bubblestone::domain::Outline;
-use bubblestone::recipe::{Key, Kind, PRESETS, Parameter, Recipe, SCHEMA};
+use bubblestone::generators::ALL;
+use bubblestone::generators::pavement::{self, PAVEMENT, PavementRecipe, SCHEMA, keys};
+use bubblestone::recipe::{Key, Kind, Parameter, Recipe};
 use common::{star, valid};
 use glam::DVec2;
+use paving::row;
 
 #[test]
-fn the_schema_is_consistent() {
-    for (&key, row) in Key::ALL.iter().zip(SCHEMA) {
-        assert_eq!(key.parameter(), row);
-        assert_eq!(Key::from_word(row.key), Some(key));
-        assert!(!row.name.is_empty() && !row.group.is_empty() && row.help.ends_with('.'));
-        match row.kind {
-            Kind::Number | Kind::Int => {
-                assert!(row.min <= row.default && row.default <= row.max && row.step > 0.0);
-            }
-            Kind::Choice => assert!(!row.choices.is_empty()),
-            Kind::Text => {}
-        }
-        if let Some((other, words)) = row.shown_for {
+fn schemas_are_consistent() {
+    for generator in ALL.iter() {
+        let schema = generator.schema;
+        let has = |key: Key, word: &str| {
+            let choice = schema.row(key.0).expect(key.0);
+            word.is_empty() || choice.choice(word).is_some()
+        };
+        for row in schema.rows {
+            let key = row.key.0;
             assert!(
-                words.iter().all(|w| other.parameter().choice(w).is_some()),
-                "{}",
-                row.key
+                std::ptr::eq(row, schema.row(key).expect(key)),
+                "{key} twice"
+            );
+            assert!(!["v", "make"].contains(&key), "{key} is a word of the link");
+            assert!(!row.name.is_empty() && !row.group.is_empty() && row.help.ends_with('.'));
+            match row.kind {
+                Kind::Number | Kind::Int => {
+                    assert!(row.min <= row.default && row.default <= row.max && row.step > 0.0);
+                }
+                Kind::Choice => assert!(!row.choices.is_empty()),
+                Kind::Text => assert!(row.item.is_some()),
+            }
+            for &word in row.shown_for.map_or(&[""][..], |(_, words)| words) {
+                assert!(
+                    row.shown_for.is_none_or(|(other, _)| has(other, word)),
+                    "{key}"
+                );
+            }
+            assert!(
+                row.drawn_for.is_none_or(|(other, word)| has(other, word)),
+                "{key}"
+            );
+            assert!(
+                row.default_while
+                    .is_none_or(|(other, word, _)| has(other, word)),
+                "{key}"
             );
         }
+        assert_eq!(Recipe::new(schema).side(), 512.0);
     }
-    let mut keys: Vec<&str> = SCHEMA.iter().map(|row| row.key).collect();
-    keys.push("v");
-    keys.sort_unstable();
-    assert!(keys.windows(2).all(|w| w[0] != w[1]), "a key twice");
-    let default = Recipe::default();
+    let default = pavement::recipe("").0;
     valid(&default);
-    assert_eq!(
-        default.limits(Key::Cs),
-        (Key::Cs.parameter().min, Key::Cs.parameter().max)
-    );
+    let size = row(keys::CS);
+    assert_eq!(default.limits(size), (size.min, size.max));
 }
 
 /// A link leaves out what has its default: with another default, every link that was ever shared
 /// shows another pavement. Where that is meant, links need a new version, and this file its line.
 #[test]
 fn defaults_are_those_that_links_rely_on() {
-    let recipe = Recipe::default();
-    let line = |row: &Parameter| format!("{}={}", row.key, recipe.get(row.key));
-    let found: Vec<String> = SCHEMA.iter().map(line).collect();
+    let recipe = pavement::recipe("").0;
+    let line = |row: &Parameter| format!("{}={}", row.key.0, recipe.get(row.key.0));
+    let found: Vec<String> = SCHEMA.rows.iter().map(line).collect();
     let golden = include_str!("golden/defaults.txt").lines();
     let golden: Vec<&str> = golden.filter(|line| !line.starts_with('#')).collect();
     assert_eq!(found, golden);
@@ -54,17 +72,28 @@ fn defaults_are_those_that_links_rely_on() {
 
 #[test]
 fn presets_are_canonical() {
-    let mut names: Vec<&str> = PRESETS.iter().map(|p| p.name).collect();
+    let mut names: Vec<&str> = PAVEMENT.presets.iter().map(|p| p.name).collect();
     names.sort_unstable();
     assert!(names.windows(2).all(|w| w[0] != w[1]));
-    assert_eq!(PRESETS.iter().filter(|p| !p.figure.is_empty()).count(), 27);
-    for preset in PRESETS {
-        let (recipe, notices) = Recipe::from_link(preset.link);
+    assert_eq!(
+        PAVEMENT
+            .presets
+            .iter()
+            .filter(|p| !p.figure.is_empty())
+            .count(),
+        27
+    );
+    for preset in PAVEMENT.presets {
+        let (recipe, notices) = pavement::recipe(preset.link);
         valid(&recipe);
         assert_eq!((recipe.link().as_str(), notices), (preset.link, vec![]));
         assert!(preset.timing.is_none() || !preset.figure.is_empty());
     }
-    let timed = PRESETS.iter().filter(|p| p.timing.is_some()).count();
+    let timed = PAVEMENT
+        .presets
+        .iter()
+        .filter(|p| p.timing.is_some())
+        .count();
     assert_eq!(timed, 14 + 6);
 }
 
@@ -88,25 +117,29 @@ fn presets_of_the_papers_have_the_parameters_of_table_1() {
         ("fig16-f", [20.0, 0.0, 18.0, 0.8, 0.3, 1.5, 2.0], false),
     ];
     let keys = [
-        Key::Cs,
-        Key::Vs,
-        Key::Hs,
-        Key::Sv,
-        Key::Dr,
-        Key::Fd,
-        Key::Af,
+        keys::CS,
+        keys::VS,
+        keys::HS,
+        keys::SV,
+        keys::DR,
+        keys::FD,
+        keys::AF,
     ];
     for (name, row, flag) in table {
-        let preset = PRESETS.iter().find(|p| p.name == name).expect(name);
-        let recipe = preset.recipe();
+        let preset = PAVEMENT
+            .presets
+            .iter()
+            .find(|p| p.name == name)
+            .expect(name);
+        let recipe = pavement::recipe(preset.link).0;
         assert_eq!(keys.map(|key| recipe.number(key)), row, "{name}");
-        assert_eq!(recipe.choice(Key::Stone) == "flag", flag, "{name}");
+        assert_eq!(recipe.choice(keys::STONE) == "flag", flag, "{name}");
         assert_eq!(
-            (recipe.number(Key::Bh), recipe.number(Key::Bv)),
+            (recipe.number(keys::BH), recipe.number(keys::BV)),
             (0.2, 0.2),
             "{name}"
         );
-        assert_eq!(recipe.number(Key::Size), 512.0, "{name}");
+        assert_eq!(recipe.number(keys::SIZE), 512.0, "{name}");
     }
 }
 
@@ -154,27 +187,27 @@ fn presets_of_the_skins_have_the_parameters_of_table_1() {
         ),
     ];
     let keys = [
-        Key::Ca,
-        Key::Sv,
-        Key::Sr,
-        Key::Sc,
-        Key::Tc,
-        Key::Dr,
-        Key::Fd,
-        Key::Af,
+        keys::CA,
+        keys::SV,
+        keys::SR,
+        keys::SC,
+        keys::TC,
+        keys::DR,
+        keys::FD,
+        keys::AF,
     ];
     for (row, numbers, seconds) in table {
         let name = format!("skin{row}");
-        let preset = PRESETS.iter().find(|p| p.name == name).expect(row);
-        let recipe = preset.recipe();
+        let preset = PAVEMENT.presets.iter().find(|p| p.name == name).expect(row);
+        let recipe = pavement::recipe(preset.link).0;
         assert_eq!(keys.map(|key| recipe.number(key)), numbers, "{name}");
         assert!(recipe.is_skin(), "{name}");
-        assert_eq!(recipe.number(Key::Size), 512.0, "{name}");
+        assert_eq!(recipe.number(keys::SIZE), 512.0, "{name}");
         let timed = preset
             .timing
             .map(|timing| timing.parts.map(|part| part.seconds));
         assert_eq!(timed, seconds, "{name}");
-        let kind = recipe.choice(Key::Kind);
+        let kind = recipe.choice(keys::KIND);
         assert!(
             ["ellipse", "rectangle"].contains(&kind),
             "{name}: Ca has no effect on {kind}"
@@ -182,14 +215,17 @@ fn presets_of_the_skins_have_the_parameters_of_table_1() {
         // Restriction lines in all of figure 17, both arrangements in one texture in (a) to (c).
         let seventeenth = row.starts_with("17");
         assert_eq!(!recipe.lines().is_empty(), seventeenth, "{name}");
-        let mixed = recipe.part_kinds().iter().any(|&(_, other)| other != kind);
+        let mixed = recipe
+            .seeds(keys::PARTS)
+            .iter()
+            .any(|&(_, other)| other != kind);
         assert_eq!(mixed, seventeenth && row != "17-d", "{name}");
     }
 }
 
 #[test]
 fn the_polygon_scales_with_the_picture_there_and_back() {
-    let mut recipe = Recipe::default();
+    let mut recipe = pavement::recipe("").0;
     let outer = star(512.0, &[0.9, 0.4, 0.77, 0.33, 0.812, 0.5]);
     recipe
         .set_polygon(&Outline {
@@ -201,7 +237,7 @@ fn the_polygon_scales_with_the_picture_there_and_back() {
     for side in ["128", "777", "2048", "1023"] {
         recipe.set("size", side).unwrap();
         valid(&recipe);
-        assert_eq!(Recipe::from_link(&recipe.link()).0, recipe);
+        assert_eq!(pavement::recipe(&recipe.link()).0, recipe);
     }
     recipe.set("size", "512").unwrap();
     assert_eq!(recipe.polygon(), first.polygon());
@@ -209,8 +245,8 @@ fn the_polygon_scales_with_the_picture_there_and_back() {
 
 #[test]
 fn choosing_polygon_starts_from_the_shape_shown() {
-    for choice in Key::Outline.parameter().choices {
-        let mut recipe = Recipe::default();
+    for choice in row(keys::OUTLINE).choices {
+        let mut recipe = pavement::recipe("").0;
         assert_eq!(recipe.set("outline", choice.word), Ok(vec![]));
         let shown = recipe.outline();
         assert_eq!(recipe.set("outline", "polygon"), Ok(vec![]));
@@ -220,13 +256,13 @@ fn choosing_polygon_starts_from_the_shape_shown() {
             "{}",
             choice.word
         );
-        assert_eq!(Recipe::from_link(&recipe.link()), (recipe, vec![]));
+        assert_eq!(pavement::recipe(&recipe.link()), (recipe, vec![]));
     }
 }
 
 #[test]
 fn a_bad_polygon_leaves_the_recipe_as_it_was() {
-    let mut recipe = Recipe::default();
+    let mut recipe = pavement::recipe("").0;
     let outer = star(512.0, &[0.9, 0.4, 0.77]);
     recipe
         .set_polygon(&Outline {

@@ -2,6 +2,7 @@
 //! are called.
 
 mod finished;
+mod paving;
 
 use bubblestone::cells::{Cell, Scatter, ScatterParams};
 use bubblestone::domain::{Domain, signed_area};
@@ -9,6 +10,7 @@ use bubblestone::field::{FieldBuilder, FieldParams};
 use bubblestone::studio::Studio;
 use finished::finished;
 use glam::DVec2;
+use paving::OfPavement;
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
@@ -28,7 +30,7 @@ fn they_fill_every_outline() {
             for cells in ["voronoi", "lloyd"] {
                 let link = format!("size=256&outline={outline}&cs={size}&cells={cells}");
                 let studio = finished(&link);
-                let figures = studio.metrics().unwrap().cells;
+                let figures = studio.pavement().metrics().unwrap().cells;
                 let cover = figures.cover;
                 assert!((cover.coverage - 1.0).abs() < 1e-5, "{link}: {cover:?}");
                 assert!(
@@ -36,8 +38,12 @@ fn they_fill_every_outline() {
                     "{link}: {cover:?}"
                 );
                 // Large pieces that the outline cuts off are cells of their own.
-                let packed = studio.packing().unwrap().report().cells;
-                let of_points = studio.cells().iter().filter(|c| (c.id as usize) < packed);
+                let packed = studio.pavement().packing().unwrap().report().cells;
+                let of_points = studio
+                    .pavement()
+                    .cells()
+                    .iter()
+                    .filter(|c| (c.id as usize) < packed);
                 assert_eq!(of_points.count(), packed, "{link}");
             }
         }
@@ -48,7 +54,7 @@ fn they_fill_every_outline() {
 fn every_place_belongs_to_the_nearest_point() {
     for cells in ["voronoi", "lloyd"] {
         let studio = finished(&format!("size=256&outline=square&cs=11&cells={cells}"));
-        let cells: &[Cell] = studio.cells();
+        let cells: &[Cell] = studio.pavement().cells();
         for cell in cells {
             let nearest = |p: DVec2| {
                 let distances = cells.iter().map(|c| c.centre.distance(p));
@@ -68,12 +74,12 @@ fn lloyds_relaxation_evens_them_out() {
     for outline in ["annulus", "plaza", "star"] {
         let with = |cells| finished(&format!("size=256&outline={outline}&cs=9&cells={cells}"));
         let (plain, even) = (with("voronoi"), with("lloyd"));
-        let variation = |s: &Studio| s.metrics().unwrap().cells.area_cv;
+        let variation = |s: &Studio| s.pavement().metrics().unwrap().cells.area_cv;
         assert!(variation(&plain) > 0.4, "{outline}: {}", variation(&plain));
         assert!(variation(&even) < 0.15, "{outline}: {}", variation(&even));
         // Also beside the boundary, where the outline cuts the cells.
         let mut farthest = 0.0_f64;
-        for cell in even.cells() {
+        for cell in even.pavement().cells() {
             farthest = farthest.max(cell.centre.distance(centroid(&cell.ring)));
         }
         assert!(farthest < 0.2 * 9.0, "{outline}: {farthest}");
@@ -83,8 +89,8 @@ fn lloyds_relaxation_evens_them_out() {
 #[test]
 fn they_are_drawn_by_the_seed() {
     let with = |seed| finished(&format!("size=128&cs=12&cells=voronoi&seed={seed}"));
-    assert_eq!(with(1).cells(), with(1).cells());
-    assert_ne!(with(1).cells(), with(2).cells());
+    assert_eq!(with(1).pavement().cells(), with(1).pavement().cells());
+    assert_ne!(with(1).pavement().cells(), with(2).pavement().cells());
 }
 
 #[test]

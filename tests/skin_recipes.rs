@@ -1,6 +1,7 @@
 //! Recipes of skin: some numbers have another default while the stones are skin cells.
 
-use bubblestone::recipe::{Key, Recipe, SCHEMA};
+use bubblestone::generators::pavement::{self, SCHEMA};
+use bubblestone::recipe::Recipe;
 
 /// The numbers with a default for skin: that of stones, that of skin.
 const OWN: [(&str, f64, f64); 4] = [
@@ -11,33 +12,33 @@ const OWN: [(&str, f64, f64); 4] = [
 ];
 
 fn open(link: &str) -> Recipe {
-    let (recipe, notices) = Recipe::from_link(link);
+    let (recipe, notices) = pavement::recipe(link);
     assert!(notices.is_empty(), "{link}: {notices:?}");
     recipe
 }
 
 fn number(recipe: &Recipe, word: &str) -> f64 {
-    recipe.number(Key::from_word(word).expect(word))
+    recipe.number(SCHEMA.row(word).expect(word).key)
 }
 
 #[test]
 fn the_schema_has_these_defaults_of_skin_and_no_others() {
-    let own = SCHEMA.iter().filter(|row| row.skin_default.is_some());
+    let own = SCHEMA.rows.iter().filter(|row| row.default_while.is_some());
     assert_eq!(own.count(), OWN.len());
-    let (stone, skin) = (Recipe::default(), open("stone=skin"));
-    for &key in Key::ALL {
-        let row = key.parameter();
+    let (stone, skin) = (pavement::recipe("").0, open("stone=skin"));
+    for row in SCHEMA.rows {
+        let key = row.key.0;
         let (plain, other) = OWN
             .iter()
-            .find(|(word, ..)| *word == row.key)
+            .find(|(word, ..)| *word == key)
             .map_or((row.default, row.default), |&(_, plain, other)| {
                 (plain, other)
             });
-        assert_eq!(stone.default_of(key), plain, "{}", row.key);
-        assert_eq!(skin.default_of(key), other, "{}", row.key);
-        assert!(row.min <= other && other <= row.max, "{}", row.key);
-        if row.key != "stone" {
-            assert_eq!(skin.number(key), other, "{}", row.key);
+        assert_eq!(stone.default_of(row), plain, "{key}");
+        assert_eq!(skin.default_of(row), other, "{key}");
+        assert!(row.min <= other && other <= row.max, "{key}");
+        if key != "stone" {
+            assert_eq!(skin.number(row.key), other, "{key}");
         }
     }
 }
@@ -92,7 +93,7 @@ fn a_stone_named_twice_leaves_the_defaults_of_the_last() {
         ("stone=flag&sv=1&stone=skin", "v=1&stone=skin&sv=1"),
         ("stone=skin&stone=brick", "v=1&stone=skin"),
     ] {
-        let (recipe, notices) = Recipe::from_link(link);
+        let (recipe, notices) = pavement::recipe(link);
         assert!(!notices.is_empty(), "{link}");
         assert_eq!(recipe.link(), canonical, "{link}");
     }
@@ -100,7 +101,7 @@ fn a_stone_named_twice_leaves_the_defaults_of_the_last() {
 
 #[test]
 fn untouched_numbers_go_over_to_the_other_defaults_and_back() {
-    let mut recipe = Recipe::default();
+    let mut recipe = pavement::recipe("").0;
     for stone in ["skin", "flag", "skin", "skin", "cobble"] {
         assert_eq!(recipe.set("stone", stone), Ok(vec![]));
         for (word, plain, own) in OWN {
@@ -108,12 +109,12 @@ fn untouched_numbers_go_over_to_the_other_defaults_and_back() {
             assert_eq!(number(&recipe, word), wanted, "{word} of {stone}");
         }
     }
-    assert_eq!(recipe, Recipe::default());
+    assert_eq!(recipe, pavement::recipe("").0);
 }
 
 #[test]
 fn numbers_that_were_changed_stay_whatever_the_stone() {
-    let mut recipe = Recipe::default();
+    let mut recipe = pavement::recipe("").0;
     recipe.set("dr", "0.2").unwrap();
     recipe.set("stone", "skin").unwrap();
     assert_eq!(recipe.link(), "v=1&stone=skin&dr=0.2");

@@ -2,15 +2,17 @@
 #![cfg(not(target_arch = "wasm32"))]
 
 mod finished;
+mod paving;
 mod quarry;
 
 use bubblestone::cells::Cell;
 use bubblestone::field::Kind;
-use bubblestone::recipe::PRESETS;
+use bubblestone::generators::pavement::{self, PAVEMENT, PavementRecipe};
 use bubblestone::solid::{Prism, Quarry, SkinParams, StoneKind, StoneParams};
 use bubblestone::texture::{GROUND, Painter, Planes, TextureParams};
 use finished::{finished, refined};
 use glam::{DVec2, DVec3};
+use paving::OfPavement;
 use quarry::in_fair_weather;
 
 /// A regular polygon about the middle of a picture, its first corner to the right.
@@ -338,8 +340,8 @@ fn triangles_are_fine_and_finer_ones_are_not_seen() {
         let studio = finished(&link);
         let (mut triangles, mut area) = (0, 0.0);
         let mut quarry = Quarry::new();
-        for cell in studio.scales() {
-            let solid = quarry.stone(cell, &studio.stone_params());
+        for cell in studio.pavement().scales() {
+            let solid = quarry.stone(cell, &studio.pavement().stone_params());
             triangles += solid.triangles.len();
             for t in solid.triangles.iter() {
                 let [a, b, c] = t.map(|i| solid.vertices[i as usize]);
@@ -373,7 +375,7 @@ fn triangles_are_fine_and_finer_ones_are_not_seen() {
 #[test]
 fn scales_on_a_tile_repeat_without_a_seam() {
     let studio = finished("tile=1&size=256&kind=ellipse&stone=skin&sr=1.5&sc=2&tc=.5");
-    let planes = studio.planes().expect("planes");
+    let planes = studio.pavement().planes().expect("planes");
     let side = planes.side;
     let step = |a: usize, b: usize| {
         let rise = |y: usize| (planes.bump[y * side + a] - planes.bump[y * side + b]).abs();
@@ -421,13 +423,13 @@ fn cracks(planes: &Planes) -> usize {
 
 #[test]
 fn no_preset_has_a_crack() {
-    for preset in PRESETS {
+    for preset in PAVEMENT.presets {
         let studio = finished(preset.link);
-        let planes = studio.planes().expect("planes");
+        let planes = studio.pavement().planes().expect("planes");
         assert_eq!(cracks(planes), 0, "{}", preset.name);
         assert!(planes.bump.iter().all(|h| h.is_finite()));
         let stones = planes.id.iter().filter(|&&id| id != GROUND).count();
-        let skin = preset.recipe().is_skin();
+        let skin = pavement::recipe(preset.link).0.is_skin();
         assert!(
             !skin || stones * 3 > planes.id.len(),
             "{}: {stones}",

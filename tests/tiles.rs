@@ -2,6 +2,7 @@
 #![cfg(not(target_arch = "wasm32"))]
 
 mod finished;
+mod paving;
 
 use bubblestone::domain::{Domain, signed_area};
 use bubblestone::mesh::Mesh;
@@ -10,6 +11,7 @@ use bubblestone::random::{Purpose, Random};
 use bubblestone::render::{Light, ShadeParams, Shader};
 use bubblestone::studio::Studio;
 use bubblestone::texture::{Gloss, Planes, optics_table};
+use paving::OfPavement;
 use std::collections::HashMap;
 
 const SIDE: usize = 192;
@@ -68,15 +70,19 @@ fn assert_closed(domain: &Domain, mesh: &Mesh, what: &str) {
 fn meshes_close_over_the_seams() {
     for link in &LINKS[..4] {
         let studio = finished(link);
-        let made = (studio.domain(), studio.mesh(), studio.packing());
+        let made = (
+            studio.pavement().domain(),
+            studio.pavement().mesh(),
+            studio.pavement().packing(),
+        );
         let (Some(domain), Some(mesh), Some(packing)) = made else {
             panic!("{link}");
         };
         let particles = packing.particles();
         assert_eq!(mesh.vertices.len() - mesh.images.len(), particles.len());
         assert_closed(domain, mesh, link);
-        let fields = studio.fields().unwrap();
-        let figures = Metrics::new(domain, fields, &particles, mesh, studio.cells());
+        let fields = studio.pavement().fields().unwrap();
+        let figures = Metrics::new(domain, fields, &particles, mesh, studio.pavement().cells());
         for cover in [figures.mesh.cover, figures.cells.cover] {
             assert!((cover.coverage - 1.0).abs() < 1e-5, "{link}: {cover:?}");
             assert!(cover.overlap + cover.outside < 1e-5, "{link}: {cover:?}");
@@ -91,7 +97,7 @@ fn meshes_close_over_the_seams() {
 fn meshes_of_few_cells_close_over_the_seams() {
     let domain = Domain::torus(SIDE as f64, &[]);
     let studio = finished(LINKS[0]);
-    let model = studio.packing().unwrap().particles()[0];
+    let model = studio.pavement().packing().unwrap().particles()[0];
     let mut random = Random::new(8, Purpose::Noise, 0);
     for count in 1..30 {
         let particles: Vec<_> = (0..count)
@@ -138,7 +144,7 @@ fn moved<T: Copy>(plane: &[T], by: [usize; 2]) -> Vec<T> {
 #[test]
 fn shading_of_a_tile_has_no_edges() {
     let studio = finished("kind=square&dir=constant&vs=0.2&hs=30");
-    let planes = studio.planes().unwrap();
+    let planes = studio.pavement().planes().unwrap();
     assert!(planes.tile);
     for by in [[96, 96], [1, 0], [0, 1], [37, 150]] {
         let mut other = planes.clone();
@@ -189,10 +195,8 @@ fn steps(step: impl Fn(usize, usize) -> f64) -> Vec<f64> {
 fn planes_and_pictures_run_on_over_the_seams() {
     for link in LINKS {
         let mut studio = finished(link);
-        let planes = studio.planes().unwrap().clone();
-        let picture = studio
-            .view(bubblestone::studio::View::of_words("picture"))
-            .to_vec();
+        let planes = studio.pavement().planes().unwrap().clone();
+        let picture = studio.engine_mut().view("picture").to_vec();
         let down = |k: usize| k % SIDE * SIDE + k / SIDE;
         for upright in [true, false] {
             let at = |k: usize| if upright { k } else { down(k) };

@@ -1,18 +1,23 @@
 //! What the drawings of the stages show, asked of their pixels.
 #![cfg(not(target_arch = "wasm32"))]
 
-use bubblestone::recipe::Recipe;
-use bubblestone::studio::{Absence, Base, Overlay, Studio, View};
+mod paving;
+
+use bubblestone::generators::ALL;
+use bubblestone::generators::pavement;
+use bubblestone::generators::pavement::{Absence, Base, Overlay, View};
+use bubblestone::studio::Studio;
+use paving::OfPavement;
 
 const SIDE: usize = 160;
 
 /// A view of a recipe in a small picture, finished.
 fn view(link: &str, words: &str) -> Vec<u8> {
-    let (recipe, notices) = Recipe::from_link(&format!("size={SIDE}&cs=14&{link}"));
+    let (recipe, notices) = pavement::recipe(&format!("size={SIDE}&cs=14&{link}"));
     assert!(notices.is_empty(), "{notices:?}");
-    let mut studio = Studio::new(recipe);
+    let mut studio = Studio::new(ALL, recipe);
     assert_eq!(studio.finish(&mut || 0.0), Ok(()));
-    studio.view(View::of_words(words)).to_vec()
+    studio.engine_mut().view(words).to_vec()
 }
 
 fn pixel(rgba: &[u8], x: usize, y: usize) -> [i32; 3] {
@@ -177,8 +182,8 @@ fn a_tile_has_no_outline_and_no_seam() {
 const FULL: &str = "outline=square&kind=ellipse&dir=circular&gx=0.4&stretch=0.5,0.5,0.3,4";
 
 fn finished(link: &str) -> Studio {
-    let (recipe, _) = Recipe::from_link(&format!("size={SIDE}&cs=14&{link}"));
-    let mut studio = Studio::new(recipe);
+    let (recipe, _) = pavement::recipe(&format!("size={SIDE}&cs=14&{link}"));
+    let mut studio = Studio::new(ALL, recipe);
     assert_eq!(studio.finish(&mut || 0.0), Ok(()));
     studio
 }
@@ -186,7 +191,7 @@ fn finished(link: &str) -> Studio {
 #[test]
 fn overlays_lie_over_the_picture_and_over_each_other() {
     let mut studio = finished(FULL);
-    let mut seen = |words: String| studio.view(View::of_words(&words)).to_vec();
+    let mut seen = |words: String| studio.engine_mut().view(&words).to_vec();
     let picture = seen("picture".into());
     for (k, (_, a)) in Overlay::ALL.iter().enumerate() {
         let over = seen(format!("picture+{a}"));
@@ -210,10 +215,10 @@ fn overlays_lie_over_the_picture_and_over_each_other() {
 #[test]
 fn overlays_let_the_picture_through() {
     let mut studio = finished(FULL);
-    let picture = studio.view(View::of_words("picture")).to_vec();
+    let picture = studio.engine_mut().view("picture").to_vec();
     // Light stays light and dark stays dark under a filling.
     for word in ["size", "energy"] {
-        let over = studio.view(View::of_words(&format!("picture+{word}")));
+        let over = studio.engine_mut().view(&format!("picture+{word}"));
         let grey = |rgba: &[u8]| -> Vec<f64> {
             let pixels = rgba.chunks(4);
             pixels
@@ -247,8 +252,8 @@ fn fields_stand_out_from_pale_stones_and_from_dark_ones() {
         for word in ["direction", "anisotropy"] {
             let link = format!("kind=ellipse&outline=square&palette={palette}");
             let mut studio = finished(&link);
-            let picture = studio.view(View::of_words("picture")).to_vec();
-            let over = studio.view(View::of_words(&format!("picture+{word}")));
+            let picture = studio.engine_mut().view("picture").to_vec();
+            let over = studio.engine_mut().view(&format!("picture+{word}"));
             let pairs = picture.chunks(4).zip(over.chunks(4));
             let drawn: Vec<f64> = pairs
                 .filter(|(a, b)| a != b)
@@ -262,8 +267,8 @@ fn fields_stand_out_from_pale_stones_and_from_dark_ones() {
 }
 
 /// What of a view shows nothing.
-fn absent(studio: &mut Studio, words: &str) -> Vec<(&'static str, Absence)> {
-    studio.absences(View::of_words(words))
+fn absent(studio: &mut Studio, words: &str) -> Vec<(&'static str, &'static str)> {
+    studio.engine_mut().absences(words)
 }
 
 #[test]
@@ -273,9 +278,9 @@ fn what_shows_nothing_says_why() {
     // A ring has squares of one size, and its direction turns about no point of it.
     let mut ring = finished("");
     let ours = [
-        ("size", Absence::OneSize),
-        ("anisotropy", Absence::AllEven),
-        ("singularities", Absence::NoPoint),
+        ("size", Absence::OneSize.word()),
+        ("anisotropy", Absence::AllEven.word()),
+        ("singularities", Absence::NoPoint.word()),
     ];
     assert_eq!(absent(&mut ring, ALL), ours);
     assert_eq!(absent(&mut ring, "auto+direction"), []);
@@ -283,24 +288,27 @@ fn what_shows_nothing_says_why() {
     assert_eq!(absent(&mut full, ALL), []);
     // Squares in rows that fill a tile press on each other alike from all sides.
     let mut rows = finished("tile=1&dir=constant&cs=20");
-    assert_eq!(absent(&mut rows, "forces"), [("forces", Absence::AtRest)]);
+    assert_eq!(
+        absent(&mut rows, "forces"),
+        [("forces", Absence::AtRest.word())]
+    );
 }
 
 #[test]
 fn what_is_still_to_come_is_missed_until_then() {
-    let (recipe, _) = Recipe::from_link(&format!("size={SIDE}&cs=14&outline=star"));
-    let mut studio = Studio::new(recipe);
+    let (recipe, _) = pavement::recipe(&format!("size={SIDE}&cs=14&outline=star"));
+    let mut studio = Studio::new(ALL, recipe);
     for _ in 0..3 {
         studio.step(&mut || 0.0);
     }
     let coming = absent(&mut studio, "ids+packed+energy+cells+mesh+forces");
     let words: Vec<&str> = coming.iter().map(|(word, _)| *word).collect();
     assert_eq!(words, ["ids", "cells", "mesh"]);
-    assert!(coming.iter().all(|(_, why)| *why == Absence::NotYet));
-    assert_eq!(studio.height_range(), 0.0);
+    assert!(coming.iter().all(|(_, why)| *why == Absence::NotYet.word()));
+    assert_eq!(studio.pavement().height_range(), 0.0);
     assert_eq!(studio.finish(&mut || 0.0), Ok(()));
     assert_eq!(absent(&mut studio, "ids+cells+mesh"), []);
-    assert!(studio.height_range() > 5.0);
+    assert!(studio.pavement().height_range() > 5.0);
 }
 
 #[test]
@@ -335,13 +343,13 @@ fn planes_have_views_of_their_own() {
         "ao",
         "ids",
     ];
-    let views = words.map(|word| studio.view(View::of_words(word)).to_vec());
+    let views = words.map(|word| studio.engine_mut().view(word).to_vec());
     for (k, view) in views.iter().enumerate() {
         for other in &views[..k] {
             assert!(differing(view, other) > SIDE * SIDE / 4, "{}", words[k]);
         }
     }
-    let planes = studio.planes().unwrap();
+    let planes = studio.pavement().planes().unwrap();
     let at = SIDE * SIDE / 2 + SIDE / 2;
     assert_eq!(views[3][4 * at..][..3], planes.colour[at]);
     assert_eq!(views[5][4 * at..][..3], [planes.openness[at]; 3]);
@@ -349,12 +357,12 @@ fn planes_have_views_of_their_own() {
 
 #[test]
 fn overlays_show_only_what_is_there() {
-    let (recipe, _) = Recipe::from_link(&format!("size={SIDE}&cs=14&outline=star"));
-    let mut studio = Studio::new(recipe);
+    let (recipe, _) = pavement::recipe(&format!("size={SIDE}&cs=14&outline=star"));
+    let mut studio = Studio::new(ALL, recipe);
     for _ in 0..3 {
         studio.step(&mut || 0.0);
     }
-    let mut seen = |words: &str| studio.view(View::of_words(words)).to_vec();
+    let mut seen = |words: &str| studio.engine_mut().view(words).to_vec();
     let plain = seen("auto");
     assert!(plain == seen("auto+mesh+cells"));
     for word in ["forces", "energy", "direction", "size", "packed"] {
@@ -364,9 +372,9 @@ fn overlays_show_only_what_is_there() {
 
 /// A studio in the midst of its work: so many packing steps in, or so many slices past the packing.
 fn midway(link: &str, past: Option<u32>) -> Studio {
-    let (recipe, notices) = Recipe::from_link(link);
+    let (recipe, notices) = pavement::recipe(link);
     assert!(notices.is_empty(), "{notices:?}");
-    let mut studio = Studio::new(recipe);
+    let mut studio = Studio::new(ALL, recipe);
     (0..4).for_each(|_| studio.step(&mut || 0.0));
     if let Some(slices) = past {
         while studio.stage() != "planes" {
@@ -391,38 +399,41 @@ fn a_drawing_made_in_pieces_is_the_one_made_at_once() {
         (plain, "auto", Some(40)),
         (plain, "paper", None),
     ] {
-        let view = View::of_words(words);
+        let view = words;
         let [mut whole, mut pieces] = [(); 2].map(|()| midway(link, past));
         let mut count = 1;
-        while !pieces.prepare(view, &mut || 0.0, 0.0) {
+        while !pieces.engine_mut().prepare(view, &mut || 0.0, 0.0) {
             count += 1;
         }
         assert!((3..30).contains(&count), "{words}: {count} pieces");
-        assert!(whole.view(view) == pieces.view(view), "{link}: {words}");
+        assert!(
+            whole.engine_mut().view(view) == pieces.engine_mut().view(view),
+            "{link}: {words}"
+        );
         // What is drawn needs no more, until there is something new.
-        assert!(pieces.prepare(view, &mut || 0.0, 0.0));
+        assert!(pieces.engine_mut().prepare(view, &mut || 0.0, 0.0));
     }
 }
 
 #[test]
 fn work_in_between_begins_a_drawing_again() {
     let [mut whole, mut pieces] = [(); 2].map(|()| midway("size=320&cs=14", None));
-    let view = View::of_words("auto");
+    let view = "auto";
     for _ in 0..3 {
-        assert!(!pieces.prepare(view, &mut || 0.0, 0.0));
+        assert!(!pieces.engine_mut().prepare(view, &mut || 0.0, 0.0));
         pieces.step(&mut || 0.0);
         whole.step(&mut || 0.0);
     }
-    assert!(whole.view(view) == pieces.view(view));
+    assert!(whole.engine_mut().view(view) == pieces.engine_mut().view(view));
 }
 
 #[test]
 fn pictures_and_planes_need_no_preparation() {
-    let mut studio = Studio::new(Recipe::from_link("size=96&cs=14").0);
+    let mut studio = Studio::new(ALL, pavement::recipe("size=96&cs=14").0);
     assert_eq!(studio.finish(&mut || 0.0), Ok(()));
     for words in ["auto", "picture", "height", "albedo", "direction"] {
         assert!(
-            studio.prepare(View::of_words(words), &mut || 0.0, 0.0),
+            studio.engine_mut().prepare(words, &mut || 0.0, 0.0),
             "{words}"
         );
     }

@@ -2,10 +2,12 @@
 #![cfg(not(target_arch = "wasm32"))]
 
 mod finished;
+mod paving;
 
 use bubblestone::studio::Studio;
 use bubblestone::texture::{GROUND, Gloss, Planes, optics_table};
 use glam::DVec2;
+use paving::OfPavement;
 
 const SIDE: usize = 256;
 const BASE: &str = "size=256&outline=road_straight&ow=1.6&cs=20";
@@ -15,7 +17,7 @@ fn finished(more: &str) -> Studio {
 }
 
 fn planes(more: &str) -> Planes {
-    finished(more).planes().expect("planes").clone()
+    finished(more).pavement().planes().expect("planes").clone()
 }
 
 fn mean(values: impl Iterator<Item = f64>) -> f64 {
@@ -82,9 +84,10 @@ fn more_moss_covers_more() {
 #[test]
 fn wear_lowers_and_smooths_the_middle_of_the_way_and_spares_its_rim() {
     let studio = finished("&wear=1");
-    let (worn, plain) = (studio.planes().expect("planes"), planes(""));
-    let domain = studio.domain().expect("a domain");
+    let (worn, plain) = (studio.pavement().planes().expect("planes"), planes(""));
+    let domain = studio.pavement().domain().expect("a domain");
     let farthest = studio
+        .pavement()
         .cells()
         .iter()
         .map(|c| domain.nearest(c.centre).distance)
@@ -156,7 +159,7 @@ fn gloss_changes_the_light_and_not_the_planes() {
 #[test]
 fn weather_on_tiles_has_no_seam() {
     let studio = finished("&tile=1&wear=0.8&moss=0.5&dirt=0.5&wet=0.6");
-    let planes = studio.planes().expect("planes");
+    let planes = studio.pavement().planes().expect("planes");
     let step = |x: usize| {
         let next = (x + 1) % SIDE;
         mean((0..SIDE).map(|y| {

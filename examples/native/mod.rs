@@ -2,9 +2,10 @@
 #![allow(dead_code)] // Each program uses its part of it.
 
 use bubblestone::domain::Outline;
-use bubblestone::export::{Map, MapKind, MeshFormat, cells_json, mesh_json, metrics_json};
+use bubblestone::export::{Map, MapKind, MeshFormat, metrics_json};
+use bubblestone::generators::pavement::Pavement;
 use bubblestone::notice::Notice;
-use bubblestone::studio::{Base, Overlay, Studio, View};
+use bubblestone::studio::Studio;
 use serde_json::Value;
 use std::path::Path;
 use std::process::ExitCode;
@@ -122,16 +123,16 @@ fn ring_of(ring: &Value, name: &str) -> Result<Vec<glam::DVec2>, String> {
     points.iter().enumerate().map(read).collect()
 }
 
-/// Writes the pictures, the cells, the mesh and the report of a finished studio.
+/// Writes the pictures, what was made as text, and the report of a finished studio.
 pub fn write_all(studio: &mut Studio, notices: Vec<Notice>, dir: &Path) -> Result<(), String> {
     std::fs::create_dir_all(dir).map_err(|e| format!("Cannot make {}: {e}.", dir.display()))?;
     let mut report = studio.report();
     report.notices = notices;
-    report.metrics = studio.metrics().map(|m| metrics_json(&m));
+    let metrics = studio.engine_as().and_then(Pavement::metrics);
+    report.metrics = metrics.map(|metrics| metrics_json(&metrics));
     write(dir, "report.json", report.json().as_bytes())?;
-    write(dir, "cells.json", cells_json(studio.cells()).as_bytes())?;
-    if let Some(mesh) = studio.mesh() {
-        write(dir, "mesh.json", mesh_json(mesh).as_bytes())?;
+    for (name, text) in studio.engine().data() {
+        write(dir, name, text.as_bytes())?;
     }
     let side = studio.side();
     if let Some(picture) = studio.picture() {
@@ -144,7 +145,7 @@ pub fn write_all(studio: &mut Studio, notices: Vec<Notice>, dir: &Path) -> Resul
 }
 
 /// Writes all maps.
-pub fn write_maps(studio: &Studio, dir: &Path) -> Result<(), String> {
+pub fn write_maps(studio: &mut Studio, dir: &Path) -> Result<(), String> {
     for (kind, _) in MapKind::ALL {
         write_map(studio, kind, dir)?;
     }
@@ -158,22 +159,28 @@ pub fn write_bigger(
     maps: bool,
     dir: &Path,
 ) -> Result<(), String> {
-    let made = studio.picture_file(scale, &mut || 0.0, f64::INFINITY)?;
+    let made = studio
+        .engine_mut()
+        .picture_file(scale, &mut || 0.0, f64::INFINITY)?;
     let colours = made.rows.chunks_exact(3).map(|p| [p[0], p[1], p[2]]);
     write_rgb(dir, &format!("picture-{scale}x.png"), made.side, colours)?;
     for (kind, word) in MapKind::ALL.into_iter().filter(|_| maps) {
         write_png(
             dir,
             &format!("{word}-{scale}x.png"),
-            &studio.bigger_map(kind)?,
+            &studio.engine().bigger_map(kind)?,
         )?;
     }
-    studio.stop_file();
+    studio.engine_mut().stop_file();
     Ok(())
 }
 
-fn write_map(studio: &Studio, kind: MapKind, dir: &Path) -> Result<(), String> {
-    write_png(dir, &format!("{}.png", kind.word()), &studio.map(kind)?)
+fn write_map(studio: &mut Studio, kind: MapKind, dir: &Path) -> Result<(), String> {
+    write_png(
+        dir,
+        &format!("{}.png", kind.word()),
+        &studio.engine().map(kind)?,
+    )
 }
 
 fn write_png(dir: &Path, name: &str, map: &Map) -> Result<(), String> {
@@ -192,13 +199,15 @@ fn write_png(dir: &Path, name: &str, map: &Map) -> Result<(), String> {
 /// Writes the surface of all cells as surface.obj and surface.glb.
 pub fn write_meshes(studio: &mut Studio, dir: &Path) -> Result<(), String> {
     for (format, word) in MeshFormat::ALL {
-        let file = studio.mesh_file(format, &mut || 0.0, f64::INFINITY)?;
+        let file = studio
+            .engine_mut()
+            .mesh_file(format, &mut || 0.0, f64::INFINITY)?;
         write(dir, &format!("surface.{word}"), &file.parts.concat())?;
     }
     Ok(())
 }
 
-/// Views with several overlays that are written along with the single ones.
+/// Views of pavements with several overlays that are written along with the single ones.
 const MIXED: [&str; 4] = [
     "picture+cells+mesh",
     "picture+size+direction+singularities",
@@ -208,11 +217,14 @@ const MIXED: [&str; 4] = [
 
 /// Writes every base, every overlay alone and over the picture, and some together.
 pub fn write_views(studio: &mut Studio, dir: &Path) -> Result<(), String> {
-    let mut words: Vec<String> = Base::ALL.iter().map(|(_, word)| (*word).into()).collect();
-    for (_, word) in Overlay::ALL {
+    let views = studio.generator().views;
+    let mut words: Vec<String> = views.bases.iter().map(|&word| word.into()).collect();
+    for &word in views.overlays {
         words.extend([word.into(), format!("picture+{word}")]);
     }
-    words.extend(MIXED.map(String::from));
+    if studio.engine_as::<Pavement>().is_some() {
+        words.extend(MIXED.map(String::from));
+    }
     for word in words {
         write_view(studio, &word, dir)?;
     }
@@ -222,13 +234,15 @@ pub fn write_views(studio: &mut Studio, dir: &Path) -> Result<(), String> {
 /// Writes one view.
 pub fn write_view(studio: &mut Studio, words: &str, dir: &Path) -> Result<(), String> {
     let side = studio.side();
-    let frame = studio.view(View::of_words(words));
+    let frame = studio.engine_mut().view(words);
     write_rgb(dir, &format!("view-{words}.png"), side, opaque(frame))
 }
 
 /// Writes the cells as cells.svg.
 pub fn write_svg(studio: &Studio, dir: &Path) -> Result<(), String> {
-    write(dir, "cells.svg", studio.svg().as_bytes())
+    let svg = studio.engine_as().map(Pavement::svg);
+    let svg = svg.ok_or("--svg is for pavements only.")?;
+    write(dir, "cells.svg", svg.as_bytes())
 }
 
 fn write(dir: &Path, name: &str, bytes: &[u8]) -> Result<(), String> {

@@ -34,7 +34,7 @@ export async function buildThumbs() {
   const { initSync, presets, Bubblestone } = await import(pathToFileURL(join(pageModule, 'bubblestone.js')).href);
   initSync({ module: readFileSync(module) });
   /** @type {{ name: string, link: string }[]} */
-  const list = presets();
+  const list = presets('pavement');
   // The picture of one is encoded while the next one is drawn.
   const files = list.map(({ name, link }) => {
     const { data, width, height } = picture(new Bubblestone(link), name);
@@ -55,7 +55,7 @@ export async function buildThumbs() {
  * pictures of planes. Any other change of the module needs no new ones.
  */
 function sources() {
-  const folders = ['recipe', 'texture', 'render'].map((name) => join(root, 'src', name));
+  const folders = ['recipe', 'generators', 'texture', 'render'].map((name) => join(root, 'src', name));
   const code = folders.flatMap((folder) =>
     readdirSync(folder, { recursive: true, withFileTypes: true })
       .filter((entry) => entry.isFile())

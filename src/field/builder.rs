@@ -309,7 +309,7 @@ fn parents(grid: &Grid, column: usize, row: usize, stride: usize) -> ([usize; 4]
 mod tests {
     use super::super::{Kind, follow::sources, symmetry::direction_of};
     use super::*;
-    use crate::recipe::Recipe;
+    use crate::generators::pavement::{self, PavementRecipe};
 
     /// Degrees between what the fields say and the plain sum over all sources, at points where
     /// these agree with each other, away from singular places: mean and 95th percentile.
@@ -348,7 +348,7 @@ mod tests {
         for outline in ["annulus", "road_s", "plaza", "y_fork", "road_notch"] {
             for (kind, power) in [(Kind::Square, 4), (Kind::Square, 2), (Kind::Ellipse, 4)] {
                 for size in [23.0, 8.0] {
-                    let recipe = Recipe::from_link(&format!("outline={outline}")).0;
+                    let recipe = pavement::recipe(&format!("outline={outline}")).0;
                     let domain = Domain::from_checked(&recipe.outline());
                     let params = FieldParams {
                         kind,

@@ -86,6 +86,22 @@ impl From<Notice> for String {
     }
 }
 
+/// Characters of a foreign text that a sentence repeats.
+const QUOTED: usize = 24;
+
+/// Foreign text made fit for a sentence: short and without control characters.
+pub fn quote(text: &str) -> String {
+    let mut short: String = text
+        .chars()
+        .take(QUOTED)
+        .map(|c| if c.is_control() { ' ' } else { c })
+        .collect();
+    if text.chars().nth(QUOTED).is_some() {
+        short.push('…');
+    }
+    format!("\"{short}\"")
+}
+
 /// Many of them, one after the other.
 pub fn text(notices: &[Notice]) -> String {
     let texts: Vec<String> = notices.iter().map(english).collect();

@@ -2,9 +2,9 @@
 //! in the order of the schema. Reading never fails: what does not fit is clamped or dropped, and a
 //! notice says so.
 
-use super::value::{chosen, differing, quote};
-use super::{Key, POLYGON, Recipe};
-use crate::notice::{Code, Notice};
+use super::value::chosen;
+use super::{Kind, Parameter, Recipe, Schema, common};
+use crate::notice::{Arg, Code, Notice, quote};
 
 /// The version that links are written in.
 pub const VERSION: u32 = 1;
@@ -15,10 +15,13 @@ const TOLD: usize = 12;
 /// At most so many pairs of a link are read; a link of this program has one for each parameter.
 const PAIRS: usize = 200;
 
+/// The key that names the generator.
+const MAKE: &str = "make";
+
 impl Recipe {
-    /// Reads a whole address, a fragment with its `#`, or a bare fragment; with what was
-    /// clamped or dropped.
-    pub fn from_link(link: &str) -> (Recipe, Vec<Notice>) {
+    /// Reads a whole address, a fragment with its `#`, or a bare fragment, for one of the generators
+    /// whose schemas these are (at least one), the first where the link names none; with what was clamped or dropped.
+    pub fn from_link(schemas: &[&'static Schema], link: &str) -> (Recipe, Vec<Notice>) {
         let mut notices = Vec::new();
         let mut pieces = fragment(link).split('&').filter(|p| !p.trim().is_empty());
         let mut pairs: Vec<(String, String)> = pieces
@@ -31,15 +34,15 @@ impl Recipe {
             notices.push(Notice::new(Code::FirstValues).with("n", PAIRS));
         }
         notices.extend(take_version(&mut pairs));
+        let (schema, unknown) = take_schema(schemas, &mut pairs);
+        notices.extend(unknown);
+        let modern = |(key, value)| schema.rules.modern(key, value);
         let pairs: Vec<(String, String)> = pairs.into_iter().flat_map(modern).collect();
 
-        let mut recipe = Recipe::default();
-        // The limits of the cell size and the polygon's units hang on the picture's size, some
-        // defaults on the kind of stone.
-        let first = [Key::Size, Key::Stone].map(|key| key.parameter().key);
+        let mut recipe = Recipe::new(schema);
         for early in [true, false] {
             for (index, (key, value)) in pairs.iter().enumerate() {
-                if first.contains(&key.as_str()) == early {
+                if is_early(schema, key) == early {
                     let earlier = pairs[..index].iter().any(|(k, _)| k == key);
                     notices.extend(recipe.read(key, value, earlier, &pairs));
                 }
@@ -55,14 +58,20 @@ impl Recipe {
         (recipe, notices)
     }
 
-    /// The fragment without `#`; empty for the default recipe.
+    /// The fragment without `#`; empty for the default recipe of the generator that links do not name.
     pub fn link(&self) -> String {
         let mut link = String::new();
-        for key in differing(self) {
+        let mut add = |key: &str, value: &str| {
             if link.is_empty() {
                 link = format!("v={VERSION}");
             }
-            link += &format!("&{}={}", key.parameter().key, self.text(key));
+            link += &format!("&{key}={value}");
+        };
+        if self.schema().is_named {
+            add(MAKE, self.schema().word);
+        }
+        for row in self.differing() {
+            add(row.key.0, &self.text(row));
         }
         link
     }
@@ -72,40 +81,70 @@ impl Recipe {
         &mut self,
         key: &str,
         value: &str,
-        repeated: bool,
+        is_repeated: bool,
         pairs: &[(String, String)],
     ) -> Vec<Notice> {
-        let known = Key::from_word(key);
+        let row = self.schema().row(key);
         let mut notices = Vec::new();
-        if let (Some(known), true) = (known, repeated) {
-            notices.push(Notice::new(Code::Repeated).with("what", known.parameter()));
+        if let (Some(row), true) = (row, is_repeated) {
+            notices.push(Notice::new(Code::Repeated).with("what", row));
         }
-        let outline = pairs.iter().rfind(|(key, _)| key == "outline");
-        match (known, outline) {
-            // The points themselves choose the polygon.
-            (Some(Key::Outline), _) if value.trim().eq_ignore_ascii_case(POLYGON) => {
-                if !pairs.iter().any(|(key, _)| key == "poly") {
-                    let what = Key::Outline.parameter();
-                    let notice = Notice::new(Code::PointsMissing).with("what", what);
-                    let notice = notice.with("is", chosen(what, POLYGON));
-                    let notice = notice.with("points", Key::Poly.parameter());
-                    notices.push(notice.with("kept", self.shown(Key::Outline)));
-                }
-            }
-            (Some(Key::Poly), Some((_, word))) if !word.trim().eq_ignore_ascii_case(POLYGON) => {
-                let what = Key::Outline.parameter();
-                let notice = Notice::new(Code::PointsDropped).with("what", what);
-                let notice = notice.with("points", Key::Poly.parameter());
-                let notice = notice.with("needed", chosen(what, POLYGON));
-                notices.push(notice.with("is", chosen(what, &word.trim().to_ascii_lowercase())));
-            }
-            _ => match self.set(key, value) {
+        let word = value.trim().to_ascii_lowercase();
+        let mismatch = row.and_then(|row| match row.kind {
+            Kind::Choice => self.chooses_drawn(row, &word, pairs),
+            _ => self.is_drawn_in_vain(row, pairs),
+        });
+        match mismatch {
+            Some(told) => notices.extend(told),
+            None => match self.set(key, value) {
                 Ok(mended) => notices.extend(mended),
                 Err(why) => notices.push(why),
             },
         }
         notices
     }
+
+    /// What is said where a pair chooses a word that something is drawn for: what is drawn chooses it by
+    /// itself, without it there is nothing to choose. None for other words.
+    fn chooses_drawn(
+        &self,
+        row: &'static Parameter,
+        word: &str,
+        pairs: &[(String, String)],
+    ) -> Option<Option<Notice>> {
+        let drawn = self.drawn_for(row.key, word)?;
+        let is_given = pairs.iter().any(|(key, _)| key == drawn.key.0);
+        Some((!is_given).then(|| {
+            let notice = Notice::new(Code::PointsMissing).with("what", row);
+            let notice = notice.with("is", chosen(row, word)).with("points", drawn);
+            notice.with("kept", self.shown(row))
+        }))
+    }
+
+    /// What is said of something drawn where the link chooses another word.
+    fn is_drawn_in_vain(
+        &self,
+        row: &'static Parameter,
+        pairs: &[(String, String)],
+    ) -> Option<Option<Notice>> {
+        let (key, word) = row.drawn_for?;
+        let choice = self.schema().row(key.0)?;
+        let (_, given) = pairs.iter().rfind(|(other, _)| other == key.0)?;
+        let given = given.trim().to_ascii_lowercase();
+        if given == word {
+            return None;
+        }
+        let notice = Notice::new(Code::PointsDropped).with("what", choice);
+        let notice = notice.with("points", row);
+        let notice = notice.with("needed", chosen(choice, word));
+        Some(Some(notice.with("is", chosen(choice, &given))))
+    }
+}
+
+/// Do limits or defaults of other parameters hang on this one?
+fn is_early(schema: &Schema, key: &str) -> bool {
+    let hangs = |row: &Parameter| row.default_while.is_some_and(|(k, ..)| k.0 == key);
+    key == common::keys::SIZE.0 || schema.rows.iter().any(hangs)
 }
 
 /// The part of an address that holds the recipe: after `#`, or after `?` where there is no `#`.
@@ -161,28 +200,27 @@ fn take_version(pairs: &mut Vec<(String, String)>) -> Option<Notice> {
     notice
 }
 
-/// Other words for outlines, in links only.
-const OUTLINE_WORDS: [(&str, &str); 8] = [
-    ("road", "road_straight"),
-    ("s_curve", "road_s"),
-    ("spiral", "road_spiral"),
-    ("ring", "annulus"),
-    ("fork", "y_fork"),
-    ("notch", "road_notch"),
-    ("l", "l_shape"),
-    ("free", "polygon"),
-];
-
-/// Old and other words become those of the schema: the place where links of former versions are
-/// brought up to date. The one bevel ratio Br of the 2001 paper is both of ours.
-fn modern((key, value): (String, String)) -> Vec<(String, String)> {
-    match key.as_str() {
-        "br" => ["bh", "bv"].map(|k| (k.to_owned(), value.clone())).to_vec(),
-        "outline" => {
+/// Takes the generator out of the pairs: its schema, and a notice where the word names none.
+fn take_schema(
+    schemas: &[&'static Schema],
+    pairs: &mut Vec<(String, String)>,
+) -> (&'static Schema, Option<Notice>) {
+    let mut schema = schemas[0];
+    let mut notice = None;
+    pairs.retain(|(key, value)| {
+        if key == MAKE {
             let word = value.trim().to_ascii_lowercase();
-            let modern = OUTLINE_WORDS.iter().find(|(old, _)| *old == word);
-            vec![(key, modern.map_or(value, |(_, new)| (*new).to_owned()))]
+            match schemas.iter().find(|schema| schema.word == word) {
+                Some(found) => (schema, notice) = (found, None),
+                None => {
+                    let known = schemas.iter().map(|s| Arg::from(s.word.to_owned()));
+                    let about = Notice::new(Code::BadMake).with("given", quote(value));
+                    let about = about.with("known", Arg::AnyOf(known.collect()));
+                    notice = Some(about.with("kept", schema.word.to_owned()));
+                }
+            }
         }
-        _ => vec![(key, value)],
-    }
+        key != MAKE
+    });
+    (schema, notice)
 }

@@ -1,21 +1,21 @@
-//! Lists that a recipe holds: constraint lines, strokes, spots, and seeds of parts.
+//! Texts of a recipe: rows of whole numbers, which hold rings, lines, spots or seeds.
 //!
 //! They are kept as the whole numbers of the link, so they grow with the picture by themselves.
 
 use super::rows::{self, Form, POINTS, STEPS};
-use super::{Key, Recipe, poly};
+use super::{Item, Key, Recipe, Schema};
 use crate::decimal;
 use crate::notice::{Code, Notice};
 use crate::order;
 use glam::DVec2;
 
-/// Most rows of a list.
+/// Most rows of a text, but of rings.
 pub const MAX_ROWS: usize = 64;
-/// Most points in all rows of a list.
+/// Most points in all rows of a text, but of rings.
 pub const MAX_ROW_POINTS: usize = 256;
 
-/// The rows of a list.
-pub(super) type Rows = Vec<Vec<i64>>;
+/// The rows of a text.
+pub type Rows = Vec<Vec<i64>>;
 
 /// What 1 is in a spot's value.
 const VALUE: f64 = 1024.0;
@@ -24,58 +24,49 @@ const OUTSIDE: f64 = 0.5;
 /// Smallest and largest radius of a spot, in sides.
 const RADIUS: (f64, f64) = (0.01, 2.0);
 
-/// What the rows of a list are.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Item {
-    /// A polyline.
-    Line,
-    /// x, y, radius and a value between two limits.
-    Spot(f64, f64),
-    /// x, y and a choice of [`Key::Kind`].
-    Seed,
+/// The row of points, each moved to the nearest one of the grid of 1/32768 of the side.
+pub fn row(points: &[DVec2], side: f64) -> Vec<i64> {
+    let steps = |p: &DVec2| (*p * STEPS / side).round().to_array();
+    points.iter().flat_map(steps).map(|x| x as i64).collect()
 }
 
-/// The keys of the lists and what their rows are.
-const LISTS: [(Key, Item); 5] = [
-    (Key::Lines, Item::Line),
-    (Key::Parts, Item::Seed),
-    (Key::Spots, Item::Spot(0.2, 3.0)),
-    (Key::Strokes, Item::Line),
-    (Key::Stretch, Item::Spot(1.0, 5.0)),
-];
-
-/// Number of lists.
-pub(super) const COUNT: usize = LISTS.len();
-
-/// The place of a key's list.
-fn place(key: Key) -> Option<usize> {
-    LISTS.iter().position(|&(k, _)| k == key)
+/// The points of a row, in pictures of this side.
+pub fn points(row: &[i64], side: f64) -> Vec<DVec2> {
+    let point = |pair: &[i64]| DVec2::new(pair[0] as f64, pair[1] as f64) * side / STEPS;
+    row.chunks_exact(2).map(point).collect()
 }
 
 impl Item {
     fn form(self) -> Form {
         match self {
-            Item::Line => POINTS,
+            Item::Ring(_) | Item::Line => POINTS,
             Item::Spot(..) => Form {
                 coordinates: 2,
                 units: &[STEPS, VALUE],
             },
-            Item::Seed => Form {
+            Item::Seed(_) => Form {
                 coordinates: 2,
                 units: &[1.0],
             },
         }
     }
 
+    fn most_points(self) -> usize {
+        match self {
+            Item::Ring(most) => most,
+            _ => MAX_ROW_POINTS,
+        }
+    }
+
     /// Why a row is none of these, but for its number.
-    fn flaw(self, row: &[i64]) -> Option<Notice> {
+    fn flaw(self, row: &[i64], schema: &Schema) -> Option<Notice> {
         let coordinates = &row[..row.len().min(self.form().coordinates)];
         let far = |&x: &i64| (x as f64 / STEPS - 0.5).abs() > 0.5 + OUTSIDE;
         if coordinates.iter().any(far) {
             return Some(Code::RowOutside.into());
         }
         match (self, row) {
-            (Item::Line, [_, _, _, _, ..]) => None,
+            (Item::Ring(_), _) | (Item::Line, [_, _, _, _, ..]) => None,
             (Item::Line, _) => Some(Code::RowShort.into()),
             (Item::Spot(min, max), &[_, _, radius, value]) => {
                 let (radius, value) = (radius as f64 / STEPS, value as f64 / VALUE);
@@ -90,98 +81,87 @@ impl Item {
                 }
             }
             (Item::Spot(..), _) => Some(Code::RowSpot.into()),
-            (Item::Seed, &[_, _, kind]) => {
-                let most = Key::Kind.parameter().choices.len() - 1;
-                let known = (0..=most as i64).contains(&kind);
+            (Item::Seed(key), &[_, _, place]) => {
+                let words = schema.row(key.0).map_or(0, |row| row.choices.len());
+                let most = words.saturating_sub(1);
+                let known = (0..=most as i64).contains(&place);
                 (!known).then(|| Notice::new(Code::RowKind).with("most", most))
             }
-            (Item::Seed, _) => Some(Code::RowSeed.into()),
+            (Item::Seed(_), _) => Some(Code::RowSeed.into()),
         }
     }
 }
 
 impl Recipe {
-    /// The rows of a list; none for the keys of other values.
-    pub(super) fn rows(&self, key: Key) -> &[Vec<i64>] {
-        place(key).map_or(&[], |at| &self.lists[at])
+    fn item(&self, key: Key) -> Option<Item> {
+        self.schema.row(key.0)?.item
     }
 
-    /// The text of a list.
-    pub(super) fn list_text(&self, key: Key) -> String {
-        let form = place(key).map_or(POINTS, |at| LISTS[at].1.form());
-        rows::encode(self.rows(key), form)
+    fn form(&self, key: Key) -> Form {
+        self.item(key).map_or(POINTS, Item::form)
     }
 
-    /// The rows of a list in decimal numbers: lengths in sides of the picture, values as they are,
-    /// the numbers that its readable text has.
+    /// The rows as text.
+    pub(super) fn rows_text(&self, key: Key) -> String {
+        rows::encode(self.rows(key), self.form(key))
+    }
+
+    /// Reads rows; none of an empty text.
+    ///
+    /// # Errors
+    /// A part of a sentence that says what is wrong.
+    pub(super) fn read_rows(&self, key: Key, text: &str) -> Result<Rows, Notice> {
+        match self.item(key) {
+            Some(item) if !text.is_empty() => rows::decode(text, item.form(), item.most_points()),
+            _ => Ok(Rows::new()),
+        }
+    }
+
+    /// The rows of a text in decimal numbers: lengths in sides of the picture, values as they are, the
+    /// numbers that its readable text has.
     pub fn list(&self, key: Key) -> Vec<Vec<f64>> {
-        let form = place(key).map_or(POINTS, |at| LISTS[at].1.form());
+        let form = self.form(key);
         let decimal = |(k, &number): (usize, &i64)| number as f64 / form.unit(k);
         let row = |row: &Vec<i64>| row.iter().enumerate().map(decimal).collect();
         self.rows(key).iter().map(row).collect()
     }
 
-    /// Takes a list from its text; an empty one clears it.
+    /// Takes rows of lines, spots or seeds.
     ///
     /// # Errors
-    /// A part of a sentence that says what is wrong; the old list stays.
-    pub(super) fn take_list(&mut self, key: Key, text: &str) -> Result<(), Notice> {
-        let Some(at) = place(key) else {
+    /// A part of a sentence that says what is wrong; the old rows stay.
+    pub fn set_rows(&mut self, key: Key, rows: Rows) -> Result<(), Notice> {
+        let Some(item) = self.item(key) else {
             return Ok(());
         };
-        let item = LISTS[at].1;
-        let rows = if text.is_empty() {
-            Rows::new()
-        } else {
-            rows::decode(text, item.form(), MAX_ROW_POINTS)?
-        };
-        self.lists[at] = checked(rows, item)?;
-        Ok(())
-    }
-
-    /// Takes the constraint lines of an outline.
-    ///
-    /// # Errors
-    /// A part of a sentence that says what is wrong; the old lines stay.
-    pub(super) fn take_lines(&mut self, lines: &[Vec<DVec2>]) -> Result<(), Notice> {
-        let rows: Rows = lines.iter().map(|l| poly::row(l, self.side())).collect();
-        if rows.iter().map(Vec::len).sum::<usize>() > 2 * MAX_ROW_POINTS {
-            return Err(Notice::new(Code::TooManyPoints).with("most", MAX_ROW_POINTS));
+        let points = |row: &Vec<i64>| row.len().min(item.form().coordinates) / 2;
+        if rows.iter().map(points).sum::<usize>() > item.most_points() {
+            let most = item.most_points();
+            return Err(Notice::new(Code::TooManyPoints).with("most", most));
         }
-        self.lists[0] = checked(rows, Item::Line)?;
+        let rows = checked(rows, item, self.schema)?;
+        self.put_rows(key, rows);
         Ok(())
     }
 
-    /// The constraint lines, in picture units.
-    pub fn lines(&self) -> Vec<Vec<DVec2>> {
-        self.polylines(Key::Lines)
+    /// Takes rows that were checked.
+    pub fn put_rows(&mut self, key: Key, rows: Rows) {
+        if let Some(place) = self.schema.place(key) {
+            self.values[place].rows = rows;
+        }
     }
 
-    /// The painted strokes, in picture units.
-    pub fn strokes(&self) -> Vec<Vec<DVec2>> {
-        self.polylines(Key::Strokes)
-    }
-
-    fn polylines(&self, key: Key) -> Vec<Vec<DVec2>> {
-        let points = |row: &Vec<i64>| poly::points(row, self.side());
+    /// The points of each row, in picture units.
+    pub fn polylines(&self, key: Key) -> Vec<Vec<DVec2>> {
+        let points = |row: &Vec<i64>| points(row, self.side());
         self.rows(key).iter().map(points).collect()
     }
 
-    /// Spots of the size: x, y and radius in picture units, and a factor.
-    pub fn size_spots(&self) -> Vec<[f64; 4]> {
-        self.spots(Key::Spots)
-    }
-
-    /// Spots of the aspect ratio: x, y and radius in picture units, and the ratio there.
-    pub fn aspect_spots(&self) -> Vec<[f64; 4]> {
-        self.spots(Key::Stretch)
-    }
-
-    fn spots(&self, key: Key) -> Vec<[f64; 4]> {
+    /// Spots: x, y and radius in picture units, and the value there.
+    pub fn spots(&self, key: Key) -> Vec<[f64; 4]> {
         let unit = self.side() / STEPS;
-        let (min, max) = match place(key).map(|at| LISTS[at].1) {
-            Some(Item::Spot(min, max)) => (min, max),
-            _ => return Vec::new(),
+        let Some(Item::Spot(min, max)) = self.item(key) else {
+            return Vec::new();
         };
         let spot = |row: &Vec<i64>| {
             let number = |k: usize| row[k] as f64;
@@ -191,14 +171,18 @@ impl Recipe {
         self.rows(key).iter().map(spot).collect()
     }
 
-    /// Points, in picture units, and the kind's word for the part that holds each.
-    pub fn part_kinds(&self) -> Vec<(DVec2, &'static str)> {
-        let seed = |row: &Vec<i64>| {
-            let point = poly::points(&row[..2], self.side())[0];
-            let words = Key::Kind.parameter().choices;
-            (point, words[row[2] as usize].word)
+    /// Seeds: points in picture units, each with a word of the choice.
+    pub fn seeds(&self, key: Key) -> Vec<(DVec2, &'static str)> {
+        let words = match self.item(key) {
+            Some(Item::Seed(choice)) => self.schema.row(choice.0).map_or(&[][..], |r| r.choices),
+            _ => &[],
         };
-        self.rows(Key::Parts).iter().map(seed).collect()
+        let seed = |row: &Vec<i64>| {
+            let place = points(&row[..2], self.side());
+            let word = words.get(row[2] as usize).map_or("", |choice| choice.word);
+            (place[0], word)
+        };
+        self.rows(key).iter().map(seed).collect()
     }
 }
 
@@ -208,8 +192,8 @@ fn between(code: Code, min: f64, max: f64) -> Notice {
     limits.with("max", decimal::text(max))
 }
 
-/// A list without repeated points in lines.
-fn checked(mut rows: Rows, item: Item) -> Result<Rows, Notice> {
+/// Rows without repeated points in lines.
+fn checked(mut rows: Rows, item: Item, schema: &Schema) -> Result<Rows, Notice> {
     if rows.len() > MAX_ROWS {
         return Err(Notice::new(Code::TooManyRows).with("most", MAX_ROWS));
     }
@@ -224,7 +208,7 @@ fn checked(mut rows: Rows, item: Item) -> Result<Rows, Notice> {
             }
             row.truncate(kept);
         }
-        if let Some(flaw) = item.flaw(row) {
+        if let Some(flaw) = item.flaw(row, schema) {
             return Err(flaw.with("row", index + 1));
         }
     }

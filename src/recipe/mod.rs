@@ -1,177 +1,113 @@
-//! All parameters of a pavement in one checked value, its link, and the presets.
+//! All parameters of a picture in one checked value, and its link.
 //!
-//! Everything that comes from outside passes here: a [`Recipe`] only ever holds values within their
-//! limits and a polygon that [`Outline::check`] accepts. What did not fit is told in sentences.
+//! Everything that comes from outside passes here: a [`Recipe`] only ever holds values that fit its
+//! generator's [`Schema`]. What did not fit is told by notices. The codec knows no generator: it is
+//! handed the schemas that there are.
 
+pub mod common;
 mod link;
 mod lists;
-mod parameter;
-mod poly;
-mod presets;
+pub mod parameter;
 mod rows;
-mod schema;
+pub mod schema;
 mod value;
 
 pub use link::VERSION;
-pub use lists::{MAX_ROW_POINTS, MAX_ROWS};
-pub use parameter::{Choice, Kind, Parameter};
-pub use presets::{PRESETS, Part, Preset, Timing};
-pub use schema::{Key, SCHEMA};
+pub use lists::{MAX_ROW_POINTS, MAX_ROWS, Rows, points, row};
+pub use parameter::{Choice, Item, Key, Kind, Parameter, SideLimits};
+pub use rows::STEPS;
+pub use schema::{Rules, Schema};
 
-use crate::domain::Outline;
-use crate::domain::shape::{ShapeParams, built_in};
-
-/// The stages of the pipeline, in their order.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Stage {
-    /// The outline with its distances.
-    Domain,
-    /// Size and direction of the cells.
-    Fields,
-    /// The relaxation of the cells.
-    Packing,
-    /// The mesh that joins neighbouring cells.
-    Mesh,
-    /// One polygon per cell.
-    Cells,
-    /// Stones, painted as they are made into planes of bump, colour, optics and id.
-    Planes,
-    /// What years and weather do to the planes, and how much of the sky each place sees.
-    Weather,
-    /// The picture.
-    Shading,
-}
-
-impl Stage {
-    /// All stages in their order.
-    pub const ALL: [Stage; 8] = [
-        Stage::Domain,
-        Stage::Fields,
-        Stage::Packing,
-        Stage::Mesh,
-        Stage::Cells,
-        Stage::Planes,
-        Stage::Weather,
-        Stage::Shading,
-    ];
-
-    /// The stage's name in scripts and reports.
-    pub const fn word(self) -> &'static str {
-        match self {
-            Stage::Domain => "domain",
-            Stage::Fields => "fields",
-            Stage::Packing => "packing",
-            Stage::Mesh => "mesh",
-            Stage::Cells => "cells",
-            Stage::Planes => "planes",
-            Stage::Weather => "weather",
-            Stage::Shading => "shading",
-        }
-    }
-}
-
-/// A value for every parameter.
-#[derive(Clone, Debug, PartialEq)]
+/// A value for every parameter of a schema.
+#[derive(Clone)]
 pub struct Recipe {
-    /// By `Key as usize`: the number, or the place of the word among the choices.
-    values: Vec<f64>,
-    /// The free polygon in picture units; always one that passed the check. It is kept while another
-    /// outline is chosen, but it is part of the link only while it is in use.
-    polygon: Option<Outline>,
-    lists: [lists::Rows; lists::COUNT],
+    schema: &'static Schema,
+    /// In the order of the schema's rows.
+    values: Vec<Value>,
 }
 
-impl Default for Recipe {
-    fn default() -> Self {
-        Self {
-            values: SCHEMA.iter().map(|row| row.default).collect(),
-            polygon: None,
-            lists: Default::default(),
-        }
+/// A number or the place of a word among the choices; of a text, rows of whole numbers.
+#[derive(Clone, PartialEq)]
+struct Value {
+    number: f64,
+    rows: Rows,
+}
+
+impl PartialEq for Recipe {
+    fn eq(&self, other: &Self) -> bool {
+        self.is_of(other.schema) && self.values == other.values
     }
 }
 
-/// The word for the outline that is given by its points.
-const POLYGON: &str = "polygon";
-
-/// The word for skin cells among the stones.
-const SKIN: &str = "skin";
-
-/// Finest and coarsest cells: this many along a side of the picture.
-const MOST_CELLS: f64 = 400.0;
-const FEWEST_CELLS: f64 = 2.0;
-/// Cells below this many pixels could not be told from noise.
-const LEAST_CELL: f64 = 2.0;
+/// As its link.
+impl std::fmt::Debug for Recipe {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(&self.link())
+    }
+}
 
 impl Recipe {
-    /// The value of a number or whole number; of a choice, the place of its word.
+    /// The defaults of a schema.
+    pub fn new(schema: &'static Schema) -> Self {
+        let value = |row: &Parameter| Value {
+            number: row.default,
+            rows: Rows::new(),
+        };
+        Self {
+            schema,
+            values: schema.rows.iter().map(value).collect(),
+        }
+    }
+
+    /// What it holds values for.
+    pub fn schema(&self) -> &'static Schema {
+        self.schema
+    }
+
+    /// Is it one of this schema?
+    pub fn is_of(&self, schema: &Schema) -> bool {
+        self.schema.word == schema.word
+    }
+
+    fn value(&self, key: Key) -> Option<&Value> {
+        self.values.get(self.schema.place(key)?)
+    }
+
+    /// The value of a number or whole number; of a choice, the place of its word. 0 where the schema
+    /// has no such row.
     pub fn number(&self, key: Key) -> f64 {
-        self.values[key as usize]
+        self.value(key).map_or(0.0, |value| value.number)
     }
 
     /// The word of a choice; empty for other kinds.
     pub fn choice(&self, key: Key) -> &'static str {
-        let place = self.number(key) as usize;
-        key.parameter().choices.get(place).map_or("", |c| c.word)
+        let row = self.schema.row(key.0);
+        let choice = row.and_then(|row| row.choices.get(self.number(key) as usize));
+        choice.map_or("", |choice| choice.word)
     }
 
-    /// The free polygon in picture units, where one was given (in use or not).
-    pub fn polygon(&self) -> Option<&Outline> {
-        self.polygon.as_ref()
+    /// The rows of a text; none for the keys of other values.
+    pub fn rows(&self, key: Key) -> &[Vec<i64>] {
+        self.value(key).map_or(&[], |value| &value.rows)
     }
 
     /// The picture's side in pixels, which are the picture units.
     pub fn side(&self) -> f64 {
-        self.number(Key::Size)
+        self.number(common::keys::SIZE)
     }
 
-    /// Is the picture a tile, whose edges fit each other? Then the outline does not count.
-    pub fn is_tile(&self) -> bool {
-        self.choice(Key::Tile) == "1"
+    /// The limits of a number in this recipe: those of its row, or those that the picture's side gives.
+    pub fn limits(&self, row: &Parameter) -> (f64, f64) {
+        row.side_limits.map_or((row.min, row.max), |limits| {
+            let least = (self.side() / limits.finest).floor().max(limits.least);
+            (least, self.side() / limits.coarsest)
+        })
     }
 
-    /// The outline that the recipe asks for, with the constraint lines, checked, in picture units.
-    pub fn outline(&self) -> Outline {
-        let mut outline = match (&self.polygon, self.choice(Key::Outline)) {
-            (Some(polygon), POLYGON) => polygon.clone(),
-            (_, name) => built_in(
-                name,
-                &ShapeParams {
-                    side: self.side(),
-                    width: self.number(Key::Ow),
-                    count: self.number(Key::On) as u32,
-                    turn: self.number(Key::Oa).to_radians(),
-                },
-            ),
-        };
-        outline.lines = self.lines();
-        outline
-    }
-
-    /// The limits of a number in this recipe: those of the schema, except that cells go from a 400th
-    /// to half of the picture's side (and never below 2 px).
-    pub fn limits(&self, key: Key) -> (f64, f64) {
-        let row = key.parameter();
-        match key {
-            Key::Cs => (
-                (self.side() / MOST_CELLS).floor().max(LEAST_CELL),
-                self.side() / FEWEST_CELLS,
-            ),
-            _ => (row.min, row.max),
-        }
-    }
-
-    /// Are the stones skin cells, whose numbers have defaults of their own?
-    pub fn is_skin(&self) -> bool {
-        self.choice(Key::Stone) == SKIN
-    }
-
-    /// The default of a number in this recipe (of a choice, 0: its first word). The papers measure
-    /// skin in parts of a cell and stones in pixels, so some numbers have one for each.
-    pub fn default_of(&self, key: Key) -> f64 {
-        let row = key.parameter();
-        match row.skin_default {
-            Some(own) if self.is_skin() => own,
+    /// The default of a number in this recipe; of a choice, 0: its first word.
+    pub fn default_of(&self, row: &Parameter) -> f64 {
+        match row.default_while {
+            Some((key, word, own)) if self.choice(key) == word => own,
             _ => row.default,
         }
     }

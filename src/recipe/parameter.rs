@@ -1,6 +1,8 @@
-//! What a row of the schema tells of a parameter.
+//! What a row of a schema tells of a parameter.
 
-use super::Key;
+/// Names a parameter: its word in the link.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Key(pub &'static str);
 
 /// What kind of value a parameter takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -11,7 +13,7 @@ pub enum Kind {
     Int,
     /// One of [`Parameter::choices`].
     Choice,
-    /// Compact text with a form of its own: the free polygon, or a list.
+    /// Rows of numbers as compact text; what a row holds is [`Parameter::item`].
     Text,
 }
 
@@ -27,6 +29,19 @@ impl Kind {
     }
 }
 
+/// What a row of numbers holds. Places are x and y in 1/32768 of the picture's side, y down.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Item {
+    /// A closed ring of points; at most so many points in all rings.
+    Ring(usize),
+    /// A polyline.
+    Line,
+    /// A place, a radius, and a value between two limits.
+    Spot(f64, f64),
+    /// A place, and the place of a word among the words of a choice.
+    Seed(Key),
+}
+
 /// One of the words a choice can take.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Choice {
@@ -36,28 +51,41 @@ pub struct Choice {
     pub label: &'static str,
 }
 
-/// One row of the schema.
+/// Limits of a length in pixels that move with the picture's side.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SideLimits {
+    /// The smallest goes so many times into the side, rounded down to whole pixels ...
+    pub finest: f64,
+    /// ... but has at least so many pixels.
+    pub least: f64,
+    /// The largest goes so many times into the side.
+    pub coarsest: f64,
+}
+
+/// One row of a schema.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parameter {
     /// The key in the link.
-    pub key: &'static str,
+    pub key: Key,
     /// The papers' symbol, empty where they have none.
     pub symbol: &'static str,
     /// The name on the page.
     pub name: &'static str,
     /// The kind of value.
     pub kind: Kind,
-    /// Smallest value (numbers). The limits of `cs` move with the picture: [`super::Recipe::limits`].
+    /// Smallest value (numbers).
     pub min: f64,
     /// Largest value (numbers).
     pub max: f64,
+    /// Limits that take the place of both in pictures of another side than the default:
+    /// [`super::Recipe::limits`].
+    pub side_limits: Option<SideLimits>,
     /// Step of the control; a link may hold values between the steps.
     pub step: f64,
     /// Default of a number; the default of a choice is its first word.
     pub default: f64,
-    /// Default of a number while the stones are skin cells (`stone=skin`), where it is another:
-    /// [`super::Recipe::default_of`].
-    pub skin_default: Option<f64>,
+    /// Another default of a number, while a choice has this word: [`super::Recipe::default_of`].
+    pub default_while: Option<(Key, &'static str, f64)>,
     /// Unit, or empty.
     pub unit: &'static str,
     /// One sentence for the page.
@@ -66,65 +94,90 @@ pub struct Parameter {
     pub group: &'static str,
     /// The words of a choice, the default first.
     pub choices: &'static [Choice],
+    /// What the rows of a text hold.
+    pub item: Option<Item>,
+    /// The text is drawn for this word of a choice: to set it chooses the word, and links have it only
+    /// with the word.
+    pub drawn_for: Option<(Key, &'static str)>,
     /// Only worth showing while the choice `.0` is one of the words `.1`, or, where there are no
     /// words, while the value of `.0` is not its default.
     pub shown_for: Option<(Key, &'static [&'static str])>,
 }
 
 impl Parameter {
-    const fn new(key: &'static str, symbol: &'static str, name: &'static str, kind: Kind) -> Self {
+    const fn new(symbol: &'static str, name: &'static str, kind: Kind) -> Self {
         Self {
-            key,
+            key: Key(""),
             symbol,
             name,
             kind,
             min: 0.0,
             max: 0.0,
+            side_limits: None,
             step: 0.0,
             default: 0.0,
-            skin_default: None,
+            default_while: None,
             unit: "",
             help: "",
             group: "",
             choices: &[],
+            item: None,
+            drawn_for: None,
             shown_for: None,
         }
     }
 
-    pub(super) const fn range(mut self, min: f64, max: f64, step: f64, default: f64) -> Self {
+    /// Under this key, with its sentence for the page.
+    pub const fn named(mut self, key: Key, help: &'static str) -> Self {
+        (self.key, self.help) = (key, help);
+        self
+    }
+
+    /// Limits, the control's step, and the default of a number.
+    pub const fn range(mut self, min: f64, max: f64, step: f64, default: f64) -> Self {
         (self.min, self.max, self.step, self.default) = (min, max, step, default);
         self
     }
 
-    /// Another default while the stones are skin cells.
-    pub(super) const fn for_skin(mut self, default: f64) -> Self {
-        self.skin_default = Some(default);
+    /// Limits that move with the picture's side.
+    pub const fn per_side(mut self, limits: SideLimits) -> Self {
+        self.side_limits = Some(limits);
         self
     }
 
-    pub(super) const fn unit(mut self, unit: &'static str) -> Self {
+    /// Another default while a choice has this word.
+    pub const fn default_while(mut self, key: Key, word: &'static str, default: f64) -> Self {
+        self.default_while = Some((key, word, default));
+        self
+    }
+
+    /// Measured in this unit.
+    pub const fn unit(mut self, unit: &'static str) -> Self {
         self.unit = unit;
         self
     }
 
-    pub(super) const fn group(mut self, group: &'static str) -> Self {
+    /// Among the controls of this group.
+    pub const fn group(mut self, group: &'static str) -> Self {
         self.group = group;
         self
     }
 
-    pub(super) const fn only_for(mut self, key: Key, words: &'static [&'static str]) -> Self {
+    /// Drawn for this word of a choice.
+    pub const fn drawn_for(mut self, key: Key, word: &'static str) -> Self {
+        self.drawn_for = Some((key, word));
+        self
+    }
+
+    /// Shown while a choice has one of these words.
+    pub const fn only_for(mut self, key: Key, words: &'static [&'static str]) -> Self {
         self.shown_for = Some((key, words));
         self
     }
 
     /// Shown while another value is not its default.
-    pub(super) const fn only_with(self, key: Key) -> Self {
+    pub const fn only_with(self, key: Key) -> Self {
         self.only_for(key, &[])
-    }
-
-    pub(super) const fn help(mut self, help: &'static str) -> Self {
-        self.help = help;
-        self
     }
 
     /// The place of a word among the choices.
@@ -133,28 +186,26 @@ impl Parameter {
     }
 }
 
-pub(super) const fn number(
-    key: &'static str,
-    symbol: &'static str,
-    name: &'static str,
-) -> Parameter {
-    Parameter::new(key, symbol, name, Kind::Number)
+/// A number, with the papers' symbol or none.
+pub const fn number(symbol: &'static str, name: &'static str) -> Parameter {
+    Parameter::new(symbol, name, Kind::Number)
 }
 
-pub(super) const fn int(key: &'static str, symbol: &'static str, name: &'static str) -> Parameter {
-    Parameter::new(key, symbol, name, Kind::Int)
+/// A whole number.
+pub const fn int(symbol: &'static str, name: &'static str) -> Parameter {
+    Parameter::new(symbol, name, Kind::Int)
 }
 
-pub(super) const fn choice(
-    key: &'static str,
-    name: &'static str,
-    choices: &'static [Choice],
-) -> Parameter {
-    let mut row = Parameter::new(key, "", name, Kind::Choice);
+/// One of these words, the default first.
+pub const fn choice(name: &'static str, choices: &'static [Choice]) -> Parameter {
+    let mut row = Parameter::new("", name, Kind::Choice);
     row.choices = choices;
     row
 }
 
-pub(super) const fn text(key: &'static str, name: &'static str) -> Parameter {
-    Parameter::new(key, "", name, Kind::Text)
+/// Rows of numbers.
+pub const fn text(name: &'static str, item: Item) -> Parameter {
+    let mut row = Parameter::new("", name, Kind::Text);
+    row.item = Some(item);
+    row
 }

@@ -9,9 +9,8 @@
 //!
 //! Rows may also be given in decimal numbers, with commas between them and semicolons between rows.
 
-use super::value::quote;
 use crate::decimal;
-use crate::notice::{Code, Notice};
+use crate::notice::{Code, Notice, quote};
 
 /// Grid steps along the picture's side; a power of two, so that the scaling is exact.
 pub const STEPS: f64 = 32768.0;

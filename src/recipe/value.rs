@@ -1,120 +1,95 @@
-//! Values as text: reading one parameter with a sentence where it does not fit, and writing it.
+//! Values as text: reading one parameter with a notice where it does not fit, and writing it.
 
-use super::{Key, Kind, POLYGON, Parameter, Recipe, poly};
+use super::{Key, Kind, Parameter, Recipe, common};
 use crate::decimal;
-use crate::domain::Outline;
-use crate::notice::{Arg, Code, Notice};
+use crate::notice::{Arg, Code, Notice, quote};
 use crate::order;
 
 /// What became of a text that was meant as a value; see [`Recipe::set`].
 type Taken = Result<Vec<Notice>, Notice>;
 
-/// Characters of a foreign text that a sentence repeats.
-const QUOTED: usize = 24;
-
 impl Recipe {
-    /// Sets one parameter from text: `Ok` holds what was clamped to the limits or mended. Choosing `outline=polygon` without a polygon
-    /// makes one of the outline that was chosen before.
+    /// Sets one parameter from text: `Ok` holds what was clamped to the limits or mended. Choosing a
+    /// word that something is drawn for, where nothing is drawn yet, draws what the choice before shows.
     ///
     /// # Errors
     /// The text does not fit and the old value stays. Every notice says what was given, what is
     /// allowed and what was kept.
-    pub fn set(&mut self, key: &str, text: &str) -> Result<Vec<Notice>, Notice> {
-        let Some(key) = Key::from_word(key) else {
+    pub fn set(&mut self, key: &str, text: &str) -> Taken {
+        let Some(row) = self.schema().row(key) else {
             return Err(Notice::new(Code::NotAParameter).with("given", quote(key)));
         };
         let text = text.trim();
-        let list = key.parameter().kind == Kind::Text && key != Key::Poly;
-        if text.is_empty() && !list {
-            let notice = Notice::new(Code::NoValue).with("what", key.parameter());
-            return Err(notice.with("kept", self.shown(key)));
+        let is_list = row.kind == Kind::Text && row.drawn_for.is_none();
+        if text.is_empty() && !is_list {
+            let notice = Notice::new(Code::NoValue).with("what", row);
+            return Err(notice.with("kept", self.shown(row)));
         }
-        match key.parameter().kind {
-            Kind::Number | Kind::Int => self.set_number(key, text),
-            Kind::Choice => self.set_choice(key, text),
-            Kind::Text if list => self.set_list(key, text),
-            Kind::Text => self.set_poly(text),
+        match row.kind {
+            Kind::Number | Kind::Int => self.set_number(row, text),
+            Kind::Choice => self.set_choice(row, text),
+            Kind::Text if is_list => self.set_list(row, text),
+            Kind::Text => self.set_drawn(row, text),
         }
     }
 
-    /// The value as the link writes it; empty for an unknown key, an empty list, or where there is no
-    /// polygon.
+    /// The value as the link writes it; empty for an unknown key, or where there are no rows.
     pub fn get(&self, key: &str) -> String {
-        Key::from_word(key).map_or(String::new(), |key| self.text(key))
+        let row = self.schema().row(key);
+        row.map_or(String::new(), |row| self.text(row))
     }
 
-    /// Takes the outline as the free polygon and chooses it, and its constraint lines where it has
-    /// any. Its points are moved to the nearest
-    /// ones that a link can hold (1/32768 of the picture's side).
-    ///
-    /// # Errors
-    /// What [`Outline::check`] says; the recipe stays as it was. `Ok` holds what was mended.
-    pub fn set_polygon(&mut self, outline: &Outline) -> Result<Vec<Notice>, Notice> {
-        let side = self.side();
-        // Before the points are moved, too: a notice should tell the places that were given.
-        let (given, mut notices) = outline.check(side)?;
-        let (mut checked, more) = poly::snap(&given, side).check(side)?;
-        notices.extend(more);
-        let lines = std::mem::take(&mut checked.lines);
-        if !lines.is_empty() {
-            self.take_lines(&lines)
-                .map_err(|why| Notice::new(Code::LinesRefused).with("why", why))?;
-        }
-        self.polygon = Some(checked);
-        self.choose(Key::Outline, POLYGON);
-        Ok(notices)
-    }
-
-    /// The value of a key as the link writes it.
-    pub(super) fn text(&self, key: Key) -> String {
-        match key.parameter().kind {
-            Kind::Number | Kind::Int => decimal::text(self.number(key)),
-            Kind::Choice => self.choice(key).to_owned(),
-            Kind::Text if key != Key::Poly => self.list_text(key),
-            Kind::Text => self
-                .polygon
-                .as_ref()
-                .map_or(String::new(), |p| poly::encode(p, self.side())),
+    /// The value of a row as the link writes it.
+    pub(super) fn text(&self, row: &Parameter) -> String {
+        match row.kind {
+            Kind::Number | Kind::Int => decimal::text(self.number(row.key)),
+            Kind::Choice => self.choice(row.key).to_owned(),
+            Kind::Text => self.rows_text(row.key),
         }
     }
 
-    /// The value of a key for a notice.
-    pub(super) fn shown(&self, key: Key) -> Arg {
-        match key.parameter().kind {
-            Kind::Text => {
-                let outline = self.shown(Key::Outline);
+    /// The value of a row for a notice; of what is drawn, the choice that it is drawn for.
+    pub(super) fn shown(&self, row: &'static Parameter) -> Arg {
+        let drawn_for = row.drawn_for.and_then(|(key, _)| self.schema().row(key.0));
+        match (row.kind, drawn_for) {
+            (_, Some(choice)) => {
+                let outline = self.shown(choice);
                 Notice::new(Code::TheOutline)
                     .with("outline", outline)
                     .into()
             }
-            Kind::Choice => chosen(key.parameter(), self.choice(key)),
-            _ => self.text(key).into(),
+            (Kind::Choice, _) => chosen(row, self.choice(row.key)),
+            _ => self.text(row).into(),
         }
     }
 
     /// What is said of a value that does not fit.
-    fn must_be(&self, key: Key, given: String, kept: Arg) -> Notice {
-        let notice = Notice::new(Code::MustBe).with("what", key.parameter());
-        let notice = notice.with("allowed", self.allowed(key));
+    fn must_be(&self, row: &'static Parameter, given: String, kept: Arg) -> Notice {
+        let notice = Notice::new(Code::MustBe).with("what", row);
+        let notice = notice.with("allowed", self.allowed(row));
         notice.with("given", given).with("kept", kept)
     }
 
     fn put(&mut self, key: Key, value: f64) {
-        // Adding 0 makes of -0 a 0, so that the link tells all that the bits do.
-        self.values[key as usize] = value + 0.0;
+        if let Some(place) = self.schema().place(key) {
+            // Adding 0 makes of -0 a 0, so that the link tells all that the bits do.
+            self.values[place].number = value + 0.0;
+        }
     }
 
-    fn choose(&mut self, key: Key, word: &str) {
-        let place = key.parameter().choice(word);
-        self.put(key, place.expect("a word of the schema") as f64);
+    /// Chooses a word of the schema.
+    pub fn choose(&mut self, key: Key, word: &str) {
+        let row = self.schema().row(key.0);
+        if let Some(place) = row.and_then(|row| row.choice(word)) {
+            self.put(key, place as f64);
+        }
     }
 
-    fn set_number(&mut self, key: Key, text: &str) -> Taken {
-        let row = key.parameter();
+    fn set_number(&mut self, row: &'static Parameter, text: &str) -> Taken {
         let Some(given) = decimal::parse(text).filter(|v| v.is_finite()) else {
-            return Err(self.must_be(key, quote(text), self.shown(key)));
+            return Err(self.must_be(row, quote(text), self.shown(row)));
         };
-        let (min, max) = self.limits(key);
+        let (min, max) = self.limits(row);
         let whole = if row.kind == Kind::Int {
             given.round()
         } else {
@@ -122,27 +97,24 @@ impl Recipe {
         };
         let value = order::within(whole, min, max);
         let kept = decimal::text(value).into();
-        let clamped = (value != given).then(|| self.must_be(key, quote(text), kept));
+        let clamped = (value != given).then(|| self.must_be(row, quote(text), kept));
         let mut notices = Vec::from_iter(clamped);
-        let old_side = self.side();
-        self.put(key, value);
-        if key == Key::Size {
-            self.resize(old_side);
+        self.put(row.key, value);
+        if row.key == common::keys::SIZE {
             notices.extend(self.settle());
         }
         Ok(notices)
     }
 
     /// What a value may be.
-    fn allowed(&self, key: Key) -> Arg {
-        let row = key.parameter();
+    fn allowed(&self, row: &'static Parameter) -> Arg {
         if row.kind == Kind::Choice {
             let all = row.choices.iter();
             return Arg::AnyOf(all.map(|c| chosen(row, c.word)).collect());
         }
         let code = match row.kind {
             Kind::Int => Code::WholeNumber,
-            _ if key == Key::Cs => Code::NumberIn,
+            _ if row.side_limits.is_some() => Code::NumberIn,
             _ => Code::Number,
         };
         let unit = match row.unit {
@@ -150,7 +122,7 @@ impl Recipe {
             "°" => "°".to_owned(),
             unit => format!(" {unit}"),
         };
-        let (min, max) = self.limits(key);
+        let (min, max) = self.limits(row);
         let allowed = Notice::new(code).with("min", decimal::text(min));
         let allowed = allowed.with("max", decimal::text(max)).with("unit", unit);
         match code {
@@ -159,80 +131,88 @@ impl Recipe {
         }
     }
 
-    /// The free polygon grows with the picture, as the built-in outlines do. Its points lie on a grid
-    /// of the picture's side / 32768, so nothing is rounded, there and back again.
-    fn resize(&mut self, old_side: f64) {
-        let side = self.side();
-        if let Some(polygon) = &mut self.polygon {
-            *polygon = poly::resize(polygon, old_side, side);
-        }
-    }
-
     /// Brings what depends on the picture's side back into its limits.
-    pub(super) fn settle(&mut self) -> Option<Notice> {
-        let (given, (min, max)) = (self.number(Key::Cs), self.limits(Key::Cs));
-        let value = order::within(given, min, max);
-        (value != given).then(|| {
-            let kept = decimal::text(value).into();
-            let notice = self.must_be(Key::Cs, decimal::text(given), kept);
-            self.put(Key::Cs, value);
-            notice
-        })
+    fn settle(&mut self) -> Vec<Notice> {
+        let mut notices = Vec::new();
+        for row in self
+            .schema()
+            .rows
+            .iter()
+            .filter(|r| r.side_limits.is_some())
+        {
+            let (given, (min, max)) = (self.number(row.key), self.limits(row));
+            let value = order::within(given, min, max);
+            if value != given {
+                let kept = decimal::text(value).into();
+                notices.push(self.must_be(row, decimal::text(given), kept));
+                self.put(row.key, value);
+            }
+        }
+        notices
     }
 
-    fn set_choice(&mut self, key: Key, text: &str) -> Taken {
-        let row = key.parameter();
+    fn set_choice(&mut self, row: &'static Parameter, text: &str) -> Taken {
         let word = text.to_ascii_lowercase();
         let Some(place) = row.choice(&word) else {
-            return Err(self.must_be(key, quote(text), self.shown(key)));
+            return Err(self.must_be(row, quote(text), self.shown(row)));
         };
-        if key == Key::Outline && word == POLYGON && self.polygon.is_none() {
-            // The shape on the screen becomes the polygon to start from.
-            return self.set_polygon(&self.outline());
+        if let Some(drawn) = self.drawn_for(row.key, &word)
+            && self.rows(drawn.key).is_empty()
+        {
+            let rules = self.schema().rules;
+            return rules.draw(self, drawn.key, None);
         }
-        if key == Key::Stone {
-            self.set_stone(place as f64);
-        } else {
-            self.put(key, place as f64);
-        }
+        self.put_choice(row, place);
         Ok(Vec::new())
     }
 
-    /// Numbers that were at their default stay at it.
-    fn set_stone(&mut self, place: f64) {
-        let untouched: Vec<Key> = Key::ALL
-            .iter()
-            .copied()
-            .filter(|&key| {
-                let own = key.parameter().skin_default.is_some();
-                own && self.number(key) == self.default_of(key)
-            })
-            .collect();
-        self.put(Key::Stone, place);
-        for key in untouched {
-            self.put(key, self.default_of(key));
+    /// What is drawn for a word of a choice.
+    pub(super) fn drawn_for(&self, key: Key, word: &str) -> Option<&'static Parameter> {
+        let is_drawn = |row: &&Parameter| row.drawn_for.is_some_and(|of| of == (key, word));
+        self.schema().rows.iter().find(is_drawn)
+    }
+
+    /// Numbers that were at a default that hangs on the choice stay at it.
+    fn put_choice(&mut self, row: &Parameter, place: usize) {
+        let depends = |other: &&Parameter| other.default_while.is_some_and(|(k, ..)| k == row.key);
+        let rows = self.schema().rows.iter().filter(depends);
+        let untouched = rows.filter(|other| self.number(other.key) == self.default_of(other));
+        let untouched: Vec<&Parameter> = untouched.collect();
+        self.put(row.key, place as f64);
+        for other in untouched {
+            self.put(other.key, self.default_of(other));
         }
     }
 
-    fn set_list(&mut self, key: Key, text: &str) -> Taken {
-        self.take_list(key, text)
-            .map(|()| Vec::new())
-            .map_err(|why| {
-                let notice = Notice::new(Code::ListUnreadable).with("what", key.parameter());
-                notice.with("why", why)
-            })
+    fn set_list(&mut self, row: &'static Parameter, text: &str) -> Taken {
+        let taken = self.read_rows(row.key, text);
+        let taken = taken.and_then(|rows| self.set_rows(row.key, rows));
+        taken.map(|()| Vec::new()).map_err(|why| {
+            let notice = Notice::new(Code::ListUnreadable).with("what", row);
+            notice.with("why", why)
+        })
     }
 
-    fn set_poly(&mut self, text: &str) -> Taken {
-        let kept = self.shown(Key::Poly);
-        let outline = poly::decode(text, self.side()).map_err(|why| {
-            let notice = Notice::new(Code::PolygonUnreadable).with("what", Key::Poly.parameter());
+    fn set_drawn(&mut self, row: &'static Parameter, text: &str) -> Taken {
+        let kept = self.shown(row);
+        let rows = self.read_rows(row.key, text).map_err(|why| {
+            let notice = Notice::new(Code::PolygonUnreadable).with("what", row);
             notice.with("why", why).with("kept", kept.clone())
         })?;
-        self.set_polygon(&outline).map_err(|why| {
+        let rules = self.schema().rules;
+        rules.draw(self, row.key, Some(rows)).map_err(|why| {
             Notice::new(Code::Refused)
                 .with("why", why)
                 .with("kept", kept)
+        })
+    }
+
+    /// Rows whose value differs from the default, in the order of the schema.
+    pub(super) fn differing(&self) -> impl Iterator<Item = &'static Parameter> {
+        self.schema().rows.iter().filter(|row| match row.drawn_for {
+            Some((key, word)) => self.choice(key) == word,
+            None if !self.rows(row.key).is_empty() => true,
+            None => self.number(row.key) != self.default_of(row),
         })
     }
 }
@@ -240,23 +220,10 @@ impl Recipe {
 impl From<&'static Parameter> for Arg {
     fn from(row: &'static Parameter) -> Self {
         Arg::Parameter {
-            key: row.key,
+            key: row.key.0,
             name: row.name,
         }
     }
-}
-
-/// Foreign text made fit for a sentence: short and without control characters.
-pub(super) fn quote(text: &str) -> String {
-    let mut short: String = text
-        .chars()
-        .take(QUOTED)
-        .map(|c| if c.is_control() { ' ' } else { c })
-        .collect();
-    if text.chars().nth(QUOTED).is_some() {
-        short.push('…');
-    }
-    format!("\"{short}\"")
 }
 
 /// A word of a choice as notices name it.
@@ -265,18 +232,9 @@ pub(super) fn chosen(row: &'static Parameter, word: &str) -> Arg {
     choice.map_or_else(
         || quote(word).into(),
         |c| Arg::Choice {
-            key: row.key,
+            key: row.key.0,
             word: c.word,
             label: c.label,
         },
     )
-}
-
-/// Parameters whose value differs from the default, in the order of the schema.
-pub(super) fn differing(recipe: &Recipe) -> impl Iterator<Item = Key> {
-    Key::ALL.iter().copied().filter(|&key| match key {
-        Key::Poly => recipe.choice(Key::Outline) == POLYGON,
-        _ if !recipe.rows(key).is_empty() => true,
-        _ => recipe.number(key) != recipe.default_of(key),
-    })
 }

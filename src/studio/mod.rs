@@ -1,404 +1,324 @@
-//! The incremental pipeline: from a recipe to its picture in slices, only what is stale.
+//! Runs any generator: from a recipe to its picture in slices, only what is stale.
 //!
-//! A studio holds the latest recipe and what each stage has made of it. [`Studio::tick`] works on
-//! the first stale stage for about the time given; what is finished stays until its successor is
-//! finished, too. No result depends on how the work was cut into slices or on the clock.
+//! A studio holds the latest recipe and one live engine, which is another one when the recipe is of
+//! another generator. [`Studio::tick`] works on the first stale stage for about the time given; what is
+//! finished stays until its successor is finished, too. No result depends on how the work was cut into
+//! slices or on the clock.
 
-mod absence;
-mod bigger;
-mod draft;
-mod files;
-mod flow;
-mod height_field;
-mod look;
-mod over;
-mod params;
-mod pavement;
-mod probe;
-mod terrain;
-mod view;
-
-pub use absence::Absence;
-pub use bigger::{MOST_PIXELS, PictureSlice};
-pub use files::MeshSlice;
-pub use look::{Base, Overlay, View};
-pub use probe::{Histogram, Polygon, Probe};
-
-use crate::cells::Cell;
-use crate::domain::{Domain, Outline};
 use crate::export::{Report, StageTime};
-use crate::field::Fields;
-use crate::mesh::Mesh;
-use crate::metrics::Metrics;
+use crate::generators::{Clock, Engine, Generator, Progress, Registry};
 use crate::notice::Notice;
-use crate::packing::{Packing, StepReport};
-use crate::recipe::{Recipe, Stage};
-use crate::solid::StoneParams;
-use crate::texture::Planes;
-use draft::Draft;
-use params::Params;
-use pavement::Pavement;
-use view::Gallery;
+use crate::recipe::Recipe;
+use std::any::Any;
 
-const STAGES: usize = Stage::ALL.len();
+/// A pass over the finisher shorter than this many milliseconds is let finish before a newer recipe
+/// begins, so that the picture follows a slider while it is dragged.
+const SHORT_PASS: f64 = 400.0;
+/// Shading that took at most this many milliseconds the last time is done in one tick, beyond the
+/// budget, so that each frame shows the light where it is now.
+const ONE_FRAME: f64 = 33.0;
 
-/// The recipe, the work done for it, and where the work stands.
+/// The recipe, the engine that works for it, and the time that it took.
 pub struct Studio {
-    /// The outline used instead of the recipe's, for outlines finer than a link can say.
-    exact: Option<Outline>,
-    /// Loop steps of skin beyond those that a picture needs.
-    finer: i32,
-    latest: Wish,
-    /// What the stages work by; behind the latest while a short pass is let finish.
-    working: Wish,
-    /// The first stage of which the latest asks something else.
-    stale: Option<Stage>,
-    made: Pavement,
+    registry: Registry,
+    generator: &'static Generator,
+    recipe: Recipe,
+    engine: Box<dyn Engine>,
+    is_live: bool,
     /// Milliseconds by stage of the latest pass through it.
-    spent: [f64; STAGES],
+    spent: Vec<f64>,
     /// Milliseconds of the last shading that was finished; infinite before there is one.
     last_shading: f64,
-    /// Counts what a draft and recipes that were taken up changed, for the views.
-    changes: u64,
-    gallery: Gallery,
-    /// Do the cells flow after each change?
-    live: bool,
-    draft: Option<Draft>,
-    /// The mesh file in the making.
-    saving: Option<files::Saving>,
-    /// The bigger picture in the making, or its planes.
-    bigger: Option<bigger::Bigger>,
-    boxes: probe::Boxes,
-}
-
-/// A recipe, and what it asks of the stages.
-#[derive(Clone)]
-struct Wish {
-    recipe: Recipe,
-    /// Checked.
-    outline: Outline,
-    params: Params,
-}
-
-impl Wish {
-    fn new(recipe: Recipe, exact: Option<&Outline>, finer: i32) -> Self {
-        let outline = params::outline(&recipe, exact);
-        Self {
-            params: Params::new(&recipe, &outline, finer),
-            recipe,
-            outline,
-        }
-    }
 }
 
 impl Studio {
-    /// A studio with all its work before it.
-    pub fn new(recipe: Recipe) -> Self {
-        Self::start(recipe, None)
+    /// A studio for one of these generators, with all its work before it.
+    pub fn new(registry: Registry, recipe: Recipe) -> Self {
+        let engine = (registry.of(&recipe).engine)(&recipe);
+        Self::with_engine(registry, recipe, engine)
     }
 
-    /// A studio that paves exactly this outline, whatever outline the recipe names. Answers with
-    /// what was mended.
-    ///
-    /// # Errors
-    /// What is wrong with the outline.
-    pub fn with_outline(recipe: Recipe, outline: &Outline) -> Result<(Self, Vec<Notice>), Notice> {
-        let (outline, notices) = params::checked(outline, &recipe)?;
-        Ok((Self::start(recipe, Some(outline)), notices))
-    }
-
-    fn start(recipe: Recipe, exact: Option<Outline>) -> Self {
-        let wish = Wish::new(recipe, exact.as_ref(), 0);
+    /// One with an engine that was made otherwise, for this recipe.
+    pub fn with_engine(registry: Registry, recipe: Recipe, engine: Box<dyn Engine>) -> Self {
+        let generator = registry.of(&recipe);
         Self {
-            made: Pavement::new(wish.params.clone()),
-            exact,
-            finer: 0,
-            working: wish.clone(),
-            latest: wish,
-            stale: None,
-            spent: [0.0; STAGES],
+            registry,
+            generator,
+            recipe,
+            engine,
+            is_live: false,
+            spent: vec![0.0; generator.stages.len()],
             last_shading: f64::INFINITY,
-            changes: 0,
-            gallery: Gallery::default(),
-            live: false,
-            draft: None,
-            saving: None,
-            bigger: None,
-            boxes: probe::Boxes::default(),
         }
     }
 
-    /// From now on, skin has so many Loop steps more than a picture needs, or below 0 fewer.
-    pub fn refine(&mut self, steps: i32) {
-        self.finer = steps;
-        self.ask(self.latest.recipe.clone());
-        self.take_up();
+    /// The generators that it may be asked for.
+    pub fn registry(&self) -> Registry {
+        self.registry
+    }
+
+    /// The generator at work.
+    pub fn generator(&self) -> &'static Generator {
+        self.generator
+    }
+
+    /// The engine at work.
+    pub fn engine(&self) -> &dyn Engine {
+        &*self.engine
+    }
+
+    /// The same, to look at what it makes, and for files.
+    pub fn engine_mut(&mut self) -> &mut dyn Engine {
+        &mut *self.engine
+    }
+
+    /// The engine at work, where it is of this type.
+    pub fn engine_as<E: Engine>(&self) -> Option<&E> {
+        let engine: &dyn Any = &*self.engine;
+        engine.downcast_ref()
+    }
+
+    /// The same, for engines that keep what they work out when they are asked.
+    pub fn engine_as_mut<E: Engine>(&mut self) -> Option<&mut E> {
+        let engine: &mut dyn Any = &mut *self.engine;
+        engine.downcast_mut()
     }
 
     /// The latest recipe asked for.
     pub fn recipe(&self) -> &Recipe {
-        &self.latest.recipe
+        &self.recipe
     }
 
     /// Pixels along the picture's side.
     pub fn side(&self) -> usize {
-        params::side(&self.working.recipe)
+        self.engine.side()
     }
 
-    /// The stage at work: its word, or "done", or "error" where no pavement can be made of the
-    /// recipe ([`Studio::problem`] says why).
+    /// The stage at work: its word, or "done", or "error" where no picture can be made of the recipe
+    /// ([`Studio::problem`] says why).
     pub fn stage(&self) -> &'static str {
-        match self.made.at() {
-            _ if self.flows() => Stage::Packing.word(),
-            _ if self.made.failure().is_some() => "error",
-            Some(stage) => stage.word(),
-            None => "done",
+        let word = |at: usize| self.generator.stages[at];
+        match (self.engine.at(), self.engine.stepping()) {
+            (_, Some(stepping)) if self.engine.is_drafting() => word(stepping),
+            _ if self.engine.failure().is_some() => "error",
+            (Some(at), _) => word(at),
+            (None, _) => "done",
         }
     }
 
     /// Is the picture finished?
     pub fn done(&self) -> bool {
-        self.made.at().is_none() && !self.flows()
+        self.engine.at().is_none() && !self.engine.is_drafting()
     }
 
     /// Why the work stopped; `None` while all is well.
     pub fn problem(&self) -> Option<&Notice> {
-        self.made.failure().filter(|_| !self.flows())
+        let failure = self.engine.failure();
+        failure.filter(|_| !self.engine.is_drafting())
     }
 
-    /// The outline in use, checked and mended: the outer ring first, then the holes.
-    pub fn rings(&self) -> Vec<&[glam::DVec2]> {
-        self.shown().rings
-    }
-
-    /// The domain, once it is there.
-    pub fn domain(&self) -> Option<&Domain> {
-        self.shown().domain
-    }
-
-    /// The fields, once they are there.
-    pub fn fields(&self) -> Option<&Fields> {
-        self.shown().fields
-    }
-
-    /// The packing at work, or the last one; while live, the one that flows.
-    pub fn packing(&self) -> Option<&Packing> {
-        let flowing = self.flowing().map(|draft| &draft.packing);
-        flowing.or(self.made.packing())
-    }
-
-    /// What the packing at work has done so far; nothing before its first cells are placed.
-    pub fn progress(&self) -> StepReport {
-        if let Some(draft) = self.flowing() {
-            return draft.packing.report();
-        }
-        let begun = self.made.packing().filter(|_| self.made.is_packing());
-        begun.map(Packing::report).unwrap_or_default()
-    }
-
-    /// The mesh of the last packing that ended.
-    pub fn mesh(&self) -> Option<&Mesh> {
-        self.made.mesh()
-    }
-
-    /// The cells of the last packing that ended.
-    pub fn cells(&self) -> &[Cell] {
-        self.made.cells()
-    }
-
-    /// The cells that stones are made of: of skin, those in which the axes have one sense.
-    pub fn scales(&self) -> &[Cell] {
-        self.made.scales()
-    }
-
-    /// What the stones are made by.
-    pub fn stone_params(&self) -> StoneParams {
-        self.working.params.finish.planes.texture.stone
-    }
-
-    /// Stones painted so far in the pass at work.
-    pub fn stones(&self) -> usize {
-        self.made.stones()
-    }
-
-    /// The planes last finished.
-    pub fn planes(&self) -> Option<&Planes> {
-        self.made.planes()
+    /// How far the work is.
+    pub fn progress(&self) -> Progress {
+        self.engine.progress()
     }
 
     /// The picture last finished: opaque RGBA, row after row from the top.
     pub fn picture(&self) -> Option<&[u8]> {
-        Some(self.made.picture()).filter(|picture| !picture.is_empty())
+        Some(self.engine.picture()).filter(|picture| !picture.is_empty())
     }
 
-    /// Hex digest of the planes, empty until the work is done.
+    /// Hex digest of what was made, empty until the work is done.
     pub fn digest(&self) -> String {
-        match self.made.planes() {
-            Some(planes) if self.done() => planes.digest(),
-            _ => String::new(),
+        match self.done() {
+            true => self.engine.digest(),
+            false => String::new(),
         }
-    }
-
-    /// The packing's potential energy, in units of a cell's; 0 before there is a packing.
-    pub fn energy(&mut self) -> f64 {
-        if self.flows()
-            && let Some(draft) = &mut self.draft
-        {
-            return draft.energy();
-        }
-        let packing = self.made.packing_mut();
-        packing.map_or(0.0, |(packing, domain)| packing.energy(domain))
     }
 
     /// How often each stage has finished, by its word, in the stages' order.
     pub fn runs(&self) -> Vec<(&'static str, u64)> {
-        let runs = self.made.runs().into_iter();
-        runs.map(|(stage, runs)| (stage.word(), runs)).collect()
+        let words = self.generator.stages.iter().copied();
+        words.zip(self.engine.runs()).collect()
     }
 
     /// Milliseconds spent by stage, in the stages' order.
     pub fn milliseconds(&self) -> Vec<StageTime> {
-        let times = Stage::ALL.iter().zip(self.spent);
-        times
-            .map(|(stage, ms)| StageTime {
-                stage: stage.word(),
-                ms,
-            })
-            .collect()
-    }
-
-    /// How good the mesh and the cells of the last packing that ended are, once they are there.
-    pub fn metrics(&self) -> Option<Metrics> {
-        let made = &self.made;
-        let particles = made.packing()?.particles();
-        let (domain, fields) = made.terrain.made()?;
-        let mesh = made.mesh().filter(|_| !made.cells().is_empty())?;
-        Some(Metrics::new(domain, fields, &particles, mesh, made.cells()))
+        let times = self.generator.stages.iter().zip(&self.spent);
+        times.map(|(&stage, &ms)| StageTime { stage, ms }).collect()
     }
 
     /// The figures of the run so far.
     pub fn report(&mut self) -> Report {
-        let energy = self.energy();
-        let last = self.progress();
-        Report {
-            link: self.latest.recipe.link(),
+        let mut report = Report {
+            link: self.recipe.link(),
             size: self.side(),
-            cells: self.made.cells().len(),
-            steps: last.step,
-            converged: last.converged,
-            added: last.added,
-            removed: last.removed,
-            largest_move: last.largest_move,
-            energy,
             milliseconds: self.milliseconds(),
-            height_range: self
-                .planes()
-                .map_or((0.0, 0.0), crate::render::overlay_planes::height_range),
-            metrics: None,
-            notices: Vec::new(),
             hash: self.digest(),
+            ..Report::default()
+        };
+        self.engine.report(&mut report);
+        report
+    }
+
+    /// Takes a new recipe; the stages it makes stale run again in the ticks to come. The latest
+    /// recipe wins over one still at work. One of another generator ends the engine.
+    pub fn set_recipe(&mut self, recipe: Recipe) {
+        if !recipe.is_of(self.recipe.schema()) {
+            let is_live = self.is_live;
+            *self = Self::new(self.registry, recipe);
+            self.set_live(is_live);
+            return;
+        }
+        self.engine.ask(&recipe);
+        self.recipe = recipe;
+        if !self.engine.is_drafting() && !self.lets_finish() {
+            self.take_up();
         }
     }
-}
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::random::{Purpose, Random};
-    use crate::recipe::{Kind, SCHEMA};
-    #[cfg(target_arch = "wasm32")]
-    use wasm_bindgen_test::wasm_bindgen_test as test;
+    /// Runs all stages again, from the same recipe.
+    pub fn restart(&mut self) {
+        self.engine.drop_draft(true);
+        self.take_up();
+        self.engine.forget();
+        self.begin(0);
+    }
 
-    /// A recipe in which some values are other ones, of small pictures with few cells.
-    fn changed(recipe: &Recipe, random: &mut Random) -> Recipe {
-        let mut changed = recipe.clone();
-        for _ in 0..=random.below(3) {
-            let row = &SCHEMA[random.below(SCHEMA.len())];
-            let text = match row.kind {
-                Kind::Text => continue,
-                Kind::Choice => row.choices[random.below(row.choices.len())].word.to_owned(),
-                Kind::Number | Kind::Int => {
-                    let value = row.min + (row.max - row.min) * random.unit();
-                    format!("{value:.2}")
+    /// While live, a recipe may be shown by a draft that goes on from what is there, instead of the
+    /// stages, and nothing else is worked on. What was made for the last recipe before stays until live
+    /// ends; then all goes on as if the latest recipe had just been set, but the draft is shown until
+    /// the stages have something to show.
+    pub fn set_live(&mut self, on: bool) {
+        let ends = self.is_live && !on;
+        self.is_live = on;
+        self.engine.set_live(on);
+        if ends {
+            if !self.lets_finish() {
+                self.take_up();
+            }
+            self.engine.drop_draft(false);
+        }
+    }
+
+    /// Works for about `budget` milliseconds by `clock`, at least one slice, and makes at most
+    /// `max_steps` steps (0 holds what goes in steps still, the other stages go on). True when what is
+    /// shown may have changed.
+    ///
+    /// While a draft is at work ([`Studio::set_live`]) it works on that only, whatever `max_steps` says.
+    /// What takes its place is made at full pace, or shown from its start with 0 steps.
+    pub fn tick(&mut self, clock: Clock, budget: f64, max_steps: u32) -> bool {
+        if self.engine.is_drafting() {
+            return self.engine.advance_draft(clock, budget);
+        }
+        if max_steps == 0 {
+            self.engine.drop_draft(true);
+        }
+        let max_steps = match self.engine.shows_draft() {
+            true => u32::MAX,
+            false => max_steps,
+        };
+        let begin = clock();
+        let (mut now, mut steps, mut worked) = (begin, 0, false);
+        while let Some(stage) = self.engine.at_work() {
+            if self.engine.is_step() {
+                if steps >= max_steps {
+                    break;
                 }
-            };
-            let _ = changed.set(row.key, &text);
+                steps += 1;
+            }
+            worked = true;
+            now = self.timed_slice(stage, now, clock);
+            let inside = now - begin < budget;
+            // Not `>=`: a clock that fails must not make the tick endless.
+            if !inside && !self.shades_in_one() {
+                break;
+            }
         }
-        let _ = changed.set("size", "128");
-        if changed.number(crate::recipe::Key::Cs) < 12.0 {
-            let _ = changed.set("cs", "12");
-        }
-        changed
+        self.engine.drop_draft(false);
+        worked
     }
 
-    /// Which stages must run to go from one recipe to another: those of which something else is asked,
-    /// and those that read what they make.
-    fn due(from: &Params, to: &Params) -> [bool; STAGES] {
-        let finishes = [&from.finish, &to.finish];
-        let [painted, weathered, lit] = [
-            finishes[0].planes != finishes[1].planes,
-            finishes[0].weather != finishes[1].weather,
-            finishes[0].light != finishes[1].light,
-        ];
-        let dressed = (from.is_skin, from.coats) != (to.is_skin, to.coats);
-        let domain = from.terrain.domain != to.terrain.domain;
-        let fields = domain || from.terrain.fields != to.terrain.fields;
-        let packing = fields || from.packing != to.packing;
-        let cells = packing || from.cells != to.cells;
-        let planes = cells || dressed || painted;
-        let weather = planes || weathered;
-        [
-            domain,
-            fields,
-            packing,
-            packing,
-            cells,
-            planes,
-            weather,
-            weather || lit,
-        ]
+    /// Is a finished picture being lit anew, and can that be done in a frame?
+    fn shades_in_one(&self) -> bool {
+        let shades = self.engine.at_work() == Some(self.last_stage());
+        shades && !self.engine.is_forming() && self.last_shading <= ONE_FRAME
     }
 
-    /// Wherever a studio comes from, it gives what the recipe gives, and works on nothing in vain.
-    #[test]
-    fn exactly_what_differs_runs() {
-        let mut random = Random::new(11, Purpose::Placement, 0);
-        let mut recipe = Recipe::from_link("size=128&cs=16").0;
-        let mut studio = Studio::new(recipe.clone());
-        assert_eq!(studio.finish(&mut || 0.0), Ok(()));
-        let mut late = 0;
-        for _ in 0..60 {
-            let next = changed(&recipe, &mut random);
-            let (from, runs) = (studio.working.params.clone(), studio.runs());
-            studio.set_recipe(next.clone());
-            if studio.finish(&mut || 0.0).is_err() {
-                studio.set_recipe(recipe.clone());
-                assert_eq!(studio.finish(&mut || 0.0), Ok(()));
-                continue;
-            }
-            let due = due(&from, &studio.working.params);
-            for (((word, new), (_, old)), due) in studio.runs().into_iter().zip(runs).zip(due) {
-                assert_eq!(
-                    new - old,
-                    u64::from(due),
-                    "{word}: {} to {}",
-                    recipe.link(),
-                    next.link()
-                );
-            }
-            late += usize::from(!due[Stage::Cells as usize]);
-            let mut plain = Studio::new(next.clone());
-            assert_eq!(plain.finish(&mut || 0.0), Ok(()));
-            assert_eq!(
-                studio.digest(),
-                plain.digest(),
-                "{} to {}",
-                recipe.link(),
-                next.link()
-            );
-            assert!(studio.picture() == plain.picture(), "{}", next.link());
-            recipe = next;
+    fn last_stage(&self) -> usize {
+        self.spent.len() - 1
+    }
+
+    /// Makes exactly one step, after what must come before it; nothing once the steps are over or while
+    /// a draft is at work.
+    pub fn step(&mut self, clock: Clock) {
+        if self.engine.is_drafting() {
+            return;
         }
-        assert!(late > 10, "{late}");
+        self.engine.drop_draft(true);
+        while let Some(stage) = self.engine.at_work() {
+            if Some(stage) > self.engine.stepping() {
+                return;
+            }
+            let is_step = self.engine.is_step();
+            let before = clock();
+            self.timed_slice(stage, before, clock);
+            if is_step {
+                return;
+            }
+        }
+    }
+
+    /// Works until the picture is finished or cannot be made.
+    ///
+    /// # Errors
+    /// Why it cannot be made.
+    pub fn finish(&mut self, clock: Clock) -> Result<(), Notice> {
+        self.set_live(false);
+        while self.engine.at_work().is_some() {
+            self.tick(clock, f64::INFINITY, u32::MAX);
+        }
+        let failure = self.engine.failure();
+        failure.map_or(Ok(()), |why| Err(why.clone()))
+    }
+
+    /// One slice of a stage, begun at `before`. Answers with the time after it.
+    fn timed_slice(&mut self, stage: usize, before: f64, clock: Clock) -> f64 {
+        self.engine.advance();
+        let after = clock();
+        self.spent[stage] += (after - before).max(0.0);
+        if self.engine.at().is_none() {
+            self.last_shading = self.spent[self.last_stage()];
+            if self.engine.stale().is_some() {
+                self.take_up();
+            }
+        }
+        after
+    }
+
+    /// Is the work so near its end that it should finish before the new recipe begins?
+    fn lets_finish(&self) -> bool {
+        let (Some(at), Some(stale)) = (self.engine.at_work(), self.engine.stale()) else {
+            return false;
+        };
+        let finisher = self.engine.finisher();
+        let late = at >= finisher && stale >= finisher;
+        let pass: f64 = self.spent[finisher..].iter().sum();
+        late && (at == self.last_stage() || pass < SHORT_PASS)
+    }
+
+    /// Makes the latest recipe the one at work.
+    fn take_up(&mut self) {
+        let stale = self.engine.stale();
+        self.engine.take_up();
+        if let Some(stale) = stale {
+            self.begin(stale);
+        }
+    }
+
+    /// A stage has got something else to do, if there is work at all.
+    fn begin(&mut self, stage: usize) {
+        if let Some(at) = self.engine.at() {
+            self.spent[at.max(stage)..].fill(0.0);
+        }
     }
 }

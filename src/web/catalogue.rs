@@ -2,7 +2,8 @@
 
 use super::object;
 use crate::decimal;
-use crate::recipe::{Kind, PRESETS, Parameter, Part, Preset, SCHEMA, Timing};
+use crate::generators::{ALL, Generator, Part, Preset, Timing};
+use crate::recipe::{Kind, Parameter};
 use js_sys::{Array, Object, Reflect};
 use wasm_bindgen::prelude::*;
 
@@ -27,6 +28,20 @@ export interface Parameter {
   shownFor?: { key: string; words: string[] } | undefined;
 }
 
+/** What can be made. */
+export interface Generator {
+  /** As `make=` in the link. */
+  word: string;
+  title: string;
+  /** In their order. */
+  stages: string[];
+  /** Words of views: at most one base, and overlays. */
+  bases: string[];
+  overlays: string[];
+  /** The page's parts that it needs. */
+  offers: string[];
+}
+
 export interface Preset {
   name: string;
   title: string;
@@ -48,10 +63,33 @@ export interface Timing {
 }
 ";
 
-/// All parameters, in the order of the pipeline.
+/// The generators of this module; the first is that of links that name none.
+#[wasm_bindgen(unchecked_return_type = "Generator[]")]
+pub fn generators() -> Array {
+    ALL.iter().map(generator_object).collect()
+}
+
+fn generator_object(generator: &'static Generator) -> Object {
+    let words = |words: &[&str]| -> JsValue {
+        let words: Array = words.iter().map(|&word| JsValue::from(word)).collect();
+        words.into()
+    };
+    object(&[
+        ("word", generator.schema.word.into()),
+        ("title", generator.title.into()),
+        ("stages", words(generator.stages)),
+        ("bases", words(generator.views.bases)),
+        ("overlays", words(generator.views.overlays)),
+        ("offers", words(generator.offers)),
+    ])
+}
+
+/// A generator's parameters, in the order of its links; none of an unknown word.
 #[wasm_bindgen(unchecked_return_type = "Parameter[]")]
-pub fn schema() -> Array {
-    SCHEMA.iter().map(parameter_object).collect()
+pub fn schema(word: &str) -> Array {
+    let generator = ALL.named(word).into_iter();
+    let rows = generator.flat_map(|generator| generator.schema.rows);
+    rows.map(parameter_object).collect()
 }
 
 fn parameter_object(p: &Parameter) -> Object {
@@ -66,7 +104,7 @@ fn parameter_object(p: &Parameter) -> Object {
         .map(|c| object(&[("word", c.word.into()), ("label", c.label.into())]))
         .collect();
     let row = object(&[
-        ("key", p.key.into()),
+        ("key", p.key.0.into()),
         ("symbol", p.symbol.into()),
         ("name", p.name.into()),
         ("kind", p.kind.word().into()),
@@ -81,16 +119,18 @@ fn parameter_object(p: &Parameter) -> Object {
     ]);
     if let Some((key, words)) = p.shown_for {
         let words: Array = words.iter().map(|&w| JsValue::from(w)).collect();
-        let only = object(&[("key", key.parameter().key.into()), ("words", words.into())]);
+        let only = object(&[("key", key.0.into()), ("words", words.into())]);
         let _ = Reflect::set(&row, &"shownFor".into(), &only);
     }
     row
 }
 
-/// The papers' figures as links.
+/// A generator's named recipes, in the order of the page; none of an unknown word.
 #[wasm_bindgen(unchecked_return_type = "Preset[]")]
-pub fn presets() -> Array {
-    PRESETS.iter().map(preset_object).collect()
+pub fn presets(word: &str) -> Array {
+    let generator = ALL.named(word).into_iter();
+    let presets = generator.flat_map(|generator| generator.presets);
+    presets.map(preset_object).collect()
 }
 
 fn preset_object(p: &Preset) -> Object {
@@ -108,11 +148,7 @@ fn preset_object(p: &Preset) -> Object {
 
 fn timing_object(timing: &Timing) -> Object {
     let part = |part: &Part| {
-        let stages: Array = part
-            .stages
-            .iter()
-            .map(|s| JsValue::from(s.word()))
-            .collect();
+        let stages: Array = part.stages.iter().map(|&s| JsValue::from(s)).collect();
         object(&[
             ("name", part.name.into()),
             ("stages", stages.into()),

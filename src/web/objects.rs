@@ -2,8 +2,9 @@
 
 use super::object;
 use crate::export::{Map, StageTime};
-use crate::packing::{Sample, StepReport};
-use crate::studio::{Histogram, MeshSlice, PictureSlice, Probe};
+use crate::generators::pavement::{Histogram, Probe};
+use crate::generators::{MeshSlice, PictureSlice, Progress};
+use crate::packing::Sample;
 use js_sys::{Array, Float64Array, Object, Uint8Array, Uint32Array};
 use wasm_bindgen::prelude::*;
 
@@ -111,17 +112,17 @@ export interface Rows {
 }
 ";
 
-pub(super) fn status(last: &StepReport, energy: f64, stones: usize, times: &[StageTime]) -> Object {
+pub(super) fn status(last: &Progress, energy: f64, times: &[StageTime]) -> Object {
     let ms: Vec<(&str, JsValue)> = times.iter().map(|t| (t.stage, t.ms.into())).collect();
     object(&[
         ("cells", last.cells.into()),
-        ("steps", last.step.into()),
+        ("steps", last.steps.into()),
         ("largestMove", last.largest_move.into()),
         ("energy", energy.into()),
         ("added", last.added.into()),
         ("removed", last.removed.into()),
         ("converged", last.converged.into()),
-        ("stones", stones.into()),
+        ("stones", last.stones.into()),
         ("ms", object(&ms).into()),
     ])
 }

@@ -1,6 +1,7 @@
 //! What the tests of recipes and links share.
 
-use bubblestone::recipe::{Key, Kind, Recipe};
+use bubblestone::generators::pavement::PavementRecipe;
+use bubblestone::recipe::{Kind, Recipe};
 use glam::DVec2;
 
 /// A star-shaped polygon around the picture's middle: `radii` in parts of half of the side.
@@ -19,15 +20,15 @@ pub fn star(side: f64, radii: &[f64]) -> Vec<DVec2> {
 
 /// What every recipe keeps: values within their limits and words of the schema.
 pub fn valid(recipe: &Recipe) {
-    for &key in Key::ALL {
-        let (min, max) = recipe.limits(key);
-        let value = recipe.number(key);
-        match key.parameter().kind {
-            Kind::Number | Kind::Int => assert!((min..=max).contains(&value), "{key:?} {value}"),
-            Kind::Choice => assert!(!recipe.choice(key).is_empty(), "{key:?} {value}"),
+    for row in recipe.schema().rows {
+        let (min, max) = recipe.limits(row);
+        let (key, value) = (row.key.0, recipe.number(row.key));
+        match row.kind {
+            Kind::Number | Kind::Int => assert!((min..=max).contains(&value), "{key} {value}"),
+            Kind::Choice => assert!(!recipe.choice(row.key).is_empty(), "{key} {value}"),
             Kind::Text => {}
         }
-        if key.parameter().kind == Kind::Int {
+        if row.kind == Kind::Int {
             assert_eq!(value, value.trunc());
         }
     }

@@ -3,7 +3,8 @@
 // Each test program uses a part of these.
 #![allow(dead_code)]
 
-use bubblestone::recipe::Recipe;
+use bubblestone::generators::ALL;
+use bubblestone::generators::pavement::{self, Pavement};
 use bubblestone::studio::Studio;
 
 /// The finished picture of a link that nothing is wrong with.
@@ -13,10 +14,10 @@ pub fn finished(link: &str) -> Studio {
 
 /// The same, its skin with so many Loop steps more than it needs.
 pub fn refined(link: &str, steps: i32) -> Studio {
-    let (recipe, notices) = Recipe::from_link(link);
+    let (recipe, notices) = pavement::recipe(link);
     assert!(notices.is_empty(), "{link}: {notices:?}");
-    let mut studio = Studio::new(recipe);
-    studio.refine(steps);
+    let engine = Pavement::finer(&recipe, steps);
+    let mut studio = Studio::with_engine(ALL, recipe, Box::new(engine));
     assert_eq!(studio.finish(&mut || 0.0), Ok(()), "{link}");
     studio
 }

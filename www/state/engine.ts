@@ -2,9 +2,9 @@
  * The studio in WebAssembly behind one guard: when a call fails, the page is told once, and later
  * calls answer with harmless values instead of failing again.
  */
-import { Bubblestone, presets, random_seed, schema } from '../../pkg/bubblestone.js';
+import { Bubblestone, generators, presets, random_seed, schema } from '../../pkg/bubblestone.js';
 import { loadModule } from '../module/load';
-import type { Absence, Answer, Histograms, Parameter, Point, Preset, Probe, Ring, Series, Status } from '../module/types';
+import type { Absence, Answer, Generator, Histograms, Parameter, Point, Preset, Probe, Ring, Series, Status } from '../module/types';
 import { parameterIn, presetIn, said, t } from '../words/words';
 
 /** What became of what was asked for. */
@@ -16,6 +16,8 @@ export interface Told {
 }
 
 const NO_ANSWER: Answer = { refused: true, notices: [] };
+
+const NO_GENERATOR: Generator = { word: '', title: '', stages: [], bases: [], overlays: [], offers: [] };
 
 const NO_STATUS: Status = {
   cells: 0,
@@ -49,8 +51,9 @@ export class Engine {
   private readonly crashed: (error: unknown, link: string) => void;
   private dead = false;
   private lastLink: string;
-  private rows: Parameter[] | undefined;
-  private known: Preset[] | undefined;
+  private made: Generator[] | undefined;
+  private readonly rows = new Map<string, Parameter[]>();
+  private readonly known = new Map<string, Preset[]>();
 
   /** Never throws; a failure reaches `crashed` with the last known link. */
   constructor(link: string, crashed: (error: unknown, link: string) => void) {
@@ -59,12 +62,23 @@ export class Engine {
     this.core = this.guard(() => new Bubblestone(link), undefined);
   }
 
-  get schema(): Parameter[] {
-    return (this.rows ??= this.guard(() => schema().map(parameterIn), []));
+  /** What is made now. */
+  get generator(): Generator {
+    const word = this.ask((core) => core.generator(), '');
+    this.made ??= this.guard(() => generators(), []);
+    return this.made.find((one) => one.word === word) ?? NO_GENERATOR;
   }
 
+  /** The parameters of what is made now. */
+  get schema(): Parameter[] {
+    const { word } = this.generator;
+    return kept(this.rows, word, () => this.guard(() => schema(word).map(parameterIn), []));
+  }
+
+  /** The presets of what is made now. */
   get presets(): Preset[] {
-    return (this.known ??= this.guard(() => presets().map(presetIn), []));
+    const { word } = this.generator;
+    return kept(this.known, word, () => this.guard(() => presets(word).map(presetIn), []));
   }
 
   get alive(): boolean {
@@ -234,6 +248,12 @@ export class Engine {
       return otherwise;
     }
   }
+}
+
+function kept<T>(all: Map<string, T>, key: string, made: () => T): T {
+  const value = all.get(key) ?? made();
+  all.set(key, value);
+  return value;
 }
 
 function told({ refused, notices }: Answer): Told {

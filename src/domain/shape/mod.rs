@@ -79,12 +79,13 @@ fn orient(ring: &mut [DVec2], positive: bool) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::recipe::{Key, Recipe};
+    use crate::generators::pavement::{self, PavementRecipe};
 
     /// Every shape at the ends and in the middle of its parameters, at small and large sides.
     #[test]
     fn every_shape_passes_the_check_without_notices() {
-        let names = Key::Outline.parameter().choices.iter().map(|c| c.word);
+        let row = pavement::SCHEMA.row("outline").expect("a row");
+        let names = row.choices.iter().map(|c| c.word);
         for name in names.filter(|&name| name != "polygon") {
             for side in [128.0, 512.0, 2048.0] {
                 for width in [0.3, 0.7, 1.0, 1.35, 1.7] {
@@ -122,8 +123,9 @@ mod tests {
 
     #[test]
     fn shapes_scale_with_the_picture() {
-        let mut recipe = Recipe::default();
-        for choice in Key::Outline.parameter().choices {
+        let mut recipe = pavement::recipe("").0;
+        let row = pavement::SCHEMA.row("outline").expect("a row");
+        for choice in row.choices {
             if choice.word == "polygon" {
                 continue;
             }

@@ -1,17 +1,18 @@
 //! From the recipe's words and numbers to the small parameter structures of the stages.
 
-use super::height_field::{HeightFieldParams, LightParams, PlaneParams};
+use super::outline::PavementRecipe;
+use super::schema::keys;
+use super::stages::Stage;
 use super::terrain::{DomainParams, TerrainParams};
 use crate::domain::Outline;
 use crate::field::{Direction, FieldParams, Kind, Rim, Spot};
-use crate::notice::Notice;
+use crate::generators::common;
+use crate::generators::height_field::{HeightFieldParams, PlaneParams};
 use crate::packing::{Edge, Integrator, PackingParams, Population, Start};
-use crate::recipe::{Key, Recipe, Stage};
-use crate::render::{Light, ShadeParams};
+use crate::recipe::Recipe;
+use crate::recipe::common::keys as shared;
 use crate::solid::{SkinParams, Spread, StoneKind, StoneParams};
-use crate::texture::{
-    ColourParams, Gloss, Optics, Pattern, TextureParams, WeatherParams, optics_table,
-};
+use crate::texture::{ColourParams, Pattern, TextureParams};
 use glam::DVec2;
 
 /// Rounds of Lloyd's relaxation: after these it hardly gets better.
@@ -59,7 +60,7 @@ impl Params {
             is_skin: recipe.is_skin(),
             coats: CoatParams {
                 colour: colour(recipe),
-                seed: seed(recipe),
+                seed: common::seed(recipe),
                 side: recipe.side(),
             },
             finish: finish(recipe, 1, finer),
@@ -84,19 +85,6 @@ impl Params {
             .find(|&(_, differs)| differs)
             .map(|(stage, _)| stage)
     }
-}
-
-/// Pixels along the picture's side.
-pub(super) fn side(recipe: &Recipe) -> usize {
-    recipe.number(Key::Size) as usize
-}
-
-/// An outline from outside, checked for the recipe's picture, and what was mended.
-pub(super) fn checked(
-    outline: &Outline,
-    recipe: &Recipe,
-) -> Result<(Outline, Vec<Notice>), Notice> {
-    outline.check(recipe.side())
 }
 
 /// The outline to pave: the exact one where there is one, the recipe's constraint lines in either.
@@ -142,22 +130,22 @@ fn drawn(kind: Kind, ca: f64) -> f64 {
 
 /// The kind of the cells and their aspect ratio.
 pub(super) fn kind(recipe: &Recipe) -> (Kind, f64) {
-    let kind = Kind::from_word(recipe.choice(Key::Kind)).unwrap_or_default();
-    let ca = recipe.number(Key::Ca);
+    let kind = Kind::from_word(recipe.choice(keys::KIND)).unwrap_or_default();
+    let ca = recipe.number(keys::CA);
     (kind, drawn(kind, ca))
 }
 
 fn fields(recipe: &Recipe) -> FieldParams {
     let number = |key| recipe.number(key);
     let side = recipe.side();
-    let (direction, angle) = match recipe.choice(Key::Dir) {
-        "constant" => (Direction::Constant, number(Key::Angle)),
-        "strokes" => (Direction::Strokes, number(Key::Angle)),
+    let (direction, angle) = match recipe.choice(keys::DIR) {
+        "constant" => (Direction::Constant, number(keys::ANGLE)),
+        "strokes" => (Direction::Strokes, number(keys::ANGLE)),
         "radial" => (Direction::Spiral, 0.0),
         "circular" => (Direction::Spiral, 90.0),
-        "spiral" => (Direction::Spiral, number(Key::Fa)),
-        "printed" => (Direction::Printed, number(Key::Angle)),
-        _ => (Direction::Boundary, number(Key::Angle)),
+        "spiral" => (Direction::Spiral, number(keys::FA)),
+        "printed" => (Direction::Printed, number(keys::ANGLE)),
+        _ => (Direction::Boundary, number(keys::ANGLE)),
     };
     let rim = |factor, reach| Rim {
         factor: number(factor),
@@ -172,72 +160,68 @@ fn fields(recipe: &Recipe) -> FieldParams {
         spots.into_iter().map(spot).collect()
     };
     let (kind, aspect) = kind(recipe);
-    let mut aspect_spots = recipe.aspect_spots();
+    let mut aspect_spots = recipe.spots(keys::STRETCH);
     for [.., ratio] in &mut aspect_spots {
         *ratio = drawn(kind, *ratio);
     }
     FieldParams {
         direction,
         angle: angle.to_radians(),
-        centre: side * DVec2::new(number(Key::Fx), number(Key::Fy)),
-        power: number(Key::Dp) as u32,
-        ends: number(Key::Ends),
-        strokes: recipe.strokes(),
-        reach: side * number(Key::Reach),
+        centre: side * DVec2::new(number(keys::FX), number(keys::FY)),
+        power: number(keys::DP) as u32,
+        ends: number(keys::ENDS),
+        strokes: recipe.polylines(keys::STROKES),
+        reach: side * number(keys::REACH),
         kind,
         part_kinds: part_kinds(recipe, kind),
         aspect,
-        aspect_rim: rim(Key::Cb, Key::Cd),
+        aspect_rim: rim(keys::CB, keys::CD),
         aspect_spots: spots(aspect_spots),
-        size: number(Key::Cs),
-        linear: DVec2::new(number(Key::Gx), number(Key::Gy)),
-        radial: number(Key::Gr),
-        size_rim: rim(Key::Gb, Key::Gd),
-        size_spots: spots(recipe.size_spots()),
+        size: number(keys::CS),
+        linear: DVec2::new(number(keys::GX), number(keys::GY)),
+        radial: number(keys::GR),
+        size_rim: rim(keys::GB, keys::GD),
+        size_spots: spots(recipe.spots(keys::SPOTS)),
         side,
     }
 }
 
 fn part_kinds(recipe: &Recipe, kind: Kind) -> Vec<(DVec2, Kind)> {
-    let seeds = recipe.part_kinds().into_iter();
+    let seeds = recipe.seeds(keys::PARTS).into_iter();
     let own = |word| Kind::from_word(word).unwrap_or(kind);
     seeds.map(|(place, word)| (place, own(word))).collect()
 }
 
 pub(super) fn packing(recipe: &Recipe) -> PackingParams {
     PackingParams {
-        edge: match recipe.choice(Key::Edge) {
+        edge: match recipe.choice(keys::EDGE) {
             "on" => Edge::On,
             _ => Edge::Wall,
         },
-        start: match recipe.choice(Key::Start) {
+        start: match recipe.choice(keys::START) {
             "quadtree" => Start::Quadtree,
             _ => Start::Stream,
         },
-        integrator: match recipe.choice(Key::Move) {
+        integrator: match recipe.choice(keys::MOVE) {
             "rk4" => Integrator::RungeKutta,
             _ => Integrator::SemiImplicit,
         },
-        population: match recipe.choice(Key::Pop) {
+        population: match recipe.choice(keys::POP) {
             "smallest" => Population::Smallest,
             "off" => Population::Off,
             _ => Population::Slots,
         },
-        variance: recipe.number(Key::Vs),
-        seed: seed(recipe),
+        variance: recipe.number(keys::VS),
+        seed: common::seed(recipe),
     }
-}
-
-fn seed(recipe: &Recipe) -> u64 {
-    recipe.number(Key::Seed) as u64
 }
 
 fn cells(recipe: &Recipe) -> CellParams {
     let scattered = |rounds| CellParams::Scattered {
         rounds,
-        seed: seed(recipe),
+        seed: common::seed(recipe),
     };
-    match recipe.choice(Key::Cells) {
+    match recipe.choice(keys::CELLS) {
         "packed" => CellParams::Packed,
         "voronoi" => scattered(0),
         "lloyd" => scattered(LLOYD_ROUNDS),
@@ -247,33 +231,33 @@ fn cells(recipe: &Recipe) -> CellParams {
 
 pub(super) fn stone(recipe: &Recipe) -> StoneParams {
     StoneParams {
-        kind: match recipe.choice(Key::Stone) {
+        kind: match recipe.choice(keys::STONE) {
             "flag" => StoneKind::Flagstone,
             "skin" => StoneKind::Skin,
             _ => StoneKind::Cobble,
         },
-        height: recipe.number(Key::Hs),
-        scale: recipe.number(Key::Sv),
-        distortion: recipe.number(Key::Dr),
-        spread: match recipe.choice(Key::Rand) {
+        height: recipe.number(keys::HS),
+        scale: recipe.number(keys::SV),
+        distortion: recipe.number(keys::DR),
+        spread: match recipe.choice(keys::RAND) {
             "normal" => Spread::Normal,
             _ => Spread::Uniform,
         },
-        bevel_horizontal: recipe.number(Key::Bh),
-        bevel_vertical: recipe.number(Key::Bv),
+        bevel_horizontal: recipe.number(keys::BH),
+        bevel_vertical: recipe.number(keys::BV),
         skin: SkinParams {
-            sweep: recipe.number(Key::Sr),
-            skew: recipe.number(Key::Sc),
-            skew_angle: recipe.number(Key::Sa).to_radians(),
-            tilt: recipe.number(Key::Tilt),
-            taper: recipe.number(Key::Tc),
-            flatness: recipe.number(Key::Flat),
-            keel: recipe.number(Key::Keel),
-            rings: recipe.number(Key::Rings) as u32,
-            dimension: recipe.number(Key::Fd),
-            amplitude: recipe.number(Key::Af),
+            sweep: recipe.number(keys::SR),
+            skew: recipe.number(keys::SC),
+            skew_angle: recipe.number(keys::SA).to_radians(),
+            tilt: recipe.number(keys::TILT),
+            taper: recipe.number(keys::TC),
+            flatness: recipe.number(keys::FLAT),
+            keel: recipe.number(keys::KEEL),
+            rings: recipe.number(keys::RINGS) as u32,
+            dimension: recipe.number(shared::FD),
+            amplitude: recipe.number(shared::AF),
         },
-        seed: seed(recipe),
+        seed: common::seed(recipe),
     }
 }
 
@@ -285,81 +269,38 @@ pub(super) fn finish(recipe: &Recipe, fine: usize, finer: i32) -> HeightFieldPar
     };
     HeightFieldParams {
         planes: PlaneParams { texture, finer },
-        weather: weather(recipe),
-        light: LightParams {
-            shade: shading(recipe),
-            optics: optics(recipe),
-        },
+        weather: common::weather(recipe),
+        light: common::light(recipe),
     }
 }
 
 pub(super) fn texture(recipe: &Recipe) -> TextureParams {
     TextureParams {
-        side: side(recipe),
+        side: common::side(recipe),
         fine: 1,
-        seed: seed(recipe),
-        size: recipe.number(Key::Cs),
+        seed: common::seed(recipe),
+        size: recipe.number(keys::CS),
         stone: stone(recipe),
-        dimension: recipe.number(Key::Fd),
-        amplitude: recipe.number(Key::Af),
-        palette: recipe.choice(Key::Palette),
-        ground: recipe.choice(Key::Ground),
-        vary: recipe.number(Key::Vary),
+        dimension: recipe.number(shared::FD),
+        amplitude: recipe.number(shared::AF),
+        palette: recipe.choice(shared::PALETTE),
+        ground: recipe.choice(shared::GROUND),
+        vary: recipe.number(shared::VARY),
         colour: colour(recipe),
         tile: recipe.is_tile(),
     }
 }
 
-fn weather(recipe: &Recipe) -> WeatherParams {
-    WeatherParams {
-        wear: recipe.number(Key::Wear),
-        moss: recipe.number(Key::Moss),
-        dirt: recipe.number(Key::Dirt),
-        wet: recipe.number(Key::Wet),
-    }
-}
-
 fn colour(recipe: &Recipe) -> ColourParams {
     ColourParams {
-        pattern: Pattern::of_word(recipe.choice(Key::Pattern)),
-        scale: recipe.number(Key::Pn) * recipe.side(),
-        angle: recipe.number(Key::Pa).to_radians(),
-        sharpness: recipe.number(Key::Ps),
-        share: recipe.number(Key::Pc),
-        amount: recipe.number(Key::Pm),
-        rim: recipe.number(Key::Rim),
-        belly: recipe.number(Key::Belly),
-        belly_angle: recipe.number(Key::Ba).to_radians(),
-    }
-}
-
-/// The table that the optics plane indexes.
-pub(super) fn optics(recipe: &Recipe) -> Vec<Optics> {
-    optics_table(
-        recipe.choice(Key::Palette),
-        recipe.choice(Key::Ground),
-        Gloss::of_word(recipe.choice(Key::Gloss)),
-    )
-}
-
-pub(super) fn shading(recipe: &Recipe) -> ShadeParams {
-    ShadeParams {
-        light: match recipe.choice(Key::Light) {
-            "point" => Light::Point {
-                x: recipe.number(Key::Lx),
-                y: recipe.number(Key::Ly),
-                z: recipe.number(Key::Lz),
-            },
-            _ => Light::Parallel {
-                azimuth: recipe.number(Key::Az).to_radians(),
-                elevation: recipe.number(Key::El).to_radians(),
-            },
-        },
-        ambient: recipe.number(Key::Amb),
-        diffuse: recipe.number(Key::Diff),
-        specular: recipe.number(Key::Spec),
-        shininess: recipe.number(Key::Shin),
-        shadow: recipe.number(Key::Shadow),
-        occlusion: recipe.number(Key::Occl),
+        pattern: Pattern::of_word(recipe.choice(keys::PATTERN)),
+        scale: recipe.number(keys::PN) * recipe.side(),
+        angle: recipe.number(keys::PA).to_radians(),
+        sharpness: recipe.number(keys::PS),
+        share: recipe.number(keys::PC),
+        amount: recipe.number(keys::PM),
+        rim: recipe.number(keys::RIM),
+        belly: recipe.number(keys::BELLY),
+        belly_angle: recipe.number(keys::BA).to_radians(),
     }
 }

@@ -1,9 +1,9 @@
 //! What cells are packed on: the domain and the fields over it.
 
+use super::stages::Stage;
 use crate::domain::{Domain, Outline};
 use crate::field::{FieldBuilder, FieldParams, Fields};
 use crate::graph::{Node, State};
-use crate::recipe::Stage;
 use glam::DVec2;
 
 /// What the domain is.

@@ -1,17 +1,17 @@
 //! Overlays: what is drawn over a base.
 
-use super::{Overlay, Studio, View};
+use super::{Overlay, Pavement, Stage, View};
+use crate::generators::common;
 use crate::packing::Packing;
-use crate::recipe::Stage;
 use crate::render::overlay::Board;
 use crate::render::overlay_size::Veil;
 use crate::render::overlay_stress::stress;
 use crate::render::{overlay_field, overlay_loads, overlay_over};
 
-impl Studio {
+impl Pavement {
     /// Draws a view's overlays, each as soon as there is something to show of the pavement at work.
     pub(super) fn draw_over(&mut self, view: View, board: &mut Board, veil: &mut Veil) {
-        let side = self.side();
+        let side = common::side(&self.working.recipe);
         let [meshed, celled] = [Stage::Mesh, Stage::Cells].map(|stage| self.is_past(stage));
         let packs = self.made.is_packing();
         let domain = self.made.terrain.domain.made();

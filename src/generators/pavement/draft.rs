@@ -3,11 +3,11 @@
 //! let go the packing is made from its own start, as ever, and takes the place of the draft.
 
 use super::terrain::Terrain;
-use super::{Studio, Wish};
+use super::{Pavement, Stage, Wish};
 use crate::domain::{Domain, Outline};
 use crate::field::Fields;
+use crate::generators::{Clock, Engine};
 use crate::packing::Packing;
-use crate::recipe::Stage;
 use crate::render::overlay_tones::Tones;
 use glam::DVec2;
 
@@ -22,48 +22,21 @@ pub(super) struct Draft {
     pub tones: Tones,
 }
 
-impl Studio {
-    /// While live, a recipe that changes the outline, the fields or the packing makes the cells flow
-    /// from where they are instead of starting the work again, and nothing else is worked on. What
-    /// was made for the last recipe before stays until live ends; then all goes on as if the latest
-    /// recipe had just been set, but the flowing cells are shown until the new packing has ended.
-    pub fn set_live(&mut self, on: bool) {
-        let ends = self.live && !on;
-        self.live = on;
-        if ends {
-            if !self.lets_finish() {
-                self.take_up();
-            }
-            self.drop_draft();
-        }
-    }
-
-    /// Is the packing a draft now?
-    pub(super) fn flows(&self) -> bool {
-        let stale = self.stale.is_some_and(|stage| stage <= Stage::Packing);
-        self.live && stale && self.keeps_side()
-    }
-
+impl Pavement {
     /// The draft, while it is to be seen.
     pub(super) fn draft(&self) -> Option<&Draft> {
-        let packs = self.at_work().is_some_and(|stage| stage <= Stage::Packing);
-        self.draft.as_ref().filter(|_| packs || self.flows())
+        let is_failed = self.made.failure().is_some();
+        let packs = self.made.at().is_some_and(|stage| stage <= Stage::Packing) && !is_failed;
+        self.draft.as_ref().filter(|_| packs || self.is_drafting())
     }
 
     /// The draft, while it is at work.
     pub(super) fn flowing(&self) -> Option<&Draft> {
-        self.draft.as_ref().filter(|_| self.flows())
-    }
-
-    /// Drops a draft that is not needed any more.
-    pub(super) fn drop_draft(&mut self) {
-        if !self.live && self.draft().is_none() {
-            self.draft = None;
-        }
+        self.draft.as_ref().filter(|_| self.is_drafting())
     }
 
     /// Works on the draft; true when it may look different.
-    pub(super) fn flow(&mut self, clock: &mut dyn FnMut() -> f64, budget: f64) -> bool {
+    pub(super) fn flow(&mut self, clock: Clock, budget: f64) -> bool {
         let begin = clock();
         let is_old = |draft: &mut Draft| draft.wish.params != self.latest.params;
         let stale = self.draft.take_if(is_old);

@@ -1,12 +1,11 @@
 //! What the cell at a place is like, and how all of them are.
 
-use super::Studio;
+use super::{Pavement, Stage};
 use crate::cells::Cell;
 use crate::domain::{Domain, ring_contains};
 use crate::field::Kind;
 use crate::metrics::{Figure, period};
 use crate::packing::Sample;
-use crate::recipe::Stage;
 use glam::DVec2;
 
 /// A cell as it is found at a place. Lengths are picture units, angles degrees from +x, y down.
@@ -75,7 +74,7 @@ pub(super) struct Boxes {
     boxes: Vec<[DVec2; 2]>,
 }
 
-impl Studio {
+impl Pavement {
     /// Are the products of this stage those of the pass at work?
     pub(super) fn is_past(&self, stage: Stage) -> bool {
         self.made.at().is_none_or(|at| at > stage)

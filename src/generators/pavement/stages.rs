@@ -1,17 +1,66 @@
 //! The stages of a pavement: what each has made, and how they hang together.
 
-use super::height_field::{Bodies, HeightField, Passes, Revisions};
 use super::params::{CellParams, CoatParams, Params};
 use super::terrain::Terrain;
 use crate::cells::{self, Cell, Fitting, Graph, Scatter, ScatterParams};
 use crate::domain::Domain;
+use crate::generators::height_field::{Bodies, Finish, HeightField, Passes, Revisions};
 use crate::graph::{Node, State};
 use crate::mesh::{Mesh, Meshing};
 use crate::notice::{Code, Notice};
 use crate::packing::{Packing, PackingParams, Placing};
-use crate::recipe::Stage;
 use crate::solid::oriented;
 use crate::texture::{Coat, Coats, Planes};
+
+/// The stages of a pavement, in their order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Stage {
+    /// The outline with its distances.
+    Domain,
+    /// Size and direction of the cells.
+    Fields,
+    /// The relaxation of the cells.
+    Packing,
+    /// The mesh that joins neighbouring cells.
+    Mesh,
+    /// One polygon per cell.
+    Cells,
+    /// Stones, painted as they are made into planes of bump, colour, optics and id.
+    Planes,
+    /// What years and weather do to the planes, and how much of the sky each place sees.
+    Weather,
+    /// The picture.
+    Shading,
+}
+
+impl Stage {
+    /// All stages in their order.
+    pub const ALL: [Stage; 8] = [
+        Stage::Domain,
+        Stage::Fields,
+        Stage::Packing,
+        Stage::Mesh,
+        Stage::Cells,
+        Stage::Planes,
+        Stage::Weather,
+        Stage::Shading,
+    ];
+}
+
+/// Their words.
+pub const WORDS: [&str; 8] = [
+    "domain", "fields", "packing", "mesh", "cells", "planes", "weather", "shading",
+];
+
+impl From<Finish> for Stage {
+    fn from(finish: Finish) -> Self {
+        match finish {
+            Finish::Planes => Stage::Planes,
+            Finish::Weather => Stage::Weather,
+            Finish::Shading => Stage::Shading,
+        }
+    }
+}
 
 /// Cells whose neighbours are found, or whose coats are made, in one slice.
 const CELLS: usize = 500;
@@ -31,7 +80,7 @@ pub(super) enum Shaping {
 }
 
 /// The stages.
-pub(super) struct Pavement {
+pub(super) struct Stages {
     pub terrain: Terrain,
     packing: Node<PackingParams, Packs, Packing>,
     mesh: Node<(), Meshing, Mesh>,
@@ -53,13 +102,14 @@ enum Task {
     Cells,
     Flow,
     Coats,
-    Finish(Stage),
+    Finish(Finish),
 }
 
 impl Task {
     fn stage(self) -> Stage {
         match self {
-            Task::Terrain(stage) | Task::Finish(stage) => stage,
+            Task::Terrain(stage) => stage,
+            Task::Finish(stage) => stage.into(),
             Task::Pack => Stage::Packing,
             Task::Mesh => Stage::Mesh,
             Task::Cells => Stage::Cells,
@@ -68,7 +118,7 @@ impl Task {
     }
 }
 
-impl Pavement {
+impl Stages {
     /// Nothing made yet.
     pub fn new(params: Params) -> Self {
         Self {
@@ -283,7 +333,7 @@ impl Pavement {
         });
     }
 
-    fn make_picture(&mut self, stage: Stage) {
+    fn make_picture(&mut self, stage: Finish) {
         let inputs = self.finish_inputs();
         let (Some(domain), Some(cells)) = (self.terrain.domain.made(), self.cells.made()) else {
             return;
@@ -308,7 +358,7 @@ impl Shaping {
 }
 
 /// What there is to be seen: where nothing else is said, what was made last, stale or not.
-impl Pavement {
+impl Stages {
     /// The packing at work, or the last one.
     pub fn packing(&self) -> Option<&Packing> {
         match self.packing.work() {
@@ -401,7 +451,12 @@ impl Pavement {
 
     /// The planes on their way.
     pub fn planes_coming(&self) -> Option<&Planes> {
-        self.finish.planes_coming(self.at()?, self.finish_inputs())
+        let stage = match self.at()? {
+            Stage::Planes => Finish::Planes,
+            Stage::Weather => Finish::Weather,
+            _ => return None,
+        };
+        self.finish.planes_coming(stage, self.finish_inputs())
     }
 
     /// The picture last finished, empty before there is one.
@@ -416,17 +471,17 @@ impl Pavement {
         before + self.flow.slices() + self.coats.slices() + self.finish.slices()
     }
 
-    /// How often each stage has finished.
-    pub fn runs(&self) -> [(Stage, u64); 8] {
+    /// How often each stage has finished, in their order.
+    pub fn runs(&self) -> [u64; 8] {
         [
-            (Stage::Domain, self.terrain.domain.revision()),
-            (Stage::Fields, self.terrain.fields.revision()),
-            (Stage::Packing, self.packing.revision()),
-            (Stage::Mesh, self.mesh.revision()),
-            (Stage::Cells, self.cells.revision()),
-            (Stage::Planes, self.finish.planes.revision()),
-            (Stage::Weather, self.finish.weather.revision()),
-            (Stage::Shading, self.finish.light.revision()),
+            self.terrain.domain.revision(),
+            self.terrain.fields.revision(),
+            self.packing.revision(),
+            self.mesh.revision(),
+            self.cells.revision(),
+            self.finish.planes.revision(),
+            self.finish.weather.revision(),
+            self.finish.light.revision(),
         ]
     }
 }

@@ -115,6 +115,30 @@ impl Overlay {
     }
 }
 
+impl Base {
+    /// The words alone.
+    pub(super) const WORDS: [&str; 14] = {
+        let (mut words, mut k) = ([""; 14], 0);
+        while k < 14 {
+            words[k] = Base::ALL[k].1;
+            k += 1;
+        }
+        words
+    };
+}
+
+impl Overlay {
+    /// The words alone.
+    pub(super) const WORDS: [&str; 9] = {
+        let (mut words, mut k) = ([""; 9], 0);
+        while k < 9 {
+            words[k] = Overlay::ALL[k].1;
+            k += 1;
+        }
+        words
+    };
+}
+
 impl From<Base> for View {
     fn from(base: Base) -> Self {
         Self { base, over: 0 }

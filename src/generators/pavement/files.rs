@@ -1,8 +1,10 @@
 //! What can be taken out of a finished studio: maps, and the mesh of all cells.
 
-use super::Studio;
-use super::height_field::LightParams;
+use super::{Pavement, params};
 use crate::export::{self, Map, MapKind, MeshFile, MeshFormat, maps};
+use crate::generators::bigger::{Bigger, Picture};
+use crate::generators::height_field::{Bodies, LightParams};
+use crate::generators::{Clock, Engine, MeshSlice, PictureSlice};
 use crate::notice::{Code, Notice};
 use crate::solid::Quarry;
 use crate::texture::Planes;
@@ -10,17 +12,6 @@ use crate::texture::Planes;
 /// Loop steps of skin in a file, beyond those of the picture: its triangles are still about a pixel
 /// large, and a file is a quarter as long.
 const MESH_STEPS: i32 = -1;
-
-/// What one slice of work gave of a mesh file.
-#[derive(Clone, Debug, PartialEq)]
-pub struct MeshSlice {
-    /// The file begins with these parts: those of calls before are of another one.
-    pub begun: bool,
-    /// The next parts of the file, one after the other.
-    pub parts: Vec<Vec<u8>>,
-    /// The file ends with them.
-    pub done: bool,
-}
 
 /// A mesh file in the making.
 pub(super) struct Saving {
@@ -31,15 +22,42 @@ pub(super) struct Saving {
     revision: u64,
 }
 
-impl Studio {
-    /// A map of the finished picture's planes.
-    ///
-    /// # Errors
-    /// A notice where the picture is not finished.
-    pub fn map(&self, kind: MapKind) -> Result<Map, Notice> {
-        let planes = self.made.planes().filter(|_| self.done());
+impl Pavement {
+    pub(super) fn map_of_planes(&self, kind: MapKind) -> Result<Map, Notice> {
+        let planes = self.made.planes().filter(|_| self.is_done());
         let planes = planes.ok_or(Code::NotYet)?;
         Ok(map_of(kind, planes, &self.working.params.finish.light))
+    }
+
+    pub(super) fn map_of_bigger(&self, kind: MapKind) -> Result<Map, Notice> {
+        let revision = self.made.finish.light.revision();
+        let bigger = self.bigger.as_ref().filter(|_| self.is_done());
+        let planes = bigger.and_then(|bigger| bigger.planes(revision));
+        let planes = planes.ok_or(Code::NoBiggerPicture)?;
+        Ok(map_of(kind, planes, &self.working.params.finish.light))
+    }
+
+    pub(super) fn bigger_slice(
+        &mut self,
+        scale: usize,
+        clock: Clock,
+        budget: f64,
+    ) -> Result<PictureSlice, Notice> {
+        let mut kept = self.bigger.take();
+        let domain = self.made.terrain.domain.made();
+        let picture = Picture {
+            side: self.side(),
+            revision: self.is_done().then(|| self.made.finish.light.revision()),
+            bodies: domain.map(|domain| Bodies {
+                domain,
+                cells: self.made.scales(),
+                coats: self.made.coats(),
+            }),
+        };
+        let params = || params::finish(&self.working.recipe, scale, self.finer);
+        let slice = Bigger::advance(&mut kept, &picture, (scale, &params), clock, budget);
+        self.bigger = kept;
+        slice
     }
 
     /// The cells last finished as a standalone SVG file of the picture's size; '' before there are any.
@@ -57,21 +75,16 @@ impl Studio {
         }
     }
 
-    /// Works for about `budget` milliseconds by `clock` on the file of all cells' surfaces. Begins
-    /// anew where the pavement or the format is another one than the last time.
-    ///
-    /// # Errors
-    /// A notice where the picture is not finished.
-    pub fn mesh_file(
+    pub(super) fn mesh_slice(
         &mut self,
         format: MeshFormat,
-        clock: &mut dyn FnMut() -> f64,
+        clock: Clock,
         budget: f64,
     ) -> Result<MeshSlice, Notice> {
         let revision = self.made.finish.weather.revision();
         let fits = |s: &Saving| (s.format, s.revision) == (format, revision);
         let kept = self.saving.take().filter(fits);
-        if !self.done() {
+        if !self.is_done() {
             return Err(Code::NotYet.into());
         }
         let begun = kept.is_none();
@@ -97,7 +110,7 @@ impl Studio {
         &self,
         file: &mut MeshFile,
         quarry: &mut Quarry,
-        clock: &mut dyn FnMut() -> f64,
+        clock: Clock,
         budget: f64,
     ) -> bool {
         let stone = self.stone_params();

@@ -2,11 +2,11 @@
 
 use super::files::map_of;
 use super::look::{Base, View};
-use super::{Studio, params};
+use super::{Pavement, PavementRecipe, Stage, params};
 use crate::cells::Cell;
 use crate::export::MapKind;
+use crate::generators::{Clock, Engine};
 use crate::order;
-use crate::recipe::Stage;
 use crate::render::overlay::{Board, Paper};
 use crate::render::overlay_sketch::{Layer, Sketch};
 use crate::render::overlay_tones::{SHEET, Tones};
@@ -54,10 +54,10 @@ enum Way {
     Picture,
 }
 
-impl Studio {
-    /// The picture of a view: opaque RGBA, [`Studio::side`] pixels a side, row after row from the
-    /// top. While a stage has nothing to show yet, what was there before, or the bare outline.
-    pub fn view(&mut self, view: View) -> &[u8] {
+impl Pavement {
+    /// The picture of a view; while a stage has nothing to show yet, what was there before, or the bare
+    /// outline.
+    pub(super) fn look_at(&mut self, view: View) -> &[u8] {
         let stamp = self.stamp();
         let mut gallery = std::mem::take(&mut self.gallery);
         let side = self.side();
@@ -83,10 +83,8 @@ impl Studio {
         shown.map_or(&[], Board::rgba)
     }
 
-    /// Works for about `budget` milliseconds by `clock` on what is much to draw of a view, at least
-    /// one piece (to begin is one); true when nothing of it is left for [`Studio::view`]. Work on the
-    /// recipe in between makes it begin again.
-    pub fn prepare(&mut self, view: View, clock: &mut dyn FnMut() -> f64, budget: f64) -> bool {
+    /// Work on the recipe in between makes it begin again.
+    pub(super) fn draw_beforehand(&mut self, view: View, clock: Clock, budget: f64) -> bool {
         let begin = clock();
         let mut gallery = std::mem::take(&mut self.gallery);
         let key = (view.base, self.stamp(), self.way(view.base, &gallery));
@@ -241,7 +239,7 @@ impl Studio {
         if picture && (settled || base == Base::Picture) {
             return Way::Picture;
         }
-        match self.at_work() {
+        match self.made.at().filter(|_| made.failure().is_none()) {
             Some(stage) if stage >= Stage::Planes => match self.ground_shown() {
                 Some(_) => Way::Stones,
                 None => Way::Cells,

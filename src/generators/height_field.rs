@@ -5,12 +5,22 @@ use crate::cells::Cell;
 use crate::domain::Domain;
 use crate::graph::{Node, State};
 use crate::notice::{Code, Notice};
-use crate::recipe::Stage;
 use crate::render::{ShadeParams, Shader};
 use crate::solid::Quarry;
 use crate::texture::{
     Coat, Optics, Painted, Painter, Planes, TextureParams, WeatherParams, Weathering,
 };
+
+/// The stages of the finisher, in their order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Finish {
+    /// Bodies, painted as they are made into planes of bump, colour, optics and id.
+    Planes,
+    /// What years and weather do to the planes, and how much of the sky each place sees.
+    Weather,
+    /// The picture.
+    Shading,
+}
 
 /// Rows of the picture in one slice.
 pub(super) const ROWS: usize = 16;
@@ -102,14 +112,14 @@ impl HeightField {
     }
 
     /// The first of its stages that is not fresh.
-    pub fn due(&self, inputs: Revisions) -> Option<(Stage, State)> {
+    pub fn due(&self, inputs: Revisions) -> Option<(Finish, State)> {
         let states = [
-            (Stage::Planes, self.planes.state(inputs.cells)),
+            (Finish::Planes, self.planes.state(inputs.cells)),
             (
-                Stage::Weather,
+                Finish::Weather,
                 self.weather.state(self.weather_inputs(inputs)),
             ),
-            (Stage::Shading, self.light.state(self.weather.revision())),
+            (Finish::Shading, self.light.state(self.weather.revision())),
         ];
         let mut states = states.into_iter();
         states.find(|&(_, state)| state != State::Fresh)
@@ -120,10 +130,10 @@ impl HeightField {
     }
 
     /// One slice of a stage.
-    pub fn advance(&mut self, stage: Stage, bodies: Bodies, inputs: Revisions) {
+    pub fn advance(&mut self, stage: Finish, bodies: Bodies, inputs: Revisions) {
         match stage {
-            Stage::Planes => self.paint(bodies, inputs.cells),
-            Stage::Weather => self.weather(bodies.domain, self.weather_inputs(inputs)),
+            Finish::Planes => self.paint(bodies, inputs.cells),
+            Finish::Weather => self.weather(bodies.domain, self.weather_inputs(inputs)),
             _ => self.shade(),
         }
     }
@@ -213,10 +223,10 @@ impl HeightField {
     }
 
     /// The planes as they are by now, while planes or weather are at work.
-    pub fn planes_coming(&self, stage: Stage, inputs: Revisions) -> Option<&Planes> {
+    pub fn planes_coming(&self, stage: Finish, inputs: Revisions) -> Option<&Planes> {
         match stage {
-            Stage::Planes => Some(self.painting(inputs)?.painter.planes()),
-            Stage::Weather => match self.weather.work_of(self.weather_inputs(inputs)) {
+            Finish::Planes => Some(self.painting(inputs)?.painter.planes()),
+            Finish::Weather => match self.weather.work_of(self.weather_inputs(inputs)) {
                 Some(weathering) => Some(weathering.planes()),
                 None => Some(&self.planes.made()?.as_ref()?.planes),
             },

@@ -1,8 +1,7 @@
 //! Why a view, or a drawing over it, shows nothing.
 
-use super::{Base, Overlay, Studio, View};
+use super::{Base, Overlay, Pavement, Stage, View};
 use crate::domain::Domain;
-use crate::recipe::Stage;
 use crate::render::{overlay_loads, overlay_planes};
 use glam::DVec2;
 
@@ -42,10 +41,10 @@ const PLACES: usize = 32;
 /// Fields that vary by less than this part are the same everywhere.
 const SAME: f64 = 0.01;
 
-impl Studio {
+impl Pavement {
     /// What of a view shows nothing, by its word, and why: first what lies below, then the drawings
     /// over it in their order.
-    pub fn absences(&mut self, view: View) -> Vec<(&'static str, Absence)> {
+    pub(super) fn missing(&mut self, view: View) -> Vec<(&'static str, Absence)> {
         let mut found = Vec::new();
         if let Some(why) = self.base_absence(view.base) {
             let word = Base::ALL.iter().find(|(base, _)| *base == view.base);

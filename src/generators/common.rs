@@ -1,0 +1,61 @@
+//! From the rows that generators share to the parameters of the height field's weather and light.
+
+use super::height_field::LightParams;
+use crate::recipe::Recipe;
+use crate::recipe::common::keys;
+use crate::render::{Light, ShadeParams};
+use crate::texture::{Gloss, WeatherParams, optics_table};
+
+/// Pixels along the picture's side.
+pub(super) fn side(recipe: &Recipe) -> usize {
+    recipe.number(keys::SIZE) as usize
+}
+
+/// Of all random numbers.
+pub(super) fn seed(recipe: &Recipe) -> u64 {
+    recipe.number(keys::SEED) as u64
+}
+
+/// What years and weather do.
+pub(super) fn weather(recipe: &Recipe) -> WeatherParams {
+    WeatherParams {
+        wear: recipe.number(keys::WEAR),
+        moss: recipe.number(keys::MOSS),
+        dirt: recipe.number(keys::DIRT),
+        wet: recipe.number(keys::WET),
+    }
+}
+
+/// The light, and how palette, ground and gloss answer it.
+pub(super) fn light(recipe: &Recipe) -> LightParams {
+    LightParams {
+        shade: shading(recipe),
+        optics: optics_table(
+            recipe.choice(keys::PALETTE),
+            recipe.choice(keys::GROUND),
+            Gloss::of_word(recipe.choice(keys::GLOSS)),
+        ),
+    }
+}
+
+fn shading(recipe: &Recipe) -> ShadeParams {
+    ShadeParams {
+        light: match recipe.choice(keys::LIGHT) {
+            "point" => Light::Point {
+                x: recipe.number(keys::LX),
+                y: recipe.number(keys::LY),
+                z: recipe.number(keys::LZ),
+            },
+            _ => Light::Parallel {
+                azimuth: recipe.number(keys::AZ).to_radians(),
+                elevation: recipe.number(keys::EL).to_radians(),
+            },
+        },
+        ambient: recipe.number(keys::AMB),
+        diffuse: recipe.number(keys::DIFF),
+        specular: recipe.number(keys::SPEC),
+        shininess: recipe.number(keys::SHIN),
+        shadow: recipe.number(keys::SHADOW),
+        occlusion: recipe.number(keys::OCCL),
+    }
+}

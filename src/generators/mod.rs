@@ -1,0 +1,83 @@
+//! What can be made: each generator with its schema, presets, stages, views, and the machine that
+//! works. A new one is a folder here, its libraries, and one line in [`ALL`].
+
+mod bigger;
+mod common;
+mod engine;
+mod height_field;
+pub mod pavement;
+mod preset;
+#[cfg(feature = "specimen")]
+pub mod specimen;
+
+pub use bigger::MOST_PIXELS;
+pub use engine::{Clock, Engine, MeshSlice, PictureSlice, Progress};
+pub use preset::{Part, Preset, Timing};
+
+use crate::notice::Notice;
+use crate::recipe::{Recipe, Schema};
+
+/// A generator.
+pub struct Generator {
+    /// Its parameters; their word is the generator's.
+    pub schema: &'static Schema,
+    /// Its name on the page.
+    pub title: &'static str,
+    /// In the order of the page.
+    pub presets: &'static [Preset],
+    /// Words of the stages, in their order: scripts and reports call them so.
+    pub stages: &'static [&'static str],
+    /// What there is to look at.
+    pub views: Views,
+    /// Words of the page's parts that it needs: `outline` (the editor), `probe`, `plots`, `layers`,
+    /// `tiles`, `compare`, `svg`, `mesh`, `forming`.
+    pub offers: &'static [&'static str],
+    /// The machine, with all its work before it.
+    pub engine: fn(&Recipe) -> Box<dyn Engine>,
+}
+
+/// Words of views, which are joined by '+': at most one of those that lie at the bottom, and drawings
+/// over it.
+#[derive(Clone, Copy)]
+pub struct Views {
+    /// What lies at the bottom.
+    pub bases: &'static [&'static str],
+    /// What is drawn over it.
+    pub overlays: &'static [&'static str],
+}
+
+/// The generators that there are. The first one is that of links that name none.
+#[derive(Clone, Copy)]
+pub struct Registry(&'static [&'static Generator]);
+
+/// All generators of this build.
+pub const ALL: Registry = Registry(&[
+    &pavement::PAVEMENT,
+    #[cfg(feature = "specimen")]
+    &specimen::SPECIMEN,
+]);
+
+impl Registry {
+    /// Each of them.
+    pub fn iter(self) -> impl Iterator<Item = &'static Generator> {
+        self.0.iter().copied()
+    }
+
+    /// Reads a link of one of them; see [`Recipe::from_link`].
+    pub fn recipe(self, link: &str) -> (Recipe, Vec<Notice>) {
+        let schemas: Vec<&Schema> = self.iter().map(|generator| generator.schema).collect();
+        Recipe::from_link(&schemas, link)
+    }
+
+    /// The one that a recipe is for.
+    pub fn of(self, recipe: &Recipe) -> &'static Generator {
+        let mut all = self.iter();
+        let found = all.find(|generator| recipe.is_of(generator.schema));
+        found.unwrap_or(self.0[0])
+    }
+
+    /// The one of this word.
+    pub fn named(self, word: &str) -> Option<&'static Generator> {
+        self.iter().find(|generator| generator.schema.word == word)
+    }
+}

@@ -1,0 +1,284 @@
+//! The one table of a pavement's parameters. The link, the controls of the page, clamping and presets
+//! all read it: a new parameter is one row, its use, and its words.
+
+use crate::domain::MAX_POINTS;
+use crate::recipe::parameter::{choice, int, number, text};
+use crate::recipe::schema::{choices, rows};
+use crate::recipe::{Choice, Item, SideLimits, common};
+
+/// The word for the outline that is given by its points.
+pub const POLYGON: &str = "polygon";
+
+/// The word for skin cells among the stones.
+pub const SKIN: &str = "skin";
+
+/// Cells below two pixels could not be told from noise.
+const CELL_LIMITS: SideLimits = SideLimits {
+    finest: 400.0,
+    least: 2.0,
+    coarsest: 2.0,
+};
+
+rows! {
+    outline OUTLINE: "The shape of the area to pave." =>
+        choice("Outline", choices![
+            annulus: "Ring", road_s: "S-curve", road_straight: "Straight road",
+            road_spiral: "Spiral", y_fork: "Fork", crossing: "Crossing",
+            plaza: "Plaza with holes", road_notch: "Cut-out road", l_shape: "L", star: "Star",
+            square: "Square", polygon: "Free polygon",
+        ]).group("Outline").only_for(keys::TILE, &["0"]);
+    poly POLY: "The free polygon's points, as compact text; draw it or load it from a file instead." =>
+        text("Points", Item::Ring(MAX_POINTS)).group("Outline")
+            .drawn_for(keys::OUTLINE, POLYGON).only_for(keys::OUTLINE, &[POLYGON]);
+    lines LINES: "Constraint lines inside the outline: cells line up along both sides of them." =>
+        text("Lines", Item::Line).group("Outline");
+    tile TILE: "Makes the whole picture a tile that repeats without a seam; the outline does not count." =>
+        choice("Area", &[
+            Choice { word: "0", label: "Outline" }, Choice { word: "1", label: "Seamless tile" },
+        ]).group("Outline");
+    size SIZE => common::SIZE;
+    ow OW: "Width of the paved way, as a factor of the shape's own." =>
+        number("", "Width").range(0.3, 1.7, 0.05, 1.0).group("Outline")
+            .only_for(keys::OUTLINE, BUILT_IN);
+    on ON: "Number of bends, turns, arms, holes, notches or points; 0 takes the shape's own." =>
+        int("", "Number").range(0.0, 12.0, 1.0, 0.0).group("Outline")
+            .only_for(keys::OUTLINE, COUNTED);
+    oa OA: "Turns the shape clockwise; it always fills the picture." =>
+        number("", "Turn").range(-180.0, 180.0, 1.0, 0.0).unit("°").group("Outline")
+            .only_for(keys::OUTLINE, BUILT_IN);
+
+    kind KIND: "Shape of the packed cells: squares and rectangles in rows, circles and ellipses like honeycombs." =>
+        choice("Kind", choices![
+            square: "Square", rectangle: "Rectangle", circle: "Circle", ellipse: "Ellipse",
+        ]).group("Cells");
+    parts PARTS: "Kinds of the parts that lines cut the outline into." =>
+        text("Kinds of parts", Item::Seed(keys::KIND)).group("Cells").only_with(keys::LINES);
+    ca CA: "Length of a cell along the direction over its width." =>
+        number("Ca", "Aspect ratio").range(1.0, 5.0, 0.05, 2.0).group("Cells")
+            .only_for(keys::KIND, STRETCHED);
+    cb CB: "Factor of the aspect ratio on the boundary; inwards it goes over to the plain one." =>
+        number("", "Aspect at the boundary").range(0.2, 5.0, 0.05, 1.0).group("Cells")
+            .only_for(keys::KIND, STRETCHED);
+    cd CD: "How far from the boundary the aspect ratio changes, in picture sides." =>
+        number("", "Aspect reach").range(0.02, 1.0, 0.01, 0.25).group("Cells")
+            .only_with(keys::CB);
+    stretch STRETCH: "Soft spots with an aspect ratio of their own." =>
+        text("Aspect spots", Item::Spot(1.0, 5.0)).group("Cells").only_for(keys::KIND, STRETCHED);
+    cs CS: "Average side of a cell." =>
+        number("Cs", "Cell size").range(2.0, 256.0, 1.0, 23.0).per_side(CELL_LIMITS).unit("px")
+            .group("Size");
+    gx GX: "Makes cells grow from left to right (or shrink, below 0); on a tile a wave." =>
+        number("", "Size gradient x").range(-0.8, 0.8, 0.05, 0.0).group("Size");
+    gy GY: "Makes cells grow from top to bottom (or shrink, below 0); on a tile a wave." =>
+        number("", "Size gradient y").range(-0.8, 0.8, 0.05, 0.0).group("Size");
+    gr GR: "Makes cells grow from the picture's centre outwards (or shrink, below 0)." =>
+        number("", "Size gradient radial").range(-0.8, 0.8, 0.05, 0.0).group("Size");
+    gb GB: "Factor of the size on the boundary; inwards it goes over to the plain one." =>
+        number("", "Size at the boundary").range(0.2, 3.0, 0.05, 1.0).group("Size");
+    gd GD: "How far from the boundary the size changes, in picture sides." =>
+        number("", "Size reach").range(0.02, 1.0, 0.01, 0.25).group("Size")
+            .only_with(keys::GB);
+    spots SPOTS: "Soft spots of larger or smaller cells." =>
+        text("Size spots", Item::Spot(0.2, 3.0)).group("Size");
+    dir DIR: "What the rows of cells follow: the boundary, painted strokes, one angle, a point, or eq. (1) as it is printed." =>
+        choice("Direction", choices![
+            boundary: "Along the boundary", constant: "One angle", printed: "Eq. (1) as printed",
+            radial: "Radial", circular: "Circular", spiral: "Spiral", strokes: "Strokes only",
+        ]).group("Direction");
+    angle ANGLE: "Direction of the rows, clockwise from the x axis." =>
+        number("θ", "Angle").range(-90.0, 90.0, 1.0, 0.0).unit("°").group("Direction")
+            .only_for(keys::DIR, &["constant", "strokes"]);
+    fx FX: "The point that rows turn about, from left to right, in picture sides." =>
+        number("", "Centre x").range(-1.0, 2.0, 0.01, 0.5).group("Direction")
+            .only_for(keys::DIR, ABOUT);
+    fy FY: "The point that rows turn about, from top to bottom, in picture sides." =>
+        number("", "Centre y").range(-1.0, 2.0, 0.01, 0.5).group("Direction")
+            .only_for(keys::DIR, ABOUT);
+    fa FA: "Angle of the spiral to the rays from its point: 0 radial, 90 circular." =>
+        number("", "Spiral angle").range(-90.0, 90.0, 1.0, 45.0).unit("°")
+            .group("Direction").only_for(keys::DIR, &["spiral"]);
+    dp DP: "Power of the distance in the direction's weights: the higher, the nearer a wall must be." =>
+        int("", "Distance power").range(2.0, 4.0, 1.0, 4.0).group("Direction")
+            .only_for(keys::DIR, &["boundary", "strokes"]);
+    ends ENDS: "Weight of the outline's short ends in the direction of cells that are not square." =>
+        number("", "Weight of ends").range(0.0, 1.0, 0.05, 0.0).group("Direction")
+            .only_for(keys::KIND, &["rectangle", "circle", "ellipse"]);
+    strokes STROKES: "Painted lines that the rows follow." =>
+        text("Strokes", Item::Line).group("Direction");
+    reach REACH: "Up to where a stroke counts more than one angle or the point, in picture sides." =>
+        number("", "Reach of strokes").range(0.02, 1.0, 0.01, 0.15).group("Direction")
+            .only_with(keys::STROKES);
+
+    edge EDGE: "What lies on the boundary: the edges of the outermost cells, or their fixed centres." =>
+        choice("Boundary", choices![wall: "Edges on it", on: "Centres on it"])
+            .group("Packing");
+    start START: "Where cells are put at first." =>
+        choice("Start", choices![stream: "Along the direction", quadtree: "Quadtree"])
+            .group("Packing");
+    move MOVE: "How the equation of motion is integrated." =>
+        choice("Integrator", choices![semi: "Semi-implicit", rk4: "Runge-Kutta 4"])
+            .group("Packing");
+    pop POP: "How cells are added and removed on the way." =>
+        choice("Population", choices![
+            slots: "Empty slots", smallest: "Smallest distance", off: "Off",
+        ]).group("Packing");
+    vs VS: "Random variance of the cells' size." =>
+        number("Vs", "Size variance").range(0.0, 0.5, 0.01, 0.0).group("Packing");
+    seed SEED => common::SEED;
+
+    cells CELLS: "Cells fitted to each other without gaps, or as they were packed; to compare, Voronoi cells of as many random points, plain or evened out by Lloyd's relaxation." =>
+        choice("Cells", choices![
+            fitted: "Fitted", packed: "As packed", voronoi: "Voronoi", lloyd: "Lloyd",
+        ]).group("Packing");
+
+    stone STONE: "What a cell becomes: a round stone, a flat one with bevelled edges, or a cell of skin, a prism that may lean and taper." =>
+        choice("Form", choices![cobble: "Cobblestone", flag: "Flagstone", skin: "Skin"])
+            .group("Relief");
+    sv SV: "Scale of the base in its cell; below 1 the joints get wider. Smoothing draws skin together, so it needs more." =>
+        number("Sv", "Base scale").range(0.5, 3.0, 0.01, 1.0).default_while(keys::STONE, SKIN, 1.4)
+            .group("Relief");
+    hs HS: "Height of the stones: low ones lie flat, high ones have round heads and deep joints." =>
+        number("Hs", "Height").range(1.0, 128.0, 1.0, 18.0).unit("px").group("Relief")
+            .only_for(keys::STONE, &["cobble", "flag"]);
+    sr SR: "Height of skin, in skin sizes: the mean distance of a cell's corners from its middle." =>
+        number("Sr", "Sweep").range(0.05, 4.0, 0.05, 1.0).group("Relief")
+            .only_for(keys::STONE, SKINS);
+    sc SC: "How far the top leans along the flow, in skin sizes: scales overlap where it is large." =>
+        number("Sc", "Skew").range(0.0, 4.0, 0.05, 0.0).group("Relief")
+            .only_for(keys::STONE, SKINS);
+    tilt TILT: "How much the top rises along the flow: scales lie like tiles on a roof." =>
+        number("", "Tilt").range(0.0, 1.0, 0.01, 0.0).group("Relief")
+            .only_for(keys::STONE, SKINS);
+    sa SA: "Where the top leans and rises to, clockwise from the direction of the cells." =>
+        number("", "Flow angle").range(-180.0, 180.0, 1.0, 0.0).unit("°")
+            .group("Relief").only_for(keys::STONE, SKINS);
+    tc TC: "How far the top is drawn to the middle: 0 a block, 1 a thorn." =>
+        number("Tc", "Taper").range(0.0, 1.0, 0.01, 0.2).group("Relief")
+            .only_for(keys::STONE, SKINS);
+    flat FLAT: "How much is kept of the prism under the smooth surface: 0 a dome, 1 a plate with edges." =>
+        number("", "Flatness").range(0.0, 1.0, 0.01, 0.0).group("Relief")
+            .only_for(keys::STONE, SKINS);
+    keel KEEL: "Height of a ridge along the flow over the middle of each cell, in cell heights." =>
+        number("", "Keel").range(0.0, 1.0, 0.01, 0.0).group("Relief")
+            .only_for(keys::STONE, SKINS);
+    rings RINGS: "Growth rings on each cell." =>
+        int("", "Growth rings").range(0.0, 12.0, 1.0, 0.0).group("Relief")
+            .only_for(keys::STONE, SKINS);
+    dr DR: "Random distortion of the top corners; 0 makes all stones alike." =>
+        number("Dr", "Distortion").range(0.0, 1.0, 0.01, 0.3).default_while(keys::STONE, SKIN, 0.05)
+            .group("Relief");
+    rand RAND: "Distribution of the distortion: uniform (2000) or normal (2001)." =>
+        choice("Random numbers", choices![uniform: "Uniform", normal: "Normal"])
+            .group("Relief");
+    bh BH: "How far from a corner the horizontal bevel begins." =>
+        number("Bh", "Bevel, horizontal").range(0.0, 1.0, 0.01, 0.2).group("Relief")
+            .only_for(keys::STONE, &["flag"]);
+    bv BV: "How far below the top the vertical bevel begins." =>
+        number("Bv", "Bevel, vertical").range(0.0, 1.0, 0.01, 0.2).group("Relief")
+            .only_for(keys::STONE, &["flag"]);
+
+    fd FD => common::FD.default_while(keys::STONE, SKIN, 1.1);
+    af AF => common::AF.default_while(keys::STONE, SKIN, 0.1);
+    palette PALETTE => common::PALETTE;
+    vary VARY => common::VARY;
+    ground GROUND => common::GROUND;
+    gloss GLOSS => common::GLOSS;
+
+    pattern PATTERN: "The rule by which cells have the palette's mark colour." =>
+        choice("Pattern", choices![
+            none: "None", bands: "Bands", spots: "Spots", rosettes: "Rosettes",
+            blotches: "Blotches", turing: "Reaction-diffusion", size: "By size",
+            boundary: "Near the boundary", lines: "Near lines", direction: "By direction",
+        ]).group("Colour");
+    pn PN: "From one mark to the next, or how far marks reach, in picture sides." =>
+        number("", "Pattern scale").range(0.02, 1.0, 0.01, 0.12).group("Colour")
+            .only_for(keys::PATTERN, SCALED);
+    pa PA: "Across bands, or where marked cells point, clockwise from the x axis." =>
+        number("", "Pattern angle").range(-180.0, 180.0, 1.0, 0.0).unit("°")
+            .group("Colour").only_for(keys::PATTERN, &["bands", "direction"]);
+    ps PS: "Of the border between marked cells and others: 0 soft, 1 sharp." =>
+        number("", "Pattern sharpness").range(0.0, 1.0, 0.05, 0.7).group("Colour")
+            .only_for(keys::PATTERN, PATTERNS);
+    pc PC: "Share of the cells that are marked." =>
+        number("", "Pattern share").range(0.05, 0.95, 0.01, 0.5).group("Colour")
+            .only_for(keys::PATTERN, PATTERNS);
+    pm PM: "How much of the mark's colour marked cells have." =>
+        number("", "Pattern strength").range(0.0, 1.0, 0.05, 1.0).group("Colour")
+            .only_for(keys::PATTERN, PATTERNS);
+    rim RIM: "Darkens the rim of each cell; below 0 its middle." =>
+        number("", "Dark rims").range(-1.0, 1.0, 0.05, 0.0).group("Colour");
+    belly BELLY: "How much of the palette's belly colour there is on one side of the picture." =>
+        number("", "Belly").range(0.0, 1.0, 0.05, 0.0).group("Colour");
+    ba BA: "Where the belly is, clockwise from the x axis." =>
+        number("", "Belly angle").range(-180.0, 180.0, 1.0, 90.0).unit("°")
+            .group("Colour").only_with(keys::BELLY);
+
+    wear WEAR => common::WEAR;
+    moss MOSS => common::MOSS;
+    dirt DIRT => common::DIRT;
+    wet WET => common::WET;
+
+    light LIGHT => common::LIGHT;
+    az AZ => common::AZ;
+    el EL => common::EL;
+    lx LX => common::LX;
+    ly LY => common::LY;
+    lz LZ => common::LZ;
+    amb AMB => common::AMB;
+    diff DIFF => common::DIFF;
+    spec SPEC => common::SPEC;
+    shin SHIN => common::SHIN;
+    shadow SHADOW => common::SHADOW;
+    occl OCCL => common::OCCL;
+}
+
+/// The kinds with an aspect ratio.
+const STRETCHED: &[&str] = &["rectangle", "ellipse"];
+
+/// The word of the stones that are skin.
+const SKINS: &[&str] = &["skin"];
+
+/// The patterns, and those that have a scale.
+const PATTERNS: &[&str] = &[
+    "bands",
+    "spots",
+    "rosettes",
+    "blotches",
+    "turing",
+    "size",
+    "boundary",
+    "lines",
+    "direction",
+];
+const SCALED: &[&str] = &[
+    "bands", "spots", "rosettes", "blotches", "turing", "boundary", "lines",
+];
+
+/// The directions about a point.
+const ABOUT: &[&str] = &["radial", "circular", "spiral"];
+
+/// Every outline but the free polygon.
+const BUILT_IN: &[&str] = &[
+    "annulus",
+    "road_s",
+    "road_straight",
+    "road_spiral",
+    "y_fork",
+    "crossing",
+    "plaza",
+    "road_notch",
+    "l_shape",
+    "star",
+    "square",
+];
+
+/// The outlines that have a number of something.
+const COUNTED: &[&str] = &[
+    "road_s",
+    "road_spiral",
+    "y_fork",
+    "crossing",
+    "plaza",
+    "road_notch",
+    "star",
+];

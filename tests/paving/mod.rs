@@ -1,0 +1,35 @@
+//! What tests ask of studios that make pavements.
+#![allow(dead_code)] // Each test file uses its part of it.
+
+use bubblestone::generators::ALL;
+use bubblestone::generators::pavement::{self, Pavement};
+use bubblestone::recipe::{Key, Parameter};
+use bubblestone::studio::Studio;
+
+/// A studio with the recipe of a pavement's link.
+pub fn studio(link: &str) -> Studio {
+    Studio::new(ALL, pavement::recipe(link).0)
+}
+
+/// The row of a pavement's parameter.
+pub fn row(key: Key) -> &'static Parameter {
+    pavement::SCHEMA.row(key.0).expect(key.0)
+}
+
+/// The engine of a studio.
+pub trait OfPavement {
+    /// The pavement at work.
+    fn pavement(&self) -> &Pavement;
+    /// The same, for what it works out when it is asked.
+    fn pavement_mut(&mut self) -> &mut Pavement;
+}
+
+impl OfPavement for Studio {
+    fn pavement(&self) -> &Pavement {
+        self.engine_as().expect("a pavement")
+    }
+
+    fn pavement_mut(&mut self) -> &mut Pavement {
+        self.engine_as_mut().expect("a pavement")
+    }
+}
