@@ -34,7 +34,7 @@ const oneWay = {
 };
 
 export default defineConfig(
-  globalIgnores(['dist/', 'node_modules/', 'out/', 'pkg/', 'target/']),
+  globalIgnores(['dist/', 'node_modules/', 'out/', 'pkg/', 'pkg-specimen/', 'target/']),
   { linterOptions: { reportUnusedDisableDirectives: 'error' } },
   {
     rules: {

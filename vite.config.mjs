@@ -3,7 +3,7 @@ import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 import { buildIcons } from './scripts/lib/icons.mjs';
 import { offline } from './scripts/lib/offline.mjs';
-import { buildThumbs } from './scripts/lib/thumbs.mjs';
+import { buildThumbs, generatorsOf, thumbsOfMore } from './scripts/lib/thumbs.mjs';
 
 const here = (/** @type {string} */ path) => fileURLToPath(new URL(path, import.meta.url));
 
@@ -64,6 +64,30 @@ function japanese() {
   return words;
 }
 
+/** The folder of the second module, which is loaded at first need; none while all generators are in the first. */
+const house = process.env['BUBBLESTONE_HOUSE'] ? here(`pkg-${process.env['BUBBLESTONE_HOUSE']}`) : undefined;
+
+/** What each module makes, for the page to offer it before it is here; and the second module, if there is one. */
+const made = {
+  name: 'made',
+  /** @param {string} id */
+  resolveId: (id) => (['virtual:generators', 'virtual:house'].includes(id) ? `\0${id}` : undefined),
+  /** @param {string} id */
+  load: async (id) => {
+    if (id === '\0virtual:generators') return `export default ${JSON.stringify(await generatorsOf([here('pkg'), ...(house ? [house] : [])]))}`;
+    if (id !== '\0virtual:house') return undefined;
+    if (!house) return 'export default undefined';
+    const [glue, packed] = ['bubblestone.js', 'house.lzma?url'].map((name) => JSON.stringify(`${house}/${name}`));
+    return `import packed from ${packed}; export default { packed, bring: () => import(${glue}) }`;
+  },
+  /** @this {import('rolldown').PluginContext} */
+  async generateBundle() {
+    for (const { name, bytes } of house ? await thumbsOfMore(house) : []) {
+      this.emitFile({ type: 'asset', fileName: `thumbs/${name}.avif`, source: bytes });
+    }
+  },
+};
+
 // Files of the site that are made have to be there before Vite looks for files.
 await buildThumbs();
 await buildIcons();
@@ -72,17 +96,17 @@ await buildIcons();
 const packed = {
   name: 'packed',
   /** @param {string} code @param {string} id */
-  transform: (code, id) => (id.includes('/pkg/bubblestone.js') ? code.replace("new URL('bubblestone_bg.wasm', import.meta.url)", 'undefined') : undefined),
+  transform: (code, id) => (/\/pkg(-\w+)?\/bubblestone\.js$/.test(id) ? code.replace("new URL('bubblestone_bg.wasm', import.meta.url)", 'undefined') : undefined),
 };
 
 export default defineConfig({
   root: here('www'),
   // Relative, so that the site works from any folder of any host.
   base: './',
-  plugins: [words, notices, whole, packed, offline],
+  plugins: [words, notices, whole, packed, made, offline],
   json: { namedExports: true },
   build: {
-    outDir: here('dist'),
+    outDir: process.env['BUBBLESTONE_SITE'] ?? here('dist'),
     emptyOutDir: true,
     target: 'es2022',
     // The module stays a file of its own, however small: browsers compile it while it arrives.
@@ -103,5 +127,5 @@ export default defineConfig({
       },
     },
   },
-  worker: { format: 'es', plugins: () => [packed] },
+  worker: { format: 'es', plugins: () => [packed, made] },
 });

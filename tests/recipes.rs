@@ -70,6 +70,82 @@ fn defaults_are_those_that_links_rely_on() {
     assert_eq!(found, golden);
 }
 
+/// One row of the table of all keys.
+fn described(row: &Parameter) -> String {
+    let words = |row: &Parameter| {
+        let words: Vec<String> = row
+            .choices
+            .iter()
+            .map(|c| format!("`{}`", c.word))
+            .collect();
+        words.join(", ")
+    };
+    let unit = match row.unit {
+        "" | "°" => row.unit.to_owned(),
+        unit => format!(" {unit}"),
+    };
+    let (values, default) = match row.kind {
+        Kind::Choice => (words(row), format!("`{}`", row.choices[0].word)),
+        Kind::Text => ("compact text".into(), String::new()),
+        _ => (
+            format!("{} to {}{unit}", row.min, row.max),
+            match row.default_while {
+                None => row.default.to_string(),
+                Some((key, word, own)) => {
+                    format!("{}; {own} while `{}={word}`", row.default, key.0)
+                }
+            },
+        ),
+    };
+    let name = match row.symbol {
+        "" => row.name.to_owned(),
+        symbol => format!("{}, {symbol}", row.name),
+    };
+    format!(
+        "| `{}` | {name} | {values} | {default} | {} |\n",
+        row.key.0, row.help
+    )
+}
+
+/// The table follows from the schemas: `BUBBLESTONE_UPDATE=1 cargo test --test recipes`.
+#[cfg(not(target_arch = "wasm32"))]
+#[test]
+fn the_table_of_keys_is_that_of_the_schemas() {
+    let mut table = "# The keys of a link\n".to_owned();
+    let shipped = ALL.iter().filter(|one| one.schema.word != "specimen");
+    for generator in shipped {
+        let schema = generator.schema;
+        let make = match schema.is_named {
+            true => format!("`make={}`", schema.word),
+            false => "links without `make`".to_owned(),
+        };
+        table += &format!("\n## {}\n\nIn {make}:\n", generator.title);
+        let mut group = "";
+        for row in schema.rows {
+            if row.group != group {
+                group = row.group;
+                table += &format!(
+                    "\n### {group}\n\n| key | name | values | default | what it does |\n|---|---|---|---|---|\n"
+                );
+            }
+            table += &described(row);
+        }
+    }
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/parameters.md");
+    if std::env::var_os("BUBBLESTONE_UPDATE").is_some() {
+        std::fs::write(path, table).unwrap();
+        return;
+    }
+    let found = std::fs::read_to_string(path).unwrap_or_default();
+    for line in table.lines() {
+        assert!(
+            found.lines().any(|other| other == line),
+            "not in docs/parameters.md: {line}"
+        );
+    }
+    assert_eq!(found.lines().count(), table.lines().count());
+}
+
 #[test]
 fn presets_are_canonical() {
     let mut names: Vec<&str> = PAVEMENT.presets.iter().map(|p| p.name).collect();

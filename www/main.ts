@@ -1,5 +1,5 @@
 /** Starts the page. */
-import { keepModule } from './module/load';
+import { keepModules } from './module/load';
 import { t } from './words/words';
 import { byId } from './base/dom';
 import { reasonOf } from './base/errors';
@@ -7,20 +7,27 @@ import { takeLanguage } from './base/language';
 import { alertOf, passing } from './base/messages';
 import { followTheme } from './base/theme';
 import { load } from './state/engine';
-import { isEmbedded } from './state/link';
+import { askedFor, openedFirst } from './state/first';
+import { fragment, isEmbedded } from './state/link';
+import { lastWork } from './state/memory';
 import { App } from './shell/app';
 
 async function start(): Promise<void> {
   try {
     const embedded = isEmbedded();
     document.documentElement.toggleAttribute('data-embed', embedded);
-    const [embed] = await Promise.all([embedded ? import('./shell/embed') : undefined, load(), takeLanguage()]);
+    const [embed] = await Promise.all([embedded ? import('./shell/embed') : undefined, load(embedded ? fragment() : firstLink()), takeLanguage()]);
     if (embed) window.bubblestone = embed.embed();
     else await begin();
   } catch (error) {
     document.documentElement.dataset['stage'] = 'error';
     alertOf('trouble', reasonOf(error));
   }
+}
+
+function firstLink(): string {
+  const last = lastWork();
+  return openedFirst(askedFor(last), last);
 }
 
 async function begin(): Promise<void> {
@@ -34,7 +41,7 @@ async function begin(): Promise<void> {
 /** The first picture is done: now there is time for the next visit. */
 async function storeSite(): Promise<void> {
   // Without a storage the next visit unpacks the module again.
-  keepModule().catch(() => undefined);
+  keepModules().catch(() => undefined);
   const { register } = await import('./shell/offline');
   register((what) => {
     if (what === 'newer') passing('offline', t('offline_newer'));

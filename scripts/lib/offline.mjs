@@ -15,10 +15,10 @@ export function filesOf(site) {
     .sort();
 }
 
-/** The files that the page needs to begin with: those that its HTML names, and the WebAssembly. @param {string} site */
+/** The files that the page needs to begin with: those that its HTML names, and the first WebAssembly module. @param {string} site */
 export function firstOf(site) {
   const html = readFileSync(join(site, 'index.html'), 'utf8');
-  return filesOf(site).filter((path) => path === 'index.html' || path.endsWith('.lzma') || html.includes(`="./${path}"`));
+  return filesOf(site).filter((path) => path === 'index.html' || /\bbubblestone-.*\.lzma$/.test(path) || html.includes(`="./${path}"`));
 }
 
 /** What stands for SITE in www/service/sw.ts. @param {string} site */

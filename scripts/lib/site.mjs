@@ -5,8 +5,12 @@ import { gzipSync } from 'node:zlib';
 import { host } from './host.mjs';
 import { filesOf, firstOf } from './offline.mjs';
 import { root, run, say, Stop } from './run.mjs';
+import { targetDir } from './rust.mjs';
 
 export const site = join(root, 'dist');
+
+/** The site that tests of several generators open: its second module has a specimen. */
+export const specimenSite = join(targetDir, 'site-specimen');
 
 /** The most that the WebAssembly module may weigh, packed. */
 const wasmBudget = 310_000;
@@ -20,8 +24,19 @@ const thumbsInSight = 8;
 /** Vite's build of www/ and pkg/. */
 export async function buildSite() {
   say('Building the page into dist/');
-  run(process.execPath, [join(root, 'node_modules', 'vite', 'bin', 'vite.js'), 'build', '--logLevel', 'warn']);
+  vite();
   weigh();
+}
+
+/** The same with the specimen's module beside it. */
+export async function buildSpecimenSite() {
+  say('Building the page with a specimen');
+  vite({ BUBBLESTONE_HOUSE: 'specimen', BUBBLESTONE_SITE: specimenSite });
+}
+
+/** @param {NodeJS.ProcessEnv} [more] */
+function vite(more) {
+  run(process.execPath, [join(root, 'node_modules', 'vite', 'bin', 'vite.js'), 'build', '--logLevel', 'warn'], { env: { ...process.env, ...more } });
 }
 
 /** The same, and again after every change of www/, until the program ends; answers when the site is there. */

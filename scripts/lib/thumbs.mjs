@@ -19,9 +19,37 @@ const coding = { quality: 30, effort: 3 };
 /** Milliseconds and packing steps of one slice of work: all at once. */
 const all = /** @type {const} */ ([1e9, 1e9]);
 
+/** Groups of parameters that go along from one generator to another; the seed does, too. */
+const CARRIED = ['Weather', 'Light'];
+
+/** The page's script of a module, which Node runs as well. @param {string} folder */
+async function moduleIn(folder) {
+  const module = await import(pathToFileURL(join(folder, 'bubblestone.js')).href);
+  module.initSync({ module: readFileSync(join(folder, 'bubblestone_bg.wasm')) });
+  return module;
+}
+
+/**
+ * What these modules make, each generator with the first module that has it and the preset that stands for it.
+ * @param {string[]} folders
+ */
+export async function generatorsOf(folders) {
+  /** @type {{ word: string, title: string, module: number, preset: string, carried: string[] }[]} */
+  const all = [];
+  for (const [place, folder] of folders.entries()) {
+    const { generators, presets, schema } = await moduleIn(folder);
+    for (const { word, title } of generators()) {
+      if (all.some((one) => one.word === word)) continue;
+      const rows = /** @type {{ key: string, group: string }[]} */ (schema(word));
+      const carried = rows.filter(({ key, group }) => key === 'seed' || CARRIED.includes(group)).map(({ key }) => key);
+      all.push({ word, title, module: place, preset: presets(word)[0]?.name ?? '', carried });
+    }
+  }
+  return all;
+}
+
 /** Makes them where they are not up to date. */
 export async function buildThumbs() {
-  const module = join(pageModule, 'bubblestone_bg.wasm');
   const stamp = join(root, 'www', '.thumbs-made-from');
   const source = digest(sources());
   if (existsSync(thumbs) && existsSync(stamp) && readFileSync(stamp, 'utf8') === source) return;
@@ -29,25 +57,41 @@ export async function buildThumbs() {
   for (const old of [stamp, thumbs]) rmSync(old, { recursive: true, force: true });
   mkdirSync(thumbs, { recursive: true });
   const begin = performance.now();
+  const module = await moduleIn(pageModule);
+  const files = await thumbsOf(module, 'pavement');
+  for (const { name, bytes } of files) writeFileSync(join(thumbs, `${name}.avif`), bytes);
+  const bytes = files.reduce((sum, file) => sum + file.bytes.length, 0);
+  const seconds = (performance.now() - begin) / 1000;
+  console.log(`${files.length} of ${(bytes / 1000 / files.length).toFixed(1)} kB each, in ${seconds.toFixed(0)} s`);
+  writeFileSync(stamp, source);
+}
+
+/**
+ * Those of what a later module adds.
+ * @param {string} folder of that module
+ */
+export async function thumbsOfMore(folder) {
+  const module = await moduleIn(folder);
+  const all = await generatorsOf([pageModule, folder]);
+  return (await Promise.all(all.filter((one) => one.module > 0).map(({ word }) => thumbsOf(module, word)))).flat();
+}
+
+/**
+ * The pictures of a generator's presets; one is encoded while the next one is drawn.
+ * @param {any} module
+ * @param {string} word of the generator
+ */
+async function thumbsOf({ presets, Bubblestone }, word) {
   // Only here: this file is read before the npm packages are installed.
   const { default: sharp } = await import('sharp');
-  const { initSync, presets, Bubblestone } = await import(pathToFileURL(join(pageModule, 'bubblestone.js')).href);
-  initSync({ module: readFileSync(module) });
-  /** @type {{ name: string, link: string }[]} */
-  const list = presets('pavement');
-  // The picture of one is encoded while the next one is drawn.
-  const files = list.map(({ name, link }) => {
-    const { data, width, height } = picture(new Bubblestone(link), name);
-    return sharp(data, { raw: { width, height, channels: 4 } })
-      .removeAlpha()
-      .resize(side, side, { kernel: 'lanczos3' })
-      .avif(coding)
-      .toFile(join(thumbs, `${name}.avif`));
-  });
-  const bytes = (await Promise.all(files)).reduce((sum, { size }) => sum + size, 0);
-  const seconds = (performance.now() - begin) / 1000;
-  console.log(`${list.length} of ${(bytes / 1000 / list.length).toFixed(1)} kB each, in ${seconds.toFixed(0)} s`);
-  writeFileSync(stamp, source);
+  const list = /** @type {{ name: string, link: string }[]} */ (presets(word));
+  return Promise.all(
+    list.map(async ({ name, link }) => {
+      const { data, width, height } = picture(new Bubblestone(link), name);
+      const shown = sharp(data, { raw: { width, height, channels: 4 } }).removeAlpha();
+      return { name, bytes: await shown.resize(side, side, { kernel: 'lanczos3' }).avif(coding).toBuffer() };
+    }),
+  );
 }
 
 /**

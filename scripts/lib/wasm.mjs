@@ -1,29 +1,38 @@
 // The WebAssembly module, built by wasm-pack for the page or for Node, and skipped where nothing has changed.
-import { existsSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { appendFileSync, existsSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { digest } from './digest.mjs';
 import { root, run, say, Stop } from './run.mjs';
 import { targetDir, wasmTarget, wasmTargetDir } from './rust.mjs';
 
-/** Where the page's module, Node's and the one with the benchmarks are. */
+/** Where the page's module is that knows pavements alone. */
 export const pageModule = join(root, 'pkg');
-/** The page's module as it is sent. */
+/** As it is sent. */
 export const packedModule = join(pageModule, 'bubblestone.lzma');
 export const nodeModule = join(targetDir, 'pkg-node');
-const benchModule = join(targetDir, 'pkg-bench');
+
+/** All builds: where they are put, for whom, and the cargo features of each. */
+const BUILDS = {
+  /** What a first visit gets. */
+  web: { folder: pageModule, target: 'web', features: [] },
+  /** The whole house with a specimen in it, for tests of the page. */
+  specimen: { folder: join(root, 'pkg-specimen'), target: 'web', features: ['specimen'] },
+  nodejs: { folder: nodeModule, target: 'nodejs', features: [] },
+  /** With the measurements. */
+  bench: { folder: join(targetDir, 'pkg-bench'), target: 'nodejs', features: ['bench'] },
+};
 
 // What decides the module beside the code that cargo compiled.
 const recipe = ['Cargo.toml', 'Cargo.lock', 'package-lock.json', 'scripts/lib/wasm.mjs', 'scripts/lib/trim.mjs', 'scripts/lib/locations.mjs'];
 
 /**
  * Builds the module; answers its folder.
- * @param {'web' | 'nodejs' | 'bench'} kind bench: for Node, with the benchmarks
+ * @param {keyof typeof BUILDS} kind
  * @param {NodeJS.ProcessEnv} env of the Rust for WebAssembly
  */
 export async function buildWasm(kind, env) {
-  const folder = { web: pageModule, nodejs: nodeModule, bench: benchModule }[kind];
-  const target = kind === 'web' ? 'web' : 'nodejs';
-  const features = kind === 'bench' ? ['--features', 'bench'] : [];
+  const { folder, target, features: wanted } = BUILDS[kind];
+  const features = wanted.length ? ['--features', wanted.join()] : [];
   const stamp = join(folder, '.built-from');
   say(`Building the WebAssembly module (${kind})`);
   // The very build that wasm-pack asks for, so that nothing is compiled twice.
@@ -39,15 +48,28 @@ export async function buildWasm(kind, env) {
   const { trim } = await import('./trim.mjs');
   trim(module);
   run('wasm-opt', [module, '-o', module, ...optimizing()], { env });
-  if (kind === 'web') await pack(module);
+  if (target === 'web') {
+    await pack(folder, module, kind === 'web' ? 'bubblestone' : 'house');
+    releasable(folder);
+  }
   writeFileSync(stamp, source);
   return folder;
 }
 
-/** What the page loads: see www/module/lzma.ts. @param {string} module */
-async function pack(module) {
+/** What the page loads: see www/module/lzma.ts. @param {string} folder @param {string} module @param {string} name */
+async function pack(folder, module, name) {
   const { default: lzma } = await import('lzma');
-  writeFileSync(packedModule, Uint8Array.from(lzma.compress(readFileSync(module), 9)));
+  writeFileSync(join(folder, `${name}.lzma`), Uint8Array.from(lzma.compress(readFileSync(module), 9)));
+}
+
+/** Lets the page go of a module with all its memory: scripts that were imported stay for ever, and hold their instance. @param {string} folder */
+function releasable(folder) {
+  const glue = join(folder, 'bubblestone.js');
+  const views = [...readFileSync(glue, 'utf8').matchAll(/^let (cached\w+Memory0) = null;$/gm)].map(([, name]) => `${name} = `);
+  if (!views.length) throw new Stop('The module\'s script is not as it was: its memory could not be let go of.');
+  const what = `wasm = wasmModule = wasmInstance = __wbg_init_promise = undefined;\n    ${views.join('')}null;`;
+  appendFileSync(glue, `\n/** Lets go of the module and its memory; all that was made with it must be freed before. */\nexport function release() {\n    ${what}\n}\n`);
+  appendFileSync(join(folder, 'bubblestone.d.ts'), '\n/** Lets go of the module and its memory; all that was made with it must be freed before. */\nexport function release(): void;\n');
 }
 
 /** What Cargo.toml tells wasm-opt to do with a release. */

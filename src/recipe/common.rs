@@ -18,10 +18,10 @@ macro_rules! common {
 common! {
     size SIZE: "Side of the square picture; the outline grows with it, the stones do not." =>
         int("", "Picture side").range(128.0, 2048.0, 64.0, 512.0).unit("px")
-            .group("Outline");
+            .group("Outline").steady();
 
     seed SEED: "Names the random numbers: another seed, another pavement." =>
-        int("", "Seed").range(0.0, 4_294_967_295.0, 1.0, 1.0).group("Packing");
+        int("", "Seed").range(0.0, 4_294_967_295.0, 1.0, 1.0).group("Packing").steady();
 
     fd FD: "Fractal dimension of the faces: near 1 smooth swells, near 2 rough grain." =>
         number("Fd", "Fractal dimension").range(1.05, 1.95, 0.01, 1.5)
@@ -37,7 +37,7 @@ common! {
             crocodile: "Crocodile", lizard: "Lizard", snake: "Snake", coral: "Coral snake",
             fish: "Fish", koi: "Koi", tortoise: "Tortoise", armadillo: "Armadillo",
             pangolin: "Pangolin", desert: "Thorny devil", cone: "Pine cone", dragon: "Dragon",
-        ]).group("Surface");
+        ]).group("Surface").main();
     vary VARY: "Variation of tone from stone to stone." =>
         number("", "Tone variation").range(0.0, 2.0, 0.05, 1.0).group("Surface");
     ground GROUND: "What lies between the stones." =>
@@ -51,28 +51,28 @@ common! {
         ]).group("Surface");
 
     wear WEAR: "Lowers, rounds and polishes what feet tread on, most of all along the middle of the way." =>
-        number("", "Wear").range(0.0, 1.0, 0.05, 0.0).group("Weather");
+        number("", "Wear").range(0.0, 1.0, 0.05, 0.0).group("Weather").main();
     moss MOSS: "Lets moss grow, in the joints first." =>
-        number("", "Moss").range(0.0, 1.0, 0.05, 0.0).group("Weather");
+        number("", "Moss").range(0.0, 1.0, 0.05, 0.0).group("Weather").main();
     dirt DIRT: "Brings dust and mud into hollows." =>
         number("", "Dirt").range(0.0, 1.0, 0.05, 0.0).group("Weather");
     wet WET: "Makes all damp, then wet, with puddles in the joints at last." =>
-        number("", "Wet").range(0.0, 1.0, 0.05, 0.0).group("Weather");
+        number("", "Wet").range(0.0, 1.0, 0.05, 0.0).group("Weather").main();
 
     light LIGHT: "Rays from one side, or from a lamp at a place." =>
         choice("Light", choices![parallel: "Parallel", point: "Point"])
             .group("Light");
     az AZ: "Where the light comes from, clockwise from the right of the picture." =>
-        number("", "Azimuth").range(0.0, 360.0, 1.0, 225.0).unit("°").group("Light")
+        number("", "Azimuth").range(0.0, 360.0, 1.0, 225.0).unit("°").group("Light").main()
             .only_for(keys::LIGHT, &["parallel"]);
     el EL: "Height of the light above the ground." =>
-        number("", "Elevation").range(5.0, 90.0, 1.0, 42.0).unit("°").group("Light")
+        number("", "Elevation").range(5.0, 90.0, 1.0, 42.0).unit("°").group("Light").main()
             .only_for(keys::LIGHT, &["parallel"]);
     lx LX: "Lamp's place from left to right, in picture sides." =>
-        number("", "Lamp x").range(-1.0, 2.0, 0.01, 0.25).group("Light")
+        number("", "Lamp x").range(-1.0, 2.0, 0.01, 0.25).group("Light").main()
             .only_for(keys::LIGHT, &["point"]);
     ly LY: "Lamp's place from top to bottom, in picture sides." =>
-        number("", "Lamp y").range(-1.0, 2.0, 0.01, 0.2).group("Light")
+        number("", "Lamp y").range(-1.0, 2.0, 0.01, 0.2).group("Light").main()
             .only_for(keys::LIGHT, &["point"]);
     lz LZ: "Lamp's height above the ground, in picture sides." =>
         number("", "Lamp height").range(0.05, 2.0, 0.01, 0.4).group("Light")

@@ -92,6 +92,10 @@ pub struct Parameter {
     pub help: &'static str,
     /// The group of controls that it belongs to.
     pub group: &'static str,
+    /// Does it matter most? Where little is to be shown it is.
+    pub is_main: bool,
+    /// Does chance leave it as it is?
+    pub is_steady: bool,
     /// The words of a choice, the default first.
     pub choices: &'static [Choice],
     /// What the rows of a text hold.
@@ -120,6 +124,8 @@ impl Parameter {
             unit: "",
             help: "",
             group: "",
+            is_main: false,
+            is_steady: false,
             choices: &[],
             item: None,
             drawn_for: None,
@@ -160,6 +166,18 @@ impl Parameter {
     /// Among the controls of this group.
     pub const fn group(mut self, group: &'static str) -> Self {
         self.group = group;
+        self
+    }
+
+    /// One of those that matter most.
+    pub const fn main(mut self) -> Self {
+        self.is_main = true;
+        self
+    }
+
+    /// Left as it is by chance.
+    pub const fn steady(mut self) -> Self {
+        self.is_steady = true;
         self
     }
 

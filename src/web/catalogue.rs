@@ -23,6 +23,10 @@ export interface Parameter {
   unit: string;
   help: string;
   group: string;
+  /** It is one of those that matter most. */
+  main: boolean;
+  /** Chance leaves it as it is. */
+  steady: boolean;
   choices: { word: string; label: string }[];
   /** The parameter applies only while another one has one of these words. */
   shownFor?: { key: string; words: string[] } | undefined;
@@ -115,6 +119,8 @@ fn parameter_object(p: &Parameter) -> Object {
         ("unit", p.unit.into()),
         ("help", p.help.into()),
         ("group", p.group.into()),
+        ("main", p.is_main.into()),
+        ("steady", p.is_steady.into()),
         ("choices", choices.into()),
     ]);
     if let Some((key, words)) = p.shown_for {

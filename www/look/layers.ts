@@ -1,35 +1,24 @@
 /** What is drawn below and what over it, with a sentence for each about what one sees. */
-import { t } from '../words/look';
+import { overlayIn, t } from '../words/look';
+import { viewIn } from '../words/words';
 import { byId, make } from '../base/dom';
 import type { Store } from '../state/store';
-import { VIEWS, type View } from '../picture/view';
+import type { View } from '../picture/view';
 import '../styles/late/look.css';
-
-/** In the order in which they are drawn. */
-const OVERLAYS = ['size', 'packed', 'energy', 'cells', 'mesh', 'anisotropy', 'direction', 'forces', 'singularities'] as const;
 
 export class Layers {
   private readonly store: Store;
   private readonly view: View;
   private readonly box = make('section', { class: 'layers-box', id: 'layers', 'aria-label': t('layers_over') });
-  private readonly bases: HTMLInputElement[];
-  private readonly overlays: HTMLInputElement[];
+  private bases: HTMLInputElement[] = [];
+  private overlays: HTMLInputElement[] = [];
+  /** What the boxes are for. */
+  private offered: readonly string[] = [];
   private readonly legend = make('dl', { class: 'layers-legend' });
 
   constructor(store: Store, view: View) {
     this.store = store;
     this.view = view;
-    this.bases = VIEWS.map((word) => make('input', { type: 'radio', name: 'base', value: word }));
-    this.overlays = OVERLAYS.map((word) => make('input', { type: 'checkbox', value: word }));
-    this.box.append(
-      group(t('layers_over'), this.overlays, OVERLAYS.map((word) => t(`over_${word}`))),
-      group(t('layers_base'), this.bases, VIEWS.map((word) => t(`view_${word}`))),
-      this.legend,
-    );
-    for (const radio of this.bases) radio.addEventListener('change', () => store.update({ view: radio.value }));
-    for (const check of this.overlays) {
-      check.addEventListener('change', () => store.update({ overlays: this.overlays.filter(({ checked }) => checked).map(({ value }) => value) }));
-    }
     const button = byId('layers-button');
     button.setAttribute('aria-controls', 'layers');
     for (const place of [this.box, button]) {
@@ -48,8 +37,26 @@ export class Layers {
     this.follow();
   }
 
+  /** A box for each view and each drawing over it of what is made now. */
+  private offer(): void {
+    const { bases, overlays } = this.view;
+    const offered = [...bases, ...overlays];
+    if (offered.join() === this.offered.join()) return;
+    this.offered = offered;
+    this.bases = bases.map((word) => make('input', { type: 'radio', name: 'base', value: word }));
+    this.overlays = overlays.map((word) => make('input', { type: 'checkbox', value: word }));
+    const over = group(t('layers_over'), this.overlays, overlays.map((word) => overlayIn(word)[0]));
+    over.hidden = !overlays.length;
+    this.box.replaceChildren(over, group(t('layers_base'), this.bases, bases.map(viewIn)), this.legend);
+    for (const radio of this.bases) radio.addEventListener('change', () => this.store.update({ view: radio.value }));
+    for (const check of this.overlays) {
+      check.addEventListener('change', () => this.store.update({ overlays: this.overlays.filter(({ checked }) => checked).map(({ value }) => value) }));
+    }
+  }
+
   private follow(): void {
     if (this.box.hidden) return;
+    this.offer();
     const { view, overlays } = this.store.state;
     const lone = view === 'potential';
     for (const radio of this.bases) radio.checked = radio.value === view;
@@ -58,8 +65,8 @@ export class Layers {
       check.disabled = lone;
     }
     const seen = [
-      ...VIEWS.filter((word) => word === view).map((word) => [word, t(`view_${word}`), this.view.note || t(word === 'auto' ? 'note_auto' : 'note_picture')] as const),
-      ...OVERLAYS.filter((word) => !lone && overlays.includes(word)).map((word) => [word, t(`over_${word}`), t(`note_over_${word}`)] as const),
+      [view, viewIn(view), this.view.note || t(view === 'auto' ? 'note_auto' : 'note_picture')] as const,
+      ...this.view.overlays.filter((word) => !lone && overlays.includes(word)).map((word) => [word, ...overlayIn(word)] as const),
     ];
     const absent = this.view.absences();
     this.legend.replaceChildren(...seen.map(([word, name, note]) => make('div', {}, make('dt', {}, name), make('dd', {}, [note, absent.get(word)].filter(Boolean).join(' ')))));

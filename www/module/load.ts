@@ -1,47 +1,90 @@
-/** The WebAssembly module: fetched packed, compiled while it is unpacked; for later visits it is kept unpacked. */
-import init from '../../pkg/bubblestone.js';
+/**
+ * The WebAssembly modules: one that makes pavements, which a first visit gets, and where there are more generators one
+ * that makes all, which comes when it is first needed. Each is fetched packed, compiled while it is unpacked, and for
+ * later visits kept unpacked.
+ */
+import house from 'virtual:house';
+import * as pavements from '../../pkg/bubblestone.js';
 import packed from '../../pkg/bubblestone.lzma?url';
+import { placeOf } from './generators';
 import { Unpacker } from './lzma';
+
+/** A module that is ready, for calls. */
+export type Module = typeof pavements;
+
+interface Source {
+  readonly packed: string;
+  readonly bring: () => Promise<Module>;
+}
+
+/** By their places. */
+const FIRST: Source = { packed, bring: () => Promise.resolve(pavements) };
+const SOURCES: readonly Source[] = house ? [FIRST, house] : [FIRST];
 
 /** Bytes that are unpacked at a time: a few milliseconds of work, after which the page may do other things. */
 const PIECE = 32_768;
 
 const CACHE = 'bubblestone module';
-const KEPT = `${packed}.wasm`;
 
-/** Throws what a browser without a fitting WebAssembly or a broken connection throws. */
-export async function loadModule(): Promise<void> {
-  const kept = await keptModule();
+/** The modules that are ready, by their places. */
+const ready: (Module | undefined)[] = [];
+
+/** The module that a link is to be opened with, where it is ready; the later one has all that the one before it has. */
+export function moduleFor(link: string): Module | undefined {
+  return ready.slice(placeOf(link)).find((module) => module !== undefined);
+}
+
+/** The same, once it is ready. Throws what a browser without a fitting WebAssembly or a broken connection throws. */
+export async function loadModule(link: string): Promise<Module> {
+  return moduleFor(link) ?? (ready[placeOf(link)] = await opened(SOURCES[placeOf(link)] ?? FIRST));
+}
+
+/** Lets go of a module, and of all its memory, once another one has taken its place; what was made with it has been freed. */
+export function dropModule(module: Module): void {
+  ready[ready.indexOf(module)] = undefined;
+  module.release();
+}
+
+async function opened({ packed, bring }: Source): Promise<Module> {
+  const [module, kept] = await Promise.all([bring(), keptModule(packed)]);
   if (kept) {
     try {
-      await init({ module_or_path: kept });
-      return;
+      await module.default({ module_or_path: kept });
+      return module;
     } catch {
       // The kept copy is broken: the site has another.
       await caches.delete(CACHE);
     }
   }
-  await init({ module_or_path: await unpacked() });
+  await module.default({ module_or_path: await unpacked(packed) });
+  return module;
 }
 
-/** Keeps the module for the next visit; of other builds nothing stays. */
-export async function keepModule(): Promise<void> {
-  if (await keptModule()) return;
-  await caches.delete(CACHE);
+/** Keeps the modules that are ready for the next visit; of other builds nothing stays. */
+export async function keepModules(): Promise<void> {
   const cache = await caches.open(CACHE);
-  await cache.put(KEPT, await unpacked());
+  const ours = SOURCES.map(({ packed }) => new URL(nameOf(packed), location.href).href);
+  const there = (await cache.keys()).map(({ url }) => url);
+  await Promise.all(there.filter((url) => !ours.includes(url)).map((url) => cache.delete(url)));
+  for (const [place, { packed }] of SOURCES.entries()) {
+    if (ready[place] && !there.includes(ours[place] ?? '')) await cache.put(nameOf(packed), await unpacked(packed));
+  }
 }
 
-async function keptModule(): Promise<Response | undefined> {
+function nameOf(packed: string): string {
+  return `${packed}.wasm`;
+}
+
+async function keptModule(packed: string): Promise<Response | undefined> {
   try {
-    return await caches.match(KEPT, { cacheName: CACHE });
+    return await caches.match(nameOf(packed), { cacheName: CACHE });
   } catch {
     // Some browsers have no cache, or forbid it.
     return undefined;
   }
 }
 
-async function unpacked(): Promise<Response> {
+async function unpacked(packed: string): Promise<Response> {
   // When it is to be kept, the browser still has it from the first time.
   const answer = await fetch(packed, { cache: 'force-cache' });
   if (!answer.ok) throw new Error(`${answer.status}`);

@@ -7,35 +7,53 @@ import type { Work } from '../state/work';
 import type { Panel } from './panel';
 import { SEED } from './seed';
 
-/** `push` is called before a change that the browser's Back button shall take back. */
-export function makeDice(work: Work, panel: Panel, push: () => void): void {
-  const { engine, store } = work;
-  const ranges = new Later(() => import('./ranges'));
-  const throwAll = (groups: readonly string[]): void => {
-    ranges.ask(({ thrown }) => {
+export class Dice {
+  private readonly work: Work;
+  private readonly push: () => void;
+  private readonly ranges = new Later(() => import('./ranges'));
+  private groups: { name: string; dice: HTMLButtonElement; lock: HTMLButtonElement }[] = [];
+
+  /** `push` is called before a change that the browser's Back button shall take back. */
+  constructor(work: Work, push: () => void) {
+    this.work = work;
+    this.push = push;
+    byId('throw').addEventListener('click', () => this.throw(this.groups.map(({ name }) => name)));
+    onLocks(work.store, () => this.show());
+  }
+
+  /** A dice and a lock for each group of the panel. */
+  build(panel: Panel): void {
+    this.groups = Array.from(panel.groupings(), ([name, element]) => {
+      const dice = signed('dice', t('throw_group', { group: groupIn(name) }));
+      dice.addEventListener('click', () => this.throw([name]));
+      const lock = signed('lock', t('lock_group', { group: groupIn(name) }));
+      lock.addEventListener('click', () => toggleLock(this.work.store, name));
+      element.prepend(make('div', { class: 'group-tools' }, dice, lock));
+      return { name, dice, lock };
+    });
+    this.show();
+  }
+
+  private show(): void {
+    for (const { name, dice, lock } of this.groups) {
+      const locked = isLocked(this.work.store, name);
+      lock.setAttribute('aria-pressed', String(locked));
+      dice.disabled = locked;
+    }
+  }
+
+  private throw(groups: readonly string[]): void {
+    const { engine, store } = this.work;
+    this.ranges.ask(({ thrown }) => {
       const free = groups.filter((group) => !isLocked(store, group));
       const values = thrown(Math.random, free, engine.schema, (key) => engine.get(key));
       if (groups.length > 1 && !isLocked(store, SEED)) values.push([SEED, String(engine.randomSeed())]);
-      push();
-      work.setAll(values);
+      this.push();
+      this.work.setAll(values);
       // What all groups were thrown for is no variant of the preset before.
       if (groups.length > 1) store.update({ preset: undefined });
     });
-  };
-  const names: string[] = [];
-  for (const [name, element] of panel.groupings()) {
-    names.push(name);
-    const dice = signed('dice', t('throw_group', { group: groupIn(name) }));
-    dice.addEventListener('click', () => throwAll([name]));
-    const lock = signed('lock', t('lock_group', { group: groupIn(name) }));
-    lock.addEventListener('click', () => toggleLock(store, name));
-    onLocks(store, () => {
-      lock.setAttribute('aria-pressed', String(isLocked(store, name)));
-      dice.disabled = isLocked(store, name);
-    });
-    element.prepend(make('div', { class: 'group-tools' }, dice, lock));
   }
-  byId('throw').addEventListener('click', () => throwAll(names));
 }
 
 /** A button with the icon of another one of the page. */

@@ -9,12 +9,6 @@ import { makeControl, type Change, type Control } from './control';
 /** Parameters that have their own place on the page. */
 const ELSEWHERE = new Set(['seed', 'poly']);
 
-/**
- * What matters most: four choices, and ten sliders of any recipe. There are more here, as some never apply together: the
- * sun's direction and the lamp's place, the heights of stones and of skin.
- */
-const SIMPLE = new Set(['outline', 'kind', 'stone', 'palette', 'cs', 'ca', 'vs', 'sv', 'hs', 'sr', 'dr', 'wear', 'moss', 'wet', 'az', 'el', 'lx', 'ly']);
-
 /** The visitor's choice of how much of the panel is shown. */
 const EXTENT = 'panel';
 
@@ -35,24 +29,31 @@ interface Group {
 
 export class Panel {
   private readonly groups = new Map<string, Group>();
+  private readonly form = byIdAs('controls', HTMLFormElement);
   private readonly engine: Engine;
-  private readonly recipe: Recipe;
+  private recipe: Recipe;
   private readonly rest = byIdAs('rest', HTMLButtonElement);
   private readonly extents = [...byId('extent').querySelectorAll('input')];
   private simple = kept(EXTENT) !== 'all';
 
-  constructor(engine: Engine) {
+  /** `edit` opens a list over the canvas. */
+  constructor(engine: Engine, private readonly change: Change, private readonly edit: (key: string) => void) {
     this.engine = engine;
     this.recipe = recipeOf(engine);
+    this.form.addEventListener('submit', (event) => event.preventDefault());
+    hintFrom(this.form);
+    this.bindExtent();
     for (const radio of this.extents) radio.checked = this.simple === (radio.value === 'simple');
   }
 
-  /** Builds the controls, a few a frame, as that takes long and the cells move meanwhile. `edit` opens a list over the canvas. */
-  async build(change: Change, edit: (key: string) => void): Promise<void> {
+  /** Builds the controls of what is made now, a few a frame: they are much, and the cells move meanwhile. */
+  async build(): Promise<void> {
     let begin = performance.now();
+    this.groups.clear();
+    this.recipe = recipeOf(this.engine);
     for (const parameter of this.recipe.schema) {
       if (ELSEWHERE.has(parameter.key)) continue;
-      const control = makeControl(parameter, change, edit);
+      const control = makeControl(parameter, this.change, this.edit);
       const group = this.group(parameter.group);
       group.controls.push(control);
       group.details.append(control.element);
@@ -64,11 +65,7 @@ export class Panel {
 
   /** Puts them on the page, once all of them are as they will be. */
   attach(): void {
-    const form = byIdAs('controls', HTMLFormElement);
-    form.addEventListener('submit', (event) => event.preventDefault());
-    hintFrom(form);
-    form.replaceChildren(...Array.from(this.groups.values(), ({ box }) => box));
-    this.bindExtent();
+    this.form.replaceChildren(...Array.from(this.groups.values(), ({ box }) => box));
   }
 
   private bindExtent(): void {
@@ -110,7 +107,7 @@ export class Panel {
         const standard = this.recipe.defaultOf(parameter);
         control.show(value, standard);
         const active = applies(parameter, this.recipe);
-        const shown = !this.simple || SIMPLE.has(parameter.key);
+        const shown = !this.simple || parameter.main;
         element.hidden = !active || !shown;
         if (!active || !differs(parameter, value, standard)) continue;
         changed += 1;

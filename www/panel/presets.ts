@@ -13,7 +13,7 @@ interface Group {
 
 /** One group of presets is unfolded at a time. */
 export class Presets {
-  private readonly groups: Group[] = [];
+  private groups: Group[] = [];
   private readonly buttons = new Map<string, HTMLButtonElement>();
   private marked: string | undefined;
   private placed: ResizeObserver | undefined;
@@ -26,9 +26,15 @@ export class Presets {
     }
   });
 
-  constructor(presets: Preset[], private readonly chosen: (preset: Preset) => void) {
+  constructor(private readonly chosen: (preset: Preset) => void) {}
+
+  /** The presets of what is made now. */
+  build(presets: Preset[]): void {
     const rail = byId('rail');
     rail.replaceChildren();
+    this.inSight.disconnect();
+    this.groups = [];
+    this.buttons.clear();
     for (const title of new Set(presets.map(({ group }) => group))) {
       const id = `presets-${this.groups.length}`;
       const list = make('ul', { id, 'aria-label': groupIn(title) });

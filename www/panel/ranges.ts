@@ -178,6 +178,9 @@ const TABLE: Record<string, readonly Row[]> = {
   ],
 };
 
+/** What has rows of its own, or is thrown apart. */
+const KNOWN = new Set([...Object.values(TABLE).flatMap((rows) => rows.map(([key]) => key)), 'stone']);
+
 /**
  * New values of these groups; `random` gives numbers in 0..1, `get` a parameter's value now. What does
  * nothing in the new recipe takes its default, so that links stay short.
@@ -185,15 +188,18 @@ const TABLE: Record<string, readonly Row[]> = {
 export function thrown(random: () => number, groups: readonly string[], schema: readonly Parameter[], get: (key: string) => string): [key: string, text: string][] {
   const values = new Map<string, string>();
   const now = (key: string): string => values.get(key) ?? get(key);
-  if (groups.includes('Relief')) values.set('stone', stone(random, FAMILY.every((group) => groups.includes(group)), get('stone')));
+  if (groups.includes('Relief') && schema.some(({ key }) => key === 'stone')) values.set('stone', stone(random, FAMILY.every((group) => groups.includes(group)), get('stone')));
   for (const [group, rows] of Object.entries(TABLE)) {
     if (!groups.includes(group)) continue;
     const done = new Set<string>();
     for (const [key, pick, when = {}] of rows) {
-      if (done.has(key) || !Object.entries(when).every(([other, words]) => words?.includes(now(other)))) continue;
+      if (done.has(key) || !schema.some((one) => one.key === key) || !Object.entries(when).every(([other, words]) => words?.includes(now(other)))) continue;
       done.add(key);
       values.set(key, pick === '' ? '' : isRange(pick) ? inRange(random, pick, now) : word(random, pick));
     }
+  }
+  for (const parameter of schema) {
+    if (groups.includes(parameter.group) && !parameter.steady && !KNOWN.has(parameter.key)) values.set(parameter.key, anywhere(random, parameter));
   }
   const recipe: Recipe = { schema, valuesOf: (key) => [now(key)], defaultOf: (parameter) => parameter.default };
   return [...values].map(([key, text]) => {
@@ -205,6 +211,14 @@ export function thrown(random: () => number, groups: readonly string[], schema: 
 function stone(random: () => number, free: boolean, before: string): string {
   if (free) return word(random, { cobble: 4, flag: 3, skin: 4 });
   return before === 'skin' ? before : word(random, { cobble: 4, flag: 3 });
+}
+
+/** Of a parameter without rows: any of its words, a number from the middle half of its range; texts stay as they are. */
+function anywhere(random: () => number, { kind, min, max, step, choices, default: plain }: Parameter): string {
+  if (kind === 'text') return plain;
+  if (kind === 'choice') return choices[Math.floor(random() * choices.length)]?.word ?? plain;
+  const place = 0.25 + 0.5 * random();
+  return rounded(min + place * (max - min), step);
 }
 
 function isRange(pick: Words | Range): pick is Range {

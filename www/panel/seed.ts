@@ -66,9 +66,3 @@ export class Seed {
     if (document.activeElement !== this.box || this.box.value === '') this.box.value = seed;
   }
 }
-
-/** A link with another seed. */
-export function withSeed(link: string, seed: string): string {
-  return [...link.split('&').filter((piece) => piece !== '' && !piece.startsWith('seed=')), `seed=${seed}`].join('&');
-}
-

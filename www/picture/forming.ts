@@ -27,6 +27,7 @@ export class Forming {
 
   /** From now on the work goes at the pace of who watches. */
   begin(newcomer = this.newcomer): void {
+    if (!this.engine.generator.offers.includes('forming')) return;
     this.newcomer = newcomer;
     this.loop.watch = new Watch();
     if (isEnd(this.engine.stage())) this.loop.watch.expected = this.engine.status().steps;

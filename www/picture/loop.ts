@@ -1,5 +1,5 @@
 /** The animation frames: a slice of work in each, none when there is nothing to do or to see. */
-import { isEnd, placeOf } from '../module/stages';
+import { isEnd, isUpToSteps, STEPPING } from '../module/stages';
 import type { Engine } from '../state/engine';
 import type { Watch } from './watch';
 
@@ -58,7 +58,7 @@ export class Loop {
   set paused(paused: boolean) {
     this.held = paused;
     // What has no cells yet goes on to its first ones.
-    this.settling = placeOf(this.engine.stage()) <= placeOf('packing');
+    this.settling = isUpToSteps(this.engine.generator.stages, this.engine.stage());
     // A pause shows the step that it holds, which may not have been drawn.
     this.redraw();
   }
@@ -138,10 +138,10 @@ export class Loop {
     const changed = working && this.work(begin);
     const stage = this.engine.stage();
     // Held, work ends where only packing steps are left: the packing's first cells may take a slice of their own.
-    if (isEnd(stage) || (working && this.held && stage === 'packing' && !changed)) this.settling = false;
+    if (isEnd(stage) || (working && this.held && stage === STEPPING && !changed)) this.settling = false;
     const now = changed ? performance.now() : begin;
     const due = changed && now >= this.nextDrawing;
-    const draw = this.owed || this.dirty || due || isEnd(stage) || (stage !== before && (this.held || stage === 'packing'));
+    const draw = this.owed || this.dirty || due || isEnd(stage) || (stage !== before && (this.held || stage === STEPPING));
     const isLong = working && now - begin + this.drawing > LONG;
     this.owed = draw && (isLong || !this.prepared(stage));
     if (this.owed) return this.wake();

@@ -1,7 +1,7 @@
 /** The state of the work: the stages with their milliseconds, the counts, and the caption. */
-import { placeOf, progressOf, STAGES } from '../module/stages';
+import { progressOf } from '../module/stages';
 import type { Preset, Status } from '../module/types';
-import { partIn, t } from '../words/words';
+import { partIn, stageIn, t } from '../words/words';
 import { byId, make, say } from '../base/dom';
 
 /** Milliseconds after which the bar shows how far the work is; later where it takes its time because somebody watches. */
@@ -17,17 +17,10 @@ export class StatusLine {
   private readonly work = byId('work');
   private readonly way = make('span');
   private began: number | undefined;
+  private words: readonly string[] = [];
 
   constructor() {
     this.work.replaceChildren(this.way);
-    const pipeline = byId('pipeline');
-    pipeline.replaceChildren();
-    for (const word of STAGES) {
-      const time = make('span', { class: 'time' }, '–');
-      const item = make('li', { 'data-word': word }, make('span', { class: 'word' }, t(`stage_${word}`)), time);
-      this.stages.set(word, { item, time });
-      pipeline.append(item);
-    }
     const list = byId('counts');
     list.replaceChildren();
     for (const count of COUNTS) {
@@ -37,9 +30,21 @@ export class StatusLine {
     }
   }
 
+  /** The stages of what is made now. */
+  follow(words: readonly string[]): void {
+    this.words = words;
+    this.stages.clear();
+    for (const word of words) {
+      const time = make('span', { class: 'time' }, '–');
+      const item = make('li', { 'data-word': word }, make('span', { class: 'word' }, stageIn(word)), time);
+      this.stages.set(word, { item, time });
+    }
+    byId('pipeline').replaceChildren(...Array.from(this.stages.values(), ({ item }) => item));
+  }
+
   show(stage: string, status: Status, watched: boolean): void {
-    const at = placeOf(stage);
-    STAGES.forEach((word, index) => {
+    const at = this.words.indexOf(stage);
+    this.words.forEach((word, index) => {
       const parts = this.stages.get(word);
       if (!parts) return;
       const state = stage === 'done' || index < at ? 'done' : index === at ? 'now' : 'next';
@@ -83,16 +88,16 @@ export class StatusLine {
 
   /** The bar under the canvas, while work takes long. */
   private progress(stage: string, status: Status, long: number): void {
-    const word = STAGES.find((each) => each === stage);
+    const word = this.words.includes(stage) ? stage : undefined;
     const now = performance.now();
-    this.began = word && (this.began ?? now);
+    this.began = word === undefined ? undefined : (this.began ?? now);
     this.work.hidden = this.began === undefined || now - this.began < long;
     if (!word || this.work.hidden) return;
-    const done = progressOf(word, status);
+    const done = progressOf(this.words, word, status);
     const n = Math.round(100 * done);
     this.way.style.transform = `scaleX(${done})`;
     this.work.setAttribute('aria-valuenow', String(n));
-    this.work.setAttribute('aria-valuetext', t('work_stage', { stage: t(`stage_${word}`), n }));
+    this.work.setAttribute('aria-valuetext', t('work_stage', { stage: stageIn(word), n }));
   }
 
   private count(name: (typeof COUNTS)[number], text: string): void {

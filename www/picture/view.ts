@@ -1,5 +1,5 @@
 /** The canvas: its size, and what it shows. */
-import { t } from '../words/words';
+import { t, viewIn } from '../words/words';
 import { byIdAs, make } from '../base/dom';
 import type { Engine } from '../state/engine';
 import type { Store } from '../state/store';
@@ -24,9 +24,26 @@ export class View {
     const context = this.canvas.getContext('2d');
     if (!context) throw new Error('This browser gives no canvas to draw on.');
     this.context = context;
-    this.select.replaceChildren(...VIEWS.map((word) => make('option', { value: word }, t(`view_${word}`))));
     this.select.addEventListener('change', () => store.update({ view: this.select.value }));
     store.on(['view'], ({ view }) => (this.select.value = view));
+  }
+
+  /** The views of what is made now, the first ten in the order of their keys 0 to 9. */
+  get bases(): readonly string[] {
+    return this.engine.generator.bases;
+  }
+
+  /** What is drawn over them, in the order in which it is drawn. */
+  get overlays(): readonly string[] {
+    return this.engine.generator.overlays;
+  }
+
+  /** Another generator is at work: what it has no words for is not shown any more. */
+  follow(): void {
+    const { view, overlays } = this.store.state;
+    this.select.replaceChildren(...this.bases.map((word) => make('option', { value: word }, viewIn(word))));
+    this.store.update({ view: this.bases.includes(view) ? view : 'auto', overlays: overlays.filter((word) => this.overlays.includes(word)) });
+    this.select.value = this.store.state.view;
   }
 
   /** What a drawing shows, in a sentence; '' for pictures. */

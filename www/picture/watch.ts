@@ -2,7 +2,7 @@
  * The pace of a forming that somebody watches. It goes by the clock, so that it lasts as long on a fast machine as on a
  * slow one; the clock tells only when things are made, never what is made.
  */
-import { placeOf } from '../module/stages';
+import { STEPPING } from '../module/stages';
 import type { Engine } from '../state/engine';
 
 /** Milliseconds in which cells are packed, then stand as polygons, then get their stones. */
@@ -23,6 +23,10 @@ const SETTLING = 0.62;
 export const PHASES = ['push', 'settle', 'stone'] as const;
 export type Phase = (typeof PHASES)[number];
 
+/** Stages up to the first cells, and those in which they stand as they are. */
+const BEFORE = ['', 'domain', 'fields'];
+const STANDING_STAGES = ['packing', 'mesh', 'cells'];
+
 export class Watch {
   /** Steps that the packing takes, as far as known. */
   expected = STEPS;
@@ -34,9 +38,8 @@ export class Watch {
   private due = 0;
 
   get phase(): Phase {
-    const at = placeOf(this.stage);
-    if (at < placeOf('packing') || (this.stage === 'packing' && this.passed < SETTLING * PACKING)) return 'push';
-    return at < placeOf('planes') ? 'settle' : 'stone';
+    if (BEFORE.includes(this.stage) || (this.stage === STEPPING && this.passed < SETTLING * PACKING)) return 'push';
+    return STANDING_STAGES.includes(this.stage) ? 'settle' : 'stone';
   }
 
   /**

@@ -1,5 +1,5 @@
 /** The wiring: what happens when something on the page is changed, and what is shown of it. */
-import { isEnd, placeOf } from '../module/stages';
+import { isEnd, isUpToSteps, STEPPING } from '../module/stages';
 import { language, t } from '../words/words';
 import { byId, byIdAs, frame, make, say, wantsStill } from '../base/dom';
 import { bindKeys, listenToKeys } from '../base/keys';
@@ -7,9 +7,9 @@ import { speak } from '../base/language';
 import { alertOf, clear, notice, offerOf, passing } from '../base/messages';
 import { isFirstVisit } from '../base/storage';
 import { Engine } from '../state/engine';
-import { askedFor, firstState } from '../state/first';
+import { askedFor, firstState, openedFirst } from '../state/first';
 import { History } from '../state/history';
-import { address, isReload, Link } from '../state/link';
+import { address, isReload, Link, withValues } from '../state/link';
 import { isLocked } from '../state/locks';
 import { lastWork, remember } from '../state/memory';
 import { Store, type State } from '../state/store';
@@ -20,14 +20,15 @@ import { Loop } from '../picture/loop';
 import { keepInSight } from '../picture/sight';
 import { StatusLine } from '../picture/status';
 import { Transport } from '../picture/transport';
-import { View, VIEWS } from '../picture/view';
+import { View } from '../picture/view';
 import { shown } from '../panel/control';
-import { makeDice } from '../panel/dice';
+import { Dice } from '../panel/dice';
 import { Panel } from '../panel/panel';
 import { Presets } from '../panel/presets';
-import { Seed, SEED, withSeed } from '../panel/seed';
+import { Seed, SEED } from '../panel/seed';
 import { EditTools } from './edit-tools';
 import { makeLookTools } from './look-tools';
+import { offerMakes } from './makes';
 import { partsOf, type Parts } from './parts';
 import { scriptFace, type ScriptFace } from './scripts';
 import { tellCrash } from './trouble';
@@ -36,6 +37,15 @@ import { tellCrash } from './trouble';
 const SETTLED = 400;
 /** Frames that the first cells may take before the panel comes all the same. */
 const PATIENCE = 12;
+
+/** Parts of the page that only some generators need, and what opens them. */
+const OFFERED = [
+  ['outline', 'edit-tools'],
+  ['layers', 'layers-button'],
+  ['tiles', 'tile-button'],
+  ['compare', 'compare-button'],
+  ['plots', 'plots-button'],
+] as const;
 
 export class App {
   private readonly engine: Engine;
@@ -66,7 +76,7 @@ export class App {
     /** The picture that the page begins with forms slowly for a newcomer: scripts are told ahead. */
     const newcomer = isFirstVisit() && asked === '' && !this.still;
     this.finished = new Promise((resolve) => (this.finish = resolve));
-    this.engine = new Engine(asked === '' && last?.own ? last.recipe : asked, (error, link) => this.crashed(error, link));
+    this.engine = new Engine(openedFirst(asked, last), (error, link) => this.crashed(error, link));
     this.face = scriptFace(this.engine, () => this.loop.rests, () => this.forming.ahead);
     this.store = new Store(firstState(this.engine, asked, last));
     this.work = new Work(this.engine, this.store);
@@ -86,10 +96,12 @@ export class App {
       if (own && !ours && this.store.state.recipe !== recipe) this.tellReplaced();
     });
     this.parts = partsOf(this.work, this.view);
+    this.offer();
     this.transport = this.makeTransport();
     new Seed(this.work, () => this.push());
     this.follow();
     this.bind();
+    offerMakes(this.work, () => this.push());
     makeLookTools(this.store, this.parts, () => this.leaveEditor());
     notice('link', ...this.engine.notices());
     if (last && asked !== '' && last.own && last.recipe !== this.store.state.recipe && !isReload()) this.tellReplaced();
@@ -103,28 +115,56 @@ export class App {
   async furnish(): Promise<void> {
     const { store } = this;
     for (let waited = 0; waited < PATIENCE && !this.hasBegun(); waited += 1) await frame();
-    const panel = new Panel(this.engine);
-    await panel.build(
+    const panel = new Panel(
+      this.engine,
       (key, text, done) => this.change(key, text, done),
       (key) => this.parts.editor.ask((editor) => editor.toggle(key)),
     );
-    new EditTools(this.work, panel, this.parts.editor);
-    makeDice(this.work, panel, () => this.push());
-    panel.refresh();
-    panel.attach();
-    store.on(['recipe'], () => panel.refresh());
-    this.loop.spare();
-    await frame();
-    const presets = new Presets(this.engine.presets, (preset) => {
+    const tools = new EditTools(this.work, this.parts.editor);
+    const dice = new Dice(this.work, () => this.push());
+    const presets = new Presets((preset) => {
       this.leaveEditor();
       this.push();
-      if (isLocked(store, SEED)) this.work.open(withSeed(preset.link, this.engine.get(SEED)), false, preset);
+      if (isLocked(store, SEED)) this.work.open(withValues(preset.link, [[SEED, this.engine.get(SEED)]]), false, preset);
       else this.work.open(preset.link);
       store.update({ paused: false });
     });
     const mark = ({ recipe, preset }: State): void => presets.mark(preset?.recipe === recipe ? preset.shown.name : undefined);
-    mark(store.state);
-    store.on(['recipe'], mark);
+    /** Builds what hangs on the generator. */
+    const build = async (): Promise<void> => {
+      await panel.build();
+      tools.build(panel);
+      dice.build(panel);
+      panel.refresh();
+      panel.attach();
+      this.loop.spare();
+      await frame();
+      presets.build(this.engine.presets);
+      mark(store.state);
+    };
+    let building = build();
+    await building;
+    let made = store.state.make;
+    store.on(['make'], () => {
+      // One after the other: what is built is one panel.
+      building = building.then(build).then(() => void (made = store.state.make));
+    });
+    store.on(['recipe'], (state) => {
+      if (state.make !== made) return;
+      panel.refresh();
+      mark(state);
+    });
+  }
+
+  /** What is made now, before anything of it is shown: stages, views, and the parts of the page that serve it. */
+  private offer(): void {
+    const { stages, offers } = this.engine.generator;
+    this.status.follow(stages);
+    this.view.follow();
+    document.documentElement.dataset['offers'] = offers.join(' ');
+    for (const [part, id] of OFFERED) byId(id).hidden = !offers.includes(part);
+    this.leaveEditor();
+    this.store.update({ compare: false, plots: false, repeat: 1 });
   }
 
   /** Whether cells were shown, or never will be. */
@@ -159,6 +199,10 @@ export class App {
       this.forming.endAhead();
       this.link.write(recipe);
       this.parts.editor.here?.follow();
+      this.loop.changed();
+    });
+    store.on(['make'], () => {
+      this.offer();
       this.loop.changed();
     });
     store.on(['past', 'future', 'stored', 'own'], showHistory);
@@ -197,7 +241,7 @@ export class App {
       { keys: ['ctrl+z'], shown: ['Ctrl+Z'], word: 'key_undo', act: press('undo'), repeats: true },
       { keys: ['ctrl+shift+z', 'ctrl+y'], shown: ['Ctrl+Shift+Z', 'Ctrl+Y'], word: 'key_redo', act: press('redo'), repeats: true },
       { keys: ['c'], word: 'key_copy', act: () => void this.copy() },
-      { keys: '0123456789'.split(''), shown: ['0', '–', '9'], word: 'key_view', act: (key) => this.store.update({ view: VIEWS[Number(key)] ?? 'auto' }) },
+      { keys: '0123456789'.split(''), shown: ['0', '–', '9'], word: 'key_view', act: (key) => this.store.update({ view: this.view.bases[Number(key)] ?? 'auto' }) },
       { keys: ['e'], word: 'key_edit', act: () => parts.editor.ask((editor) => editor.toggle()) },
     );
     listenToKeys();
@@ -259,7 +303,7 @@ export class App {
     if (isEnd(stage)) return this.again(true);
     this.store.update({ paused: true });
     // The first cells come by themselves.
-    if (placeOf(stage) < placeOf('packing')) return;
+    if (stage !== STEPPING && isUpToSteps(this.engine.generator.stages, stage)) return;
     const before = this.engine.status().steps;
     this.engine.step();
     if (this.engine.status().steps === before && this.engine.alive) passing('done', t('settled'));

@@ -15,11 +15,10 @@ export class EditTools {
   private readonly more = byId('more-tools');
   private readonly edit = make('button', { type: 'button', class: 'wide', id: 'edit-outline', 'aria-keyshortcuts': 'E' });
 
-  constructor(work: Work, panel: Panel, editor: Parts['editor']) {
+  constructor(work: Work, editor: Parts['editor']) {
     this.engine = work.engine;
     this.work = work;
     this.editor = editor;
-    panel.append('Outline', make('div', { class: 'tools' }, this.edit));
     this.edit.addEventListener('click', () => editor.ask((it) => it.toggle('outline')));
     for (const tool of this.tools) {
       // A click without a place comes from the keyboard.
@@ -31,6 +30,12 @@ export class EditTools {
     for (const near of ['pointerover', 'focusin']) box.addEventListener(near, () => void editor.load(), { once: true });
     this.receive();
     work.store.on(['editing', 'recipe'], () => this.show());
+    this.show();
+  }
+
+  /** The panel's own button for the outline. */
+  build(panel: Panel): void {
+    panel.append('Outline', make('div', { class: 'tools' }, this.edit));
     this.show();
   }
 

@@ -57,6 +57,10 @@ export function embed(): Bubblestone {
     home.href = pageAddress(engine.link());
     loop.changed();
   };
+  engine.arrived = (sentences, failed) => {
+    if (failed) alertOf('trouble', sentences.join(' '));
+    opened();
+  };
   addEventListener('hashchange', () => {
     engine.open(fragment());
     opened();

@@ -2,8 +2,8 @@
  * The studio in WebAssembly behind one guard: when a call fails, the page is told once, and later
  * calls answer with harmless values instead of failing again.
  */
-import { Bubblestone, generators, presets, random_seed, schema } from '../../pkg/bubblestone.js';
-import { loadModule } from '../module/load';
+import type { Bubblestone } from '../../pkg/bubblestone.js';
+import { dropModule, loadModule, moduleFor, type Module } from '../module/load';
 import type { Absence, Answer, Generator, Histograms, Parameter, Point, Preset, Probe, Ring, Series, Status } from '../module/types';
 import { parameterIn, presetIn, said, t } from '../words/words';
 
@@ -31,13 +31,13 @@ const NO_STATUS: Status = {
   ms: {},
 };
 
-/** Loads the module. Throws an Error whose message is a sentence for the visitor. */
-export async function load(): Promise<void> {
+/** Loads the module that a link needs. Throws an Error whose message is a sentence for the visitor. */
+export async function load(link: string): Promise<void> {
   if (typeof WebAssembly !== 'object') {
     throw new Error(t('no_wasm'));
   }
   try {
-    await loadModule();
+    await loadModule(link);
   } catch (error) {
     if (error instanceof WebAssembly.CompileError) {
       throw new Error(t('old_wasm'), { cause: error });
@@ -47,7 +47,12 @@ export async function load(): Promise<void> {
 }
 
 export class Engine {
-  private readonly core: Bubblestone | undefined;
+  /** Is told when a link of a generator that had to be loaded is open at last, or cannot be; with what is to be said. */
+  arrived: (sentences: string[], failed: boolean) => void = () => undefined;
+  private core: Bubblestone | undefined;
+  private module: Module | undefined;
+  /** A link whose module is on its way; what was there before is at work, and seen, until then. */
+  private coming: string | undefined;
   private readonly crashed: (error: unknown, link: string) => void;
   private dead = false;
   private lastLink: string;
@@ -55,39 +60,81 @@ export class Engine {
   private readonly rows = new Map<string, Parameter[]>();
   private readonly known = new Map<string, Preset[]>();
 
-  /** Never throws; a failure reaches `crashed` with the last known link. */
+  /** The module of the link has to be there. Never throws; a failure reaches `crashed` with the last known link. */
   constructor(link: string, crashed: (error: unknown, link: string) => void) {
     this.crashed = crashed;
     this.lastLink = link.replace(/^#/, '');
-    this.core = this.guard(() => new Bubblestone(link), undefined);
+    this.begin(link);
+  }
+
+  private begin(link: string): void {
+    this.module = moduleFor(link);
+    this.made = undefined;
+    this.core = this.guard(() => this.module && new this.module.Bubblestone(link), undefined);
   }
 
   /** What is made now. */
   get generator(): Generator {
     const word = this.ask((core) => core.generator(), '');
-    this.made ??= this.guard(() => generators(), []);
+    this.made ??= this.guard(() => this.module?.generators(), undefined) ?? [];
     return this.made.find((one) => one.word === word) ?? NO_GENERATOR;
   }
 
   /** The parameters of what is made now. */
   get schema(): Parameter[] {
     const { word } = this.generator;
-    return kept(this.rows, word, () => this.guard(() => schema(word).map(parameterIn), []));
+    return kept(this.rows, word, () => this.guard(() => this.module?.schema(word).map(parameterIn), undefined) ?? []);
   }
 
   /** The presets of what is made now. */
   get presets(): Preset[] {
     const { word } = this.generator;
-    return kept(this.known, word, () => this.guard(() => presets(word).map(presetIn), []));
+    return kept(this.known, word, () => this.guard(() => this.module?.presets(word).map(presetIn), undefined) ?? []);
   }
 
   get alive(): boolean {
     return !this.dead;
   }
 
+  /** Opens a link, at once or, where its generator is not here yet, when it has come: `arrived` tells of that. */
   open(link: string): string[] {
+    this.coming = undefined;
+    if (!this.knows(link)) {
+      void this.bring(link);
+      return [];
+    }
     this.lastLink = link.replace(/^#/, '');
     return this.ask((core) => core.open(link), []).map(said);
+  }
+
+  /** Is what a link asks for still on its way? */
+  get waits(): boolean {
+    return this.coming !== undefined;
+  }
+
+  private knows(link: string): boolean {
+    return this.module !== undefined && moduleFor(link) === this.module;
+  }
+
+  private async bring(link: string): Promise<void> {
+    this.coming = link.replace(/^#/, '');
+    try {
+      await load(link);
+    } catch (error) {
+      // Another link was opened meanwhile.
+      if (this.coming !== link) return;
+      this.coming = undefined;
+      this.arrived([error instanceof Error ? error.message : String(error)], true);
+      return;
+    }
+    if (this.dead || this.coming !== link) return;
+    this.coming = undefined;
+    const { core, module } = this;
+    this.guard(() => core?.free(), undefined);
+    this.lastLink = link;
+    this.begin(link);
+    this.arrived(this.notices(), false);
+    if (module && module !== this.module) dropModule(module);
   }
 
   notices(): string[] {
@@ -96,11 +143,13 @@ export class Engine {
 
   /** The link's fragment, without '#'. */
   link(): string {
+    if (this.coming !== undefined) return this.coming;
     this.lastLink = this.ask((core) => core.link(), this.lastLink);
     return this.lastLink;
   }
 
   set(key: string, text: string): Told {
+    this.coming = undefined;
     return told(this.ask((core) => core.set(key, text), NO_ANSWER));
   }
 
@@ -193,6 +242,7 @@ export class Engine {
   }
 
   setOutline(rings: Ring[]): Told {
+    this.coming = undefined;
     const points = new Float64Array(rings.flat(2));
     const lengths = new Uint32Array(rings.map((ring) => ring.length));
     return told(this.ask((core) => core.setOutline(points, lengths), NO_ANSWER));
@@ -225,7 +275,7 @@ export class Engine {
   }
 
   randomSeed(): number {
-    return this.guard(() => random_seed(), 1);
+    return this.guard(() => this.module?.random_seed(), undefined) ?? 1;
   }
 
   free(): void {

@@ -11,12 +11,18 @@ export function askedFor(last: LastWork | undefined): string {
   return last && isReload() && last.past.includes(fragment()) ? last.recipe : fragment();
 }
 
+/** What is opened: where the address asks for nothing, the visitor's own last work. */
+export function openedFirst(asked: string, last: LastWork | undefined): string {
+  return asked === '' && last?.own ? last.recipe : asked;
+}
+
 /** The engine has the recipe by now. */
 export function firstState(engine: Engine, asked: string, last: LastWork | undefined): State {
   const recipe = engine.link();
   const same = last?.recipe === recipe;
   return {
     recipe,
+    make: engine.generator.word,
     held: false,
     past: last ? (same ? last.past : [...last.past, last.recipe]) : [],
     future: last && same ? last.future : [],

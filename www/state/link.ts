@@ -91,6 +91,12 @@ export function pageAddress(state: string): string {
   return url.href;
 }
 
+/** A state with other values. */
+export function withValues(state: string, values: readonly (readonly [key: string, text: string])[]): string {
+  const kept = state.split('&').filter((piece) => piece !== '' && !values.some(([key]) => piece.startsWith(`${key}=`)));
+  return [...kept, ...values.map(([key, text]) => `${key}=${text}`)].join('&');
+}
+
 /** The values that a state holds, as `key=value`. */
 export function valuesIn(state: string): string[] {
   return state.split('&').filter((piece) => piece !== '' && !piece.startsWith('v='));

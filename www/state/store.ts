@@ -8,6 +8,8 @@ import type { Preset } from '../module/types';
 export interface State {
   /** The recipe's link, without '#', as the engine writes it. */
   readonly recipe: string;
+  /** The word of the generator at work; behind the recipe while that of the recipe is still on its way. */
+  readonly make: string;
   /** Something is being dragged (a slider, a point): the recipe still changes, and is no step of the history yet. */
   readonly held: boolean;
   /** Recipes before and after this one, the nearest last and first. */

@@ -1,6 +1,8 @@
 /** The recipe in the store, which the engine follows: everything that changes it goes this way. */
 import type { Preset, Ring } from '../module/types';
-import { clear, notice } from '../base/messages';
+import { t } from '../words/words';
+import { make } from '../base/dom';
+import { alertOf, clear, notice } from '../base/messages';
 import type { Engine, Told } from './engine';
 import type { State, Store } from './store';
 
@@ -14,8 +16,30 @@ export class Work {
     store.on(['recipe'], ({ recipe }) => {
       if (engine.link() !== recipe) engine.open(recipe);
       const preset = presetOf(engine.presets, recipe);
-      if (preset) store.update({ preset });
+      store.update(preset ? { preset, ...this.made() } : this.made());
     });
+    engine.arrived = (sentences, failed) => this.arrived(sentences, failed);
+  }
+
+  /** What is made, and that what is to be made is still on its way. */
+  private made(): Pick<State, 'make' | 'held'> {
+    const { engine, store } = this;
+    return engine.waits ? { make: store.state.make, held: true } : { make: engine.generator.word, held: store.state.held };
+  }
+
+  /** The generator that a link needed is here, or cannot be had: then the picture that was there stays. */
+  private arrived(sentences: string[], failed: boolean): void {
+    const asked = this.store.state.recipe;
+    const recipe = this.engine.link();
+    if (failed) {
+      const again = make('button', { type: 'button' }, t('module_again'));
+      again.addEventListener('click', () => {
+        clear('trouble');
+        this.open(asked);
+      });
+      alertOf('trouble', sentences.join(' '), again);
+    } else notice('link', ...sentences);
+    this.store.update({ recipe, held: false, make: this.engine.generator.word, preset: presetOf(this.engine.presets, recipe) });
   }
 
   /** A parameter's new value; `held` while a slider is still on its way. */
@@ -50,7 +74,8 @@ export class Work {
     clear('value');
     clear('outline');
     const recipe = this.engine.link();
-    this.store.update({ recipe, held: false, own, preset: preset ? { shown: preset, recipe } : presetOf(this.engine.presets, recipe) });
+    const shown = preset ? { shown: preset, recipe } : presetOf(this.engine.presets, recipe);
+    this.store.update({ recipe, own, preset: shown, ...this.made(), held: this.engine.waits });
   }
 
   private changed(held: boolean): void {

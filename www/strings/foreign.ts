@@ -5,6 +5,8 @@ export interface Foreign {
   /** By the parameter's key. */
   parameters: Record<string, { name: string; help: string; choices?: Record<string, string> }>;
   units: Record<string, string>;
+  /** What can be made, by its word. */
+  makes: Record<string, string>;
   /** Groups of parameters and of presets. */
   groups: Record<string, string>;
   /** By the preset's name; those of the papers' figures have these for titles. */

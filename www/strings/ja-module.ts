@@ -197,6 +197,7 @@ const presets: Foreign['presets'] = {
 
 export const foreign: Foreign = {
   parameters,
+  makes: { pavement: '舗装と皮' },
   units: {},
   groups: {
     Outline: '輪郭', Cells: 'セル', Size: '大きさ', Direction: '方向', Packing: '充填', Relief: '立体', Surface: '表面', Colour: '色', Weather: '風化', Light: '光',

@@ -34,6 +34,25 @@ export function translate(code: string, to: { words: Record<Word, string>; forei
   document.documentElement.lang = code;
 }
 
+/** A stage's name in the language in use; its own word where there is none. */
+export function stageIn(word: string): string {
+  return known(`stage_${word}`) ?? word;
+}
+
+/** The same of a view. */
+export function viewIn(word: string): string {
+  return known(`view_${word}`) ?? word;
+}
+
+/** The same of what can be made; in English, as the build was told, where there are no words of the page's own. */
+export function makeIn(word: string, title: string): string {
+  return foreign?.makes[word] ?? title;
+}
+
+function known(key: string): string | undefined {
+  return (words as Partial<Record<string, string>>)[key];
+}
+
 /** A parameter with its names and help in the language in use. */
 export function parameterIn(parameter: Parameter): Parameter {
   const own = foreign?.parameters[parameter.key];

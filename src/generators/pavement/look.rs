@@ -66,22 +66,23 @@ pub struct View {
 }
 
 impl Base {
-    /// All words: those of [`Overlay`], too, stand for drawings on paper where they stand alone.
+    /// All words, in the order of the page, whose keys 0 to 9 show the first ten. Those
+    /// of [`Overlay`], too, stand for drawings on paper where they stand alone.
     pub const ALL: [(Base, &'static str); 14] = [
         (Base::Auto, "auto"),
         (Base::Picture, "picture"),
-        (Base::Paper, "paper"),
         (Base::Packed, "packed"),
         (Base::Cells, "cells"),
         (Base::Mesh, "mesh"),
         (Base::Direction, "direction"),
         (Base::Height, "height"),
         (Base::Normals, "normals"),
+        (Base::Ids, "ids"),
+        (Base::Potential, "potential"),
         (Base::Albedo, "albedo"),
         (Base::Roughness, "roughness"),
         (Base::Occlusion, "ao"),
-        (Base::Ids, "ids"),
-        (Base::Potential, "potential"),
+        (Base::Paper, "paper"),
     ];
 }
 

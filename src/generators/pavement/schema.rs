@@ -26,9 +26,9 @@ rows! {
             road_spiral: "Spiral", y_fork: "Fork", crossing: "Crossing",
             plaza: "Plaza with holes", road_notch: "Cut-out road", l_shape: "L", star: "Star",
             square: "Square", polygon: "Free polygon",
-        ]).group("Outline").only_for(keys::TILE, &["0"]);
+        ]).group("Outline").main().only_for(keys::TILE, &["0"]);
     poly POLY: "The free polygon's points, as compact text; draw it or load it from a file instead." =>
-        text("Points", Item::Ring(MAX_POINTS)).group("Outline")
+        text("Points", Item::Ring(MAX_POINTS)).group("Outline").steady()
             .drawn_for(keys::OUTLINE, POLYGON).only_for(keys::OUTLINE, &[POLYGON]);
     lines LINES: "Constraint lines inside the outline: cells line up along both sides of them." =>
         text("Lines", Item::Line).group("Outline");
@@ -50,23 +50,23 @@ rows! {
     kind KIND: "Shape of the packed cells: squares and rectangles in rows, circles and ellipses like honeycombs." =>
         choice("Kind", choices![
             square: "Square", rectangle: "Rectangle", circle: "Circle", ellipse: "Ellipse",
-        ]).group("Cells");
+        ]).group("Cells").main();
     parts PARTS: "Kinds of the parts that lines cut the outline into." =>
         text("Kinds of parts", Item::Seed(keys::KIND)).group("Cells").only_with(keys::LINES);
     ca CA: "Length of a cell along the direction over its width." =>
-        number("Ca", "Aspect ratio").range(1.0, 5.0, 0.05, 2.0).group("Cells")
+        number("Ca", "Aspect ratio").range(1.0, 5.0, 0.05, 2.0).group("Cells").main()
             .only_for(keys::KIND, STRETCHED);
     cb CB: "Factor of the aspect ratio on the boundary; inwards it goes over to the plain one." =>
         number("", "Aspect at the boundary").range(0.2, 5.0, 0.05, 1.0).group("Cells")
             .only_for(keys::KIND, STRETCHED);
     cd CD: "How far from the boundary the aspect ratio changes, in picture sides." =>
-        number("", "Aspect reach").range(0.02, 1.0, 0.01, 0.25).group("Cells")
+        number("", "Aspect reach").range(0.02, 1.0, 0.01, 0.25).group("Cells").steady()
             .only_with(keys::CB);
     stretch STRETCH: "Soft spots with an aspect ratio of their own." =>
         text("Aspect spots", Item::Spot(1.0, 5.0)).group("Cells").only_for(keys::KIND, STRETCHED);
     cs CS: "Average side of a cell." =>
         number("Cs", "Cell size").range(2.0, 256.0, 1.0, 23.0).per_side(CELL_LIMITS).unit("px")
-            .group("Size");
+            .group("Size").main();
     gx GX: "Makes cells grow from left to right (or shrink, below 0); on a tile a wave." =>
         number("", "Size gradient x").range(-0.8, 0.8, 0.05, 0.0).group("Size");
     gy GY: "Makes cells grow from top to bottom (or shrink, below 0); on a tile a wave." =>
@@ -98,32 +98,32 @@ rows! {
         number("", "Spiral angle").range(-90.0, 90.0, 1.0, 45.0).unit("°")
             .group("Direction").only_for(keys::DIR, &["spiral"]);
     dp DP: "Power of the distance in the direction's weights: the higher, the nearer a wall must be." =>
-        int("", "Distance power").range(2.0, 4.0, 1.0, 4.0).group("Direction")
+        int("", "Distance power").range(2.0, 4.0, 1.0, 4.0).group("Direction").steady()
             .only_for(keys::DIR, &["boundary", "strokes"]);
     ends ENDS: "Weight of the outline's short ends in the direction of cells that are not square." =>
-        number("", "Weight of ends").range(0.0, 1.0, 0.05, 0.0).group("Direction")
+        number("", "Weight of ends").range(0.0, 1.0, 0.05, 0.0).group("Direction").steady()
             .only_for(keys::KIND, &["rectangle", "circle", "ellipse"]);
     strokes STROKES: "Painted lines that the rows follow." =>
         text("Strokes", Item::Line).group("Direction");
     reach REACH: "Up to where a stroke counts more than one angle or the point, in picture sides." =>
-        number("", "Reach of strokes").range(0.02, 1.0, 0.01, 0.15).group("Direction")
+        number("", "Reach of strokes").range(0.02, 1.0, 0.01, 0.15).group("Direction").steady()
             .only_with(keys::STROKES);
 
     edge EDGE: "What lies on the boundary: the edges of the outermost cells, or their fixed centres." =>
         choice("Boundary", choices![wall: "Edges on it", on: "Centres on it"])
-            .group("Packing");
+            .group("Packing").steady();
     start START: "Where cells are put at first." =>
         choice("Start", choices![stream: "Along the direction", quadtree: "Quadtree"])
-            .group("Packing");
+            .group("Packing").steady();
     move MOVE: "How the equation of motion is integrated." =>
         choice("Integrator", choices![semi: "Semi-implicit", rk4: "Runge-Kutta 4"])
-            .group("Packing");
+            .group("Packing").steady();
     pop POP: "How cells are added and removed on the way." =>
         choice("Population", choices![
             slots: "Empty slots", smallest: "Smallest distance", off: "Off",
-        ]).group("Packing");
+        ]).group("Packing").steady();
     vs VS: "Random variance of the cells' size." =>
-        number("Vs", "Size variance").range(0.0, 0.5, 0.01, 0.0).group("Packing");
+        number("Vs", "Size variance").range(0.0, 0.5, 0.01, 0.0).group("Packing").main();
     seed SEED => common::SEED;
 
     cells CELLS: "Cells fitted to each other without gaps, or as they were packed; to compare, Voronoi cells of as many random points, plain or evened out by Lloyd's relaxation." =>
@@ -133,15 +133,15 @@ rows! {
 
     stone STONE: "What a cell becomes: a round stone, a flat one with bevelled edges, or a cell of skin, a prism that may lean and taper." =>
         choice("Form", choices![cobble: "Cobblestone", flag: "Flagstone", skin: "Skin"])
-            .group("Relief");
+            .group("Relief").main();
     sv SV: "Scale of the base in its cell; below 1 the joints get wider. Smoothing draws skin together, so it needs more." =>
         number("Sv", "Base scale").range(0.5, 3.0, 0.01, 1.0).default_while(keys::STONE, SKIN, 1.4)
-            .group("Relief");
+            .group("Relief").main();
     hs HS: "Height of the stones: low ones lie flat, high ones have round heads and deep joints." =>
-        number("Hs", "Height").range(1.0, 128.0, 1.0, 18.0).unit("px").group("Relief")
+        number("Hs", "Height").range(1.0, 128.0, 1.0, 18.0).unit("px").group("Relief").main()
             .only_for(keys::STONE, &["cobble", "flag"]);
     sr SR: "Height of skin, in skin sizes: the mean distance of a cell's corners from its middle." =>
-        number("Sr", "Sweep").range(0.05, 4.0, 0.05, 1.0).group("Relief")
+        number("Sr", "Sweep").range(0.05, 4.0, 0.05, 1.0).group("Relief").main()
             .only_for(keys::STONE, SKINS);
     sc SC: "How far the top leans along the flow, in skin sizes: scales overlap where it is large." =>
         number("Sc", "Skew").range(0.0, 4.0, 0.05, 0.0).group("Relief")
@@ -166,15 +166,15 @@ rows! {
             .only_for(keys::STONE, SKINS);
     dr DR: "Random distortion of the top corners; 0 makes all stones alike." =>
         number("Dr", "Distortion").range(0.0, 1.0, 0.01, 0.3).default_while(keys::STONE, SKIN, 0.05)
-            .group("Relief");
+            .group("Relief").main();
     rand RAND: "Distribution of the distortion: uniform (2000) or normal (2001)." =>
         choice("Random numbers", choices![uniform: "Uniform", normal: "Normal"])
-            .group("Relief");
+            .group("Relief").steady();
     bh BH: "How far from a corner the horizontal bevel begins." =>
         number("Bh", "Bevel, horizontal").range(0.0, 1.0, 0.01, 0.2).group("Relief")
             .only_for(keys::STONE, &["flag"]);
     bv BV: "How far below the top the vertical bevel begins." =>
-        number("Bv", "Bevel, vertical").range(0.0, 1.0, 0.01, 0.2).group("Relief")
+        number("Bv", "Bevel, vertical").range(0.0, 1.0, 0.01, 0.2).group("Relief").steady()
             .only_for(keys::STONE, &["flag"]);
 
     fd FD => common::FD.default_while(keys::STONE, SKIN, 1.1);

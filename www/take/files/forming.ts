@@ -19,7 +19,7 @@ const SHOWN = { first: 500, step: 70, stones: 80, last: 2500 };
 const MAKING = 0.7;
 
 /** Throws a sentence where there is no picture. */
-export function formingGif(studio: Bubblestone, progress: Progress): Blob {
+export function formingGif(studio: Bubblestone, stages: readonly string[], progress: Progress): Blob {
   const side = Math.min(SIDE, studio.side());
   const picture = new Picture(side);
   const frame = (shown: number): Frame => {
@@ -29,7 +29,7 @@ export function formingGif(studio: Bubblestone, progress: Progress): Blob {
   const packing: Frame[] = [];
   const later: Frame[] = [];
   let [stride, packed, placed] = [1, -1, 0];
-  pavement(studio, (done) => progress(MAKING * done), (stage, { cells, steps, stones }) => {
+  pavement(studio, stages, (done) => progress(MAKING * done), (stage, { cells, steps, stones }) => {
     if (stage === 'packing' && cells && steps > packed && steps % stride === 0) {
       packed = steps;
       packing.push(frame(SHOWN.step));

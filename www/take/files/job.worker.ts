@@ -1,5 +1,4 @@
 /** Makes one file. Nothing here blocks the page: it is a worker, which ends with the file. */
-import { Bubblestone } from '../../../pkg/bubblestone.js';
 import { loadModule } from '../../module/load';
 import type { Notice } from '../../module/types';
 import { serve } from '../../late/worker';
@@ -32,13 +31,14 @@ serve(async ([link, job]: Order, progress): Promise<Answer> => {
 });
 
 async function made(link: string, job: Job, progress: Progress): Promise<Blob> {
-  await loadModule();
-  const studio = new Bubblestone(link);
-  if (job.file === 'gif') return formingGif(studio, progress);
+  const module = await loadModule(link);
+  const studio = new module.Bubblestone(link);
+  const { stages = [] } = module.generators().find(({ word }) => word === studio.generator()) ?? {};
+  if (job.file === 'gif') return formingGif(studio, stages, progress);
   // The pavement is this part of the work.
   const part = job.file === 'picture' ? 1 / job.scale ** 2 : 0.8;
   const rest = (done: number): void => progress(part + (1 - part) * done);
-  pavement(studio, (done) => progress(part * done));
+  pavement(studio, stages, (done) => progress(part * done));
   switch (job.file) {
     case 'svg':
       return new Blob([studio.svg()], { type: 'image/svg+xml' });

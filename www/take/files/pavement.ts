@@ -14,7 +14,7 @@ const STEPS = 100_000;
 export type Progress = (done: number) => void;
 
 /** Where somebody looks on, one step of the packing or one stone is made at a time. Throws a Refusal where there is no picture. */
-export function pavement(studio: Bubblestone, progress: Progress, looksOn?: (stage: string, status: Status) => void): void {
+export function pavement(studio: Bubblestone, stages: readonly string[], progress: Progress, looksOn?: (stage: string, status: Status) => void): void {
   for (;;) {
     const stage = studio.stage();
     const status = studio.status();
@@ -22,7 +22,7 @@ export function pavement(studio: Bubblestone, progress: Progress, looksOn?: (sta
     if (problem) throw new Refusal(problem);
     if (stage === 'done') return;
     looksOn?.(stage, status);
-    progress(progressOf(stage, status));
+    progress(progressOf(stages, stage, status));
     studio.tick(looksOn ? 0 : BUDGET, looksOn ? 1 : STEPS);
   }
 }

@@ -1,0 +1,43 @@
+/** What can be made, to be chosen at the top by picture and word; nothing is to be seen where there is one generator only. */
+import { generators } from '../module/generators';
+import { makeIn } from '../words/words';
+import { byId, make } from '../base/dom';
+import { withValues } from '../state/link';
+import type { Work } from '../state/work';
+
+/** `push` is called before a change that the browser's Back button shall take back. */
+export function offerMakes(work: Work, push: () => void): void {
+  const { engine, store } = work;
+  const nav = byId('makes');
+  nav.hidden = generators.length < 2;
+  if (nav.hidden) return;
+  /** The last recipe of each, for the way back. */
+  const last = new Map<string, string>();
+  const choose = (word: string): void => {
+    const chosen = generators.find((one) => one.word === word);
+    if (!chosen || word === store.state.make) return;
+    const values = chosen.carried.map((key) => [key, engine.get(key)] as const).filter(([, text]) => text !== '');
+    push();
+    work.open(withValues(last.get(word) ?? (chosen === generators[0] ? 'v=1' : `v=1&make=${word}`), values));
+    store.update({ paused: false });
+  };
+  const buttons = generators.map(({ word, title, preset }) => {
+    const picture = make('img', { src: `thumbs/${preset}.avif`, alt: '', width: '28', height: '28', decoding: 'async' });
+    const button = make('button', { type: 'button', class: 'make', 'data-make': word }, picture, make('span', {}, makeIn(word, title)));
+    button.addEventListener('click', () => choose(word));
+    return button;
+  });
+  nav.replaceChildren(...buttons);
+  const mark = (): void => {
+    for (const button of buttons) {
+      if (button.dataset['make'] === store.state.make) button.setAttribute('aria-current', 'true');
+      else button.removeAttribute('aria-current');
+    }
+  };
+  mark();
+  store.on(['make'], mark);
+  store.on(['recipe', 'held'], ({ recipe, held, make: word }) => {
+    if (!held && !engine.waits) last.set(word, recipe);
+  });
+  last.set(store.state.make, store.state.recipe);
+}
