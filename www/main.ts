@@ -17,7 +17,7 @@ async function start(): Promise<void> {
     const embedded = isEmbedded();
     document.documentElement.toggleAttribute('data-embed', embedded);
     const [embed] = await Promise.all([embedded ? import('./shell/embed') : undefined, load(embedded ? fragment() : firstLink()), takeLanguage()]);
-    if (embed) window.bubblestone = embed.embed();
+    if (embed) window.bubblestone = new embed.Embed().scripts.face;
     else await begin();
   } catch (error) {
     document.documentElement.dataset['stage'] = 'error';

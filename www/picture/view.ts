@@ -7,9 +7,6 @@ import type { Store } from '../state/store';
 /** Views that need a sentence about what they show. */
 const DRAWINGS = ['packed', 'cells', 'mesh', 'direction', 'height', 'normals', 'ids', 'potential', 'albedo', 'roughness', 'ao', 'paper'] as const;
 
-/** The views, the first ten in the order of their keys 0 to 9. */
-export const VIEWS = ['auto', 'picture', ...DRAWINGS] as const;
-
 export class View {
   readonly canvas = byIdAs('canvas', HTMLCanvasElement);
   private readonly select = byIdAs('view', HTMLSelectElement);
