@@ -1,5 +1,37 @@
 import { defineConfig, globalIgnores } from 'eslint/config';
+import { dirname, join, relative, resolve, sep } from 'node:path';
 import { configs } from 'typescript-eslint';
+
+/** The page's folders from the ground up: each imports only those before it (ARCHITECTURE.md). */
+const floors = [
+  'module', 'strings', 'words', 'base', 'late', 'state', 'picture', 'panel',
+  'take/files', 'take', 'look', 'editor/geometry', 'editor/svg', 'editor/import', 'editor', 'shell',
+];
+
+/** @param {string} file @returns {number} its floor; -1 for what is no part of the page's scripts */
+function floorOf(file) {
+  const folder = relative(join(import.meta.dirname, 'www'), dirname(file)).split(sep).join('/');
+  return folder === '' ? floors.length : floors.indexOf(folder);
+}
+
+const oneWay = {
+  rules: {
+    'one-way': {
+      /** @param {import('eslint').Rule.RuleContext} context */
+      create(context) {
+        /** @param {any} node */
+        const check = (node) => {
+          const to = node.source?.value;
+          if (typeof to !== 'string' || !to.startsWith('.')) return;
+          if (floorOf(resolve(dirname(context.filename), to)) > floorOf(context.filename)) {
+            context.report({ node, message: `What stands below does not import “${to}”: see the page's folders in ARCHITECTURE.md.` });
+          }
+        };
+        return { ImportDeclaration: check, ImportExpression: check, ExportNamedDeclaration: check, ExportAllDeclaration: check };
+      },
+    },
+  },
+};
 
 export default defineConfig(
   globalIgnores(['dist/', 'node_modules/', 'out/', 'pkg/', 'pkg-specimen/', 'target/']),
@@ -20,8 +52,10 @@ export default defineConfig(
   {
     files: ['www/**/*.ts'],
     extends: [configs.strictTypeChecked],
+    plugins: { page: oneWay },
     languageOptions: { parserOptions: { projectService: true, tsconfigRootDir: import.meta.dirname } },
     rules: {
+      'page/one-way': 'error',
       // `() => act()` is the plain way to say what an event does.
       '@typescript-eslint/no-confusing-void-expression': [
         'error',

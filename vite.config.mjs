@@ -117,8 +117,13 @@ export default defineConfig({
       // A service worker has one address for ever, and stands over all that it serves.
       output: {
         entryFileNames: ({ name }) => (name === 'sw' ? 'sw.js' : 'assets/[name]-[hash].js'),
-        // What the page begins with is one file, whichever parts of it those need that come later.
-        codeSplitting: { groups: [{ name: 'page', tags: ['$initial'], test: (id) => !id.includes('/www/service/') }] },
+        // What the page begins with is one file, whichever parts of it those need that come later; so is what these share.
+        codeSplitting: {
+          groups: [
+            { name: 'page', tags: ['$initial'], test: (id) => !id.includes('/www/service/') },
+            { name: 'late', test: /\/www\/late\// },
+          ],
+        },
       },
     },
   },

@@ -1,23 +1,23 @@
 /** Starts the page. */
+import { keepModules } from './module/load';
+import { t } from './words/words';
 import { byId } from './base/dom';
 import { reasonOf } from './base/errors';
 import { takeLanguage } from './base/language';
 import { alertOf, passing } from './base/messages';
 import { followTheme } from './base/theme';
-import { keepModules } from './module/load';
-import { App } from './shell/app';
 import { load } from './state/engine';
 import { askedFor, openedFirst } from './state/first';
 import { fragment, isEmbedded } from './state/link';
 import { lastWork } from './state/memory';
-import { t } from './words/words';
+import { App } from './shell/app';
 
 async function start(): Promise<void> {
   try {
     const embedded = isEmbedded();
     document.documentElement.toggleAttribute('data-embed', embedded);
     const [embed] = await Promise.all([embedded ? import('./shell/embed') : undefined, load(embedded ? fragment() : firstLink()), takeLanguage()]);
-    if (embed) window.bubblestone = embed.embed();
+    if (embed) window.bubblestone = new embed.Embed().scripts.face;
     else await begin();
   } catch (error) {
     document.documentElement.dataset['stage'] = 'error';

@@ -50,7 +50,7 @@ const undo = async (page) => {
 test('the editor is loaded when it is first wanted', async () => {
   const { page, close } = await site.newPage(SQUARE);
   await digest(page);
-  const loaded = () => page.evaluate(() => performance.getEntriesByType('resource').some(({ name }) => /desk-.*\.js/.test(name)));
+  const loaded = () => page.evaluate(() => performance.getEntriesByType('resource').some(({ name }) => /editor-.*\.js/.test(name)));
   assert.equal(await loaded(), false);
   await page.keyboard.press('e');
   await page.waitForSelector('.handle');

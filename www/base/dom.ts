@@ -45,16 +45,29 @@ export function closeFromBeside(dialog: HTMLDialogElement): void {
   dialog.addEventListener('click', ({ target }) => target === dialog && dialog.close());
 }
 
-/** Whether an element has a place on the page now. */
+/** Whether an element is laid out now: neither it nor what it is in is hidden. */
 export function isShown(element: Element): boolean {
   return element.getClientRects().length > 0;
 }
 
-/** Lets the browser show what there is; where it shows nothing, as in a hidden tab, a moment passes. */
+/** Whether the visitor asks for less motion. */
+export function wantsStill(): boolean {
+  return matchMedia('(prefers-reduced-motion: reduce)').matches;
+}
+
+/** Waits until the browser has painted, or 200 ms where it does not, as in a hidden tab. */
 export function frame(): Promise<void> {
   return new Promise((resolve) => {
     requestAnimationFrame(() => setTimeout(resolve));
     setTimeout(resolve, 200);
+  });
+}
+
+/** The browser has nothing to do; where it does not tell, as Safari, some milliseconds pass. */
+export function idle(otherwise: number): Promise<void> {
+  return new Promise((resolve) => {
+    if ('requestIdleCallback' in window) requestIdleCallback(() => resolve());
+    else setTimeout(resolve, otherwise);
   });
 }
 

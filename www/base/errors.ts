@@ -1,4 +1,4 @@
-/** What is told of something that was thrown. */
+/** What to tell of something that was thrown. */
 export function reasonOf(error: unknown): string {
   return error instanceof Error ? error.message : String(error);
 }

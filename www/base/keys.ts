@@ -16,7 +16,7 @@ interface Binding {
 
 const bindings: Binding[] = [];
 
-/** Keys from now on, and in the list in this order. */
+/** Adds keys; the list has them in this order. */
 export function bindKeys(...more: Binding[]): void {
   bindings.push(...more);
 }
@@ -69,7 +69,7 @@ function shifted({ key, ctrlKey, metaKey, shiftKey }: KeyboardEvent): string {
   return shiftKey && letter.length === 1 && (ctrlKey || metaKey) ? `shift+${letter}` : letter;
 }
 
-/** Whether this element makes something of this key. */
+/** Whether this element uses this key itself. */
 function needs(target: Element, key: string): boolean {
   if (target.matches('input[type=number], input[type=text], select, textarea')) return true;
   return key === ' ' && target.matches('button, summary, a, input:not([type=range])');

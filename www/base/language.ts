@@ -9,7 +9,7 @@ export async function takeLanguage(): Promise<void> {
   const known = [...byIdAs('language', HTMLSelectElement).options].map(({ value }) => value);
   if (wanted.find((code) => code && known.includes(code)) !== 'ja') return;
   const root = document.documentElement;
-  // Other words would flash by, and what is around them would jump.
+  // Else the English words would be seen for a moment, and the layout would shift.
   root.toggleAttribute('data-wordless', true);
   try {
     const japanese = await import('../strings/ja');

@@ -28,7 +28,7 @@ export class Later<T> {
     return this.coming;
   }
 
-  /** Tells the part what to do: at once where it is here. */
+  /** Calls `act` with the part: at once where it is here, else when it is loaded. */
   ask(act: (part: T) => void): void {
     if (this.here !== undefined) act(this.here);
     else void this.load().then((part) => part !== undefined && act(part));

@@ -21,7 +21,7 @@ export function offerOf(topic: Topic, sentence: string, ...actions: HTMLElement[
   put(notices, topic, [sentence])?.append(make('div', { class: 'actions' }, ...actions));
 }
 
-/** Work that goes on until it ends or is stopped: it cannot be put out of sight. */
+/** Work that goes on until it ends or is stopped: it cannot be dismissed. */
 export function underWay(topic: Topic, sentence: string, ...actions: HTMLElement[]): HTMLElement | undefined {
   const note = put(notices, topic, [sentence]);
   note?.querySelector('.close')?.remove();
@@ -29,7 +29,7 @@ export function underWay(topic: Topic, sentence: string, ...actions: HTMLElement
   return note;
 }
 
-/** A word that goes by itself. */
+/** A short message that goes by itself. */
 export function passing(topic: Topic, sentence: string): void {
   const note = put(notices, topic, [sentence]);
   setTimeout(() => note?.remove(), PASSING);

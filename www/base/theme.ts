@@ -1,6 +1,6 @@
 /** The light and the dark page: as the system is, until the visitor wants the other one. public/theme.js begins before the first paint. */
-import { keep, kept } from './storage';
 import { byId } from './dom';
+import { keep, kept } from './storage';
 
 const CHOICE = 'theme';
 

@@ -1,6 +1,6 @@
 /** The buttons for what is edited over the canvas; they stand in the caption's place. */
+import { t } from '../words/editor';
 import { make, say } from '../base/dom';
-import { tell } from '../words/editor';
 import type { Figure, FigureValue, Sort } from './geometry/figures';
 
 interface BarNeeds {
@@ -31,19 +31,19 @@ const button = (id: string, text = '', title?: string): HTMLButtonElement => mak
 
 export class EditorBar {
   private readonly bar: HTMLElement;
-  private readonly what = make('select', { id: 'edit-what', 'aria-label': tell('edited') });
+  private readonly what = make('select', { id: 'edit-what', 'aria-label': t('edited') });
   private readonly addFigure = button('add-figure');
-  private readonly addPoint = button('add-point', tell('add_point'), tell('add_point_title'));
-  private readonly turnOver = button('turn-point', '', tell('turn_title'));
-  private readonly remove = button('remove-point', '', tell('remove_title'));
+  private readonly addPoint = button('add-point', t('add_point'), t('add_point_title'));
+  private readonly turnOver = button('turn-point', '', t('turn_title'));
+  private readonly remove = button('remove-point', '', t('remove_title'));
   private readonly name = make('label', { for: 'figure-value' });
   private readonly number = make('input', { type: 'number', id: 'figure-value', inputmode: 'decimal' });
   private readonly slide = make('input', { type: 'range', id: 'figure-slide' });
   private readonly kinds = make('select', { id: 'figure-kind' });
   private readonly tip = make('p', { class: 'tip' });
-  private readonly finish = button('draw-finish', tell('finish'), tell('finish_title'));
-  private readonly cancel = button('draw-cancel', tell('cancel'), tell('cancel_title'));
-  private readonly done = button('edit-done', tell('done'), tell('done_title'));
+  private readonly finish = button('draw-finish', t('finish'), t('finish_title'));
+  private readonly cancel = button('draw-cancel', t('cancel'), t('cancel_title'));
+  private readonly done = button('edit-done', t('done'), t('done_title'));
 
   constructor(bar: HTMLElement, needs: BarNeeds) {
     this.bar = bar;
@@ -83,15 +83,15 @@ export class EditorBar {
     this.what.value = sort.word;
     const busy = drawing || armed;
     const pointwise = sort.form === 'ring' || sort.form === 'line';
-    say(this.tip, drawing ? tell('tip_drawing') : sort.tip);
+    say(this.tip, drawing ? t('tip_drawing') : sort.tip);
     this.tip.hidden = marked !== undefined && !busy;
     this.addFigure.hidden = drawing;
-    say(this.addFigure, tell('add_figure', { figure: sort.figure }));
+    say(this.addFigure, t('add_figure', { figure: sort.figure }));
     this.addPoint.hidden = !pointwise || busy || !marked;
     this.turnOver.hidden = sort.form !== 'ring' || busy || !marked;
-    say(this.turnOver, tell(smooth ? 'make_corner' : 'make_smooth'));
+    say(this.turnOver, t(smooth ? 'make_corner' : 'make_smooth'));
     const last = !pointwise || (removable && marked !== undefined && marked.points.length <= sort.least);
-    say(this.remove, last ? tell('remove_figure', { figure: sort.figure }) : tell('remove_point'));
+    say(this.remove, last ? t('remove_figure', { figure: sort.figure }) : t('remove_point'));
     this.remove.hidden = busy || !marked;
     this.remove.disabled = !removable;
     this.finish.hidden = !drawing;

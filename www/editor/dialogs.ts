@@ -1,9 +1,10 @@
 /** Letters as an outline, and outlines that come from and go to files. */
-import { dialogOf } from '../base/dialog';
-import { make, say } from '../base/dom';
-import { offer } from '../base/download';
 import type { Ring } from '../module/types';
-import { tell } from '../words/editor';
+import { t } from '../words/editor';
+import { make, say } from '../base/dom';
+import { dialogOf } from '../late/dialog';
+import { offer } from '../late/download';
+import { shape } from '../late/svg';
 import { jsonFile, svgFile } from './export';
 import { drawn } from './geometry/figures';
 import { FACES, letters, type Face } from './letters';
@@ -25,24 +26,21 @@ function button(id: string, text: string, act: () => void): HTMLButtonElement {
 
 export function textDialog(needs: DialogNeeds): void {
   const word = make('input', { type: 'text', id: 'letters', maxlength: '24', value: 'B' });
-  const face = make('select', { id: 'face' }, ...(Object.keys(FACES) as Face[]).map((key) => make('option', { value: key }, tell(`face_${key}`))));
-  const preview = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
-  const path = document.createElementNS('http://www.w3.org/2000/svg', 'path');
+  const face = make('select', { id: 'face' }, ...(Object.keys(FACES) as Face[]).map((key) => make('option', { value: key }, t(`face_${key}`))));
+  const path = shape('path');
+  const preview = shape('svg', { viewBox: `0 0 ${needs.side()} ${needs.side()}`, 'aria-hidden': 'true' }, path);
   const count = make('p', { class: 'count', role: 'status' });
   let rings: Ring[] = [];
   const take = (): void => {
     if (rings.length && needs.take(rings)) dialog.close();
   };
-  const use = button('take-letters', tell('use_text'), take);
+  const use = button('take-letters', t('use_text'), take);
   const show = (): void => {
     rings = letters(word.value, face.value as Face, needs.side());
     path.setAttribute('d', rings.map((ring) => drawn('ring', ring)).join(''));
-    say(count, rings.length ? tell('text_points', { n: rings.flat().length }) : tell('text_none'));
+    say(count, rings.length ? t('text_points', { n: rings.flat().length }) : t('text_none'));
     use.disabled = !rings.length;
   };
-  preview.setAttribute('viewBox', `0 0 ${needs.side()} ${needs.side()}`);
-  preview.setAttribute('aria-hidden', 'true');
-  preview.append(path);
   word.addEventListener('input', show);
   word.addEventListener('keydown', (event) => {
     if (event.key !== 'Enter' || event.isComposing) return;
@@ -51,12 +49,12 @@ export function textDialog(needs: DialogNeeds): void {
     take();
   });
   face.addEventListener('change', show);
-  const close = button('leave-letters', tell('cancel'), () => dialog.close());
+  const close = button('leave-letters', t('cancel'), () => dialog.close());
   const dialog = dialogOf(
     'text-dialog',
     'outline-dialog',
-    tell('text_title'),
-    make('div', { class: 'fields' }, make('label', { for: 'letters' }, tell('text_word')), word, make('label', { for: 'face' }, tell('text_face')), face),
+    t('text_title'),
+    make('div', { class: 'fields' }, make('label', { for: 'letters' }, t('text_word')), word, make('label', { for: 'face' }, t('text_face')), face),
     make('figure', {}, preview),
     count,
     make('div', { class: 'row' }, use, close),
@@ -66,7 +64,7 @@ export function textDialog(needs: DialogNeeds): void {
 }
 
 export function importDialog(needs: DialogNeeds): void {
-  const file = make('input', { type: 'file', id: 'outline-file', accept: '.svg,.json,image/svg+xml,application/json', 'aria-label': tell('import_file') });
+  const file = make('input', { type: 'file', id: 'outline-file', accept: '.svg,.json,image/svg+xml,application/json', 'aria-label': t('import_file') });
   const text = make('textarea', { id: 'outline-text', rows: '5', spellcheck: 'false', placeholder: 'M 10 10 H 90 V 90 Z' });
   file.hidden = true;
   file.addEventListener('change', () => {
@@ -74,21 +72,21 @@ export function importDialog(needs: DialogNeeds): void {
     dialog.close();
     if (chosen) void needs.takeFile(chosen);
   });
-  const use = button('take-text', tell('import_use'), () => {
+  const use = button('take-text', t('import_use'), () => {
     dialog.close();
-    void needs.takeText(text.value, tell('pasted'));
+    void needs.takeText(text.value, t('pasted'));
   });
   use.disabled = true;
   text.addEventListener('input', () => (use.disabled = text.value.trim() === ''));
-  const open = button('choose-file', tell('import_open'), () => file.click());
-  const close = button('leave-import', tell('cancel'), () => dialog.close());
+  const open = button('choose-file', t('import_open'), () => file.click());
+  const close = button('leave-import', t('cancel'), () => dialog.close());
   const dialog = dialogOf(
     'import-dialog',
     'outline-dialog',
-    tell('import_title'),
-    make('p', {}, tell('import_what')),
+    t('import_title'),
+    make('p', {}, t('import_what')),
     make('div', { class: 'row' }, open, file),
-    make('label', { for: 'outline-text' }, tell('import_paste')),
+    make('label', { for: 'outline-text' }, t('import_paste')),
     text,
     make('div', { class: 'row' }, use, close),
   );
@@ -99,8 +97,8 @@ export function exportDialog(needs: DialogNeeds): void {
     offer(new Blob([make(needs.outline(), needs.side())], { type }), name);
     dialog.close();
   };
-  const svg = button('export-svg', tell('export_svg'), () => save(svgFile, 'outline.svg', 'image/svg+xml'));
-  const json = button('export-json', tell('export_json'), () => save(jsonFile, 'outline.json', 'application/json'));
-  const close = button('leave-export', tell('cancel'), () => dialog.close());
-  const dialog = dialogOf('export-dialog', 'outline-dialog', tell('export_title'), make('p', {}, tell('export_what')), make('div', { class: 'row' }, svg, json, close));
+  const svg = button('export-svg', t('export_svg'), () => save(svgFile, 'outline.svg', 'image/svg+xml'));
+  const json = button('export-json', t('export_json'), () => save(jsonFile, 'outline.json', 'application/json'));
+  const close = button('leave-export', t('cancel'), () => dialog.close());
+  const dialog = dialogOf('export-dialog', 'outline-dialog', t('export_title'), make('p', {}, t('export_what')), make('div', { class: 'row' }, svg, json, close));
 }

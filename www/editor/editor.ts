@@ -1,12 +1,12 @@
 /** The editor as the page uses it: who edits what over the canvas, and what becomes of it. */
+import type { Point, Ring } from '../module/types';
+import { t } from '../words/editor';
 import { byId } from '../base/dom';
 import { reasonOf } from '../base/errors';
 import { alertOf, clear, notice } from '../base/messages';
-import type { Point, Ring } from '../module/types';
 import type { Engine, Told } from '../state/engine';
 import { toolApplies } from '../state/rules';
 import type { Work } from '../state/work';
-import { tell } from '../words/editor';
 import { exportDialog, importDialog, textDialog } from './dialogs';
 import { FigureEditor } from './figure-editor';
 import { ringOf, scaled } from './geometry/curve';
@@ -39,11 +39,11 @@ export class Editor {
   private readonly engine: Engine;
   private readonly figureEditor: FigureEditor;
   private last = 'outline';
-  /** What the recipe said of it when the handles were last the same. */
+  /** The recipe's text of it when the handles last agreed with that. */
   private known = '';
-  /** The recipe is changed from here. */
+  /** The recipe is being changed from here, so that the handles need not follow. */
   private writing = false;
-  /** Points are in the hand. */
+  /** Points are being dragged. */
   private held = false;
   /** The figures that gave an outline, with places in sides of the picture: they are there again whenever the outline is. */
   private readonly given = new Map<string, Figure[]>();
@@ -88,7 +88,7 @@ export class Editor {
     return (sort.broad ? this.width : undefined) ?? sort.value?.first ?? 0;
   }
 
-  /** Ends the editing of this sort, or begins it, with a first figure where there is none and one is wanted; without a word what was edited last is just looked at. */
+  /** Ends the editing of this sort, or begins it; where there is no figure yet, `fresh` makes a first one. Without a word what was edited last is shown. */
   toggle(asked?: string, fresh = true): void {
     const word = asked ?? this.last;
     if (this.word === word && !this.figureEditor.figures.armed) return this.figureEditor.close();
@@ -160,13 +160,13 @@ export class Editor {
     if (await (await import('../take/recipe-file')).openRecipe(this.work, file)) return true;
     const refused = /^image\/(?!svg)/.test(file.type) ? 'only_picture' : file.size > LARGEST ? 'too_large' : undefined;
     if (!refused) return this.takeText(await file.text(), file.name);
-    alertOf('outline', tell('kept', { sentence: tell(refused, { name: file.name }) }));
+    alertOf('outline', t('kept', { sentence: t(refused, { name: file.name }) }));
     return false;
   }
 
   /** Text from the clipboard, where that is an outline. */
   paste(text: string): void {
-    if (OUTLINE.test(text)) void this.takeText(text, tell('pasted'));
+    if (OUTLINE.test(text)) void this.takeText(text, t('pasted'));
   }
 
   /** Text that has an outline. */
@@ -178,7 +178,7 @@ export class Editor {
       const by = this.engine.side() / side;
       return tries !== undefined && this.takeNew(tries.map((one) => ({ ...one, rings: one.rings.map((ring) => ring.map(([x, y]): Point => [x * by, y * by])) })));
     } catch (error) {
-      alertOf('outline', tell('kept', { sentence: reasonOf(error) }));
+      alertOf('outline', t('kept', { sentence: reasonOf(error) }));
       return false;
     }
   }
@@ -186,7 +186,7 @@ export class Editor {
   /** Whether there is no outline to be changed, which is told. */
   private tiled(): boolean {
     const tiled = this.engine.get('tile') === '1';
-    if (tiled) alertOf('outline', tell('tile_has_none'));
+    if (tiled) alertOf('outline', t('tile_has_none'));
     return tiled;
   }
 
@@ -200,12 +200,12 @@ export class Editor {
         if (!refused) return { refused, sentences: [...sentences, ...remarks(one)] };
         first ||= sentences.join(' ');
       }
-      return { refused: true, sentences: [tell('last_good', { sentence: first })] };
+      return { refused: true, sentences: [t('last_good', { sentence: first })] };
     });
     if (!taken) return false;
     const rings = this.engine.outline();
     if (rings.length > SHOWN.rings || rings.flat().length > SHOWN.points) this.figureEditor.close();
-    // Both at once would hold the page.
+    // Together they would block the page for too long.
     else setTimeout(() => this.begin('outline'));
     return true;
   }
@@ -214,7 +214,7 @@ export class Editor {
   private takeRings(rings: Ring[]): boolean {
     return this.change('outline', () => {
       const { refused, sentences } = this.work.outline(rings, this.held);
-      return { refused, sentences: refused ? [tell('last_good', { sentence: sentences.join(' ') })] : sentences };
+      return { refused, sentences: refused ? [t('last_good', { sentence: sentences.join(' ') })] : sentences };
     });
   }
 
@@ -262,7 +262,7 @@ export class Editor {
     return isOutline(word) ? this.given.get(this.shape(word))?.map((figure) => scaled(figure, side)) : undefined;
   }
 
-  /** The outline at hand, at any size of the picture. */
+  /** A key for the outline at hand, the same at any size of the picture. */
   private shape(word: string): string {
     return [word, this.engine.get('outline'), this.engine.get('poly')].join();
   }

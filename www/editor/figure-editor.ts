@@ -1,6 +1,7 @@
 /** Edits figures over the canvas: by pointers (gestures.ts), by keys, and by the bar's buttons. */
-import { byId } from '../base/dom';
 import type { Point } from '../module/types';
+import { byId } from '../base/dom';
+import { ARROWS } from '../late/arrows';
 import { EditorBar } from './bar';
 import { EditedFigures, type FigureNeeds } from './edited';
 import { drawn, type Figure, type Place, type Sort } from './geometry/figures';
@@ -8,8 +9,6 @@ import { Gestures } from './gestures';
 
 /** Picture units that an arrow key moves a point; with Shift ten times as many. */
 const NUDGE = 1;
-
-const ARROWS: Record<string, Point> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
 
 interface FigureEditorNeeds extends FigureNeeds {
   /** All that can be edited now. */

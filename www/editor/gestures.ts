@@ -28,7 +28,7 @@ export class Gestures {
     this.figures = figures;
     const { layer } = figures.sheet;
     layer.addEventListener('pointerdown', (event) => this.down(event));
-    // A point that is pressed has the keyboard, which browsers do not give to every button, and not to what came only now.
+    // A pressed point has got the focus: browsers would take it away from some buttons, and from a point that came by this press.
     layer.addEventListener('mousedown', (event) => this.hold?.holds === 'point' && event.preventDefault());
     layer.addEventListener('pointermove', (event) => this.move(event));
     layer.addEventListener('pointerup', (event) => this.up(event));

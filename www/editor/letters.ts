@@ -1,7 +1,7 @@
 /** The shapes of letters, by way of pixels. */
-import { make } from '../base/dom';
 import type { Ring } from '../module/types';
-import { tell } from '../words/editor';
+import { t } from '../words/editor';
+import { make } from '../base/dom';
 import { contour, tidy } from './geometry/contour';
 import { fitted } from './geometry/fit';
 
@@ -26,7 +26,7 @@ export type Face = keyof typeof FACES;
 function painted(width: number, height: number, draw: (context: CanvasRenderingContext2D) => void): Ring[] {
   const canvas = make('canvas', { width: String(width + 2 * RIM), height: String(height + 2 * RIM) });
   const context = canvas.getContext('2d', { willReadFrequently: true });
-  if (!context) throw new Error(tell('no_canvas'));
+  if (!context) throw new Error(t('no_canvas'));
   context.translate(RIM, RIM);
   draw(context);
   const { data } = context.getImageData(0, 0, canvas.width, canvas.height);
@@ -40,7 +40,7 @@ export function letters(text: string, face: Face, side: number): Ring[] {
   if (!words.length) return [];
   const font = (size: number): string => `${face === 'serif' ? 700 : 900} ${size}px ${FACES[face]}`;
   const measure = make('canvas').getContext('2d');
-  if (!measure) throw new Error(tell('no_canvas'));
+  if (!measure) throw new Error(t('no_canvas'));
   measure.font = font(100);
   const boxes = words.map((word) => measure.measureText(word));
   const widest = Math.max(1, ...boxes.map((box) => box.actualBoundingBoxLeft + box.actualBoundingBoxRight));

@@ -1,15 +1,14 @@
 /** What the editor draws over the canvas: lines, handles, and guides. */
-import { make } from '../base/dom';
 import type { Point } from '../module/types';
-import { tell } from '../words/editor';
+import { t } from '../words/editor';
+import { make } from '../base/dom';
+import { shape } from '../late/svg';
 import { lines, middle } from './geometry/curve';
 import { drawn, knobs, type Figure, type Place, type Sort } from './geometry/figures';
-import { depth } from './geometry/rings';
 import { distance } from './geometry/plane';
+import { depth } from './geometry/rings';
 
-const SVG = 'http://www.w3.org/2000/svg';
-
-/** Edges shorter than this, in CSS pixels, show no place for another point; for fingers more. */
+/** Edges shorter than this, in CSS pixels, have no handle that adds a point; for fingers they must be longer. */
 const ROOM = 56;
 const ROOM_FOR_FINGERS = 112;
 
@@ -21,8 +20,8 @@ export type Part =
 
 export class Sheet {
   readonly layer: HTMLElement;
-  private readonly lines = document.createElementNS(SVG, 'svg');
-  private readonly grips = document.createElementNS(SVG, 'g');
+  private readonly lines = shape('svg', { 'aria-hidden': 'true' });
+  private readonly grips = shape('g');
   private readonly paths: Record<'rim' | 'band' | 'draft' | 'edge' | 'guide', SVGElement>;
   private readonly edges = make('div', { 'aria-hidden': 'true' });
   private readonly handles = make('div', { class: 'handles' });
@@ -30,7 +29,6 @@ export class Sheet {
 
   constructor(layer: HTMLElement) {
     this.layer = layer;
-    this.lines.setAttribute('aria-hidden', 'true');
     this.paths = { rim: path('rim'), band: path('band'), draft: path('draft'), edge: path('edge'), guide: path('guide') };
     this.lines.append(this.paths.rim, this.paths.band, this.paths.edge, this.grips, this.paths.draft, this.paths.guide);
     layer.replaceChildren(this.lines, this.edges, this.handles);
@@ -57,7 +55,7 @@ export class Sheet {
       ...(sort.broad ? figures.flatMap((_, figure) => [0, 1].map(() => marked(make('span', { class: 'handle knob', 'aria-hidden': 'true' }), { figure }))) : []),
     );
     const divided = sort.form === 'ring' || sort.form === 'line';
-    this.edges.replaceChildren(...(divided ? points : []).map((place) => marked(make('span', { class: 'handle ghost', title: tell('ghost') }), { ...place })));
+    this.edges.replaceChildren(...(divided ? points : []).map((place) => marked(make('span', { class: 'handle ghost', title: t('ghost') }), { ...place })));
   }
 
   /** Puts everything where the figures are. */
@@ -84,7 +82,7 @@ export class Sheet {
     figures.forEach((figure, f) =>
       figure.points.forEach((point, index) => {
         if (put(handle, point)) {
-          handle.setAttribute('aria-label', `${sort.name({ figure: f, index }, figures)}, ${tell('at', { x: Math.round(point[0]), y: Math.round(point[1]) })}`);
+          handle.setAttribute('aria-label', `${sort.name({ figure: f, index }, figures)}, ${t('at', { x: Math.round(point[0]), y: Math.round(point[1]) })}`);
           handle.toggleAttribute('data-marked', at.figure === f && at.index === index);
           const tag = index === 0 && !sort.broad && sort.value?.shown(figure.value);
           if (tag) handle.dataset['tag'] = tag;
@@ -142,9 +140,7 @@ export class Sheet {
 }
 
 function path(name: string): SVGElement {
-  const element = document.createElementNS(SVG, 'path');
-  element.classList.add(name);
-  return element;
+  return shape('path', { class: name });
 }
 
 function marked<E extends HTMLElement | SVGElement>(element: E, data: Record<string, number>): E {

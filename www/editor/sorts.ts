@@ -1,12 +1,12 @@
 /** What can be edited over the canvas: the outline, the roads it is made of, and the lists of the recipe. */
 import type { Point } from '../module/types';
+import { t, type Word } from '../words/editor';
 import type { Engine } from '../state/engine';
 import { toolApplies } from '../state/rules';
-import { tell, type EditorWord } from '../words/editor';
 import { hexagon, type Figure, type Place, type Sort } from './geometry/figures';
 import { handled } from './geometry/handles';
-import { depth } from './geometry/rings';
 import { distance, toSegment } from './geometry/plane';
+import { depth } from './geometry/rings';
 
 /** Half the length of a new line and the radius of a new spot, in sides; the width of the first road, in hundredths. */
 const NEW_LINE = 0.12;
@@ -18,21 +18,21 @@ const ratio = (value: number): string => `${Number(value.toFixed(2))}:1`;
 
 type Lined = 'line' | 'stroke' | 'road';
 
-function line(word: string, label: EditorWord, figure: Lined, tip: EditorWord, value?: Sort['value']): Sort {
+function line(word: string, label: Word, figure: Lined, tip: Word, value?: Sort['value']): Sort {
   const name = ({ figure: f, index }: Place, all: Figure[]): string =>
-    tell('point_of', { k: index + 1, n: all[f]?.points.length ?? 0, figure: `${tell(figure)} ${f + 1}` });
-  return { word, label: tell(label), figure: tell(figure), form: 'line', least: 2, tip: tell(tip), name, value, broad: figure === 'road' };
+    t('point_of', { k: index + 1, n: all[f]?.points.length ?? 0, figure: `${t(figure)} ${f + 1}` });
+  return { word, label: t(label), figure: t(figure), form: 'line', least: 2, tip: t(tip), name, value, broad: figure === 'road' };
 }
 
-function spot(word: string, label: EditorWord, value: NonNullable<Sort['value']>): Sort {
+function spot(word: string, label: Word, value: NonNullable<Sort['value']>): Sort {
   const name = ({ figure: f, index }: Place, all: Figure[]): string =>
-    `${tell(index ? 'spot_rim' : 'spot_middle', { k: f + 1 })}, ${value.shown(all[f]?.value ?? 0)}`;
-  return { word, label: tell(label), figure: tell('spot'), form: 'spot', least: 2, tip: tell('tip_spot'), name, value };
+    `${t(index ? 'spot_rim' : 'spot_middle', { k: f + 1 })}, ${value.shown(all[f]?.value ?? 0)}`;
+  return { word, label: t(label), figure: t('spot'), form: 'spot', least: 2, tip: t('tip_spot'), name, value };
 }
 
 function ringName(at: number, all: Figure[]): string {
   const rings = all.map(({ points }) => points);
-  return at === 0 ? tell('outer_ring') : tell(depth(rings[at] ?? [], rings) % 2 ? 'hole_n' : 'island_n', { k: at });
+  return at === 0 ? t('outer_ring') : t(depth(rings[at] ?? [], rings) % 2 ? 'hole_n' : 'island_n', { k: at });
 }
 
 export class Sorts {
@@ -45,28 +45,28 @@ export class Sorts {
     this.all = [
       {
         word: 'outline',
-        label: tell('outline'),
-        figure: tell('hole'),
+        label: t('outline'),
+        figure: t('hole'),
         form: 'ring',
         least: 3,
-        tip: tell('tip_hole'),
-        name: ({ figure, index }, all) => tell('point_of', { k: index + 1, n: all[figure]?.points.length ?? 0, figure: ringName(figure, all) }),
+        tip: t('tip_hole'),
+        name: ({ figure, index }, all) => t('point_of', { k: index + 1, n: all[figure]?.points.length ?? 0, figure: ringName(figure, all) }),
       },
-      line('road', 'road_label', 'road', 'tip_road', { label: tell('road_width'), brief: tell('road_brief'), min: 2, max: 60, step: 1, first: ROAD, shown: (value) => `${Math.round(value)} %` }),
+      line('road', 'road_label', 'road', 'tip_road', { label: t('road_width'), brief: t('road_brief'), min: 2, max: 60, step: 1, first: ROAD, shown: (value) => `${Math.round(value)} %` }),
       line('lines', 'lines', 'line', 'tip_line'),
       {
         word: 'parts',
-        label: tell('parts'),
-        figure: tell('part'),
+        label: t('parts'),
+        figure: t('part'),
         form: 'seed',
         least: 1,
-        tip: tell('tip_part'),
-        name: ({ figure }, all) => tell('part_of', { k: figure + 1, kind: kinds[all[figure]?.value ?? 0] ?? '' }),
-        value: { label: tell('part_kind'), words: kinds, min: 0, max: kinds.length - 1, step: 1, first: 2, shown: (value) => kinds[value] ?? '' },
+        tip: t('tip_part'),
+        name: ({ figure }, all) => t('part_of', { k: figure + 1, kind: kinds[all[figure]?.value ?? 0] ?? '' }),
+        value: { label: t('part_kind'), words: kinds, min: 0, max: kinds.length - 1, step: 1, first: 2, shown: (value) => kinds[value] ?? '' },
       },
       line('strokes', 'strokes', 'stroke', 'tip_line'),
-      spot('spots', 'spots', { label: tell('spot_factor'), brief: tell('spot_brief'), min: 0.2, max: 3, step: 0.1, first: 0.5, shown: times }),
-      spot('stretch', 'stretch', { label: tell('spot_ratio'), brief: tell('ratio_brief'), min: 1, max: 5, step: 0.1, first: 4, shown: ratio }),
+      spot('spots', 'spots', { label: t('spot_factor'), brief: t('spot_brief'), min: 0.2, max: 3, step: 0.1, first: 0.5, shown: times }),
+      spot('stretch', 'stretch', { label: t('spot_ratio'), brief: t('ratio_brief'), min: 1, max: 5, step: 0.1, first: 4, shown: ratio }),
     ];
   }
 
@@ -112,7 +112,7 @@ export class Sorts {
     return { points: [[x - half, y], [x + half, y]], value: first };
   }
 
-  /** The part at this place gets a seed, or, where it has one, that one is marked by taking its place. */
+  /** A seed for the part at this place; one that the part has already goes, and leaves its value. */
   private seed(figures: Figure[], at: Point, first: number): Figure | undefined {
     const part = this.engine.part(at);
     if (part < 0) return undefined;

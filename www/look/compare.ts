@@ -1,12 +1,12 @@
 /** Another recipe under the one that is shown, up to a divider; it is made by an engine of its own in idle moments. */
-import { byId, make, say } from '../base/dom';
-import { notice } from '../base/messages';
 import { isEnd } from '../module/stages';
-import type { View } from '../picture/view';
+import { t } from '../words/look';
+import { byId, idle, make, say } from '../base/dom';
+import { notice } from '../base/messages';
 import { Engine } from '../state/engine';
 import type { Store } from '../state/store';
 import type { Work } from '../state/work';
-import { t } from '../words/look';
+import type { View } from '../picture/view';
 import '../styles/late/compare.css';
 import '../styles/late/look.css';
 
@@ -114,7 +114,7 @@ export class Compare {
     this.wake();
   }
 
-  /** Its failure is no failure of what is shown. */
+  /** The other engine failed; what is shown goes on. */
   private failed(): void {
     this.engine = undefined;
     say(this.progress, t('compare_failed'));
@@ -127,7 +127,7 @@ export class Compare {
     if (!isEnd(engine.stage())) say(this.progress, t('compare_working'));
     if (this.waiting) return;
     this.waiting = true;
-    whenIdle(() => {
+    void idle(50).then(() => {
       this.waiting = false;
       this.goOn();
     });
@@ -163,10 +163,4 @@ export class Compare {
     engine.draw(context, this.view.words);
     this.drawn = performance.now() + DRAWINGS;
   }
-}
-
-/** Safari has no idle callbacks. */
-function whenIdle(call: () => void): void {
-  if ('requestIdleCallback' in window) requestIdleCallback(call);
-  else setTimeout(call, 50);
 }

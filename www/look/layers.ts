@@ -1,9 +1,9 @@
 /** What is drawn below and what over it, with a sentence for each about what one sees. */
-import { byId, make } from '../base/dom';
-import type { View } from '../picture/view';
-import type { Store } from '../state/store';
 import { overlayIn, t } from '../words/look';
 import { viewIn } from '../words/words';
+import { byId, make } from '../base/dom';
+import type { Store } from '../state/store';
+import type { View } from '../picture/view';
 import '../styles/late/look.css';
 
 export class Layers {

@@ -1,12 +1,13 @@
 /** The sun, or the lamp, on the picture: handles to drag, or to move by arrow keys. Only the light is worked out anew. */
+import { t } from '../words/look';
 import { byId, make } from '../base/dom';
+import { ARROWS } from '../late/arrows';
+import { shape } from '../late/svg';
 import type { Engine } from '../state/engine';
+import { onStep } from '../state/scale';
 import type { Store } from '../state/store';
 import type { Work } from '../state/work';
-import { t } from '../words/look';
 import '../styles/late/look.css';
-
-const SVG = 'http://www.w3.org/2000/svg';
 
 /** The sun at the horizon stands so far from the middle of the sheet, in its sides. */
 const HORIZON = 0.46;
@@ -46,11 +47,8 @@ export class LightOnCanvas {
     this.work = work;
     this.engine = work.engine;
     this.store = work.store;
-    const svg = document.createElementNS(SVG, 'svg');
-    svg.setAttribute('viewBox', '0 0 1 1');
-    svg.setAttribute('aria-hidden', 'true');
     for (const horizon of this.horizons) place(horizon, { cx: 0.5, cy: 0.5, r: HORIZON });
-    svg.append(...this.horizons, ...this.lines);
+    const svg = shape('svg', { viewBox: '0 0 1 1', 'aria-hidden': 'true' }, ...this.horizons, ...this.lines);
     this.kinds = [
       ['parallel', make('input', { type: 'radio', name: 'light-kind' })],
       ['point', make('input', { type: 'radio', name: 'light-kind' })],
@@ -109,7 +107,7 @@ export class LightOnCanvas {
     this.put({ az: (Math.round(azimuth) + 360) % 360, el: 90 - far * 90 });
   }
 
-  /** Sets values in the next frame, the last ones that came; they are in the hand until the end of the drag. */
+  /** Sets values in the next frame, the last ones that came; they are held until the end of the drag. */
   private put(values: Record<string, number>): void {
     Object.assign(this.waiting, values);
     this.frame ||= requestAnimationFrame(() => this.hand(true));
@@ -122,9 +120,7 @@ export class LightOnCanvas {
     this.waiting = {};
     for (const [key, value] of values) {
       const row = this.engine.schema.find((parameter) => parameter.key === key);
-      if (!row) continue;
-      const steps = Math.round(value / row.step) * row.step;
-      this.work.write(key, String(Number(Math.min(Math.max(steps, row.min), row.max).toFixed(3))), true);
+      if (row) this.work.write(key, String(onStep(row, value)), true);
     }
     if (!held) this.store.update({ held: false });
   }
@@ -150,14 +146,14 @@ export class LightOnCanvas {
     element.addEventListener('lostpointercapture', () => this.hand(false));
   }
 
-  /** Arrow keys; with Shift five times as far. The values stay in the hand until the key rises. */
+  /** Arrow keys; with Shift five times as far. The values are held until the key rises. */
   private keys(element: HTMLElement, to: (dx: number, dy: number) => Record<string, number>): void {
     element.addEventListener('keydown', (event) => {
-      const [dx, dy] = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[event.key] ?? [0, 0];
-      if ((!dx && !dy) || event.ctrlKey || event.metaKey || event.altKey) return;
+      const way = ARROWS[event.key];
+      if (!way || event.ctrlKey || event.metaKey || event.altKey) return;
       event.preventDefault();
       const by = event.shiftKey ? 5 : 1;
-      Object.assign(this.waiting, to((dx ?? 0) * by, (dy ?? 0) * by));
+      Object.assign(this.waiting, to(way[0] * by, way[1] * by));
       this.hand(true);
     });
     for (const end of ['keyup', 'blur']) element.addEventListener(end, () => this.store.state.held && this.hand(false));
@@ -202,9 +198,7 @@ export class LightOnCanvas {
 }
 
 function twice(name: 'line' | 'circle'): SVGElement[] {
-  const [shade, bright] = [document.createElementNS(SVG, name), document.createElementNS(SVG, name)];
-  shade.setAttribute('class', 'shade');
-  return [shade, bright];
+  return [shape(name, { class: 'shade' }), shape(name)];
 }
 
 function place(element: SVGElement, values: Record<string, number>): void {

@@ -1,11 +1,11 @@
 /** How the packing goes and how its cells are, in plots that follow the work. */
 import uPlot from 'uplot';
-import { byId, make, say } from '../base/dom';
-import { REPAINT } from '../base/theme';
 import type { Histogram } from '../module/types';
-import type { View } from '../picture/view';
-import type { Engine } from '../state/engine';
 import { t, type Word } from '../words/look';
+import { byId, make, say, wantsStill } from '../base/dom';
+import { REPAINT } from '../base/theme';
+import type { Engine } from '../state/engine';
+import type { View } from '../picture/view';
 import '../styles/late/plots.css';
 import 'uplot/dist/uPlot.min.css';
 
@@ -14,7 +14,7 @@ const PAUSE = 120;
 
 const HEIGHT = 112;
 
-/** Cells within these bounds are told of: shares of the size asked for, degrees. */
+/** The share of cells within these bounds is told: parts of the size asked for, degrees. */
 const SIZE_BAND = 0.1;
 const ANGLE_BAND = 5;
 
@@ -69,7 +69,7 @@ export class Plots {
     if (!on) return;
     this.draw();
     // Under the picture they may be out of sight.
-    if (this.narrow.matches) this.section.scrollIntoView({ block: 'nearest', behavior: matchMedia('(prefers-reduced-motion: reduce)').matches ? 'auto' : 'smooth' });
+    if (this.narrow.matches) this.section.scrollIntoView({ block: 'nearest', behavior: wantsStill() ? 'auto' : 'smooth' });
   }
 
   /** On a narrow page the plots stand under the picture, else above the controls. */
@@ -99,7 +99,7 @@ export class Plots {
     for (const plot of this.plots) {
       const { data, said: sentence } = plot.read();
       say(plot.said, sentence);
-      // Axes of nothing are none.
+      // Without data there are no axes.
       plot.place.classList.toggle('empty', !data[1]?.some(Boolean));
       if (plot.plot) plot.plot.setData(data);
       else plot.plot = new uPlot(plot.make(plot.place.clientWidth), data, plot.place);
@@ -154,7 +154,7 @@ function bars(word: Word): Plot['make'] {
   });
 }
 
-/** What a row of numbers came to, and from where. */
+/** The last value of a row, and the first. */
 function said(word: 'plot_energy_said' | 'plot_move_said', step: Float64Array, values: Float64Array): string {
   const [now, first] = [values.at(-1), values[0]];
   if (now === undefined || first === undefined) return t('plot_none');
@@ -171,12 +171,12 @@ function counted({ from, to, counts }: Histogram, word: 'plot_size_said' | 'plot
   return { data: [middles, Array.from(counts)], said: n ? t(word, { share, n }) : t('plot_none') };
 }
 
-/** Four digits that count. */
+/** Four significant digits. */
 function short(value: number): string {
   return signed(Math.abs(value) >= 1e4 ? `${Number((value / 1000).toPrecision(4))}k` : String(Number(value.toPrecision(4))));
 }
 
-/** As many digits as tell marks apart. */
+/** As many decimals as tell neighbouring marks apart. */
 function spaced(value: number, apart: number): string {
   const digits = Math.max(0, Math.min(6, -Math.floor(Math.log10(apart || 1))));
   return Math.abs(value) >= 1e4 || !apart ? short(value) : signed(String(Number(value.toFixed(digits))));

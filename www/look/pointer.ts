@@ -1,6 +1,6 @@
 /** What pointers and arrow keys do on the picture while nothing is drawn. */
-import type { View } from '../picture/view';
 import type { Work } from '../state/work';
+import type { View } from '../picture/view';
 import { CellProbe } from './probe';
 import { Zoom } from './zoom';
 import '../styles/late/look.css';

@@ -1,21 +1,19 @@
 /** The cell under the pointer, or the one that arrow keys came to: its outline over the picture, and its numbers. */
-import { byId, make, say } from '../base/dom';
 import type { Point, Probe } from '../module/types';
-import type { View } from '../picture/view';
+import { t } from '../words/look';
+import { byId, make, say } from '../base/dom';
+import { ARROWS } from '../late/arrows';
+import { shape } from '../late/svg';
 import type { Engine } from '../state/engine';
 import type { Store } from '../state/store';
 import type { Work } from '../state/work';
-import { t } from '../words/look';
-
-const SVG = 'http://www.w3.org/2000/svg';
+import type { View } from '../picture/view';
 
 /** A pointer rests for this many milliseconds before the first cell is told. */
 const REST = 120;
 
 /** Arrow keys look for the next cell in steps of this many cell sizes. */
 const STRIDE = 0.2;
-
-const ARROWS: Record<string, Point> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
 
 /** What the zoom tells and does. */
 interface Sight {
@@ -36,8 +34,8 @@ export class CellProbe {
   private readonly sheet = byId('sheet');
   private readonly layer = byId('cells');
   private readonly card = make('div', { class: 'cell-card', 'aria-hidden': 'true' });
-  private readonly svg = document.createElementNS(SVG, 'svg');
-  private readonly outline = [0, 1].map(() => document.createElementNS(SVG, 'path'));
+  private readonly outline = [shape('path'), shape('path')];
+  private readonly svg = shape('svg', { 'aria-hidden': 'true' }, ...this.outline);
   /** Where the pointer rests, or where the keys came to. */
   private place: Place | undefined;
   private cell: Probe | undefined;
@@ -49,8 +47,6 @@ export class CellProbe {
     this.store = work.store;
     this.sight = sight;
     this.card.hidden = true;
-    this.svg.setAttribute('aria-hidden', 'true');
-    this.svg.append(...this.outline);
     this.layer.append(this.svg);
     this.sheet.append(this.card);
     this.sheet.addEventListener('pointermove', (event) => event.pointerType === 'mouse' && this.over(event));
@@ -81,7 +77,7 @@ export class CellProbe {
     for (const path of this.outline) path.setAttribute('d', '');
   }
 
-  /** Cells are told of where the picture shows them, and only while nothing is drawn or compared. */
+  /** No cell is told of while something is drawn or compared, while the picture is moved, and where it shows no cells. */
   private get rests(): boolean {
     return this.layer.hidden !== false || this.sight.busy() || this.store.state.view === 'potential';
   }
@@ -177,8 +173,8 @@ export class CellProbe {
     say(byId('cell-said'), this.numbers(this.cell).map((row) => row.join(' ')).join(', '));
   }
 
-  /** The next cell straight on; where the way leaves them, to either side of it. */
-  private beyond(from: Probe, [dx, dy]: Point, side: number): Point | undefined {
+  /** The next cell straight on; where there is none, one to either side of the way. */
+  private beyond(from: Probe, [dx, dy]: readonly [number, number], side: number): Point | undefined {
     const stride = STRIDE * from.size;
     for (const aside of [0, 0.5, -0.5, 1, -1]) {
       const [x, y] = [from.x - dy * aside * from.size, from.y + dx * aside * from.size];

@@ -1,7 +1,7 @@
 /** The picture two or three times side by side, as a tile repeats. */
 import { byId, make } from '../base/dom';
-import type { View } from '../picture/view';
 import type { Store } from '../state/store';
+import type { View } from '../picture/view';
 import '../styles/late/look.css';
 
 /** Pixels along the side of all of them, at most. */

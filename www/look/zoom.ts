@@ -42,7 +42,7 @@ export class Zoom {
     sheet.addEventListener('pointerdown', (event) => this.press(event));
     sheet.addEventListener('pointermove', (event) => this.move(event));
     for (const end of ['pointerup', 'pointercancel'] as const) sheet.addEventListener(end, (event) => this.release(event));
-    // What a finger came down on loses it to the sheet: that is no end.
+    // Where another element loses the pointer to the sheet, the gesture goes on.
     sheet.addEventListener('lostpointercapture', (event) => event.target === sheet && this.release(event));
   }
 
@@ -119,7 +119,7 @@ export class Zoom {
     const touch = event.pointerType === 'touch';
     const middle = event.button === 1;
     if (this.wanted(event) && !touch) return;
-    // What is drawn with one pointer is drawn; the middle button and two fingers move the picture all the same.
+    // While something is drawn one pointer draws; the middle button and two fingers move the picture all the same.
     const drawing = this.store.state.editing !== undefined || this.wanted(event);
     if (!touch && (drawing ? !middle : event.button > 1)) return;
     if (middle) event.preventDefault();
@@ -132,7 +132,7 @@ export class Zoom {
     const now = this.at(event);
     const before = this.down.get(pointerId);
     if (!before) {
-      // A finger that came down before this was here.
+      // A finger that came down before this part was loaded.
       if (pointerType === 'touch' && buttons) this.down.set(pointerId, now);
       return;
     }

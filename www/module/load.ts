@@ -21,7 +21,7 @@ interface Source {
 const FIRST: Source = { packed, bring: () => Promise.resolve(pavements) };
 const SOURCES: readonly Source[] = house ? [FIRST, house] : [FIRST];
 
-/** Bytes that are unpacked between two breaths of the page: a few milliseconds of work. */
+/** Bytes that are unpacked at a time: a few milliseconds of work, after which the page may do other things. */
 const PIECE = 32_768;
 
 const CACHE = 'bubblestone module';
@@ -52,7 +52,7 @@ async function opened({ packed, bring }: Source): Promise<Module> {
       await module.default({ module_or_path: kept });
       return module;
     } catch {
-      // What was kept is broken: the site has it, too.
+      // The kept copy is broken: the site has another.
       await caches.delete(CACHE);
     }
   }
@@ -79,13 +79,13 @@ async function keptModule(packed: string): Promise<Response | undefined> {
   try {
     return await caches.match(nameOf(packed), { cacheName: CACHE });
   } catch {
-    // Not every place has a storage.
+    // Some browsers have no cache, or forbid it.
     return undefined;
   }
 }
 
 async function unpacked(packed: string): Promise<Response> {
-  // The second time, to keep it, the browser still has it.
+  // When it is to be kept, the browser still has it from the first time.
   const answer = await fetch(packed, { cache: 'force-cache' });
   if (!answer.ok) throw new Error(`${answer.status}`);
   const unpacker = new Unpacker(new Uint8Array(await answer.arrayBuffer()));

@@ -52,7 +52,7 @@ export class Unpacker {
     this.coder.set([0xffffffff, view.getUint32(HEAD + 1)]);
   }
 
-  /** About so many bytes more, none at the end. */
+  /** The next bytes, about that many; none at the end. */
   next(bytes: number): Uint8Array<ArrayBuffer> {
     const from = this.made;
     const to = Math.min(this.out.length, from + bytes);

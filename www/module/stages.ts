@@ -18,7 +18,7 @@ export function isUpToSteps(stages: readonly string[], stage: string): boolean {
 /** Where each stage begins, by its share of the time of common recipes; stages of which nothing is known take even shares. */
 const BEGINS: Record<string, number> = { domain: 0, fields: 0.02, packing: 0.1, mesh: 0.6, cells: 0.62, planes: 0.66, weather: 0.92, shading: 0.95 };
 
-/** Packing steps in which half of the way that is left is gone: nobody knows how many it takes. */
+/** Every so many packing steps the rest of the way is taken to be half as long, as nobody knows how many it takes. */
 const HALF = 60;
 
 /** How far the work on a picture is, about: 0..1, and never less than before while a picture is made. */

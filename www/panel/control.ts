@@ -1,15 +1,15 @@
 /** One control of the panel: a label, the ways to change it, a reset, and its help. */
-import { make, say, symbol } from '../base/dom';
 import type { Parameter } from '../module/types';
+import { t } from '../words/words';
+import { make, say, symbol } from '../base/dom';
 import { differs } from '../state/rules';
 import { fromPlace, isLogarithmic, onStep, stepOf, toPlace } from '../state/scale';
-import { t } from '../words/words';
 
-/** Choices stand side by side where their labels, with some letters' room around each, have no more letters than this. */
+/** Choices are a row of buttons where their labels, with so much room around each, come to no more letters than this; else a list. */
 const SEGMENT_LETTERS = 38;
 const SEGMENT_ROOM = 4;
 
-/** Places on a slider's way. */
+/** A slider runs from 0 to this. */
 const PLACES = 1000;
 
 export interface Control {
@@ -76,7 +76,7 @@ function waysOf(parameter: Parameter, id: string, change: Change, edit: (key: st
   return numberAndSlider(parameter, id, change);
 }
 
-/** Letters, of which those of Chinese origin are twice as wide. */
+/** A label's width in letters; kana and Chinese characters count twice. */
 function width(label: string): number {
   return label.length + (label.match(/[\u3000-\u9fff]/g)?.length ?? 0);
 }
@@ -125,7 +125,7 @@ function numberAndSlider(parameter: Parameter, id: string, change: Change): Part
     show: (text, standard) => {
       slider.style.setProperty('--default', String(toPlace(parameter, Number(standard))));
       const place = toPlace(parameter, Number(text));
-      // The number on its way is left alone; the slider under the finger as well, where it says the same.
+      // A number that is being typed is left alone, and so is a slider that is being dragged, where it means the same.
       if (box.value !== text) box.value = text;
       if (now() !== Number(text) || document.activeElement !== slider) slider.value = String(place * PLACES);
       slider.style.setProperty('--place', String(place));
@@ -134,7 +134,7 @@ function numberAndSlider(parameter: Parameter, id: string, change: Change): Part
   };
 }
 
-/** Pixels that a finger goes along a slider before it is taken to move it; a finger that scrolls the page goes across. */
+/** Pixels that a finger goes along a slider before it moves it: one that scrolls the page goes across. */
 const ALONG = 8;
 
 /** Reports a slider's values, but none of a finger that only began on it to scroll the page. */
@@ -216,13 +216,13 @@ function segments(parameter: Parameter, id: string, change: Change): Parts {
   };
 }
 
-/** A list that is edited over the canvas: how many there are, and the way there. */
+/** A list that is edited over the canvas: how many entries it has, and a button to edit them. */
 function drawnList(parameter: Parameter, id: string, edit: (key: string) => void): Parts {
   const button = make('button', { type: 'button', class: 'wide', id, 'aria-labelledby': `${id}-name ${id}`, 'aria-describedby': `${id}-help` });
   button.addEventListener('click', () => edit(parameter.key));
   return {
     inputs: [button],
-    // Dots divide the rows of a list.
+    // In a list's text dots stand between the entries.
     show: (value) => say(button, value ? t('list_edit', { n: value.split('.').length }) : t('list_add')),
   };
 }

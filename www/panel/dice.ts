@@ -1,9 +1,9 @@
 /** The buttons of chance: one that throws all that is not locked, and a dice and a lock for each group. */
+import { groupIn, t } from '../words/words';
 import { byId, make } from '../base/dom';
 import { Later } from '../base/later';
 import { isLocked, onLocks, toggleLock } from '../state/locks';
 import type { Work } from '../state/work';
-import { groupIn, t } from '../words/words';
 import type { Panel } from './panel';
 import { SEED } from './seed';
 
@@ -50,13 +50,13 @@ export class Dice {
       if (groups.length > 1 && !isLocked(store, SEED)) values.push([SEED, String(engine.randomSeed())]);
       this.push();
       this.work.setAll(values);
-      // A throw of all is no change of what was there before.
+      // What all groups were thrown for is no variant of the preset before.
       if (groups.length > 1) store.update({ preset: undefined });
     });
   }
 }
 
-/** A button with the sign of one that the page has already. */
+/** A button with the icon of another one of the page. */
 function signed(like: 'dice' | 'lock', words: string): HTMLButtonElement {
   const signs = Array.from(byId(like === 'lock' ? 'seed-lock' : 'dice').querySelectorAll('svg'), (sign) => sign.cloneNode(true));
   return make('button', { type: 'button', class: `key ${like}`, title: words, 'aria-label': words }, ...signs);

@@ -1,9 +1,9 @@
 /** The panel: every parameter of the schema as a control, in groups in the order of the pipeline. */
+import { groupIn, t } from '../words/words';
 import { byId, byIdAs, frame, make, say } from '../base/dom';
 import { keep, kept } from '../base/storage';
 import type { Engine } from '../state/engine';
 import { applies, differs, recipeOf, type Recipe } from '../state/rules';
-import { groupIn, t } from '../words/words';
 import { makeControl, type Change, type Control } from './control';
 
 /** Parameters that have their own place on the page. */
@@ -23,7 +23,7 @@ interface Group {
   readonly details: HTMLDetailsElement;
   readonly badge: HTMLElement;
   readonly controls: Control[];
-  /** Whether it stands open among all groups. */
+  /** Whether it is open while all groups are shown. */
   open: boolean;
 }
 

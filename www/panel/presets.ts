@@ -1,9 +1,9 @@
-/** The rail of presets: the house's own and the papers' figures, each a small picture. */
-import { byId, make } from '../base/dom';
+/** The rail of presets: our own and the papers' figures, each a small picture. */
 import type { Preset } from '../module/types';
 import { groupIn } from '../words/words';
+import { byId, make } from '../base/dom';
 
-/** Sides of the small pictures (thumbs/NAME.avif, made by the build) on the page, in its pixels. */
+/** The side of the small pictures (thumbs/NAME.avif, made by the build), in CSS pixels. */
 const THUMB = '72';
 
 interface Group {
@@ -74,7 +74,7 @@ export class Presets {
     const group = this.groups.find(({ list }) => list.contains(button));
     if (!group) return;
     if (group.list.hidden) this.unfold(group);
-    // Asked for at once, places would have to be worked out while the page is still being changed.
+    // To measure at once would force a layout while the page is still being changed.
     this.placed?.disconnect();
     this.placed = new ResizeObserver(() => {
       this.placed?.disconnect();

@@ -19,7 +19,7 @@ interface Range {
   per?: 'cs' | 'size';
 }
 
-/** A row counts where all these parameters have one of these words; of the rows of a key the first one does. */
+/** A row applies where all these parameters have one of these words; of a key's rows the first that applies counts. */
 type When = Partial<Record<string, readonly string[]>>;
 
 type Row = readonly [key: string, pick: Words | Range | '', when?: When];
@@ -33,7 +33,7 @@ const STONE_PALETTES: Words = { granite: 2, basalt: 2, sandstone: 2, terracotta:
 const FAMILY = ['Cells', 'Relief', 'Surface'];
 
 const range = (from: number, to: number, step: number, more: Pick<Range, 'plain' | 'per'> = {}): Range => ({ from, to, step, ...more });
-/** Mostly nothing. */
+/** Mostly 0. */
 const rarely = (part: number, from: number, to: number, step = 0.05): Range => range(from, to, step, { plain: [0, 1 - part] });
 
 /** By group, in the order in which they are thrown: later rows ask for earlier ones. */

@@ -16,7 +16,7 @@ export class Seed {
   private readonly lock = byId('seed-lock');
   private readonly work: Work;
   private readonly engine: Engine;
-  /** Seeds before the one at hand, which stands apart. */
+  /** The seeds before the one at hand (`now`). */
   private before: string[] = [];
   private now: string;
 
@@ -28,7 +28,7 @@ export class Seed {
     this.now = engine.get(SEED);
     this.box.addEventListener('change', () => {
       const text = this.box.value;
-      // Empty, the box takes what the engine made of the text.
+      // Only an empty box is filled with what the engine made of the text.
       this.box.value = '';
       this.take(text);
     });

@@ -2,10 +2,10 @@
  * On a narrow page the picture stays in sight above the controls, and shrinks as the page goes under it. Its frame keeps
  * its height and sticks by the lower edge (styles/layout.css), so that nothing else moves; here is only the scale.
  */
-import { byId } from '../base/dom';
+import { byId, wantsStill } from '../base/dom';
 import type { State, Store } from '../state/store';
 
-/** A picture of less than this part of its size is only looked at. */
+/** A picture of less than this part of its size is to be looked at only: a press brings it back. */
 const SMALL = 0.9;
 
 /** What is done on the picture itself, and wants it large. */
@@ -43,8 +43,7 @@ export function keepInSight(store: Store): void {
 /** Scrolls back to where the picture is large, where it is small now. */
 function show(behavior: ScrollBehavior): void {
   if (byId('enlarge').hidden) return;
-  const still = matchMedia('(prefers-reduced-motion: reduce)').matches;
-  scrollTo({ top: scrollY + byId('head').getBoundingClientRect().bottom, behavior: still ? 'instant' : behavior });
+  scrollTo({ top: scrollY + byId('head').getBoundingClientRect().bottom, behavior: wantsStill() ? 'instant' : behavior });
 }
 
 /** Some browsers lay their keyboard over the page: what is left of it is told to the styles, and how much is hidden above it. */

@@ -1,10 +1,10 @@
 /** The state of the work: the stages with their milliseconds, the counts, and the caption. */
-import { byId, make, say } from '../base/dom';
 import { progressOf } from '../module/stages';
 import type { Preset, Status } from '../module/types';
 import { partIn, stageIn, t } from '../words/words';
+import { byId, make, say } from '../base/dom';
 
-/** Milliseconds; shorter work does not show how far it is, nor does what takes its time because somebody watches. */
+/** Milliseconds after which the bar shows how far the work is; later where it takes its time because somebody watches. */
 const LONG = 400;
 const WATCHED = 6000;
 
@@ -61,7 +61,10 @@ export class StatusLine {
     this.count('added', `+${status.added} −${status.removed}`);
   }
 
-  /** What is shown (of drawings and recipes without a name, `note`), what of it shows nothing, and where the papers print how long they took, their seconds beside ours. */
+  /**
+   * The caption: `note` where there is one (of drawings, and recipes without a name), else the preset's name, with the
+   * papers' seconds beside ours where they print them; then why something is `absent`.
+   */
   name(note: string, absent: Iterable<string>, preset: Preset | undefined, changed: boolean, stage: string, status: Status): void {
     const parts = note || !preset ? [note] : this.named(preset, changed, stage, status);
     for (const sentence of new Set(absent)) parts.push(' – ', make('span', { class: 'absent' }, sentence));
@@ -111,7 +114,7 @@ function capital(words: string): string {
   return words.charAt(0).toUpperCase() + words.slice(1);
 }
 
-/** The time of some stages with two digits that count, of which the papers print one or two as well. */
+/** The time of some stages with two significant digits; the papers print one or two as well. */
 function ourSeconds(stages: string[], status: Status): string {
   const spent = stages.reduce((total, word) => total + (status.ms[word] ?? 0), 0);
   return `${spent < 1 ? t('below') : Number((spent / 1000).toPrecision(2))} s`;

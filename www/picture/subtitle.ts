@@ -1,6 +1,6 @@
 /** One line of words on the picture about what is seen while it forms. */
-import { byId, make, say } from '../base/dom';
 import { t } from '../words/words';
+import { byId, make, say } from '../base/dom';
 import { PHASES, type Phase } from './watch';
 
 /** Milliseconds that the whole line stays after the end. */

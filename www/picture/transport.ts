@@ -1,6 +1,6 @@
 /** The buttons under the canvas: pause, play and watch again, step, speed. */
-import { byId, byIdAs, say } from '../base/dom';
 import { t } from '../words/words';
+import { byId, byIdAs, say } from '../base/dom';
 
 interface TransportNeeds {
   toggle(): void;

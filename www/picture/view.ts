@@ -1,14 +1,11 @@
 /** The canvas: its size, and what it shows. */
+import { t, viewIn } from '../words/words';
 import { byIdAs, make } from '../base/dom';
 import type { Engine } from '../state/engine';
 import type { Store } from '../state/store';
-import { t, viewIn } from '../words/words';
 
 /** Views that need a sentence about what they show. */
 const DRAWINGS = ['packed', 'cells', 'mesh', 'direction', 'height', 'normals', 'ids', 'potential', 'albedo', 'roughness', 'ao', 'paper'] as const;
-
-/** The views, the first ten in the order of their keys 0 to 9. */
-export const VIEWS = ['auto', 'picture', ...DRAWINGS] as const;
 
 export class View {
   readonly canvas = byIdAs('canvas', HTMLCanvasElement);

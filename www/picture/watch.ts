@@ -34,7 +34,7 @@ export class Watch {
   private stage = '';
   /** Milliseconds of the stage at work. */
   private passed = 0;
-  /** The part of a packing step that is due. */
+  /** The fraction of a packing step that is due but not made yet. */
   private due = 0;
 
   get phase(): Phase {
@@ -52,7 +52,7 @@ export class Watch {
     return this.stage === 'planes' ? this.stones(engine, budget) : engine.tick(budget, 0);
   }
 
-  /** Lets the time pass; answers what had passed of the stage before. */
+  /** Counts the time of the stage; answers what it was before. */
   private follow(stage: string, now: number): number {
     if (stage !== this.stage) [this.stage, this.passed, this.due] = [stage, 0, 0];
     const before = this.passed;

@@ -1,22 +1,11 @@
 /** The wiring: what happens when something on the page is changed, and what is shown of it. */
-import { byId, byIdAs, frame, make, say } from '../base/dom';
+import { isEnd, isUpToSteps, STEPPING } from '../module/stages';
+import { language, t } from '../words/words';
+import { byId, byIdAs, frame, make, say, wantsStill } from '../base/dom';
 import { bindKeys, listenToKeys } from '../base/keys';
 import { speak } from '../base/language';
 import { alertOf, clear, notice, offerOf, passing } from '../base/messages';
 import { isFirstVisit } from '../base/storage';
-import { isEnd, isUpToSteps, STEPPING } from '../module/stages';
-import { shown } from '../panel/control';
-import { Dice } from '../panel/dice';
-import { Panel } from '../panel/panel';
-import { Presets } from '../panel/presets';
-import { Seed, SEED } from '../panel/seed';
-import { Ahead } from '../picture/ahead';
-import { Forming } from '../picture/forming';
-import { Loop } from '../picture/loop';
-import { keepInSight } from '../picture/sight';
-import { StatusLine } from '../picture/status';
-import { Transport } from '../picture/transport';
-import { View } from '../picture/view';
 import { Engine } from '../state/engine';
 import { askedFor, firstState, openedFirst } from '../state/first';
 import { History } from '../state/history';
@@ -25,7 +14,18 @@ import { isLocked } from '../state/locks';
 import { lastWork, remember } from '../state/memory';
 import { Store, type State } from '../state/store';
 import { Work } from '../state/work';
-import { language, t } from '../words/words';
+import { Ahead } from '../picture/ahead';
+import { Forming } from '../picture/forming';
+import { Loop } from '../picture/loop';
+import { keepInSight } from '../picture/sight';
+import { StatusLine } from '../picture/status';
+import { Transport } from '../picture/transport';
+import { View } from '../picture/view';
+import { shown } from '../panel/control';
+import { Dice } from '../panel/dice';
+import { Panel } from '../panel/panel';
+import { Presets } from '../panel/presets';
+import { Seed, SEED } from '../panel/seed';
 import { EditTools } from './edit-tools';
 import { makeLookTools } from './look-tools';
 import { offerMakes } from './makes';
@@ -68,7 +68,7 @@ export class App {
   /** A timer: the end of the work is told once it lasts. */
   private telling = 0;
   /** Visitors who asked for less motion see no cells move until they choose a speed. */
-  private still = matchMedia('(prefers-reduced-motion: reduce)').matches;
+  private still = wantsStill();
 
   constructor() {
     const last = lastWork();
@@ -185,7 +185,7 @@ export class App {
       byIdAs('redo', HTMLButtonElement).disabled = future.length === 0;
       const note = byId('stored');
       const text = stored && own ? t('stored') : '';
-      // Ears are told the first time only.
+      // Screen readers tell it the first time only.
       if (!text && note.textContent) note.ariaLive = 'off';
       say(note, text);
     };
@@ -310,7 +310,7 @@ export class App {
     this.loop.redraw();
   }
 
-  /** The view that is drawn at a stage: who asks for less motion gets what stays only. */
+  /** The view that is drawn at a stage: who asks for less motion sees finished pictures only. */
   private shownAt(stage: string): string | undefined {
     return !this.still || stage === 'done' || this.store.state.paused ? this.view.words : undefined;
   }

@@ -1,10 +1,10 @@
 /** The editor's tools beside the canvas, the panel's button for the outline, and outlines that are dropped or pasted. */
+import { t } from '../words/words';
 import { byId, isShown, make, say, walkByArrows } from '../base/dom';
-import type { Panel } from '../panel/panel';
 import type { Engine } from '../state/engine';
 import { toolApplies } from '../state/rules';
 import type { Work } from '../state/work';
-import { t } from '../words/words';
+import type { Panel } from '../panel/panel';
 import type { Parts } from './parts';
 
 export class EditTools {
@@ -39,13 +39,13 @@ export class EditTools {
     this.show();
   }
 
-  /** Where there is little room the rare tools come and go by a button of their own; one that is chosen takes them away. */
+  /** Where there is little room a button shows and hides the rare tools; to choose one hides them, too. */
   private foldRare(box: HTMLElement): void {
     const { more } = this;
     const rare = byId('rare-tools');
     const isOpen = (): boolean => more.getAttribute('aria-expanded') === 'true';
     const open = (on: boolean): void => {
-      // What goes out of sight with the keyboard's place in it leaves that to the button.
+      // Where the toolbar's stop for Tab is hidden, the button becomes it.
       const stop = rare.querySelector<HTMLElement>('[tabindex="0"]');
       if (!on && stop && isShown(more)) [stop.tabIndex, more.tabIndex] = [-1, 0];
       more.setAttribute('aria-expanded', String(on));

@@ -1,32 +1,55 @@
 /** The picture alone, for other pages: a click pauses and plays, a link in the corner opens the whole page. It stores nothing. */
-import { byId, byIdAs, make } from '../base/dom';
-import { alertOf } from '../base/messages';
 import { isEnd } from '../module/stages';
-import { Loop } from '../picture/loop';
+import { t } from '../words/words';
+import { byId, byIdAs, make, wantsStill } from '../base/dom';
+import { alertOf } from '../base/messages';
 import { Engine } from '../state/engine';
 import { fragment, pageAddress } from '../state/link';
-import { t } from '../words/words';
-import { scriptFace, type Bubblestone } from './scripts';
+import { Loop } from '../picture/loop';
+import { scriptFace, type ScriptFace } from './scripts';
 import { tellCrash } from './trouble';
 import '../styles/late/embed.css';
 
-export function embed(): Bubblestone {
-  const canvas = byIdAs('canvas', HTMLCanvasElement);
-  const context = canvas.getContext('2d');
-  const still = matchMedia('(prefers-reduced-motion: reduce)').matches;
-  const engine = new Engine(fragment(), (error, link) => {
-    document.documentElement.dataset['stage'] = 'error';
-    tellCrash(error, link);
-  });
-  const scripts = scriptFace(engine, () => loop.rests);
-  const button = make('button', { type: 'button', class: 'embed-play' });
-  const home = make('a', { class: 'embed-home', target: '_blank', rel: 'noopener' }, 'Bubblestone');
-  byId('sheet').append(make('h1', { class: 'said' }, 'Bubblestone'), button, home);
+export class Embed {
+  readonly scripts: ScriptFace;
+  private readonly canvas = byIdAs('canvas', HTMLCanvasElement);
+  private readonly context = this.canvas.getContext('2d');
+  private readonly button = make('button', { type: 'button', class: 'embed-play' });
+  private readonly home = make('a', { class: 'embed-home', target: '_blank', rel: 'noopener' }, 'Bubblestone');
+  private readonly engine: Engine;
+  private readonly loop: Loop;
+  private readonly still = wantsStill();
 
-  const shownAt = (stage: string): string | undefined => (!still || isEnd(stage) ? 'auto' : undefined);
-  const loop = new Loop(engine, shownAt, (stage, changed) => {
+  constructor() {
+    const engine = (this.engine = new Engine(fragment(), (error, link) => {
+      document.documentElement.dataset['stage'] = 'error';
+      tellCrash(error, link);
+    }));
+    const loop = (this.loop = new Loop(engine, (stage) => this.shownAt(stage), (stage, changed) => this.drawn(stage, changed)));
+    this.scripts = scriptFace(engine, () => loop.rests);
+    byId('sheet').append(make('h1', { class: 'said' }, 'Bubblestone'), this.button, this.home);
+    if (this.still) loop.stepsPerFrame = Number.MAX_SAFE_INTEGER;
+    this.button.addEventListener('click', () => this.toggle());
+    engine.arrived = (sentences, failed) => {
+      if (failed) alertOf('trouble', sentences.join(' '));
+      this.opened();
+    };
+    addEventListener('hashchange', () => {
+      engine.open(fragment());
+      this.opened();
+    });
+    this.opened();
+  }
+
+  /** Who asks for less motion sees finished pictures only. */
+  private shownAt(stage: string): string | undefined {
+    return !this.still || isEnd(stage) ? 'auto' : undefined;
+  }
+
+  private drawn(stage: string, changed: boolean): void {
+    const { canvas, context, engine, scripts } = this;
     document.documentElement.dataset['stage'] = stage;
-    const view = shownAt(stage);
+    const view = this.shownAt(stage);
     if (context && changed && view) {
       if (canvas.width !== engine.side()) canvas.width = canvas.height = engine.side();
       engine.draw(context, view);
@@ -36,35 +59,29 @@ export function embed(): Bubblestone {
       alertOf('trouble', engine.problem());
       scripts.failed(engine.problem());
     }
-    say(stage);
-  });
-  const say = (stage: string): void => {
-    const word = t(loop.paused || isEnd(stage) ? 'play' : 'pause');
-    if (button.title === word) return;
-    button.title = word;
-    button.setAttribute('aria-label', word);
-  };
-  if (still) loop.stepsPerFrame = Number.MAX_SAFE_INTEGER;
-  button.addEventListener('click', () => {
+    this.name(stage);
+  }
+
+  private toggle(): void {
+    const { engine, loop } = this;
     if (isEnd(engine.stage())) {
       engine.restart();
       loop.paused = false;
       loop.changed();
     } else loop.paused = !loop.paused;
-    say(engine.stage());
-  });
-  const opened = (): void => {
-    home.href = pageAddress(engine.link());
-    loop.changed();
-  };
-  engine.arrived = (sentences, failed) => {
-    if (failed) alertOf('trouble', sentences.join(' '));
-    opened();
-  };
-  addEventListener('hashchange', () => {
-    engine.open(fragment());
-    opened();
-  });
-  opened();
-  return scripts.face;
+    this.name(engine.stage());
+  }
+
+  /** The button says what it does now. */
+  private name(stage: string): void {
+    const word = t(this.loop.paused || isEnd(stage) ? 'play' : 'pause');
+    if (this.button.title === word) return;
+    this.button.title = word;
+    this.button.setAttribute('aria-label', word);
+  }
+
+  private opened(): void {
+    this.home.href = pageAddress(this.engine.link());
+    this.loop.changed();
+  }
 }

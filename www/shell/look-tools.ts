@@ -1,9 +1,9 @@
 /** The buttons for looking closer, beside the canvas. */
+import { t } from '../words/words';
 import { byId, say, walkByArrows } from '../base/dom';
 import { bindKeys } from '../base/keys';
 import type { Later } from '../base/later';
 import type { Store } from '../state/store';
-import { t } from '../words/words';
 import type { Parts } from './parts';
 
 /** What may stand beside or over the picture. */
@@ -24,7 +24,7 @@ export function makeLookTools(store: Store, parts: Parts, leave: () => void): vo
   tool(store, 'compare', parts.compare);
   tool(store, 'plots', parts.plots);
   byId('tile-button').addEventListener('click', () => {
-    // Points are moved on one picture, and two are compared as one: what was asked for last goes on.
+    // To edit and to compare there is one picture: what was asked for last ends the others.
     leave();
     store.update({ compare: false, repeat: (store.state.repeat % REPEATS) + 1 });
   });

@@ -1,9 +1,9 @@
 /** What can be made, to be chosen at the top by picture and word; nothing is to be seen where there is one generator only. */
-import { byId, make } from '../base/dom';
 import { generators } from '../module/generators';
+import { makeIn } from '../words/words';
+import { byId, make } from '../base/dom';
 import { withValues } from '../state/link';
 import type { Work } from '../state/work';
-import { makeIn } from '../words/words';
 
 /** `push` is called before a change that the browser's Back button shall take back. */
 export function offerMakes(work: Work, push: () => void): void {

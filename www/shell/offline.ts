@@ -1,4 +1,5 @@
 /** Lets the service worker store the site, quietly, so that the page works offline from then on. */
+import { idle } from '../base/dom';
 
 /** `stored`: all of the site is there offline. `newer`: the next visit gets a newer build than the page is of. */
 type Offline = 'stored' | 'newer';
@@ -23,11 +24,11 @@ async function begin(): Promise<void> {
   await activated(worker);
   const connection = (navigator as { connection?: { saveData?: boolean } }).connection;
   if (connection?.saveData) return;
-  await idle();
+  await idle(1000);
   worker.postMessage(new URL(ownScript(), document.baseURI).href.slice(registration.scope.length));
 }
 
-/** What names the page's build. */
+/** The path of the page's script, which has the build's hash in its name. */
 function ownScript(): string {
   return document.querySelector('script[type=module]')?.getAttribute('src') ?? '';
 }
@@ -40,13 +41,5 @@ function activated(worker: ServiceWorker): Promise<void> {
     };
     worker.addEventListener('statechange', look);
     look();
-  });
-}
-
-/** Safari has no idle callbacks. */
-function idle(): Promise<void> {
-  return new Promise((resolve) => {
-    if ('requestIdleCallback' in window) requestIdleCallback(() => resolve());
-    else setTimeout(resolve, 1000);
   });
 }

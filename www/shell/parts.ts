@@ -1,7 +1,7 @@
 /** The parts of the page that are loaded when they are first asked for, by name. */
 import { Later } from '../base/later';
-import type { View } from '../picture/view';
 import type { Work } from '../state/work';
+import type { View } from '../picture/view';
 
 export type Parts = ReturnType<typeof partsOf>;
 

@@ -1,7 +1,7 @@
-/** `window.bubblestone`: the words of the page for scripts. */
+/** `window.bubblestone`: what scripts may ask the page. */
 import type { Parameter, Preset, Probe, Status } from '../module/types';
-import type { Ahead } from '../picture/ahead';
 import type { Engine } from '../state/engine';
+import type { Ahead } from '../picture/ahead';
 
 export interface Bubblestone {
   /** The digest of the planes, once they are done and drawn; on a first visit, while they still form on the screen. */
@@ -26,7 +26,7 @@ export interface ScriptFace {
   readonly face: Bubblestone;
   /** The planes are done, and drawn or worked out ahead: answers those who wait. */
   done(): void;
-  /** They never will be. */
+  /** They never will be: rejects those who wait. */
   failed(sentence?: string): void;
 }
 

@@ -1,8 +1,8 @@
 /** What the visitor sees when the program itself broke. */
+import { t } from '../words/words';
 import { make } from '../base/dom';
 import { alertOf } from '../base/messages';
 import { address, reopen } from '../state/link';
-import { t } from '../words/words';
 
 /** Says it in words, with a link to the same recipe and a button that starts afresh. */
 export function tellCrash(error: unknown, link: string): void {

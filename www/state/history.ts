@@ -1,4 +1,4 @@
-/** Undo and redo of every change of the recipe. A step ends when nothing is in the hand any more. */
+/** Undo and redo of every change of the recipe. All changes of a drag are one step, which ends when it is let go. */
 import type { Store } from './store';
 
 /** Steps that are kept. */

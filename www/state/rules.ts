@@ -5,7 +5,7 @@ import type { Engine } from './engine';
 /** A recipe's values, or those of one that is still to be. */
 export interface Recipe {
   readonly schema: readonly Parameter[];
-  /** What a parameter has: one value, of some several. */
+  /** A parameter's value, or several where it differs from part to part. */
   valuesOf(key: string): readonly string[];
   defaultOf(parameter: Parameter): string;
 }

@@ -1,4 +1,4 @@
-/** How a slider's way of 0..1 stands for a parameter's range, and how its values are written. */
+/** How the place 0..1 on a slider maps to a parameter's range, and how values are rounded. */
 import type { Parameter } from '../module/types';
 
 /** Ranges that span this factor or more get a logarithmic slider, so that small values have room. */

@@ -10,7 +10,7 @@ export interface State {
   readonly recipe: string;
   /** The word of the generator at work; behind the recipe while that of the recipe is still on its way. */
   readonly make: string;
-  /** Something is in the hand (a slider, a point): the recipe is on its way and no step of the history yet. */
+  /** Something is being dragged (a slider, a point): the recipe still changes, and is no step of the history yet. */
   readonly held: boolean;
   /** Recipes before and after this one, the nearest last and first. */
   readonly past: readonly string[];
@@ -28,7 +28,7 @@ export interface State {
   readonly view: string;
   /** What is drawn over it. */
   readonly overlays: readonly string[];
-  /** How often the picture stands side by side, as a tile does. */
+  /** So many copies of the picture stand along each side, as of a tile. */
   readonly repeat: number;
   /** Tools for looking closer that are shown. */
   readonly light: boolean;

@@ -1,8 +1,8 @@
 /** The recipe in the store, which the engine follows: everything that changes it goes this way. */
-import { make } from '../base/dom';
-import { alertOf, clear, notice } from '../base/messages';
 import type { Preset, Ring } from '../module/types';
 import { t } from '../words/words';
+import { make } from '../base/dom';
+import { alertOf, clear, notice } from '../base/messages';
 import type { Engine, Told } from './engine';
 import type { State, Store } from './store';
 
@@ -48,7 +48,7 @@ export class Work {
     this.changed(held);
   }
 
-  /** The same without a word to the visitor: answers what is to be said. */
+  /** The same, but answers what is to be told instead of telling it. */
   write(key: string, text: string, held = false): Told {
     const told = this.engine.set(key, text);
     this.changed(held);
@@ -68,7 +68,7 @@ export class Work {
     return told;
   }
 
-  /** A whole other recipe; a link's mistakes are told. `preset` is the one it is, where it does not say so itself. */
+  /** A whole other recipe; a link's mistakes are told. `preset` is what it is called where it is not exactly a preset's link. */
   open(link: string, own = false, preset?: Preset): void {
     notice('link', ...this.engine.open(link));
     clear('value');

@@ -1,5 +1,5 @@
 /** Japanese. */
-import { page, words } from './ja.json';
 import { foreign } from './ja-module';
+import { page, words } from './ja.json';
 
 export { foreign, page, words };

@@ -1,7 +1,7 @@
 /** The dialogs of what is taken away, with a way out at their end. */
-import { dialogOf } from '../base/dialog';
-import { make } from '../base/dom';
 import { t } from '../words/take';
+import { make } from '../base/dom';
+import { dialogOf } from '../late/dialog';
 import '../styles/late/take.css';
 
 export function takeDialog(id: string, title: string, ...body: HTMLElement[]): HTMLDialogElement {

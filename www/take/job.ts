@@ -1,8 +1,8 @@
 /** Files of a recipe, made in a worker that packs it anew, so that the page stays free. */
-import type { Task } from '../base/task';
-import { answerOf } from '../base/worker';
 import { t } from '../words/take';
 import { said } from '../words/words';
+import type { Task } from '../late/task';
+import { answerOf } from '../late/worker';
 import type { Answer, Job, Order } from './files/job.worker';
 
 /** Throws a sentence where the file cannot be made. */

@@ -1,11 +1,11 @@
 /** A QR code (ISO 18004) of a text as an SVG: dark on light in any theme, with the quiet zone of four modules. */
 import { generate } from 'lean-qr';
+import { shape } from '../late/svg';
 
 /** Characters; a longer text has modules too small for a camera in front of a screen. */
 export const MOST = 1200;
 
 const QUIET = 4;
-const SVG = 'http://www.w3.org/2000/svg';
 
 export function qrCode(text: string, label: string): SVGSVGElement {
   const code = generate(text);
@@ -14,17 +14,11 @@ export function qrCode(text: string, label: string): SVGSVGElement {
   for (let y = 0; y < code.size; y += 1) {
     for (let x = 0; x < code.size; x += 1) if (code.get(x, y)) dark += `M${x + QUIET} ${y + QUIET}h1v1h-1z`;
   }
-  const svg = shape('svg', { viewBox: `0 0 ${side} ${side}`, role: 'img', 'aria-label': label, class: 'qr', 'shape-rendering': 'crispEdges' });
-  svg.append(shape('path', { d: `M0 0h${side}v${side}H0z`, fill: '#fff' }), shape('path', { d: dark, fill: '#000' }));
+  const attributes = { viewBox: `0 0 ${side} ${side}`, role: 'img', 'aria-label': label, class: 'qr', 'shape-rendering': 'crispEdges' };
+  const svg = shape('svg', attributes, shape('path', { d: `M0 0h${side}v${side}H0z`, fill: '#fff' }), shape('path', { d: dark, fill: '#000' }));
   // Each module is a whole number of pixels, three at least.
   const pixels = side * Math.max(3, Math.floor(216 / side));
   svg.style.width = `${pixels}px`;
   svg.style.height = `${pixels}px`;
   return svg;
-}
-
-function shape<K extends keyof SVGElementTagNameMap>(tag: K, attributes: Record<string, string>): SVGElementTagNameMap[K] {
-  const element = document.createElementNS(SVG, tag);
-  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
-  return element;
 }

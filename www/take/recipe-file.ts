@@ -3,12 +3,12 @@
  * of which `recipe` is what counts, and pictures and drawings that were saved here.
  */
 import { version } from '../../package.json';
-import { passing } from '../base/messages';
 import type { Parameter } from '../module/types';
+import { t } from '../words/take';
+import { passing } from '../base/messages';
 import type { Engine } from '../state/engine';
 import { pageAddress } from '../state/link';
 import type { Work } from '../state/work';
-import { t } from '../words/take';
 import { originIn, PROGRAM } from './origin';
 
 /** Of a file so many bytes are read; a link of a thousand points has some ten thousand. */

@@ -1,10 +1,10 @@
 /** The dialog of all that can be saved: pictures, drawings, an animation, files for other programs, the recipe. */
+import { t } from '../words/take';
 import { make } from '../base/dom';
 import { notice } from '../base/messages';
-import type { Task } from '../base/task';
+import type { Task } from '../late/task';
 import { pageAddress } from '../state/link';
 import type { Work } from '../state/work';
-import { t } from '../words/take';
 import { takeDialog } from './dialog';
 import type { Job } from './files/job.worker';
 import { fileOf } from './job';

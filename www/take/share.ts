@@ -1,9 +1,9 @@
 /** The dialog that shares the picture: its link, the system's way, a QR code, and code for other pages. */
+import { t } from '../words/take';
 import { make, say } from '../base/dom';
 import type { Engine } from '../state/engine';
 import { address, embedAddress, valuesIn } from '../state/link';
 import type { Store } from '../state/store';
-import { t } from '../words/take';
 import { takeDialog } from './dialog';
 import { signedPng } from './origin';
 import { MOST, qrCode } from './qr';

@@ -1,9 +1,9 @@
 /** A file in the making: how far it is, and a way to stop it; then the file. */
-import { offer } from '../base/download';
+import { t } from '../words/take';
 import { reasonOf } from '../base/errors';
 import { clear, notice, passing } from '../base/messages';
-import { stoppable, type Task } from '../base/task';
-import { t } from '../words/take';
+import { offer } from '../late/download';
+import { stoppable, type Task } from '../late/task';
 
 /** What is being made. */
 let busy: string | undefined;

@@ -18,7 +18,7 @@ export function t(key: Word, values: Record<string, string | number> = {}): stri
   return filled(words[key], values);
 }
 
-/** The same for words that come later, in all languages, with what says them. */
+/** The same for a late part, which brings its words in all languages. */
 export function wordsOf<Key extends string>(by: { en: Record<Key, string>; ja: Record<Key, string> }) {
   return (key: Key, values: Record<string, string | number> = {}): string => filled(by[language() === 'ja' ? 'ja' : 'en'][key], values);
 }
@@ -28,7 +28,7 @@ function filled(text: string, values: Record<string, string | number>): string {
   return text.replace(/\{(\w+)\}/g, (whole, name: string) => String(values[name] ?? whole));
 }
 
-/** Another language from now on. */
+/** Goes over to another language. */
 export function translate(code: string, to: { words: Record<Word, string>; foreign: Foreign }): void {
   ({ words, foreign } = to);
   document.documentElement.lang = code;

@@ -31,7 +31,7 @@ export function ringOf(figure: Figure, side: number): Ring {
   return lines(figure, side).flat();
 }
 
-/** Moves go on from what is there now. */
+/** Makes what is seen now the stretches that further moves start from. */
 export function settle(figure: Figure, side: number): void {
   const { points, stretches } = figure;
   if (!stretches) return;
@@ -216,7 +216,7 @@ function stretched(figure: Figure, side: number): Stretch[] {
   return (figure.stretches ??= points.map((from, k) => stretchAlong([from, points[(k + 1) % points.length] ?? from], false)));
 }
 
-/** Many times as large. */
+/** The figure scaled by a factor. */
 export function scaled({ points, value, stretches }: Figure, by: number): Figure {
   const place = ([x, y]: Point): Point => [x * by, y * by];
   const larger = ({ smooth, from, to, length, inner }: Stretch): Stretch => ({ smooth, from: place(from), to: place(to), length: length * by, inner: inner.map(({ at, along }) => ({ at: place(at), along })) });

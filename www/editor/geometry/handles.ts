@@ -12,7 +12,7 @@ const MOST = 300;
 const TURN = 0.61;
 const FLAT = 1 / 650;
 
-/** A curve has so many points and bends by so many radians; else its points are corners. */
+/** A curve has at least so many points and bends by at least so many radians; else its points are corners. */
 const POINTS = 3;
 const BEND = 0.05;
 

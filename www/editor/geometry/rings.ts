@@ -7,7 +7,7 @@ export function arranged(rings: Ring[]): Ring[] {
   return turned(rings.filter((ring) => ring.length > 2).sort((a, b) => Math.abs(area(b)) - Math.abs(area(a))));
 }
 
-/** Rings around an even number of others' insides run one way, the rest the other. */
+/** Rings that lie in an even number of others (rims) run one way, the rest (holes) the other. */
 export function turned(rings: Ring[]): Ring[] {
   return rings.map((ring) => (area(ring) > 0 === (depth(ring, rings) % 2 === 0) ? ring : [...ring].reverse()));
 }

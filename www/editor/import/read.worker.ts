@@ -1,5 +1,5 @@
 /** Reads one outline. Nothing here blocks the page: it is a worker, which ends with the file. */
-import { serve } from '../../base/worker';
+import { serve } from '../../late/worker';
 import { Refusal, type Count, type Told } from '../svg/refusal';
 import { outlines, type Try } from './read';
 

@@ -1,9 +1,9 @@
 /** Outlines from files and texts, read in a worker, so that the page stays free; to stop it frees all it held. */
-import { passing } from '../../base/messages';
-import { stoppable, type Task } from '../../base/task';
-import { answerOf } from '../../base/worker';
-import { tell, type EditorWord } from '../../words/editor';
+import { t, type Word } from '../../words/editor';
 import { language } from '../../words/words';
+import { passing } from '../../base/messages';
+import { stoppable, type Task } from '../../late/task';
+import { answerOf } from '../../late/worker';
 import { LEFT, type Count, type Told } from '../svg/refusal';
 import type { Try } from './read';
 import type { Answer, Order } from './read.worker';
@@ -16,11 +16,11 @@ export async function read(text: string, name: string, side: number): Promise<Tr
   now?.abort();
   const stopping = (now = new AbortController());
   try {
-    return await stoppable({ topic: 'outline', sentence: tell('import_reading', { name }), name, stop: tell('import_stop') }, stopping, (task) => triesOf([text, side], name, task));
+    return await stoppable({ topic: 'outline', sentence: t('import_reading', { name }), name, stop: t('import_stop') }, stopping, (task) => triesOf([text, side], name, task));
   } catch (error) {
     if (!stopping.signal.aborted) throw error;
     // Another file has taken its place, and is told of.
-    if (stopping === now) passing('outline', tell('kept', { sentence: tell('import_stopped', { name }) }));
+    if (stopping === now) passing('outline', t('kept', { sentence: t('import_stopped', { name }) }));
     return undefined;
   }
 }
@@ -29,23 +29,23 @@ async function triesOf(order: Order, name: string, task: Task): Promise<Try[]> {
   const worker = new Worker(new URL('./read.worker.ts', import.meta.url), { type: 'module' });
   const answer = await answerOf<Answer>(worker, order, task);
   if ('tries' in answer) return answer.tries;
-  if ('broken' in answer) throw new Error(tell('import_trouble', { name, reason: answer.broken }));
+  if ('broken' in answer) throw new Error(t('import_trouble', { name, reason: answer.broken }));
   throw new Error([sentence(answer.refused, name), ...leftOut(answer.left, 'left_besides')].join(' '));
 }
 
 function sentence({ word, values }: Told, name: string): string {
-  return tell(word, { name, ...Object.fromEntries(Object.entries(values).map(([key, value]) => [key, number(value)])) });
+  return t(word, { name, ...Object.fromEntries(Object.entries(values).map(([key, value]) => [key, number(value)])) });
 }
 
 /** What is to be said of an outline that was taken. */
 export function remarks({ rings, left, coarse }: Try): string[] {
-  return [...leftOut(left, 'left_out'), ...(coarse ? [tell('coarse', { n: number(rings.flat().length), before: number(coarse) })] : [])];
+  return [...leftOut(left, 'left_out'), ...(coarse ? [t('coarse', { n: number(rings.flat().length), before: number(coarse) })] : [])];
 }
 
 /** The sentence that counts what was left out, where there is anything. */
-function leftOut(left: Count, word: EditorWord): string[] {
-  const parts = LEFT.filter((what) => left[what]).map((what) => tell(left[what] === 1 ? `left_${what}_one` : `left_${what}`, { n: number(left[what] ?? 0) }));
-  return parts.length ? [tell(word, { list: new Intl.ListFormat(language()).format(parts) })] : [];
+function leftOut(left: Count, word: Word): string[] {
+  const parts = LEFT.filter((what) => left[what]).map((what) => t(left[what] === 1 ? `left_${what}_one` : `left_${what}`, { n: number(left[what] ?? 0) }));
+  return parts.length ? [t(word, { list: new Intl.ListFormat(language()).format(parts) })] : [];
 }
 
 function number(value: string | number): string {

@@ -11,7 +11,7 @@ import { boxOf, fit, lengthOf, runsOf, SHAPES, type Box } from './shapes';
 import type { Pen } from './stroke';
 import { INHERITED, Sheet, type Said } from './style';
 
-/** Elements that a drawing may have, those that it uses again counted again, and how deep they may lie in each other. */
+/** Elements that a drawing may have, each counted as often as it is used, and how deep they may be nested. */
 const ELEMENTS = 50_000;
 const DEEPEST = 200;
 
@@ -43,14 +43,14 @@ export interface Drawing {
   left: Count;
 }
 
-/** What is around an element. */
+/** What an element gets from what is around it. */
 interface Around {
   matrix: Matrix;
   look: Said;
   opacity: number;
-  /** What hundredths count from. */
+  /** What percentages refer to. */
   page: Box;
-  /** Elements in use here. */
+  /** Elements that are in use here: none may use itself. */
   used: Element[];
   deep: number;
   /** All shapes count as areas: they cut others. */
@@ -78,7 +78,7 @@ function parsed(text: string): Document {
   return handler.root;
 }
 
-/** Short texts that the file has names for, as some programs use them for styles. */
+/** The entities that a file declares, as some programs do for styles. */
 function withEntities(text: string): string {
   const known = new Map([...text.slice(0, 20_000).matchAll(/<!ENTITY\s+([\w.-]+)\s+(?:"([^"]{0,300})"|'([^']{0,300})')\s*>/g)].map(([, name, one, other]) => [name, one ?? other ?? '']));
   let most = 20_000;
@@ -317,7 +317,7 @@ function transformOf(said: Said): Matrix {
   return Number.isFinite(x + y) ? times(times(shift(x, y), matrix), shift(-x, -y)) : matrix;
 }
 
-/** A share between 0 and 1; all where nothing is said. */
+/** A number or percentage as 0..1; 1 where none is given. */
 function share(text: string | undefined): number {
   const number = parseFloat(text ?? '');
   return Number.isFinite(number) ? Math.min(1, Math.max(0, text?.endsWith('%') ? number / 100 : number)) : 1;
@@ -337,7 +337,7 @@ function penOf(look: Said, of: number): Pen {
   };
 }
 
-/** With what a variable falls back on in its place, as there is no page to give it a value. */
+/** The text with each variable replaced by its fallback, as there is no page to give it a value. */
 function withoutVariables(value: string): string {
   return value.replace(/var\(\s*--[\w-]+\s*(?:,([^()]*(?:\([^()]*\))?[^()]*))?\)/g, '$1').trim();
 }

@@ -3,7 +3,7 @@
 /** Of 255; autotracers paint paper with a white that is not quite one. */
 const WHITE = 250;
 
-/** What covers less than this covers nothing up. */
+/** What is less opaque than this hides nothing. */
 const COVERS = 0.5;
 
 /** `ink` adds to the outline, `paper` takes from it what lies under it; undefined where nothing is painted. */

@@ -1,8 +1,8 @@
 /** What is wrong with an outline, or was left out of it, on the way to the page, which has the words for it. */
-import type { EditorWord } from '../../words/editor';
+import type { Word } from '../../words/editor';
 
 export interface Told {
-  word: EditorWord;
+  word: Word;
   values: Record<string, string | number>;
 }
 
@@ -10,7 +10,7 @@ export class Refusal extends Error {
   readonly told: Told;
   readonly left: Count;
 
-  constructor(word: EditorWord, values: Told['values'] = {}, left: Count = {}) {
+  constructor(word: Word, values: Told['values'] = {}, left: Count = {}) {
     super(word);
     this.told = { word, values };
     this.left = left;

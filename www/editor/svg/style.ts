@@ -3,7 +3,7 @@ import { compile } from 'css-select';
 import { AttributeAction, parse, SelectorType, type Selector } from 'css-what';
 import type { Element } from 'domhandler';
 
-/** What an element is told, by property. */
+/** An element's properties by name. */
 export type Said = ReadonlyMap<string, string>;
 
 interface Rule {
@@ -18,7 +18,7 @@ interface Declaration {
   important: boolean;
 }
 
-/** What is passed on to what is inside. */
+/** Properties that children inherit. */
 export const INHERITED = [
   'clip-rule', 'color', 'fill', 'fill-opacity', 'fill-rule', 'marker-end', 'marker-mid', 'marker-start', 'stroke', 'stroke-dasharray', 'stroke-dashoffset',
   'stroke-linecap', 'stroke-linejoin', 'stroke-miterlimit', 'stroke-opacity', 'stroke-width', 'visibility',

@@ -8,7 +8,7 @@ export interface Frame {
   shown: number;
 }
 
-/** Colours of the palette; one more place of it means “as before”. */
+/** Colours of the palette; one more entry of it means “as before”. */
 const COLOURS = 255;
 
 /** Pixels that decide the palette: half of them from the last frame, which is seen the longest. */

@@ -1,7 +1,7 @@
 /** Makes one file. Nothing here blocks the page: it is a worker, which ends with the file. */
-import { serve } from '../../base/worker';
 import { loadModule } from '../../module/load';
 import type { Notice } from '../../module/types';
+import { serve } from '../../late/worker';
 import { formingGif } from './forming';
 import { mapsZip } from './maps-zip';
 import { meshFile } from './mesh-file';

@@ -4,7 +4,7 @@ import { progressOf } from '../../module/stages';
 import type { Status } from '../../module/types';
 import { Refusal } from './refusal';
 
-/** Milliseconds of work between two words about how far it is. */
+/** Milliseconds of work between two reports of progress. */
 export const BUDGET = 50;
 
 /** More packing steps than fit into that. */

@@ -1,5 +1,5 @@
 /** Dialogs made by script. They go when they are closed, and give the focus back to where it was. */
-import { closeFromBeside, make } from './dom';
+import { closeFromBeside, make } from '../base/dom';
 
 /** A heading and what it holds, shown at once. Escape and a click beside it close it. */
 export function dialogOf(id: string, look: string, title: string, ...body: HTMLElement[]): HTMLDialogElement {

@@ -1,17 +1,17 @@
 /** Work that goes on for a while: how far it is, and a way to stop it. */
-import { make } from './dom';
-import { underWay, type Topic } from './messages';
+import { make } from '../base/dom';
+import { underWay, type Topic } from '../base/messages';
 
-/** What is done sooner than this, in milliseconds, is not told. */
+/** Milliseconds; shorter work shows no bar. */
 const SOON = 250;
 
 export interface Task {
-  /** How much is done, 0..1; nothing is known where it is never said. */
+  /** How much is done, 0..1; until this is called the bar does not tell. */
   progress(done: number): void;
   readonly signal: AbortSignal;
 }
 
-/** Says what is done, with a bar and a button to stop it; throws where the work does, and when it was stopped. */
+/** Shows a bar and a button to stop the work while it goes on; throws what the work throws, and when it was stopped. */
 export async function stoppable<T>(
   { topic, sentence, name, stop }: { topic: Topic; sentence: string; name: string; stop: string },
   stopping: AbortController,

@@ -1,5 +1,5 @@
 /** Workers that do one thing each: how they are asked, and how they answer. */
-import { reasonOf } from './errors';
+import { reasonOf } from '../base/errors';
 import type { Task } from './task';
 
 /** It broke, and why. */

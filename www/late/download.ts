@@ -1,5 +1,5 @@
 /** Hands bytes to the visitor as a file. */
-import { make } from './dom';
+import { make } from '../base/dom';
 
 export function offer(blob: Blob, name: string): void {
   const url = URL.createObjectURL(blob);
