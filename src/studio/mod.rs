@@ -4,6 +4,10 @@
 //! another generator. [`Studio::tick`] works on the first stale stage for about the time given; what is
 //! finished stays until its successor is finished, too. No result depends on how the work was cut into
 //! slices or on the clock.
+//!
+//! Stages cut their work by amount (places looked at, points inserted, rows of weights, triangles of a
+//! stone), never by time. `cargo run --release --example slices` prints the longest slice of each
+//! stage.
 
 use crate::export::{Report, StageTime};
 use crate::generators::{Clock, Engine, Generator, Progress, Registry};
