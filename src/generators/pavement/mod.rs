@@ -4,6 +4,7 @@
 //! Directionality via Packing Rectangular and Elliptical Cells).
 
 mod absence;
+mod defaults;
 mod draft;
 mod files;
 mod look;
