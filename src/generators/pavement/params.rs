@@ -2,7 +2,7 @@
 
 use super::outline::PavementRecipe;
 use super::schema::keys;
-use super::stages::Stage;
+use super::stage::Stage;
 use super::terrain::{DomainParams, TerrainParams};
 use crate::domain::Outline;
 use crate::field::{Direction, FieldParams, Grading, Kind, Spot};
