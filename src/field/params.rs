@@ -71,31 +71,6 @@ pub struct FieldParams {
     pub side: f64,
 }
 
-impl Default for FieldParams {
-    fn default() -> Self {
-        Self {
-            direction: Direction::Boundary,
-            angle: 0.0,
-            centre: DVec2::splat(256.0),
-            power: 4,
-            ends: 0.0,
-            strokes: Vec::new(),
-            reach: 64.0,
-            kind: Kind::Square,
-            part_kinds: Vec::new(),
-            aspect: 1.0,
-            aspect_grading: Grading::default(),
-            aspect_spots: Vec::new(),
-            size: 23.0,
-            linear: DVec2::ZERO,
-            radial: 0.0,
-            size_grading: Grading::default(),
-            size_spots: Vec::new(),
-            side: 512.0,
-        }
-    }
-}
-
 impl FieldParams {
     /// The kinds by the index of the domain's part; none where all have the same.
     pub(super) fn kinds(&self, domain: &Domain) -> Vec<Kind> {

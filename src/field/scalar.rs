@@ -11,15 +11,6 @@ pub struct Grading {
     pub reach: f64,
 }
 
-impl Default for Grading {
-    fn default() -> Self {
-        Self {
-            factor: 1.0,
-            reach: 1.0,
-        }
-    }
-}
-
 impl Grading {
     /// Logarithm of the factor at a distance.
     pub(super) fn log_factor(&self, distance: f64) -> f64 {

@@ -38,7 +38,8 @@ pub(super) fn light(recipe: &Recipe) -> LightParams {
     }
 }
 
-fn shading(recipe: &Recipe) -> ShadeParams {
+/// The light.
+pub(super) fn shading(recipe: &Recipe) -> ShadeParams {
     ShadeParams {
         light: match recipe.choice(keys::LIGHT) {
             "point" => Light::Point {

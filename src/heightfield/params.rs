@@ -35,25 +35,6 @@ pub struct TextureParams {
     pub tile: bool,
 }
 
-impl Default for TextureParams {
-    fn default() -> Self {
-        Self {
-            side: 512,
-            pixel_scale: 1,
-            seed: 1,
-            size: 23.0,
-            stone: StoneParams::default(),
-            dimension: 1.5,
-            amplitude: 2.0,
-            palette: "granite",
-            ground: "sand",
-            vary: 1.0,
-            colour: ColourParams::default(),
-            tile: false,
-        }
-    }
-}
-
 /// Deviation of the relief at the scale of a stone, of its amplitude.
 const RELIEF: f64 = 0.3;
 /// The same at most, of the joints' depth: else the ground would swallow low stones.

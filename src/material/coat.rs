@@ -15,7 +15,7 @@ use crate::domain::{Domain, signed_area};
 use crate::order::{self, greater, lesser};
 use crate::random::{Purpose, Random};
 use glam::DVec2;
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::f64::consts::{PI, TAU};
 
 /// The rule by which cells are marked.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -87,22 +87,6 @@ pub struct ColourParams {
     pub belly: f64,
     /// Where the belly is, in radians clockwise from the x axis.
     pub belly_angle: f64,
-}
-
-impl Default for ColourParams {
-    fn default() -> Self {
-        Self {
-            pattern: Pattern::Plain,
-            scale: 60.0,
-            angle: 0.0,
-            sharpness: 0.5,
-            share: 0.5,
-            amount: 1.0,
-            rim: 0.0,
-            belly: 0.0,
-            belly_angle: FRAC_PI_2,
-        }
-    }
 }
 
 /// The coat of one cell.

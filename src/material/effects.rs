@@ -8,7 +8,7 @@ use super::smoothstep::smoothstep_f32 as smoothstep;
 use crate::order::{self, greater, lesser};
 
 /// How much of each, 0..1.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WeatherParams {
     /// Trodden tops are lowered, rounded and polished, most of all along the middle of the way.
     pub wear: f64,

@@ -2,7 +2,7 @@
 //!
 //! They are kept as the whole numbers of the link, so they grow with the picture by themselves.
 
-use super::rows::{self, Form, POINTS, STEPS};
+use super::rows::{self, Form, POINTS, Rows, STEPS};
 use super::{Item, Key, Recipe, Schema};
 use crate::decimal;
 use crate::notice::{Code, Notice};
@@ -13,9 +13,6 @@ use glam::DVec2;
 pub const MAX_ROWS: usize = 64;
 /// Most points in all rows of a text, but of rings.
 pub const MAX_ROW_POINTS: usize = 256;
-
-/// The rows of a text.
-pub type Rows = Vec<Vec<i64>>;
 
 /// What 1 is in a spot's value.
 const VALUE: f64 = 1024.0;

@@ -13,9 +13,9 @@ pub mod schema;
 mod value;
 
 pub use link::VERSION;
-pub use lists::{MAX_ROW_POINTS, MAX_ROWS, Rows, points, row};
+pub use lists::{MAX_ROW_POINTS, MAX_ROWS, points, row};
 pub use parameter::{Choice, Item, Key, Kind, Parameter, SideLimits};
-pub use rows::STEPS;
+pub use rows::{Rows, STEPS};
 pub use schema::{Rules, Schema};
 
 /// A value for every parameter of a schema.

@@ -15,6 +15,9 @@ use crate::notice::{Code, Notice, quote};
 /// Grid steps along the picture's side; a power of two, so that the scaling is exact.
 pub const STEPS: f64 = 32768.0;
 
+/// The rows of a text.
+pub type Rows = Vec<Vec<i64>>;
+
 const ALPHABET: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
 
 /// Numbers beyond this are refused: they reach far beyond any picture, and sums of them stay exact.

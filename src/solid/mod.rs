@@ -92,39 +92,6 @@ pub struct SkinParams {
     pub amplitude: f64,
 }
 
-impl Default for SkinParams {
-    fn default() -> Self {
-        Self {
-            sweep: 1.0,
-            skew: 0.0,
-            skew_angle: 0.0,
-            tilt: 0.0,
-            taper: 0.2,
-            flatness: 0.0,
-            keel: 0.0,
-            rings: 0,
-            dimension: 1.1,
-            amplitude: 0.1,
-        }
-    }
-}
-
-impl Default for StoneParams {
-    fn default() -> Self {
-        Self {
-            kind: StoneKind::Cobble,
-            height: 18.0,
-            scale: 1.0,
-            distortion: 0.3,
-            distribution: Distribution::Uniform,
-            bevel_horizontal: 0.2,
-            bevel_vertical: 0.2,
-            skin: SkinParams::default(),
-            seed: 1,
-        }
-    }
-}
-
 /// Height of a cell's middle over its mean size, of the skin size of a hexagon or a square of area 1.
 const SKIN_SIZE: f64 = 0.66;
 /// Where the ground lies under skin, of its height.

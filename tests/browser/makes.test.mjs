@@ -24,6 +24,9 @@ async function made(page, word) {
   return digest(page);
 }
 
+/** Waits until the page says that it works offline. @param {Page} page */
+const stored = (page) => page.waitForFunction(() => document.documentElement.dataset['offline'] === 'stored', { timeout: 60_000 });
+
 /** @param {Page} page */
 const stages = (page) => page.$$eval('#pipeline li', (items) => items.map((item) => item.dataset['word']));
 
@@ -87,6 +90,26 @@ test('a link of another generator opens it, and again after a reload', async () 
   assert.equal(await digest(embedded.page), squares);
   assert.deepEqual(embedded.problems, []);
   await embedded.close();
+});
+
+test('all generators work without a host once the site is stored', async (t) => {
+  const own = await open({ files: specimenSite });
+  t.after(() => own.close());
+  const { page, external, close } = await own.newPage(SMALL);
+  const pavement = await digest(page);
+  await stored(page);
+  own.stop();
+  await click(page, '.make[data-make=specimen]');
+  const squares = await made(page, 'specimen');
+  await reloading(page, () => page.reload());
+  assert.equal(await made(page, 'specimen'), squares);
+  await click(page, '.make[data-make=pavement]');
+  // The recipe that comes first, as the page was left.
+  assert.notEqual(await made(page, 'pavement'), '');
+  await page.evaluate((link) => (location.hash = link), SMALL);
+  assert.equal(await made(page, 'pavement'), pavement);
+  assert.deepEqual(external, []);
+  await close();
 });
 
 test('a generator that does not arrive leaves the picture, and is tried again', async () => {

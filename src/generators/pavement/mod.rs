@@ -4,17 +4,24 @@
 //! Directionality via Packing Rectangular and Elliptical Cells).
 
 mod absence;
+mod defaults;
 mod draft;
+mod engine;
 mod files;
 mod look;
+mod made;
 mod outline;
 mod over;
 mod params;
 mod presets;
 mod probe;
 mod schema;
+mod slices;
+mod stage;
 mod stages;
 mod terrain;
+#[cfg(test)]
+mod tests;
 mod view;
 
 pub use absence::Absence;
@@ -22,13 +29,12 @@ pub use look::{Base, Overlay, View};
 pub use outline::PavementRecipe;
 pub use probe::{Histogram, Polygon, Probe};
 pub use schema::keys;
-pub use stages::Stage;
+pub use stage::Stage;
 
 use super::bigger::Bigger;
-use super::{Clock, Engine, Generator, MeshSlice, PictureSlice, Progress, Views, common};
+use super::{Engine, Generator, Views};
 use crate::cells::Cell;
 use crate::domain::{Domain, Outline};
-use crate::export::{Map, MapKind, MeshFormat, Report};
 use crate::field::Fields;
 use crate::heightfield::Planes;
 use crate::mesh::Mesh;
@@ -55,7 +61,7 @@ pub static PAVEMENT: Generator = Generator {
     schema: &SCHEMA,
     title: "Pavements and hides",
     presets: presets::PRESETS,
-    stages: &stages::WORDS,
+    stages: &stage::WORDS,
     views: Views {
         bases: &Base::WORDS,
         overlays: &Overlay::WORDS,
@@ -228,296 +234,5 @@ impl Pavement {
         let (domain, fields) = made.terrain.made()?;
         let mesh = made.mesh().filter(|_| !made.cells().is_empty())?;
         Some(Metrics::new(domain, fields, &particles, mesh, made.cells()))
-    }
-}
-
-impl Engine for Pavement {
-    fn ask(&mut self, recipe: &Recipe) {
-        self.latest = Wish::new(recipe, self.exact.as_ref(), self.finer);
-        self.stale = self.latest.params.first_difference(&self.working.params);
-        if !self.is_live || !self.keeps_side() {
-            self.draft = None;
-        }
-    }
-
-    fn stale(&self) -> Option<usize> {
-        self.stale.map(|stage| stage as usize)
-    }
-
-    fn take_up(&mut self) {
-        self.working = self.latest.clone();
-        if self.stale.take().is_some() {
-            self.made.want(self.working.params.clone());
-            self.changes += 1;
-        }
-    }
-
-    fn forget(&mut self) {
-        self.made.forget();
-        self.changes += 1;
-    }
-
-    fn side(&self) -> usize {
-        common::side(&self.working.recipe)
-    }
-
-    fn at(&self) -> Option<usize> {
-        self.made.at().map(|stage| stage as usize)
-    }
-
-    fn failure(&self) -> Option<&Notice> {
-        self.made.failure()
-    }
-
-    fn advance(&mut self) {
-        self.made.advance();
-    }
-
-    fn is_step(&self) -> bool {
-        self.made.at() == Some(Stage::Packing) && self.made.is_packing()
-    }
-
-    fn stepping(&self) -> Option<usize> {
-        Some(Stage::Packing as usize)
-    }
-
-    fn finisher(&self) -> usize {
-        Stage::Planes as usize
-    }
-
-    fn is_forming(&self) -> bool {
-        self.made.is_forming()
-    }
-
-    fn runs(&self) -> Vec<u64> {
-        self.made.runs().to_vec()
-    }
-
-    fn progress(&self) -> Progress {
-        let last = self.step_report();
-        Progress {
-            cells: last.cells,
-            steps: last.step,
-            largest_move: last.largest_move,
-            added: last.added,
-            removed: last.removed,
-            converged: last.converged,
-            stones: self.made.stones(),
-        }
-    }
-
-    fn energy(&mut self) -> f64 {
-        if self.is_drafting()
-            && let Some(draft) = &mut self.draft
-        {
-            return draft.energy();
-        }
-        let packing = self.made.packing_mut();
-        packing.map_or(0.0, |(packing, domain)| packing.energy(domain))
-    }
-
-    fn set_live(&mut self, on: bool) {
-        self.is_live = on;
-    }
-
-    fn is_drafting(&self) -> bool {
-        let is_stale = self.stale.is_some_and(|stage| stage <= Stage::Packing);
-        self.is_live && is_stale && self.keeps_side()
-    }
-
-    fn shows_draft(&self) -> bool {
-        self.draft().is_some()
-    }
-
-    fn advance_draft(&mut self, clock: Clock, budget: f64) -> bool {
-        self.flow(clock, budget)
-    }
-
-    fn drop_draft(&mut self, all: bool) {
-        if all || (!self.is_live && self.draft().is_none()) {
-            self.draft = None;
-        }
-    }
-
-    fn view(&mut self, words: &str) -> &[u8] {
-        self.look_at(View::of_words(words))
-    }
-
-    fn prepare(&mut self, words: &str, clock: Clock, budget: f64) -> bool {
-        self.draw_beforehand(View::of_words(words), clock, budget)
-    }
-
-    fn absences(&mut self, words: &str) -> Vec<(&'static str, &'static str)> {
-        let found = self.missing(View::of_words(words)).into_iter();
-        found.map(|(word, why)| (word, why.word())).collect()
-    }
-
-    fn picture(&self) -> &[u8] {
-        self.made.picture()
-    }
-
-    fn digest(&self) -> String {
-        self.made.planes().map_or(String::new(), Planes::digest)
-    }
-
-    fn map(&self, kind: MapKind) -> Result<Map, Notice> {
-        self.map_of_planes(kind)
-    }
-
-    fn picture_file(
-        &mut self,
-        scale: usize,
-        clock: Clock,
-        budget: f64,
-    ) -> Result<PictureSlice, Notice> {
-        self.bigger_slice(scale, clock, budget)
-    }
-
-    fn bigger_map(&self, kind: MapKind) -> Result<Map, Notice> {
-        self.map_of_bigger(kind)
-    }
-
-    fn mesh_file(
-        &mut self,
-        format: MeshFormat,
-        clock: Clock,
-        budget: f64,
-    ) -> Result<MeshSlice, Notice> {
-        self.mesh_slice(format, clock, budget)
-    }
-
-    fn stop_file(&mut self) {
-        self.saving = None;
-        self.bigger = None;
-    }
-
-    fn report(&mut self, report: &mut Report) {
-        let last = self.step_report();
-        report.cells = self.made.cells().len();
-        report.steps = last.step;
-        report.converged = last.converged;
-        report.added = last.added;
-        report.removed = last.removed;
-        report.largest_move = last.largest_move;
-        report.energy = self.energy();
-        let range = self.planes().map(Planes::height_range);
-        report.height_range = range.unwrap_or_default();
-    }
-
-    #[cfg(not(target_arch = "wasm32"))]
-    fn data(&self) -> Vec<(&'static str, String)> {
-        use crate::export::{cells_json, mesh_json};
-        let mesh = self.mesh().map(|mesh| ("mesh.json", mesh_json(mesh)));
-        let cells = ("cells.json", cells_json(self.cells()));
-        std::iter::once(cells).chain(mesh).collect()
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::generators::ALL;
-    use crate::random::{Purpose, Random};
-    use crate::recipe::Kind;
-    use crate::studio::Studio;
-    #[cfg(target_arch = "wasm32")]
-    use wasm_bindgen_test::wasm_bindgen_test as test;
-
-    /// A recipe in which some values are other ones, of small pictures with few cells.
-    fn changed(recipe: &Recipe, random: &mut Random) -> Recipe {
-        let mut changed = recipe.clone();
-        for _ in 0..=random.below(3) {
-            let row = &SCHEMA.rows[random.below(SCHEMA.rows.len())];
-            let text = match row.kind {
-                Kind::Text => continue,
-                Kind::Choice => row.choices[random.below(row.choices.len())].word.to_owned(),
-                Kind::Number | Kind::Int => {
-                    let value = row.min + (row.max - row.min) * random.unit();
-                    format!("{value:.2}")
-                }
-            };
-            let _ = changed.set(row.key.0, &text);
-        }
-        let _ = changed.set("size", "128");
-        if changed.number(keys::CS) < 12.0 {
-            let _ = changed.set("cs", "12");
-        }
-        changed
-    }
-
-    /// Which stages must run to go from one recipe to another: those of which something else is asked,
-    /// and those that read what they make.
-    fn due(from: &Params, to: &Params) -> [bool; 8] {
-        let finishes = [&from.finish, &to.finish];
-        let [painted, weathered, lit] = [
-            finishes[0].planes != finishes[1].planes,
-            finishes[0].weather != finishes[1].weather,
-            finishes[0].light != finishes[1].light,
-        ];
-        let dressed = (from.is_skin, from.coats) != (to.is_skin, to.coats);
-        let domain = from.terrain.domain != to.terrain.domain;
-        let fields = domain || from.terrain.fields != to.terrain.fields;
-        let packing = fields || from.packing != to.packing;
-        let cells = packing || from.cells != to.cells;
-        let planes = cells || dressed || painted;
-        let weather = planes || weathered;
-        [
-            domain,
-            fields,
-            packing,
-            packing,
-            cells,
-            planes,
-            weather,
-            weather || lit,
-        ]
-    }
-
-    fn asked(studio: &Studio) -> Params {
-        let engine = studio.engine_as::<Pavement>();
-        engine.expect("a pavement").working.params.clone()
-    }
-
-    /// Wherever a studio comes from, it gives what the recipe gives, and works on nothing in vain.
-    #[test]
-    fn exactly_what_differs_runs() {
-        let mut random = Random::new(11, Purpose::Placement, 0);
-        let mut recipe = super::recipe("size=128&cs=16").0;
-        let mut studio = Studio::new(ALL, recipe.clone());
-        assert_eq!(studio.finish(&mut || 0.0), Ok(()));
-        let mut late = 0;
-        for _ in 0..60 {
-            let next = changed(&recipe, &mut random);
-            let (from, runs) = (asked(&studio), studio.runs());
-            studio.set_recipe(next.clone());
-            if studio.finish(&mut || 0.0).is_err() {
-                studio.set_recipe(recipe.clone());
-                assert_eq!(studio.finish(&mut || 0.0), Ok(()));
-                continue;
-            }
-            let due = due(&from, &asked(&studio));
-            for (((word, new), (_, old)), due) in studio.runs().into_iter().zip(runs).zip(due) {
-                assert_eq!(
-                    new - old,
-                    u64::from(due),
-                    "{word}: {} to {}",
-                    recipe.link(),
-                    next.link()
-                );
-            }
-            late += usize::from(!due[Stage::Cells as usize]);
-            let mut plain = Studio::new(ALL, next.clone());
-            assert_eq!(plain.finish(&mut || 0.0), Ok(()));
-            assert_eq!(
-                studio.digest(),
-                plain.digest(),
-                "{} to {}",
-                recipe.link(),
-                next.link()
-            );
-            assert!(studio.picture() == plain.picture(), "{}", next.link());
-            recipe = next;
-        }
-        assert!(late > 10, "{late}");
     }
 }

@@ -2,7 +2,7 @@
 
 use super::outline::PavementRecipe;
 use super::schema::keys;
-use super::stages::Stage;
+use super::stage::Stage;
 use super::terrain::{DomainParams, TerrainParams};
 use crate::domain::Outline;
 use crate::field::{Direction, FieldParams, Grading, Kind, Spot};
@@ -136,7 +136,7 @@ pub(super) fn kind(recipe: &Recipe) -> (Kind, f64) {
     (kind, drawn(kind, ca))
 }
 
-fn fields(recipe: &Recipe) -> FieldParams {
+pub(super) fn fields(recipe: &Recipe) -> FieldParams {
     let number = |key| recipe.number(key);
     let side = recipe.side();
     let (direction, angle) = match recipe.choice(keys::DIR) {
@@ -292,7 +292,7 @@ pub(super) fn texture(recipe: &Recipe) -> TextureParams {
     }
 }
 
-fn colour(recipe: &Recipe) -> ColourParams {
+pub(super) fn colour(recipe: &Recipe) -> ColourParams {
     ColourParams {
         pattern: Pattern::of_word(recipe.choice(keys::PATTERN)),
         scale: recipe.number(keys::PN) * recipe.side(),

@@ -1,97 +1,33 @@
-//! The stages of a pavement: what each has made, and how they hang together.
+//! How the stages of a pavement hang together, and what is due next.
 
 use super::params::{CellParams, CoatParams, Params};
+use super::slices::{Packed, Packs, Shaping};
+use super::stage::Stage;
 use super::terrain::Terrain;
-use crate::cells::{self, Cell, Fitting, Graph, Scatter, ScatterParams};
-use crate::domain::Domain;
+use crate::cells::{Cell, Graph};
 use crate::generators::height_field::{Bodies, Finish, HeightField, Passes, Revisions};
 use crate::graph::{Node, State};
-use crate::heightfield::Planes;
 use crate::material::{Coat, Coats};
 use crate::mesh::{Mesh, Meshing};
-use crate::notice::{Code, Notice};
-use crate::packing::{Packing, PackingParams, Placing};
+use crate::notice::Notice;
+use crate::packing::{Packing, PackingParams};
 use crate::solid::oriented;
-
-/// The stages of a pavement, in their order.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Stage {
-    /// The outline with its distances.
-    Domain,
-    /// Size and direction of the cells.
-    Fields,
-    /// The relaxation of the cells.
-    Packing,
-    /// The mesh that joins neighbouring cells.
-    Mesh,
-    /// One polygon per cell.
-    Cells,
-    /// Stones, painted as they are made into planes of bump, colour, material and id.
-    Planes,
-    /// What years and weather do to the planes, and how much of the sky each place sees.
-    Weather,
-    /// The picture.
-    Shading,
-}
-
-impl Stage {
-    /// All stages in their order.
-    pub const ALL: [Stage; 8] = [
-        Stage::Domain,
-        Stage::Fields,
-        Stage::Packing,
-        Stage::Mesh,
-        Stage::Cells,
-        Stage::Planes,
-        Stage::Weather,
-        Stage::Shading,
-    ];
-}
-
-/// Their words.
-pub const WORDS: [&str; 8] = [
-    "domain", "fields", "packing", "mesh", "cells", "planes", "weather", "shading",
-];
-
-impl From<Finish> for Stage {
-    fn from(finish: Finish) -> Self {
-        match finish {
-            Finish::Planes => Stage::Planes,
-            Finish::Weather => Stage::Weather,
-            Finish::Shading => Stage::Shading,
-        }
-    }
-}
 
 /// Cells whose neighbours are found, or whose coats are made, in one slice.
 const CELLS: usize = 500;
 
-/// A packing on its way.
-pub(super) enum Packs {
-    /// Its first cells are being placed.
-    Placing(Box<Placing>),
-    /// They move.
-    Moving(Box<Packing>),
-}
-
-/// Cells on their way.
-pub(super) enum Shaping {
-    Scatter(Box<Scatter>),
-    Fitting(Box<Fitting>),
-}
-
 /// The stages.
 pub(super) struct Stages {
     pub terrain: Terrain,
-    packing: Node<PackingParams, Packs, Packing>,
-    mesh: Node<(), Meshing, Mesh>,
-    cells: Node<CellParams, Shaping, Vec<Cell>>,
+    pub(super) packing: Node<PackingParams, Packs, Packing>,
+    pub(super) mesh: Node<(), Meshing, Mesh>,
+    pub(super) cells: Node<CellParams, Shaping, Vec<Cell>>,
     /// Of skin, the cells in which the axes have one sense; none of stones.
-    flow: Node<bool, Graph, Vec<Cell>>,
-    coats: Node<CoatParams, Coats, Vec<Coat>>,
+    pub(super) flow: Node<bool, Graph, Vec<Cell>>,
+    pub(super) coats: Node<CoatParams, Coats, Vec<Coat>>,
     pub finish: HeightField,
     /// Of which packing the picture is.
-    pictured: u64,
+    pub(super) pictured: u64,
 }
 
 /// A piece of the work. A stage has several where it needs more than one product.
@@ -153,11 +89,11 @@ impl Stages {
         self.terrain.revision() + self.packing.revision()
     }
 
-    fn cell_inputs(&self) -> u64 {
+    pub(super) fn cell_inputs(&self) -> u64 {
         self.terrain.domain.revision() + self.cells.revision()
     }
 
-    fn finish_inputs(&self) -> Revisions {
+    pub(super) fn finish_inputs(&self) -> Revisions {
         Revisions {
             domain: self.terrain.domain.revision(),
             cells: self.cells.revision() + self.flow.revision() + self.coats.revision(),
@@ -225,27 +161,7 @@ impl Stages {
         };
         let inputs = self.terrain.revision();
         self.packing.advance(inputs, |params, work| {
-            let mut placing = match work.take() {
-                Some(Packs::Moving(mut packing)) => {
-                    if packing.step(domain, fields).done {
-                        return Ok(Some(*packing));
-                    }
-                    *work = Some(Packs::Moving(packing));
-                    return Ok(None);
-                }
-                Some(Packs::Placing(placing)) => placing,
-                None => Box::new(Placing::new(domain, fields, *params)?),
-            };
-            if !placing.advance(domain, fields) {
-                *work = Some(Packs::Placing(placing));
-                return Ok(None);
-            }
-            let packing = placing.finish(domain, fields);
-            if packing.report().cells == 0 {
-                return Err(Code::NoCells.into());
-            }
-            *work = Some(Packs::Moving(Box::new(packing)));
-            Ok(None)
+            Packs::advance(params, work, domain, fields)
         });
     }
 
@@ -267,44 +183,13 @@ impl Stages {
             return;
         };
         let inputs = self.terrain.revision() + self.packing.revision();
-        self.cells.advance(inputs, |params, work| {
-            let cells = match (params, work.take()) {
-                (CellParams::Packed, _) => cells::packed(&packing.particles()),
-                (_, Some(Shaping::Fitting(mut fitting))) => {
-                    if !fitting.advance(domain) {
-                        *work = Some(Shaping::Fitting(fitting));
-                        return Ok(None);
-                    }
-                    fitting.finish()
-                }
-                (CellParams::Fitted, _) => {
-                    *work = Some(Shaping::fit(Fitting::new(packing.particles())));
-                    return Ok(None);
-                }
-                (&CellParams::Scattered { rounds, seed }, scatter) => {
-                    let mut scatter = match scatter {
-                        Some(Shaping::Scatter(scatter)) => scatter,
-                        _ => Box::new(Scatter::new(
-                            domain,
-                            ScatterParams {
-                                count: packing.report().cells,
-                                rounds,
-                                seed,
-                            },
-                        )),
-                    };
-                    *work = Some(match scatter.advance(domain) {
-                        true => Shaping::fit(Fitting::voronoi(scatter.particles(fields))),
-                        false => Shaping::Scatter(scatter),
-                    });
-                    return Ok(None);
-                }
-            };
-            if cells.is_empty() {
-                return Err(Code::NoCells.into());
-            }
-            Ok(Some(cells))
-        });
+        let from = Packed {
+            domain,
+            fields,
+            packing,
+        };
+        self.cells
+            .advance(inputs, |params, work| Shaping::advance(params, work, from));
     }
 
     fn make_flow(&mut self) {
@@ -349,140 +234,5 @@ impl Stages {
         if self.at().is_none() {
             self.pictured = self.packing.revision();
         }
-    }
-}
-
-impl Shaping {
-    fn fit(fitting: Fitting) -> Self {
-        Shaping::Fitting(Box::new(fitting))
-    }
-}
-
-/// What there is to be seen: where nothing else is said, what was made last, stale or not.
-impl Stages {
-    /// The packing at work, or the last one.
-    pub fn packing(&self) -> Option<&Packing> {
-        match self.packing.work() {
-            Some(Packs::Moving(packing)) => Some(packing),
-            _ => self.packing.made(),
-        }
-    }
-
-    /// The packing at work, or the last one, and the domain: it keeps what it works out of itself.
-    pub fn packing_mut(&mut self) -> Option<(&mut Packing, &Domain)> {
-        let is_moving = matches!(self.packing.work(), Some(Packs::Moving(_)));
-        let packing = match is_moving {
-            true => self.packing.work_mut().and_then(|packs| match packs {
-                Packs::Moving(packing) => Some(&mut **packing),
-                Packs::Placing(_) => None,
-            }),
-            false => self.packing.made_mut(),
-        };
-        packing.zip(self.terrain.domain.made())
-    }
-
-    /// Are there cells of the packing at work, or of one that is over and fresh?
-    pub fn is_packing(&self) -> bool {
-        match self.at() {
-            Some(Stage::Packing) => {
-                let work = self.packing.work_of(self.terrain.revision());
-                matches!(work, Some(Packs::Moving(_)))
-            }
-            at => at.is_none_or(|stage| stage > Stage::Packing),
-        }
-    }
-
-    /// Is the pavement forming anew, so that older pictures are of another one?
-    pub fn is_forming(&self) -> bool {
-        let packs = self.at().is_some_and(|stage| stage <= Stage::Packing);
-        packs || self.pictured != self.packing.revision()
-    }
-
-    /// The mesh of the last packing that ended.
-    pub fn mesh(&self) -> Option<&Mesh> {
-        self.mesh.made()
-    }
-
-    /// The cells of the last packing that ended.
-    pub fn cells(&self) -> &[Cell] {
-        self.cells.made().map_or(&[], Vec::as_slice)
-    }
-
-    /// Of the cells.
-    pub fn cells_revision(&self) -> u64 {
-        self.cells.revision()
-    }
-
-    /// The cells that stones are made of: of skin, those in which the axes have one sense.
-    pub fn scales(&self) -> &[Cell] {
-        let oriented = self.flow.made_of(self.cell_inputs());
-        let oriented = oriented.filter(|cells| !cells.is_empty());
-        oriented.map_or_else(|| self.cells(), Vec::as_slice)
-    }
-
-    /// What the cells wear by rule; none while other cells form.
-    pub fn coats(&self) -> &[Coat] {
-        let forms = self.at().is_some_and(|stage| stage < Stage::Planes);
-        let coats = self.coats.made_of(self.cell_inputs());
-        coats.filter(|_| !forms).map_or(&[], Vec::as_slice)
-    }
-
-    /// Stones painted by now.
-    pub fn stones(&self) -> usize {
-        match self.at() {
-            Some(stage) if stage <= Stage::Planes => {
-                self.finish.stones_coming(self.finish_inputs())
-            }
-            _ => self.scales().len(),
-        }
-    }
-
-    /// Is the ground laid that the stones at work come on?
-    pub fn is_bedded(&self) -> bool {
-        match self.at() {
-            Some(stage) if stage <= Stage::Planes => self.finish.is_bedded(self.finish_inputs()),
-            _ => true,
-        }
-    }
-
-    /// The planes last finished.
-    pub fn planes(&self) -> Option<&Planes> {
-        self.finish.weather.made()
-    }
-
-    /// The planes on their way.
-    pub fn planes_coming(&self) -> Option<&Planes> {
-        let stage = match self.at()? {
-            Stage::Planes => Finish::Planes,
-            Stage::Weather => Finish::Weather,
-            _ => return None,
-        };
-        self.finish.planes_coming(stage, self.finish_inputs())
-    }
-
-    /// The picture last finished, empty before there is one.
-    pub fn picture(&self) -> &[u8] {
-        self.finish.light.made().map_or(&[], Vec::as_slice)
-    }
-
-    /// Grows whenever something else may be seen.
-    pub fn slices(&self) -> u64 {
-        let packing = self.packing.slices() + self.mesh.slices() + self.cells.slices();
-        let before = self.terrain.slices() + packing;
-        before + self.flow.slices() + self.coats.slices() + self.finish.slices()
-    }
-
-    /// How often each stage has finished, in their order.
-    pub fn runs(&self) -> [u64; 8] {
-        [
-            self.terrain.domain.revision(),
-            self.terrain.fields.revision(),
-            self.packing.revision(),
-            self.mesh.revision(),
-            self.cells.revision(),
-            self.finish.planes.revision(),
-            self.finish.weather.revision(),
-            self.finish.light.revision(),
-        ]
     }
 }

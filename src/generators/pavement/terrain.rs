@@ -1,6 +1,6 @@
 //! What cells are packed on: the domain and the fields over it.
 
-use super::stages::Stage;
+use super::stage::Stage;
 use crate::domain::{Domain, Outline};
 use crate::field::{FieldBuilder, FieldParams, Fields};
 use crate::graph::{Node, State};

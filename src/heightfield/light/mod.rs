@@ -52,20 +52,3 @@ pub struct ShadeParams {
     /// Strength of ambient occlusion, 0..1.
     pub occlusion: f64,
 }
-
-impl Default for ShadeParams {
-    fn default() -> Self {
-        Self {
-            light: Light::Parallel {
-                azimuth: 1.25 * std::f64::consts::PI,
-                elevation: 40.0f64.to_radians(),
-            },
-            ambient: 1.0,
-            diffuse: 1.0,
-            specular: 1.0,
-            shininess: 1.0,
-            shadow: 1.0,
-            occlusion: 1.0,
-        }
-    }
-}

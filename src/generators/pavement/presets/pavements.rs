@@ -7,11 +7,11 @@
 //! are ours, in the spirit of the figures.
 
 use super::{Part, Preset, Timing};
-use crate::generators::pavement::stages;
+use crate::generators::pavement::stage;
 
 /// The 2001 paper's Ts and Tt.
 const fn timing(packing: f64, texture: f64) -> Option<Timing> {
-    let (first, second) = stages::WORDS.split_at(3);
+    let (first, second) = stage::WORDS.split_at(3);
     Some(Timing {
         machine: "Pentium II, 300 MHz",
         parts: [

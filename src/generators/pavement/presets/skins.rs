@@ -5,11 +5,11 @@
 //! and no colours, so outlines, lines and palettes are ours, in the spirit of the figures.
 
 use super::{Part, Preset, Timing};
-use crate::generators::pavement::stages;
+use crate::generators::pavement::stage;
 
 /// The seconds of Table 2.
 const fn timing(tessellation: f64, skin: f64) -> Option<Timing> {
-    let (first, rest) = stages::WORDS.split_at(5);
+    let (first, rest) = stage::WORDS.split_at(5);
     Some(Timing {
         machine: "Pentium III, 933 MHz",
         parts: [

@@ -1,0 +1,191 @@
+//! A pavement as one of the generators: what the studio asks of it.
+
+use super::look::View;
+use super::{Pavement, Stage, Wish};
+use crate::export::{Map, MapKind, MeshFormat, Report};
+use crate::generators::{Clock, Engine, MeshSlice, PictureSlice, Progress, common};
+use crate::heightfield::Planes;
+use crate::notice::Notice;
+use crate::recipe::Recipe;
+
+impl Engine for Pavement {
+    fn ask(&mut self, recipe: &Recipe) {
+        self.latest = Wish::new(recipe, self.exact.as_ref(), self.finer);
+        self.stale = self.latest.params.first_difference(&self.working.params);
+        if !self.is_live || !self.keeps_side() {
+            self.draft = None;
+        }
+    }
+
+    fn stale(&self) -> Option<usize> {
+        self.stale.map(|stage| stage as usize)
+    }
+
+    fn take_up(&mut self) {
+        self.working = self.latest.clone();
+        if self.stale.take().is_some() {
+            self.made.want(self.working.params.clone());
+            self.changes += 1;
+        }
+    }
+
+    fn forget(&mut self) {
+        self.made.forget();
+        self.changes += 1;
+    }
+
+    fn side(&self) -> usize {
+        common::side(&self.working.recipe)
+    }
+
+    fn at(&self) -> Option<usize> {
+        self.made.at().map(|stage| stage as usize)
+    }
+
+    fn failure(&self) -> Option<&Notice> {
+        self.made.failure()
+    }
+
+    fn advance(&mut self) {
+        self.made.advance();
+    }
+
+    fn is_step(&self) -> bool {
+        self.made.at() == Some(Stage::Packing) && self.made.is_packing()
+    }
+
+    fn stepping(&self) -> Option<usize> {
+        Some(Stage::Packing as usize)
+    }
+
+    fn finisher(&self) -> usize {
+        Stage::Planes as usize
+    }
+
+    fn is_forming(&self) -> bool {
+        self.made.is_forming()
+    }
+
+    fn runs(&self) -> Vec<u64> {
+        self.made.runs().to_vec()
+    }
+
+    fn progress(&self) -> Progress {
+        let last = self.step_report();
+        Progress {
+            cells: last.cells,
+            steps: last.step,
+            largest_move: last.largest_move,
+            added: last.added,
+            removed: last.removed,
+            converged: last.converged,
+            stones: self.made.stones(),
+        }
+    }
+
+    fn energy(&mut self) -> f64 {
+        if self.is_drafting()
+            && let Some(draft) = &mut self.draft
+        {
+            return draft.energy();
+        }
+        let packing = self.made.packing_mut();
+        packing.map_or(0.0, |(packing, domain)| packing.energy(domain))
+    }
+
+    fn set_live(&mut self, on: bool) {
+        self.is_live = on;
+    }
+
+    fn is_drafting(&self) -> bool {
+        let is_stale = self.stale.is_some_and(|stage| stage <= Stage::Packing);
+        self.is_live && is_stale && self.keeps_side()
+    }
+
+    fn shows_draft(&self) -> bool {
+        self.draft().is_some()
+    }
+
+    fn advance_draft(&mut self, clock: Clock, budget: f64) -> bool {
+        self.flow(clock, budget)
+    }
+
+    fn drop_draft(&mut self, all: bool) {
+        if all || (!self.is_live && self.draft().is_none()) {
+            self.draft = None;
+        }
+    }
+
+    fn view(&mut self, words: &str) -> &[u8] {
+        self.look_at(View::of_words(words))
+    }
+
+    fn prepare(&mut self, words: &str, clock: Clock, budget: f64) -> bool {
+        self.draw_beforehand(View::of_words(words), clock, budget)
+    }
+
+    fn absences(&mut self, words: &str) -> Vec<(&'static str, &'static str)> {
+        let found = self.missing(View::of_words(words)).into_iter();
+        found.map(|(word, why)| (word, why.word())).collect()
+    }
+
+    fn picture(&self) -> &[u8] {
+        self.made.picture()
+    }
+
+    fn digest(&self) -> String {
+        self.made.planes().map_or(String::new(), Planes::digest)
+    }
+
+    fn map(&self, kind: MapKind) -> Result<Map, Notice> {
+        self.map_of_planes(kind)
+    }
+
+    fn picture_file(
+        &mut self,
+        scale: usize,
+        clock: Clock,
+        budget: f64,
+    ) -> Result<PictureSlice, Notice> {
+        self.bigger_slice(scale, clock, budget)
+    }
+
+    fn bigger_map(&self, kind: MapKind) -> Result<Map, Notice> {
+        self.map_of_bigger(kind)
+    }
+
+    fn mesh_file(
+        &mut self,
+        format: MeshFormat,
+        clock: Clock,
+        budget: f64,
+    ) -> Result<MeshSlice, Notice> {
+        self.mesh_slice(format, clock, budget)
+    }
+
+    fn stop_file(&mut self) {
+        self.saving = None;
+        self.bigger = None;
+    }
+
+    fn report(&mut self, report: &mut Report) {
+        let last = self.step_report();
+        report.cells = self.made.cells().len();
+        report.steps = last.step;
+        report.converged = last.converged;
+        report.added = last.added;
+        report.removed = last.removed;
+        report.largest_move = last.largest_move;
+        report.energy = self.energy();
+        let range = self.planes().map(Planes::height_range);
+        report.height_range = range.unwrap_or_default();
+    }
+
+    #[cfg(not(target_arch = "wasm32"))]
+    fn data(&self) -> Vec<(&'static str, String)> {
+        use crate::export::{cells_json, mesh_json};
+        let mesh = self.mesh().map(|mesh| ("mesh.json", mesh_json(mesh)));
+        let cells = ("cells.json", cells_json(self.cells()));
+        std::iter::once(cells).chain(mesh).collect()
+    }
+}

@@ -1,0 +1,53 @@
+//! The stages of a pavement, by name.
+
+use crate::generators::height_field::Finish;
+
+/// The stages of a pavement, in their order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Stage {
+    /// The outline with its distances.
+    Domain,
+    /// Size and direction of the cells.
+    Fields,
+    /// The relaxation of the cells.
+    Packing,
+    /// The mesh that joins neighbouring cells.
+    Mesh,
+    /// One polygon per cell.
+    Cells,
+    /// Stones, painted as they are made into planes of bump, colour, material and id.
+    Planes,
+    /// What years and weather do to the planes, and how much of the sky each place sees.
+    Weather,
+    /// The picture.
+    Shading,
+}
+
+impl Stage {
+    /// All stages in their order.
+    pub const ALL: [Stage; 8] = [
+        Stage::Domain,
+        Stage::Fields,
+        Stage::Packing,
+        Stage::Mesh,
+        Stage::Cells,
+        Stage::Planes,
+        Stage::Weather,
+        Stage::Shading,
+    ];
+}
+
+/// Their words.
+pub const WORDS: [&str; 8] = [
+    "domain", "fields", "packing", "mesh", "cells", "planes", "weather", "shading",
+];
+
+impl From<Finish> for Stage {
+    fn from(finish: Finish) -> Self {
+        match finish {
+            Finish::Planes => Stage::Planes,
+            Finish::Weather => Stage::Weather,
+            Finish::Shading => Stage::Shading,
+        }
+    }
+}

@@ -1,0 +1,109 @@
+//! Exactly what differs runs.
+
+use super::params::Params;
+use super::schema::keys;
+use super::{Pavement, SCHEMA, Stage};
+use crate::generators::ALL;
+use crate::random::{Purpose, Random};
+use crate::recipe::{Kind, Recipe};
+use crate::studio::Studio;
+#[cfg(target_arch = "wasm32")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
+
+/// A recipe in which some values are other ones, of small pictures with few cells.
+fn changed(recipe: &Recipe, random: &mut Random) -> Recipe {
+    let mut changed = recipe.clone();
+    for _ in 0..=random.below(3) {
+        let row = &SCHEMA.rows[random.below(SCHEMA.rows.len())];
+        let text = match row.kind {
+            Kind::Text => continue,
+            Kind::Choice => row.choices[random.below(row.choices.len())].word.to_owned(),
+            Kind::Number | Kind::Int => {
+                let value = row.min + (row.max - row.min) * random.unit();
+                format!("{value:.2}")
+            }
+        };
+        let _ = changed.set(row.key.0, &text);
+    }
+    let _ = changed.set("size", "128");
+    if changed.number(keys::CS) < 12.0 {
+        let _ = changed.set("cs", "12");
+    }
+    changed
+}
+
+/// Which stages must run to go from one recipe to another: those of which something else is asked,
+/// and those that read what they make.
+fn due(from: &Params, to: &Params) -> [bool; 8] {
+    let finishes = [&from.finish, &to.finish];
+    let [painted, weathered, lit] = [
+        finishes[0].planes != finishes[1].planes,
+        finishes[0].weather != finishes[1].weather,
+        finishes[0].light != finishes[1].light,
+    ];
+    let dressed = (from.is_skin, from.coats) != (to.is_skin, to.coats);
+    let domain = from.terrain.domain != to.terrain.domain;
+    let fields = domain || from.terrain.fields != to.terrain.fields;
+    let packing = fields || from.packing != to.packing;
+    let cells = packing || from.cells != to.cells;
+    let planes = cells || dressed || painted;
+    let weather = planes || weathered;
+    [
+        domain,
+        fields,
+        packing,
+        packing,
+        cells,
+        planes,
+        weather,
+        weather || lit,
+    ]
+}
+
+fn asked(studio: &Studio) -> Params {
+    let engine = studio.engine_as::<Pavement>();
+    engine.expect("a pavement").working.params.clone()
+}
+
+/// Wherever a studio comes from, it gives what the recipe gives, and works on nothing in vain.
+#[test]
+fn exactly_what_differs_runs() {
+    let mut random = Random::new(11, Purpose::Placement, 0);
+    let mut recipe = super::recipe("size=128&cs=16").0;
+    let mut studio = Studio::new(ALL, recipe.clone());
+    assert_eq!(studio.finish(&mut || 0.0), Ok(()));
+    let mut late = 0;
+    for _ in 0..60 {
+        let next = changed(&recipe, &mut random);
+        let (from, runs) = (asked(&studio), studio.runs());
+        studio.set_recipe(next.clone());
+        if studio.finish(&mut || 0.0).is_err() {
+            studio.set_recipe(recipe.clone());
+            assert_eq!(studio.finish(&mut || 0.0), Ok(()));
+            continue;
+        }
+        let due = due(&from, &asked(&studio));
+        for (((word, new), (_, old)), due) in studio.runs().into_iter().zip(runs).zip(due) {
+            assert_eq!(
+                new - old,
+                u64::from(due),
+                "{word}: {} to {}",
+                recipe.link(),
+                next.link()
+            );
+        }
+        late += usize::from(!due[Stage::Cells as usize]);
+        let mut plain = Studio::new(ALL, next.clone());
+        assert_eq!(plain.finish(&mut || 0.0), Ok(()));
+        assert_eq!(
+            studio.digest(),
+            plain.digest(),
+            "{} to {}",
+            recipe.link(),
+            next.link()
+        );
+        assert!(studio.picture() == plain.picture(), "{}", next.link());
+        recipe = next;
+    }
+    assert!(late > 10, "{late}");
+}

@@ -1,0 +1,74 @@
+//! What is taken away: files and what they hold.
+
+use super::said::or_why;
+use super::{Bubblestone, objects};
+use crate::export::{Map, MapKind, MeshFormat};
+use crate::generators::pavement::Pavement;
+use crate::notice::{Code, Notice};
+use js_sys::Object;
+use wasm_bindgen::prelude::*;
+
+#[wasm_bindgen]
+impl Bubblestone {
+    /// The cells as a standalone SVG file; '' before there are any.
+    pub fn svg(&self) -> String {
+        self.pavement().map_or(String::new(), Pavement::svg)
+    }
+
+    /// A map of the finished picture ('height', 'normal-opengl', 'normal-directx', 'albedo',
+    /// 'roughness', 'ao', 'id'), or why there is none.
+    #[wasm_bindgen(unchecked_return_type = "PixelMap | Notice")]
+    pub fn map(&self, word: &str) -> Object {
+        let engine = self.studio.engine();
+        map_of(word, |kind| engine.map(kind))
+    }
+
+    /// Works for about `budget` milliseconds on the file of all cells' surfaces ('glb' or 'obj').
+    #[wasm_bindgen(js_name = meshFile, unchecked_return_type = "MeshSlice | Notice")]
+    pub fn mesh_file(&mut self, ending: &str, budget: f64) -> Object {
+        let format = MeshFormat::ALL.iter().find(|(_, word)| *word == ending);
+        let format = format.ok_or(Code::NoSuchFile.into());
+        let clock = &self.clock;
+        let made = format.and_then(|&(format, _)| {
+            let engine = self.studio.engine_mut();
+            let slice = engine.mesh_file(format, &mut || clock.now(), budget);
+            slice.map(|slice| objects::mesh_slice(&slice))
+        });
+        or_why(made)
+    }
+
+    /// Works for about `budget` milliseconds on the finished picture at `scale` (1 to 4) times its side.
+    /// `stopFile` frees what it holds.
+    #[wasm_bindgen(js_name = pictureFile, unchecked_return_type = "PictureSlice | Notice")]
+    pub fn picture_file(&mut self, scale: u32, budget: f64) -> Object {
+        let clock = &self.clock;
+        let engine = self.studio.engine_mut();
+        let made = engine.picture_file(scale as usize, &mut || clock.now(), budget);
+        or_why(made.map(|slice| objects::picture_slice(&slice)))
+    }
+
+    /// As `map`, of the picture that `pictureFile` finished last.
+    #[wasm_bindgen(js_name = biggerMap, unchecked_return_type = "PixelMap | Notice")]
+    pub fn bigger_map(&self, word: &str) -> Object {
+        let engine = self.studio.engine();
+        map_of(word, |kind| engine.bigger_map(kind))
+    }
+
+    /// Stops `meshFile` or `pictureFile` and frees what they hold.
+    #[wasm_bindgen(js_name = stopFile)]
+    pub fn stop_file(&mut self) {
+        self.studio.engine_mut().stop_file();
+    }
+
+    /// The fields of the native program's report.json, as text.
+    pub fn report(&mut self) -> String {
+        let mut report = self.studio.report();
+        report.notices.clone_from(&self.notices);
+        report.json()
+    }
+}
+
+fn map_of(word: &str, made: impl Fn(MapKind) -> Result<Map, Notice>) -> Object {
+    let kind = MapKind::of_word(word).ok_or(Code::NoSuchFile.into());
+    or_why(kind.and_then(made).map(|map| objects::map(&map)))
+}
