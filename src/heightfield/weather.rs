@@ -11,7 +11,7 @@ use super::ground::Bed;
 use super::occlusion::Occlusion;
 use super::{GROUND, Planes};
 use crate::domain::Domain;
-use crate::material::{Effects, Place, Sample, WeatherParams, smoothstep_f32};
+use crate::material::{Effects, LEVEL, Place, Sample, WeatherParams, smoothstep_f32};
 use crate::order::greater;
 use glam::DVec2;
 use std::rc::Rc;
@@ -190,7 +190,7 @@ impl Weather {
         let height = planes.bump[i];
         let place = Place {
             is_stone: planes.id[i] != GROUND,
-            hollow: (0.5 + (wide - height) / self.depth).clamp(0.0, 1.0),
+            hollow: (LEVEL + (wide - height) / self.depth).clamp(0.0, 1.0),
             near,
             trodden: smoothstep_f32(distance / self.farthest * TRODDEN),
             inside: distance / self.size,

@@ -27,7 +27,7 @@ pub enum Pattern {
     Bands,
     /// Round spots, scattered evenly.
     Spots,
-    /// The same with a paler middle.
+    /// Round spots with a paler middle.
     Rosettes,
     /// Clouds of noise.
     Blotches,
@@ -70,12 +70,13 @@ impl Pattern {
 pub struct ColourParams {
     /// The rule by which cells are marked.
     pub pattern: Pattern,
-    /// From one mark to the next, or how far marks reach from the boundary or a line, in picture
-    /// units.
+    /// Distance from one mark to the next, or how far marks reach from the boundary or a line, in
+    /// picture units.
     pub scale: f64,
-    /// Across bands, and where marked cells point, in radians clockwise from the x axis.
+    /// Direction across bands, or the one that marked cells point in: radians from +x, clockwise on
+    /// screen.
     pub angle: f64,
-    /// Of the border between marked cells and others, 0..1.
+    /// Sharpness of the border between marked cells and others, 0..1.
     pub sharpness: f64,
     /// Share of marked cells, 0..1.
     pub share: f64,
@@ -85,7 +86,7 @@ pub struct ColourParams {
     pub rim: f64,
     /// How much of the belly's colour there is on the belly's side, 0..1.
     pub belly: f64,
-    /// Where the belly is, in radians clockwise from the x axis.
+    /// Direction towards the belly, radians from +x, clockwise on screen.
     pub belly_angle: f64,
 }
 

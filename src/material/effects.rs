@@ -20,10 +20,13 @@ pub struct WeatherParams {
     pub wet: f64,
 }
 
+/// How much of a hollow level ground is, in the middle between tops (0) and joints (1).
+pub(crate) const LEVEL: f32 = 0.5;
+
 /// What is known of a place.
 pub(crate) struct Place {
     pub is_stone: bool,
-    /// 1/2 on level ground, towards 1 in joints and towards 0 on tops.
+    /// [`LEVEL`] on level ground, towards 1 in joints and towards 0 on tops.
     pub hollow: f32,
     /// The mean height close around it.
     pub near: f32,
@@ -113,7 +116,9 @@ mod moss {
     pub const SLOPE: f32 = 7.0;
     /// Its colours, in the shade and in the light.
     pub const GREENS: [[f32; 3]; 2] = [[54.0, 66.0, 30.0], [102.0, 108.0, 53.0]];
-    /// It is lighter on tops, and by noise of these amplitudes, fine and broad.
+    /// Share of the second on level ground; it is lighter on tops, and by noise of these amplitudes, fine and
+    /// broad.
+    pub const EVEN: f32 = 0.5;
     pub const LIGHT: f32 = 0.55;
     pub const TONE: [f32; 2] = [0.2, 0.25];
     /// Amplitude of the fine noise in its colour.
@@ -176,7 +181,7 @@ impl Effects {
         [self.wear, self.moss, self.dirt, self.wet] == [0.0; 4]
     }
 
-    /// All of them.
+    /// Wear, dirt, moss and wet, in this order: what comes later lies on what came before.
     pub fn apply(&self, place: &Place, sample: &mut Sample) {
         if self.wear > 0.0 && place.is_stone {
             self.wear(place, sample);
@@ -204,7 +209,7 @@ impl Effects {
         let flat = order::within(place.near, sample.height - rub, sample.height + rub);
         let [slope, start] = wear::REACHED;
         sample.height += (flat - sample.height) * worn * smoothstep(slope * stand - start);
-        // Tops are cut off, with a soft edge.
+        // Tops are cut off; a parabola joins the slope and the cut without a kink.
         let stand = self.stand(sample);
         let ceiling = 1.0 + wear::EDGE - (wear::LOSS + wear::EDGE) * worn;
         let over = greater(wear::EDGE - (stand - ceiling).abs(), 0.0);
@@ -252,7 +257,8 @@ impl Effects {
             - moss::TRODDEN * place.trodden;
         let cover = smoothstep((shade - moss::FROM + moss::STRENGTH * self.moss) * moss::SLOPE);
         let [fine, patches] = moss::TONE;
-        let light = 0.5 - moss::LIGHT * (hollow - 0.5) + fine * grains + patches * place.patches;
+        let light =
+            moss::EVEN - moss::LIGHT * (hollow - LEVEL) + fine * grains + patches * place.patches;
         let [mut green, lit] = moss::GREENS;
         mix(&mut green, lit, light.clamp(0.0, 1.0));
         let tone = 1.0 + moss::GRAIN * grains;
@@ -268,7 +274,7 @@ impl Effects {
     /// Damp, then wet.
     fn soak(&self, place: &Place, sample: &mut Sample) {
         let lies = wet::STRENGTH * self.wet - wet::FROM
-            + wet::HOLLOW * (place.hollow - 0.5)
+            + wet::HOLLOW * (place.hollow - LEVEL)
             + wet::NOISE * place.broad;
         let soaked = smoothstep(lies) * smoothstep(wet::SOON * self.wet);
         let [r, g, b] = sample.colour;

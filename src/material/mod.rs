@@ -16,7 +16,7 @@ mod stones;
 
 pub use coat::{Coat, Coats, ColourParams, Pattern};
 pub use effects::WeatherParams;
-pub(crate) use effects::{Effects, Place, Sample};
+pub(crate) use effects::{Effects, LEVEL, Place, Sample};
 pub use face::stone_colour;
 pub(crate) use face::{Face, FaceNoise};
 pub use grounds::GROUNDS;

@@ -47,7 +47,7 @@ impl Node {
         }
     }
 
-    /// That of a packed cell.
+    /// The centre of a packed cell, with the cell's axis and metric.
     pub fn of(p: &Particle) -> Self {
         Self {
             at: p.centre,

@@ -46,7 +46,7 @@ pub struct CellMetrics {
 }
 
 impl CellMetrics {
-    /// Works them out.
+    /// Measures cells that were packed in these fields.
     pub fn new(domain: &Domain, fields: &Fields, cells: &[Cell]) -> Self {
         let areas: Vec<f64> = cells.iter().map(|c| signed_area(&c.ring).abs()).collect();
         let (mut area, mut error) = (Tally::default(), Tally::default());

@@ -10,7 +10,7 @@ use glam::DVec2;
 /// What can be told of a cell by its polygon.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Figure {
-    /// In picture units squared.
+    /// Area in square picture units.
     pub area: f64,
     /// The size that a cell of its kind and area has, in picture units.
     pub size: f64,
@@ -18,12 +18,12 @@ pub struct Figure {
     pub aspect: f64,
     /// Corners that turn by more than 10 degrees.
     pub sides: usize,
-    /// Along its rows (squares) or its long axis (rectangles and ellipses); none of circles.
+    /// Unit vector along its rows (squares) or its long axis (rectangles and ellipses); none of circles.
     pub axis: Option<DVec2>,
 }
 
 impl Figure {
-    /// Works them out.
+    /// Measures a cell.
     pub fn new(cell: &Cell) -> Self {
         let ring = &cell.ring;
         let area = signed_area(ring).abs();

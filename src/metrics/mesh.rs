@@ -69,7 +69,7 @@ struct MeshEdge {
 }
 
 impl MeshMetrics {
-    /// Works them out. The mesh's vertices are the particles' centres, in the same order, then images.
+    /// Measures a mesh. The mesh's vertices are the particles' centres, in the same order, then images.
     pub fn new(domain: &Domain, particles: &[Particle], mesh: &Mesh) -> Self {
         let polygon = |face: &Face| -> Vec<DVec2> {
             let places = face.nodes().iter().map(|&k| mesh.vertices[k as usize]);

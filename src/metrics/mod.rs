@@ -38,7 +38,7 @@ pub struct Metrics {
 }
 
 impl Metrics {
-    /// Works them all out. The mesh's vertices are the particles' centres, in the same order.
+    /// Measures cells and mesh. The mesh's vertices are the particles' centres, in the same order.
     pub fn new(
         domain: &Domain,
         fields: &Fields,

@@ -142,7 +142,7 @@ struct Surroundings<'a> {
 pub struct Particle {
     /// Names the cell: the number of its making, never used again.
     pub id: u32,
-    /// Where it is.
+    /// Its middle, in picture units.
     pub centre: DVec2,
     /// Its shape.
     pub kind: Kind,

@@ -1,4 +1,4 @@
-/** The language of the page: the one that was chosen here, or the browser's. Words of others than English come when asked for. */
+/** The language of the page: the one that was chosen here, or the browser's. Words of other languages than English are loaded when they are needed. */
 import { translate } from '../words/words';
 import { byIdAs } from './dom';
 import { keep, kept } from './storage';

@@ -1,4 +1,4 @@
-/** The stages of the work: their end, and how far the work is. Each generator has its own. */
+/** The stages of the work as the page sees them: whether all is done, and how far it is. Each generator has its own. */
 import type { Status } from './types';
 
 /** Whether there is no work left at this stage. */

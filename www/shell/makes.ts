@@ -1,4 +1,4 @@
-/** What can be made, to be chosen at the top by picture and word; nothing is to be seen where there is one generator only. */
+/** The choice of a generator at the top of the page, by picture and word; hidden where there is only one. */
 import { generators } from '../module/generators';
 import { makeIn } from '../words/words';
 import { byId, make } from '../base/dom';

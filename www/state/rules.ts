@@ -1,4 +1,4 @@
-/** What does something in a recipe: which parameters, and which of the editor's tools. */
+/** Which parameters, and which of the editor's tools, have an effect in a recipe. */
 import type { Parameter } from '../module/types';
 import type { Engine } from './engine';
 

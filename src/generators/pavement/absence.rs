@@ -6,7 +6,7 @@ use crate::draw;
 use crate::heightfield::Planes;
 use glam::DVec2;
 
-/// Why there is nothing to be seen of something.
+/// Why a view, or a drawing over it, shows nothing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Absence {
     /// What it shows is still to be made.

@@ -37,7 +37,7 @@ pub enum Base {
     Potential,
 }
 
-/// A drawing over it.
+/// A drawing over what lies at the bottom.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Overlay {
     /// The size that the field asks for, as heat and contours.
@@ -65,12 +65,12 @@ pub enum Overlay {
 pub struct View {
     /// What is at the bottom.
     pub base: Base,
-    /// Bit by bit the overlays over it.
+    /// The overlays, a bit each, by their places in [`Overlay::ALL`].
     over: u16,
 }
 
 impl Base {
-    /// All words, in the order of the page, whose keys 0 to 9 show the first ten. Those
+    /// All bases with their words, in the order of the page, whose keys 0 to 9 show the first ten. Those
     /// of [`Overlay`], too, stand for drawings on paper where they stand alone.
     pub const ALL: [(Base, &'static str); 14] = [
         (Base::Auto, "auto"),

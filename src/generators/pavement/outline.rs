@@ -103,7 +103,7 @@ fn snap(outline: &Outline, side: f64) -> Outline {
     }
 }
 
-/// What the rows of a pavement cannot tell.
+/// The rules of a pavement beyond its single rows.
 pub(super) struct PavementRules;
 
 impl Rules for PavementRules {

@@ -1,4 +1,4 @@
-/** What is wrong with an outline, or was left out of it, on the way to the page, which has the words for it. */
+/** What is wrong with an outline, or was left out of it, as data: the page has the words. */
 import type { Word } from '../../words/editor';
 
 export interface Told {

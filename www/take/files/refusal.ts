@@ -1,4 +1,4 @@
-/** What the module refuses, on its way through what makes a file. */
+/** A refusal of the module, carried to the page through what makes a file. */
 import type { Notice } from '../../module/types';
 
 export class Refusal extends Error {
