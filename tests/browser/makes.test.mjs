@@ -43,7 +43,12 @@ test('another generator is chosen at the top, and seed, light and weather go alo
   assert.deepEqual(await page.$$eval('#view option', (options) => options.map((option) => option.value)), ['auto', 'picture', 'albedo']);
   assert.equal(await page.$eval('#edit-tools', (tools) => tools.hidden), true);
   assert.deepEqual(await page.$$eval('[data-preset]', (buttons) => buttons.map((button) => button.dataset['preset'])), ['squares', 'few-squares']);
+  assert.deepEqual(await page.$$eval('.counts dd', (counts) => counts.filter((count) => count.checkVisibility()).map((count) => count.id)), ['count-cells']);
   const squares = await canvas(page);
+  await click(page, '#save');
+  await page.waitForSelector('#save-dialog[open]');
+  assert.deepEqual(await page.$$eval('#save-dialog section', (rows) => rows.map((row) => row.getAttribute('aria-label'))), ['Picture', 'Maps', 'Recipe']);
+  await click(page, '#save-dialog [data-close]');
   // Back again, as it was but for what went along.
   await click(page, '.make[data-make=pavement]');
   assert.equal(await made(page, 'pavement'), pavement);
