@@ -1,4 +1,4 @@
-//! Stages as things: what a stage made is kept by a node that knows what it was made of.
+//! Nodes: each keeps what a stage has made, and knows what it was made of.
 //!
 //! A [`Node`] is a memo. It is stale when its parameters differ from those that its value was made
 //! by, or an input's revision from the one that it was made of, and nothing else decides that. Who
@@ -7,14 +7,14 @@
 
 use crate::notice::Notice;
 
-/// Where a node stands, for inputs of a certain revision.
+/// Whether a node has to work, for inputs of a certain revision.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum State {
-    /// Its value is what is asked for.
+    /// Its value is made by the wanted parameters, of these inputs.
     Fresh,
-    /// Its value is to be made.
+    /// Its value has still to be made.
     Stale,
-    /// Its value cannot be made.
+    /// Its value cannot be made by these parameters, of these inputs.
     Failed,
 }
 
@@ -70,7 +70,7 @@ impl<P: Clone + PartialEq, W, T> Node<P, W, T> {
         self.params = params;
     }
 
-    /// The value is to be made again, whatever it was made of.
+    /// Makes the value stale, whatever it was made of.
     pub fn forget(&mut self) {
         self.drop_work();
         if let Some(made) = &mut self.made {
@@ -83,12 +83,12 @@ impl<P: Clone + PartialEq, W, T> Node<P, W, T> {
         self.slices += 1;
     }
 
-    /// What the value is to be made by.
+    /// The parameters that the value is to be made by.
     pub fn params(&self) -> &P {
         &self.params
     }
 
-    /// Where it stands for inputs of this revision: the sum of those of all nodes that are read, which
+    /// Its state for inputs of this revision. With several inputs it is the sum of their revisions, which
     /// never fall.
     pub fn state(&self, inputs: u64) -> State {
         let is_fresh = |made: &Made<P, T>| made.is_wanted && made.inputs == inputs;
@@ -138,7 +138,7 @@ impl<P: Clone + PartialEq, W, T> Node<P, W, T> {
         self.made.as_ref().map(|made| &made.value)
     }
 
-    /// The same, for values that keep what they work out when they are asked.
+    /// The same, for values that keep the answers to some questions.
     pub fn made_mut(&mut self) -> Option<&mut T> {
         self.made.as_mut().map(|made| &mut made.value)
     }
@@ -159,7 +159,7 @@ impl<P: Clone + PartialEq, W, T> Node<P, W, T> {
         self.work.as_ref()
     }
 
-    /// The same, for work that keeps what it works out when it is asked.
+    /// The same, for work that keeps the answers to some questions.
     pub fn work_mut(&mut self) -> Option<&mut W> {
         self.work.as_mut()
     }
@@ -169,12 +169,12 @@ impl<P: Clone + PartialEq, W, T> Node<P, W, T> {
         self.failure.as_ref()
     }
 
-    /// How many values were made.
+    /// How many values were made so far; readers tell by it whether they have seen the last one.
     pub fn revision(&self) -> u64 {
         self.revision
     }
 
-    /// How often the work was begun.
+    /// How often the work was begun, from the start or anew.
     pub fn passes(&self) -> u64 {
         self.passes
     }

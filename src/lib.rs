@@ -1,21 +1,28 @@
 //! Bubblestone packs squares, rectangles, circles or ellipses into any outline and turns the packing
-//! into a pavement.
+//! into a pavement or a hide.
 //!
-//! The way of the data, one module each: a [`recipe`] names an outline ([`domain`]) and fields of
-//! size and direction ([`field`]); particles pack it ([`packing`]); their centres become a [`mesh`],
-//! the mesh [`cells`], each cell a stone ([`solid`]) of some [`material`]; stones are put into data
-//! planes, and the planes are lit ([`heightfield`]). [`generators`] wire these stages together, and
-//! [`studio`] runs any of them in small slices.
+//! # From a link to a picture
 //!
-//! It implements Miyata, Itoh, Shimada (2000), A Method of Generating Pavement Textures Using the
-//! Square Packing Technique, and Miyata, Itoh, Shimada (2001), Generating Pavement Textures via
-//! Close Packing of Squares; the dual cells are those of Itoh, Miyata, Shimada (2003), Generation
-//! of Organic Textures with Controlled Anisotropy and Directionality via Packing Rectangular and
-//! Elliptical Cells.
+//! The work goes in stages, and each stage has its library. They know nothing of links, browsers or
+//! time, and each uses only those before it:
 //!
-//! Coordinates are picture units (pixels), x to the right and **y down**; angles are radians from +x
-//! towards +y, clockwise on screen; rings of positive shoelace area run clockwise on screen. The
-//! same recipe gives the same bits on every machine.
+//! 1. [`domain`] is the outline, checked, with islands, holes, constraint lines and distances.
+//! 2. [`field`] gives size, direction, aspect ratio and kind of the cells at every point of it.
+//! 3. [`packing`] places particles and moves them by the forces between them until they rest.
+//! 4. [`mesh`] joins their centres by triangles and quadrilaterals.
+//! 5. [`cells`] makes one polygon of each, the dual of that mesh, fitted into the outline.
+//! 6. [`solid`] builds a stone or a scale on each cell, of some [`material`].
+//! 7. [`heightfield`] puts these solids into planes of height, colour and material, lets the weather
+//!    go over them, and lights them.
+//!
+//! [`draw`] shows what the stages have made, [`metrics`] measures it, and [`export`] writes it to files.
+//!
+//! # What is asked for, and what runs it
+//!
+//! A [`recipe`] is a checked value for every parameter, and its link. A generator
+//! ([`generators`]) is a schema of parameters, presets, and an engine, which wires the stages together;
+//! [`generators::ALL`] lists all generators. A [`studio`] runs the engine of a recipe in small slices.
+//! A [`notice`] is what is said to people, in any language. Random numbers come from [`random`] alone.
 //!
 //! ```
 //! use bubblestone::generators;
@@ -24,9 +31,25 @@
 //! let (recipe, notices) = generators::ALL.recipe("#v=1&size=128&cs=24");
 //! assert!(notices.is_empty());
 //! let mut studio = Studio::new(generators::ALL, recipe);
-//! studio.finish(&mut || 0.0).unwrap();
-//! assert_eq!(studio.digest().len(), 16);
+//! studio.finish(&mut || 0.0).expect("a ring has room for cells");
+//! let rgba = studio.picture().expect("the picture is finished");
+//! assert_eq!(rgba.len(), 4 * 128 * 128);
 //! ```
+//!
+//! # Conventions
+//!
+//! Coordinates are picture units (pixels), x to the right and **y down**; angles are radians from +x
+//! towards +y, clockwise on screen; rings of positive shoelace area run clockwise on screen. The
+//! same recipe gives the same bits on every machine: geometry is f64, planes are f32, transcendental
+//! functions come from `libm`, sorting has tie-breaks, and clocks only measure.
+//!
+//! # Papers
+//!
+//! Miyata, Itoh, Shimada (2000), A Method of Generating Pavement Textures Using the Square Packing
+//! Technique; Miyata, Itoh, Shimada (2001), Generating Pavement Textures via Close Packing of Squares
+//! (in Japanese); Itoh, Miyata, Shimada (2003), Generation of Organic Textures with Controlled
+//! Anisotropy and Directionality via Packing Rectangular and Elliptical Cells. Each module names the
+//! sections and equations that it implements.
 
 // The WebAssembly module goes without what writes values for debugging (scripts/lib/trim.mjs).
 #![cfg_attr(not(test), warn(clippy::use_debug))]

@@ -1,4 +1,6 @@
 // A static host: for the person at the keyboard, and for the tests, which open what that person gets.
+// Vite's own host would not do: it hands styles over as scripts that write them into the page, which the page's policy
+// forbids.
 import { readFile } from 'node:fs/promises';
 import { createServer } from 'node:http';
 import { extname, join, normalize } from 'node:path';

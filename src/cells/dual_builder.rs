@@ -1,4 +1,9 @@
 //! From cells to the dual of their mesh, in slices.
+//!
+//! The mesh for the dual joins no triangles where that would leave an inner node with three elements:
+//! its cell would be a wedge of three corners. On a torus it does so all the same, since a choice here
+//! would decide over pairs far away, beyond the seams. Meshes for their own sake take the best pairs,
+//! whatever becomes of the nodes.
 
 use super::Cell;
 use super::dual::Dual;

@@ -1,4 +1,7 @@
 //! The graph of neighbouring cells, for what spreads from cell to cell (patterns, flow).
+//!
+//! Neighbours of any kind of cells, in rising order, and each the other's neighbour. None is seen
+//! across the boundary or a constraint line.
 
 use super::Cell;
 use crate::domain::Domain;

@@ -3,6 +3,9 @@
 //! A region that holds a cell's centre is that cell's; the others go to the neighbour they share the
 //! longest border with. The triangles fill the outline exactly once, and so do the cells, whatever
 //! lines were given.
+//!
+//! Cells that are too small go to a neighbour in the same way. A region around a hole is cut, so that
+//! every cell is one ring.
 
 use super::Cell;
 use super::arrangement::{Arrangement, Between};

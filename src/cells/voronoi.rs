@@ -3,6 +3,10 @@
 //!
 //! Lloyd (1982), Least squares quantization in PCM: every point moves to the centroid of its Voronoi
 //! cell, again and again. The cells are cut by the outline, exactly.
+//!
+//! They go the same way as the dual of a mesh: the middles of the triangles' circles instead of the
+//! elements' centres, a frame around the picture instead of ghosts, and nothing is joined or
+//! straightened.
 
 use super::ghosts::frame;
 use crate::domain::Domain;

@@ -1,4 +1,6 @@
 //! Constraint lines as they are given, clipped to the inside and cut where they cross.
+//!
+//! This is done once for each domain: all later stages see the same clipped pieces.
 
 use super::Domain;
 use crate::order;

@@ -1,4 +1,8 @@
 //! The parts that constraint lines cut the outline into.
+//!
+//! Parts are regions of one triangulation of the rings and the lines. The dual of the mesh keeps them
+//! apart, too: an element that a line divides has a vertex for each side (`cells::visibility`), and no
+//! region is joined to another across a line.
 
 use super::{Domain, cross};
 use crate::order;

@@ -1,5 +1,9 @@
 //! Points projected onto the walls, which are the boundary and the constraint lines: the places of them
 //! where the distance to a point has a local minimum, seen from the paved side.
+//!
+//! There is one place for each wall that a point sees: a cell in a corner feels both walls, a cell at a
+//! reflex corner its tip. The packing's soft wall pushes from these places, and the ghosts of the
+//! fitted cells are mirrored in them.
 
 use super::Domain;
 use super::segment_grid::SegmentGrid;

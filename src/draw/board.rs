@@ -71,7 +71,7 @@ impl Board {
         }
     }
 
-    /// See [`Shape::fill`].
+    /// See [`super::layer::Shape::fill`].
     #[inline(never)]
     pub(super) fn fill(&mut self, rings: &[&[DVec2]], colour: Colour, round: f64) {
         let mut builder = PathBuilder::new();

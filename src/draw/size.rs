@@ -1,4 +1,6 @@
 //! The size field as heat and contours over whatever is below.
+//!
+//! The heat is kept from frame to frame, as it changes only with the fields.
 
 use super::{Board, Colour, blend};
 use crate::domain::Domain;

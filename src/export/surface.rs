@@ -4,6 +4,9 @@
 //! and y is the height; seen from above, the surface looks as the picture. One unit is the picture's
 //! side, with the middle of the picture at x = z = 0 and the base level at y = 0, so the files of
 //! tiles repeat after 1.
+//!
+//! The picture's axes with the height pointing out of it are left-handed, since its y goes down. So the
+//! files exchange height and y, and turn each triangle over.
 
 use super::frame::Frame;
 use super::glb::Glb;

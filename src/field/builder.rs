@@ -1,4 +1,8 @@
 //! Samples the fields on the background grid.
+//!
+//! Nodes at every fourth place are worked out first, and those between them only where the direction
+//! bends: the result is 0.02 to 0.14 degrees off the plain sum. A second layer of directions is made
+//! only where parts have kinds of another symmetry.
 
 use super::follow::{layers, ray};
 use super::formulas;

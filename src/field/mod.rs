@@ -3,6 +3,11 @@
 //! What is not a plain formula is sampled on a background grid. Directions have the symmetry of the
 //! cells, four-fold for squares and two-fold for the other kinds; what is stored of them is told in
 //! `symmetry.rs`.
+//!
+//! On a torus all of it repeats: sources count with their nearest images, gradients become waves, spots
+//! wrap, and rays about a point are those of (sin x, sin y). One direction everywhere takes the nearest
+//! size, angle and aspect ratio that fit the side (`lattice`), so the packing sees only values that
+//! fit.
 
 mod builder;
 mod ends;

@@ -3,6 +3,8 @@
 //! Miyata, Itoh, Shimada (2000), eq. (1) adds s_i / d_i^2 over the boundary's segments. Two things
 //! are read differently: the sum is of representation vectors, and a segment's weight is the
 //! integral of 1 / distance^p along it, so that cutting a side into pieces changes nothing.
+//!
+//! The segments stand in a tree, with the moments of each branch, so that far ones are summed together.
 
 use super::symmetry::representation;
 use crate::planar::closest_on_segment;

@@ -1,4 +1,8 @@
 //! The finished picture once more, with more pixels: the same bodies and noises, seen finer.
+//!
+//! Stages up to the cells' coats know picture units only. From the painter on, `pixel_scale` pixels
+//! stand for each unit. Stones are painted in bands of rows, as nine samples of all pixels would not
+//! fit into memory.
 
 use super::height_field::{
     Bodies, Finish, HeightField, HeightFieldParams, Passes, ROWS, Revisions,

@@ -11,12 +11,12 @@ pub(super) fn side(recipe: &Recipe) -> usize {
     recipe.number(keys::SIZE) as usize
 }
 
-/// Of all random numbers.
+/// The seed of all random numbers.
 pub(super) fn seed(recipe: &Recipe) -> u64 {
     recipe.number(keys::SEED) as u64
 }
 
-/// What years and weather do.
+/// How much years and weather do, each 0..1.
 pub(super) fn weather(recipe: &Recipe) -> WeatherParams {
     WeatherParams {
         wear: recipe.number(keys::WEAR),

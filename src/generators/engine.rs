@@ -1,25 +1,25 @@
-//! What a generator's machine is to those who run it: stages that work in slices, views, and files.
+//! What an engine is to those who run it: stages that work in slices, views, and files.
 
 use crate::export::{Map, MapKind, MeshFormat, Report};
 use crate::notice::{Code, Notice};
 use crate::recipe::Recipe;
 use std::any::Any;
 
-/// A clock: milliseconds, which may stand still but do not count for any result.
+/// A clock, in milliseconds from any start. It may stand still: no result depends on it.
 pub type Clock<'a> = &'a mut dyn FnMut() -> f64;
 
-/// How far the work is.
+/// How far the work has come.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Progress {
-    /// Cells, or bodies, so far.
+    /// Cells, or bodies, that are there.
     pub cells: usize,
-    /// Steps of what moves.
+    /// Steps that they have moved by.
     pub steps: u32,
     /// The largest move of the last step, in cell sizes.
     pub largest_move: f64,
-    /// Added and removed since the first were placed.
+    /// Cells added since the first were placed.
     pub added: u32,
-    /// See `added`.
+    /// Cells removed since then.
     pub removed: u32,
     /// Did it come to rest by itself?
     pub converged: bool,
@@ -27,10 +27,10 @@ pub struct Progress {
     pub stones: usize,
 }
 
-/// What one slice of work gave of a mesh file.
+/// What one slice of work has made of a mesh file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MeshSlice {
-    /// The file begins with these parts: those of calls before are of another one.
+    /// A new file begins with these parts; those of calls before belong to another one.
     pub begun: bool,
     /// The next parts of the file, one after the other.
     pub parts: Vec<Vec<u8>>,
@@ -38,34 +38,35 @@ pub struct MeshSlice {
     pub done: bool,
 }
 
-/// What one slice of work gave of a bigger picture.
+/// What one slice of work has made of a bigger picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PictureSlice {
-    /// The picture begins with these rows: those of calls before are of another one.
+    /// A new picture begins with these rows; those of calls before belong to another one.
     pub begun: bool,
-    /// How much of the work is done, about, 0..1.
+    /// How much of the work is done, 0..1, by a rough estimate.
     pub progress: f64,
     /// Pixels along the picture's side.
     pub side: usize,
-    /// Red, green, blue of the next pixels, whole rows from the top; mostly none yet.
+    /// Red, green and blue of the next pixels, a byte each, in whole rows from the top; empty in most
+    /// slices.
     pub rows: Vec<u8>,
     /// The picture ends with them.
     pub done: bool,
 }
 
-/// A machine that makes pictures of one generator's recipes. Stages are told by their places among the
-/// generator's stage words.
+/// Makes pictures of one generator's recipes, slice by slice. A stage is named by its place in
+/// [`super::Generator::stages`].
 pub trait Engine: Any {
-    /// From now on this recipe is the latest.
+    /// Gives it the latest recipe. The work goes on by the one before until [`Engine::take_up`].
     fn ask(&mut self, recipe: &Recipe);
 
-    /// The first stage of which the latest recipe asks something else than the one at work.
+    /// The first stage that the latest recipe wants otherwise than the recipe at work does.
     fn stale(&self) -> Option<usize>;
 
     /// Makes the latest recipe the one at work.
     fn take_up(&mut self);
 
-    /// All stages are to run again.
+    /// Marks all stages as stale, so that they run again.
     fn forget(&mut self);
 
     /// Pixels along the side of the picture at work.
@@ -74,15 +75,15 @@ pub trait Engine: Any {
     /// The first stage that is not fresh; none where all is done.
     fn at(&self) -> Option<usize>;
 
-    /// Why the work cannot go on.
+    /// Why the work cannot go on; `None` while it can.
     fn failure(&self) -> Option<&Notice>;
 
-    /// The stage that has work to do.
+    /// The stage that the next slice works on; `None` where all is done or the work cannot go on.
     fn at_work(&self) -> Option<usize> {
         self.at().filter(|_| self.failure().is_none())
     }
 
-    /// One slice of the work.
+    /// Does one slice of the work, on the first stage that is not fresh.
     fn advance(&mut self);
 
     /// Is the next slice a step, which waits while the work is held?
@@ -90,7 +91,7 @@ pub trait Engine: Any {
         false
     }
 
-    /// The stage that goes in steps.
+    /// The stage that goes in steps, such as the packing.
     fn stepping(&self) -> Option<usize> {
         None
     }
@@ -98,7 +99,7 @@ pub trait Engine: Any {
     /// The first stage of the finisher: from there on a short pass is let finish.
     fn finisher(&self) -> usize;
 
-    /// Is the picture that is there of an earlier recipe, whose bodies are other ones?
+    /// Do other cells or bodies form than those of the picture that is there?
     fn is_forming(&self) -> bool;
 
     /// How often each stage has finished.
@@ -107,7 +108,8 @@ pub trait Engine: Any {
     /// How far the work is.
     fn progress(&self) -> Progress;
 
-    /// The potential energy of what moves, in units of a cell's; 0 where nothing does.
+    /// The potential energy of what moves, in units of the mean cell's spring constant
+    /// k0; 0 where nothing moves.
     fn energy(&mut self) -> f64 {
         0.0
     }
@@ -131,24 +133,24 @@ pub trait Engine: Any {
         false
     }
 
-    /// Drops the draft: all of them, or only one that is not needed any more.
+    /// Drops the draft: in any case (`all`), or only where the stages have something to show instead.
     fn drop_draft(&mut self, _all: bool) {}
 
     /// The picture of a view, by its words: opaque RGBA, row after row from the top. While a stage has
     /// nothing to show yet, what was there before.
     fn view(&mut self, words: &str) -> &[u8];
 
-    /// Works for about `budget` milliseconds on what is much to draw of a view, at least one piece;
-    /// true when nothing of it is left for [`Engine::view`].
+    /// Draws some of a view that takes long to draw, for about `budget` milliseconds but at least one
+    /// piece. True when [`Engine::view`] has nothing left to do that takes long.
     fn prepare(&mut self, words: &str, clock: Clock, budget: f64) -> bool;
 
-    /// What of a view shows nothing, by its word, and why, in a word.
+    /// The words of a view that show nothing, each with the word of the reason.
     fn absences(&mut self, words: &str) -> Vec<(&'static str, &'static str)>;
 
-    /// The picture last finished, as [`Engine::view`]; empty before there is one.
+    /// The picture last finished, in the form of [`Engine::view`]; empty before there is one.
     fn picture(&self) -> &[u8];
 
-    /// Hex digest of what was made last.
+    /// Digest of what was made last, 16 hexadecimal digits: equal for equal planes.
     fn digest(&self) -> String;
 
     /// A map of the finished picture.
@@ -193,7 +195,7 @@ pub trait Engine: Any {
     /// Lets go of files in the making, and of what was kept of a bigger picture for its maps.
     fn stop_file(&mut self);
 
-    /// Adds what only this generator can tell to the figures of the run.
+    /// Adds the figures that only this generator has to a report.
     fn report(&mut self, report: &mut Report);
 
     /// Files of what was made, as text, for whoever measures: names and contents.

@@ -17,22 +17,22 @@ pub use preset::{Part, Preset, Timing};
 use crate::notice::Notice;
 use crate::recipe::{Recipe, Schema};
 
-/// A generator.
+/// A generator, as data: what the page, the link and the studio have to know of it.
 pub struct Generator {
-    /// Its parameters; their word is the generator's.
+    /// Its parameters. The schema's word is also the generator's, as in `make=` of a link.
     pub schema: &'static Schema,
     /// Its name on the page.
     pub title: &'static str,
-    /// In the order of the page.
+    /// Its presets, in the order of the page.
     pub presets: &'static [Preset],
     /// Words of the stages, in their order: scripts and reports call them so.
     pub stages: &'static [&'static str],
-    /// What there is to look at.
+    /// What of its work can be looked at.
     pub views: Views,
     /// Words of the page's parts that it needs: `outline` (the editor), `probe`, `plots`, `layers`,
     /// `tiles`, `compare`, `svg`, `mesh`, `forming`.
     pub offers: &'static [&'static str],
-    /// The machine, with all its work before it.
+    /// Makes an engine for a recipe, with all its work before it.
     pub engine: fn(&Recipe) -> Box<dyn Engine>,
 }
 
@@ -40,9 +40,9 @@ pub struct Generator {
 /// over it.
 #[derive(Clone, Copy)]
 pub struct Views {
-    /// What lies at the bottom.
+    /// Words of pictures and diagrams, one of which lies at the bottom.
     pub bases: &'static [&'static str],
-    /// What is drawn over it.
+    /// Words of drawings that may lie over it.
     pub overlays: &'static [&'static str],
 }
 
@@ -58,7 +58,7 @@ pub const ALL: Registry = Registry(&[
 ]);
 
 impl Registry {
-    /// Each of them.
+    /// All of them, in the order of the page.
     pub fn iter(self) -> impl Iterator<Item = &'static Generator> {
         self.0.iter().copied()
     }
@@ -69,14 +69,14 @@ impl Registry {
         Recipe::from_link(&schemas, link)
     }
 
-    /// The one that a recipe is for.
+    /// The generator that a recipe is for.
     pub fn of(self, recipe: &Recipe) -> &'static Generator {
         let mut all = self.iter();
         let found = all.find(|generator| recipe.is_of(generator.schema));
         found.unwrap_or(self.0[0])
     }
 
-    /// The one of this word.
+    /// The generator of this word (`make=` of a link), if there is one.
     pub fn named(self, word: &str) -> Option<&'static Generator> {
         self.iter().find(|generator| generator.schema.word == word)
     }

@@ -7,9 +7,9 @@ pub struct Preset {
     pub name: &'static str,
     /// Title on the page.
     pub title: &'static str,
-    /// What it stands under on the page.
+    /// The heading of its group on the page.
     pub group: &'static str,
-    /// The papers' figures, empty for other presets.
+    /// The figure of a paper that it is made after, such as "15 (a)"; empty for other presets.
     pub figure: &'static str,
     /// One sentence about it.
     pub note: &'static str,
@@ -22,16 +22,16 @@ pub struct Preset {
 /// Seconds that a paper prints for one of its figures.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Timing {
-    /// What it was measured on.
+    /// The machine that the paper's seconds were measured on.
     pub machine: &'static str,
-    /// The paper divides its work in two.
+    /// The two parts that the paper divides its work in.
     pub parts: [Part; 2],
 }
 
 /// A part of the work that a paper has measured.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Part {
-    /// In a word.
+    /// Its name, in a word.
     pub name: &'static str,
     /// The words of the stages here that do the same.
     pub stages: &'static [&'static str],

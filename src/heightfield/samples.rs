@@ -1,4 +1,7 @@
 //! The nine samples of each pixel: a depth buffer, in which the highest surface wins.
+//!
+//! As the highest surface wins, the order in which stones are painted hardly matters. Scales of nearly
+//! one height share a sample's colour, or a difference as thin as a hair would decide.
 
 use super::scan::ACROSS;
 use crate::order::lesser;

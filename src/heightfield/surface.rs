@@ -2,6 +2,10 @@
 //!
 //! To the solid, which is open at its base, come a cap over the base, the relief that the painter adds
 //! to stones, and at each vertex the colour that the picture has there.
+//!
+//! The cap is a fan. The relief is taken between the pixels' middles, and the colour from the planes
+//! wherever the cell's own id is to be seen; walls and hidden parts take theirs from their neighbours
+//! along the surface.
 
 use super::{Planes, TextureParams};
 use crate::cells::Cell;

@@ -2,6 +2,9 @@
 //!
 //! One pass over the finished stones, and then one for the ambient occlusion. Tops and hollows are told
 //! apart by the mean height around each pixel.
+//!
+//! Height, colour and material change together, so that light and maps follow. The rows of the table of
+//! materials are the same for all palettes: every finish, dirt and moss dry, damp and wet, then water.
 
 use super::box_filter::BoxFilter;
 use super::ground::Bed;

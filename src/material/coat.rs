@@ -3,6 +3,9 @@
 //! Itoh, Miyata, Shimada (2003) leave colours that follow the cells to future work (section 8). A
 //! rule gives each cell a value that is spread about evenly over 0..1; the share of cells asked for
 //! that have the highest are marked, with a soft border between them and the others.
+//!
+//! Because values are spread evenly, share and sharpness mean the same for all rules. Coats draw no
+//! number that a stone draws for anything else: without its coat it looks as before.
 
 use super::noise::NoiseTile;
 use super::reaction::Reaction;

@@ -4,6 +4,9 @@
 //! of Stochastic Models. Midpoints of the grid's squares and sides are set to the mean of their
 //! neighbours and displaced at random; the amplitude goes with distance^H, so it falls by 2^-H a
 //! level, H = 2 - Fd for profiles of fractal dimension Fd.
+//!
+//! Pictures of more pixels a unit have more levels below the unit. These are flatter, and such that the
+//! mean over a unit stays: averaged, the bigger picture is the one of one pixel a unit.
 
 use crate::random::{Purpose, Random};
 

@@ -9,6 +9,9 @@
 //! L being the mean of the neighbours less the own value. Around u = v = 0 waves grow fastest at
 //! Dv L = -r sqrt(Dv / Du), so the rate r sets the pattern's scale. Where that is many cells,
 //! the pattern is made on a thinned graph first and refined from graph to graph.
+//!
+//! Thinning begins where a wave is more than eight cells long: the cost of one graph alone would grow
+//! with the square of the scale.
 
 use crate::cells::Cell;
 use crate::domain::Domain;

@@ -6,6 +6,9 @@
 //! path of matching, but free to choose all diagonals. A lone triangle and a quadrilateral can
 //! change their common side, two quadrilaterals likewise. A patch changes only where its cost falls,
 //! so the search ends.
+//!
+//! This is done only in meshes whose border is the boundary (`edge=on`), as they are made for their own
+//! sake. There, nodes near faults are no longer the packed centres.
 
 use super::division::{Division, MOST, TRIANGLE};
 use super::quads::{Faces, is_lone, score};

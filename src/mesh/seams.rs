@@ -2,6 +2,9 @@
 //!
 //! Places are rounded to the grain, in which a picture's side is a whole number: an image is then
 //! exactly one side away, and what lies on the two sides of a seam agrees to the last bit.
+//!
+//! Each element is in the mesh once. Where the elements do not close over the seams, more images are
+//! taken, then lone triangles are left as they are, and at last Delaunay's own triangles count.
 
 use super::constraints::{is_cut, lies_on_line};
 use super::metric::Metric;

@@ -1,4 +1,7 @@
 //! How well polygons fill an outline, by scan lines.
+//!
+//! Between the heights of all corners the borders are straight, so areas are exact wherever polygons do
+//! not cross.
 
 use crate::domain::Domain;
 use crate::order;
@@ -10,9 +13,9 @@ use glam::DVec2;
 pub struct Cover {
     /// The part of the outline that is covered: 1 is all of it.
     pub coverage: f64,
-    /// What is covered more than once, counted once for each time too many.
+    /// Area that is covered more than once, counted once for each time too many.
     pub overlap: f64,
-    /// What is covered outside the outline.
+    /// Area that is covered outside the outline.
     pub outside: f64,
 }
 

@@ -22,9 +22,9 @@ pub struct MeshMetrics {
     pub cover: Cover,
     /// Standard deviation over mean of the elements' area.
     pub area_cv: f64,
-    /// Of the quadrilaterals.
+    /// Figures of the quadrilaterals.
     pub jacobian: Option<Jacobian>,
-    /// Of the triangles.
+    /// Figures of the triangles.
     pub triangles: Option<TriangleQuality>,
     /// Nodes by the number of edges at them; only nodes inside, not on an edge that one element
     /// only has.

@@ -31,9 +31,9 @@ pub type Histogram = [usize; MOST_SIDES + 1];
 /// The figures of a pavement.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Metrics {
-    /// Of the cells' polygons.
+    /// Figures of the cells' polygons.
     pub cells: CellMetrics,
-    /// Of the mesh of their centres.
+    /// Figures of the mesh of their centres.
     pub mesh: MeshMetrics,
 }
 

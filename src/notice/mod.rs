@@ -8,7 +8,7 @@ include!(concat!(env!("OUT_DIR"), "/notices.rs"));
 /// A sentence, or a part of one.
 #[derive(Clone, PartialEq)]
 pub struct Notice {
-    /// What is said.
+    /// Which sentence of the table it is.
     pub code: Code,
     /// The arguments by their names in the table.
     pub args: Vec<(&'static str, Arg)>,

@@ -4,6 +4,10 @@
 //! (`placement`), forces between neighbours (`force`) and from the walls (`wall`), the equation of
 //! motion (`integrate`), population control (`population`). A [`Packing`] advances one step at a
 //! time; nothing in it knows of time or frames.
+//!
+//! Particles are sorted by the neighbour grid's buckets whenever the list of neighbours is made, so
+//! that what is near in the plane is near in memory. Their ids stay, and whatever might depend on the
+//! order (population control, the result) goes by id.
 
 mod boundary_cells;
 mod clearance;

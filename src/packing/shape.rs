@@ -1,4 +1,9 @@
 //! The metric that a cell's kind, size and aspect ratio make.
+//!
+//! Kinds are data: kind, size and aspect ratio make a metric, in which distances between cells are
+//! measured, and a frame in which a stretched cell is a square, where `force` evaluates the corner
+//! potentials. Only the damping (`integrate`) and the thresholds of the population ask for the kind
+//! itself.
 
 use super::Particle;
 use crate::field::{Fields, Kind};

@@ -1,5 +1,9 @@
 //! What all geometry stands on: the space that places lie in, the grain they are rounded to, and the
 //! one triangulation of the program (spade).
+//!
+//! Points go into a triangulation one after the other, in the order of their ids. spade's bulk load
+//! would be quicker, but it sorts with an unstable sort, whose ties may fall differently where `usize`
+//! has another width; the result would then hang on the machine.
 
 mod rtree;
 mod segment;

@@ -6,6 +6,9 @@
 //! passes. Whether it does is decided exactly, so no two of the new lines cross or overlap but in
 //! shared ends, none is farther from its line than a step of the grain, and images that are whole
 //! steps apart are rounded alike.
+//!
+//! All crossings are made before anything is triangulated, so spade never has to divide a constraint,
+//! whose new point it would round in its own way.
 
 use super::rtree::RTree;
 use super::{GRAIN, orientation};

@@ -1,4 +1,9 @@
 //! The space that places lie in: the plane, or a torus.
+//!
+//! Stages go over the images of a place (in the plane there is only one) and need not ask which space
+//! they are in. They ask only where something else is made: the grid and the lattice of the fields,
+//! rays and gradients that have to repeat (`field`), meshes that end at walls or close over seams
+//! (`mesh::meshing`, `cells::dual_builder`), and what fills a picture without an outline.
 
 use glam::DVec2;
 

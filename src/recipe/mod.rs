@@ -39,7 +39,7 @@ impl PartialEq for Recipe {
     }
 }
 
-/// As its link.
+/// Written as its link.
 impl std::fmt::Debug for Recipe {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(&self.link())
@@ -59,7 +59,7 @@ impl Recipe {
         }
     }
 
-    /// What it holds values for.
+    /// The schema whose parameters it has values for.
     pub fn schema(&self) -> &'static Schema {
         self.schema
     }

@@ -45,9 +45,9 @@ pub enum Item {
 /// One of the words a choice can take.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Choice {
-    /// As in the link.
+    /// The word in the link.
     pub word: &'static str,
-    /// As on the page.
+    /// The words on the page.
     pub label: &'static str,
 }
 
@@ -92,9 +92,9 @@ pub struct Parameter {
     pub help: &'static str,
     /// The group of controls that it belongs to.
     pub group: &'static str,
-    /// Does it matter most? Where little is to be shown it is.
+    /// Is it one of the few that matter most? They are shown first.
     pub is_main: bool,
-    /// Does chance leave it as it is?
+    /// Does *Randomise* leave it as it is?
     pub is_steady: bool,
     /// The words of a choice, the default first.
     pub choices: &'static [Choice],
@@ -151,7 +151,7 @@ impl Parameter {
         self
     }
 
-    /// Another default while a choice has this word.
+    /// Has another default while a choice has this word.
     pub const fn default_while(mut self, key: Key, word: &'static str, default: f64) -> Self {
         self.default_while = Some((key, word, default));
         self

@@ -23,12 +23,13 @@ const ALPHABET: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwx
 /// Numbers beyond this are refused: they reach far beyond any picture, and sums of them stay exact.
 const MOST: i64 = 1 << 29;
 
-/// What a row consists of.
+/// What the numbers of a row are.
 #[derive(Clone, Copy, Debug)]
 pub struct Form {
-    /// So many numbers at the beginning are coordinates.
+    /// How many numbers at the row's beginning are coordinates.
     pub coordinates: usize,
-    /// What 1 in a decimal number is in whole numbers: for coordinates, and for those behind them.
+    /// By what decimal numbers are multiplied to make whole ones: coordinates first, then each number
+    /// behind them.
     pub units: &'static [f64],
 }
 

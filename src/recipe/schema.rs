@@ -6,20 +6,20 @@ use std::panic::RefUnwindSafe;
 
 /// A generator's parameters.
 pub struct Schema {
-    /// As `make=` in the link names the generator.
+    /// The generator's name in a link, the value of `make`.
     pub word: &'static str,
-    /// Do links name it? One of all generators needs no name.
+    /// Do links name it? One of all generators, pavements, goes without a name.
     pub is_named: bool,
-    /// In the order in which links are written.
+    /// Its parameters, in the order in which links are written.
     pub rows: &'static [Parameter],
-    /// What the rows cannot tell.
+    /// What goes beyond single rows.
     pub rules: &'static dyn Rules,
 }
 
-/// What the rows of a schema cannot tell.
+/// What goes beyond the single rows of a schema.
 pub trait Rules: Sync + RefUnwindSafe {
-    /// An old or another key and value of a link, in the words of the schema: the place where links of
-    /// former versions are brought up to date.
+    /// Turns a key and its value, as a link has them, into those of the schema. Links of former versions
+    /// are brought up to date here.
     fn modern(&self, key: String, value: String) -> Vec<(String, String)> {
         vec![(key, value)]
     }
@@ -40,7 +40,7 @@ pub trait Rules: Sync + RefUnwindSafe {
     }
 }
 
-/// Rows that tell all.
+/// The rules of a schema whose rows say all.
 pub struct NoRules;
 
 impl Rules for NoRules {}

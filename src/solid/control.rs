@@ -15,6 +15,10 @@
 //!                                                              1  at the joint's floor
 //!                                                              0  base
 //! ```
+//!
+//! Heights count from the base of stones. The ground hangs below their tops by the joints' depth, which
+//! grows with Hs over its whole range and never beyond the cell's size ([`joint_depth`]). Relief,
+//! unevenness and swells keep within that depth, or the ground would swallow low stones.
 
 use super::footprint::Footprint;
 use super::{Distribution, StoneKind, StoneParams};

@@ -5,6 +5,11 @@
 //! mean displacement of the edge's ends and one of its own, in vertical direction; the displacements
 //! of all levels are added to the smooth surface of the last. The amplitude falls by 2^-H a level, H =
 //! 2 - Fd.
+//!
+//! Stencils of skin end on Loop's limit surface, and the noise ends at the level that a picture needs,
+//! so finer triangles change next to nothing. The variance of the noise takes into account that edges
+//! between two new vertices differ by two new numbers, and that a pixel averages over some of the last
+//! ones.
 
 use super::prism::{Prism, turned};
 use super::subdivide::Stencil;

@@ -50,7 +50,7 @@ pub struct StoneParams {
     pub kind: StoneKind,
     /// Height in picture units, at least 1 (Hs).
     pub height: f64,
-    /// Scale of the base, 0.5..1.3; a stone leaves its cell only above 1 (Sv).
+    /// Scale of the base, 0.5..3; a stone leaves its cell only above 1 (Sv).
     pub scale: f64,
     /// Displacement of the top corners, 0..1; 0 moves nothing (Dr).
     pub distortion: f64,
@@ -60,7 +60,7 @@ pub struct StoneParams {
     pub bevel_horizontal: f64,
     /// Vertical bevel of a flagstone, 0..1 of half its size (Bv).
     pub bevel_vertical: f64,
-    /// What is skin's own.
+    /// Parameters that only skin has.
     pub skin: SkinParams,
     /// Seed of the displacement.
     pub seed: u64,

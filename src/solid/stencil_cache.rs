@@ -1,4 +1,7 @@
 //! The stencils of all connectivities, each worked out once.
+//!
+//! All stones with the same number of corners share one connectivity, so subdividing one is a product
+//! of its few control points and cached weights.
 
 use super::footprint::MOST_CORNERS;
 use super::subdivide::{Stencil, StencilBuilder};

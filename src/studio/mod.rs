@@ -4,6 +4,10 @@
 //! another generator. [`Studio::tick`] works on the first stale stage for about the time given; what is
 //! finished stays until its successor is finished, too. No result depends on how the work was cut into
 //! slices or on the clock.
+//!
+//! Stages cut their work by amount (places looked at, points inserted, rows of weights, triangles of a
+//! stone), never by time. `cargo run --release --example slices` prints the longest slice of each
+//! stage.
 
 use crate::export::{Report, StageTime};
 use crate::generators::{Clock, Engine, Generator, Progress, Registry};
@@ -38,7 +42,7 @@ impl Studio {
         Self::with_engine(registry, recipe, engine)
     }
 
-    /// One with an engine that was made otherwise, for this recipe.
+    /// A studio with an engine that was made for this recipe, in another way than the generator's.
     pub fn with_engine(registry: Registry, recipe: Recipe, engine: Box<dyn Engine>) -> Self {
         let generator = registry.of(&recipe);
         Self {
@@ -52,7 +56,7 @@ impl Studio {
         }
     }
 
-    /// The generators that it may be asked for.
+    /// The generators whose recipes it takes.
     pub fn registry(&self) -> Registry {
         self.registry
     }
@@ -67,7 +71,7 @@ impl Studio {
         &*self.engine
     }
 
-    /// The same, to look at what it makes, and for files.
+    /// The engine at work, to draw views and to make files.
     pub fn engine_mut(&mut self) -> &mut dyn Engine {
         &mut *self.engine
     }
@@ -78,7 +82,7 @@ impl Studio {
         engine.downcast_ref()
     }
 
-    /// The same, for engines that keep what they work out when they are asked.
+    /// The same, for questions whose answers the engine keeps.
     pub fn engine_as_mut<E: Engine>(&mut self) -> Option<&mut E> {
         let engine: &mut dyn Any = &mut *self.engine;
         engine.downcast_mut()
@@ -117,7 +121,7 @@ impl Studio {
         failure.filter(|_| !self.engine.is_drafting())
     }
 
-    /// How far the work is.
+    /// How far the work has come.
     pub fn progress(&self) -> Progress {
         self.engine.progress()
     }
@@ -127,7 +131,7 @@ impl Studio {
         Some(self.engine.picture()).filter(|picture| !picture.is_empty())
     }
 
-    /// Hex digest of what was made, empty until the work is done.
+    /// Digest of what was made, 16 hexadecimal digits; empty until the work is done.
     pub fn digest(&self) -> String {
         match self.done() {
             true => self.engine.digest(),

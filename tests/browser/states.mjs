@@ -1,4 +1,5 @@
 // The main states of the page, each with how to get there: tests look at all of them.
+// Their pictures are kept in target/page-pictures/.
 import { all, digest, frames, message, SMALL, SQUARE } from './page.mjs';
 
 /** @typedef {import('puppeteer-core').Page} Page */

@@ -1,4 +1,15 @@
-/** The editor as the page uses it: who edits what over the canvas, and what becomes of it. */
+/**
+ * The editor as the page uses it: who edits what over the canvas, and what becomes of it.
+ *
+ * sorts.ts says what can be edited; edited.ts holds the figures and all that is done to them; figure-editor.ts has the
+ * keys and the bar, gestures.ts and pen.ts the pointers, sheet.ts what is seen.
+ *
+ * To look changes nothing: an outline's few handles are found in its many points whenever it is looked at
+ * (geometry/handles.ts), so links hold points alone. What runs between two handles stays as it is until one of them is
+ * moved (geometry/curve.ts). Roads and letters become outlines in the same way: numbers on a grid, marching squares,
+ * few points, corners made sharp again (geometry/contour.ts). A road's middle line is kept beside the outline that it
+ * gave, so undo brings it back. While something is held, all changes are one step of the history.
+ */
 import type { Point, Ring } from '../module/types';
 import { t } from '../words/editor';
 import { byId } from '../base/dom';

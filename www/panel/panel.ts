@@ -1,4 +1,8 @@
-/** The panel: every parameter of the schema as a control, in groups in the order of the pipeline. */
+/**
+ * The panel: every parameter of the schema as a control, in groups in the order of the pipeline.
+ *
+ * It is built a few controls a frame while the first cells move, and one frame is left to the browser to lay it out.
+ */
 import { groupIn, t } from '../words/words';
 import { byId, byIdAs, frame, make, say } from '../base/dom';
 import { keep, kept } from '../base/storage';

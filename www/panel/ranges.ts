@@ -1,6 +1,9 @@
 /**
- * New values by chance, within the ranges in which most pictures look good: drawn from the presets.
- * The picture's side and what is only for comparison stay as they are.
+ * New values by chance, within the ranges in which most pictures look good: drawn from the presets. The picture's side
+ * and what is only for comparison stay as they are.
+ *
+ * One table by group: ranges with weights, on conditions of rows before. What does nothing in the new recipe takes its
+ * default, so that links stay short.
  */
 
 import type { Parameter } from '../module/types';

@@ -1,4 +1,8 @@
-/** A recipe worked out unseen and at full speed while it forms slowly on the screen: scripts need not wait for that. */
+/**
+ * A recipe worked out unseen and at full speed while it forms slowly on the screen: scripts need not wait for that.
+ *
+ * It tells scripts stage, status and digest, and is freed when it is done.
+ */
 import { isEnd } from '../module/stages';
 import type { Status } from '../module/types';
 import { Engine } from '../state/engine';

@@ -1,4 +1,10 @@
-/** The animation frames: a slice of work in each, none when there is nothing to do or to see. */
+/**
+ * The animation frames: a slice of work in each, none when there is nothing to do or to see.
+ *
+ * A frame works for some milliseconds and draws. Where both would take long, the next frame draws and does nothing
+ * else. Drawings of many shapes are drawn some rows at a time over as many frames as that takes, while the work stands
+ * still; drawn at once they are the same pixels. The digest is told to scripts only when its picture is drawn.
+ */
 import { isEnd, isUpToSteps, STEPPING } from '../module/stages';
 import type { Engine } from '../state/engine';
 import type { Watch } from './watch';

@@ -1,4 +1,8 @@
-/** Undo and redo of every change of the recipe. All changes of a drag are one step, which ends when it is let go. */
+/**
+ * Undo and redo of every change of the recipe. All changes of a drag are one step, which ends when it is let go.
+ *
+ * A link that is opened is a step like any other, so the work that was there is one step back.
+ */
 import type { Store } from './store';
 
 /** Steps that are kept. */

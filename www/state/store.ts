@@ -1,6 +1,9 @@
 /**
- * The one place of all that the page knows by itself. What the visitor does changes the store; the
- * engine and whatever is seen follow it: recipe -> studio -> view, never the other way.
+ * The one place of all that the page knows by itself. What the visitor does changes the store; the engine and whatever
+ * is seen follow it: recipe -> studio -> view, never the other way.
+ *
+ * The recipe in it is a link, which the engine checks and writes. So a step of the history is a link, undo opens one,
+ * and the whole history fits into the browser's storage (history.ts, memory.ts).
  */
 
 import type { Preset } from '../module/types';

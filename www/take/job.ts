@@ -1,4 +1,9 @@
-/** Files of a recipe, made in a worker that packs it anew, so that the page stays free. */
+/**
+ * Files of a recipe, made in a worker that packs it anew, so that the page stays free.
+ *
+ * The worker packs the recipe's link anew, the same to the bit. The page is never held, and Stop ends the worker with
+ * all its memory. Only the picture on the screen and the recipe are saved without it.
+ */
 import { t } from '../words/take';
 import { said } from '../words/words';
 import type { Task } from '../late/task';

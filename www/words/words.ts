@@ -1,4 +1,11 @@
-/** The page's words in the language in use. All of them stand in strings/; English is at hand. */
+/**
+ * The page's words in the language in use. All of them stand in strings/; English is at hand.
+ *
+ * strings/en.json has two lists: `page`, which the build writes into the HTML and no script carries, and `words`.
+ * Parts that are loaded later bring their own. The English of parameters and presets stands in the module; other
+ * languages translate it by key (strings/ja-module.ts). Notices come from the module as a code with arguments, and
+ * src/notice/words.txt has their words in all languages. Tests see to it that none is missing.
+ */
 import type { Notice, Parameter, Preset } from '../module/types';
 import { words as english } from '../strings/en.json';
 import type { Foreign } from '../strings/foreign';

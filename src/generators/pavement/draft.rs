@@ -1,6 +1,9 @@
 //! While a point is dragged the cells flow after it: a draft of the packing goes on with the
 //! particles that are there, in the outline and the fields of the latest recipe. When the point is
 //! let go the packing is made from its own start, as ever, and takes the place of the draft.
+//!
+//! The stages stand still meanwhile and know nothing of the draft, which is seen until the new packing
+//! has ended.
 
 use super::terrain::Terrain;
 use super::{Pavement, Stage, Wish};

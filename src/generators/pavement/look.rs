@@ -1,4 +1,8 @@
 //! The words for what is looked at: something at the bottom, and drawings over it.
+//!
+//! Drawings have a fixed order, whatever the order of their words. On paper the first of them is drawn
+//! in full colours; over anything else they are light lines with dark rims, and fillings let the
+//! picture through.
 
 /// What a view shows at the bottom.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

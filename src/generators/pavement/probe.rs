@@ -1,4 +1,7 @@
 //! What the cell at a place is like, and how all of them are.
+//!
+//! Once cells have polygons, those are measured. While they are packed the particles are, whose size
+//! and angle their neighbours tell.
 
 use super::{Pavement, Stage};
 use crate::cells::Cell;

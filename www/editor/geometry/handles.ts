@@ -1,4 +1,9 @@
-/** Few handles for a ring of many points: its corners, and smooth ones along its curves, the same whenever the ring is the same. */
+/**
+ * Few handles for a ring of many points: its corners, and smooth ones along its curves, the same whenever the ring is
+ * the same.
+ *
+ * Handles are corners, the ends of straight lines, and places where a curve has turned by 45 degrees.
+ */
 import type { Point, Ring } from '../../module/types';
 import { stretchAlong } from './curve';
 import type { Figure } from './figures';

@@ -1,4 +1,9 @@
-/** Outlines from text: polygon JSON, SVG, or an SVG path alone. */
+/**
+ * Outlines from text: polygon JSON, SVG, or an SVG path alone.
+ *
+ * What comes out is thinned to the points that an outline may have. Where its rings touch, a second outline is tried,
+ * a grain smaller all around. The limits of shapes and points are checked before the work that they forbid.
+ */
 import type { Point, Ring } from '../../module/types';
 import { fitted } from '../geometry/fit';
 import { area as areaIn } from '../geometry/plane';

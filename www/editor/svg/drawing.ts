@@ -1,4 +1,10 @@
-/** What an SVG file draws, piece by piece as they are painted, with what each is cut by; nothing of it comes near the page. */
+/**
+ * What an SVG file draws, piece by piece as they are painted, with what each is cut by; nothing of it comes near the
+ * page.
+ *
+ * style.ts finds what rules and attributes say; each piece is a filling or a stroke (stroke.ts), of ink or of white,
+ * with what it is cut by. seen.ts puts the pieces together.
+ */
 import { DomHandler, isDirective, isTag, type ChildNode, type Document, type Element } from 'domhandler';
 import { Parser } from 'htmlparser2';
 import type { Point } from '../../module/types';

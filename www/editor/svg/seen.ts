@@ -1,4 +1,8 @@
-/** What is seen of a drawing on white paper, as one area. */
+/**
+ * What is seen of a drawing on white paper, as one area.
+ *
+ * Of two layers the upper one covers, then adds, so neighbours can be joined two by two.
+ */
 import type { Point, Ring } from '../../module/types';
 import { areaOf, common, EMPTY, pointsOf, STEPS, union, without, type Area } from './area';
 import { boundsOf, placesOf, type Clip, type Drawing, type Piece } from './drawing';

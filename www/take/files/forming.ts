@@ -1,4 +1,8 @@
-/** The looping animation of the forming, with frames taken on the way. */
+/**
+ * The looping animation of the forming, with frames taken on the way.
+ *
+ * One step or one stone is made at a time, so frames do not depend on a clock.
+ */
 import type { Bubblestone } from '../../../pkg/bubblestone.js';
 import { gif, smaller, type Frame } from './film';
 import { pavement, type Progress } from './pavement';
