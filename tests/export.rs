@@ -2,7 +2,7 @@
 //! readers, and maps.
 #![cfg(not(target_arch = "wasm32"))]
 
-mod finished;
+mod common;
 mod paving;
 mod samples;
 
@@ -13,7 +13,7 @@ use bubblestone::material::Gloss;
 use bubblestone::notice::Code;
 use bubblestone::solid::{SkinParams, Solids, StoneKind, StoneParams};
 use bubblestone::studio::Studio;
-use finished::finished;
+use common::finished;
 use glam::Vec3;
 use paving::OfPavement;
 use proptest::prelude::*;

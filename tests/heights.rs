@@ -1,13 +1,13 @@
 //! The height of stones, Hs, over its whole range: in the joints, in the shadows, in the picture.
 
-mod finished;
+mod common;
 mod paving;
 
 use bubblestone::generators::pavement;
 use bubblestone::heightfield::GROUND;
 use bubblestone::solid::{StoneKind, StoneParams, joint_depth};
 use bubblestone::studio::Studio;
-use finished::finished;
+use common::finished;
 use paving::OfPavement;
 
 const KINDS: [StoneKind; 2] = [StoneKind::Cobble, StoneKind::Flagstone];

@@ -1,6 +1,7 @@
 //! What can be asked of cells and packings: one cell, the plots' figures, the cells as SVG.
 #![cfg(not(target_arch = "wasm32"))]
 
+mod common;
 mod paving;
 
 use bubblestone::generators::ALL;
@@ -11,15 +12,11 @@ use glam::DVec2;
 use paving::OfPavement;
 
 fn studio(link: &str) -> Studio {
-    let (recipe, notices) = pavement::recipe(link);
-    assert!(notices.is_empty(), "{notices:?}");
-    Studio::new(ALL, recipe)
+    Studio::new(ALL, common::recipe(link))
 }
 
 fn finished(link: &str) -> Studio {
-    let mut studio = studio(&format!("size=192&cs=16&{link}"));
-    assert_eq!(studio.finish(&mut || 0.0), Ok(()));
-    studio
+    common::finished(&format!("size=192&cs=16&{link}"))
 }
 
 /// A packing after some steps.

@@ -72,7 +72,8 @@ fn word() -> Vec<Vec<DVec2>> {
     ]
 }
 
-fn finished(link: &str, rings: &[Vec<DVec2>]) -> Studio {
+/// The pavement of an outline of those rings, with its cells made.
+fn with_cells(link: &str, rings: &[Vec<DVec2>]) -> Studio {
     let (mut recipe, notices) = pavement::recipe(link);
     assert!(notices.is_empty(), "{notices:?}");
     let outline = Outline {
@@ -120,7 +121,7 @@ fn every_island_is_filled_by_cells_of_its_own() {
         for kind in KINDS {
             for edge in ["wall", "on"] {
                 let link = format!("size=256&cs=13&kind={kind}&edge={edge}");
-                let studio = finished(&link, &rings);
+                let studio = with_cells(&link, &rings);
                 assert_fills(&studio, &format!("{name} {link}"));
             }
         }
@@ -132,7 +133,7 @@ fn every_island_is_filled_by_cells_of_its_own() {
 fn packed_cells_stay_on_their_island() {
     for (name, rings) in [("beside", beside()), ("target", target()), ("word", word())] {
         for kind in KINDS {
-            let studio = finished(&format!("size=256&cs=13&cells=packed&kind={kind}"), &rings);
+            let studio = with_cells(&format!("size=256&cs=13&cells=packed&kind={kind}"), &rings);
             let domain = studio.pavement().domain().unwrap();
             let own = by_island(domain, studio.pavement().cells());
             for (island, cells) in domain.islands().iter().zip(own) {
@@ -156,10 +157,10 @@ fn each_island_is_packed_as_if_it_were_alone() {
     let rings = beside();
     for kind in KINDS {
         let link = format!("size=256&cs=12&kind={kind}");
-        let both = finished(&link, &rings);
+        let both = with_cells(&link, &rings);
         let own = by_island(both.pavement().domain().unwrap(), both.pavement().cells());
         for (ring, own) in rings.iter().zip(own) {
-            let alone = finished(&link, std::slice::from_ref(ring))
+            let alone = with_cells(&link, std::slice::from_ref(ring))
                 .pavement()
                 .cells()
                 .len() as f64;
@@ -177,7 +178,7 @@ fn islands_smaller_than_a_cell_are_one() {
     for kind in KINDS {
         for (edge, cells) in [("wall", "fitted"), ("wall", "packed"), ("on", "fitted")] {
             let link = format!("size=256&cs=40&kind={kind}&edge={edge}&cells={cells}");
-            let studio = finished(&link, &target());
+            let studio = with_cells(&link, &target());
             let domain = studio.pavement().domain().unwrap();
             let own = by_island(domain, studio.pavement().cells());
             let specks = domain.islands().iter().zip(&own);
@@ -192,7 +193,7 @@ fn islands_smaller_than_a_cell_are_one() {
 fn scattered_points_reach_every_island() {
     for cells in ["voronoi", "lloyd"] {
         let link = format!("size=256&cs=20&cells={cells}");
-        assert_fills(&finished(&link, &target()), &link);
+        assert_fills(&with_cells(&link, &target()), &link);
     }
 }
 
@@ -203,7 +204,7 @@ fn nothing_joins_two_islands() {
         "size=256&cs=13&edge=on",
         "size=256&cs=13&kind=circle",
     ] {
-        let studio = finished(link, &beside());
+        let studio = with_cells(link, &beside());
         let domain = studio.pavement().domain().unwrap();
         let cells = studio.pavement().cells();
         for (cell, beside) in cells.iter().zip(graph(domain, cells)) {
@@ -226,7 +227,7 @@ fn nothing_joins_two_islands() {
 #[test]
 fn islands_with_lines_and_kinds() {
     let link = "size=256&cs=13&lines=0,0.45,1,0.5&parts=0.2,0.2,2;0.7,0.7,3";
-    let studio = finished(link, &beside());
+    let studio = with_cells(link, &beside());
     let domain = studio.pavement().domain().unwrap();
     assert_eq!(domain.parts(), 4);
     assert_fills(&studio, link);
@@ -243,7 +244,7 @@ fn islands_with_lines_and_kinds() {
     use bubblestone::field::Kind::{Circle, Ellipse, Square};
     assert_eq!(kinds, [Circle, Square, Square, Ellipse]);
     // Without lines every island is a part.
-    let studio = finished("size=256&cs=13&parts=0.7,0.5,1", &beside());
+    let studio = with_cells("size=256&cs=13&parts=0.7,0.5,1", &beside());
     let domain = studio.pavement().domain().unwrap();
     assert_eq!(domain.parts(), 2);
     assert_fills(&studio, "parts");

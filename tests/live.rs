@@ -1,13 +1,15 @@
 //! Dragging: the cells flow, and what stays is what the link gives. The same tests run natively and
 //! in WebAssembly.
 
+mod common;
 mod paving;
 
 use bubblestone::domain::Outline;
 use bubblestone::generators::ALL;
-use bubblestone::generators::pavement::{self, PavementRecipe};
+use bubblestone::generators::pavement::PavementRecipe;
 use bubblestone::recipe::Recipe;
 use bubblestone::studio::Studio;
+use common::{finished_recipe, recipe};
 use glam::DVec2;
 use paving::OfPavement;
 #[cfg(target_arch = "wasm32")]
@@ -25,24 +27,12 @@ const LINKS: [&str; 8] = [
     "size=128&cs=12&pop=off&start=quadtree&spots=0.4,0.4,0.2,0.6&tile=1&kind=circle",
 ];
 
-fn recipe(link: &str) -> Recipe {
-    let (recipe, notices) = pavement::recipe(link);
-    assert!(notices.is_empty(), "{link}: {notices:?}");
-    recipe
-}
-
 fn clock() -> impl FnMut() -> f64 {
     let mut time = 0.0;
     move || {
         time += 1.0;
         time
     }
-}
-
-fn finished(recipe: &Recipe) -> Studio {
-    let mut studio = Studio::new(ALL, recipe.clone());
-    assert_eq!(studio.finish(&mut clock()), Ok(()), "{}", recipe.link());
-    studio
 }
 
 /// A free outline with a hole, one corner of it moved by `t`, and the first line's end with it.
@@ -82,7 +72,7 @@ fn dragged(recipe: &Recipe, t: f64) -> Recipe {
 fn what_stays_is_what_the_link_gives() {
     for link in LINKS {
         let first = recipe(link);
-        let mut studio = finished(&first);
+        let mut studio = finished_recipe(&first);
         let mut clock = clock();
         let mut last = first.clone();
         studio.set_live(true);
@@ -109,7 +99,7 @@ fn what_stays_is_what_the_link_gives() {
         let moved = link.contains("tile=1") && !link.contains("lines=");
         let first_stale = if moved { "fields" } else { "domain" };
         assert_eq!(studio.stage(), first_stale, "{link}");
-        let fresh = finished(&last);
+        let fresh = finished_recipe(&last);
         assert_eq!(studio.finish(&mut clock), Ok(()));
         assert_eq!(studio.digest(), fresh.digest(), "{link}");
         assert_eq!(studio.picture(), fresh.picture(), "{link}");
@@ -121,7 +111,7 @@ fn what_stays_is_what_the_link_gives() {
 fn flowing_cells_fill_what_is_dragged() {
     for link in LINKS {
         let first = recipe(link);
-        let mut studio = finished(&first);
+        let mut studio = finished_recipe(&first);
         let mut clock = clock();
         studio.set_live(true);
         for k in 1..=10 {
@@ -129,7 +119,7 @@ fn flowing_cells_fill_what_is_dragged() {
             studio.tick(&mut clock, 8.0, 1);
         }
         while studio.tick(&mut clock, 8.0, 1) {}
-        let fresh = finished(studio.recipe());
+        let fresh = finished_recipe(studio.recipe());
         let [warm, cold] = [&studio, &fresh].map(|s| s.pavement().packing().unwrap().particles());
         let more = warm.len() as f64 / cold.len() as f64;
         assert!(
@@ -151,7 +141,7 @@ fn flowing_cells_fill_what_is_dragged() {
 fn the_draft_is_seen_until_the_new_packing_has_ended() {
     let first = recipe(LINKS[0]);
     let last = dragged(&first, 1.0);
-    let mut studio = finished(&first);
+    let mut studio = finished_recipe(&first);
     let mut clock = clock();
     let picture = studio.engine_mut().view("auto").to_vec();
     studio.set_live(true);
@@ -166,7 +156,7 @@ fn the_draft_is_seen_until_the_new_packing_has_ended() {
     }
     assert_ne!(studio.engine_mut().view("auto"), draft);
     // Held, the packing that begins is shown instead.
-    let mut held = finished(&first);
+    let mut held = finished_recipe(&first);
     held.set_live(true);
     held.set_recipe(last);
     held.tick(&mut clock, 8.0, 0);
@@ -184,7 +174,7 @@ fn the_draft_is_seen_until_the_new_packing_has_ended() {
 #[test]
 fn where_nothing_changes_nothing_is_done_again() {
     let first = recipe(LINKS[0]);
-    let mut studio = finished(&first);
+    let mut studio = finished_recipe(&first);
     let (digest, mut clock) = (studio.digest(), clock());
     studio.set_live(true);
     studio.set_recipe(dragged(&first, 0.5));
@@ -206,7 +196,7 @@ fn where_nothing_changes_nothing_is_done_again() {
 #[test]
 fn cells_that_lie_elsewhere_start_anew() {
     let first = recipe(LINKS[0]);
-    let mut studio = finished(&first);
+    let mut studio = finished_recipe(&first);
     let mut away = first.clone();
     let corner = |x: f64, y: f64| DVec2::new(x, y);
     let outer = vec![
@@ -229,5 +219,5 @@ fn cells_that_lie_elsewhere_start_anew() {
     assert!(cells.iter().all(|cell| inside(cell.centre)));
     // The end of the work ends live, too.
     assert_eq!(studio.finish(&mut clock()), Ok(()));
-    assert_eq!(studio.digest(), finished(&away).digest());
+    assert_eq!(studio.digest(), finished_recipe(&away).digest());
 }

@@ -1,16 +1,18 @@
 //! The pipeline as a whole: slices, staleness, the latest recipe wins, views at any moment. The same
 //! tests run natively and in WebAssembly.
 
+mod common;
 mod paving;
 
 use bubblestone::domain::Outline;
 use bubblestone::field::Kind;
 use bubblestone::generators::ALL;
-use bubblestone::generators::pavement::{self, PAVEMENT, Pavement};
 use bubblestone::generators::pavement::{Base, Overlay};
+use bubblestone::generators::pavement::{PAVEMENT, Pavement};
 use bubblestone::random::{Purpose, Random};
 use bubblestone::recipe::Recipe;
 use bubblestone::studio::Studio;
+use common::{finished, finished_recipe, recipe};
 use glam::DVec2;
 use paving::OfPavement;
 #[cfg(target_arch = "wasm32")]
@@ -19,23 +21,10 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 /// Small, and with everything switched on.
 const LINK: &str = "size=160&outline=annulus&cs=14&vs=0.1&gx=0.3";
 
-fn recipe(link: &str) -> Recipe {
-    let (recipe, notices) = pavement::recipe(link);
-    assert!(notices.is_empty(), "{link}: {notices:?}");
-    recipe
-}
-
 fn with(recipe: &Recipe, key: &str, text: &str) -> Recipe {
     let mut changed = recipe.clone();
     assert_eq!(changed.set(key, text), Ok(vec![]), "{key}={text}");
     changed
-}
-
-fn finished(recipe: &Recipe) -> Studio {
-    let mut studio = Studio::new(ALL, recipe.clone());
-    assert_eq!(studio.finish(&mut || 0.0), Ok(()), "{}", recipe.link());
-    assert_eq!(studio.stage(), "done");
-    studio
 }
 
 /// A clock that goes on by one at each look.
@@ -53,7 +42,7 @@ fn run_on(studio: &mut Studio) {
 
 #[test]
 fn slices_do_not_matter() {
-    let whole = finished(&recipe(LINK));
+    let whole = finished(LINK);
     let mut clock = counting_clock();
     for (budget, most_steps) in [(0.0, 1), (2.0, 1), (7.0, 3), (50.0, 1000)] {
         let mut studio = Studio::new(ALL, recipe(LINK));
@@ -92,7 +81,7 @@ fn steps_are_made_one_by_one() {
     let steps = studio.pavement().packing().map(|p| p.report().step);
     studio.step(&mut clock);
     assert_eq!(studio.pavement().packing().map(|p| p.report().step), steps);
-    assert_eq!(studio.digest(), finished(&recipe(LINK)).digest());
+    assert_eq!(studio.digest(), finished(LINK).digest());
 }
 
 #[test]
@@ -114,7 +103,7 @@ fn only_stale_stages_run_again() {
         ("cs", "20", "fields"),
         ("ow", "0.8", "domain"),
     ] {
-        let mut studio = finished(&base);
+        let mut studio = finished_recipe(&base);
         let steps = studio.pavement().packing().map(|p| p.particles());
         let (cells, planes) = (
             studio.pavement().cells().to_vec(),
@@ -138,7 +127,7 @@ fn only_stale_stages_run_again() {
             let is_due = rank(word) >= rank(stage) && (word, stage) != ("mesh", "cells");
             assert_eq!(runs - old, u64::from(is_due), "{key}: {word}");
         }
-        assert_eq!(studio.digest(), finished(&changed).digest(), "{key}");
+        assert_eq!(studio.digest(), finished_recipe(&changed).digest(), "{key}");
     }
 }
 
@@ -151,7 +140,7 @@ fn rank(stage: &str) -> usize {
 
 #[test]
 fn the_same_recipe_makes_no_work() {
-    let mut studio = finished(&recipe(LINK));
+    let mut studio = finished(LINK);
     studio.set_recipe(recipe(LINK));
     assert!(studio.done());
 }
@@ -188,11 +177,11 @@ fn the_latest_recipe_wins() {
         run_on(&mut studio);
         assert_eq!(
             studio.digest(),
-            finished(&wanted).digest(),
+            finished_recipe(&wanted).digest(),
             "{}",
             wanted.link()
         );
-        assert_eq!(studio.picture(), finished(&wanted).picture());
+        assert_eq!(studio.picture(), finished_recipe(&wanted).picture());
         assert_eq!(studio.recipe(), &wanted);
     }
 }
@@ -227,7 +216,7 @@ fn every_view_is_whole_at_every_moment() {
 fn the_old_picture_stays_until_the_new_one_is_there() {
     let mut clock = counting_clock();
     for (key, text) in [("az", "20"), ("af", "6"), ("cells", "packed")] {
-        let mut studio = finished(&recipe(LINK));
+        let mut studio = finished(LINK);
         let old = studio.picture().unwrap().to_vec();
         studio.set_recipe(with(&recipe(LINK), key, text));
         while !studio.done() {
@@ -306,7 +295,7 @@ fn coarse_cells_in_small_outlines_do_no_harm() {
 #[test]
 fn every_preset_is_rendered() {
     for preset in PAVEMENT.presets {
-        let studio = finished(&recipe(preset.link));
+        let studio = finished(preset.link);
         let report = studio.pavement().packing().map(|p| p.report()).unwrap();
         assert!(report.converged, "{}: {report:?}", preset.name);
         let picture = studio.picture().unwrap();

@@ -1,14 +1,14 @@
 //! Voronoi cells of scattered points, plain and evened out: they fill the outline, and are what they
 //! are called.
 
-mod finished;
+mod common;
 mod paving;
 
 use bubblestone::cells::{Cell, Scatter, ScatterParams};
 use bubblestone::domain::{Domain, signed_area};
 use bubblestone::field::{FieldBuilder, FieldParams};
 use bubblestone::studio::Studio;
-use finished::finished;
+use common::finished;
 use glam::DVec2;
 use paving::OfPavement;
 #[cfg(target_arch = "wasm32")]

@@ -1,7 +1,7 @@
 //! Cells of skin: prisms by their formulas, noise by its dimension, and what is seen of them.
 #![cfg(not(target_arch = "wasm32"))]
 
-mod finished;
+mod common;
 mod paving;
 mod samples;
 
@@ -10,7 +10,7 @@ use bubblestone::field::Kind;
 use bubblestone::generators::pavement::{self, PAVEMENT, PavementRecipe};
 use bubblestone::heightfield::{GROUND, Painter, Planes, TextureParams};
 use bubblestone::solid::{Prism, SkinParams, Solids, StoneKind, StoneParams};
-use finished::{finished, refined};
+use common::{finished, refined};
 use glam::{DVec2, DVec3};
 use paving::OfPavement;
 use samples::in_fair_weather;

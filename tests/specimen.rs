@@ -2,6 +2,7 @@
 //! codec, the studio, and what the native programs write.
 #![cfg(feature = "specimen")]
 
+mod common;
 #[cfg(not(target_arch = "wasm32"))]
 #[path = "../examples/native/mod.rs"]
 mod native;
@@ -9,24 +10,12 @@ mod native;
 use bubblestone::generators::pavement::Pavement;
 use bubblestone::generators::{ALL, specimen};
 use bubblestone::notice::Code;
-use bubblestone::recipe::Recipe;
 use bubblestone::studio::Studio;
+use common::{finished, recipe};
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
 const SQUARES: &str = "v=1&make=specimen&size=128&across=4";
-
-fn recipe(link: &str) -> Recipe {
-    let (recipe, notices) = ALL.recipe(link);
-    assert!(notices.is_empty(), "{link}: {notices:?}");
-    recipe
-}
-
-fn finished(link: &str) -> Studio {
-    let mut studio = Studio::new(ALL, recipe(link));
-    assert_eq!(studio.finish(&mut || 0.0), Ok(()));
-    studio
-}
 
 #[test]
 fn links_name_their_generator() {

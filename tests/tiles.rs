@@ -1,7 +1,7 @@
 //! Tiles: meshes, planes and pictures of the periodic picture run on over its edges.
 #![cfg(not(target_arch = "wasm32"))]
 
-mod finished;
+mod common;
 mod paving;
 
 use bubblestone::domain::{Domain, signed_area};
@@ -26,7 +26,7 @@ const LINKS: [&str; 5] = [
 ];
 
 fn finished(link: &str) -> Studio {
-    finished::finished(&format!("size={SIDE}&tile=1&cs=17&{link}"))
+    common::finished(&format!("size={SIDE}&tile=1&cs=17&{link}"))
 }
 
 /// Every side of every element is, up to whole pictures, the side of another one.

@@ -1,6 +1,7 @@
 //! What the drawings of the stages show, asked of their pixels.
 #![cfg(not(target_arch = "wasm32"))]
 
+mod common;
 mod paving;
 
 use bubblestone::generators::ALL;
@@ -13,11 +14,7 @@ const SIDE: usize = 160;
 
 /// A view of a recipe in a small picture, finished.
 fn view(link: &str, words: &str) -> Vec<u8> {
-    let (recipe, notices) = pavement::recipe(&format!("size={SIDE}&cs=14&{link}"));
-    assert!(notices.is_empty(), "{notices:?}");
-    let mut studio = Studio::new(ALL, recipe);
-    assert_eq!(studio.finish(&mut || 0.0), Ok(()));
-    studio.engine_mut().view(words).to_vec()
+    finished(link).engine_mut().view(words).to_vec()
 }
 
 fn pixel(rgba: &[u8], x: usize, y: usize) -> [i32; 3] {
@@ -182,10 +179,7 @@ fn a_tile_has_no_outline_and_no_seam() {
 const FULL: &str = "outline=square&kind=ellipse&dir=circular&gx=0.4&stretch=0.5,0.5,0.3,4";
 
 fn finished(link: &str) -> Studio {
-    let (recipe, _) = pavement::recipe(&format!("size={SIDE}&cs=14&{link}"));
-    let mut studio = Studio::new(ALL, recipe);
-    assert_eq!(studio.finish(&mut || 0.0), Ok(()));
-    studio
+    common::finished(&format!("size={SIDE}&cs=14&{link}"))
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! Wear, dirt, moss and wet: where they are, and what they do there.
 #![cfg(not(target_arch = "wasm32"))]
 
-mod finished;
+mod common;
 mod paving;
 
 use bubblestone::heightfield::{GROUND, Planes};
@@ -14,7 +14,7 @@ const SIDE: usize = 256;
 const BASE: &str = "size=256&outline=road_straight&ow=1.6&cs=20";
 
 fn finished(more: &str) -> Studio {
-    finished::finished(&format!("{BASE}{more}"))
+    common::finished(&format!("{BASE}{more}"))
 }
 
 fn planes(more: &str) -> Planes {

@@ -1,8 +1,45 @@
-//! What the tests of recipes and links share.
+//! Recipes of links, and their finished pictures.
 
-use bubblestone::generators::pavement::PavementRecipe;
+// Each test program uses a part of these.
+#![allow(dead_code)]
+
+use bubblestone::generators::ALL;
+use bubblestone::generators::pavement::{Pavement, PavementRecipe};
 use bubblestone::recipe::{Kind, Recipe};
+use bubblestone::studio::Studio;
 use glam::DVec2;
+
+/// The recipe of a link that nothing is wrong with.
+pub fn recipe(link: &str) -> Recipe {
+    let (recipe, notices) = ALL.recipe(link);
+    assert!(notices.is_empty(), "{link}: {notices:?}");
+    recipe
+}
+
+/// The finished picture of a link that nothing is wrong with.
+pub fn finished(link: &str) -> Studio {
+    finish(Studio::new(ALL, recipe(link)))
+}
+
+/// The finished picture of a recipe.
+pub fn finished_recipe(recipe: &Recipe) -> Studio {
+    finish(Studio::new(ALL, recipe.clone()))
+}
+
+/// The finished picture of a pavement's link, its skin with so many Loop steps more than it needs.
+pub fn refined(link: &str, steps: i32) -> Studio {
+    let recipe = recipe(link);
+    let engine = Pavement::finer(&recipe, steps);
+    finish(Studio::with_engine(ALL, recipe, Box::new(engine)))
+}
+
+/// A studio run to its end.
+fn finish(mut studio: Studio) -> Studio {
+    let link = studio.recipe().link();
+    assert_eq!(studio.finish(&mut || 0.0), Ok(()), "{link}");
+    assert_eq!(studio.stage(), "done", "{link}");
+    studio
+}
 
 /// A star-shaped polygon around the picture's middle: `radii` in parts of half of the side.
 pub fn star(side: f64, radii: &[f64]) -> Vec<DVec2> {
