@@ -1,14 +1,10 @@
 //! What the drawings of the stages show, asked of their pixels.
-#![cfg(not(target_arch = "wasm32"))]
 
-mod common;
-mod paving;
-
+use crate::paving::OfPavement;
 use bubblestone::generators::ALL;
 use bubblestone::generators::pavement;
 use bubblestone::generators::pavement::{Absence, Base, Overlay, View};
 use bubblestone::studio::Studio;
-use paving::OfPavement;
 
 const SIDE: usize = 160;
 
@@ -179,7 +175,7 @@ fn a_tile_has_no_outline_and_no_seam() {
 const FULL: &str = "outline=square&kind=ellipse&dir=circular&gx=0.4&stretch=0.5,0.5,0.3,4";
 
 fn finished(link: &str) -> Studio {
-    common::finished(&format!("size={SIDE}&cs=14&{link}"))
+    crate::common::finished(&format!("size={SIDE}&cs=14&{link}"))
 }
 
 #[test]

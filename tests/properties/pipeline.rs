@@ -1,9 +1,8 @@
 //! The pipeline as a whole: slices, staleness, the latest recipe wins, views at any moment. The same
 //! tests run natively and in WebAssembly.
 
-mod common;
-mod paving;
-
+use crate::common::{finished, finished_recipe, recipe};
+use crate::paving::OfPavement;
 use bubblestone::domain::Outline;
 use bubblestone::field::Kind;
 use bubblestone::generators::ALL;
@@ -12,9 +11,7 @@ use bubblestone::generators::pavement::{PAVEMENT, Pavement};
 use bubblestone::random::{Purpose, Random};
 use bubblestone::recipe::Recipe;
 use bubblestone::studio::Studio;
-use common::{finished, finished_recipe, recipe};
 use glam::DVec2;
-use paving::OfPavement;
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 

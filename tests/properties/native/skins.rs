@@ -1,19 +1,14 @@
 //! Cells of skin: prisms by their formulas, noise by its dimension, and what is seen of them.
-#![cfg(not(target_arch = "wasm32"))]
 
-mod common;
-mod paving;
-mod samples;
-
+use super::samples::in_fair_weather;
+use crate::common::{finished, refined};
+use crate::paving::OfPavement;
 use bubblestone::cells::Cell;
 use bubblestone::field::Kind;
 use bubblestone::generators::pavement::{self, PAVEMENT, PavementRecipe};
 use bubblestone::heightfield::{GROUND, Painter, Planes, TextureParams};
 use bubblestone::solid::{Prism, SkinParams, Solids, StoneKind, StoneParams};
-use common::{finished, refined};
 use glam::{DVec2, DVec3};
-use paving::OfPavement;
-use samples::in_fair_weather;
 
 /// A regular polygon about the middle of a picture, its first corner to the right.
 fn polygon(n: usize, radius: f64) -> Vec<DVec2> {
