@@ -101,5 +101,6 @@ async function newPage(browser, system, address, fragment, { viewport = { width:
 
 /** The time for the service worker never comes. */
 function neverStored() {
-  ServiceWorkerContainer.prototype.register = () => new Promise(() => undefined);
+  // An empty page has none.
+  if (navigator.serviceWorker) navigator.serviceWorker.register = () => new Promise(() => undefined);
 }
