@@ -277,7 +277,7 @@ fn what_shows_nothing_says_why() {
     let mut full = finished("outline=star&kind=ellipse&gx=0.5");
     assert_eq!(absent(&mut full, ALL), []);
     // Squares in rows that fill a tile press on each other alike from all sides.
-    let mut rows = finished("tile=1&dir=constant&cs=20");
+    let mut rows = crate::common::finished(&format!("size={SIDE}&tile=1&dir=constant&cs=20"));
     assert_eq!(
         absent(&mut rows, "forces"),
         [("forces", Absence::AtRest.word())]
