@@ -8,6 +8,7 @@ await start(() => {
   setup.rustLinters();
   setup.wasmClippy(setup.wasmRust());
   setup.wasmTools();
+  setup.cargoDeny();
   setup.browser('chromium');
   setup.browser('firefox');
   console.log('\nAll is set up.');

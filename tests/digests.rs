@@ -1,32 +1,104 @@
 //! The link is the picture: every preset has the same planes, bit for bit, natively and in
-//! WebAssembly. Both are compared with `digests.txt`.
+//! WebAssembly. Both are compared with `digests.txt`. What else is asked of all presets is asked here,
+//! as each takes its time to be made.
 //!
 //! After a change that is meant to change pictures:
 //! `BUBBLESTONE_UPDATE=1 cargo test --test digests`.
 
-use bubblestone::generators::ALL;
-use bubblestone::generators::pavement::{self, PAVEMENT};
-use bubblestone::studio::Studio;
+mod common;
+mod paving;
+
+use bubblestone::generators::Preset;
+use bubblestone::generators::pavement::{PAVEMENT, PavementRecipe};
+use bubblestone::heightfield::{GROUND, Planes};
+use common::finished;
+use paving::OfPavement;
+use std::sync::OnceLock;
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
 const GOLDEN: &str = include_str!("digests.txt");
 
-/// A line for each preset: its name and its digest.
-fn digests() -> String {
-    let line = |preset: &bubblestone::generators::Preset| {
-        let (recipe, _) = pavement::recipe(preset.link);
-        let mut studio = Studio::new(ALL, recipe);
-        let finished = studio.finish(&mut || 0.0);
-        assert_eq!(finished, Ok(()), "{}", preset.name);
-        format!("{} {}\n", preset.name, studio.digest())
-    };
-    PAVEMENT.presets.iter().map(line).collect()
+/// What is told of a preset's finished picture.
+struct Made {
+    name: &'static str,
+    digest: String,
+    converged: bool,
+    /// From a dark tone to a light one; both are those of a twentieth of the picture.
+    contrast: u8,
+    /// All heights are finite.
+    finite: bool,
+    cracks: usize,
+    /// The part of the picture that is skin, for a preset of skin.
+    skin: Option<f64>,
+}
+
+impl Made {
+    fn of(preset: &'static Preset) -> Self {
+        let studio = finished(preset.link);
+        let made = studio.pavement();
+        let planes = made.planes().expect("planes");
+        let stones = planes.id.iter().filter(|&&id| id != GROUND).count();
+        let skin = || stones as f64 / planes.id.len() as f64;
+        Self {
+            name: preset.name,
+            digest: studio.digest(),
+            converged: made.packing().expect("a packing").report().converged,
+            contrast: contrast(studio.picture().expect("a picture")),
+            finite: planes.bump.iter().all(|h| h.is_finite()),
+            cracks: cracks(planes),
+            skin: studio.recipe().is_skin().then(skin),
+        }
+    }
+}
+
+/// All presets, each made once for all tests.
+fn presets() -> &'static [Made] {
+    static PRESETS: OnceLock<Vec<Made>> = OnceLock::new();
+    PRESETS.get_or_init(|| PAVEMENT.presets.iter().map(Made::of).collect())
+}
+
+fn contrast(picture: &[u8]) -> u8 {
+    let mut tones: Vec<u8> = picture.chunks(4).map(|p| p[1]).collect();
+    tones.sort_unstable();
+    let (dark, light) = (tones[tones.len() / 20], tones[tones.len() * 19 / 20]);
+    light - dark
+}
+
+/// A pixel within one stone that is another's or the ground's and lies below all around it.
+fn cracks(planes: &Planes) -> usize {
+    let side = planes.side;
+    let mut count = 0;
+    for y in 1..side - 1 {
+        for x in 1..side - 1 {
+            let i = y * side + x;
+            let around = [
+                i - side - 1,
+                i - side,
+                i - side + 1,
+                i - 1,
+                i + 1,
+                i + side - 1,
+                i + side,
+                i + side + 1,
+            ];
+            let id = planes.id[around[0]];
+            let within = id != GROUND && around.iter().all(|&k| planes.id[k] == id);
+            let below = around
+                .iter()
+                .all(|&k| planes.bump[k] > planes.bump[i] + 0.5);
+            if within && planes.id[i] != id && below {
+                count += 1;
+            }
+        }
+    }
+    count
 }
 
 #[test]
 fn every_preset_has_the_same_planes_everywhere() {
-    let found = digests();
+    let line = |made: &Made| format!("{} {}\n", made.name, made.digest);
+    let found: String = presets().iter().map(line).collect();
     #[cfg(not(target_arch = "wasm32"))]
     if std::env::var_os("BUBBLESTONE_UPDATE").is_some() {
         let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/digests.txt");
@@ -42,4 +114,26 @@ fn every_preset_has_the_same_planes_everywhere() {
         "other than in digests.txt: {differs:#?}"
     );
     assert_eq!(found.lines().count(), GOLDEN.lines().count());
+}
+
+#[test]
+fn every_preset_is_rendered() {
+    for made in presets() {
+        assert!(made.converged, "{}: the packing", made.name);
+        assert!(made.contrast > 40, "{}: flat picture", made.name);
+    }
+}
+
+#[test]
+fn no_preset_has_a_crack() {
+    for made in presets() {
+        assert_eq!(made.cracks, 0, "{}", made.name);
+        assert!(made.finite, "{}", made.name);
+        assert!(
+            made.skin.is_none_or(|share| share * 3.0 > 1.0),
+            "{}: {:?}",
+            made.name,
+            made.skin
+        );
+    }
 }

@@ -1,6 +1,5 @@
 //! What any generator gets from those that run it, tried with one of a folder and a line: the link's
 //! codec, the studio, and what the native programs write.
-#![cfg(feature = "specimen")]
 
 mod common;
 #[cfg(not(target_arch = "wasm32"))]

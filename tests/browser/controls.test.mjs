@@ -1,5 +1,6 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
+import { sameEverywhere } from './browsers.mjs';
 import { open } from './harness.mjs';
 import { all, canvas, digest, edit, frames, get, set, SMALL } from './page.mjs';
 
@@ -43,7 +44,7 @@ function another(parameter, value) {
   return parameter.kind === 'int' ? String(Math.round(far)) : far.toFixed(2);
 }
 
-test('every control reaches the picture', async (t) => {
+test('every control reaches the picture', sameEverywhere, async (t) => {
   const { page, problems, close } = await site.newPage(SMALL);
   await digest(page);
   const schema = await page.evaluate(() => window.bubblestone.schema);
@@ -79,7 +80,7 @@ test('every control reaches the picture', async (t) => {
   await close();
 });
 
-test('controls that do not apply are hidden', async () => {
+test('controls that do not apply are hidden', sameEverywhere, async () => {
   const { page, close } = await site.newPage(SMALL);
   await digest(page);
   await all(page);
@@ -100,7 +101,7 @@ test('controls that do not apply are hidden', async () => {
   await close();
 });
 
-test('a double click or the reset button goes back to the default', async () => {
+test('a double click or the reset button goes back to the default', sameEverywhere, async () => {
   const { page, close } = await site.newPage(`${SMALL}&dr=0.9`);
   await digest(page);
   const slider = '[data-key=dr] [type=range]';
@@ -129,7 +130,7 @@ function told(page, key) {
   }));
 }
 
-test('untouched numbers go over to the defaults of skin and back with the stone', async () => {
+test('untouched numbers go over to the defaults of skin and back with the stone', sameEverywhere, async () => {
   const { page, problems, close } = await site.newPage(SMALL);
   await digest(page);
   const link = () => page.evaluate(() => window.bubblestone.link());
@@ -162,7 +163,7 @@ test('untouched numbers go over to the defaults of skin and back with the stone'
   await close();
 });
 
-test('resets of skin go back to the defaults of skin', async () => {
+test('resets of skin go back to the defaults of skin', sameEverywhere, async () => {
   const { page, close } = await site.newPage(`${SMALL}&stone=skin&sv=1&af=2`);
   await digest(page);
   await all(page);
@@ -190,7 +191,7 @@ test('a value out of range is clamped, and the page says so', async () => {
   await close();
 });
 
-test('every control has a name, a help text and its symbol', async () => {
+test('every control has a name, a help text and its symbol', sameEverywhere, async () => {
   const { page, close } = await site.newPage(SMALL);
   await digest(page);
   const bare = await page.$$eval('.control', (controls) =>

@@ -1,6 +1,7 @@
 // Outlines with curves: few handles, which change nothing before they are moved, and only what is near them then.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
+import { sameEverywhere } from './browsers.mjs';
 import { open } from './harness.mjs';
 import { all, digest, frames, get, link, set, SMALL } from './page.mjs';
 
@@ -98,7 +99,7 @@ test('to look is not to edit', async () => {
   await close();
 });
 
-test('on a tile without lines, E shows what could be drawn and draws nothing', async () => {
+test('on a tile without lines, E shows what could be drawn and draws nothing', sameEverywhere, async () => {
   const { page, close } = await site.newPage(`${SMALL}&tile=1`);
   await digest(page);
   const was = await link(page);
@@ -110,7 +111,7 @@ test('on a tile without lines, E shows what could be drawn and draws nothing', a
   await close();
 });
 
-test('handles go with the shape while it is only looked at, and are few', async () => {
+test('handles go with the shape while it is only looked at, and are few', sameEverywhere, async () => {
   const { page, close } = await site.newPage(RING);
   await digest(page);
   await look(page);
@@ -128,7 +129,7 @@ test('handles go with the shape while it is only looked at, and are few', async 
   await close();
 });
 
-test('a circle that is moved at one point stays smooth there and a circle elsewhere', async () => {
+test('a circle that is moved at one point stays smooth there and a circle elsewhere', sameEverywhere, async () => {
   const { page, problems, close } = await site.newPage(RING);
   const made = await digest(page);
   const was = await link(page);
@@ -169,7 +170,7 @@ test('a circle that is moved at one point stays smooth there and a circle elsewh
   await close();
 });
 
-test('a point of a curve comes and goes without a corner', async () => {
+test('a point of a curve comes and goes without a corner', sameEverywhere, async () => {
   const { page, close } = await site.newPage(RING);
   await digest(page);
   await look(page);
@@ -190,7 +191,7 @@ test('a point of a curve comes and goes without a corner', async () => {
   await close();
 });
 
-test('corners stay corners: straight sides beside a corner stay straight, a polygon keeps its points', async () => {
+test('corners stay corners: straight sides beside a corner stay straight, a polygon keeps its points', sameEverywhere, async () => {
   const star = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9].map((k) => [0, 1].map((axis) => (0.5 + (k % 2 ? 0.2 : 0.45) * [Math.cos, Math.sin][axis](k * Math.PI / 5)).toFixed(4))).flat().join();
   const twelve = Array.from({ length: 12 }, (_, k) => [0.5 + 0.15 * Math.cos(k * Math.PI / 6), 0.5 - 0.15 * Math.sin(k * Math.PI / 6)].map((part) => part.toFixed(4))).flat().join();
   const { page, close } = await site.newPage(`${SMALL}&outline=polygon&poly=${star};${twelve}`);

@@ -1,5 +1,6 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
+import { sameEverywhere } from './browsers.mjs';
 import { open } from './harness.mjs';
 import { all, click, digest, edit, frames, get, link, phone, SQUARE } from './page.mjs';
 
@@ -135,7 +136,7 @@ test('a finger moves a point of a line', async () => {
   await close();
 });
 
-test('a stroke turns the rows, and its reset takes it away', async () => {
+test('a stroke turns the rows, and its reset takes it away', sameEverywhere, async () => {
   const { page, close } = await site.newPage(`${SQUARE}&dir=constant`);
   const plain = await digest(page);
   await edit(page, 'strokes');
@@ -149,7 +150,7 @@ test('a stroke turns the rows, and its reset takes it away', async () => {
   await close();
 });
 
-test('a spot has a place, a radius and a factor', async () => {
+test('a spot has a place, a radius and a factor', sameEverywhere, async () => {
   const { page, close } = await site.newPage(SQUARE);
   const seen = new Set([await digest(page)]);
   const list = () => get(page, 'spots');
@@ -209,7 +210,7 @@ test('a part is tapped and gets a kind', async () => {
   await close();
 });
 
-test('what is edited is chosen under the canvas, and only what does something', async () => {
+test('what is edited is chosen under the canvas, and only what does something', sameEverywhere, async () => {
   const { page, close } = await site.newPage(SQUARE);
   await digest(page);
   const words = () => page.$$eval('#edit-what option', (options) => options.map((option) => option.value));

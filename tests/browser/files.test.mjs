@@ -7,6 +7,7 @@ import { unzipSync } from 'fflate';
 import validator from 'gltf-validator';
 import { PNG } from 'pngjs';
 import sharp from 'sharp';
+import { sameEverywhere } from './browsers.mjs';
 import { open } from './harness.mjs';
 import { click, digest, done, drop, link, message, messages, set, SMALL } from './page.mjs';
 import { longestTask, skip } from './tasks.mjs';
@@ -65,7 +66,7 @@ async function saved(page, button, { normals } = {}) {
   return { name, bytes: new Uint8Array(Buffer.from(text.slice(text.indexOf(',') + 1), 'base64')) };
 }
 
-test('the mesh is a valid GLB file and an OBJ file of as many triangles', async () => {
+test('the mesh is a valid GLB file and an OBJ file of as many triangles', sameEverywhere, async () => {
   const { page, problems, external, close } = await opened(`${SMALL}&seed=7&outline=star&stone=skin&sc=0.5`);
   await digest(page);
   const glb = await saved(page, '#save-glb');
@@ -82,7 +83,7 @@ test('the mesh is a valid GLB file and an OBJ file of as many triangles', async 
   await close();
 });
 
-test('all maps come in one zip file, those of a tile without a seam', async () => {
+test('all maps come in one zip file, those of a tile without a seam', sameEverywhere, async () => {
   const { page, problems, external, close } = await opened(`${SMALL}&tile=1`);
   await digest(page);
   const zip = await saved(page, '#save-maps');
@@ -119,7 +120,7 @@ test('all maps come in one zip file, those of a tile without a seam', async () =
   await close();
 });
 
-test('before the picture is done a sentence says so', async () => {
+test('before the picture is done a sentence says so', sameEverywhere, async () => {
   const { page, problems, close } = await opened(`${SMALL}&vs=0.1`);
   await digest(page);
   await click(page, '#step');
@@ -161,7 +162,7 @@ test('the picture is saved at one to four times its side, and shows the same', a
   await close();
 });
 
-test('the cells are saved as a well-formed SVG with a polygon or a path for each', async () => {
+test('the cells are saved as a well-formed SVG with a polygon or a path for each', sameEverywhere, async () => {
   const { page, problems, close } = await opened();
   await digest(page);
   const { name, bytes } = await saved(page, '#save-svg');
@@ -220,7 +221,7 @@ test('a recipe saved as JSON and opened again, by dialog or drop, gives the same
   await close();
 });
 
-test('pictures and drawings saved here open their recipe when they are dropped; another picture gets a sentence', async () => {
+test('pictures and drawings saved here open their recipe when they are dropped; another picture gets a sentence', sameEverywhere, async () => {
   const recipe = `${SMALL}&seed=5&palette=marble&poly=0.1,0.1,0.9,0.2,0.5,0.9&outline=custom`;
   const { page, problems, close } = await opened(recipe);
   const planes = await digest(page);
@@ -245,7 +246,7 @@ test('pictures and drawings saved here open their recipe when they are dropped; 
   await close();
 });
 
-test('a picture of the recipe that the page begins with opens that one', async () => {
+test('a picture of the recipe that the page begins with opens that one', sameEverywhere, async () => {
   const { page, close } = await opened('');
   await done(page);
   const { bytes } = await saved(page, '#save-svg');
@@ -257,7 +258,7 @@ test('a picture of the recipe that the page begins with opens that one', async (
   await close();
 });
 
-test('the forming is saved as a looping GIF, to its end, while the page stays free', async () => {
+test('the forming is saved as a looping GIF, to its end, while the page stays free', sameEverywhere, async () => {
   const { page, problems, external, close } = await opened();
   const planes = await digest(page);
   const { name, bytes } = await saved(page, '#save-gif');
@@ -324,7 +325,7 @@ test('saving is done beside the page, which is never held for long', { skip }, a
   await close();
 });
 
-test('the caption of a recipe that was dropped is its own', async () => {
+test('the caption of a recipe that was dropped is its own', sameEverywhere, async () => {
   const { page, problems, close } = await opened('');
   await digest(page);
   const file = (recipe) => JSON.stringify({ program: 'Bubblestone', recipe });

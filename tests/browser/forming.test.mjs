@@ -1,6 +1,7 @@
 // The forming as a newcomer sees it, and as it is watched again.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
+import { sameEverywhere } from './browsers.mjs';
 import { open } from './harness.mjs';
 import { canvas, click, digest, frames, get, link, set, SMALL } from './page.mjs';
 
@@ -72,7 +73,7 @@ test('on a first visit the forming takes its time, and scripts need not wait for
   await linked.close();
 });
 
-test('a second visit does not wait, and what is done meanwhile ends the watching', async () => {
+test('a second visit does not wait, and what is done meanwhile ends the watching', sameEverywhere, async () => {
   const { page, problems, close } = await visit('');
   await forms(page);
   await page.waitForSelector('#subtitle[data-on]');
@@ -93,7 +94,7 @@ test('a second visit does not wait, and what is done meanwhile ends the watching
   await close();
 });
 
-test('the forming can be held, stepped and hurried on a first visit, while scripts have their answer', async () => {
+test('the forming can be held, stepped and hurried on a first visit, while scripts have their answer', sameEverywhere, async () => {
   const { page, problems, close } = await visit('');
   await forms(page);
   await page.keyboard.press(' ');
@@ -115,7 +116,7 @@ test('the forming can be held, stepped and hurried on a first visit, while scrip
   await close();
 });
 
-test('any picture is watched again, from its start', async () => {
+test('any picture is watched again, from its start', sameEverywhere, async () => {
   const { page, problems, close } = await visit(`${SMALL}&stone=skin`);
   const planes = await digest(page);
   const shown = await canvas(page);

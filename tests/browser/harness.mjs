@@ -65,6 +65,7 @@ export async function open({ flags = [], files = dist, serve = (asked) => host(f
  * @property {import('puppeteer-core').Viewport} [viewport]
  * @property {boolean} [dark] whether the system asks for a dark page
  * @property {boolean} [still] whether the system asks for less motion
+ * @property {boolean} [stores] whether the page may store the site, all of whose files it fetches for that
  * @property {(page: import('puppeteer-core').Page) => Promise<unknown>} [before] runs before the page is opened
  */
 
@@ -75,7 +76,7 @@ export async function open({ flags = [], files = dist, serve = (asked) => host(f
  * @param {string} fragment
  * @param {PageOptions} options
  */
-async function newPage(browser, system, address, fragment, { viewport = { width: 1280, height: 800 }, before }) {
+async function newPage(browser, system, address, fragment, { viewport = { width: 1280, height: 800 }, stores = false, before }) {
   const { page, close } = await blankPage(browser, system);
   const { origin } = new URL(address);
   /** Errors on the console, uncaught errors, failed requests. @type {string[]} */
@@ -92,7 +93,14 @@ async function newPage(browser, system, address, fragment, { viewport = { width:
     if (!url.startsWith(`${origin}/`) && !/^(data|blob|about):/.test(url)) external.push(url);
   });
   await page.setViewport(viewport);
+  if (!stores) await page.evaluateOnNewDocument(neverStored);
   await before?.(page);
   await page.goto(address + fragment, { waitUntil: 'load' });
   return { page, problems, external, close };
+}
+
+/** The time for the service worker never comes. */
+function neverStored() {
+  // An empty page has none.
+  if (navigator.serviceWorker) navigator.serviceWorker.register = () => new Promise(() => undefined);
 }

@@ -1,5 +1,6 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
+import { sameEverywhere } from './browsers.mjs';
 import { open } from './harness.mjs';
 import { click, digest, frames, get, link, messages, set, SMALL } from './page.mjs';
 
@@ -55,7 +56,7 @@ test('each change is undone and redone, by buttons and by keys, and digests come
   await close();
 });
 
-test('a slider on its way is one step', async () => {
+test('a slider on its way is one step', sameEverywhere, async () => {
   const { page, close } = await site.newPage(SMALL);
   await digest(page);
   await page.$eval('[data-key=hs] [type=range]', (slider) => {
@@ -124,7 +125,7 @@ test('the last work is there at the next visit of the bare address', async () =>
   await close();
 });
 
-test('a link that was only looked at is not remembered as work', async () => {
+test('a link that was only looked at is not remembered as work', sameEverywhere, async () => {
   const { page, close } = await site.newPage(`${SMALL}&cs=30`);
   await digest(page);
   await frames(page, 40);

@@ -1,6 +1,7 @@
 // Drawings become outlines as they are seen, or a sentence tells why not, and the page stays free meanwhile.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
+import { sameEverywhere } from './browsers.mjs';
 import { open } from './harness.mjs';
 import { begin, bring, click, digest, frames, link, message, messages, read, rings, SQUARE, unread } from './page.mjs';
 import { longestTask, skip } from './tasks.mjs';
@@ -30,7 +31,7 @@ async function area(page, known) {
   return 1e4 * (known ?? (await rings(page))).reduce((total, ring) => total + sum(ring), 0);
 }
 
-test('a drawing becomes what is seen of it', async () => {
+test('a drawing becomes what is seen of it', sameEverywhere, async () => {
   const { page, problems, close } = await site.newPage(SQUARE);
   await digest(page);
   const line = 'fill="none" stroke="currentColor" stroke-width="8"';
@@ -72,7 +73,7 @@ test('a drawing becomes what is seen of it', async () => {
   await close();
 });
 
-test('the icons of a well-known set come as they are drawn', async () => {
+test('the icons of a well-known set come as they are drawn', sameEverywhere, async () => {
   const { page, problems, close } = await site.newPage(SQUARE);
   await digest(page);
   const icon = (inner) => `<svg xmlns="http://www.w3.org/2000/svg" width="24" height="24" viewBox="0 0 24 24" fill="none" stroke="currentColor" stroke-width="2" stroke-linecap="round" stroke-linejoin="round">${inner}</svg>`;
@@ -92,7 +93,7 @@ test('the icons of a well-known set come as they are drawn', async () => {
   await close();
 });
 
-test('what cannot be taken is counted in one sentence', async () => {
+test('what cannot be taken is counted in one sentence', sameEverywhere, async () => {
   const { page, problems, close } = await site.newPage(SQUARE);
   await digest(page);
   await bring(page, svg('<text y="9">a</text><text y="20">b</text><text display="none">c</text><image href="x.png" width="9" height="9"/><path mask="url(#m)" d="M10 10H90V90H10Z"/><path d="M95 95h1v1z"/>'));
@@ -104,7 +105,7 @@ test('what cannot be taken is counted in one sentence', async () => {
   await close();
 });
 
-test('a drawing that is too much, or makes no sense, gets a sentence or a picture', async () => {
+test('a drawing that is too much, or makes no sense, gets a sentence or a picture', sameEverywhere, async () => {
   const { page, problems, close } = await site.newPage(SQUARE);
   await digest(page);
   const before = await link(page);

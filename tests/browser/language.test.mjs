@@ -1,6 +1,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
+import { sameEverywhere } from './browsers.mjs';
 import { open } from './harness.mjs';
 import { all, digest, frames, get, messages, phone, reloading, set, SMALL } from './page.mjs';
 
@@ -31,7 +32,7 @@ function inJapanese(fragment, options = {}) {
   });
 }
 
-test('every word has its Japanese, with the same values in it', () => {
+test('every word has its Japanese, with the same values in it', sameEverywhere, () => {
   const values = (text) => (text.match(/\{\w+\}/g) ?? []).sort();
   // Signs and names of formats are the same in both.
   const same = (text) => !/[a-z]{3}/.test(text.replace(/\{\w+\}|PNG|OBJ|GLB|SVG|GIF|JSON|Bubblestone/g, ''));
@@ -47,7 +48,7 @@ test('every word has its Japanese, with the same values in it', () => {
   }
 });
 
-test('every word of the module has its Japanese', async () => {
+test('every word of the module has its Japanese', sameEverywhere, async () => {
   const plain = await site.newPage(SMALL);
   const { page, problems, close } = await inJapanese(SMALL);
   const read = (of) => of.evaluate(() => ({ schema: window.bubblestone.schema, presets: window.bubblestone.presets }));
@@ -95,7 +96,7 @@ test('a browser in Japanese gets a page in Japanese, which may be changed to Eng
   await close();
 });
 
-test('links that are wrong are answered in Japanese', async () => {
+test('links that are wrong are answered in Japanese', sameEverywhere, async () => {
   const { page, close } = await inJapanese(`${SMALL}&v=99&kind=blob&outline=donut&foo=1&spots=0.5,0.5,9,1&hs=&poly=x&seed=1&seed=2`);
   await digest(page);
   const said = await page.$$eval('.message p, .message li', (all) => all.map((item) => item.textContent));

@@ -1,5 +1,6 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
+import { sameEverywhere } from './browsers.mjs';
 import { open } from './harness.mjs';
 import { all, canvas, click, digest, frames, get, phone, reloading, SMALL, tool } from './page.mjs';
 
@@ -253,7 +254,7 @@ const controls = (page) =>
     return { keys: keys(shown), sliders: keys(shown.filter((control) => control.querySelector('[type=range]'))) };
   });
 
-test('Simple shows ten sliders, All the rest, and the choice is remembered', async () => {
+test('Simple shows ten sliders, All the rest, and the choice is remembered', sameEverywhere, async () => {
   const { page, problems, close } = await site.newPage(`${SMALL}&rim=0.4&gx=0.2`);
   await digest(page);
   const simple = await controls(page);
@@ -279,7 +280,7 @@ test('Simple shows ten sliders, All the rest, and the choice is remembered', asy
   await close();
 });
 
-test('skin and lamps have ten sliders in Simple, too, and groups stand as they were left', async () => {
+test('skin and lamps have ten sliders in Simple, too, and groups stand as they were left', sameEverywhere, async () => {
   const { page, close } = await site.newPage(`${SMALL}&stone=skin&light=point`);
   await digest(page);
   const { sliders } = await controls(page);

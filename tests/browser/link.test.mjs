@@ -1,5 +1,6 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
+import { sameEverywhere } from './browsers.mjs';
 import { open } from './harness.mjs';
 import { canvas, click, digest, frames, get, message, set, SMALL } from './page.mjs';
 
@@ -94,7 +95,7 @@ for (const [junk, words] of [
   ['&outline=moon', /outline|moon/i],
   ['&outline=polygon&poly=!!!', /poly|outline/i],
 ]) {
-  test(`a link with ${junk} opens, and the page says what was left out`, async () => {
+  test(`a link with ${junk} opens, and the page says what was left out`, sameEverywhere, async () => {
     const { page, problems, close } = await site.newPage(`${SMALL}${junk}`);
     await digest(page);
     await message(page, 'status', words);

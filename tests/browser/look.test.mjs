@@ -1,6 +1,7 @@
 // Looking closer at the picture, as people do it.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
+import { sameEverywhere } from './browsers.mjs';
 import { open } from './harness.mjs';
 import { canvas, click, digest, done, frames, get, message, phone, set, SMALL, SQUARE, steps, tool } from './page.mjs';
 
@@ -170,7 +171,7 @@ test('the sun is dragged: only the light is worked out anew, in one step of the 
   await close();
 });
 
-test('the sun and the lamp are moved by arrow keys', async () => {
+test('the sun and the lamp are moved by arrow keys', sameEverywhere, async () => {
   const { page, close } = await finished(SQUARE);
   await click(page, '#light-button');
   await page.waitForSelector('#light-sun', { visible: true });
@@ -235,7 +236,7 @@ test('the cell under the pointer is told, in the numbers of the module, and neve
   await close();
 });
 
-test('arrow keys walk from cell to cell and say what each is', async () => {
+test('arrow keys walk from cell to cell and say what each is', sameEverywhere, async () => {
   const { page, close } = await finished();
   await page.focus('#cells');
   const said = () => page.$eval('#cell-said', (text) => text.textContent);
@@ -255,7 +256,7 @@ test('arrow keys walk from cell to cell and say what each is', async () => {
   await close();
 });
 
-test('layers are drawn over the picture, each with a sentence, and the canvas keeps its place', async () => {
+test('layers are drawn over the picture, each with a sentence, and the canvas keeps its place', sameEverywhere, async () => {
   const { page, problems, close } = await finished();
   const place = await box(page, '#canvas');
   await page.keyboard.press('o');
@@ -285,7 +286,7 @@ test('layers are drawn over the picture, each with a sentence, and the canvas ke
   await close();
 });
 
-test('a caption tells what colours mean in each view of planes', async () => {
+test('a caption tells what colours mean in each view of planes', sameEverywhere, async () => {
   const { page, problems, close } = await finished();
   const caption = () => page.$eval('#caption', (element) => element.textContent);
   const captions = new Set([await caption()]);
@@ -300,7 +301,7 @@ test('a caption tells what colours mean in each view of planes', async () => {
   await close();
 });
 
-test('what shows nothing says why, beside the picture and in its layer, until there is something', async () => {
+test('what shows nothing says why, beside the picture and in its layer, until there is something', sameEverywhere, async () => {
   const { page, problems, close } = await finished(SMALL);
   const absent = () => page.$$eval('#caption .absent', (spans) => spans.map((span) => span.textContent));
   assert.deepEqual(await absent(), []);
@@ -358,7 +359,7 @@ test('plots follow the packing, in points and in words', async () => {
   await close();
 });
 
-test('the picture is repeated side by side, and cells are told of in each', async () => {
+test('the picture is repeated side by side, and cells are told of in each', sameEverywhere, async () => {
   const { page, problems, close } = await finished('#size=192&cs=16&tile=1');
   await page.keyboard.press('t');
   await page.waitForSelector('.tiles', { visible: true });

@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { specimenSite } from '../../scripts/lib/site.mjs';
+import { sameEverywhere } from './browsers.mjs';
 import { open } from './harness.mjs';
 import { canvas, click, digest, frames, get, message, reloading, SMALL } from './page.mjs';
 
@@ -30,7 +31,7 @@ const stored = (page) => page.waitForFunction(() => document.documentElement.dat
 /** @param {Page} page */
 const stages = (page) => page.$$eval('#pipeline li', (items) => items.map((item) => item.dataset['word']));
 
-test('another generator is chosen at the top, and seed, light and weather go along', async () => {
+test('another generator is chosen at the top, and seed, light and weather go along', sameEverywhere, async () => {
   const { page, problems, close } = await site.newPage(`${SMALL}&seed=7&az=30&moss=0.5&stone=flag`);
   const pavement = await digest(page);
   assert.deepEqual(await page.$$eval('.make', (buttons) => buttons.map((button) => button.textContent)), ['Pavements and hides', 'Squares']);
@@ -43,7 +44,12 @@ test('another generator is chosen at the top, and seed, light and weather go alo
   assert.deepEqual(await page.$$eval('#view option', (options) => options.map((option) => option.value)), ['auto', 'picture', 'albedo']);
   assert.equal(await page.$eval('#edit-tools', (tools) => tools.hidden), true);
   assert.deepEqual(await page.$$eval('[data-preset]', (buttons) => buttons.map((button) => button.dataset['preset'])), ['squares', 'few-squares']);
+  assert.deepEqual(await page.$$eval('.counts dd', (counts) => counts.filter((count) => count.checkVisibility()).map((count) => count.id)), ['count-cells']);
   const squares = await canvas(page);
+  await click(page, '#save');
+  await page.waitForSelector('#save-dialog[open]');
+  assert.deepEqual(await page.$$eval('#save-dialog section', (rows) => rows.map((row) => row.getAttribute('aria-label'))), ['Picture', 'Maps', 'Recipe']);
+  await click(page, '#save-dialog [data-close]');
   // Back again, as it was but for what went along.
   await click(page, '.make[data-make=pavement]');
   assert.equal(await made(page, 'pavement'), pavement);
@@ -54,7 +60,7 @@ test('another generator is chosen at the top, and seed, light and weather go alo
   await close();
 });
 
-test('undo, redo, presets, chance and links go from one generator to another', async () => {
+test('undo, redo, presets, chance and links go from one generator to another', sameEverywhere, async () => {
   const { page, problems, close } = await site.newPage(SMALL);
   const pavement = await digest(page);
   await click(page, '.make[data-make=specimen]');
@@ -78,7 +84,7 @@ test('undo, redo, presets, chance and links go from one generator to another', a
   await close();
 });
 
-test('a link of another generator opens it, and again after a reload', async () => {
+test('a link of another generator opens it, and again after a reload', sameEverywhere, async () => {
   const { page, problems, close } = await site.newPage(SQUARES);
   const squares = await made(page, 'specimen');
   assert.equal(await page.evaluate(() => window.bubblestone.status().cells), 25);
@@ -112,7 +118,7 @@ test('all generators work without a host once the site is stored', async (t) => 
   await close();
 });
 
-test('a generator that does not arrive leaves the picture, and is tried again', async () => {
+test('a generator that does not arrive leaves the picture, and is tried again', sameEverywhere, async () => {
   const { page, close } = await site.newPage(SMALL, {
     before: (fresh) =>
       fresh.evaluateOnNewDocument(() => {

@@ -26,7 +26,7 @@ const fetched = (page, path) =>
 test('after the first visit all works without a host, and nothing was fetched twice', async (t) => {
   const site = await open();
   t.after(() => site.close());
-  const { page, external, close } = await site.newPage(SMALL);
+  const { page, external, close } = await site.newPage(SMALL, { stores: true });
   const planes = await digest(page);
   await told(page, 'stored');
   // That is told at the foot of the page: nothing lies over the picture.
@@ -62,13 +62,7 @@ test('after the first visit all works without a host, and nothing was fetched tw
 test('until the first picture is done only what it needs is fetched', async (t) => {
   const site = await open();
   t.after(() => site.close());
-  const { page, close } = await site.newPage('', {
-    before: (fresh) =>
-      fresh.evaluateOnNewDocument(() => {
-        // The time never comes.
-        navigator.serviceWorker.register = () => new Promise(() => undefined);
-      }),
-  });
+  const { page, close } = await site.newPage('');
   await digest(page);
   const needed = new Set([...firstOf(dist), 'index.html']);
   const others = site.requests.filter((path) => !needed.has(path) && !path.startsWith('thumbs/'));
@@ -83,7 +77,7 @@ test('a new build is told, taken at the next visit, and never mixed with the old
   cpSync(dist, files, { recursive: true });
   const site = await open({ files });
   t.after(() => site.close());
-  const { page, problems, close } = await site.newPage(SMALL);
+  const { page, problems, close } = await site.newPage(SMALL, { stores: true });
   const planes = await digest(page);
   await told(page, 'stored');
   // The next build: its script has another name, and the old one is gone.
@@ -123,7 +117,7 @@ test('a file that is not of this build is not stored', async (t) => {
   writeFileSync(join(files, style), 'body { margin: 0 }');
   const site = await open({ files });
   t.after(() => site.close());
-  const { page, close } = await site.newPage(SMALL);
+  const { page, close } = await site.newPage(SMALL, { stores: true });
   await digest(page);
   // It is asked for again, past the browser's own cache, and then given up.
   for (let waited = 0; site.requests.filter((path) => path === style).length < 2; waited += 1) {
@@ -139,7 +133,7 @@ test('a file that is not of this build is not stored', async (t) => {
 test('the page can be installed: its manifest is valid, with icons of the sizes that it names', async (t) => {
   const site = await open();
   t.after(() => site.close());
-  const { page, close } = await site.newPage(SMALL);
+  const { page, close } = await site.newPage(SMALL, { stores: true });
   const href = await page.$eval('link[rel=manifest]', (link) => link.getAttribute('href'));
   const manifest = JSON.parse(readFileSync(join(dist, href), 'utf8'));
   for (const key of ['name', 'short_name', 'theme_color', 'background_color']) assert.match(manifest[key], /\S/, key);

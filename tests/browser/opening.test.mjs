@@ -1,5 +1,6 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
+import { sameEverywhere } from './browsers.mjs';
 import { open } from './harness.mjs';
 import { canvas, click, digest, done, frames, set, SMALL } from './page.mjs';
 
@@ -93,7 +94,7 @@ for (const [name, viewport] of Object.entries({
   });
 }
 
-test('the state of the work is told in words and numbers', async () => {
+test('the state of the work is told in words and numbers', sameEverywhere, async () => {
   const { page, close } = await site.newPage(SMALL);
   await digest(page);
   await frames(page, 2);
@@ -137,7 +138,7 @@ test('a digest is told when its picture is shown, also where drawing is slow', a
   await close();
 });
 
-test('every view draws something of its own', async () => {
+test('every view draws something of its own', sameEverywhere, async () => {
   const { page, problems, close } = await site.newPage(SMALL);
   await digest(page);
   const views = await page.$$eval('#view option', (options) => options.map((option) => option.value));
@@ -156,7 +157,7 @@ test('every view draws something of its own', async () => {
   await close();
 });
 
-test('presets open with their figures', async () => {
+test('presets open with their figures', sameEverywhere, async () => {
   const { page, problems, close } = await site.newPage(SMALL);
   await digest(page);
   const presets = await page.evaluate(() => window.bubblestone.presets);
@@ -210,7 +211,7 @@ test('each preset has a small picture, and only those in sight are fetched', asy
   await close();
 });
 
-test('one group of presets is unfolded, with the preset that is shown in sight', async () => {
+test('one group of presets is unfolded, with the preset that is shown in sight', sameEverywhere, async () => {
   const { page, problems, close } = await site.newPage(SMALL);
   await digest(page);
   const presets = await page.evaluate(() => window.bubblestone.presets.map(({ name, group, link }) => ({ name, group, link })));

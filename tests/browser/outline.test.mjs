@@ -3,6 +3,7 @@ import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
+import { sameEverywhere } from './browsers.mjs';
 import { open } from './harness.mjs';
 import { click, digest, frames, get, message, set, tool } from './page.mjs';
 
@@ -90,7 +91,7 @@ test('points are moved, added and removed by the keyboard, and an edge takes a p
   await close();
 });
 
-test('a bad outline is told in words, and the last good one stays until it is mended', async () => {
+test('a bad outline is told in words, and the last good one stays until it is mended', sameEverywhere, async () => {
   const { page, problems, close } = await site.newPage(SQUARE);
   await digest(page);
   await click(page, '#edit-outline');
@@ -122,7 +123,7 @@ test('a bad outline is told in words, and the last good one stays until it is me
   await close();
 });
 
-test('an outline file is opened, holes and all', async () => {
+test('an outline file is opened, holes and all', sameEverywhere, async () => {
   const { page, problems, close } = await site.newPage(SQUARE);
   const square = await digest(page);
   await load(
@@ -161,7 +162,7 @@ test('an outline file may be dropped anywhere, also among other files', async ()
   await close();
 });
 
-test('an outline file of several islands is opened, and each is paved', async () => {
+test('an outline file of several islands is opened, and each is paved', sameEverywhere, async () => {
   const { page, problems, close } = await site.newPage(SQUARE);
   await digest(page);
   await load(
@@ -194,7 +195,7 @@ for (const [what, content, words] of [
   ['has a point that is none', '{"outer": [[0, 0], [1, "x"], [3, 3]]}', /point 2/],
   ['is a line', '{"size": [512, 512], "outer": [[50, 50], [450, 450]]}', /\S/],
 ]) {
-  test(`an outline file that ${what} gets a sentence, and the outline stays`, async () => {
+  test(`an outline file that ${what} gets a sentence, and the outline stays`, sameEverywhere, async () => {
     const { page, problems, close } = await site.newPage(SQUARE);
     const square = await digest(page);
     await load(page, content);
@@ -207,7 +208,7 @@ for (const [what, content, words] of [
   });
 }
 
-test('choosing the free polygon from the list keeps the shape, and another shape shows its own points', async () => {
+test('choosing the free polygon from the list keeps the shape, and another shape shows its own points', sameEverywhere, async () => {
   const { page, close } = await site.newPage(SQUARE);
   await digest(page);
   await set(page, 'outline', 'polygon');

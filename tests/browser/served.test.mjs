@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { filesOf, firstOf } from '../../scripts/lib/offline.mjs';
 import { serveSite, site as dist } from '../../scripts/lib/site.mjs';
+import { sameEverywhere } from './browsers.mjs';
 import { open } from './harness.mjs';
 import { click, digest, drop, message, SMALL, tool } from './page.mjs';
 
@@ -15,14 +16,10 @@ before(async () => {
 
 after(() => site?.close());
 
-/** Opens the page, without what stores the site: that asks for all files. @param {string} query with the fragment @param {string} [language] */
+/** Opens the page. @param {string} query with the fragment @param {string} [language] */
 async function visit(query, language = 'en') {
   const opened = await site.newPage(query, {
-    before: (fresh) =>
-      fresh.evaluateOnNewDocument((spoken) => {
-        localStorage.setItem('bubblestone.language', spoken);
-        navigator.serviceWorker.register = () => new Promise(() => undefined);
-      }, language),
+    before: (fresh) => fresh.evaluateOnNewDocument((spoken) => localStorage.setItem('bubblestone.language', spoken), language),
   });
   await digest(opened.page);
   return opened;
@@ -85,7 +82,7 @@ test('every part that is loaded late comes, with its styles', async () => {
   assert.deepEqual(late.filter((path) => !site.requests.includes(path)), [], 'not asked for');
 });
 
-test('where a port is taken the next one is', async () => {
+test('where a port is taken the next one is', sameEverywhere, async () => {
   const { port } = new URL(site.origin);
   const other = await serveSite(Number(port));
   assert.ok(Number(new URL(other.origin).port) > Number(port));

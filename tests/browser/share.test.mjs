@@ -2,6 +2,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
 import jsQR from 'jsqr';
+import { sameEverywhere } from './browsers.mjs';
 import { open } from './harness.mjs';
 import { all, canvas, click, digest, done, drop, frames, get, message, messages, phone, set, SMALL, steps } from './page.mjs';
 
@@ -74,7 +75,7 @@ for (const dark of [false, true]) {
   });
 }
 
-test('a link of a hundred points stays short; one too long for a QR code is said to be', async () => {
+test('a link of a hundred points stays short; one too long for a QR code is said to be', sameEverywhere, async () => {
   const ring = (count) => Array.from({ length: count }, (_, k) => {
     const [angle, radius] = [(2 * Math.PI * k) / count, 0.36 + 0.07 * Math.sin(0.9 * k)];
     return [0.5 + radius * Math.cos(angle), 0.5 + radius * Math.sin(angle)];
@@ -105,7 +106,7 @@ test('a link of a hundred points stays short; one too long for a QR code is said
   await close();
 });
 
-test("the system's share sheet gets the link and the picture, where there is one", async () => {
+test("the system's share sheet gets the link and the picture, where there is one", sameEverywhere, async () => {
   const { page, problems, close } = await site.newPage(SMALL, {
     viewport: phone,
     before: (fresh) =>
@@ -186,7 +187,7 @@ test('the embed code shows the picture alone, plays, and leads to the whole page
   await close();
 });
 
-test('an address typed over work of one’s own can be undone; the way back asks nothing', async () => {
+test('an address typed over work of one’s own can be undone; the way back asks nothing', sameEverywhere, async () => {
   const { page, problems, close } = await site.newPage(SMALL);
   await digest(page);
   await set(page, 'palette', 'marble');
@@ -207,7 +208,7 @@ test('an address typed over work of one’s own can be undone; the way back asks
   await close();
 });
 
-test('the seed: the next one, the ones before, and a lock that presets respect', async () => {
+test('the seed: the next one, the ones before, and a lock that presets respect', sameEverywhere, async () => {
   const { page, problems, close } = await site.newPage(`${SMALL}&seed=4294967295`);
   await digest(page);
   const seed = () => get(page, 'seed');
@@ -244,7 +245,7 @@ test('the seed: the next one, the ones before, and a lock that presets respect',
   await close();
 });
 
-test('X throws what is not locked, in one step; the dice of a group throws that group', async () => {
+test('X throws what is not locked, in one step; the dice of a group throws that group', sameEverywhere, async () => {
   const { page, problems, close } = await site.newPage(`${SMALL}&palette=marble`);
   await digest(page);
   await all(page);
@@ -274,7 +275,7 @@ test('X throws what is not locked, in one step; the dice of a group throws that 
   await close();
 });
 
-test('every throw is valid, and its link says no more than what counts', async () => {
+test('every throw is valid, and its link says no more than what counts', sameEverywhere, async () => {
   const { page, problems, close } = await site.newPage(SMALL);
   await digest(page);
   await all(page);
@@ -297,7 +298,7 @@ test('every throw is valid, and its link says no more than what counts', async (
   await close();
 });
 
-test('a heavy recipe shows how far it is, and a pause holds it', async () => {
+test('a heavy recipe shows how far it is, and a pause holds it', sameEverywhere, async () => {
   const { page, problems, close } = await site.newPage('#size=1024&cs=4', {
     before: (fresh) =>
       fresh.evaluateOnNewDocument(() => {
@@ -328,7 +329,7 @@ test('a heavy recipe shows how far it is, and a pause holds it', async () => {
   await close();
 });
 
-test('the words of what is taken away stand in both languages, with the same places for values', () => {
+test('the words of what is taken away stand in both languages, with the same places for values', sameEverywhere, () => {
   const { en, ja } = JSON.parse(readFileSync(new URL('../../www/strings/take.json', import.meta.url), 'utf8'));
   assert.deepEqual(Object.keys(ja), Object.keys(en));
   const places = (text) => (text.match(/\{\w+\}/g) ?? []).sort();

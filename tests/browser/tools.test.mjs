@@ -1,6 +1,7 @@
 // The editor's tools: what is drawn over the canvas, brought to it and taken away.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
+import { sameEverywhere } from './browsers.mjs';
 import { open } from './harness.mjs';
 import { bring, click, digest, exported, frames, get, link, message, phone, rings, SQUARE, tool } from './page.mjs';
 
@@ -113,7 +114,7 @@ test('a road is drawn point after point, widened, bent, and taken back step by s
   await close();
 });
 
-test('a road that comes back to itself leaves a hole, and one drawn by hand follows the hand', async () => {
+test('a road that comes back to itself leaves a hole, and one drawn by hand follows the hand', sameEverywhere, async () => {
   const { page, problems, close } = await site.newPage(SQUARE);
   await digest(page);
   await tool(page, 'road');
@@ -139,7 +140,7 @@ test('a road that comes back to itself leaves a hole, and one drawn by hand foll
   await close();
 });
 
-test('Escape takes back what is drawn, then leaves the points', async () => {
+test('Escape takes back what is drawn, then leaves the points', sameEverywhere, async () => {
   const { page, close } = await site.newPage(SQUARE);
   await digest(page);
   const before = await link(page);
@@ -199,7 +200,7 @@ test('a hole is drawn, dragged as a whole, and removed; each is one step', async
   await close();
 });
 
-test('a hole may be drawn on what is there, as an island in a hole', async () => {
+test('a hole may be drawn on what is there, as an island in a hole', sameEverywhere, async () => {
   const { page, close } = await site.newPage(SQUARE);
   await digest(page);
   const at = await placesOf(page);
@@ -219,7 +220,7 @@ test('a hole may be drawn on what is there, as an island in a hole', async () =>
   await close();
 });
 
-test('points come from the middles of edges and go by a double click', async () => {
+test('points come from the middles of edges and go by a double click', sameEverywhere, async () => {
   const { page, close } = await site.newPage(SQUARE);
   await digest(page);
   await tool(page, 'outline');
@@ -244,7 +245,7 @@ test('points come from the middles of edges and go by a double click', async () 
   await close();
 });
 
-test('with Shift a point goes to the grid, to directions and to other points, and a guide tells', async () => {
+test('with Shift a point goes to the grid, to directions and to other points, and a guide tells', sameEverywhere, async () => {
   const { page, close } = await site.newPage(SQUARE);
   await digest(page);
   await tool(page, 'outline');
@@ -298,7 +299,7 @@ test('lines, strokes and spots are drawn by dragging', async () => {
 });
 
 for (const kind of ['svg', 'json']) {
-  test(`an outline with a hole and an island comes back from ${kind} as it was`, async () => {
+  test(`an outline with a hole and an island comes back from ${kind} as it was`, sameEverywhere, async () => {
     const { page, problems, close } = await site.newPage(SQUARE);
     await digest(page);
     await bring(page, 'M10 10H110V110H10ZM40 40V80H80V40ZM50 50H70V70H50Z');
@@ -318,7 +319,7 @@ for (const kind of ['svg', 'json']) {
   });
 }
 
-test('shapes of an SVG come with their transforms and sharp corners; scripts in it do nothing', async () => {
+test('shapes of an SVG come with their transforms and sharp corners; scripts in it do nothing', sameEverywhere, async () => {
   const { page, problems, close } = await site.newPage(SQUARE);
   await digest(page);
   await bring(
@@ -358,7 +359,7 @@ test('shapes of an SVG come with their transforms and sharp corners; scripts in 
   await close();
 });
 
-test('a list of points is an outline, and one that crosses itself becomes what it encloses', async () => {
+test('a list of points is an outline, and one that crosses itself becomes what it encloses', sameEverywhere, async () => {
   const { page, close } = await site.newPage(SQUARE);
   await digest(page);
   await bring(page, '[[10, 10], [30, 10], [20, 30]]');

@@ -1,5 +1,6 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
+import { sameEverywhere } from './browsers.mjs';
 import { open } from './harness.mjs';
 import { canvas, click, digest, frames, get, set, SMALL, steps } from './page.mjs';
 
@@ -39,7 +40,7 @@ test('a pause holds the packing, and a step is one step', async () => {
   await close();
 });
 
-test('playing on after steps gives the same planes as never stopping', async () => {
+test('playing on after steps gives the same planes as never stopping', sameEverywhere, async () => {
   const opened = await site.newPage(SMALL);
   const straight = await digest(opened.page);
   await opened.close();
@@ -51,7 +52,7 @@ test('playing on after steps gives the same planes as never stopping', async () 
   await close();
 });
 
-test('any speed gives the same planes', async () => {
+test('any speed gives the same planes', sameEverywhere, async () => {
   const { page, close } = await site.newPage(SMALL);
   const slow = await digest(page);
   for (const speed of await page.$$('#speed input')) {
@@ -63,7 +64,7 @@ test('any speed gives the same planes', async () => {
   await close();
 });
 
-test('the dice throw another seed, and typing the old one brings the old pavement back', async () => {
+test('the dice throw another seed, and typing the old one brings the old pavement back', sameEverywhere, async () => {
   const { page, close } = await site.newPage(SMALL);
   const [planes, seed] = [await digest(page), await get(page, 'seed')];
   await click(page, '#dice');
@@ -75,7 +76,7 @@ test('the dice throw another seed, and typing the old one brings the old pavemen
   await close();
 });
 
-test('a change of the light ends the watching, and a pause holds one forming only', async () => {
+test('a change of the light ends the watching, and a pause holds one forming only', sameEverywhere, async () => {
   const { page, close } = await held();
   const taken = await steps(page);
   await set(page, 'el', '15');

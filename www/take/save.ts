@@ -35,10 +35,11 @@ export class SaveDialog {
       'save-dialog',
       t('save'),
       row(t('picture'), t('picture_note'), ...this.pictures()),
-      row(t('cells'), t('cells_note'), this.button('save-svg', 'SVG', '.svg', this.made(() => ({ file: 'svg' }), false))),
-      row(t('forming'), t('forming_note'), this.button('save-gif', 'GIF', '.gif', this.made(() => ({ file: 'gif' }), false))),
+      ...this.offered('svg', t('cells'), t('cells_note'), this.button('save-svg', 'SVG', '.svg', this.made(() => ({ file: 'svg' }), false))),
+      ...this.offered('forming', t('forming'), t('forming_note'), this.button('save-gif', 'GIF', '.gif', this.made(() => ({ file: 'gif' }), false))),
       row(t('maps'), t('maps_note'), ...this.maps()),
-      row(
+      ...this.offered(
+        'mesh',
         t('mesh'),
         t('mesh_note'),
         this.button('save-glb', 'GLB', '.glb', this.made(() => ({ file: 'glb' }))),
@@ -48,10 +49,15 @@ export class SaveDialog {
     );
   }
 
+  /** A row of what the generator at work makes. */
+  private offered(part: string, what: string, note: string, ...ways: HTMLElement[]): HTMLElement[] {
+    return this.work.engine.generator.offers.includes(part) ? [row(what, note, ...ways)] : [];
+  }
+
   private name(ending: string): string {
     const { engine, store } = this.work;
-    const { preset, recipe } = store.state;
-    const what = preset?.recipe === recipe ? preset.shown.name : engine.get('tile') === '1' ? 'tile' : engine.get('outline');
+    const { preset, recipe, make: word } = store.state;
+    const what = preset?.recipe === recipe ? preset.shown.name : engine.get('tile') === '1' ? 'tile' : engine.get('outline') || word;
     return `bubblestone-${what}-${engine.get('seed')}${ending}`;
   }
 

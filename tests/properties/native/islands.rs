@@ -1,8 +1,6 @@
 //! Outlines of several outer rings: every island has cells of its own, and they fill it.
-#![cfg(not(target_arch = "wasm32"))]
 
-mod paving;
-
+use crate::paving::OfPavement;
 use bubblestone::cells::{Cell, graph};
 use bubblestone::domain::{Domain, Outline};
 use bubblestone::generators::ALL;
@@ -10,7 +8,6 @@ use bubblestone::generators::pavement::{self, PavementRecipe};
 use bubblestone::metrics::CellMetrics;
 use bubblestone::studio::Studio;
 use glam::DVec2;
-use paving::OfPavement;
 
 const KINDS: [&str; 4] = ["square", "rectangle", "circle", "ellipse"];
 

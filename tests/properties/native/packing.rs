@@ -1,5 +1,4 @@
 //! Properties of packings and their cells on many outlines.
-#![cfg(not(target_arch = "wasm32"))]
 
 use bubblestone::cells::{Cell, fitted, packed};
 use bubblestone::domain::{Domain, Outline, signed_area};

@@ -1,11 +1,9 @@
 //! What is taken out of the program for other programs: closed surfaces as OBJ and GLB, read by other
 //! readers, and maps.
-#![cfg(not(target_arch = "wasm32"))]
 
-mod common;
-mod paving;
-mod samples;
-
+use super::samples::{painted, small, star};
+use crate::common::finished;
+use crate::paving::OfPavement;
 use bubblestone::export::{MapKind, MeshFormat, maps};
 use bubblestone::generators::pavement;
 use bubblestone::heightfield::{Planes, Surfaces, TextureParams};
@@ -13,11 +11,8 @@ use bubblestone::material::Gloss;
 use bubblestone::notice::Code;
 use bubblestone::solid::{SkinParams, Solids, StoneKind, StoneParams};
 use bubblestone::studio::Studio;
-use common::finished;
 use glam::Vec3;
-use paving::OfPavement;
 use proptest::prelude::*;
-use samples::{painted, small, star};
 use std::collections::HashSet;
 
 const LINK: &str = "size=160&outline=annulus&cs=14";
@@ -102,7 +97,7 @@ fn a_surface_stands_as_its_planes_show_it() {
         amplitude: 4.0,
         ..small()
     };
-    let cells = samples::pavement(16.0);
+    let cells = super::samples::pavement(16.0);
     let planes = painted(params, &cells);
     let (mut solids, mut surfaces) = (Solids::new(), Surfaces::new(params));
     let (mut off, mut count) = (0.0, 0);

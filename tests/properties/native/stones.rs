@@ -1,7 +1,6 @@
 //! Stones and planes: what must hold for any cell.
 
-mod samples;
-
+use super::samples::{SIDE, cell, painted, pavement, small, star};
 use bubblestone::cells::Cell;
 use bubblestone::field::Kind;
 use bubblestone::heightfield::{GROUND, TextureParams};
@@ -9,7 +8,6 @@ use bubblestone::material::{GROUNDS, Gloss, PALETTES, material_table};
 use bubblestone::solid::{Distribution, Solid, Solids, StoneKind, StoneParams, joint_depth};
 use glam::{DVec2, Vec3};
 use proptest::prelude::*;
-use samples::{SIDE, cell, painted, pavement, small, star};
 
 fn stone(kind: StoneKind, distortion: f64, scale: f64) -> StoneParams {
     StoneParams {

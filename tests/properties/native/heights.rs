@@ -1,14 +1,11 @@
 //! The height of stones, Hs, over its whole range: in the joints, in the shadows, in the picture.
 
-mod common;
-mod paving;
-
+use crate::common::finished;
+use crate::paving::OfPavement;
 use bubblestone::generators::pavement;
 use bubblestone::heightfield::GROUND;
 use bubblestone::solid::{StoneKind, StoneParams, joint_depth};
 use bubblestone::studio::Studio;
-use common::finished;
-use paving::OfPavement;
 
 const KINDS: [StoneKind; 2] = [StoneKind::Cobble, StoneKind::Flagstone];
 /// The default ring, smaller, with as many stones, and its heights in parts of the default cell size.

@@ -1,14 +1,10 @@
 //! What the drawings of the stages show, asked of their pixels.
-#![cfg(not(target_arch = "wasm32"))]
 
-mod common;
-mod paving;
-
+use crate::paving::OfPavement;
 use bubblestone::generators::ALL;
 use bubblestone::generators::pavement;
 use bubblestone::generators::pavement::{Absence, Base, Overlay, View};
 use bubblestone::studio::Studio;
-use paving::OfPavement;
 
 const SIDE: usize = 160;
 
@@ -179,7 +175,7 @@ fn a_tile_has_no_outline_and_no_seam() {
 const FULL: &str = "outline=square&kind=ellipse&dir=circular&gx=0.4&stretch=0.5,0.5,0.3,4";
 
 fn finished(link: &str) -> Studio {
-    common::finished(&format!("size={SIDE}&cs=14&{link}"))
+    crate::common::finished(&format!("size={SIDE}&cs=14&{link}"))
 }
 
 #[test]
@@ -281,7 +277,7 @@ fn what_shows_nothing_says_why() {
     let mut full = finished("outline=star&kind=ellipse&gx=0.5");
     assert_eq!(absent(&mut full, ALL), []);
     // Squares in rows that fill a tile press on each other alike from all sides.
-    let mut rows = common::finished(&format!("size={SIDE}&tile=1&dir=constant&cs=20"));
+    let mut rows = crate::common::finished(&format!("size={SIDE}&tile=1&dir=constant&cs=20"));
     assert_eq!(
         absent(&mut rows, "forces"),
         [("forces", Absence::AtRest.word())]

@@ -1,16 +1,13 @@
 //! Voronoi cells of scattered points, plain and evened out: they fill the outline, and are what they
 //! are called.
 
-mod common;
-mod paving;
-
+use crate::common::finished;
+use crate::paving::OfPavement;
 use bubblestone::cells::{Cell, Scatter, ScatterParams};
 use bubblestone::domain::{Domain, signed_area};
 use bubblestone::field::{FieldBuilder, FieldParams};
 use bubblestone::studio::Studio;
-use common::finished;
 use glam::DVec2;
-use paving::OfPavement;
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 

@@ -1,20 +1,16 @@
 //! Wear, dirt, moss and wet: where they are, and what they do there.
-#![cfg(not(target_arch = "wasm32"))]
 
-mod common;
-mod paving;
-
+use crate::paving::OfPavement;
 use bubblestone::heightfield::{GROUND, Planes};
 use bubblestone::material::{Gloss, material_table};
 use bubblestone::studio::Studio;
 use glam::DVec2;
-use paving::OfPavement;
 
 const SIDE: usize = 256;
 const BASE: &str = "size=256&outline=road_straight&ow=1.6&cs=20";
 
 fn finished(more: &str) -> Studio {
-    common::finished(&format!("{BASE}{more}"))
+    crate::common::finished(&format!("{BASE}{more}"))
 }
 
 fn planes(more: &str) -> Planes {

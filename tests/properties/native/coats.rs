@@ -1,16 +1,12 @@
 //! Colours by rule: each rule says what its name says.
-#![cfg(not(target_arch = "wasm32"))]
 
-mod common;
-mod paving;
-
+use crate::common::finished;
+use crate::paving::OfPavement;
 use bubblestone::cells::Cell;
 use bubblestone::domain::Domain;
 use bubblestone::field::Kind;
 use bubblestone::material::{Coat, Coats, ColourParams, Pattern};
-use common::finished;
 use glam::DVec2;
-use paving::OfPavement;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
 const SIDE: f64 = 240.0;

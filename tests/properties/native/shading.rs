@@ -1,10 +1,8 @@
 //! Shading: shadows, slices, changes of light.
 
-mod samples;
-
+use super::samples::{SIDE, painted, pavement, small};
 use bubblestone::heightfield::{Light, Planes, ShadeParams, Shader};
 use bubblestone::material::{Gloss, material_table};
-use samples::{SIDE, painted, pavement, small};
 use std::f64::consts::TAU;
 
 fn shaded(planes: &Planes, params: &ShadeParams, rows: usize) -> Vec<u8> {

@@ -1,5 +1,4 @@
 //! The face towards JavaScript, under Node.
-#![cfg(target_arch = "wasm32")]
 
 use bubblestone::web::{
     Bubblestone, digest_of_link, generators, presets, random_seed, report_of_link, schema,

@@ -1,12 +1,10 @@
 //! Fields: where rows go, how large cells are, and where directions cannot be told.
 
-mod paving;
-
+use crate::paving::row;
 use bubblestone::domain::{Domain, Outline};
 use bubblestone::field::{Direction, FieldBuilder, FieldParams, Fields, Grading, Kind, Spot};
 use bubblestone::generators::pavement::{self, PavementRecipe, keys};
 use glam::DVec2;
-use paving::row;
 
 const SIDE: f64 = 512.0;
 

@@ -1,15 +1,12 @@
 //! Recipes: the schema, the presets, the polygon, and what a change makes stale.
 
-mod common;
-mod paving;
-
+use crate::common::{star, valid};
+use crate::paving::row;
 use bubblestone::domain::Outline;
 use bubblestone::generators::ALL;
 use bubblestone::generators::pavement::{self, PAVEMENT, PavementRecipe, SCHEMA, keys};
 use bubblestone::recipe::{Key, Kind, Parameter, Recipe};
-use common::{star, valid};
 use glam::DVec2;
-use paving::row;
 
 #[test]
 fn schemas_are_consistent() {
@@ -65,7 +62,7 @@ fn defaults_are_those_that_links_rely_on() {
     let recipe = pavement::recipe("").0;
     let line = |row: &Parameter| format!("{}={}", row.key.0, recipe.get(row.key.0));
     let found: Vec<String> = SCHEMA.rows.iter().map(line).collect();
-    let golden = include_str!("golden/defaults.txt").lines();
+    let golden = include_str!("../../golden/defaults.txt").lines();
     let golden: Vec<&str> = golden.filter(|line| !line.starts_with('#')).collect();
     assert_eq!(found, golden);
 }
@@ -108,8 +105,7 @@ fn described(row: &Parameter) -> String {
     )
 }
 
-/// The table follows from the schemas: `BUBBLESTONE_UPDATE=1 cargo test --test recipes`.
-#[cfg(not(target_arch = "wasm32"))]
+/// The table follows from the schemas: `BUBBLESTONE_UPDATE=1 cargo test recipes`.
 #[test]
 fn the_table_of_keys_is_that_of_the_schemas() {
     let mut table = "# The keys of a link\n".to_owned();

@@ -1,5 +1,4 @@
 //! Constraint lines, the parts they cut, and the periodic picture.
-#![cfg(not(target_arch = "wasm32"))]
 
 use bubblestone::domain::{Domain, Outline, Walls};
 use bubblestone::random::{Purpose, Random};

@@ -1,17 +1,14 @@
 //! Dragging: the cells flow, and what stays is what the link gives. The same tests run natively and
 //! in WebAssembly.
 
-mod common;
-mod paving;
-
+use crate::common::{finished_recipe, recipe};
+use crate::paving::OfPavement;
 use bubblestone::domain::Outline;
 use bubblestone::generators::ALL;
 use bubblestone::generators::pavement::PavementRecipe;
 use bubblestone::recipe::Recipe;
 use bubblestone::studio::Studio;
-use common::{finished_recipe, recipe};
 use glam::DVec2;
-use paving::OfPavement;
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 

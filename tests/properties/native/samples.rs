@@ -1,8 +1,5 @@
 //! Cells and planes to try things on.
 
-// Each test program uses a part of these.
-#![allow(dead_code)]
-
 use bubblestone::cells::Cell;
 use bubblestone::domain::{Domain, signed_area};
 use bubblestone::field::Kind;

@@ -1,13 +1,10 @@
 //! The picture with more pixels is the same picture.
-#![cfg(not(target_arch = "wasm32"))]
 
-mod common;
-
+use crate::common::finished;
 use bubblestone::export::MapKind;
 use bubblestone::generators::PictureSlice;
 use bubblestone::notice::Code;
 use bubblestone::studio::Studio;
-use common::finished;
 
 /// All of a bigger picture, in one call.
 fn bigger(studio: &mut Studio, scale: usize) -> PictureSlice {

@@ -1,11 +1,9 @@
 //! The check of an outline: good ones pass, bad ones get the sentence that names ring and place.
 
-mod common;
-
+use crate::common::{star, valid};
 use bubblestone::domain::{Domain, MAX_POINTS, Outline, signed_area};
 use bubblestone::generators::pavement::{self, PavementRecipe};
 use bubblestone::notice::text;
-use common::{star, valid};
 use glam::DVec2;
 use proptest::prelude::*;
 

@@ -1,9 +1,6 @@
 //! Tiles: meshes, planes and pictures of the periodic picture run on over its edges.
-#![cfg(not(target_arch = "wasm32"))]
 
-mod common;
-mod paving;
-
+use crate::paving::OfPavement;
 use bubblestone::domain::{Domain, signed_area};
 use bubblestone::heightfield::{Light, Planes, ShadeParams, Shader};
 use bubblestone::material::{Gloss, material_table};
@@ -11,7 +8,6 @@ use bubblestone::mesh::Mesh;
 use bubblestone::metrics::Metrics;
 use bubblestone::random::{Purpose, Random};
 use bubblestone::studio::Studio;
-use paving::OfPavement;
 use std::collections::HashMap;
 
 const SIDE: usize = 192;
@@ -26,7 +22,7 @@ const LINKS: [&str; 5] = [
 ];
 
 fn finished(link: &str) -> Studio {
-    common::finished(&format!("size={SIDE}&tile=1&cs=17&{link}"))
+    crate::common::finished(&format!("size={SIDE}&tile=1&cs=17&{link}"))
 }
 
 /// Every side of every element is, up to whole pictures, the side of another one.

@@ -1,22 +1,18 @@
 //! What can be asked of cells and packings: one cell, the plots' figures, the cells as SVG.
-#![cfg(not(target_arch = "wasm32"))]
 
-mod common;
-mod paving;
-
+use crate::paving::OfPavement;
 use bubblestone::generators::ALL;
 use bubblestone::generators::pavement;
 use bubblestone::generators::pavement::Histogram;
 use bubblestone::studio::Studio;
 use glam::DVec2;
-use paving::OfPavement;
 
 fn studio(link: &str) -> Studio {
-    Studio::new(ALL, common::recipe(link))
+    Studio::new(ALL, crate::common::recipe(link))
 }
 
 fn finished(link: &str) -> Studio {
-    common::finished(&format!("size=192&cs=16&{link}"))
+    crate::common::finished(&format!("size=192&cs=16&{link}"))
 }
 
 /// A packing after some steps.

@@ -1,5 +1,4 @@
 //! Fitted cells at constraint lines and on the periodic picture.
-#![cfg(not(target_arch = "wasm32"))]
 
 use bubblestone::cells::{Cell, fitted};
 use bubblestone::domain::{Domain, Outline, cross, signed_area};

@@ -1,5 +1,4 @@
 //! Cells are even: no wedges, no double stones in rows, and thin tips are packed, too.
-#![cfg(not(target_arch = "wasm32"))]
 
 use bubblestone::cells::{Cell, fitted};
 use bubblestone::domain::{Domain, Outline, signed_area};

@@ -1,13 +1,11 @@
 //! Links: every recipe comes back from its own, and nothing that a link says can break one.
 
-mod common;
-
+use crate::common::{star, valid};
 use bubblestone::domain::Outline;
 use bubblestone::generators::pavement::{self, PavementRecipe, SCHEMA, keys};
 use bubblestone::notice::text;
 use bubblestone::random::{Purpose, Random};
 use bubblestone::recipe::{Kind, Recipe};
-use common::{star, valid};
 use glam::DVec2;
 use proptest::prelude::*;
 
@@ -314,7 +312,7 @@ fn junk_of_any_length_is_told_shortly() {
 
 #[test]
 fn golden_links_keep_their_meaning() {
-    let lines = include_str!("golden/links.txt").lines();
+    let lines = include_str!("../../golden/links.txt").lines();
     for line in lines.filter(|line| !line.starts_with('#') && !line.is_empty()) {
         let [notices, canonical, link]: [&str; 3] = line
             .split(' ')

@@ -1,19 +1,13 @@
 //! Cells of skin: prisms by their formulas, noise by its dimension, and what is seen of them.
-#![cfg(not(target_arch = "wasm32"))]
 
-mod common;
-mod paving;
-mod samples;
-
+use super::samples::in_fair_weather;
+use crate::common::{finished, refined};
+use crate::paving::OfPavement;
 use bubblestone::cells::Cell;
 use bubblestone::field::Kind;
-use bubblestone::generators::pavement::{self, PAVEMENT, PavementRecipe};
 use bubblestone::heightfield::{GROUND, Painter, Planes, TextureParams};
 use bubblestone::solid::{Prism, SkinParams, Solids, StoneKind, StoneParams};
-use common::{finished, refined};
 use glam::{DVec2, DVec3};
-use paving::OfPavement;
-use samples::in_fair_weather;
 
 /// A regular polygon about the middle of a picture, its first corner to the right.
 fn polygon(n: usize, radius: f64) -> Vec<DVec2> {
@@ -389,51 +383,4 @@ fn scales_on_a_tile_repeat_without_a_seam() {
     );
     let parted = |y: usize| planes.id[y * side] == planes.id[y * side + side - 1];
     assert!((0..side).filter(|&y| parted(y)).count() > side / 3);
-}
-
-/// A pixel within one stone that is another's or the ground's and lies below all around it.
-fn cracks(planes: &Planes) -> usize {
-    let side = planes.side;
-    let mut count = 0;
-    for y in 1..side - 1 {
-        for x in 1..side - 1 {
-            let i = y * side + x;
-            let around = [
-                i - side - 1,
-                i - side,
-                i - side + 1,
-                i - 1,
-                i + 1,
-                i + side - 1,
-                i + side,
-                i + side + 1,
-            ];
-            let id = planes.id[around[0]];
-            let within = id != GROUND && around.iter().all(|&k| planes.id[k] == id);
-            let below = around
-                .iter()
-                .all(|&k| planes.bump[k] > planes.bump[i] + 0.5);
-            if within && planes.id[i] != id && below {
-                count += 1;
-            }
-        }
-    }
-    count
-}
-
-#[test]
-fn no_preset_has_a_crack() {
-    for preset in PAVEMENT.presets {
-        let studio = finished(preset.link);
-        let planes = studio.pavement().planes().expect("planes");
-        assert_eq!(cracks(planes), 0, "{}", preset.name);
-        assert!(planes.bump.iter().all(|h| h.is_finite()));
-        let stones = planes.id.iter().filter(|&&id| id != GROUND).count();
-        let skin = pavement::recipe(preset.link).0.is_skin();
-        assert!(
-            !skin || stones * 3 > planes.id.len(),
-            "{}: {stones}",
-            preset.name
-        );
-    }
 }

@@ -1,0 +1,100 @@
+// What `npm test` does, step by step. Each step rests on the set-up, and on what the steps before it have built.
+import { readdirSync } from 'node:fs';
+import { join } from 'node:path';
+import { ask, root, run, Stop } from './run.mjs';
+import { nativeEnv, neededRust, wasmEnv, wasmTarget } from './rust.mjs';
+import { clippyMatches } from './setup.mjs';
+import { buildSite, buildSpecimenSite } from './site.mjs';
+import { buildWasm } from './wasm.mjs';
+
+// It adds a generator and changes nothing else. The page's module and clippy for WebAssembly go without it.
+const features = ['--features', 'specimen'];
+
+/** @type {Record<string, () => unknown>} */
+export const steps = {
+  'cargo fmt': () => run('cargo', ['fmt', '--check'], { env: nativeEnv(), otherwise: 'Run `cargo fmt`.' }),
+  'clippy, native': () => clippy(['--all-targets', ...features], nativeEnv()),
+  'cargo test': () => run('cargo', ['test', ...features], { env: nativeEnv() }),
+  'cargo doc': () => run('cargo', ['doc', '--no-deps', ...features], { env: { ...nativeEnv(), RUSTDOCFLAGS: '-D warnings' } }),
+  dependencies,
+  'wasm build': () => buildWasm('web', forWasm()),
+  'page build': buildSite,
+  types,
+  lint: () => tool('eslint', 'bin/eslint.js', ['--max-warnings', '0', '.']),
+  'specimen build': specimen,
+  'clippy, wasm32': () => wasmLint(forWasm()),
+  'wasm-pack test': () => wasmTest(forWasm()),
+  'tests in Chromium': () => browserTests('chromium'),
+  'tests in Firefox': () => browserTests('firefox'),
+};
+
+function forWasm() {
+  const env = wasmEnv();
+  if (!env) throw new Stop('There is no Rust for WebAssembly: `npm run setup` brings it.');
+  return env;
+}
+
+/** @param {string[]} what @param {NodeJS.ProcessEnv} env */
+function clippy(what, env) {
+  run('cargo', ['clippy', ...what, '--', '-D', 'warnings'], { env });
+}
+
+/** @param {NodeJS.ProcessEnv} env */
+function wasmLint(env) {
+  const what = ['--lib', '--tests', '--target', wasmTarget];
+  if (clippyMatches(env)) return clippy(what, env);
+  console.log('The Rust for WebAssembly has no clippy here: its code is compiled with warnings denied instead.');
+  const deny = `target.${wasmTarget}.rustflags=["-D", "warnings"]`;
+  run('cargo', ['check', ...what, '--config', deny], { env });
+}
+
+/** @param {NodeJS.ProcessEnv} env */
+function wasmTest(env) {
+  // wasm-pack first builds with the profile dev and then tests with the profile test: alike, they build once.
+  for (const profile of ['DEV', 'TEST']) {
+    env[`CARGO_PROFILE_${profile}_OPT_LEVEL`] = '2';
+    env[`CARGO_PROFILE_${profile}_DEBUG`] = '0';
+  }
+  // Named one by one: examples and benches are for the native build only.
+  run('wasm-pack', ['test', '--node', '--mode', 'no-install', '--', '--lib', '--test', '*', ...features], { env });
+}
+
+/** Whose they are, where they come from, and that none asks for a newer Rust than Cargo.toml does. */
+function dependencies() {
+  const env = nativeEnv();
+  run('cargo', ['deny', '--all-features', 'check', '-D', 'warnings', 'bans', 'licenses', 'sources'], { env });
+  const { packages } = JSON.parse(ask('cargo', ['metadata', '--format-version', '1', '--locked'], env) ?? '{}');
+  /** @param {string} version */
+  const number = (version) => version.split('.').reduce((sum, part, at) => sum + Number(part) / 1000 ** at, 0);
+  const newer = packages.filter((/** @type {{ rust_version?: string }} */ { rust_version }) => rust_version && number(rust_version) > number(neededRust()));
+  for (const { name, version, rust_version } of newer) console.log(`${name} ${version} needs Rust ${rust_version}`);
+  if (newer.length) throw new Stop(`Cargo.toml promises Rust ${neededRust()}: take other versions, or promise less.`);
+  console.log(`${packages.length} packages build with Rust ${neededRust()}.`);
+}
+
+async function specimen() {
+  await buildWasm('specimen', forWasm());
+  await buildSpecimenSite();
+}
+
+function types() {
+  for (const project of ['tsconfig.json', 'www/service/tsconfig.json', 'tsconfig.node.json']) {
+    tool('typescript', 'bin/tsc', ['--noEmit', '-p', project]);
+  }
+}
+
+/** @param {string} name of the npm package @param {string} program in it @param {string[]} args */
+function tool(name, program, args) {
+  run(process.execPath, [join(root, 'node_modules', name, program), ...args]);
+}
+
+/** @param {import('./browser.mjs').Kind} kind */
+function browserTests(kind) {
+  const folder = join(root, 'tests', 'browser');
+  const files = readdirSync(folder)
+    .filter((file) => file.endsWith('.test.mjs'))
+    .sort()
+    .map((file) => join(folder, file));
+  const env = { ...process.env, BROWSER: kind };
+  run(process.execPath, ['--test', '--test-concurrency=2', '--test-timeout=1500000', '--test-reporter=spec', ...files], { env });
+}

@@ -1,0 +1,41 @@
+//! What must hold of each stage and of all together. One file of them: `cargo test --test properties fields::`.
+
+#[path = "../common/mod.rs"]
+mod common;
+#[path = "../paving/mod.rs"]
+mod paving;
+
+// Natively and in WebAssembly.
+mod live;
+mod metrics;
+mod pipeline;
+mod scattered;
+#[cfg(target_arch = "wasm32")]
+mod web;
+
+/// What is the same bits in WebAssembly, as the digests say, or needs files.
+#[cfg(not(target_arch = "wasm32"))]
+mod native {
+    mod bigger;
+    mod coats;
+    mod even;
+    mod export;
+    mod fields;
+    mod heights;
+    mod inspect;
+    mod islands;
+    mod line_cells;
+    mod lines;
+    mod links;
+    mod outlines;
+    mod packing;
+    mod recipes;
+    mod samples;
+    mod shading;
+    mod skin_recipes;
+    mod skins;
+    mod stones;
+    mod tiles;
+    mod views;
+    mod weather;
+}
