@@ -84,7 +84,8 @@ pub struct Parameter {
     pub step: f64,
     /// Default of a number; the default of a choice is its first word.
     pub default: f64,
-    /// Another default of a number, while a choice has this word: [`super::Recipe::default_of`].
+    /// Another default of a number, while a choice has this word: [`super::Recipe::default_of`]. Links
+    /// leave out whichever default holds, so they are read choice first.
     pub default_while: Option<(Key, &'static str, f64)>,
     /// Unit, or empty.
     pub unit: &'static str,

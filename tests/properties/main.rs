@@ -22,6 +22,7 @@ mod native {
     mod export;
     mod fields;
     mod heights;
+    mod house;
     mod inspect;
     mod islands;
     mod line_cells;

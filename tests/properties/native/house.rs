@@ -1,6 +1,5 @@
 //! The drawing of the house (docs/house.svg) is true to the code: what a folder uses, its arrows lead to,
 //! each arrow stands for a use, and there is no way round in a circle.
-#![cfg(not(target_arch = "wasm32"))]
 
 use std::collections::BTreeSet;
 use std::fs;
