@@ -207,8 +207,12 @@ pub fn write_meshes(studio: &mut Studio, dir: &Path) -> Result<(), String> {
     Ok(())
 }
 
-/// Views of pavements with several overlays that are written along with the single ones.
-const MIXED: [&str; 4] = [
+/// Views of pavements with several overlays that are written along with the single ones, and drawings on
+/// paper, as in docs/making.webp.
+const MIXED: [&str; 7] = [
+    "paper+packed",
+    "paper+mesh",
+    "paper+cells",
     "picture+cells+mesh",
     "picture+size+direction+singularities",
     "picture+energy+forces",

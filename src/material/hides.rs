@@ -1,4 +1,4 @@
-//! The palettes of animals, and of what grows or is told of like them.
+//! The palettes of animals, of plants like them, and of creatures of tales.
 
 use super::palette::Palette;
 use super::phong::{DULL, FINISHES, HORN, LEATHER, Material, PEARL, SATIN};

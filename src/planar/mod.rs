@@ -3,7 +3,7 @@
 //!
 //! Points go into a triangulation one after the other, in the order of their ids. spade's bulk load
 //! would be quicker, but it sorts with an unstable sort, whose ties may fall differently where `usize`
-//! has another width; the result would then hang on the machine.
+//! has another width; the result would then depend on the machine.
 
 mod rtree;
 mod segment;

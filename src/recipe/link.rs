@@ -141,7 +141,7 @@ impl Recipe {
     }
 }
 
-/// Do limits or defaults of other parameters hang on this one?
+/// Do limits or defaults of other parameters depend on this one?
 fn is_early(schema: &Schema, key: &str) -> bool {
     let hangs = |row: &Parameter| row.default_while.is_some_and(|(k, ..)| k.0 == key);
     key == common::keys::SIZE.0 || schema.rows.iter().any(hangs)

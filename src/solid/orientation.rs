@@ -58,7 +58,7 @@ fn whole_turns(cells: &[Cell], turns: &[(usize, u8)], stiff: &[bool]) -> Vec<u8>
         let step = if stiff[root] { 2 } else { 1 };
         let mut best = 0;
         for whole in (0..4).step_by(step) {
-            // A hair more, or groups that go round would hang on rounding.
+            // A hair more, or groups that go round would depend on rounding.
             if kept[whole] > kept[best] + 1e-6 {
                 best = whole;
             }

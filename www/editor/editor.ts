@@ -1,5 +1,5 @@
 /**
- * The editor as the page uses it: who edits what over the canvas, and what becomes of it.
+ * The editor as the page uses it: what is edited over the canvas, and how it comes into the recipe.
  *
  * sorts.ts says what can be edited; edited.ts holds the figures and all that is done to them; figure-editor.ts has the
  * keys and the bar, gestures.ts and pen.ts the pointers, sheet.ts what is seen.

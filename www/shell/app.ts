@@ -130,7 +130,7 @@ export class App {
       store.update({ paused: false });
     });
     const mark = ({ recipe, preset }: State): void => presets.mark(preset?.recipe === recipe ? preset.shown.name : undefined);
-    /** Builds what hangs on the generator. */
+    /** Builds what depends on the generator. */
     const build = async (): Promise<void> => {
       await panel.build();
       tools.build(panel);

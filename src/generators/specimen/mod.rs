@@ -90,7 +90,7 @@ pub static SPECIMEN: Generator = Generator {
     engine: |recipe| Box::new(Specimen::new(recipe)),
 };
 
-/// The seed that panics, so that what becomes of panics can be tried.
+/// The seed that panics, so that tests see what a panic does.
 const PANICS: f64 = 4_294_967_295.0;
 
 /// What the squares are made by.

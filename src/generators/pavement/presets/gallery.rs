@@ -1,4 +1,4 @@
-//! Skins of animals, and of what grows or is told of like them.
+//! Skins of animals, of plants like them, and of creatures of tales.
 
 use super::{Preset, free};
 
