@@ -420,8 +420,6 @@ mod tests {
     use crate::random::{Purpose, Random};
     use crate::recipe::Kind;
     use crate::studio::Studio;
-    #[cfg(target_arch = "wasm32")]
-    use wasm_bindgen_test::wasm_bindgen_test as test;
 
     /// A recipe in which some values are other ones, of small pictures with few cells.
     fn changed(recipe: &Recipe, random: &mut Random) -> Recipe {
