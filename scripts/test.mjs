@@ -6,8 +6,8 @@ import { ask, say, start, Stop } from './lib/run.mjs';
 import { nativeEnv } from './lib/rust.mjs';
 import * as setup from './lib/setup.mjs';
 
-// The two rows go side by side, as much of a build keeps one core busy only. Each builds in a folder of its own,
-// which cargo locks. The browsers come after them: they are kept from nothing while they are timed.
+// The two rows go side by side, as much of a build keeps one core busy only; each builds in a folder of its own, which
+// cargo locks. Browsers come after them, one kind at a time: two of them keep two cores busy.
 const native = ['cargo fmt', 'clippy, native', 'cargo test', 'cargo doc', 'dependencies'];
 const web = ['wasm build', 'page build', 'types', 'lint', 'specimen build', 'clippy, wasm32', 'wasm-pack test'];
 const browsers = ['tests in Chromium', 'tests in Firefox'];
@@ -63,8 +63,11 @@ function setUp() {
 async function timed(name, work) {
   say(`== ${name}`);
   const begin = performance.now();
-  await work();
-  done.push({ name, seconds: (performance.now() - begin) / 1000 });
+  try {
+    await work();
+  } finally {
+    done.push({ name, seconds: (performance.now() - begin) / 1000 });
+  }
 }
 
 /** @param {string[]} names @param {'pipe' | 'inherit'} output */

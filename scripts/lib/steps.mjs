@@ -41,7 +41,7 @@ function clippy(what, env) {
 
 /** @param {NodeJS.ProcessEnv} env */
 function wasmLint(env) {
-  const what = ['--lib', '--tests', '--target', wasmTarget];
+  const what = ['--lib', '--test', '*', '--target', wasmTarget];
   if (clippyMatches(env)) return clippy(what, env);
   console.log('The Rust for WebAssembly has no clippy here: its code is compiled with warnings denied instead.');
   const deny = `target.${wasmTarget}.rustflags=["-D", "warnings"]`;
@@ -55,8 +55,8 @@ function wasmTest(env) {
     env[`CARGO_PROFILE_${profile}_OPT_LEVEL`] = '2';
     env[`CARGO_PROFILE_${profile}_DEBUG`] = '0';
   }
-  // Named one by one: examples and benches are for the native build only.
-  run('wasm-pack', ['test', '--node', '--mode', 'no-install', '--', '--lib', '--test', '*', ...features], { env });
+  // Examples, benches, and the tests of single functions beside them are for the native build only.
+  run('wasm-pack', ['test', '--node', '--mode', 'no-install', '--', '--test', '*', ...features], { env });
 }
 
 /** Whose they are, where they come from, and that none asks for a newer Rust than Cargo.toml does. */

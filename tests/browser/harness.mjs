@@ -14,19 +14,21 @@ const dist = fileURLToPath(new URL('../../dist/', import.meta.url));
 // Not the root of the host: the site has to work from any folder.
 const folder = '/any/folder/';
 
+/** Chromium is one for all; Firefox is another one for each system. @typedef {Map<string, ReturnType<typeof launch>>} Launched */
+
 /**
  * Serves dist/ and starts a browser with an empty profile.
  * @param {object} [options]
  * @param {string[]} [options.flags] more flags for Chromium
  * @param {string} [options.files] another folder than dist/
  * @param {(asked: (path: string) => void) => ReturnType<typeof host>} [options.serve] another host
+ * @param {{ launched: Launched }} [options.beside] another site, whose browsers open this one, too, and which ends them
  */
-export async function open({ flags = [], files = dist, serve = (asked) => host(files, { under: folder, asked }) } = {}) {
+export async function open({ flags = [], files = dist, serve = (asked) => host(files, { under: folder, asked }), beside } = {}) {
   /** The paths of all requests. @type {string[]} */
   const requests = [];
   const { origin, address, stop } = await serve((path) => requests.push(path));
-  /** Chromium is one for all; Firefox is another one for each system. @type {Map<string, ReturnType<typeof launch>>} */
-  const launched = new Map();
+  const launched = beside?.launched ?? new Map();
   /** @param {import('./browsers.mjs').System} system */
   const browserFor = async (system) => {
     const key = kind === 'firefox' ? JSON.stringify(system) : '';
@@ -53,8 +55,10 @@ export async function open({ flags = [], files = dist, serve = (asked) => host(f
     },
     /** @param {import('puppeteer-core').Page} page */
     allowClipboard: (page) => allowClipboard(page, origin),
+    launched,
     close: async () => {
       stop();
+      if (beside) return;
       for (const browser of launched.values()) await (await browser).close();
     },
   };

@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { test } from 'node:test';
+import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import sharp from 'sharp';
 import { filesOf, firstOf, listOf } from '../../scripts/lib/offline.mjs';
@@ -11,6 +11,16 @@ import { open } from './harness.mjs';
 import { digest, SMALL } from './page.mjs';
 
 const dist = fileURLToPath(new URL('../../dist/', import.meta.url));
+
+// Each test has a host of its own, whose requests it counts; one browser opens them all.
+/** @type {Awaited<ReturnType<typeof open>>} */
+let beside;
+
+before(async () => {
+  beside = await open();
+});
+
+after(() => beside?.close());
 
 /** Waits until the page says that it is stored, or that there is a newer one. */
 const told = (page, what) => page.waitForFunction((word) => document.documentElement.dataset.offline === word, { timeout: 60_000 }, what);
@@ -24,7 +34,7 @@ const fetched = (page, path) =>
   }, path);
 
 test('after the first visit all works without a host, and nothing was fetched twice', async (t) => {
-  const site = await open();
+  const site = await open({ beside });
   t.after(() => site.close());
   const { page, external, close } = await site.newPage(SMALL, { stores: true });
   const planes = await digest(page);
@@ -60,7 +70,7 @@ test('after the first visit all works without a host, and nothing was fetched tw
 });
 
 test('until the first picture is done only what it needs is fetched', async (t) => {
-  const site = await open();
+  const site = await open({ beside });
   t.after(() => site.close());
   const { page, close } = await site.newPage('');
   await digest(page);
@@ -75,7 +85,7 @@ test('until the first picture is done only what it needs is fetched', async (t) 
 test('a new build is told, taken at the next visit, and never mixed with the old one', async (t) => {
   const files = mkdtempSync(join(tmpdir(), 'bubblestone-site-'));
   cpSync(dist, files, { recursive: true });
-  const site = await open({ files });
+  const site = await open({ files, beside });
   t.after(() => site.close());
   const { page, problems, close } = await site.newPage(SMALL, { stores: true });
   const planes = await digest(page);
@@ -115,7 +125,7 @@ test('a file that is not of this build is not stored', async (t) => {
   cpSync(dist, files, { recursive: true });
   const style = listOf(files).first.find((path) => path.endsWith('.css'));
   writeFileSync(join(files, style), 'body { margin: 0 }');
-  const site = await open({ files });
+  const site = await open({ files, beside });
   t.after(() => site.close());
   const { page, close } = await site.newPage(SMALL, { stores: true });
   await digest(page);
@@ -131,7 +141,7 @@ test('a file that is not of this build is not stored', async (t) => {
 });
 
 test('the page can be installed: its manifest is valid, with icons of the sizes that it names', async (t) => {
-  const site = await open();
+  const site = await open({ beside });
   t.after(() => site.close());
   const { page, close } = await site.newPage(SMALL, { stores: true });
   const href = await page.$eval('link[rel=manifest]', (link) => link.getAttribute('href'));

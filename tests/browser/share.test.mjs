@@ -299,7 +299,7 @@ test('every throw is valid, and its link says no more than what counts', sameEve
 });
 
 test('a heavy recipe shows how far it is, and a pause holds it', sameEverywhere, async () => {
-  const { page, problems, close } = await site.newPage('#size=1024&cs=4', {
+  const { page, problems, close } = await site.newPage('#size=640&cs=4', {
     before: (fresh) =>
       fresh.evaluateOnNewDocument(() => {
         window.ways = [];

@@ -36,7 +36,7 @@ const change = (change) => (/** @type {Page} */ page) => page.evaluate(`(${chang
 export const states = {
   opening: { fragment: '', early: true },
   done: { fragment: '' },
-  japanese: { fragment: '', before: (fresh) => fresh.evaluateOnNewDocument(() => localStorage.setItem('bubblestone.language', 'ja')) },
+  japanese: { before: (fresh) => fresh.evaluateOnNewDocument(() => localStorage.setItem('bubblestone.language', 'ja')) },
   editing: { fragment: SQUARE, arrange: opening('#edit-outline', '.handle') },
   road: { fragment: SQUARE, arrange: opening('[data-tool=road]', '.handle') },
   letters: { fragment: SQUARE, arrange: opening('[data-tool=text]', '#letters') },

@@ -7,8 +7,6 @@ use crate::generators::ALL;
 use crate::random::{Purpose, Random};
 use crate::recipe::{Kind, Recipe};
 use crate::studio::Studio;
-#[cfg(target_arch = "wasm32")]
-use wasm_bindgen_test::wasm_bindgen_test as test;
 
 /// A recipe in which some values are other ones, of small pictures with few cells.
 fn changed(recipe: &Recipe, random: &mut Random) -> Recipe {
