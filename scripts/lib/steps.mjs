@@ -45,7 +45,7 @@ function clippy(what, env) {
 
 /** @param {NodeJS.ProcessEnv} env */
 function wasmLint(env) {
-  const what = ['--lib', '--test', '*', '--target', wasmTarget];
+  const what = ['--lib', '--tests', '--target', wasmTarget];
   if (clippyMatches(env)) return clippy(what, env);
   console.log('The Rust for WebAssembly has no clippy here: its code is compiled with warnings denied instead.');
   const deny = `target.${wasmTarget}.rustflags=["-D", "warnings"]`;
