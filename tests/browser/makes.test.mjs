@@ -141,7 +141,7 @@ test('a generator that does not arrive leaves the picture, and is tried again', 
   await close();
 });
 
-test('a panic becomes a message with the recipe, and the page can start afresh', async () => {
+test('a panic becomes a message with the recipe, and the page can start afresh', sameEverywhere, async () => {
   const { page, close } = await site.newPage(SQUARES);
   await made(page, 'specimen');
   await page.evaluate((link) => (location.hash = link), `${SQUARES}&seed=4294967295`);

@@ -22,7 +22,7 @@ async function held() {
   return opened;
 }
 
-test('a pause holds the packing, and a step is one step', async () => {
+test('a pause holds the packing, and a step is one step', sameEverywhere, async () => {
   const { page, problems, close } = await held();
   const first = await steps(page);
   await frames(page, 10);
