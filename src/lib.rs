@@ -28,9 +28,6 @@
 //! assert_eq!(studio.digest().len(), 16);
 //! ```
 
-// The WebAssembly module goes without what writes values for debugging (scripts/lib/trim.mjs).
-#![cfg_attr(not(test), warn(clippy::use_debug))]
-
 pub mod cells;
 mod decimal;
 pub mod domain;
