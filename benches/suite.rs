@@ -232,8 +232,10 @@ pub fn skin_mesh() -> (TriangleMesh, u32, usize) {
     // Without cells there is nothing to count.
     let _ = studio.finish(&mut || 0.0);
     let mut solids = Solids::new();
-    let skin = studio.engine_as::<Pavement>().expect("a pavement");
-    let (params, cells) = (skin.stone_params(), skin.scales());
+    let Some(pavement) = studio.engine_as::<Pavement>() else {
+        return Default::default();
+    };
+    let (params, cells) = (pavement.stone_params(), pavement.scales());
     let triangles: usize = cells
         .iter()
         .map(|cell| solids.solid(cell, &params).triangles.len())

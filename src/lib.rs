@@ -51,9 +51,6 @@
 //! Anisotropy and Directionality via Packing Rectangular and Elliptical Cells. Each module names the
 //! sections and equations that it implements.
 
-// The WebAssembly module goes without what writes values for debugging (scripts/lib/trim.mjs).
-#![cfg_attr(not(test), warn(clippy::use_debug))]
-
 pub mod cells;
 mod decimal;
 pub mod domain;

@@ -1,38 +1,15 @@
 //! Comparing and sorting numbers, the same way everywhere and cheaply in WebAssembly.
-//!
-//! All lists are sorted through one list of plain keys. Sorted each by itself, every type of item
-//! would bring its own copy of the standard library's sort into the program: ten of them made a
-//! fifth of the WebAssembly module.
 
 /// What items are sorted by: the first number, then the second.
 pub(crate) type Key = (u64, u64);
 
 /// Sorts by a key, the smallest first; equal ones keep their order.
+///
+/// What is sorted are the keys, with the places of their items: all lists share that one sort. Each type of
+/// item with a sort of its own would bring a copy of the standard library's into the WebAssembly module
+/// (docs/size.md).
 pub(crate) fn sort<T>(items: &mut [T], key: impl Fn(&T) -> Key) {
-    if items.len() < 2 {
-        return;
-    }
-    let mut order: Vec<(Key, u32)> = items.iter().map(key).zip(0..).collect();
-    sort_keys(&mut order);
-    // Cycle by cycle: place k takes the item at order[k].
-    for first in 0..items.len() {
-        let mut k = first;
-        loop {
-            let from = order[k].1 as usize;
-            order[k].1 = k as u32;
-            if from == first {
-                break;
-            }
-            items.swap(k, from);
-            k = from;
-        }
-    }
-}
-
-/// Not inlined: the sort of a few keys is, with every call, otherwise.
-#[inline(never)]
-fn sort_keys(keys: &mut [(Key, u32)]) {
-    keys.sort_unstable();
+    items.sort_by_cached_key(key);
 }
 
 /// A number in the order of [`f64::total_cmp`].
@@ -61,13 +38,6 @@ pub(crate) fn greater<T: PartialOrd>(a: T, b: T) -> T {
 #[inline(always)]
 pub(crate) fn lesser<T: PartialOrd>(a: T, b: T) -> T {
     if b < a { b } else { a }
-}
-
-/// The number, or the limit that it is beyond. `f64::clamp` has the limits in a message of its own,
-/// with all that writes numbers.
-#[inline(always)]
-pub(crate) fn within<T: PartialOrd>(x: T, least: T, most: T) -> T {
-    lesser(greater(x, least), most)
 }
 
 #[cfg(test)]

@@ -2,8 +2,8 @@
 // module at its full size and scaled down; skipped where nothing has changed that they could be seen to depend on.
 import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { pathToFileURL } from 'node:url';
 import { digest } from './digest.mjs';
+import { all, Canvas, moduleIn } from './headless.mjs';
 import { root, say, Stop } from './run.mjs';
 import { pageModule } from './wasm.mjs';
 
@@ -16,18 +16,8 @@ const side = 144;
 /** About 1.4 kB each. More effort than 3 takes ten times as long for no smaller files. */
 const coding = { quality: 30, effort: 3 };
 
-/** Milliseconds and packing steps of one slice of work: all at once. */
-const all = /** @type {const} */ ([1e9, 1e9]);
-
 /** Groups of parameters that go along from one generator to another; the seed does, too. */
 const CARRIED = ['Weather', 'Light'];
-
-/** The page's script of a module, which Node runs as well. @param {string} folder */
-async function moduleIn(folder) {
-  const module = await import(pathToFileURL(join(folder, 'bubblestone.js')).href);
-  module.initSync({ module: readFileSync(join(folder, 'bubblestone_bg.wasm')) });
-  return module;
-}
 
 /**
  * What these modules make, each generator with the first module that has it and the preset that stands for it.
@@ -109,12 +99,10 @@ function sources() {
   return [...code.sort(), ...others];
 }
 
-/** @typedef {{ data: Uint8ClampedArray<ArrayBuffer>, width: number, height: number }} Pixels */
-
 /**
  * @param {any} studio that has a preset's recipe
  * @param {string} name of the preset
- * @returns {Pixels} its finished picture
+ * @returns {import('./headless.mjs').Pixels} its finished picture
  */
 function picture(studio, name) {
   while (studio.stage() !== 'done') {
@@ -126,23 +114,3 @@ function picture(studio, name) {
   studio.free();
   return canvas.pixels;
 }
-
-/** What the module needs of a canvas. */
-class Canvas {
-  pixels = { data: new Uint8ClampedArray(), width: 0, height: 0 };
-
-  /** @param {Pixels} pixels */
-  putImageData(pixels) {
-    this.pixels = pixels;
-  }
-}
-
-/** The browser's class of this name; the module hands over a view of its own memory, which does not stay. */
-globalThis.ImageData ??= /** @type {any} */ (
-  class {
-    /** @param {Uint8ClampedArray} data @param {number} width @param {number} height */
-    constructor(data, width, height) {
-      Object.assign(this, { data: data.slice(), width, height });
-    }
-  }
-);

@@ -1,47 +1,24 @@
-// Takes out of a WebAssembly module what it never runs but the linker has to keep. tiny-skia picks the steps of its
-// drawing from tables, so that all blend modes, gradients and image filters are linked in, twice, where only plain
-// colours are laid over each other. And each of a thousand checks that never fail carries what a panic would say:
-// here it stops the module without words, and the page answers with the link; the native program, which computes the
-// same bits, tells the place.
+// Takes out of a WebAssembly module what it never runs but the linker has to keep; docs/size.md has what that saves.
+// What is taken out stops the module where it is called all the same, and the page answers with the link.
+// tests/node/shipped.test.mjs calls all that the page can call of the module as it is sent.
 import binaryen from 'binaryen';
 import { readFileSync, writeFileSync } from 'node:fs';
-import { eraseLocations } from './locations.mjs';
-import { say } from './run.mjs';
-
-/** The steps of the table in `lowp` (small whole numbers) that filling a path with one colour does not take. */
-const lowp = `clear darken destination_atop destination_in destination_out destination_over difference
-  evenly_spaced_2_stop_gradient exclusion gradient hard_light lerp_u8 lighten load_dst_u8 load_mask_u8 mask_u8
-  modulate move_destination_to_source move_source_to_destination multiply overlay pad_x1 plus premultiply reflect_x1
-  repeat_x1 scale_u8 screen seed_shader source_atop source_in source_out store_u8 transform xor xy_to_radius`;
-
-/** Those of the table in `highp` (floats): a plain colour never takes that table. */
-const highp = `${lowp} alter_2pt_conical_compensate_focal alter_2pt_conical_unswap apply_concentric_scale_bias
-  apply_vector_mask bicubic bilinear clamp_0 clamp_a color color_burn color_dodge gamma_compress_2 gamma_compress_22
-  gamma_compress_srgb gamma_expand_2 gamma_expand_22 gamma_expand_dst_2 gamma_expand_dst_22 gamma_expand_dst_srgb
-  gamma_expand_srgb gather hue lerp_1_float load_dst luminosity mask_2pt_conical_degenerates mask_2pt_conical_nan
-  negate_x reflect repeat saturation scale_1_float soft_light source_over source_over_rgba start store uniform_color
-  xy_to_2pt_conical_focal_on_circle xy_to_2pt_conical_greater xy_to_2pt_conical_smaller xy_to_2pt_conical_strip
-  xy_to_2pt_conical_well_behaved xy_to_unit_angle`;
-
-const steps = new Set([...named('lowp', lowp), ...named('highp', highp)]);
-
-/** Curves and gradients: paths are polygons of one colour. */
-const curves = /^<?tiny_skia(_path)?::.*(cubic|quad|gradient)/i;
-
-/** Values written for debugging: only what words a panic asks for them. */
-const debugging = /^<.* as core::fmt::Debug>::fmt$/;
-
-/** Functions that never return: they word a panic. */
-const panics =
-  /^<?(core|alloc|std|arrayvec)::.*\b(panic\w*|\w+_fail|\w+_fail_rt|\w+_failed|\w+_failed_inner|extend_panic|handle_(alloc_)?error|capacity_overflow)(::<.*>)?$/;
+import { Stop } from './run.mjs';
 
 /**
- * @param {string} table
- * @param {string} words
+ * The steps that filling a path with one colour takes of tiny-skia's two tables of steps: `lowp` reckons in small whole
+ * numbers, `highp`, which plain colours do not need, in floats. The linker keeps all blend modes and gradients of both.
  */
-function named(table, words) {
-  return words.split(/\s+/).flatMap((word) => [word, `${word}_tail`].map((step) => `tiny_skia::pipeline::${table}::${step}`));
-}
+const taken = [
+  'just_return', 'lerp_1_float', 'load_dst', 'load_dst_tail', 'scale_1_float', 'source_over', 'source_over_rgba',
+  'source_over_rgba_tail', 'start', 'store', 'store_tail', 'uniform_color',
+].map((step) => `tiny_skia::pipeline::lowp::${step}`);
+
+/** What tiny-skia has for other drawings: paths here are polygons. The end of all steps may be one function for both tables. */
+const otherDrawings = [/^tiny_skia::pipeline::lowp::/, /^tiny_skia::pipeline::highp::(?!just_return$)/, /^<?tiny_skia(_path)?::.*(cubic|quad|gradient)/i];
+
+/** Some of the functions that never return: where these are not found to be such, others are not either. */
+const panics = ['core::panicking::panic_fmt', 'core::panicking::panic_bounds_check', 'core::option::unwrap_failed', 'core::result::unwrap_failed'];
 
 /** A function of a module, to be changed: Binaryen has it, its types do not. */
 const functionOf = /** @type {{ Function: (reference: number) => { body: number } }} */ (/** @type {unknown} */ (binaryen)).Function;
@@ -53,34 +30,54 @@ const features =
   Features.MutableGlobals | Features.ReferenceTypes | Features.CallIndirectOverlong | Features.Multivalue;
 
 /**
- * Empties the functions that never run: called all the same, they stop the module. What only they called goes with them.
+ * Empties the functions that never run, and with them goes what only they called.
  * @param {string} file a module with the names of its functions; it is replaced
  */
 export function trim(file) {
-  const bytes = readFileSync(file);
-  const places = eraseLocations(bytes);
-  const module = binaryen.readBinary(bytes);
+  const module = binaryen.readBinary(readFileSync(file));
   module.setFeatures(features);
-  let [drawing, wording] = [0, 0];
+  /** @type {Set<string>} */
+  const [kept, emptied] = [new Set(), new Set()];
   for (let k = 0; k < module.getNumFunctions(); k++) {
     const reference = module.getFunctionByIndex(k);
-    const { name, module: importedFrom } = binaryen.getFunctionInfo(reference);
+    const { name, module: importedFrom, body } = binaryen.getFunctionInfo(reference);
     if (importedFrom) continue;
-    // Compilers add a hash to the name, to the crate's or at the end.
-    const plain = name.replace(/\[[0-9a-f]+\]/g, '').replace(/::h[0-9a-f]{16}$/, '');
-    const draws = steps.has(plain) || curves.test(plain);
-    if (!draws && !panics.test(plain) && !debugging.test(plain)) continue;
+    const plain = withoutHash(name);
+    const isOther = !taken.includes(plain) && otherDrawings.some((pattern) => pattern.test(plain));
+    if (!isOther && !neverReturns(body)) {
+      kept.add(plain);
+      continue;
+    }
     functionOf(reference).body = module.unreachable();
-    if (draws) drawing += 1;
-    else wording += 1;
+    emptied.add(plain);
   }
-  if (!places || !drawing || !wording) say('Not all that never runs was found by its name: the module is larger than it need be.');
+  check(kept, emptied);
   // Only empty functions go into their callers, where nothing has to be made ready for them any more.
   binaryen.setAlwaysInlineMaxSize(1);
   binaryen.setFlexibleInlineMaxSize(0);
   binaryen.setOneCallerInlineMaxSize(0);
-  // What is alike has like names and packs better side by side.
-  module.runPasses(['inlining', 'dce', 'vacuum', 'remove-unused-module-elements', 'reorder-functions-by-name']);
+  module.runPasses(['inlining', 'dce', 'vacuum', 'remove-unused-module-elements']);
   writeFileSync(file, module.emitBinary());
   module.dispose();
+}
+
+/** Compilers add a hash to the name of the crate or at the end. @param {string} name */
+function withoutHash(name) {
+  return name.replace(/\[[0-9a-f]+\]/g, '').replace(/::h[0-9a-f]{16}$/, '');
+}
+
+/** Whether a function only words a panic and then stops: whatever it is called, it gives nothing back. @param {number} body */
+function neverReturns(body) {
+  return binaryen.getExpressionType(body) === binaryen.unreachable && !/\(return\b/.test(binaryen.emitText(body));
+}
+
+/**
+ * Stops the build where functions have other names than are looked for.
+ * @param {Set<string>} kept
+ * @param {Set<string>} emptied
+ */
+function check(kept, emptied) {
+  const patterns = otherDrawings.filter((pattern) => ![...emptied].some((name) => pattern.test(name)));
+  const missing = [...taken.filter((name) => !kept.has(name)), ...panics.filter((name) => !emptied.has(name)), ...patterns];
+  if (missing.length) throw new Stop(`The module does not have what scripts/lib/trim.mjs goes by: ${missing.join(', ')}.`);
 }

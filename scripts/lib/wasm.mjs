@@ -23,7 +23,7 @@ const BUILDS = {
 };
 
 // What decides the module beside the code that cargo compiled.
-const recipe = ['Cargo.toml', 'Cargo.lock', 'package-lock.json', 'scripts/lib/wasm.mjs', 'scripts/lib/trim.mjs', 'scripts/lib/locations.mjs'];
+const recipe = ['Cargo.toml', 'Cargo.lock', 'package-lock.json', 'scripts/lib/wasm.mjs', 'scripts/lib/trim.mjs'];
 
 /**
  * Builds the module; answers its folder.

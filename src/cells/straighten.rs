@@ -8,7 +8,6 @@
 use super::Cell;
 use super::vertices::{Freedom, Rings, STRAIGHT};
 use crate::domain::{Domain, cross};
-use crate::order;
 use crate::planar::on_grain;
 use glam::DVec2;
 
@@ -106,7 +105,7 @@ impl Rings {
             }
         }
         if least < most {
-            order::within(wanted, least, most)
+            wanted.clamp(least, most)
         } else {
             0.0
         }

@@ -183,7 +183,6 @@ impl Links {
 }
 
 /// The middle of the circle through three points; their mean where they lie on a line.
-#[inline(never)]
 pub(super) fn circumcentre([a, b, c]: [DVec2; 3]) -> DVec2 {
     let (u, v) = (b - a, c - a);
     let from_a =

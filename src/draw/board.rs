@@ -72,7 +72,6 @@ impl Board {
     }
 
     /// See [`super::layer::Shape::fill`].
-    #[inline(never)]
     pub(super) fn fill(&mut self, rings: &[&[DVec2]], colour: Colour, round: f64) {
         let mut builder = PathBuilder::new();
         for ring in rings.iter().filter(|ring| self.reaches(ring, 0.0)) {

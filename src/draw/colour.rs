@@ -15,7 +15,6 @@ pub struct Paper {
 }
 
 /// The colour a share `t` (0..=1) of the way from `a` to `b`.
-#[inline(never)]
 pub fn blend(a: Colour, b: Colour, t: f32) -> Colour {
     let t = t.clamp(0.0, 1.0);
     std::array::from_fn(|k| a[k] + (b[k] - a[k]) * t)

@@ -60,7 +60,6 @@ pub fn direction_over(domain: &Domain, fields: &Fields, side: f64) -> Vec<Layer>
 }
 
 /// The singular points of the direction with their index.
-#[inline(never)]
 pub fn singularities(domain: &Domain, fields: &Fields, side: f64) -> Vec<Layer> {
     let mut layers = Vec::new();
     let unit = (side / 170.0).clamp(2.0, 6.0);

@@ -61,27 +61,23 @@ impl Layer {
     }
 
     /// The area that rings run around.
-    #[inline(never)]
     pub fn fill(rings: Vec<Vec<DVec2>>, colour: Colour, round: f64) -> Self {
         Self::shapes(vec![Shape::fill(rings, colour, round)])
     }
 
     /// Lines through points.
-    #[inline(never)]
     pub fn lines(lines: Vec<Vec<DVec2>>, colour: Colour, width: f64) -> Self {
         let shape = Shape::bare(lines);
         Self::shapes(vec![shape]).drawn(colour, width)
     }
 
     /// The lines of rings.
-    #[inline(never)]
     pub fn edges(rings: Vec<Vec<DVec2>>, colour: Colour, width: f64) -> Self {
         let shape = Shape::bare(rings);
         Self::shapes(vec![shape]).edged(colour, width, 0.0)
     }
 
     /// Lines that stand out from whatever is below: light, with a dark rim.
-    #[inline(never)]
     pub fn cased(lines: Vec<Vec<DVec2>>, colour: Colour, width: f64) -> [Self; 2] {
         let rim = Self::lines(lines.clone(), CASING, 2.0 * width + 0.6);
         [rim, Self::lines(lines, colour, width)]
@@ -89,7 +85,6 @@ impl Layer {
 
     /// The same for few thin lines: the rim is as wide as the line on each side, and nearly black, so that
     /// pale stones do not swallow it.
-    #[inline(never)]
     pub fn rimmed(lines: Vec<Vec<DVec2>>, colour: Colour, width: f64) -> [Self; 2] {
         let rim = Self::lines(lines.clone(), RIM, 3.0 * width + 0.4);
         [rim, Self::lines(lines, colour, width)]
@@ -149,7 +144,6 @@ impl Shape {
     }
 
     /// A filled disc.
-    #[inline(never)]
     pub fn dot(centre: DVec2, radius: f64, colour: Colour) -> Self {
         Self::fill(vec![round(centre, radius)], colour, 0.0)
     }

@@ -27,7 +27,6 @@ const STRETCHED: Colour = [0.56, 0.22, 0.85, 0.71];
 const RIM: Colour = [0.96, 0.90, 1.0, 1.0];
 
 /// Rings filled in the colours of a scale, those of one colour together.
-#[inline(never)]
 pub(super) fn fill_by_scale(rings: &[Vec<DVec2>], shares: &[f32], scale: &[Colour]) -> Layer {
     let top = scale.len().saturating_sub(1);
     let shape = |(step, &colour): (usize, &Colour)| {
@@ -40,7 +39,6 @@ pub(super) fn fill_by_scale(rings: &[Vec<DVec2>], shares: &[f32], scale: &[Colou
 }
 
 /// The lines around rings, to be drawn as such.
-#[inline(never)]
 pub(super) fn lines_of(rings: &[Vec<DVec2>]) -> Vec<Vec<DVec2>> {
     rings.iter().map(|ring| closed(ring)).collect()
 }
@@ -52,7 +50,6 @@ fn with_lines(filled: Layer, lines: [Layer; 2]) -> Vec<Layer> {
 }
 
 /// A scale of colours, from low over middle to high.
-#[inline(never)]
 pub(super) fn scale([low, middle, high]: [Colour; 3], steps: usize) -> Vec<Colour> {
     let colour = |step: usize| {
         let t = 2.0 * step as f32 / steps as f32;
@@ -65,7 +62,6 @@ pub(super) fn scale([low, middle, high]: [Colour; 3], steps: usize) -> Vec<Colou
 }
 
 /// The shapes of particles.
-#[inline(never)]
 pub(super) fn shapes(
     particles: &mut dyn Iterator<Item = &Particle>,
     factor: f64,

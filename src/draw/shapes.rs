@@ -15,7 +15,6 @@ pub fn copies(ring: &[DVec2], side: f64) -> Vec<DVec2> {
 }
 
 /// A ring as a line that ends where it begins.
-#[inline(never)]
 pub(super) fn closed(ring: &[DVec2]) -> Vec<DVec2> {
     let mut line = ring.to_vec();
     line.extend(ring.first());

@@ -115,7 +115,6 @@ fn pixels(side: usize, domain: &Domain, fields: &Fields) -> Vec<[u8; 4]> {
 }
 
 /// What is between the nodes, `count` in a row.
-#[inline(never)]
 fn between(nodes: &[f32], count: usize, x: usize, y: usize) -> f32 {
     let at = (y / STEP) * count + x / STEP;
     let [s, t] = [x, y].map(|v| (v % STEP) as f32 / STEP as f32);

@@ -20,7 +20,6 @@ pub(super) fn push(out: &mut Vec<u8>, x: f32, decimals: u32) {
 }
 
 /// Adds a whole number.
-#[inline(never)]
 pub(super) fn push_whole(out: &mut Vec<u8>, mut x: u64) {
     let start = out.len();
     loop {

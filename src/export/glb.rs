@@ -143,7 +143,6 @@ fn number(x: f64) -> String {
 }
 
 /// Adds words, the lowest byte first.
-#[inline(never)]
 fn put(out: &mut Vec<u8>, words: &[u32]) {
     for word in words {
         out.extend_from_slice(&word.to_le_bytes());

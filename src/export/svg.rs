@@ -33,8 +33,7 @@ pub fn svg(
     file.finish()
 }
 
-/// Layers as text, in ASCII: colours are opaque, and corners are not rounded. Its few calls take less
-/// room in WebAssembly than pieces of text.
+/// Layers as text, in ASCII: colours are opaque, and corners are not rounded.
 struct File(Vec<u8>);
 
 impl File {
@@ -140,19 +139,16 @@ impl File {
     }
 
     /// A whole number after some text.
-    #[inline(never)]
     fn count(&mut self, before: &str, x: usize) {
         self.put(before);
         push_whole(&mut self.0, x as u64);
     }
 
-    #[inline(never)]
     fn put(&mut self, text: &str) {
         self.0.extend_from_slice(text.as_bytes());
     }
 
     /// An attribute whose value is a number.
-    #[inline(never)]
     fn number(&mut self, before: &str, x: f64) {
         self.put(before);
         self.put("\"");
@@ -161,7 +157,6 @@ impl File {
     }
 
     /// An attribute whose value is a colour.
-    #[inline(never)]
     fn colour(&mut self, before: &str, colour: Colour) {
         const DIGITS: &[u8; 16] = b"0123456789abcdef";
         self.put(before);

@@ -13,7 +13,6 @@ use super::sources::{Sources, Sum, line_weight, printed_vector};
 use super::symmetry::representation;
 use super::{ASPECT_RANGE, Direction, FieldParams, Fields, Kind, Layer, SIZE_RANGE};
 use crate::domain::Domain;
-use crate::order;
 use crate::planar::Space;
 use glam::DVec2;
 
@@ -52,7 +51,7 @@ impl FieldBuilder {
     /// Lays the background grid over the outline and a margin of one large cell around it.
     pub fn new(domain: &Domain, mut params: FieldParams) -> Self {
         let space = domain.space();
-        let step = order::within(params.size / 2.0, params.side / 128.0, params.side / 64.0);
+        let step = (params.size / 2.0).clamp(params.side / 128.0, params.side / 64.0);
         let grid = Grid::new(space, domain.bounds(), step);
         let kinds = params.kinds(domain);
         let has = |of: &dyn Fn(Kind) -> bool| of(params.kind) || kinds.iter().copied().any(of);

@@ -67,8 +67,6 @@ const FINEST: f64 = 320.0;
 /// Bounds of the aspect ratio.
 const ASPECT_RANGE: (f64, f64) = (1.0, 5.0);
 
-// Asked from many places of the packing: with their code in each of them, the WebAssembly module would
-// be a fiftieth larger.
 impl Fields {
     /// What the fields were made from. On a torus with one direction everywhere size, angle and
     /// aspect ratio are those that repeat with its side.
@@ -78,7 +76,6 @@ impl Fields {
 
     /// The side a cell at this point should have; a stretched one has the area of a square of this
     /// side.
-    #[inline(never)]
     pub fn size(&self, p: DVec2) -> f64 {
         let FieldParams { size, side, .. } = self.params;
         if self.gradient.is_none() && self.size_factors.is_empty() {
@@ -97,7 +94,6 @@ impl Fields {
 
     /// Unit vector along one side of a cell at this point, or zero where the field vanishes. Any
     /// turn of it that leaves the cell's kind as it is ([`Kind::symmetry`]) means the same.
-    #[inline(never)]
     pub fn direction(&self, p: DVec2) -> DVec2 {
         let layer = match self.layers.as_slice() {
             [] => return self.along,
@@ -115,7 +111,6 @@ impl Fields {
     }
 
     /// The kind of a cell at this point.
-    #[inline(never)]
     pub fn kind(&self, p: DVec2) -> Kind {
         let own = self.parts.as_ref();
         let own = own.and_then(|(domain, kinds)| kinds.get(domain.part(p)));
@@ -123,7 +118,6 @@ impl Fields {
     }
 
     /// Length over width of a cell at this point: 1 for squares and circles, else 1..5.
-    #[inline(never)]
     pub fn aspect(&self, p: DVec2) -> f64 {
         if !self.kind(p).is_stretched() {
             1.0

@@ -40,7 +40,6 @@ pub(super) struct Source {
 
 impl Source {
     /// `None` for a segment without length.
-    #[inline(never)]
     pub fn new([a, b]: [DVec2; 2], strength: f64, symmetry: u32) -> Option<Self> {
         let length = a.distance(b);
         let along = (b - a) / length;

@@ -94,8 +94,7 @@ impl TextureParams {
         (self.stone.distortion / 0.3).min(1.0) * laid_deep
     }
 
-    /// The face of a cell's stone. Not inlined: its draws are long.
-    #[inline(never)]
+    /// The face of a cell's stone.
     pub(super) fn face(&self, cell: &Cell, coat: Coat) -> Face {
         Face::new(
             palette(self.palette),

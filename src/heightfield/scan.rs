@@ -1,6 +1,6 @@
 //! Scan conversion of a stone: the height of its surface at nine points a pixel.
 
-use crate::order::{greater, lesser, within};
+use crate::order::{greater, lesser};
 use crate::solid::Solid;
 use glam::Vec3;
 use std::ops::Range;
@@ -94,7 +94,7 @@ impl Raster {
         }
         let span = |k: usize| {
             let (from, to) = (window[k].start as f32, window[k].end as f32);
-            let inside = |v: f32| within(v, from, to);
+            let inside = |v: f32| lesser(greater(v, from), to);
             let first = inside((low[k] * self.pixel_scale).floor()) as usize;
             let last = inside((high[k] * self.pixel_scale).ceil()) as usize;
             (first as i32, last.saturating_sub(first))

@@ -5,7 +5,7 @@
 
 use super::phong::{DIRT, FINISHES, MOSS, ROWS, WATER};
 use super::smoothstep::smoothstep_f32 as smoothstep;
-use crate::order::{self, greater, lesser};
+use crate::order::{greater, lesser};
 
 /// How much of each, 0..1.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -206,7 +206,10 @@ impl Effects {
         );
         let stand = self.stand(sample);
         let rub = wear::RUB * self.depth;
-        let flat = order::within(place.near, sample.height - rub, sample.height + rub);
+        let flat = lesser(
+            greater(place.near, sample.height - rub),
+            sample.height + rub,
+        );
         let [slope, start] = wear::REACHED;
         sample.height += (flat - sample.height) * worn * smoothstep(slope * stand - start);
         // Tops are cut off; a parabola joins the slope and the cut without a kink.

@@ -1,10 +1,8 @@
 //! From 0 to 1 without a kink.
 
-use crate::order;
-
 /// 0 up to 0, 1 from 1 on, level at both: 3 t^2 - 2 t^3.
 pub(super) fn smoothstep(t: f64) -> f64 {
-    let t = order::within(t, 0.0, 1.0);
+    let t = t.clamp(0.0, 1.0);
     t * t * (3.0 - 2.0 * t)
 }
 

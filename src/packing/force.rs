@@ -250,13 +250,11 @@ impl Pair {
 }
 
 /// The force on the second of two cells of any kinds, `r` from the first.
-#[inline(never)]
 pub(super) fn force_between(a: &Particle, b: &Particle, r: DVec2) -> DVec2 {
     Pair::new(a, b).force(r)
 }
 
 /// The potential of two cells of any kinds.
-#[inline(never)]
 pub(super) fn potential_between(a: &Particle, b: &Particle, r: DVec2) -> f64 {
     if !Shape::of(a).may_touch(&Shape::of(b), r, 0.0) {
         return 0.0;

@@ -159,7 +159,6 @@ pub struct Particle {
 
 impl Particle {
     /// A cell that has what the fields ask for at its place.
-    #[inline(never)]
     pub fn new(id: u32, centre: DVec2, fixed: bool, fields: &Fields) -> Self {
         Self {
             id,

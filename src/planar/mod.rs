@@ -34,8 +34,7 @@ const GRAIN: f64 = 1.0 / 65536.0;
 /// counts is farther, and products of three such ways, in steps of the grain, have 126 bits.
 const FAR: f64 = 8_388_608.0;
 
-/// Adds a point; nothing where it has no finite place. Kept as one function for the same reason.
-#[inline(never)]
+/// Adds a point; nothing where it has no finite place.
 pub(crate) fn insert(mesh: &mut Delaunay, p: Point2<f64>) -> Option<FixedVertexHandle> {
     mesh.insert(p).ok()
 }

@@ -6,7 +6,6 @@ use super::rows::{self, Form, POINTS, Rows, STEPS};
 use super::{Item, Key, Recipe, Schema};
 use crate::decimal;
 use crate::notice::{Code, Notice};
-use crate::order;
 use glam::DVec2;
 
 /// Most rows of a text, but of rings.
@@ -162,7 +161,7 @@ impl Recipe {
         };
         let spot = |row: &Vec<i64>| {
             let number = |k: usize| row[k] as f64;
-            let value = order::within(number(3) / VALUE, min, max);
+            let value = (number(3) / VALUE).clamp(min, max);
             [number(0) * unit, number(1) * unit, number(2) * unit, value]
         };
         self.rows(key).iter().map(spot).collect()

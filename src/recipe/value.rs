@@ -3,7 +3,6 @@
 use super::{Key, Kind, Parameter, Recipe, common};
 use crate::decimal;
 use crate::notice::{Arg, Code, Notice, quote};
-use crate::order;
 
 /// What became of a text that was meant as a value; see [`Recipe::set`].
 type Taken = Result<Vec<Notice>, Notice>;
@@ -95,7 +94,7 @@ impl Recipe {
         } else {
             given
         };
-        let value = order::within(whole, min, max);
+        let value = whole.clamp(min, max);
         let kept = decimal::text(value).into();
         let clamped = (value != given).then(|| self.must_be(row, quote(text), kept));
         let mut notices = Vec::from_iter(clamped);
@@ -141,7 +140,7 @@ impl Recipe {
             .filter(|r| r.side_limits.is_some())
         {
             let (given, (min, max)) = (self.number(row.key), self.limits(row));
-            let value = order::within(given, min, max);
+            let value = given.clamp(min, max);
             if value != given {
                 let kept = decimal::text(value).into();
                 notices.push(self.must_be(row, decimal::text(given), kept));

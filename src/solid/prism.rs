@@ -15,7 +15,6 @@
 use super::footprint::Footprint;
 use super::{Distribution, StoneKind, StoneParams};
 use crate::cells::Cell;
-use crate::order;
 use crate::random::{Purpose, Random};
 use glam::{DVec2, DVec3, Vec3};
 use std::f64::consts::{PI, TAU};
@@ -122,7 +121,7 @@ fn fill_in(corners: &mut [DVec2]) {
             let (a, b) = (corners[(i + n - 1) % n], corners[(i + 1) % n]);
             let (side, arm) = (b - a, corners[i] - a);
             if side.perp_dot(arm) > 0.0 && side != DVec2::ZERO {
-                let t = order::within(side.dot(arm) / side.length_squared(), 0.1, 0.9);
+                let t = (side.dot(arm) / side.length_squared()).clamp(0.1, 0.9);
                 corners[i] = a + side * t;
             }
         }

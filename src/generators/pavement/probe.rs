@@ -214,7 +214,6 @@ impl Histogram {
 
 impl Boxes {
     /// The cell that holds a place or one of its images, and that image.
-    #[inline(never)]
     fn find(&self, domain: &Domain, cells: &[Cell], p: DVec2) -> Option<(usize, DVec2)> {
         let here = |image: DVec2| {
             self.meeting([image; 2])

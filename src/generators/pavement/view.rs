@@ -361,7 +361,7 @@ fn light_stone(planes: &Planes, cell: &Cell, index: usize, rgba: &mut [u8]) {
         .ring
         .iter()
         .fold((first, first), |(lo, hi), &p| (lo.min(p), hi.max(p)));
-    let clip = |v: f64| order::within(v, 0.0, side as f64) as usize;
+    let clip = |v: f64| v.clamp(0.0, side as f64) as usize;
     let (lo, hi) = (lo - reach, hi + reach);
     for y in clip(lo.y)..clip(hi.y) {
         for x in clip(lo.x)..clip(hi.x) {

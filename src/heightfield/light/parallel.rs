@@ -6,7 +6,7 @@
 
 use super::penumbra::{NOWHERE, visible};
 use super::scan_order::ScanOrder;
-use crate::order::{greater, within};
+use crate::order::greater;
 
 /// Half the angle under which the lamp is seen, in radians: more than the sun's, as in haze.
 const HALF_DISC: f64 = 0.055;
@@ -44,7 +44,7 @@ impl ParallelShadows {
         let step = 1.0 / along.abs();
         let steepest = std::f64::consts::FRAC_PI_2 - 1e-3;
         let line_step = step / pixel_scale as f64;
-        let fall = |angle: f64| (libm::tan(within(angle, 0.01, steepest)) * line_step) as f32;
+        let fall = |angle: f64| (libm::tan(angle.clamp(0.01, steepest)) * line_step) as f32;
         let line = || vec![NOWHERE; BEFORE + side + AFTER];
         let lines = || Rims {
             dark: line(),

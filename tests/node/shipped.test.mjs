@@ -1,0 +1,273 @@
+// The page's module as it is sent: with what never runs taken out (scripts/lib/trim.mjs), optimised and packed. The other
+// tests of the crate run as cargo built it. A function that was taken out wrongly stops the module where it is called,
+// so here all is called that can be: by every parameter, view, file and notice that the module itself lists.
+//
+// `node --test --test-reporter=spec tests/node/shipped.test.mjs`, after `npm run build`.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { before, test } from 'node:test';
+import lzma from 'lzma';
+import { all, Canvas, moduleIn } from '../../scripts/lib/headless.mjs';
+import { packedModule, pageModule } from '../../scripts/lib/wasm.mjs';
+
+/** @type {any} */
+let module;
+/** @type {Uint8Array} */
+let bytes;
+
+before(async () => {
+  bytes = Uint8Array.from(/** @type {number[]} */ (lzma.decompress(readFileSync(packedModule))));
+  module = await moduleIn(pageModule, bytes);
+});
+
+/** @param {string} path beside this folder */
+const text = (path) => readFileSync(new URL(`../${path}`, import.meta.url), 'utf8');
+
+/** A small picture of few cells. */
+const SMALL = 'size=128&cs=14';
+
+/** Recipes that take every way through the drawings: each kind, an outline of several rings, and a tile. */
+const DRAWN = [
+  SMALL,
+  `${SMALL}&outline=plaza&kind=ellipse&ca=2&gx=0.4&lines=0.2,0.5,0.8,0.5&strokes=0.2,0.3,0.8,0.6`,
+  `${SMALL}&outline=square&kind=rectangle&ca=2&dir=circular&spots=0.5,0.5,0.3,0.5&stretch=0.5,0.5,0.3,4`,
+  `${SMALL}&outline=star&kind=circle&stone=skin&cells=packed&parts=0.5,0.5,2&lines=0,0.5,1,0.5`,
+  `${SMALL}&tile=1&kind=ellipse&ca=2&dir=spiral&spots=0.1,0.1,0.3,0.6`,
+  `${SMALL}&outline=y_fork&stone=flag&edge=on&light=point`,
+];
+
+/** @param {string} link @returns {any} a studio at its beginning */
+const open = (link) => new module.Bubblestone(link);
+
+/** @param {any} studio @returns {any} the same at its end */
+function finished(studio) {
+  while (!['done', 'error'].includes(studio.stage())) studio.tick(...all);
+  return studio;
+}
+
+/** Every view: each base and each overlay alone, each overlay over each base, and all of them over one. */
+function views() {
+  const [{ bases, overlays }] = module.generators();
+  const over = bases.flatMap((/** @type {string} */ base) => overlays.map((/** @type {string} */ word) => `${base}+${word}`));
+  return [...bases, ...overlays, ...over, `paper+${overlays.join('+')}`, `picture+${overlays.join('+')}`];
+}
+
+/** Draws what there is and asks for all that is told of it. @param {any} studio */
+function lookAt(studio) {
+  const canvas = new Canvas();
+  const side = studio.side();
+  for (const view of views()) {
+    studio.prepare(view, 1e9);
+    studio.draw(canvas, view);
+    assert.equal(canvas.pixels.data.length, 4 * side * side, view);
+    studio.absences(view);
+  }
+  for (let y = 2; y < side; y += 12) {
+    for (let x = 2; x < side; x += 12) [studio.probe(x, y), studio.part(x, y)];
+  }
+  for (const ask of ['status', 'series', 'histograms', 'heightRange', 'outline', 'svg', 'report', 'notices', 'problem']) studio[ask]();
+}
+
+/** The rows of parameters. @returns {any[]} */
+const rows = () => module.schema('pavement');
+
+/** Some text for a parameter, from one end of its range to the other. @param {any} row @returns {string[]} */
+function textsFor({ kind, min, max, choices, key }) {
+  if (kind === 'choice') return choices.map((/** @type {{ word: string }} */ { word }) => word);
+  if (kind === 'text') return LISTS[key] ?? [];
+  return [min, min + (max - min) * 0.37, max].map(String);
+}
+
+/** Lists for the parameters that take them. @type {Record<string, string[]>} */
+const LISTS = {
+  poly: ['0.1,0.1,0.9,0.2,0.7,0.9,0.2,0.8'],
+  lines: ['0,0.4,1,0.6', '0.1,0.1,0.9,0.9;0.1,0.9,0.9,0.1'],
+  strokes: ['0.2,0.3,0.8,0.6,0.9,0.1'],
+  spots: ['0.5,0.5,0.3,0.5;0.2,0.2,0.2,2'],
+  stretch: ['0.5,0.5,0.3,4'],
+  parts: ['0.5,0.5,1;0.2,0.7,3'],
+};
+
+test('every preset has the planes that it has natively', () => {
+  for (const line of text('digests.txt').trim().split('\n')) {
+    const [name, digest] = line.split(' ');
+    const preset = module.presets('pavement').find((/** @type {{ name: string }} */ one) => one.name === name);
+    assert.equal(module.digest_of_link(preset.link), digest, name);
+  }
+});
+
+test('everything is drawn and told at every stage', () => {
+  for (const link of DRAWN) {
+    const studio = open(link);
+    assert.deepEqual(studio.notices(), [], link);
+    let stage = '';
+    while (stage !== 'done') {
+      if (studio.stage() !== stage) lookAt(studio);
+      stage = studio.stage();
+      assert.notEqual(stage, 'error', link);
+      studio.tick(2, 20);
+    }
+    lookAt(studio);
+    studio.free();
+  }
+});
+
+test('every file is made', () => {
+  for (const link of DRAWN) {
+    const studio = finished(open(link));
+    assert.match(studio.svg(), /<\/svg>\n$/);
+    assert.equal(JSON.parse(studio.report()).hash, studio.digest());
+    for (const word of ['height', 'normal-opengl', 'normal-directx', 'albedo', 'roughness', 'ao', 'id']) {
+      assert.equal(studio.map(word).side, 128, word);
+    }
+    for (const ending of ['obj', 'glb']) assert.ok(bytesOf(() => studio.meshFile(ending, 4)) > 1000, ending);
+    for (const scale of [1, 2]) {
+      assert.equal(bytesOf(() => studio.pictureFile(scale, 20)), 3 * (128 * scale) ** 2);
+      assert.equal(studio.biggerMap('albedo').side, 128 * scale);
+    }
+    studio.meshFile('obj', 0);
+    studio.stopFile();
+    studio.free();
+  }
+});
+
+/** Has all slices made. @param {() => any} slice @returns {number} the bytes of a file */
+function bytesOf(slice) {
+  for (let sum = 0; ; ) {
+    const { parts, rows, done } = slice();
+    for (const part of parts ?? [rows]) sum += part.length;
+    if (done) return sum;
+  }
+}
+
+test('every value of every parameter gives planes or a sentence', () => {
+  for (const row of rows()) {
+    const { key, shownFor } = row;
+    // A parameter that does something only beside another one's word is tried beside it.
+    const beside = shownFor && shownFor.key !== 'size' ? `&${shownFor.key}=${shownFor.words[0]}` : '';
+    for (const value of textsFor(row)) {
+      const studio = open(`${SMALL}${beside}`);
+      assert.equal(studio.set(key, value).refused, false, `${key}=${value}`);
+      if (key === 'size' || key === 'cs') studio.set('cs', '60');
+      finished(studio);
+      assert.match(studio.digest() || studio.problem().text, /^[0-9a-f]{16}$|\.$/, studio.link());
+      assert.ok(studio.get(key) && [studio.defaultOf(key), studio.list(key)], key);
+      studio.free();
+    }
+  }
+});
+
+test('recipes by dice give planes or a sentence', () => {
+  let state = module.random_seed() && 7;
+  const below = (/** @type {number} */ n) => (state = (state * 16807) % 2147483647) % n;
+  for (let round = 0; round < 150; round += 1) {
+    const studio = open(SMALL);
+    for (const row of rows()) {
+      const texts = textsFor(row);
+      if (below(3) || !texts.length || ['size', 'cs'].includes(row.key)) continue;
+      studio.set(row.key, texts[below(texts.length)]);
+    }
+    assert.match(module.digest_of_link(studio.link()), /^[0-9a-f]{16}$|\.$/, studio.link());
+    studio.free();
+  }
+});
+
+test('cells flow while an outline is held, step by step, and begin again', () => {
+  const studio = finished(open(`${SMALL}&outline=square`));
+  const digest = studio.digest();
+  studio.setLive(true);
+  for (let by = 0; by < 12; by += 1) {
+    assert.equal(studio.setOutline([10, 10, 118 - by, 12, 110, 110 + by, 14, 112], [4]).refused, false);
+    studio.set('gx', String(by / 20));
+    studio.tick(4, 2);
+    lookAt(studio);
+  }
+  studio.setLive(false);
+  studio.restart();
+  for (let by = 0; by < 5; by += 1) studio.step();
+  finished(studio);
+  studio.open(`${SMALL}&outline=square`);
+  assert.equal(finished(studio).digest(), digest);
+  studio.free();
+});
+
+/** Notices of what cannot come about from here: too little memory, lines beside rings, sizes beyond those of any link. */
+const NEVER_SAID = ['no_memory', 'stage_missing', 'no_outline', 'lines_refused', 'line_points', 'line_short', 'line', 'too_many_cells', 'no_cells'];
+
+/** Links that are not quite right. */
+const WRONG = [
+  'cs=9999', 'gx=9', 'size=2048&cs=4', 'cs=NaN', 'cs=1e999', 'cs=inf', 'cs=1,5', 'cs=', 'seed=1.5', 'seed=-1', 'stone=brick', 'lines=!',
+  'lines=0.1,0.2', 'strokes=0.1,0.2,0.3', 'strokes=0,0,9,9', 'strokes=0,0,1,x', 'strokes=0,0,1,1e30', 'spots=0.5,0.5,0.2',
+  'spots=0.5,0.5,0.2,9', 'stretch=0.5,0.5,7,2', 'parts=0.5,0.5,7', 'parts=0.5,0.5', `spots=${'0.5,0.5,0.2,1;'.repeat(99)}0.5,0.5,0.2,1`,
+  `poly=${'CC'.repeat(9000)}`, 'outline=donut', 'foo=1', '=5', '%ff%00=1', 'cs=18&cs=19', 'v=2&cs=18', 'v=0', 'outline=polygon',
+  'outline=star&poly=AAAA', 'poly=A', 'poly=g', 'poly=gggggggA', 'outline=polygon&poly=AA', 'poly=gggBgggBCCCCCC', 'make=castle',
+  'a=1&b=1&c=1&d=1&e=1&f=1&g=1&h=1&i=1&j=1&k=1&l=1&m=1', 'a=1&'.repeat(9000),
+  'poly=0.1,0.1,0.9,0.1,0.9,0.9,0.1,0.9&lines=0.1,0.1', `lines=${'0.1,0.2,'.repeat(600)}0.5,0.5`,
+];
+
+const ring = [10, 10, 110, 10, 110, 110, 10, 110];
+const hole = [40, 40, 40, 60, 60, 60, 60, 40];
+
+/** Outlines that are not quite right: their rings. @type {number[][][]} */
+const ROUGH = [
+  [],
+  [[10, 10, 90, 90]],
+  [[10, 10, NaN, 10, 50, 50]],
+  [[10, 10, 9e9, 10, 50, 50]],
+  [[10, 10, 50, 50, 90, 90]],
+  [[10, 10, 110, 10, 60, 10, 60, 90]],
+  [[10, 10, 110, 110, 110, 10, 10, 110]],
+  [ring, [40, 40, 120, 40, 60, 60]],
+  [[10, 10, 10.5, 10, 10, 10.5]],
+  [[10, 10, 10, 10, 110, 10, 110, 110]],
+  [[10, 10, 10, 10, 10, 10, 110, 10, 110, 110]],
+  [[10, 10, 10, 110, 110, 110, 110, 10]],
+  [ring, hole, [300, 40, 320, 60, 40, 60]],
+  [ring, hole.slice(0, 4)],
+  [ring, hole, [120, 120, 121, 120, 120, 121, 121, 121]],
+  Array.from({ length: 9 }, (_, k) => [6 + 13 * k, 20, 6 + 13 * k, 20, 6 + 13 * k, 32, 16 + 13 * k, 32]),
+  [Array.from({ length: 9000 }, (_, k) => (k % 2 ? 64 + 50 * Math.sin(k / 4500 * Math.PI) : 64 + 50 * Math.cos(k / 4500 * Math.PI)))],
+];
+
+test('every notice is said', () => {
+  /** @type {Set<string>} */
+  const said = new Set();
+  /** @param {any} what a notice, its arguments, or several */
+  const hear = (what) => {
+    if (what === null || typeof what !== 'object') return;
+    if (typeof what.code === 'string') said.add(what.code);
+    Object.values(what).forEach(hear);
+  };
+  for (const link of WRONG) {
+    const studio = open(link);
+    assert.ok(studio.notices().length, link);
+    hear(studio.notices());
+    studio.free();
+  }
+  const studio = open(SMALL);
+  for (const rings of ROUGH) {
+    hear(studio.setOutline(Float64Array.from(rings.flat()), Uint32Array.from(rings, ({ length }) => length / 2)));
+  }
+  hear(studio.setOutline([1, 2, 3], [2]));
+  hear([studio.set('nonsense', '1'), studio.set('cs', 'many'), studio.set('lines', '0,0,9,9'), studio.set('poly', '!')]);
+  hear([studio.map('height'), studio.map('nothing'), studio.meshFile('glb', 9), studio.meshFile('', 9), studio.pictureFile(2, 9)]);
+  finished(studio);
+  hear([studio.pictureFile(99, 9), studio.biggerMap('height')]);
+  studio.free();
+  const codes = text('../src/notice/words.txt').match(/^[a-z]\w*$/gm) ?? [];
+  assert.deepEqual(codes.filter((code) => !said.has(code) && !NEVER_SAID.includes(code)), []);
+});
+
+test('a break inside stops the module: a call of it throws', async () => {
+  const own = await moduleIn(pageModule, bytes, 'own');
+  const studio = new own.Bubblestone(SMALL);
+  const now = performance.now;
+  // The studio is lent to the call that asks for the time.
+  performance.now = () => studio.link();
+  try {
+    assert.throws(() => studio.tick(1, 1), WebAssembly.RuntimeError);
+  } finally {
+    performance.now = now;
+  }
+  assert.throws(() => studio.link());
+});
