@@ -6,10 +6,12 @@ import { ask, say, start, Stop } from './lib/run.mjs';
 import { nativeEnv } from './lib/rust.mjs';
 import * as setup from './lib/setup.mjs';
 
-// The two rows go side by side, as much of a build keeps one core busy only; each builds in a folder of its own, which
-// cargo locks. Browsers come after them, one kind at a time: two of them keep two cores busy.
-const native = ['cargo fmt', 'clippy, native', 'cargo test', 'cargo doc', 'dependencies'];
-const web = ['wasm build', 'page build', 'types', 'lint', 'specimen build', 'clippy, wasm32', 'wasm-pack test'];
+// The two rows of a pair go side by side, as much of a build keeps one core busy only; each builds in a folder of its own,
+// which cargo locks. The second pair needs the module. Browsers come last, one kind at a time: two of them keep two cores busy.
+const pairs = [
+  [['cargo fmt', 'clippy, native', 'cargo doc', 'dependencies'], ['wasm build']],
+  [['cargo test', 'types', 'lint'], ['page build', 'specimen build', 'clippy, wasm32', 'wasm-pack test']],
+];
 const browsers = ['tests in Chromium', 'tests in Firefox'];
 
 /** @type {{ name: string, seconds: number }[]} */
@@ -34,7 +36,7 @@ async function everything() {
   for (const signal of ['SIGINT', 'SIGTERM']) process.on(signal, () => process.exit(1));
   try {
     await timed('set-up', setUp);
-    await Promise.all([native, web].map((row) => inOrder(row, 'pipe')));
+    for (const pair of pairs) await Promise.all(pair.map((row) => inOrder(row, 'pipe')));
     await inOrder(browsers, 'inherit');
     console.log('\nAll tests passed.');
   } finally {

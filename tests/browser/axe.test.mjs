@@ -28,8 +28,8 @@ const ALL = [
   { name: 'phone-dark', viewport: phone, dark: true },
 ];
 
-// The picture itself on all four, the other states by turns on a light desk and a dark phone: each takes seconds. The document
-// that axe reads is the same in a second browser, but for what that says of its own controls: it has those, once.
+// The picture itself on all four, the other states by turns on a light desk and a dark phone: each takes seconds. What axe reads
+// is the document, which a second browser has alike: it is asked about the panel only, whose controls are its own.
 const screensOf = (/** @type {string} */ state, /** @type {number} */ turn) => {
   if (kind !== 'chromium') return state === 'panel' ? ALL.slice(0, 1) : [];
   return state === 'done' ? ALL : [turn % 2 ? ALL[3] : ALL[0]];
