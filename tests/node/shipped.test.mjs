@@ -63,7 +63,10 @@ function lookAt(studio) {
     studio.absences(view);
   }
   for (let y = 2; y < side; y += 12) {
-    for (let x = 2; x < side; x += 12) [studio.probe(x, y), studio.part(x, y)];
+    for (let x = 2; x < side; x += 12) {
+      studio.probe(x, y);
+      studio.part(x, y);
+    }
   }
   for (const ask of ['status', 'series', 'histograms', 'heightRange', 'outline', 'svg', 'report', 'notices', 'problem']) studio[ask]();
 }
