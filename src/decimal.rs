@@ -1,5 +1,5 @@
-//! Reading and writing decimal numbers, rounded as the standard library does. Its own code is quicker,
-//! but a twentieth of the WebAssembly module: numbers in links, sentences and reports are few.
+//! Reading and writing decimal numbers, rounded as the standard library does. Its own code is quicker, but a
+//! twentieth of the WebAssembly module (docs/size.md): numbers in links, sentences and reports are few.
 
 use std::cmp::Ordering;
 

@@ -12,7 +12,7 @@ export const site = join(root, 'dist');
 /** The site that tests of several generators open: its second module has a specimen. */
 export const specimenSite = join(targetDir, 'site-specimen');
 
-/** The most that the WebAssembly module may weigh, packed. */
+/** The most that the WebAssembly module may weigh, packed; docs/size.md has what keeps it small. */
 const wasmBudget = 330_000;
 
 /** The most that a first visit may transfer until the picture is done. */

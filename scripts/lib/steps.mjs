@@ -26,6 +26,7 @@ export const steps = {
   types,
   lint: () => tool('eslint', 'bin/eslint.js', ['--max-warnings', '0', '.']),
   'specimen build': specimen,
+  'modules as sent': () => nodeTests([join(root, 'tests', 'node', 'shipped.test.mjs')], 'Node'),
   'clippy, wasm32': () => wasmLint(forWasm()),
   'wasm-pack test': () => wasmTest(forWasm()),
   'tests in Chromium': () => browserTests('chromium'),
@@ -102,9 +103,14 @@ async function browserTests(kind) {
   const others = readdirSync(folder).filter((file) => file.endsWith('.test.mjs') && !long.includes(file));
   process.env.BROWSER = kind;
   const files = [...long, ...others].map((file) => join(folder, file));
+  await nodeTests(files, browsers[kind].title);
+}
+
+/** @param {string[]} files @param {string} where */
+async function nodeTests(files, where) {
   const events = test({ files, concurrency: 2, timeout: 1_500_000 });
   let failed = 0;
   events.on('test:fail', () => (failed += 1));
   await pipeline(events, new spec(), process.stdout, { end: false });
-  if (failed) throw new Stop(`Tests failed in ${browsers[kind].title}.`);
+  if (failed) throw new Stop(`Tests failed in ${where}.`);
 }

@@ -36,8 +36,8 @@ const features =
 export function trim(file) {
   const module = binaryen.readBinary(readFileSync(file));
   module.setFeatures(features);
-  /** @type {Set<string>} */
-  const [kept, emptied] = [new Set(), new Set()];
+  const kept = new Set();
+  const emptied = new Set();
   for (let k = 0; k < module.getNumFunctions(); k++) {
     const reference = module.getFunctionByIndex(k);
     const { name, module: importedFrom, body } = binaryen.getFunctionInfo(reference);

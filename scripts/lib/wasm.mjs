@@ -9,14 +9,16 @@ import { targetDir, wasmTarget, wasmTargetDir } from './rust.mjs';
 export const pageModule = join(root, 'pkg');
 /** As it is sent. */
 export const packedModule = join(pageModule, 'bubblestone.lzma');
+/** The whole house with a specimen in it, for tests. */
+export const houseModule = join(root, 'pkg-specimen');
+export const packedHouse = join(houseModule, 'house.lzma');
 export const nodeModule = join(targetDir, 'pkg-node');
 
 /** All builds: where they are put, for whom, and the cargo features of each. */
 const BUILDS = {
   /** What a first visit gets. */
   web: { folder: pageModule, target: 'web', features: [] },
-  /** The whole house with a specimen in it, for tests of the page. */
-  specimen: { folder: join(root, 'pkg-specimen'), target: 'web', features: ['specimen'] },
+  specimen: { folder: houseModule, target: 'web', features: ['specimen'] },
   nodejs: { folder: nodeModule, target: 'nodejs', features: [] },
   /** With the measurements. */
   bench: { folder: join(targetDir, 'pkg-bench'), target: 'nodejs', features: ['bench'] },

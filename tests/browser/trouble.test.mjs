@@ -41,6 +41,21 @@ test('a break inside becomes a message with the recipe, and the page can start a
   await close();
 });
 
+test('a trap in the module as it is sent becomes the same message', async () => {
+  const { page, close } = await site.newPage(`${SMALL}&seed=77`);
+  await digest(page);
+  await page.evaluate(() => {
+    // The studio is lent to the call that asks for the time.
+    performance.now = () => Number(window.bubblestone.link());
+  });
+  await click(page, '#play');
+  await message(page, 'alert', /mistake/);
+  assert.match(await page.$eval('[role=alert] a', (anchor) => anchor.href), /seed=77/);
+  await reloading(page, () => click(page, '[role=alert] a'));
+  await digest(page);
+  await close();
+});
+
 test('a browser without WebAssembly gets a sentence', async () => {
   const { page, close } = await site.newPage(SMALL, {
     before: (fresh) => fresh.evaluateOnNewDocument(() => Object.defineProperty(window, 'WebAssembly', { value: undefined })),

@@ -2,21 +2,26 @@
 // tests of the crate run as cargo built it. A function that was taken out wrongly stops the module where it is called,
 // so here all is called that can be: by every parameter, view, file and notice that the module itself lists.
 //
-// `node --test --test-reporter=spec tests/node/shipped.test.mjs`, after `npm run build`.
+// `npm test -- 'wasm build' 'specimen build' 'modules as sent'`.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { before, test } from 'node:test';
+import { pathToFileURL } from 'node:url';
 import lzma from 'lzma';
 import { all, Canvas, moduleIn } from '../../scripts/lib/headless.mjs';
-import { packedModule, pageModule } from '../../scripts/lib/wasm.mjs';
+import { houseModule, packedHouse, packedModule, pageModule } from '../../scripts/lib/wasm.mjs';
 
 /** @type {any} */
 let module;
 /** @type {Uint8Array} */
 let bytes;
 
+/** @param {string} file */
+const unpacked = (file) => Uint8Array.from(/** @type {number[]} */ (lzma.decompress(readFileSync(file))));
+
 before(async () => {
-  bytes = Uint8Array.from(/** @type {number[]} */ (lzma.decompress(readFileSync(packedModule))));
+  bytes = unpacked(packedModule);
   module = await moduleIn(pageModule, bytes);
 });
 
@@ -63,7 +68,10 @@ function lookAt(studio) {
     studio.absences(view);
   }
   for (let y = 2; y < side; y += 12) {
-    for (let x = 2; x < side; x += 12) [studio.probe(x, y), studio.part(x, y)];
+    for (let x = 2; x < side; x += 12) {
+      studio.probe(x, y);
+      studio.part(x, y);
+    }
   }
   for (const ask of ['status', 'series', 'histograms', 'heightRange', 'outline', 'svg', 'report', 'notices', 'problem']) studio[ask]();
 }
@@ -88,12 +96,24 @@ const LISTS = {
   parts: ['0.5,0.5,1;0.2,0.7,3'],
 };
 
-test('every preset has the planes that it has natively', () => {
-  for (const line of text('digests.txt').trim().split('\n')) {
-    const [name, digest] = line.split(' ');
-    const preset = module.presets('pavement').find((/** @type {{ name: string }} */ one) => one.name === name);
-    assert.equal(module.digest_of_link(preset.link), digest, name);
+test('every preset has the planes that it has natively, in the first module and in the one that makes all', async () => {
+  const all = await moduleIn(houseModule, unpacked(packedHouse));
+  for (const { presets, digest_of_link } of [module, all]) {
+    const links = new Map(presets('pavement').map((/** @type {{ name: string, link: string }} */ { name, link }) => [name, link]));
+    for (const line of text('digests.txt').trim().split('\n')) {
+      const [name, digest] = line.split(' ');
+      assert.equal(digest_of_link(links.get(name)), digest, name);
+    }
   }
+});
+
+test('the first picture and a large one take the memory that is stated', async () => {
+  const own = await import(`${pathToFileURL(join(pageModule, 'bubblestone.js')).href}?memory`);
+  const { memory } = own.initSync({ module: bytes });
+  const taken = (/** @type {string} */ link) => (own.digest_of_link(link), memory.buffer.byteLength / 2 ** 20);
+  assert.ok(taken('') < 32);
+  assert.ok(taken('size=1024') < 80);
+  assert.throws(() => memory.grow(16_384), RangeError);
 });
 
 test('everything is drawn and told at every stage', () => {
