@@ -101,7 +101,7 @@ test('a link of another generator opens it, and again after a reload', sameEvery
 test('all generators work without a host once the site is stored', async (t) => {
   const own = await open({ files: specimenSite });
   t.after(() => own.close());
-  const { page, external, close } = await own.newPage(SMALL);
+  const { page, external, close } = await own.newPage(SMALL, { stores: true });
   const pavement = await digest(page);
   await stored(page);
   own.stop();
