@@ -153,7 +153,7 @@ test('the sun is dragged: only the light is worked out anew, in one step of the 
   await drag(page, { x: sun.x + sun.width / 2, y: sun.y + sun.height / 2 }, await spot(page, 0.5 + 0.23, 0.5));
   assert.equal(await page.$eval('html', (html) => html.dataset.stage !== 'packing'), true);
   await page.mouse.up();
-  await done(page);
+  await digest(page);
   const [az, el] = [Number(await get(page, 'az')), Number(await get(page, 'el'))];
   assert.ok(Math.abs(((az + 180) % 360) - 180) < 3 && Math.abs(el - 45) < 3, `${az}, ${el}`);
   assert.match(await page.evaluate(() => window.bubblestone.link()), /az=/);
@@ -190,7 +190,7 @@ test('the sun and the lamp are moved by arrow keys', async () => {
   await page.focus('#light-bulb');
   await page.keyboard.press('ArrowUp');
   assert.equal(await get(page, 'lz'), '0.42');
-  await done(page);
+  await digest(page);
   const lamp = await box(page, '#light-lamp');
   const to = await spot(page, 0.7, 0.6);
   await drag(page, { x: lamp.x + lamp.width / 2, y: lamp.y + lamp.height / 2 }, to);
@@ -229,6 +229,7 @@ test('the cell under the pointer is told, in the numbers of the module, and neve
   const outline = await box(page, '#cells path');
   assert.ok(outline.x <= at.x && at.x <= outline.right && outline.y <= at.y && at.y <= outline.bottom);
   await click(page, '#edit-outline');
+  await page.waitForSelector('.handle');
   await page.mouse.move(at.x + 3, at.y);
   await frames(page, 15);
   assert.equal(await page.$eval('.cell-card', (element) => element.checkVisibility()), false);
@@ -421,6 +422,7 @@ test('another recipe is compared under a divider, made beside the shown one', as
   assert.ok(same, 'the recipe as it was is the shown one');
   await page.keyboard.press('3');
   await frames(page, 5);
+  await digest(page);
   assert.ok(await page.evaluate(() => document.querySelector('.other').toDataURL() === document.querySelector('#canvas').toDataURL()));
   await page.select('#compare-with', 'link');
   await page.type('#compare-link', 'https://example.org/#nonsense=1');

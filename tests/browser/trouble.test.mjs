@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { open } from './harness.mjs';
-import { click, digest, done, get, message, reloading, SMALL } from './page.mjs';
+import { click, digest, get, message, reloading, SMALL } from './page.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
@@ -36,7 +36,7 @@ test('a break inside becomes a message with the recipe, and the page can start a
   await click(page, '#play');
   await message(page, 'alert', /mistake/);
   await reloading(page, () => click(page, '[role=alert] .actions button'));
-  await done(page);
+  await digest(page);
   assert.equal(await page.evaluate(() => window.bubblestone.link()), '');
   await close();
 });
