@@ -89,7 +89,7 @@ async function newPage(browser, system, address, fragment, { viewport = { width:
   page.on('requestfailed', (request) => {
     const why = request.failure()?.errorText ?? '';
     // What the page, or its going away, did not wait for any more is no failure.
-    if (!/ABORTED/.test(why)) problems.push(`${request.url()}: ${why}`);
+    if (!/ABORT/.test(why)) problems.push(`${request.url()}: ${why}`);
   });
   page.on('request', (request) => {
     const url = request.url();
