@@ -447,27 +447,26 @@ test('on a phone everything for looking closer can be touched, and nothing is wi
   const place = await box(page, '#canvas');
   for (const id of ['light', 'layers', 'plots', 'compare']) await page.$eval(`#${id}-button`, (button) => button.click());
   for (const selector of ['#light-sun', '#layers', '#plots canvas', '#divider']) await page.waitForSelector(selector, { visible: true });
-  // The page has gone to the plots.
-  await page.waitForFunction(
+  // The page goes to the plots, where the picture is small: it is measured when it is large again.
+  const measured = await page.waitForFunction(
     (side) => {
       window.scrollTo({ top: 0, behavior: 'instant' });
-      return document.querySelector('#canvas').getBoundingClientRect().width === side;
+      if (document.querySelector('#canvas').getBoundingClientRect().width !== side) return undefined;
+      const inside = '.frame, .viewbox, #layers, #plots';
+      const seen = [...document.querySelectorAll(inside)].flatMap((part) => [...part.querySelectorAll('*')]).filter((element) => element.checkVisibility());
+      const targets = seen.filter((element) => element.matches('button, input, select, [role=slider]'));
+      const label = (element) => (element.matches('[type=radio], [type=checkbox]') ? element.closest('label') : element);
+      const name = (element) => element.outerHTML.slice(0, 90);
+      const touched = (element) => element.getBoundingClientRect();
+      return {
+        small: targets.map(label).filter((element) => touched(element).width < 43.5 || touched(element).height < 43.5).map(name),
+        wide: seen.filter((element) => !element.closest('svg') && touched(element).right > innerWidth + 0.5).map(name),
+      };
     },
     {},
     place.width,
   );
-  const { small, wide } = await page.evaluate(() => {
-    const inside = '.frame, .viewbox, #layers, #plots';
-    const seen = [...document.querySelectorAll(inside)].flatMap((part) => [...part.querySelectorAll('*')]).filter((element) => element.checkVisibility());
-    const targets = seen.filter((element) => element.matches('button, input, select, [role=slider]'));
-    const label = (element) => (element.matches('[type=radio], [type=checkbox]') ? element.closest('label') : element);
-    const name = (element) => element.outerHTML.slice(0, 90);
-    const touched = (element) => element.getBoundingClientRect();
-    return {
-      small: targets.map(label).filter((element) => touched(element).width < 43.5 || touched(element).height < 43.5).map(name),
-      wide: seen.filter((element) => !element.closest('svg') && touched(element).right > innerWidth + 0.5).map(name),
-    };
-  });
+  const { small, wide } = await measured.jsonValue();
   assert.deepEqual(small, []);
   assert.deepEqual(wide, []);
   assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 390);
