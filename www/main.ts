@@ -42,8 +42,9 @@ async function begin(): Promise<void> {
 async function storeSite(): Promise<void> {
   // Without a storage the next visit unpacks the module again.
   keepModules().catch(() => undefined);
-  const { register } = await import('./shell/offline');
-  register((what) => {
+  // What does not come, a lost connection or a page that is left already: the next visit stores it.
+  const offline = await import('./shell/offline').catch(() => undefined);
+  offline?.register((what) => {
     if (what === 'newer') passing('offline', t('offline_newer'));
     // Nothing to do about it: it stands at the foot of the page.
     else byId('offline').textContent = t('offline_stored');

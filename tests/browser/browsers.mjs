@@ -1,5 +1,6 @@
 // The browsers that the tests drive, and what each of them wants said in its own way. BROWSER=firefox names Firefox.
-import { mkdtempSync, rmSync } from 'node:fs';
+import { mkdtempSync } from 'node:fs';
+import { rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import puppeteer from 'puppeteer-core';
@@ -55,6 +56,21 @@ const firefoxPreferences = ({ dark, still, touch }) => ({
 });
 
 /**
+ * Removes a folder. Some of a browser's processes end a little after it, and write new files while the
+ * old ones are removed; what is left after a minute is not worth a failure.
+ * @param {string} folder
+ */
+async function remove(folder) {
+  for (let tries = 0; tries < 300; tries += 1) {
+    try {
+      return await rm(folder, { recursive: true, force: true });
+    } catch {
+      await new Promise((resolve) => setTimeout(resolve, 200));
+    }
+  }
+}
+
+/**
  * Starts a browser with an empty profile.
  * @param {System} system only Firefox has to know it by now
  * @param {string[]} [flags] more of them, for Chromium
@@ -64,8 +80,6 @@ export async function launch(system, flags = []) {
   const executablePath = findBrowser(kind);
   if (!executablePath) throw new Error(`No ${browsers[kind].title}: name its program in ${browsers[kind].variable}.`);
   const profile = mkdtempSync(join(tmpdir(), 'bubblestone-browser-'));
-  // Some of the browser's processes end, and write, a little after it.
-  const remove = () => rmSync(profile, { recursive: true, force: true, maxRetries: 20 });
   const browser = await puppeteer
     .launch({
       browser: kind === 'firefox' ? 'firefox' : 'chrome',
@@ -75,15 +89,15 @@ export async function launch(system, flags = []) {
       timeout: 120_000,
       ...(kind === 'firefox' ? { extraPrefsFirefox: firefoxPreferences(system) } : { args: [...chromiumFlags, ...flags] }),
     })
-    .catch((error) => {
-      remove();
+    .catch(async (error) => {
+      await remove(profile);
       throw error;
     });
   return {
     browser,
     close: async () => {
       await browser.close();
-      remove();
+      await remove(profile);
     },
   };
 }

@@ -237,6 +237,7 @@ test('pictures and drawings saved here open their recipe when they are dropped; 
     await click(page, '#undo');
     assert.notEqual(await link(page), work);
     await click(page, '#redo');
+    await digest(page);
   }
   const image = new PNG({ width: 2, height: 2 });
   await drop(page, 'holiday.png', PNG.sync.write(image), 'image/png');
@@ -291,7 +292,7 @@ test('Stop stops what is being made, and then another file can be saved', async 
     assert.equal(await page.$('.message:has(progress) .close'), null, 'the way to stop can be put out of sight');
     await page.$eval('#stop-files', (stop) => stop.click());
     await message(page, 'status', /was stopped/);
-    await page.$eval('.message .close', (close) => close.click());
+    await page.evaluate(() => document.querySelector('.message .close')?.click());
     assert.equal(await page.evaluate(() => window.saved), undefined);
   }
   assert.equal((await saved(page, '#save-recipe')).name, 'bubblestone-annulus-1.json');
@@ -299,8 +300,7 @@ test('Stop stops what is being made, and then another file can be saved', async 
   assert.equal((await saved(page, '#save-recipe')).name, 'bubblestone-snake-1.json');
   await set(page, 'cs', '40');
   assert.equal((await saved(page, '#save-recipe')).name, 'bubblestone-tile-1.json');
-  // Firefox tells of the module that a stopped worker was just fetching.
-  assert.deepEqual(problems.filter((problem) => !/\.lzma: NS_BINDING_ABORTED$/.test(problem)), []);
+  assert.deepEqual(problems, []);
   await close();
 });
 
@@ -309,8 +309,8 @@ test('saving is done beside the page, which is never held for long', { skip }, a
   await digest(page);
   for (const button of ['#save-png-2', '#save-maps']) {
     const runs = [];
-    // The page may be at something else once: it gathers what was freed.
-    while (runs.length < 2 && !(runs.at(-1) < 1)) {
+    // The page may be at something else, such as gathering what was freed, and at first its code is not the fastest.
+    while (runs.length < 6 && !(runs.at(-1) < 1)) {
       await dialog(page);
       await page.evaluate(() => (window.saved = undefined));
       const saving = async () => {
@@ -329,7 +329,7 @@ test('the caption of a recipe that was dropped is its own', sameEverywhere, asyn
   const { page, problems, close } = await opened('');
   await digest(page);
   const file = (recipe) => JSON.stringify({ program: 'Bubblestone', recipe });
-  const caption = (words) => page.waitForFunction((source) => new RegExp(source).test(document.querySelector('#caption').textContent), { timeout: 20_000 }, words);
+  const caption = (words) => page.waitForFunction((source) => new RegExp(source).test(document.querySelector('#caption').textContent), { timeout: 60_000 }, words);
   const [{ title }, other] = await page.evaluate(() => window.bubblestone.presets);
   await caption(`^${title}:`);
   await drop(page, 'mine.json', file('v=1&size=192&cs=16&outline=star'), 'application/json');

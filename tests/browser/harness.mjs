@@ -91,11 +91,17 @@ async function newPage(browser, system, address, fragment, { viewport = { width:
     if (message.type() === 'error') problems.push(message.text());
   });
   page.on('pageerror', (error) => problems.push(String(error)));
-  page.on('requestfailed', (request) => problems.push(`${request.url()}: ${request.failure()?.errorText}`));
+  page.on('requestfailed', (request) => {
+    const why = request.failure()?.errorText ?? '';
+    // What the page, or its going away, did not wait for any more is no failure.
+    if (!/ABORT/.test(why)) problems.push(`${request.url()}: ${why}`);
+  });
   page.on('request', (request) => {
     const url = request.url();
     if (!url.startsWith(`${origin}/`) && !/^(data|blob|about):/.test(url)) external.push(url);
   });
+  // States are waited for as long as a slow machine takes.
+  page.setDefaultTimeout(120_000);
   await page.setViewport(viewport);
   if (!stores) await page.evaluateOnNewDocument(neverStored);
   await before?.(page);

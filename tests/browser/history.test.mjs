@@ -25,7 +25,7 @@ async function press(page, ...keys) {
 
 /** Waits until the work is in the browser's storage. */
 async function stored(page) {
-  await page.waitForFunction(() => document.querySelector('#stored').textContent !== '', { timeout: 10_000 });
+  await page.waitForFunction(() => document.querySelector('#stored').textContent !== '', { timeout: 60_000 });
 }
 
 test('each change is undone and redone, by buttons and by keys, and digests come back', async () => {

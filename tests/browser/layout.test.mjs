@@ -101,6 +101,7 @@ test('a keyboard on the screen leaves the picture and the controls in sight', as
   const long = () => page.evaluate(() => [document.documentElement.scrollWidth, document.querySelector('#panel').getBoundingClientRect().top + scrollY]);
   const before = await long();
   await page.setViewport({ ...phone, height: 440 });
+  await page.waitForFunction(() => innerHeight === 440);
   await frames(page, 3);
   const lower = await sight(page);
   assert.ok(lower.top >= -1 && lower.bottom <= 0.4 * 440, JSON.stringify(lower));

@@ -89,7 +89,7 @@ for (const [name, viewport] of Object.entries({
     assert.ok(sum < 0.01, JSON.stringify(shifts));
     // The watch does see a jump.
     await page.evaluate(() => (document.querySelector('#frame').style.marginTop = '90px'));
-    await page.waitForFunction((count) => window.shifts.length > count, { timeout: 10_000 }, shifts.length);
+    await page.waitForFunction((count) => window.shifts.length > count, { timeout: 60_000 }, shifts.length);
     await close();
   });
 }
@@ -147,7 +147,7 @@ test('every view draws something of its own', sameEverywhere, async () => {
   for (const view of views) {
     if (view === 'auto') continue;
     await page.select('#view', view);
-    await frames(page, 2);
+    await digest(page);
     const { hash } = await canvas(page);
     assert.ok(!seen.has(hash), `${view} looks like ${seen.get(hash)}`);
     seen.set(hash, view);
@@ -193,7 +193,7 @@ test('each preset has a small picture, and only those in sight are fetched', asy
   await digest(page);
   const images = '[data-preset] img';
   const arrived = () => page.$$eval(images, (all) => all.filter((image) => image.naturalWidth === 144).length);
-  await page.waitForFunction((all) => [...document.querySelectorAll(all)].some((image) => image.naturalWidth === 144), { timeout: 20_000 }, images);
+  await page.waitForFunction((all) => [...document.querySelectorAll(all)].some((image) => image.naturalWidth === 144), { timeout: 60_000 }, images);
   const total = await page.$$eval(images, (all) => all.length);
   assert.ok(fetched.length < 8, `${fetched.length} are fetched at once`);
   for (const heading of await page.$$('.rail h2 button')) {
@@ -206,6 +206,8 @@ test('each preset has a small picture, and only those in sight are fetched', asy
     });
   }
   assert.equal(await arrived(), total);
+  // The last answer may be told after it is seen.
+  for (let waited = 0; new Set(fetched).size < total && waited < 600; waited += 1) await new Promise((resolve) => setTimeout(resolve, 100));
   assert.equal(new Set(fetched).size, total);
   assert.deepEqual(problems, []);
   await close();
@@ -227,13 +229,14 @@ test('one group of presets is unfolded, with the preset that is shown in sight',
   }
   const last = presets.filter(({ group }) => group === groups[0]).at(-1);
   await page.evaluate((fragment) => (location.hash = fragment), last.link);
-  await page.waitForSelector(`[data-preset="${last.name}"][aria-current]`, { timeout: 20_000 });
+  await page.waitForSelector(`[data-preset="${last.name}"][aria-current]`, { timeout: 60_000 });
   assert.deepEqual(await open(), [groups[0]]);
-  const inSight = await page.$eval('.rail [aria-current]', (button) => {
+  // It is brought into sight with the next frame.
+  await page.waitForFunction(() => {
+    const button = document.querySelector('.rail [aria-current]');
     const [box, frame] = [button.getBoundingClientRect(), button.closest('ul').getBoundingClientRect()];
     return box.height > 0 && box.top >= frame.top - 1 && box.bottom <= frame.bottom + 1;
   });
-  assert.ok(inSight, 'the preset that is shown is out of sight');
   assert.deepEqual(problems, []);
   await close();
 });

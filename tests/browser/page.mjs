@@ -19,7 +19,7 @@ export async function digest(page) {
 
 /** Waits for the finished picture. @param {Page} page */
 export async function done(page) {
-  await page.waitForFunction(() => document.documentElement.dataset.stage === 'done', { timeout: 120_000 });
+  await page.waitForFunction(() => document.documentElement.dataset.stage === 'done', { timeout: 240_000 });
 }
 
 /** Lets some frames pass. @param {Page} page @param {number} count */
@@ -107,7 +107,7 @@ export async function message(page, role, words) {
   await page.waitForFunction(
     (wanted, source, flags) =>
       [...document.querySelectorAll(`[role=${wanted}] .message`)].some((note) => new RegExp(source, flags).test(note.textContent)),
-    { timeout: 20_000 },
+    { timeout: 60_000 },
     role,
     words.source,
     words.flags,
@@ -130,7 +130,7 @@ export async function tool(page, name, finger = false) {
  * @param {Page} page @param {string} selector @param {import('puppeteer-core').ClickOptions} [options]
  */
 export function click(page, selector, options) {
-  return page.locator(selector).setWaitForStableBoundingBox(false).setTimeout(20_000).click(options);
+  return page.locator(selector).setWaitForStableBoundingBox(false).setTimeout(60_000).click(options);
 }
 
 /**
@@ -207,7 +207,7 @@ export async function read(page) {
 /** The outline as the export writes it. @param {Page} page @param {string} kind @returns {Promise<string>} */
 export async function exported(page, kind) {
   await page.evaluate(() => {
-    const create = URL.createObjectURL;
+    const create = (/** @type {any} */ (window).create ??= URL.createObjectURL);
     URL.createObjectURL = (blob) => {
       void /** @type {Blob} */ (blob).text().then((text) => (/** @type {any} */ (window).saved = text));
       return create(blob);

@@ -85,9 +85,10 @@ test('nothing is wider than the screen', async () => {
   assert.equal(scroll, 390);
   // Nor are letters of twice the size, or a screen of 320 pixels.
   for (const [width, size] of [[390, '200%'], [320, '100%']]) {
-    await page.setViewport({ ...viewport, width });
     await page.evaluate((percent) => document.documentElement.style.setProperty('font-size', percent), size);
-    assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), width);
+    await page.setViewport({ ...viewport, width });
+    // The page is laid out a little later.
+    await page.waitForFunction((wide) => document.documentElement.scrollWidth === wide, { timeout: 20_000 }, width);
   }
   await close();
 });
@@ -113,9 +114,11 @@ test('a finger pauses, steps and moves a slider', async () => {
   const { page, problems, close } = await site.newPage(SMALL, { viewport });
   await digest(page);
   await page.tap('#step');
-  await page.waitForFunction(() => document.documentElement.dataset.stage === 'packing', { timeout: 20_000 });
+  await page.waitForFunction(() => document.documentElement.dataset.stage === 'packing', { timeout: 60_000 });
   const before = await steps(page);
   await page.tap('#step');
+  // A finger's click may come a little later.
+  await page.waitForFunction((count) => window.bubblestone.status().steps > count, {}, before);
   assert.equal(await steps(page), before + 1);
   await page.$eval('[data-key=el]', (control) => {
     control.closest('details').open = true;

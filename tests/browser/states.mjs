@@ -91,7 +91,7 @@ export const states = {
   compare: {
     arrange: async (page) => {
       await shown('#compare-button', '#divider')(page);
-      await page.waitForFunction(() => document.querySelector('.compare-progress')?.textContent === '');
+      await page.waitForFunction(() => document.querySelector('.compare-progress')?.textContent === '', { timeout: 120_000 });
     },
   },
   about: { arrange: click('#about-button') },

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { open } from './harness.mjs';
-import { click, digest, done, get, message, reloading, SMALL } from './page.mjs';
+import { click, digest, frames, get, message, reloading, SMALL } from './page.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
@@ -36,7 +36,7 @@ test('a break inside becomes a message with the recipe, and the page can start a
   await click(page, '#play');
   await message(page, 'alert', /mistake/);
   await reloading(page, () => click(page, '[role=alert] .actions button'));
-  await done(page);
+  await digest(page);
   assert.equal(await page.evaluate(() => window.bubblestone.link()), '');
   await close();
 });
@@ -62,6 +62,27 @@ test('a browser without WebAssembly gets a sentence', async () => {
   });
   await message(page, 'alert', /no WebAssembly/);
   assert.equal(await page.evaluate(() => document.documentElement.dataset.stage), 'error');
+  await close();
+});
+
+test('a page that cannot be stored works, and says nothing of it', async () => {
+  /** @type {string[]} */
+  const errors = [];
+  let asked = () => {};
+  const refused = new Promise((resolve) => (asked = () => resolve(undefined)));
+  const { page, close } = await site.newPage(SMALL, {
+    before: async (fresh) => {
+      fresh.on('pageerror', (error) => errors.push(String(error)));
+      await fresh.setRequestInterception(true);
+      fresh.on('request', (request) => (/offline/.test(request.url()) ? request.abort() : request.continue()));
+      fresh.on('requestfailed', (request) => /offline/.test(request.url()) && asked());
+    },
+  });
+  await refused;
+  await digest(page);
+  await frames(page, 5);
+  assert.deepEqual(errors, []);
+  assert.equal(await page.$('.message'), null);
   await close();
 });
 
