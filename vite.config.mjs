@@ -77,8 +77,8 @@ const made = {
     if (id === '\0virtual:generators') return `export default ${JSON.stringify(await generatorsOf([here('pkg'), ...(house ? [house] : [])]))}`;
     if (id !== '\0virtual:house') return undefined;
     if (!house) return 'export default undefined';
-    const [glue, packed] = ['bubblestone.js', 'house.lzma?url'].map((name) => JSON.stringify(`${house}/${name}`));
-    return `import packed from ${packed}; export default { packed, bring: () => import(${glue}) }`;
+    const [script, packed] = ['bubblestone.js', 'house.lzma'].map((name) => JSON.stringify(`${house}/${name}?url`));
+    return `import packed from ${packed}; import script from ${script}; export default { packed, script }`;
   },
   /** @this {import('rolldown').PluginContext} */
   async generateBundle() {

@@ -1,12 +1,11 @@
 /** Starts the page. */
-import { keepModules } from './module/load';
 import { t } from './words/words';
 import { byId } from './base/dom';
 import { reasonOf } from './base/errors';
 import { takeLanguage } from './base/language';
 import { alertOf, passing } from './base/messages';
 import { followTheme } from './base/theme';
-import { load } from './state/engine';
+import { isHere, load } from './state/arrivals';
 import { askedFor, openedFirst } from './state/first';
 import { fragment, isEmbedded } from './state/link';
 import { lastWork } from './state/memory';
@@ -16,7 +15,10 @@ async function start(): Promise<void> {
   try {
     const embedded = isEmbedded();
     document.documentElement.toggleAttribute('data-embed', embedded);
-    const [embed] = await Promise.all([embedded ? import('./shell/embed') : undefined, load(embedded ? fragment() : firstLink()), takeLanguage()]);
+    const link = embedded ? fragment : firstLink;
+    const [embed] = await Promise.all([embedded ? import('./shell/embed') : undefined, load(link()), takeLanguage()]);
+    // The address may have changed meanwhile.
+    while (!isHere(link())) await load(link());
     if (embed) window.bubblestone = new embed.Embed().scripts.face;
     else await begin();
   } catch (error) {
@@ -40,8 +42,6 @@ async function begin(): Promise<void> {
 
 /** The first picture is done: now there is time for the next visit. */
 async function storeSite(): Promise<void> {
-  // Without a storage the next visit unpacks the module again.
-  keepModules().catch(() => undefined);
   // What does not come, a lost connection or a page that is left already: the next visit stores it.
   const offline = await import('./shell/offline').catch(() => undefined);
   offline?.register((what) => {

@@ -2,9 +2,9 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { specimenSite } from '../../scripts/lib/site.mjs';
-import { sameEverywhere } from './browsers.mjs';
+import { kind, sameEverywhere } from './browsers.mjs';
 import { open } from './harness.mjs';
-import { canvas, click, digest, frames, get, message, reloading, SMALL } from './page.mjs';
+import { canvas, click, digest, frames, get, message, reloading, set, SMALL } from './page.mjs';
 
 /** @typedef {import('puppeteer-core').Page} Page */
 
@@ -118,26 +118,167 @@ test('all generators work without a host once the site is stored', async (t) => 
   await close();
 });
 
+/**
+ * The second module does not come to this page, neither its script nor the rest, until `isUp`; what is asked for while
+ * `isSlow` waits. Where `up`, it comes until the session says `cut`.
+ * @param {Page} fresh @param {boolean} [up]
+ */
+const cutOff = (fresh, up = false) =>
+  fresh.evaluateOnNewDocument((comes) => {
+    window.isUp = comes && !sessionStorage.getItem('cut');
+    const real = window.fetch;
+    const up = async () => {
+      while (window.isSlow) await new Promise((resolve) => setTimeout(resolve, 20));
+      if (!window.isUp) throw new TypeError('no way there');
+    };
+    window.fetch = async (input, init) => {
+      if (/house|bubblestone-[^/]*\.js/.test(String(input))) await up();
+      return real(input, init);
+    };
+  }, up);
+
+/** The address and the recipe of what is shown, with what the history holds. @param {Page} page */
+const state = (page) =>
+  page.evaluate(() => ({
+    hash: location.hash.slice(1),
+    link: window.bubblestone.link(),
+    undo: !document.querySelector('#undo').disabled,
+    redo: !document.querySelector('#redo').disabled,
+  }));
+
 test('a generator that does not arrive leaves the picture, and is tried again', sameEverywhere, async () => {
-  const { page, close } = await site.newPage(SMALL, {
-    before: (fresh) =>
-      fresh.evaluateOnNewDocument(() => {
-        const real = window.fetch;
-        window.fetch = (input, init) => (window.isUp || !/house/.test(String(input)) ? real(input, init) : Promise.reject(new TypeError('no way there')));
-      }),
-  });
+  const { page, problems, close } = await site.newPage(SMALL, { before: cutOff });
   const pavement = await digest(page);
   const shown = await canvas(page);
+  const before = await state(page);
   await click(page, '.make[data-make=specimen]');
   await message(page, 'alert', /could not be loaded/);
   await frames(page, 5);
   assert.deepEqual(await canvas(page), shown);
   assert.equal(await digest(page), pavement);
-  assert.equal(await page.evaluate(() => window.bubblestone.link()), SMALL.slice(1).replace(/^(?!v=1)/, 'v=1&'));
+  assert.deepEqual(await state(page), before);
   await page.evaluate(() => (window.isUp = true));
   await click(page, '[role=alert] .actions button');
   await made(page, 'specimen');
   assert.equal(await page.$('[role=alert] .message'), null);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('a step back to a generator that does not arrive loses no step', sameEverywhere, async () => {
+  const { page, problems, close } = await site.newPage(SQUARES, { before: (fresh) => cutOff(fresh, true) });
+  const squares = await made(page, 'specimen');
+  await click(page, '.make[data-make=pavement]');
+  await made(page, 'pavement');
+  await set(page, 'seed', '5');
+  await set(page, 'seed', '6');
+  await click(page, '#undo');
+  await page.waitForFunction(() => document.querySelector('#stored').textContent !== '');
+  // The page as it comes anew has the first module only.
+  await page.evaluate(() => sessionStorage.setItem('cut', 'yes'));
+  await reloading(page, () => page.reload());
+  await digest(page);
+  for (const text of ['5', '1']) {
+    assert.equal(await get(page, 'seed'), text);
+    await click(page, '#undo');
+  }
+  await message(page, 'alert', /could not be loaded/);
+  const { link, hash, undo, redo } = await state(page);
+  assert.deepEqual({ hash, undo, redo }, { hash: link, undo: true, redo: true });
+  await page.evaluate(() => (window.isUp = true));
+  await click(page, '[role=alert] .actions button');
+  assert.equal(await made(page, 'specimen'), squares);
+  for (let step = 0; step < 3; step += 1) await click(page, '#redo');
+  await made(page, 'pavement');
+  assert.equal(await get(page, 'seed'), '6');
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('while a generator is on its way the page goes on, and what the visitor does then comes first', sameEverywhere, async () => {
+  const { page, problems, close } = await site.newPage(SMALL, { before: cutOff });
+  await digest(page);
+  await page.evaluate(() => Object.assign(window, { isSlow: true, isUp: true }));
+  const before = await state(page);
+  await click(page, '.make[data-make=specimen]');
+  await page.waitForSelector('.make[data-make=specimen][aria-busy=true]');
+  await message(page, 'status', /is being loaded/);
+  assert.deepEqual(await state(page), before);
+  // The generator that is at work, chosen again: the visitor stays.
+  await click(page, '.make[data-make=pavement]');
+  await page.waitForSelector('.make[data-make=specimen][aria-busy=false]');
+  await click(page, '.make[data-make=specimen]');
+  await message(page, 'status', /is being loaded/);
+  await set(page, 'seed', '5');
+  await page.waitForSelector('.make[data-make=specimen][aria-busy=false]');
+  await page.evaluate(() => (window.isSlow = false));
+  await digest(page);
+  assert.equal(await get(page, 'seed'), '5');
+  // An address that was typed is that of the recipe once it is here, and one step back is what was there.
+  await page.evaluate((link) => (location.hash = link), SQUARES);
+  await made(page, 'specimen');
+  assert.equal((await state(page)).hash, SQUARES.slice(1));
+  await click(page, '#undo');
+  await made(page, 'pavement');
+  assert.equal(await get(page, 'seed'), '5');
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('what is compared with may be of another generator', sameEverywhere, async () => {
+  const { page, problems, close } = await site.newPage(SMALL);
+  const pavement = await digest(page);
+  await click(page, '#compare-button');
+  await page.waitForSelector('#compare-with');
+  await page.select('#compare-with', 'link');
+  await page.type('#compare-link', `https://example.org/${SQUARES}`);
+  await page.keyboard.press('Enter');
+  await page.waitForFunction(() => document.querySelector('.other').width === 192 && document.querySelector('.compare-progress').textContent === '');
+  assert.equal(await get(page, 'seed'), '1');
+  await set(page, 'seed', '2');
+  assert.notEqual(await digest(page), pavement);
+  await click(page, '#undo');
+  assert.equal(await digest(page), pavement);
+  await click(page, '.make[data-make=specimen]');
+  await made(page, 'specimen');
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('a module that nobody uses any more goes, with its memory', { skip: kind === 'firefox' && 'only Chromium counts its objects' }, async () => {
+  const { page, close } = await site.newPage(SMALL);
+  const memories = async () => {
+    const kinds = await page.evaluateHandle(() => WebAssembly.Memory.prototype);
+    const found = await page.queryObjects(kinds);
+    const count = await found.evaluate((all) => all.length);
+    // What is at hand here would stay there.
+    await found.dispose();
+    return count;
+  };
+  await digest(page);
+  assert.equal(await memories(), 1);
+  await click(page, '.make[data-make=specimen]');
+  await made(page, 'specimen');
+  assert.equal(await memories(), 1);
+  await close();
+});
+
+test('a generator chosen while the panel is being built has its own panel', sameEverywhere, async () => {
+  const { page, problems, close } = await site.newPage(SQUARES, {
+    before: (fresh) =>
+      fresh.evaluateOnNewDocument(() => {
+        const choose = () => {
+          const button = document.querySelector('.make[data-make=pavement]');
+          if (button) button.click();
+          else requestAnimationFrame(choose);
+        };
+        requestAnimationFrame(choose);
+      }),
+  });
+  await made(page, 'pavement');
+  await page.waitForSelector('#p-cs');
+  assert.equal(await page.$('#p-across'), null);
+  assert.deepEqual(problems, []);
   await close();
 });
 

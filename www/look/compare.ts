@@ -3,6 +3,7 @@ import { isEnd } from '../module/stages';
 import { t } from '../words/look';
 import { byId, idle, make, say } from '../base/dom';
 import { notice } from '../base/messages';
+import { Arrivals } from '../state/arrivals';
 import { Engine } from '../state/engine';
 import type { Store } from '../state/store';
 import type { Work } from '../state/work';
@@ -32,6 +33,7 @@ export class Compare {
   /** The recipe when the comparison began. */
   private before = '';
   private engine: Engine | undefined;
+  private readonly arrivals = new Arrivals();
   /** What the other engine works on. */
   private wanted = '';
   private waiting = false;
@@ -79,6 +81,7 @@ export class Compare {
   }
 
   private stop(): void {
+    this.arrivals.cancel();
     this.engine?.free();
     this.engine = undefined;
     this.wanted = '';
@@ -106,12 +109,14 @@ export class Compare {
     const wanted = [base, ...(variant ?? [])].join(' ');
     if (wanted === this.wanted) return;
     this.wanted = wanted;
-    this.engine ??= new Engine(base, () => this.failed());
-    const said = this.engine.open(base);
-    if (variant) this.engine.set(variant[0], variant[1]);
-    if (word === 'link') notice('link', ...said);
-    this.drawn = 0;
-    this.wake();
+    this.arrivals.reach(base, () => {
+      this.engine ??= new Engine(base, () => this.failed());
+      const said = this.engine.open(base);
+      if (variant) this.engine.set(variant[0], variant[1]);
+      if (word === 'link') notice('link', ...said);
+      this.drawn = 0;
+      this.wake();
+    });
   }
 
   /** The other engine failed; what is shown goes on. */

@@ -5,7 +5,7 @@ import made from 'virtual:generators';
 export const generators = made;
 
 /** The word of the generator that a link names; that of the first where it names none that is known. */
-function makeOf(link: string): string {
+export function makeOf(link: string): string {
   const pairs = link.replace(/^[^#]*#/, '').split('&').map((pair) => pair.split('='));
   const given = pairs.filter(([key]) => key?.trim().toLowerCase() === 'make').map(([, word = '']) => decoded(word).trim().toLowerCase());
   const known = given.filter((word) => generators.some((one) => one.word === word));

@@ -18,6 +18,6 @@ declare module 'virtual:generators' {
 
 /** The second module; undefined where the first one has all generators. */
 declare module 'virtual:house' {
-  const house: { packed: string; bring: () => Promise<typeof import('../../pkg/bubblestone.js')> } | undefined;
+  const house: { packed: string; script: string } | undefined;
   export default house;
 }

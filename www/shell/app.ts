@@ -1,4 +1,5 @@
 /** The wiring: what happens when something on the page is changed, and what is shown of it. */
+import { keepModules } from '../module/load';
 import { isEnd, isUpToSteps, STEPPING } from '../module/stages';
 import { language, t } from '../words/words';
 import { byId, byIdAs, frame, make, say, wantsStill } from '../base/dom';
@@ -80,7 +81,7 @@ export class App {
     this.face = scriptFace(this.engine, () => this.loop.rests, () => this.forming.ahead);
     this.store = new Store(firstState(this.engine, asked, last));
     this.work = new Work(this.engine, this.store);
-    this.history = new History(this.store);
+    this.history = new History(this.store, (link, act) => this.work.reach(link, act));
     this.view = new View(this.engine, this.store);
     this.loop = new Loop(this.engine, (stage) => this.shownAt(stage), (stage, changed) => this.drawn(stage, changed));
     this.forming = new Forming(
@@ -91,9 +92,11 @@ export class App {
     );
     this.link = new Link((link, ours) => {
       const { own, recipe } = this.store.state;
-      this.work.open(link);
-      this.link.write(this.store.state.recipe);
-      if (own && !ours && this.store.state.recipe !== recipe) this.tellReplaced();
+      const then = (): void => {
+        this.link.write(this.store.state.recipe);
+        if (own && !ours && this.store.state.recipe !== recipe) this.tellReplaced();
+      };
+      this.work.open(link, { then });
     });
     this.parts = partsOf(this.work, this.view);
     this.offer();
@@ -125,13 +128,18 @@ export class App {
     const presets = new Presets((preset) => {
       this.leaveEditor();
       this.push();
-      if (isLocked(store, SEED)) this.work.open(withValues(preset.link, [[SEED, this.engine.get(SEED)]]), false, preset);
+      if (isLocked(store, SEED)) this.work.open(withValues(preset.link, [[SEED, this.engine.get(SEED)]]), { preset });
       else this.work.open(preset.link);
       store.update({ paused: false });
     });
     const mark = ({ recipe, preset }: State): void => presets.mark(preset?.recipe === recipe ? preset.shown.name : undefined);
+    /** The generator that the panel is of. */
+    let made = '';
     /** Builds what depends on the generator. */
     const build = async (): Promise<void> => {
+      const { make: word } = store.state;
+      if (word === made) return;
+      made = '';
       await panel.build();
       tools.build(panel);
       dice.build(panel);
@@ -141,19 +149,18 @@ export class App {
       await frame();
       presets.build(this.engine.presets);
       mark(store.state);
+      made = word;
     };
-    let building = build();
-    await building;
-    let made = store.state.make;
-    store.on(['make'], () => {
-      // One after the other: what is built is one panel.
-      building = building.then(build).then(() => void (made = store.state.make));
-    });
+    let building = Promise.resolve();
+    // One after the other: what is built is one panel.
+    const follow = (): Promise<void> => (building = building.catch(() => undefined).then(build));
+    store.on(['make'], () => void follow());
     store.on(['recipe'], (state) => {
       if (state.make !== made) return;
       panel.refresh();
       mark(state);
     });
+    await follow();
   }
 
   /** What is made now, before anything of it is shown: stages, views, and the parts of the page that serve it. */
@@ -205,6 +212,8 @@ export class App {
       this.offer();
       this.loop.changed();
     });
+    // What did not come leaves the address of what is shown.
+    store.on(['coming'], ({ coming, recipe }) => coming || this.link.write(recipe));
     store.on(['past', 'future', 'stored', 'own'], showHistory);
     store.on(['paused', 'pace', 'stage'], showTransport);
     store.on(['held'], () => this.loop.changed());
@@ -364,7 +373,10 @@ export class App {
     const { cells, steps } = this.engine.status();
     clearTimeout(this.telling);
     say(byId('live'), '');
-    if (stage === 'done') this.telling = window.setTimeout(() => say(byId('live'), t('done', { cells, steps })), SETTLED);
+    if (stage !== 'done') return;
+    // There is time now; without a storage the next visit unpacks the module again.
+    keepModules().catch(() => undefined);
+    this.telling = window.setTimeout(() => say(byId('live'), t('done', { cells, steps })), SETTLED);
   }
 
   /** The next change is an entry of its own in the browser's history. */

@@ -2,7 +2,8 @@
 import { isEnd } from '../module/stages';
 import { t } from '../words/words';
 import { byId, byIdAs, make, wantsStill } from '../base/dom';
-import { alertOf } from '../base/messages';
+import { alertOf, clear } from '../base/messages';
+import { Arrivals } from '../state/arrivals';
 import { Engine } from '../state/engine';
 import { fragment, pageAddress } from '../state/link';
 import { Loop } from '../picture/loop';
@@ -30,13 +31,14 @@ export class Embed {
     byId('sheet').append(make('h1', { class: 'said' }, 'Bubblestone'), this.button, this.home);
     if (this.still) loop.stepsPerFrame = Number.MAX_SAFE_INTEGER;
     this.button.addEventListener('click', () => this.toggle());
-    engine.arrived = (sentences, failed) => {
-      if (failed) alertOf('trouble', sentences.join(' '));
-      this.opened();
-    };
+    const arrivals = new Arrivals();
     addEventListener('hashchange', () => {
-      engine.open(fragment());
-      this.opened();
+      const link = fragment();
+      arrivals.reach(link, () => {
+        engine.open(link);
+        if (engine.alive) clear('trouble');
+        this.opened();
+      });
     });
     this.opened();
   }

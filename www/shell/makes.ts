@@ -1,5 +1,5 @@
 /** The choice of a generator at the top of the page, by picture and word; hidden where there is only one. */
-import { generators } from '../module/generators';
+import { generators, makeOf } from '../module/generators';
 import { makeIn } from '../words/words';
 import { byId, make } from '../base/dom';
 import { withValues } from '../state/link';
@@ -15,11 +15,11 @@ export function offerMakes(work: Work, push: () => void): void {
   const last = new Map<string, string>();
   const choose = (word: string): void => {
     const chosen = generators.find((one) => one.word === word);
+    if (word === store.state.make) work.stay();
     if (!chosen || word === store.state.make) return;
     const values = chosen.carried.map((key) => [key, engine.get(key)] as const).filter(([, text]) => text !== '');
     push();
-    work.open(withValues(last.get(word) ?? (chosen === generators[0] ? 'v=1' : `v=1&make=${word}`), values));
-    store.update({ paused: false });
+    work.open(withValues(last.get(word) ?? (chosen === generators[0] ? 'v=1' : `v=1&make=${word}`), values), { then: () => store.update({ paused: false }) });
   };
   const buttons = generators.map(({ word, title, preset }) => {
     const picture = make('img', { src: `thumbs/${preset}.avif`, alt: '', width: '28', height: '28', decoding: 'async' });
@@ -29,15 +29,17 @@ export function offerMakes(work: Work, push: () => void): void {
   });
   nav.replaceChildren(...buttons);
   const mark = (): void => {
+    const { make: word, coming } = store.state;
     for (const button of buttons) {
-      if (button.dataset['make'] === store.state.make) button.setAttribute('aria-current', 'true');
+      if (button.dataset['make'] === word) button.setAttribute('aria-current', 'true');
       else button.removeAttribute('aria-current');
+      button.setAttribute('aria-busy', String(coming !== '' && makeOf(coming) === button.dataset['make']));
     }
   };
   mark();
-  store.on(['make'], mark);
+  store.on(['make', 'coming'], mark);
   store.on(['recipe', 'held'], ({ recipe, held, make: word }) => {
-    if (!held && !engine.waits) last.set(word, recipe);
+    if (!held) last.set(word, recipe);
   });
   last.set(store.state.make, store.state.recipe);
 }

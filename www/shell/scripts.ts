@@ -12,6 +12,7 @@ export interface Bubblestone {
   status(): Status;
   /** The cell at a place in picture units. */
   probe(x: number, y: number): Probe | undefined;
+  /** Those of the generator at work. */
   readonly schema: Parameter[];
   readonly presets: Preset[];
 }
@@ -48,8 +49,12 @@ export function scriptFace(engine: Engine, rests: () => boolean, ahead: () => Ah
       get: (key) => engine.get(key),
       status: () => ahead()?.status ?? engine.status(),
       probe: (x, y) => engine.probe([x, y]),
-      schema: engine.schema,
-      presets: engine.presets,
+      get schema() {
+        return engine.schema;
+      },
+      get presets() {
+        return engine.presets;
+      },
     },
     done: () => {
       if (!waiting.length) return;

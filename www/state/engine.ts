@@ -3,9 +3,9 @@
  * calls answer with harmless values instead of failing again.
  */
 import type { Bubblestone } from '../../pkg/bubblestone.js';
-import { dropModule, loadModule, moduleFor, type Module } from '../module/load';
+import { leaveModule, moduleFor, useModule, type Module } from '../module/load';
 import type { Absence, Answer, Generator, Histograms, Parameter, Point, Preset, Probe, Ring, Series, Status } from '../module/types';
-import { parameterIn, presetIn, said, t } from '../words/words';
+import { parameterIn, presetIn, said } from '../words/words';
 
 /** What became of what was asked for. */
 export interface Told {
@@ -31,28 +31,9 @@ const NO_STATUS: Status = {
   ms: {},
 };
 
-/** Loads the module that a link needs. Throws an Error whose message is a sentence for the visitor. */
-export async function load(link: string): Promise<void> {
-  if (typeof WebAssembly !== 'object') {
-    throw new Error(t('no_wasm'));
-  }
-  try {
-    await loadModule(link);
-  } catch (error) {
-    if (error instanceof WebAssembly.CompileError) {
-      throw new Error(t('old_wasm'), { cause: error });
-    }
-    throw new Error(t('lost_wasm'), { cause: error });
-  }
-}
-
 export class Engine {
-  /** Is told when a link of a generator that had to be loaded is open at last, or cannot be; with what is to be said. */
-  arrived: (sentences: string[], failed: boolean) => void = () => undefined;
   private core: Bubblestone | undefined;
   private module: Module | undefined;
-  /** A link whose module is on its way; what was there before is at work, and seen, until then. */
-  private coming: string | undefined;
   private readonly crashed: (error: unknown, link: string) => void;
   private dead = false;
   private lastLink: string;
@@ -68,9 +49,19 @@ export class Engine {
   }
 
   private begin(link: string): void {
-    this.module = moduleFor(link);
+    const module = moduleFor(link);
+    if (!module) throw new Error('The module of a link was not loaded before it was opened.');
+    this.module = module;
     this.made = undefined;
-    this.core = this.guard(() => this.module && new this.module.Bubblestone(link), undefined);
+    useModule(module);
+    this.core = this.guard(() => new module.Bubblestone(link), undefined);
+  }
+
+  private end(): void {
+    this.ask((core) => core.free(), undefined);
+    this.core = undefined;
+    if (this.module) leaveModule(this.module);
+    this.module = undefined;
   }
 
   /** What is made now. */
@@ -96,45 +87,14 @@ export class Engine {
     return !this.dead;
   }
 
-  /** Opens a link, at once or, where its generator is not here yet, when it has come: `arrived` tells of that. */
+  /** Opens a link, whose module has to be there; where that is another one, the one before is let go of. */
   open(link: string): string[] {
-    this.coming = undefined;
-    if (!this.knows(link)) {
-      void this.bring(link);
-      return [];
-    }
+    if (this.dead) return [];
     this.lastLink = link.replace(/^#/, '');
-    return this.ask((core) => core.open(link), []).map(said);
-  }
-
-  /** Is what a link asks for still on its way? */
-  get waits(): boolean {
-    return this.coming !== undefined;
-  }
-
-  private knows(link: string): boolean {
-    return this.module !== undefined && moduleFor(link) === this.module;
-  }
-
-  private async bring(link: string): Promise<void> {
-    this.coming = link.replace(/^#/, '');
-    try {
-      await load(link);
-    } catch (error) {
-      // Another link was opened meanwhile.
-      if (this.coming !== link) return;
-      this.coming = undefined;
-      this.arrived([error instanceof Error ? error.message : String(error)], true);
-      return;
-    }
-    if (this.dead || this.coming !== link) return;
-    this.coming = undefined;
-    const { core, module } = this;
-    this.guard(() => core?.free(), undefined);
-    this.lastLink = link;
+    if (moduleFor(link) === this.module) return this.ask((core) => core.open(link), []).map(said);
+    this.end();
     this.begin(link);
-    this.arrived(this.notices(), false);
-    if (module && module !== this.module) dropModule(module);
+    return this.notices();
   }
 
   notices(): string[] {
@@ -143,13 +103,11 @@ export class Engine {
 
   /** The link's fragment, without '#'. */
   link(): string {
-    if (this.coming !== undefined) return this.coming;
     this.lastLink = this.ask((core) => core.link(), this.lastLink);
     return this.lastLink;
   }
 
   set(key: string, text: string): Told {
-    this.coming = undefined;
     return told(this.ask((core) => core.set(key, text), NO_ANSWER));
   }
 
@@ -242,7 +200,6 @@ export class Engine {
   }
 
   setOutline(rings: Ring[]): Told {
-    this.coming = undefined;
     const points = new Float64Array(rings.flat(2));
     const lengths = new Uint32Array(rings.map((ring) => ring.length));
     return told(this.ask((core) => core.setOutline(points, lengths), NO_ANSWER));
@@ -279,7 +236,7 @@ export class Engine {
   }
 
   free(): void {
-    if (!this.dead) this.ask((core) => core.free(), undefined);
+    this.end();
     this.dead = true;
   }
 

@@ -23,6 +23,7 @@ export function firstState(engine: Engine, asked: string, last: LastWork | undef
   return {
     recipe,
     make: engine.generator.word,
+    coming: '',
     held: false,
     past: last ? (same ? last.past : [...last.past, last.recipe]) : [],
     future: last && same ? last.future : [],

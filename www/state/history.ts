@@ -10,11 +10,14 @@ const DEPTH = 400;
 
 export class History {
   private readonly store: Store;
+  private readonly reach: (link: string, act: () => void) => void;
   /** The recipe of the last step. */
   private settled: string;
 
-  constructor(store: Store) {
+  /** `reach` calls `act` once a link can be opened. */
+  constructor(store: Store, reach: (link: string, act: () => void) => void) {
     this.store = store;
+    this.reach = reach;
     this.settled = store.state.recipe;
     store.on(['recipe', 'held'], () => this.settle());
   }
@@ -30,10 +33,12 @@ export class History {
   private go(step: (past: readonly string[], future: readonly string[], recipe: string) => { past: string[]; recipe: string | undefined; future: string[] }): void {
     this.store.update({ held: false });
     const { past, future, recipe } = this.store.state;
-    const to = step(past, future, recipe);
-    if (to.recipe === undefined) return;
-    this.settled = to.recipe;
-    this.store.update({ past: to.past, future: to.future, recipe: to.recipe, own: true });
+    const { recipe: to, ...steps } = step(past, future, recipe);
+    if (to === undefined) return;
+    this.reach(to, () => {
+      this.settled = to;
+      this.store.update({ ...steps, recipe: to, own: true });
+    });
   }
 
   private settle(): void {

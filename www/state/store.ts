@@ -11,8 +11,10 @@ import type { Preset } from '../module/types';
 export interface State {
   /** The recipe's link, without '#', as the engine writes it. */
   readonly recipe: string;
-  /** The word of the generator at work; behind the recipe while that of the recipe is still on its way. */
+  /** The word of the generator at work. */
   readonly make: string;
+  /** The link that is to be opened once its generator has come; '' where none is waited for. */
+  readonly coming: string;
   /** Something is being dragged (a slider, a point): the recipe still changes, and is no step of the history yet. */
   readonly held: boolean;
   /** Recipes before and after this one, the nearest last and first. */

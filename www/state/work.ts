@@ -1,14 +1,24 @@
 /** The recipe in the store, which the engine follows: everything that changes it goes this way. */
 import type { Preset, Ring } from '../module/types';
-import { t } from '../words/words';
-import { make } from '../base/dom';
-import { alertOf, clear, notice } from '../base/messages';
+import { clear, notice } from '../base/messages';
+import { Arrivals } from './arrivals';
 import type { Engine, Told } from './engine';
 import type { State, Store } from './store';
+
+/** How a link is opened. */
+interface Opening {
+  /** It is the visitor's own work. */
+  own?: boolean;
+  /** What it is called where it is not exactly a preset's link. */
+  preset?: Preset;
+  /** Called once it is open. */
+  then?: () => void;
+}
 
 export class Work {
   readonly engine: Engine;
   readonly store: Store;
+  private readonly arrivals: Arrivals;
 
   constructor(engine: Engine, store: Store) {
     this.engine = engine;
@@ -16,30 +26,20 @@ export class Work {
     store.on(['recipe'], ({ recipe }) => {
       if (engine.link() !== recipe) engine.open(recipe);
       const preset = presetOf(engine.presets, recipe);
-      store.update(preset ? { preset, ...this.made() } : this.made());
+      const { word } = engine.generator;
+      store.update(preset ? { preset, make: word } : { make: word });
     });
-    engine.arrived = (sentences, failed) => this.arrived(sentences, failed);
+    this.arrivals = new Arrivals((coming) => store.update({ coming }));
   }
 
-  /** What is made, and that what is to be made is still on its way. */
-  private made(): Pick<State, 'make' | 'held'> {
-    const { engine, store } = this;
-    return engine.waits ? { make: store.state.make, held: true } : { make: engine.generator.word, held: store.state.held };
+  /** Calls `act` once a link can be opened, at once or when its generator has come; a change that the visitor makes meanwhile comes first. */
+  reach(link: string, act: () => void): void {
+    this.arrivals.reach(link, act);
   }
 
-  /** The generator that a link needed is here, or cannot be had: then the picture that was there stays. */
-  private arrived(sentences: string[], failed: boolean): void {
-    const asked = this.store.state.recipe;
-    const recipe = this.engine.link();
-    if (failed) {
-      const again = make('button', { type: 'button' }, t('module_again'));
-      again.addEventListener('click', () => {
-        clear('trouble');
-        this.open(asked);
-      });
-      alertOf('trouble', sentences.join(' '), again);
-    } else notice('link', ...sentences);
-    this.store.update({ recipe, held: false, make: this.engine.generator.word, preset: presetOf(this.engine.presets, recipe) });
+  /** Stays with what there is, whatever was on its way. */
+  stay(): void {
+    this.arrivals.cancel();
   }
 
   /** A parameter's new value; `held` while a slider is still on its way. */
@@ -68,17 +68,22 @@ export class Work {
     return told;
   }
 
-  /** A whole other recipe; a link's mistakes are told. `preset` is what it is called where it is not exactly a preset's link. */
-  open(link: string, own = false, preset?: Preset): void {
-    notice('link', ...this.engine.open(link));
-    clear('value');
-    clear('outline');
-    const recipe = this.engine.link();
-    const shown = preset ? { shown: preset, recipe } : presetOf(this.engine.presets, recipe);
-    this.store.update({ recipe, own, preset: shown, ...this.made(), held: this.engine.waits });
+  /** A whole other recipe; a link's mistakes are told. */
+  open(link: string, { own = false, preset, then }: Opening = {}): void {
+    const { engine, store } = this;
+    this.reach(link, () => {
+      notice('link', ...engine.open(link));
+      clear('value');
+      clear('outline');
+      const recipe = engine.link();
+      const shown = preset ? { shown: preset, recipe } : presetOf(engine.presets, recipe);
+      store.update({ recipe, own, preset: shown, make: engine.generator.word, held: false });
+      then?.();
+    });
   }
 
   private changed(held: boolean): void {
+    this.stay();
     this.store.update({ recipe: this.engine.link(), held, own: true });
   }
 }

@@ -31,7 +31,7 @@ export async function openRecipe(work: Work, file: File): Promise<boolean> {
   const origin = originIn(bytes);
   const recipe = origin === undefined ? recipeIn(new TextDecoder().decode(bytes)) : origin.replace(/^[^#]*#?/, '');
   if (recipe === undefined) return false;
-  work.open(recipe, true);
+  work.open(recipe, { own: true });
   passing('files', t('opened', { name: file.name }));
   return true;
 }

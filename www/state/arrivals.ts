@@ -1,0 +1,73 @@
+/** Links whose generator may still have to be loaded: until it is here, all stays as it is. */
+import { loadModule, moduleFor } from '../module/load';
+import { t, type Word } from '../words/words';
+import { make } from '../base/dom';
+import { reasonOf } from '../base/errors';
+import { alertOf, clear, underWay } from '../base/messages';
+
+/** Milliseconds; what comes sooner is not told of. */
+const SOON = 250;
+
+/** Whether a link can be opened at once. */
+export function isHere(link: string): boolean {
+  return moduleFor(link) !== undefined;
+}
+
+/** Loads the module that a link needs. Throws an Error whose message is a sentence for the visitor. */
+export async function load(link: string, lost: Word = 'lost_wasm'): Promise<void> {
+  if (typeof WebAssembly !== 'object') throw new Error(t('no_wasm'));
+  try {
+    await loadModule(link);
+  } catch (error) {
+    throw new Error(t(error instanceof WebAssembly.CompileError ? 'old_wasm' : lost), { cause: error });
+  }
+}
+
+export class Arrivals {
+  private readonly tell: (link: string) => void;
+  /** Counts what was asked for: what comes for an earlier one is let be. */
+  private turn = 0;
+  private timer = 0;
+
+  /** `tell` gets the link that is waited for, and '' once none is. */
+  constructor(tell: (link: string) => void = () => undefined) {
+    this.tell = tell;
+  }
+
+  /** Calls `act` once the link can be opened: at once where its generator is here. What was waited for before is let be. */
+  reach(link: string, act: () => void): void {
+    this.cancel();
+    if (isHere(link)) act();
+    else void this.bring(link, act);
+  }
+
+  /** What was waited for is not wanted any more. */
+  cancel(): void {
+    this.turn += 1;
+    clearTimeout(this.timer);
+    clear('module');
+    this.tell('');
+  }
+
+  private async bring(link: string, act: () => void): Promise<void> {
+    const { turn } = this;
+    this.tell(link);
+    this.timer = window.setTimeout(() => underWay('module', t('module_coming'), this.button('module_stay', () => this.cancel())), SOON);
+    let failure: string | undefined;
+    try {
+      await load(link, 'lost_module');
+    } catch (error) {
+      failure = reasonOf(error);
+    }
+    if (turn !== this.turn) return;
+    if (failure === undefined) act();
+    this.cancel();
+    if (failure !== undefined) alertOf('module', failure, this.button('module_again', () => this.reach(link, act)));
+  }
+
+  private button(word: Word, act: () => void): HTMLElement {
+    const button = make('button', { type: 'button' }, t(word));
+    button.addEventListener('click', act);
+    return button;
+  }
+}
