@@ -407,32 +407,6 @@ test('an outline is pasted, and other text is not', async () => {
   await close();
 });
 
-test('letters become the outline, in few enough points for a link', async () => {
-  const { page, problems, close } = await site.newPage(SQUARE);
-  await digest(page);
-  await tool(page, 'text');
-  await page.waitForSelector('#letters');
-  await page.keyboard.type('O8');
-  await page.select('#face', 'sans');
-  await page.waitForFunction(() => /\d+ points/.test(document.querySelector('.count')?.textContent ?? ''));
-  await page.focus('#letters');
-  await page.keyboard.press('Enter');
-  await page.waitForSelector('.handle');
-  await frames(page, 3);
-  assert.equal(await page.$('dialog[open]'), null, 'the key is not taken for a press of the tool, which has the focus again');
-  const found = await rings(page);
-  assert.equal(found.length, 5, 'two outer rings and three holes');
-  assert.ok(found.flat().length <= 300);
-  const all = found.flat();
-  assert.ok(Math.min(...all.flat()) > 0.03 && Math.max(...all.flat()) < 0.97, 'with a margin');
-  assert.ok((await link(page)).length < 2000, String((await link(page)).length));
-  assert.deepEqual(await messages(page), []);
-  await undo(page);
-  assert.equal(await get(page, 'outline'), 'square', 'one step');
-  assert.deepEqual(problems, []);
-  await close();
-});
-
 test('the tools are used by the keyboard alone', async () => {
   const { page, problems, close } = await site.newPage(SQUARE);
   await digest(page);

@@ -1,19 +1,14 @@
-/** Letters as an outline, and outlines that come from and go to files. */
+/** Outlines that come from and go to files. */
 import type { Ring } from '../module/types';
 import { t } from '../words/editor';
-import { make, say } from '../base/dom';
+import { make } from '../base/dom';
 import { dialogOf } from '../late/dialog';
 import { offer } from '../late/download';
-import { shape } from '../late/svg';
 import { jsonFile, svgFile } from './export';
-import { drawn } from './geometry/figures';
-import { FACES, letters, type Face } from './letters';
 
 interface DialogNeeds {
   side(): number;
   outline(): Ring[];
-  /** Takes an outline over; false where it was refused. */
-  take(rings: Ring[]): boolean;
   takeFile(file: File): Promise<unknown>;
   takeText(text: string, name: string): Promise<boolean>;
 }
@@ -22,45 +17,6 @@ function button(id: string, text: string, act: () => void): HTMLButtonElement {
   const made = make('button', { type: 'button', id, class: 'key' }, text);
   made.addEventListener('click', act);
   return made;
-}
-
-export function textDialog(needs: DialogNeeds): void {
-  const word = make('input', { type: 'text', id: 'letters', maxlength: '24', value: 'B' });
-  const face = make('select', { id: 'face' }, ...(Object.keys(FACES) as Face[]).map((key) => make('option', { value: key }, t(`face_${key}`))));
-  const path = shape('path');
-  const preview = shape('svg', { viewBox: `0 0 ${needs.side()} ${needs.side()}`, 'aria-hidden': 'true' }, path);
-  const count = make('p', { class: 'count', role: 'status' });
-  let rings: Ring[] = [];
-  const take = (): void => {
-    if (rings.length && needs.take(rings)) dialog.close();
-  };
-  const use = button('take-letters', t('use_text'), take);
-  const show = (): void => {
-    rings = letters(word.value, face.value as Face, needs.side());
-    path.setAttribute('d', rings.map((ring) => drawn('ring', ring)).join(''));
-    say(count, rings.length ? t('text_points', { n: rings.flat().length }) : t('text_none'));
-    use.disabled = !rings.length;
-  };
-  word.addEventListener('input', show);
-  word.addEventListener('keydown', (event) => {
-    if (event.key !== 'Enter' || event.isComposing) return;
-    // Or the key would go on to the button that has the focus again, and open this once more.
-    event.preventDefault();
-    take();
-  });
-  face.addEventListener('change', show);
-  const close = button('leave-letters', t('cancel'), () => dialog.close());
-  const dialog = dialogOf(
-    'text-dialog',
-    'outline-dialog',
-    t('text_title'),
-    make('div', { class: 'fields' }, make('label', { for: 'letters' }, t('text_word')), word, make('label', { for: 'face' }, t('text_face')), face),
-    make('figure', {}, preview),
-    count,
-    make('div', { class: 'row' }, use, close),
-  );
-  word.select();
-  show();
 }
 
 export function importDialog(needs: DialogNeeds): void {

@@ -18,7 +18,7 @@ import { alertOf, clear, notice } from '../base/messages';
 import type { Engine, Told } from '../state/engine';
 import { toolApplies } from '../state/rules';
 import type { Work } from '../state/work';
-import { exportDialog, importDialog, textDialog } from './dialogs';
+import { exportDialog, importDialog } from './dialogs';
 import { FigureEditor } from './figure-editor';
 import { ringOf, scaled } from './geometry/curve';
 import type { Figure, Sort } from './geometry/figures';
@@ -27,6 +27,7 @@ import { roadRings } from './geometry/road';
 import { simplify } from './geometry/simplify';
 import type { Try } from './import/read';
 import { read, remarks } from './import/reading';
+import { textDialog } from './letters/dialog';
 import { Sorts } from './sorts';
 
 /** Bytes of a file; the outline of a drawing of ten thousand points has some two hundred thousand. */
@@ -110,12 +111,12 @@ export class Editor {
   /** A tool of the box; by the keyboard, a new figure comes without drawing. */
   use(tool: string, byKey: boolean): void {
     if (tool === 'hole') return this.hole(byKey);
-    const dialog = { text: textDialog, import: importDialog, export: exportDialog }[tool];
+    if (tool === 'text') return textDialog({ engine: this.engine, take: (rings, values) => this.takeLetters(rings, values) });
+    const dialog = { import: importDialog, export: exportDialog }[tool];
     if (!dialog) return this.toggle(tool, byKey);
     dialog({
       side: () => this.engine.side(),
       outline: () => this.engine.outline(),
-      take: (rings) => this.takeNew([{ rings: arranged(rings), left: {} }]),
       takeFile: (file) => this.takeFile(file),
       takeText: (text, name) => this.takeText(text, name),
     });
@@ -213,12 +214,29 @@ export class Editor {
       }
       return { refused: true, sentences: [t('last_good', { sentence: first })] };
     });
-    if (!taken) return false;
+    if (taken) this.tookNew();
+    return taken;
+  }
+
+  /** Letters, with lengths in sides, and the values that go with them, in one step; answers why they were refused, or ''. */
+  private takeLetters(rings: Ring[], values: [key: string, text: string][]): string {
+    const side = this.engine.side();
+    const { refused, sentences } = this.engine.setOutline(rings.map((ring) => ring.map(([x, y]): Point => [x * side, y * side])));
+    if (refused) return sentences.join(' ');
+    this.change('outline', () => {
+      this.work.setAll(values);
+      return { refused, sentences };
+    });
+    this.tookNew();
+    return '';
+  }
+
+  /** There is another outline: its handles are shown where those are not too many. */
+  private tookNew(): void {
     const rings = this.engine.outline();
     if (rings.length > SHOWN.rings || rings.flat().length > SHOWN.points) this.figureEditor.close();
     // Together they would block the page for too long.
     else setTimeout(() => this.begin('outline'));
-    return true;
   }
 
   /** Gives an outline to the engine; false where it was refused. */

@@ -67,10 +67,10 @@ const DUST = 4;
 /** Corners that a contour cuts off are no longer than this, in units of the grid. */
 const CUT = 2.2;
 
-/** The same rings with few points: straight within `tolerance`, at most `most` points in all, corners sharp again. */
-export function tidy(rings: Ring[], tolerance: number, most: number): Ring[] {
+/** The same rings with few points: straight within `tolerance`, or up to `coarser` times that for at most `most` points in all; corners sharp again. */
+export function tidy(rings: Ring[], tolerance: number, most: number, coarser?: number): Ring[] {
   const whole = rings.filter((ring) => Math.abs(area(ring)) > DUST * DUST).map(fromCorner);
-  return thinned(whole, tolerance, most).map(sharpened);
+  return thinned(whole, tolerance, most, coarser).map(sharpened);
 }
 
 /** The ring begun at the point farthest from its middle, so that no straight side is divided there. */

@@ -1,0 +1,34 @@
+/** Outlines of letters are asked for while one is still made: of those that wait only the latest is made. */
+import type { Letters, Order } from './letters.worker';
+
+export class Asked {
+  private readonly worker = new Worker(new URL('./letters.worker.ts', import.meta.url), { type: 'module' });
+  private works = false;
+  private next: Order | undefined;
+
+  /** `come` gets the outline that was asked for last; `broke` a reason. */
+  constructor(come: (letters: Letters) => void, broke: (reason: string) => void) {
+    const over = (act: () => void): void => {
+      this.works = false;
+      const { next } = this;
+      this.next = undefined;
+      if (next) this.ask(next);
+      else act();
+    };
+    this.worker.addEventListener('message', ({ data }: MessageEvent<Letters | { broken: string }>) => over(() => ('broken' in data ? broke(data.broken) : come(data))));
+    this.worker.addEventListener('error', ({ message }) => over(() => broke(message)));
+  }
+
+  ask(order: Order): void {
+    if (this.works) {
+      this.next = order;
+      return;
+    }
+    this.works = true;
+    this.worker.postMessage(order);
+  }
+
+  end(): void {
+    this.worker.terminate();
+  }
+}

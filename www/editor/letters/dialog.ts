@@ -1,0 +1,255 @@
+/** Letters as the outline: the dialog, which shows them in stones, and says what is wrong and what is allowed. */
+import type { Ring } from '../../module/types';
+import { t } from '../../words/editor';
+import { language } from '../../words/words';
+import { make, say } from '../../base/dom';
+import { dialogOf } from '../../late/dialog';
+import { shape } from '../../late/svg';
+import type { Engine } from '../../state/engine';
+import { drawn } from '../geometry/figures';
+import { Asked } from './asked';
+import { FACES, MOST_LETTERS, MOST_POINTS, type Face, type Letters } from './painted';
+import { Preview } from './preview';
+import '../../styles/late/letters.css';
+
+/** Cells across a stroke: fewest, most, and at first. */
+const ACROSS = { min: 1, max: 8, step: 0.5, first: 3.5 };
+
+/** Sides of the picture, and the largest that is taken unasked: twice the side is four times the work. */
+const SIDES = [512, 1024, 2048];
+const LARGEST = 1024;
+
+/** Cells of fewer pixels hardly look like stones. */
+const SMALL = 4;
+
+/** How much finer an outline may become until it does not touch itself. */
+const FINEST = 4;
+
+/** Milliseconds after the last change of the text. */
+const SETTLED = 150;
+
+/** What was chosen last, until the page is left. */
+const last = { text: 'B', face: 'serif' as Face, across: ACROSS.first, follows: true };
+
+type Values = [key: string, text: string][];
+
+export interface LettersNeeds {
+  readonly engine: Engine;
+  /** Takes rings over, with lengths in sides, and parameters, in one step; answers why not, or ''. */
+  take(rings: Ring[], values: Values): string;
+}
+
+export function textDialog(needs: LettersNeeds): void {
+  new LettersDialog(needs);
+}
+
+class LettersDialog {
+  private readonly needs: LettersNeeds;
+  private readonly word = make('textarea', { id: 'letters', rows: '2', spellcheck: 'false', 'aria-describedby': 'letters-facts letters-trouble' });
+  private readonly face = make('select', { id: 'face' }, ...(Object.keys(FACES) as Face[]).map((key) => make('option', { value: key }, t(`face_${key}`))));
+  private readonly follows = make('input', { type: 'checkbox', id: 'letters-follow' });
+  private readonly across = make('input', { type: 'range', id: 'letters-across', min: String(ACROSS.min), max: String(ACROSS.max), step: String(ACROSS.step) });
+  private readonly acrossNow = make('output', { for: 'letters-across' });
+  private readonly side: HTMLSelectElement;
+  private readonly path = shape('path');
+  private readonly canvas = make('canvas', { role: 'img' });
+  private readonly facts = make('p', { class: 'count', id: 'letters-facts', role: 'status' });
+  private readonly trouble = make('div', { class: 'letters-trouble', id: 'letters-trouble', role: 'alert' });
+  private readonly use = make('button', { type: 'button', id: 'take-letters', class: 'key', title: t('use_text_title') }, t('use_text'));
+  private readonly dialog: HTMLDialogElement;
+  private readonly preview: Preview;
+  private readonly asked = new Asked((letters) => this.came(letters), (reason) => this.broke(reason));
+  private timer = 0;
+  private finer = 1;
+  private now: Letters | undefined;
+  /** The visitor has chosen the picture's side. */
+  private chosen = false;
+  private values: Values = [];
+  /** What stands below the facts: of the letters, and of the stones. */
+  private said: string[] = [];
+
+  constructor(needs: LettersNeeds) {
+    this.needs = needs;
+    const { engine } = needs;
+    const own = engine.side();
+    this.side = make('select', { id: 'letters-side' }, ...[...new Set([own, ...SIDES.filter((side) => side > own)])].map((side) => make('option', { value: String(side) }, t('text_px', { n: number(side) }))));
+    this.word.value = last.text;
+    this.face.value = last.face;
+    this.across.value = String(last.across);
+    this.across.style.setProperty('--default', String(placeOf(ACROSS.first)));
+    this.follows.checked = last.follows;
+    this.preview = new Preview(this.canvas, engine.link(), (problem, done) => this.worked(problem, done), () => this.broke(t('text_no_preview')));
+    const close = make('button', { type: 'button', id: 'leave-letters', class: 'key' }, t('cancel'));
+    const sheet = shape('svg', { viewBox: '0 0 1 1', 'aria-hidden': 'true' }, this.path);
+    const label = (to: string, text: string): HTMLElement => make('label', { for: to }, text);
+    const fields = make(
+      'div',
+      { class: 'fields' },
+      ...[label('letters', t('text_word')), this.word, label('face', t('text_face')), this.face],
+      make('label', { class: 'check' }, this.follows, make('span', {}, t('text_follow'))),
+      ...[label('letters-across', t('text_across')), make('div', { class: 'across' }, this.across, this.acrossNow)],
+      ...[label('letters-side', t('text_side')), this.side],
+    );
+    this.dialog = dialogOf(
+      'text-dialog',
+      'outline-dialog letters-dialog',
+      t('text_title'),
+      make('figure', {}, sheet, this.canvas),
+      make('div', { class: 'letters-side' }, fields, this.facts, this.trouble, make('div', { class: 'row' }, this.use, close)),
+    );
+    close.addEventListener('click', () => this.dialog.close());
+    this.listen();
+    this.word.select();
+    this.ask();
+  }
+
+  private listen(): void {
+    const { dialog, word, face, follows, across, side, use } = this;
+    word.addEventListener('input', () => {
+      clearTimeout(this.timer);
+      this.timer = window.setTimeout(() => this.ask(), SETTLED);
+    });
+    face.addEventListener('change', () => this.ask());
+    follows.addEventListener('change', () => this.fit());
+    across.addEventListener('input', () => this.fit());
+    side.addEventListener('change', () => {
+      this.chosen = true;
+      this.fit();
+    });
+    use.addEventListener('click', () => this.take());
+    dialog.addEventListener('keydown', (event) => {
+      if (event.key !== 'Enter' || event.isComposing || !(event.ctrlKey || event.metaKey)) return;
+      event.preventDefault();
+      this.take();
+    });
+    dialog.addEventListener('close', () => {
+      clearTimeout(this.timer);
+      this.asked.end();
+      this.preview.end();
+    });
+  }
+
+  /** The text or its typeface is another one. */
+  private ask(finer = 1): void {
+    last.text = this.word.value;
+    last.face = this.face.value as Face;
+    this.finer = finer;
+    if (last.text.trim() === '') return this.nothing(t('text_none'));
+    this.asked.ask({ text: last.text, face: last.face, finer });
+  }
+
+  private came(letters: Letters): void {
+    if (this.word.value.trim() === '') return;
+    this.now = letters;
+    const points = letters.rings.flat().length;
+    if (!points) return this.nothing(t('text_unseen'));
+    this.canvas.setAttribute('aria-label', t('text_preview', { lines: letters.lines.join(' / ') }));
+    this.path.setAttribute('d', letters.rings.map((ring) => drawn('ring', ring)).join(''));
+    if (points > MOST_POINTS) return this.refuse([t('text_many', { n: number(points), most: number(MOST_POINTS) }), ...this.remarks(letters)]);
+    this.fit();
+  }
+
+  /** The cells as they shall be, and the outline with them in stones. */
+  private fit(): void {
+    const { now } = this;
+    last.across = this.across.valueAsNumber;
+    last.follows = this.follows.checked;
+    this.across.disabled = !last.follows;
+    this.across.style.setProperty('--place', String(placeOf(last.across)));
+    this.across.setAttribute('aria-valuetext', t('text_cells', { n: number(last.across) }));
+    say(this.acrossNow, number(last.across));
+    if (!now?.rings.length || now.rings.flat().length > MOST_POINTS) return;
+    if (!this.chosen) this.side.value = String(this.roomFor(now.stroke));
+    const side = Number(this.side.value);
+    const wanted = (now.stroke * side) / last.across;
+    const cells = last.follows ? this.cellsOf(wanted) : Number(this.needs.engine.get('cs'));
+    this.values = [['size', String(side)], ['cs', String(cells)]];
+    delete this.dialog.dataset['stage'];
+    const { refused, sentences } = this.preview.show(now.rings, this.values);
+    if (refused && this.finer < FINEST) return this.ask(2 * this.finer);
+    if (refused) return this.refuse([...sentences, t('text_refused')]);
+    const facts = { points: number(now.rings.flat().length), stroke: number(now.stroke * side), cells: number(cells), across: number((now.stroke * side) / cells) };
+    this.show(t('text_facts', facts), [...sentences, ...this.remarks(now), ...this.small(cells, wanted)]);
+    this.use.disabled = false;
+  }
+
+  /** The least side of a picture in which cells are no smaller than stones should be. */
+  private roomFor(stroke: number): number {
+    const own = this.needs.engine.side();
+    const sides = [own, ...SIDES.filter((side) => side > own && side <= LARGEST)];
+    const fits = (side: number): boolean => (stroke * side) / last.across >= SMALL;
+    return (last.follows ? (sides.find(fits) ?? sides.at(-1)) : own) ?? own;
+  }
+
+  /** A size that the program takes, in round numbers. */
+  private cellsOf(wanted: number): number {
+    const { min = 2, max = 256 } = this.needs.engine.schema.find(({ key }) => key === 'cs') ?? {};
+    const round = wanted < 10 ? Math.round(10 * wanted) / 10 : Math.round(wanted);
+    return Math.min(max, Math.max(min, round));
+  }
+
+  /** What was left out or cut off. */
+  private remarks({ given, specks }: Letters): string[] {
+    const cut = given > MOST_LETTERS ? [t('text_cut', { most: number(MOST_LETTERS), n: number(given) })] : [];
+    return [...cut, ...(specks ? [t(specks === 1 ? 'text_speck' : 'text_specks', { n: number(specks) })] : [])];
+  }
+
+  private small(cells: number, wanted: number): string[] {
+    if (last.follows && wanted < cells * 0.95 && wanted < SMALL) return [t('text_least', { n: number(cells) }), ...this.larger()];
+    return cells < SMALL ? [t('text_small', { n: number(SMALL) }), ...this.larger()] : [];
+  }
+
+  /** There is a larger picture to be had. */
+  private larger(): string[] {
+    return [this.side.selectedIndex + 1 < this.side.options.length ? t('text_larger') : t('text_fewer')];
+  }
+
+  /** There is no outline, and why. */
+  private nothing(sentence: string): void {
+    this.now = undefined;
+    this.path.setAttribute('d', '');
+    this.canvas.hidden = true;
+    this.use.disabled = true;
+    this.show(sentence, []);
+  }
+
+  private refuse(sentences: string[]): void {
+    this.canvas.hidden = true;
+    this.use.disabled = true;
+    this.show('', sentences);
+  }
+
+  /** A slice of the preview's work is done. */
+  private worked(problem: string, done: boolean): void {
+    if (done) this.dialog.dataset['stage'] = problem ? 'error' : 'done';
+    if (problem && !this.said.includes(problem)) this.show(this.facts.textContent, [problem, ...this.said]);
+  }
+
+  private broke(reason: string): void {
+    this.show(this.facts.textContent, [reason]);
+  }
+
+  private show(facts: string, said: string[]): void {
+    say(this.facts, facts);
+    if (said.join() !== this.said.join()) this.trouble.replaceChildren(...said.map((sentence) => make('p', {}, sentence)));
+    this.said = said;
+  }
+
+  private take(): void {
+    const { now, use } = this;
+    if (use.disabled || !now) return;
+    const why = this.needs.take(now.rings, this.values);
+    if (why) this.refuse([why, t('text_refused')]);
+    else this.dialog.close();
+  }
+}
+
+/** Of a number of cells on its slider. */
+function placeOf(across: number): number {
+  return (across - ACROSS.min) / (ACROSS.max - ACROSS.min);
+}
+
+/** In the language in use, with one place after the point where it is small. */
+function number(value: number): string {
+  return value.toLocaleString(language(), { maximumFractionDigits: value < 20 ? 1 : 0 });
+}

@@ -1,0 +1,7 @@
+/** Makes outlines of letters, one after another, beside the page. */
+import { serve } from '../../late/worker';
+import { letters, type Letters, type Order } from './painted';
+
+export type { Letters, Order };
+
+serve((order: Order): Letters => letters(order));
