@@ -61,6 +61,9 @@ class LettersDialog {
   private readonly asked = new Asked((letters) => this.came(letters), (reason) => this.broke(reason));
   private timer = 0;
   private finer = 1;
+  /** The letters are not those of the fields yet; and they are to be taken once they are. */
+  private stale = true;
+  private taking = false;
   private now: Letters | undefined;
   /** The visitor has chosen the picture's side. */
   private chosen = false;
@@ -73,6 +76,7 @@ class LettersDialog {
     const { engine } = needs;
     const own = engine.side();
     this.side = make('select', { id: 'letters-side' }, ...[...new Set([own, ...SIDES.filter((side) => side > own)])].map((side) => make('option', { value: String(side) }, t('text_px', { n: number(side) }))));
+    this.canvas.hidden = true;
     this.word.value = last.text;
     this.face.value = last.face;
     this.across.value = String(last.across);
@@ -106,7 +110,7 @@ class LettersDialog {
   private listen(): void {
     const { dialog, word, face, follows, across, side, use } = this;
     word.addEventListener('input', () => {
-      clearTimeout(this.timer);
+      this.age();
       this.timer = window.setTimeout(() => this.ask(), SETTLED);
     });
     face.addEventListener('change', () => this.ask());
@@ -129,8 +133,15 @@ class LettersDialog {
     });
   }
 
+  private age(): void {
+    clearTimeout(this.timer);
+    this.stale = true;
+    delete this.dialog.dataset['stage'];
+  }
+
   /** The text or its typeface is another one. */
   private ask(finer = 1): void {
+    this.age();
     last.text = this.word.value;
     last.face = this.face.value as Face;
     this.finer = finer;
@@ -139,7 +150,8 @@ class LettersDialog {
   }
 
   private came(letters: Letters): void {
-    if (this.word.value.trim() === '') return;
+    if (this.word.value !== last.text) return;
+    this.stale = false;
     this.now = letters;
     const points = letters.rings.flat().length;
     if (!points) return this.nothing(t('text_unseen'));
@@ -171,6 +183,7 @@ class LettersDialog {
     const facts = { points: number(now.rings.flat().length), stroke: number(now.stroke * side), cells: number(cells), across: number((now.stroke * side) / cells) };
     this.show(t('text_facts', facts), [...sentences, ...this.remarks(now), ...this.small(cells, wanted)]);
     this.use.disabled = false;
+    if (this.taking) this.take();
   }
 
   /** The least side of a picture in which cells are no smaller than stones should be. */
@@ -206,6 +219,7 @@ class LettersDialog {
 
   /** There is no outline, and why. */
   private nothing(sentence: string): void {
+    this.taking = false;
     this.now = undefined;
     this.path.setAttribute('d', '');
     this.canvas.hidden = true;
@@ -214,6 +228,7 @@ class LettersDialog {
   }
 
   private refuse(sentences: string[]): void {
+    this.taking = false;
     this.canvas.hidden = true;
     this.use.disabled = true;
     this.show('', sentences);
@@ -237,6 +252,8 @@ class LettersDialog {
 
   private take(): void {
     const { now, use } = this;
+    this.taking = this.stale;
+    if (this.stale) return this.ask();
     if (use.disabled || !now) return;
     const why = this.needs.take(now.rings, this.values);
     if (why) this.refuse([why, t('text_refused')]);
