@@ -50,7 +50,7 @@ export default defineConfig(
     extends: [configs.recommended],
   },
   {
-    files: ['www/**/*.ts'],
+    files: ['www/**/*.ts', 'package/*.ts'],
     extends: [configs.strictTypeChecked],
     plugins: { page: oneWay },
     languageOptions: { parserOptions: { projectService: true, tsconfigRootDir: import.meta.dirname } },

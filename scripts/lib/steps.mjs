@@ -84,7 +84,7 @@ async function specimen() {
 }
 
 function types() {
-  for (const project of ['tsconfig.json', 'www/service/tsconfig.json', 'tsconfig.node.json']) {
+  for (const project of ['tsconfig.json', 'www/service/tsconfig.json', 'package/tsconfig.json', 'tsconfig.node.json']) {
     tool('typescript', 'bin/tsc', ['--noEmit', '-p', project]);
   }
 }

@@ -174,12 +174,12 @@ class LettersDialog {
     if (!this.chosen) this.side.value = String(this.roomFor(now.stroke));
     const side = Number(this.side.value);
     const wanted = (now.stroke * side) / last.across;
-    const cells = last.follows ? this.cellsOf(wanted) : Number(this.needs.engine.get('cs'));
-    this.values = [['size', String(side)], ['cs', String(cells)]];
+    this.values = [['size', String(side)], ['cs', last.follows ? rounded(wanted) : this.needs.engine.get('cs')]];
     delete this.dialog.dataset['stage'];
     const { refused, sentences } = this.preview.show(now.rings, this.values);
     if (refused && this.finer < FINEST) return this.ask(2 * this.finer);
     if (refused) return this.refuse([...sentences, t('text_refused')]);
+    const { cells } = this.preview;
     const facts = { points: number(now.rings.flat().length), stroke: number(now.stroke * side), cells: number(cells), across: number((now.stroke * side) / cells) };
     this.show(t('text_facts', facts), [...sentences, ...this.remarks(now), ...this.small(cells, wanted)]);
     this.use.disabled = false;
@@ -192,13 +192,6 @@ class LettersDialog {
     const sides = [own, ...SIDES.filter((side) => side > own && side <= LARGEST)];
     const fits = (side: number): boolean => (stroke * side) / last.across >= SMALL;
     return (last.follows ? (sides.find(fits) ?? sides.at(-1)) : own) ?? own;
-  }
-
-  /** A size that the program takes, in round numbers. */
-  private cellsOf(wanted: number): number {
-    const { min = 2, max = 256 } = this.needs.engine.schema.find(({ key }) => key === 'cs') ?? {};
-    const round = wanted < 10 ? Math.round(10 * wanted) / 10 : Math.round(wanted);
-    return Math.min(max, Math.max(min, round));
   }
 
   /** What was left out or cut off. */
@@ -259,6 +252,11 @@ class LettersDialog {
     if (why) this.refuse([why, t('text_refused')]);
     else this.dialog.close();
   }
+}
+
+/** A size of cells. */
+function rounded(size: number): string {
+  return size.toFixed(size < 10 ? 1 : 0);
 }
 
 /** Of a number of cells on its slider. */

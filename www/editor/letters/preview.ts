@@ -41,6 +41,11 @@ export class Preview {
     return told;
   }
 
+  /** The size of cells, which the program keeps within what a picture of that side may have. */
+  get cells(): number {
+    return Number(this.engine.get('cs'));
+  }
+
   end(): void {
     document.removeEventListener('visibilitychange', this.wake);
     this.engine.free();

@@ -1,0 +1,50 @@
+// The npm package: the page's module unpacked, what loads it and makes pictures with it, and an element for other pages.
+import { copyFileSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { digest } from './digest.mjs';
+import { root, run, say } from './run.mjs';
+import { targetDir } from './rust.mjs';
+import { pageModule } from './wasm.mjs';
+
+/** Its files, as they are sent. */
+export const packageFolder = join(targetDir, 'package');
+
+/** What wasm-pack makes, and what stands in the project. */
+const MADE = ['bubblestone.js', 'bubblestone.d.ts', 'bubblestone_bg.wasm', 'bubblestone_bg.wasm.d.ts'];
+const SOURCES = ['package/index.ts', 'package/element.ts', 'package/tsconfig.json', 'package.json', 'scripts/lib/package.mjs'];
+const GIVEN = ['LICENSE-MIT', 'LICENSE-APACHE', 'package/README.md'];
+
+/** Puts the package together from the page's module, which is built before; answers the path of its tarball. */
+export function buildPackage() {
+  const about = manifest();
+  const tarball = join(targetDir, `${about.name}-${about.version}.tgz`);
+  const stamp = join(targetDir, '.package-made-from');
+  const source = digest([...MADE.map((file) => join(pageModule, file)), ...[...GIVEN, ...SOURCES].map((file) => join(root, file))]);
+  if (existsSync(tarball) && existsSync(stamp) && readFileSync(stamp, 'utf8') === source) return tarball;
+  say('Putting the npm package together');
+  rmSync(packageFolder, { recursive: true, force: true });
+  mkdirSync(packageFolder, { recursive: true });
+  run(process.execPath, [join(root, 'node_modules', 'typescript', 'bin', 'tsc'), '-p', join(root, 'package'), '--outDir', packageFolder]);
+  for (const file of MADE) copyFileSync(join(pageModule, file), join(packageFolder, file));
+  for (const file of GIVEN) copyFileSync(join(root, file), join(packageFolder, file.replace(/^.*\//, '')));
+  writeFileSync(join(packageFolder, 'package.json'), `${JSON.stringify(about, undefined, 2)}\n`);
+  run('npm', ['pack', '--silent', '--pack-destination', targetDir], { cwd: packageFolder });
+  writeFileSync(stamp, source);
+  return tarball;
+}
+
+function manifest() {
+  const { name, version, description, license } = JSON.parse(readFileSync(join(root, 'package.json'), 'utf8'));
+  const entry = (/** @type {string} */ file) => ({ types: `./${file}.d.ts`, default: `./${file}.js` });
+  return {
+    name,
+    version,
+    description,
+    license,
+    type: 'module',
+    types: './index.d.ts',
+    exports: { '.': entry('index'), './element': entry('element'), './bubblestone_bg.wasm': './bubblestone_bg.wasm', './package.json': './package.json' },
+    // Bundlers keep what only names an element.
+    sideEffects: ['./element.js'],
+  };
+}
