@@ -1,5 +1,29 @@
 //! One polygon per cell: the packed squares as they are, or the pseudo-Voronoi dual of the mesh
 //! fitted into the outline.
+//!
+//! ```
+//! use bubblestone::cells::fitted;
+//! use bubblestone::domain::signed_area;
+//! # use bubblestone::domain::{Domain, Outline};
+//! # use bubblestone::field::{FieldBuilder, FieldParams};
+//! # use bubblestone::packing::{Packing, PackingParams};
+//!
+//! # let corners = [(14.0, 14.0), (114.0, 14.0), (114.0, 114.0), (14.0, 114.0)];
+//! # let rings = vec![corners.map(glam::DVec2::from).to_vec()];
+//! # let domain = Domain::from_checked(&Outline { rings, ..Outline::default() });
+//! # let params = FieldParams { size: 12.5, ..FieldParams::default() };
+//! # let fields = FieldBuilder::build(&domain, params);
+//! # let mut packing = Packing::new(&domain, &fields, PackingParams::default()).expect("not too many cells");
+//! # while !packing.done() {
+//! #     packing.step(&domain, &fields);
+//! # }
+//! # let particles = packing.particles();
+//! // One polygon for each of `particles`; together they fill `domain`.
+//! let cells = fitted(&domain, &particles);
+//! assert_eq!(cells.len(), particles.len());
+//! let covered: f64 = cells.iter().map(|cell| signed_area(&cell.ring)).sum();
+//! assert!((covered / domain.area() - 1.0).abs() < 1e-6);
+//! ```
 
 mod arrangement;
 mod cut;

@@ -8,6 +8,22 @@
 //! shoelace area sum(x0 y1 - x1 y0) / 2 on these numbers (it runs clockwise on screen), holes a
 //! negative one, so the paved side is always to the same hand of a segment: at its inward normal
 //! (-dy, dx).
+//!
+//! ```
+//! use bubblestone::domain::{Domain, Outline};
+//! use glam::DVec2;
+//!
+//! // A square in a picture of 128, drawn the wrong way round.
+//! let corners = [(14.0, 14.0), (14.0, 114.0), (114.0, 114.0), (114.0, 14.0)];
+//! let rings = vec![corners.map(DVec2::from).to_vec()];
+//! let drawn = Outline { rings, ..Outline::default() };
+//! let (outline, _mended) = drawn.check(128.0).expect("no line crosses another");
+//! let domain = Domain::from_checked(&outline);
+//! assert_eq!(domain.area(), 10_000.0);
+//!
+//! let nearest = domain.nearest(DVec2::new(24.0, 64.0));
+//! assert_eq!((nearest.distance, nearest.inward), (10.0, DVec2::X));
+//! ```
 
 mod candidates;
 mod check;

@@ -8,6 +8,27 @@
 //! wrap, and rays about a point are those of (sin x, sin y). One direction everywhere takes the nearest
 //! size, angle and aspect ratio that fit the side (`lattice`), so the packing sees only values that
 //! fit.
+//!
+//! ```
+//! # use bubblestone::domain::{Domain, Outline};
+//! use bubblestone::field::{FieldBuilder, FieldParams};
+//! use glam::DVec2;
+//!
+//! # let corners = [(14.0, 14.0), (114.0, 14.0), (114.0, 114.0), (14.0, 114.0)];
+//! # let rings = vec![corners.map(glam::DVec2::from).to_vec()];
+//! # let domain = Domain::from_checked(&Outline { rings, ..Outline::default() });
+//! // `domain` is a square from (14, 14) to (114, 114).
+//! let params = FieldParams {
+//!     size: 12.0,
+//!     ..FieldParams::default()
+//! };
+//! let fields = FieldBuilder::build(&domain, params);
+//! let place = DVec2::new(24.0, 64.0);
+//! assert_eq!(fields.size(place), 12.0);
+//! // Rows along a wall, or across it: for squares that is the same.
+//! let along = fields.direction(place);
+//! assert!(along.x.abs().max(along.y.abs()) > 0.99);
+//! ```
 
 mod builder;
 mod ends;

@@ -1,5 +1,54 @@
 //! Solids as a height field: they are put into data planes (Miyata, Itoh, Shimada 2000, section 3.2) on the
 //! ground, the weather goes over these, and they are lit.
+//!
+//! ```
+//! use bubblestone::cells::Cell;
+//! use bubblestone::domain::{Domain, Outline};
+//! use bubblestone::field::Kind;
+//! use bubblestone::heightfield::{
+//!     GROUND, Painter, ShadeParams, Shader, TextureParams, Weathering,
+//! };
+//! use bubblestone::material::{Gloss, WeatherParams, material_table};
+//! use bubblestone::solid::Solids;
+//! use glam::DVec2;
+//!
+//! # let corners = [(8.0, 8.0), (56.0, 8.0), (56.0, 56.0), (8.0, 56.0)];
+//! # let ring = corners.map(DVec2::from).to_vec();
+//! # let cell = Cell {
+//! #     id: 1,
+//! #     centre: DVec2::splat(32.0),
+//! #     kind: Kind::Square,
+//! #     size: 48.0,
+//! #     aspect: 1.0,
+//! #     axis: DVec2::X,
+//! #     ring,
+//! # };
+//! # let rings = vec![cell.ring.clone()];
+//! # let domain = Domain::from_checked(&Outline { rings, ..Outline::default() });
+//! // The planes: one stone, on a `cell` that fills `domain`, in a picture of 64 by 64 pixels.
+//! let texture = TextureParams {
+//!     side: 64,
+//!     size: cell.size,
+//!     ..TextureParams::default()
+//! };
+//! let mut painter = Painter::new(texture);
+//! painter.paint(&mut Solids::new(), &cell, 0);
+//! let painted = painter.finish();
+//! assert_eq!((painted.planes.id[0], painted.planes.id[32 * 64 + 32]), (GROUND, 1));
+//!
+//! // The weather, rows at a time.
+//! let weather = WeatherParams { moss: 0.5, ..WeatherParams::default() };
+//! let mut weathering = Weathering::new(weather, painted);
+//! while !weathering.advance(&domain, 16) {}
+//! let planes = weathering.finish();
+//!
+//! // The light, rows at a time, too.
+//! let materials = material_table(texture.palette, texture.ground, Gloss::Own);
+//! let shade = ShadeParams::default();
+//! let mut shader = Shader::new(&shade, planes.side, planes.pixel_scale);
+//! while !shader.advance(&planes, &materials, 16) {}
+//! assert_eq!(shader.rgba().len(), 4 * 64 * 64);
+//! ```
 
 mod box_filter;
 mod ground;

@@ -2,6 +2,28 @@
 //!
 //! Itoh, Miyata, Shimada (2003), section 5.2: Delaunay triangulation (spade), then pairs of
 //! triangles become quadrilaterals in the order of their quality; lone triangles may stay.
+//!
+//! ```
+//! # use bubblestone::domain::{Domain, Outline};
+//! # use bubblestone::field::{FieldBuilder, FieldParams};
+//! # use bubblestone::packing::{Packing, PackingParams};
+//! use bubblestone::mesh::Mesh;
+//!
+//! # let corners = [(14.0, 14.0), (114.0, 14.0), (114.0, 114.0), (14.0, 114.0)];
+//! # let rings = vec![corners.map(glam::DVec2::from).to_vec()];
+//! # let domain = Domain::from_checked(&Outline { rings, ..Outline::default() });
+//! # let params = FieldParams { size: 12.5, ..FieldParams::default() };
+//! # let fields = FieldBuilder::build(&domain, params);
+//! # let mut packing = Packing::new(&domain, &fields, PackingParams::default()).expect("not too many cells");
+//! # while !packing.done() {
+//! #     packing.step(&domain, &fields);
+//! # }
+//! # let particles = packing.particles();
+//! // `particles` are 8 by 8 squares at rest: 7 by 7 quadrilaterals join their centres.
+//! let mesh = Mesh::build(&domain, &particles);
+//! assert_eq!((mesh.vertices.len(), mesh.faces.len()), (64, 49));
+//! assert!(mesh.faces.iter().all(|face| face.nodes().len() == 4));
+//! ```
 
 mod constraints;
 mod division;

@@ -8,6 +8,29 @@
 //! Particles are sorted by the neighbour grid's buckets whenever the list of neighbours is made, so
 //! that what is near in the plane is near in memory. Their ids stay, and whatever might depend on the
 //! order (population control, the result) goes by id.
+//!
+//! ```
+//! # use bubblestone::domain::{Domain, Outline};
+//! # use bubblestone::field::{FieldBuilder, FieldParams};
+//! use bubblestone::packing::{Integrator, Packing, PackingParams};
+//!
+//! # let corners = [(14.0, 14.0), (114.0, 14.0), (114.0, 114.0), (14.0, 114.0)];
+//! # let rings = vec![corners.map(glam::DVec2::from).to_vec()];
+//! # let domain = Domain::from_checked(&Outline { rings, ..Outline::default() });
+//! # let params = FieldParams { size: 12.5, ..FieldParams::default() };
+//! # let fields = FieldBuilder::build(&domain, params);
+//! // `domain` is a square of side 100, and `fields` ask for cells of side 12.5.
+//! let params = PackingParams {
+//!     integrator: Integrator::RungeKutta,
+//!     ..PackingParams::default()
+//! };
+//! let mut packing = Packing::new(&domain, &fields, params).expect("not too many cells");
+//! while !packing.done() {
+//!     packing.step(&domain, &fields);
+//! }
+//! assert!(packing.report().converged);
+//! assert_eq!(packing.particles().len(), 64);
+//! ```
 
 mod boundary_cells;
 mod clearance;

@@ -2,6 +2,34 @@
 //!
 //! Stones: Miyata, Itoh, Shimada (2000), sections 5.1 and 5.2; skin: Itoh, Miyata, Shimada (2003),
 //! section 6. Lengths are picture units, y down, heights above the base level.
+//!
+//! ```
+//! use bubblestone::cells::Cell;
+//! use bubblestone::field::Kind;
+//! use bubblestone::solid::{Solids, StoneKind, StoneParams, top};
+//! use glam::DVec2;
+//!
+//! # let corners = [(8.0, 8.0), (56.0, 8.0), (56.0, 56.0), (8.0, 56.0)];
+//! # let ring = corners.map(DVec2::from).to_vec();
+//! # let cell = Cell {
+//! #     id: 1,
+//! #     centre: DVec2::splat(32.0),
+//! #     kind: Kind::Square,
+//! #     size: 48.0,
+//! #     aspect: 1.0,
+//! #     axis: DVec2::X,
+//! #     ring,
+//! # };
+//! // `cell` is a square from (8, 8) to (56, 56).
+//! let params = StoneParams {
+//!     kind: StoneKind::Cobble,
+//!     ..StoneParams::default()
+//! };
+//! let stone = Solids::new().solid(&cell, &params);
+//! assert!(stone.vertices.iter().all(|v| (8.0..=56.0).contains(&v.x)), "it stays in its cell");
+//! let highest = stone.vertices.iter().fold(0.0, |high: f32, v| high.max(v.z));
+//! assert!(f64::from(highest) < 1.5 * top(&params, cell.size));
+//! ```
 
 mod control;
 mod displacement;
