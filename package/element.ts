@@ -44,7 +44,7 @@ const LOOK = `
   :host { display: inline-block; position: relative; width: 100%; max-width: 32rem; aspect-ratio: 1; contain: content; }
   :host([hidden]) { display: none; }
   canvas { display: block; width: 100%; height: 100%; }
-  p { position: absolute; inset: auto 0 0; margin: 0; padding: 0.75em; background: #fff; color: #1d1813; font: 1rem/1.4 system-ui, sans-serif; }
+  p { position: absolute; inset: auto 0 0; margin: 0; padding: 0.75em; background: Canvas; color: CanvasText; font: 1rem/1.4 system-ui, sans-serif; }
   p:empty { display: none; }
 `;
 

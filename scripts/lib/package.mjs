@@ -26,6 +26,9 @@ export function buildPackage() {
   mkdirSync(packageFolder, { recursive: true });
   run(process.execPath, [join(root, 'node_modules', 'typescript', 'bin', 'tsc'), '-p', join(root, 'package'), '--outDir', packageFolder]);
   for (const file of MADE) copyFileSync(join(pageModule, file), join(packageFolder, file));
+  // Who compiles with older libraries of JavaScript has no word for what ends a `using`.
+  const types = join(packageFolder, 'bubblestone.d.ts');
+  writeFileSync(types, `/// <reference lib="esnext.disposable" />\n${readFileSync(types, 'utf8')}`);
   for (const file of GIVEN) copyFileSync(join(root, file), join(packageFolder, file.replace(/^.*\//, '')));
   writeFileSync(join(packageFolder, 'package.json'), `${JSON.stringify(about, undefined, 2)}\n`);
   run('npm', ['pack', '--silent', '--pack-destination', targetDir], { cwd: packageFolder });

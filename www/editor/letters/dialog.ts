@@ -179,9 +179,10 @@ class LettersDialog {
     const { refused, sentences } = this.preview.show(now.rings, this.values);
     if (refused && this.finer < FINEST) return this.ask(2 * this.finer);
     if (refused) return this.refuse([...sentences, t('text_refused')]);
-    const { cells } = this.preview;
+    const { cells, count, isCoarse } = this.preview;
+    const coarse = isCoarse ? [t('text_coarse', { n: number(Number(count.toPrecision(2))) })] : [];
     const facts = { points: number(now.rings.flat().length), stroke: number(now.stroke * side), cells: number(cells), across: number((now.stroke * side) / cells) };
-    this.show(t('text_facts', facts), [...sentences, ...this.remarks(now), ...this.small(cells, wanted)]);
+    this.show(t('text_facts', facts), [...sentences, ...this.remarks(now), ...this.small(cells, wanted), ...coarse]);
     this.use.disabled = false;
     if (this.taking) this.take();
   }

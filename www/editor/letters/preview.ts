@@ -3,6 +3,7 @@ import { isEnd } from '../../module/stages';
 import type { Ring } from '../../module/types';
 import { idle, wantsStill } from '../../base/dom';
 import { Engine, type Told } from '../../state/engine';
+import { area } from '../geometry/plane';
 
 /** Milliseconds of work in one idle slice, and between two drawings of work in progress. */
 const SLICE = 6;
@@ -10,8 +11,14 @@ const DRAWINGS = 150;
 
 const VIEW = 'auto';
 
+/** A step of the packing of more cells takes too long for an idle moment: they are shown larger, and fewer. */
+const MOST_CELLS = 5000;
+
 export class Preview {
   readonly canvas: HTMLCanvasElement;
+  /** The size of cells, which the program keeps within what a picture of that side may have; and how many there will be, about. */
+  cells = 0;
+  count = 0;
   private readonly engine: Engine;
   private readonly tell: (problem: string, done: boolean) => void;
   private readonly still = wantsStill();
@@ -34,6 +41,9 @@ export class Preview {
     for (const [key, text] of values) engine.set(key, text);
     const side = engine.side();
     const told = engine.setOutline(rings.map((ring) => ring.map(([x, y]) => [x * side, y * side])));
+    this.cells = Number(engine.get('cs'));
+    this.count = (rings.reduce((sum, ring) => sum + area(ring), 0) * side * side) / this.cells ** 2;
+    if (this.isCoarse) engine.set('cs', (this.cells * Math.sqrt(this.count / MOST_CELLS)).toFixed(2));
     this.canvas.hidden = true;
     this.drawn = performance.now() + DRAWINGS;
     this.owed = false;
@@ -41,9 +51,9 @@ export class Preview {
     return told;
   }
 
-  /** The size of cells, which the program keeps within what a picture of that side may have. */
-  get cells(): number {
-    return Number(this.engine.get('cs'));
+  /** Cells are shown larger than they will be. */
+  get isCoarse(): boolean {
+    return this.count > MOST_CELLS;
   }
 
   end(): void {
