@@ -89,7 +89,7 @@ impl Engine for Pavement {
         {
             return draft.energy();
         }
-        let packing = self.made.packing_mut();
+        let packing = self.made.shown_packing_mut();
         packing.map_or(0.0, |(packing, domain)| packing.energy(domain))
     }
 

@@ -17,7 +17,7 @@ impl Pavement {
         }
         for overlay in view.overlays() {
             let loads = match overlay {
-                Overlay::Energy | Overlay::Forces if packs => self.made.packing_mut(),
+                Overlay::Energy | Overlay::Forces if packs => self.made.shown_packing_mut(),
                 _ => None,
             };
             let loads = loads.map(|(packing, domain)| packing.net_forces(domain));
@@ -30,7 +30,7 @@ impl Pavement {
                     heat.draw(board, made.terrain.revision(), side, domain, fields);
                 }
                 Overlay::Packed => {
-                    let packing = made.packing().filter(|_| packs);
+                    let packing = made.shown_packing().filter(|_| packs);
                     let particles = packing.map_or(Vec::new(), Packing::particles);
                     let stress = stress(domain, &particles);
                     board.draw(&draw::over::packed(&particles, &stress));

@@ -96,7 +96,7 @@ impl Pavement {
 
     fn packed_at(&self, p: DVec2) -> Option<Probe> {
         let made = &self.made;
-        let packing = made.packing().filter(|_| made.is_packing())?;
+        let packing = made.shown_packing().filter(|_| made.is_packing())?;
         let (domain, fields) = made.terrain.made()?;
         let (cell, particle) = packing.at(domain, p)?;
         let shift = domain.space().shortest(particle.centre - p) + p - particle.centre;
@@ -149,7 +149,7 @@ impl Pavement {
 
     /// How the packing at work went so far, or the last one, by rising steps.
     pub fn samples(&self) -> &[Sample] {
-        let packing = self.made.packing();
+        let packing = self.made.shown_packing();
         let begun = packing.filter(|_| self.made.is_packing());
         begun.map_or(&[], |packing| packing.samples())
     }
@@ -163,7 +163,7 @@ impl Pavement {
         let stands = match past || !self.made.is_packing() {
             true => Vec::new(),
             false => {
-                let packing = self.made.packing_mut();
+                let packing = self.made.shown_packing_mut();
                 packing.map_or(Vec::new(), |(packing, domain)| packing.alignments(domain))
             }
         };
