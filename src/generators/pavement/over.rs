@@ -27,7 +27,9 @@ impl Pavement {
             };
             match overlay {
                 Overlay::Size => {
-                    heat.draw(board, made.terrain.revision(), side, domain, fields);
+                    // In a new domain the last fields stay as they were shown.
+                    let revision = made.terrain.fields.revision();
+                    heat.draw(board, revision, side, domain, fields);
                 }
                 Overlay::Packed => {
                     let packing = made.shown_packing().filter(|_| packs);

@@ -203,6 +203,21 @@ fn overlays_lie_over_the_picture_and_over_each_other() {
 }
 
 #[test]
+fn heat_waits_for_the_fields_of_a_new_outline() {
+    let mut studio = finished(FULL);
+    let before = studio.engine_mut().view("picture+size").to_vec();
+    let star = FULL.replace("square", "star");
+    let (star, _) = pavement::recipe(&format!("size={SIDE}&cs=14&{star}"));
+    studio.set_recipe(star);
+    while studio.stage() != "fields" {
+        studio.tick(&mut || 0.0, 0.0, 1);
+    }
+    assert!(studio.engine_mut().view("picture+size") == before);
+    assert_eq!(studio.finish(&mut || 0.0), Ok(()));
+    assert!(studio.engine_mut().view("picture+size") != before);
+}
+
+#[test]
 fn overlays_let_the_picture_through() {
     let mut studio = finished(FULL);
     let picture = studio.engine_mut().view("picture").to_vec();
