@@ -58,7 +58,8 @@ impl Schema {
 }
 
 /// Makes a constant of each row's key, in a module `keys`, and `ROWS`, the list of all rows. A row of
-/// its own is `word CONSTANT: "Help." => row;`, a common one `word CONSTANT => row;`.
+/// its own is `word CONSTANT: "Help." => row;`, a common one `word CONSTANT => row;`, or with a sentence of
+/// its own as the others.
 macro_rules! rows {
     ($($word:ident $name:ident $(: $help:literal)? => $row:expr;)*) => {
         /// The keys of the rows.

@@ -20,11 +20,11 @@ use glam::DVec2;
 
 rows! {
     size SIZE => shared::SIZE;
+    seed SEED => shared::SEED;
     across ACROSS: "Squares along a side." =>
         int("", "Squares").range(1.0, 32.0, 1.0, 6.0).group("Grid").main();
     gap GAP: "Between squares, in parts of one." =>
         number("", "Gap").range(0.0, 0.9, 0.05, 0.2).group("Grid");
-    seed SEED => shared::SEED;
     fd FD => shared::FD;
     af AF => shared::AF;
     palette PALETTE => shared::PALETTE;
