@@ -107,12 +107,17 @@ test('every preset has the planes that it has natively, in the first module and 
   }
 });
 
-test('the first picture and a large one take the memory that is stated', async () => {
+test('the first picture, a large one, and the largest painted anew take the memory that is stated', async () => {
   const own = await import(`${pathToFileURL(join(pageModule, 'bubblestone.js')).href}?memory`);
   const { memory } = own.initSync({ module: bytes });
   const taken = (/** @type {string} */ link) => (own.digest_of_link(link), memory.buffer.byteLength / 2 ** 20);
   assert.ok(taken('') < 32);
   assert.ok(taken('size=1024') < 80);
+  // Painted anew, the largest picture is held twice for a while.
+  const studio = finished(new own.Bubblestone('size=2048'));
+  studio.set('hs', '9');
+  finished(studio).free();
+  assert.ok(memory.buffer.byteLength / 2 ** 20 < 400);
   assert.throws(() => memory.grow(16_384), RangeError);
 });
 
