@@ -1,7 +1,8 @@
 //! Outlines of several rings: holes, islands in them, and rings that must not meet.
 
-use super::outlines::{big, hole, outline, rectangle, says};
-use bubblestone::domain::Outline;
+use super::outlines::{SIDE, big, hole, outline, rectangle, ring, says};
+use bubblestone::domain::{Domain, Outline};
+use glam::DVec2;
 
 #[test]
 fn no_rings_that_meet() {

@@ -7,9 +7,9 @@ use bubblestone::notice::text;
 use glam::DVec2;
 use proptest::prelude::*;
 
-const SIDE: f64 = 512.0;
+pub(super) const SIDE: f64 = 512.0;
 
-fn ring(points: &[(f64, f64)]) -> Vec<DVec2> {
+pub(super) fn ring(points: &[(f64, f64)]) -> Vec<DVec2> {
     points.iter().map(|&p| p.into()).collect()
 }
 

@@ -1,7 +1,9 @@
 //! What is drawn over a picture, asked of its pixels.
 
 use super::views::{SIDE, differing, finished};
+use bubblestone::generators::ALL;
 use bubblestone::generators::pavement::{self, Overlay};
+use bubblestone::studio::Studio;
 
 /// Every overlay, in a pavement in which each has something to show.
 const FULL: &str = "outline=square&kind=ellipse&dir=circular&gx=0.4&stretch=0.5,0.5,0.3,4";
