@@ -95,7 +95,7 @@ function tool(name, program, args) {
 }
 
 // These take longest: they begin first, or one of them would end alone.
-const long = ['axe', 'tools', 'share', 'controls', 'digests', 'look', 'layout'].map((name) => `${name}.test.mjs`);
+const long = ['axe', 'share', 'tools', 'controls', 'digests', 'look', 'import', 'layout'].map((name) => `${name}.test.mjs`);
 
 /** @param {import('./browser.mjs').Kind} kind */
 async function browserTests(kind) {
