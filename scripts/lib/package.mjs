@@ -1,10 +1,10 @@
-// The npm package: the page's module unpacked, what loads it and makes pictures with it, and an element for other pages.
+// The npm package: the page's module that makes all there is, unpacked, what loads it and makes pictures with it, and an element for other pages.
 import { copyFileSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { digest } from './digest.mjs';
 import { root, run, say } from './run.mjs';
 import { targetDir } from './rust.mjs';
-import { pageModule } from './wasm.mjs';
+import { wholeModule } from './wasm.mjs';
 
 /** Its files, as they are sent. */
 export const packageFolder = join(targetDir, 'package');
@@ -14,18 +14,18 @@ const MADE = ['bubblestone.js', 'bubblestone.d.ts', 'bubblestone_bg.wasm', 'bubb
 const SOURCES = ['package/index.ts', 'package/element.ts', 'package/tsconfig.json', 'package.json', 'scripts/lib/package.mjs'];
 const GIVEN = ['LICENSE-MIT', 'LICENSE-APACHE', 'package/README.md'];
 
-/** Puts the package together from the page's module, which is built before; answers the path of its tarball. */
+/** Puts the package together from the module, which is built before; answers the path of its tarball. */
 export function buildPackage() {
   const about = manifest();
   const tarball = join(targetDir, `${about.name}-${about.version}.tgz`);
   const stamp = join(targetDir, '.package-made-from');
-  const source = digest([...MADE.map((file) => join(pageModule, file)), ...[...GIVEN, ...SOURCES].map((file) => join(root, file))]);
+  const source = digest([...MADE.map((file) => join(wholeModule, file)), ...[...GIVEN, ...SOURCES].map((file) => join(root, file))]);
   if (existsSync(tarball) && existsSync(stamp) && readFileSync(stamp, 'utf8') === source) return tarball;
   say('Putting the npm package together');
   rmSync(packageFolder, { recursive: true, force: true });
   mkdirSync(packageFolder, { recursive: true });
   run(process.execPath, [join(root, 'node_modules', 'typescript', 'bin', 'tsc'), '-p', join(root, 'package'), '--outDir', packageFolder]);
-  for (const file of MADE) copyFileSync(join(pageModule, file), join(packageFolder, file));
+  for (const file of MADE) copyFileSync(join(wholeModule, file), join(packageFolder, file));
   // Who compiles with older libraries of JavaScript has no word for what ends a `using`.
   const types = join(packageFolder, 'bubblestone.d.ts');
   writeFileSync(types, `/// <reference lib="esnext.disposable" />\n${readFileSync(types, 'utf8')}`);

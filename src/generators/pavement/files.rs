@@ -18,7 +18,7 @@ pub(super) struct Saving {
     file: MeshFile,
     solids: Solids,
     format: MeshFormat,
-    /// Which of the planes it is made of.
+    /// Which of the pictures it is of: planes, and how they answer the light.
     revision: u64,
 }
 
@@ -81,7 +81,7 @@ impl Pavement {
         clock: Clock,
         budget: f64,
     ) -> Result<MeshSlice, Notice> {
-        let revision = self.made.finish.weather.revision();
+        let revision = self.made.finish.light.revision();
         let fits = |s: &Saving| (s.format, s.revision) == (format, revision);
         let kept = self.saving.take().filter(fits);
         if !self.is_done() {
