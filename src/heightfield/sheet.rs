@@ -60,8 +60,8 @@ pub fn ground(planes: &Planes, n: usize) -> Surface {
     for j in 0..=n {
         for i in 0..=n {
             let mut height = planes.ground;
-            if let Some(lowest) = lowest(planes, spans[i].clone(), spans[j].clone()) {
-                (height, colour) = (planes.bump[lowest], planes.colour[lowest]);
+            if let Some(bare) = bare(planes, spans[i].clone(), spans[j].clone()) {
+                (height, colour) = bare;
             }
             let place = Vec3::new(i as f32 * unit, j as f32 * unit, height);
             sheet.positions.push(place);
@@ -86,15 +86,17 @@ pub fn ground(planes: &Planes, n: usize) -> Surface {
     sheet
 }
 
-/// The lowest pixel of the ground there, if there is one.
-fn lowest(planes: &Planes, columns: Range<i32>, rows: Range<i32>) -> Option<usize> {
+/// The height of the lowest pixel of the ground there and the colour of one, if there are any. The lowest may be
+/// darker than the others.
+fn bare(planes: &Planes, columns: Range<i32>, rows: Range<i32>) -> Option<(f32, [u8; 3])> {
     let side = planes.side as i32;
-    let (mut found, mut height) = (None, f32::MAX);
+    let mut found: Option<(f32, [u8; 3])> = None;
     for y in rows {
         for x in columns.clone() {
             let at = (y.rem_euclid(side) * side + x.rem_euclid(side)) as usize;
-            if planes.id[at] == GROUND && planes.bump[at] < height {
-                (found, height) = (Some(at), planes.bump[at]);
+            if planes.id[at] == GROUND {
+                let low = found.map_or(f32::MAX, |(low, _)| low);
+                found = Some((lesser(low, planes.bump[at]), planes.colour[at]));
             }
         }
     }

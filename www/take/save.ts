@@ -193,9 +193,10 @@ function megabytes(bytes: number): string {
 }
 
 function row(what: string, note: string, ...ways: HTMLElement[]): HTMLElement {
+  const wide = ways.some(({ tagName }) => tagName === 'OUTPUT');
   return make(
     'section',
-    { class: 'take-save', role: 'group', 'aria-label': what },
+    { class: wide ? 'take-save take-wide' : 'take-save', role: 'group', 'aria-label': what },
     make('div', {}, make('h3', {}, what), make('p', { class: 'take-note' }, note)),
     make('div', { class: 'take-ways' }, ...ways),
   );
