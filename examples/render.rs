@@ -1,13 +1,17 @@
 //! Renders one link to files.
 //!
 //!     cargo run --release --example render -- '<link or fragment>' [--outline FILE.json] --out DIR
-//!         [--views] [--maps] [--mesh] [--svg] [--scale N]
+//!         [--views] [--maps] [--maps-for PROGRAM] [--mesh] [--detail WORD]
+//!         [--stl SIDE,BASE,RELIEF,SQUARES] [--svg] [--scale N]
 //!
 //! writes picture.png, height.png (16 bit grey), albedo.png, id.png, cells.json, mesh.json and
 //! report.json into DIR; with --views also each view of the page and mixtures of them as
-//! view-NAME.png, with --maps also normal-opengl.png, normal-directx.png, roughness.png and ao.png, with
-//! --mesh the surface of all cells as surface.obj and surface.glb, with --svg their outlines as
-//! cells.svg, with --scale the picture at 1 to 4 times its side as picture-Nx.png and, with --maps, its
+//! view-NAME.png, with --maps also normal-opengl.png, normal-directx.png, roughness.png, ao.png, orm.png
+//! and height-float.exr, with --maps-for the files that blender, godot, unity or unreal expect,
+//! with --mesh the surface of all cells and the ground as surface.obj, surface.glb and, with images,
+//! surface-textured.glb, of low, middle (the default) or high detail, with --stl the height field as a
+//! closed slab of these millimetres as slab.stl, with --svg the cells' outlines as cells.svg, with
+//! --scale the picture at 1 to 4 times its side as picture-Nx.png and, with --maps, its
 //! maps as NAME-Nx.png. Ends with code 2 and one sentence where something is wrong with what it was
 //! given.
 //!
@@ -62,8 +66,21 @@ fn run() -> Result<(), String> {
     if wish.maps {
         native::write_maps(&mut studio, out)?;
     }
+    if let Some(program) = &wish.maps_for {
+        native::write_maps_for(&studio, program, out)?;
+    }
     if wish.mesh {
-        native::write_meshes(&mut studio, out)?;
+        let detail = native::detail_of(wish.detail.as_deref().unwrap_or("middle"))?;
+        native::write_meshes(&mut studio, detail, out)?;
+    }
+    if let Some([side, base, relief, squares]) = wish.stl {
+        let slab = bubblestone::export::Slab {
+            side,
+            base,
+            relief,
+            squares: squares as usize,
+        };
+        native::write_slab(&studio, slab, out)?;
     }
     if let Some(scale) = wish.scale {
         native::write_bigger(&mut studio, scale, wish.maps, out)?;
@@ -83,7 +100,10 @@ struct Wish {
     out: String,
     views: bool,
     maps: bool,
+    maps_for: Option<String>,
     mesh: bool,
+    detail: Option<String>,
+    stl: Option<[f32; 4]>,
     scale: Option<usize>,
     svg: bool,
 }
@@ -92,7 +112,8 @@ struct Wish {
 impl Wish {
     fn read(mut words: impl Iterator<Item = String>) -> Result<Self, String> {
         const USAGE: &str = "Usage: render '<link or fragment>' [--outline FILE.json] --out DIR \
-            [--views] [--maps] [--mesh] [--svg] [--scale N].";
+            [--views] [--maps] [--maps-for PROGRAM] [--mesh] [--detail WORD] \
+            [--stl SIDE,BASE,RELIEF,SQUARES] [--svg] [--scale N].";
         let mut wish = Wish::default();
         let mut link = None;
         while let Some(word) = words.next() {
@@ -105,7 +126,15 @@ impl Wish {
                 "--out" => wish.out = value("--out")?,
                 "--views" => wish.views = true,
                 "--maps" => wish.maps = true,
+                "--maps-for" => wish.maps_for = Some(value("--maps-for")?),
                 "--mesh" => wish.mesh = true,
+                "--detail" => wish.detail = Some(value("--detail")?),
+                "--stl" => {
+                    let numbers = value("--stl")?;
+                    let numbers: Vec<f32> = numbers.split(',').flat_map(str::parse).collect();
+                    let said = |_| format!("--stl needs four numbers, as 100,3,4,256. {USAGE}");
+                    wish.stl = Some(numbers.try_into().map_err(said)?);
+                }
                 "--scale" => {
                     let scale = value("--scale")?.parse();
                     let said = |_| format!("--scale needs a whole number, 1 to 4. {USAGE}");

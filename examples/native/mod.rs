@@ -2,7 +2,9 @@
 #![allow(dead_code)] // Each program uses its part of it.
 
 use bubblestone::domain::Outline;
-use bubblestone::export::{Map, MapKind, MeshFormat, metrics_json};
+use bubblestone::export::{
+    DETAILS, Map, MapKind, MeshFormat, MeshOrder, Slab, SlabFile, exr, maps_for, metrics_json,
+};
 use bubblestone::generators::pavement::Pavement;
 use bubblestone::notice::Notice;
 use bubblestone::studio::Studio;
@@ -183,28 +185,91 @@ fn write_map(studio: &mut Studio, kind: MapKind, dir: &Path) -> Result<(), Strin
     )
 }
 
+/// Writes the maps that a program expects, under the names that it expects.
+pub fn write_maps_for(studio: &Studio, program: &str, dir: &Path) -> Result<(), String> {
+    let maps: Vec<_> = maps_for(program).collect();
+    if maps.is_empty() {
+        return Err("--maps-for takes blender, godot, unity or unreal.".into());
+    }
+    for (kind, name) in maps {
+        let map = studio.engine().map(kind)?;
+        let mask = name.contains("Mask").then(|| map.mask());
+        write_png(dir, name, &mask.unwrap_or(map))?;
+    }
+    Ok(())
+}
+
+/// Writes a map as PNG, one of floats as EXR.
 fn write_png(dir: &Path, name: &str, map: &Map) -> Result<(), String> {
+    match map.bits {
+        32 => write(dir, &name.replace(".png", ".exr"), &exr(map)),
+        _ => write(dir, name, &png_of(map)?),
+    }
+}
+
+fn png_of(map: &Map) -> Result<Vec<u8>, String> {
     let colour = match map.channels {
         1 => png::ColorType::Grayscale,
+        4 => png::ColorType::Rgba,
         _ => png::ColorType::Rgb,
     };
     let depth = match map.bits {
         16 => png::BitDepth::Sixteen,
         _ => png::BitDepth::Eight,
     };
-    let png = encode((map.side, map.side), &map.bytes, colour, depth)?;
-    write(dir, name, &png)
+    encode((map.side, map.side), &map.bytes, colour, depth)
 }
 
-/// Writes the surface of all cells as surface.obj and surface.glb.
-pub fn write_meshes(studio: &mut Studio, dir: &Path) -> Result<(), String> {
+/// The triangles of a stone in this degree of detail, one of [`DETAILS`].
+pub fn detail_of(word: &str) -> Result<usize, String> {
+    let found = DETAILS.iter().find(|(known, _)| *known == word);
+    let found = found.ok_or("--detail takes low, middle or high.")?;
+    Ok(found.1)
+}
+
+/// Writes the surface of all cells and the ground as surface.obj, surface.glb and, with images,
+/// surface-textured.glb.
+pub fn write_meshes(studio: &mut Studio, detail: usize, dir: &Path) -> Result<(), String> {
     for (format, word) in MeshFormat::ALL {
-        let file = studio
-            .engine_mut()
-            .mesh_file(format, &mut || 0.0, f64::INFINITY)?;
-        write(dir, &format!("surface.{word}"), &file.parts.concat())?;
+        let order = MeshOrder {
+            format,
+            detail,
+            images: None,
+        };
+        let file = mesh(studio, order)?;
+        write(dir, &format!("surface.{word}"), &file)?;
     }
-    Ok(())
+    let kinds = [MapKind::Albedo, MapKind::NormalOpengl, MapKind::Orm];
+    let mut images = Vec::new();
+    for kind in kinds {
+        images.push(png_of(&studio.engine().map(kind)?)?);
+    }
+    let order = MeshOrder {
+        format: MeshFormat::Glb,
+        detail,
+        images: Some([0, 1, 2].map(|k| images[k].len() as u32)),
+    };
+    let mut file = mesh(studio, order)?;
+    for image in images {
+        file.extend(image);
+        file.resize(file.len().next_multiple_of(4), 0);
+    }
+    write(dir, "surface-textured.glb", &file)
+}
+
+/// Writes the height field as slab.stl.
+pub fn write_slab(studio: &Studio, slab: Slab, dir: &Path) -> Result<(), String> {
+    let planes = studio.engine_as().and_then(Pavement::planes);
+    let planes = planes.ok_or("--stl is for pavements only.")?;
+    let mut file = SlabFile::new(slab, planes);
+    let parts: Vec<_> = std::iter::from_fn(|| file.next(planes)).collect();
+    write(dir, "slab.stl", &parts.concat())
+}
+
+fn mesh(studio: &mut Studio, order: MeshOrder) -> Result<Vec<u8>, String> {
+    let engine = studio.engine_mut();
+    let file = engine.mesh_file(&order, &mut || 0.0, f64::INFINITY)?;
+    Ok(file.parts.concat())
 }
 
 /// Views of pavements with several overlays that are written along with the single ones, and drawings on

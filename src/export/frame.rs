@@ -17,6 +17,11 @@ impl Frame {
         ]
     }
 
+    /// From the upper left corner of the maps to the right and down, 0..1 in the picture.
+    pub fn place_in_maps(&self, p: Vec3) -> [f32; 2] {
+        [p.x * self.unit, p.y * self.unit]
+    }
+
     pub fn direction(&self, n: Vec3) -> [f32; 3] {
         [n.x, n.z, n.y]
     }

@@ -1,35 +1,118 @@
 //! Surfaces as a GLB file: glTF 2.0 in one binary (Khronos Group, ISO/IEC 12113:2022).
 //!
-//! One mesh of one primitive. A vertex is its position and normal, three floats each, and its colour:
-//! linear red, green, blue and a full alpha of 16 bits each, as 8 bits are too few for dark colours.
+//! A node with a mesh for each stone, called by its id, and one for the ground. There are two kinds of files:
+//!
+//! - *Plain*: a vertex is its position, normal, colour (linear red, green, blue and a full alpha of 16 bits
+//!   each, as 8 bits are too few for dark colours) and place in the maps.
+//! - *With images* of colour, normals, and occlusion, roughness and metal: a vertex is its position and place
+//!   in the maps. All normals go up and all tangents to the right of the picture, for the map of normals has
+//!   whole normals, not differences from those of a mesh: added to the mesh's own they would tilt twice.
+//!
+//! Places in maps begin at the upper left corner of the picture.
 
+use super::bytes::{put, put_floats};
 use super::frame::Frame;
+use super::maps::id_colour;
 use crate::decimal;
 use crate::heightfield::{Surface, decoded};
 use crate::order::{greater, lesser};
 
-/// Bytes of a vertex.
-const STRIDE: usize = 32;
-/// Where its normal and its colour begin.
-const NORMAL: f64 = 12.0;
-const COLOUR: f64 = 24.0;
+/// What all vertices share in a file with images: normal and tangent.
+const UPRIGHT: [&[f32]; 2] = [&[0.0, 1.0, 0.0], &[1.0, 0.0, 0.0, 1.0]];
 
-/// What describes the binary; numbers come in the place of each @.
-const TEMPLATE: &str = concat!(
+/// What describes the binary; numbers come in the place of each @. The numbers of an attribute are how
+/// many vertices there are, where they begin, and their least and greatest coordinates.
+struct Layout {
+    /// Bytes of a vertex.
+    stride: usize,
+    /// What is read of the vertices: from where in them on, and the accessor.
+    attributes: [(usize, &'static str); 4],
+    mesh: &'static str,
+    material: &'static str,
+}
+
+macro_rules! accessor {
+    ($view:literal, $kind:literal, $more:literal) => {
+        concat!(
+            r#",{"bufferView":"#,
+            $view,
+            r#","type":""#,
+            $kind,
+            r#"","count":@,"byteOffset":@,"componentType":"#,
+            $more,
+            "}"
+        )
+    };
+}
+
+const POSITIONS: &str = accessor!(0, "VEC3", r#"5126,"min":[@,@,@],"max":[@,@,@]"#);
+const PLACES: &str = accessor!(0, "VEC2", "5126");
+const INDICES: &str = accessor!(1, "SCALAR", "@");
+
+const PLAIN: Layout = Layout {
+    stride: 40,
+    attributes: [
+        (0, POSITIONS),
+        (12, accessor!(0, "VEC3", "5126")),
+        (24, accessor!(0, "VEC4", r#"5123,"normalized":true"#)),
+        (32, PLACES),
+    ],
+    mesh: concat!(
+        r#",{"primitives":[{"attributes":{"POSITION":@,"NORMAL":@,"COLOR_0":@,"TEXCOORD_0":@},"#,
+        r#""indices":@,"material":0}]}"#,
+    ),
+    material: r#""metallicFactor":0,"roughnessFactor":@}}]"#,
+};
+const PLACED: Layout = Layout {
+    stride: 20,
+    attributes: [
+        (0, POSITIONS),
+        (
+            0,
+            r#",{"bufferView":2,"type":"VEC3","componentType":5126,"count":@}"#,
+        ),
+        (
+            0,
+            r#",{"bufferView":3,"type":"VEC4","componentType":5126,"count":@}"#,
+        ),
+        (12, PLACES),
+    ],
+    mesh: concat!(
+        r#",{"primitives":[{"attributes":{"POSITION":@,"NORMAL":@,"TANGENT":@,"TEXCOORD_0":@},"#,
+        r#""indices":@,"material":0}]}"#,
+    ),
+    material: concat!(
+        r#""baseColorTexture":{"index":0},"metallicRoughnessTexture":{"index":2}},"#,
+        r#""normalTexture":{"index":1},"occlusionTexture":{"index":2}}],"#,
+        r#""samplers":[{"magFilter":9729,"minFilter":9987,"wrapS":@,"wrapT":@}],"#,
+        r#""textures":[{"sampler":0,"source":0},{"sampler":0,"source":1},"#,
+        r#"{"sampler":0,"source":2}],"images":["#,
+        r#"{"name":"colour","mimeType":"image/png","bufferView":4},"#,
+        r#"{"name":"normal","mimeType":"image/png","bufferView":5},"#,
+        r#"{"name":"orm","mimeType":"image/png","bufferView":6}]"#,
+    ),
+};
+const HEAD: &str = concat!(
     r#"{"asset":{"version":"2.0","generator":"Bubblestone"},"scene":0,"scenes":[{"nodes":[0]}],"#,
-    r#""nodes":[{"mesh":0,"name":"Bubblestone"}],"meshes":[{"primitives":[{"attributes":"#,
-    r#"{"POSITION":0,"NORMAL":1,"COLOR_0":2},"indices":3,"material":0}]}],"materials":"#,
-    r#"[{"pbrMetallicRoughness":{"metallicFactor":0,"roughnessFactor":@}}],"#,
-    r#""buffers":[{"byteLength":@}],"bufferViews":["#,
-    r#"{"buffer":0,"byteLength":@,"byteStride":@,"target":34962},"#,
-    r#"{"buffer":0,"byteOffset":@,"byteLength":@,"target":34963}],"accessors":["#,
-    r#"{"bufferView":0,"componentType":5126,"type":"VEC3","count":@,"min":[@,@,@],"max":[@,@,@]},"#,
-    r#"{"bufferView":0,"byteOffset":@,"componentType":5126,"type":"VEC3","count":@},"#,
-    r#"{"bufferView":0,"byteOffset":@,"componentType":5123,"normalized":true,"type":"VEC4","count":@},"#,
-    r#"{"bufferView":1,"componentType":5125,"type":"SCALAR","count":@}]}"#,
+    r#""materials":[{"name":"Bubblestone","pbrMetallicRoughness":{"#,
 );
-/// Where there is no cell.
-const EMPTY: &str = r#"{"asset":{"version":"2.0","generator":"Bubblestone"}}"#;
+const BUFFERS: &str = concat!(
+    r#","buffers":[{"byteLength":@}],"bufferViews":["#,
+    r#"{"buffer":0,"byteLength":@,"byteStride":@,"target":34962},"#,
+    r#"{"buffer":0,"byteOffset":@,"byteLength":@,"target":34963}"#,
+);
+const SHARED: &str = concat!(
+    r#",{"buffer":0,"byteOffset":@,"byteLength":@,"byteStride":12,"target":34962},"#,
+    r#"{"buffer":0,"byteOffset":@,"byteLength":@,"byteStride":16,"target":34962}"#,
+);
+const IMAGE: &str = r#",{"buffer":0,"byteOffset":@,"byteLength":@}"#;
+const LISTS: [&str; 5] = [
+    r#"],"nodes":[{"name":"Bubblestone","children":["#,
+    "]}",
+    r#"],"meshes":["#,
+    r#"],"accessors":["#,
+    "]}",
+];
 
 /// The signs of the format and of its two chunks.
 const GLTF: u32 = u32::from_le_bytes(*b"glTF");
@@ -39,96 +122,191 @@ const BIN: u32 = u32::from_le_bytes(*b"BIN\0");
 /// A GLB file in the making.
 pub(super) struct Glb {
     roughness: f32,
+    /// Bytes of each image that comes behind the file's last part.
+    images: Option<[u32; 3]>,
+    /// Maps repeat.
+    tile: bool,
+    layout: &'static Layout,
     vertices: Vec<u8>,
     indices: Vec<u8>,
-    low: [f32; 3],
-    high: [f32; 3],
+    /// The most vertices of a mesh.
+    most: usize,
+    meshes_made: u32,
+    /// Of the JSON's lists, each item with a comma before it.
+    children: String,
+    nodes: String,
+    meshes: String,
+    accessors: String,
     linear: [u32; 256],
 }
 
 impl Glb {
-    /// A file of a surface that is rough by so much, 0..1.
-    pub fn new(roughness: f32) -> Self {
+    /// A file of surfaces that are rough by so much, 0..1; with `images` of so many bytes, which the caller
+    /// has to put behind it, each filled up to a multiple of four bytes.
+    pub fn new(roughness: f32, images: Option<[u32; 3]>, tile: bool) -> Self {
         let linear = |v| (decoded(v as f64 / 255.0) * 65535.0 + 0.5) as u32;
         Self {
             roughness,
+            images,
+            tile,
+            layout: if images.is_some() { &PLACED } else { &PLAIN },
             vertices: Vec::new(),
             indices: Vec::new(),
-            low: [f32::MAX; 3],
-            high: [f32::MIN; 3],
+            most: 0,
+            meshes_made: 0,
+            children: String::new(),
+            nodes: String::new(),
+            meshes: String::new(),
+            accessors: String::new(),
             linear: std::array::from_fn(linear),
         }
     }
 
-    fn count(&self) -> u32 {
-        (self.vertices.len() / STRIDE) as u32
-    }
-
-    /// Adds a cell's surface.
-    pub fn add(&mut self, frame: &Frame, surface: &Surface) {
-        let first = self.count();
+    /// Adds the surface of a stone by its id, or of the ground by 0.
+    pub fn add(&mut self, frame: &Frame, surface: &Surface, id: u32) {
+        let first = self.vertices.len();
+        let (mut low, mut high) = ([f32::MAX; 3], [f32::MIN; 3]);
         for (k, &p) in surface.positions.iter().enumerate() {
             let at = frame.place(p);
             for (k, &v) in at.iter().enumerate() {
-                self.low[k] = lesser(self.low[k], v);
-                self.high[k] = greater(self.high[k], v);
+                low[k] = lesser(low[k], v);
+                high[k] = greater(high[k], v);
             }
-            let [x, y, z] = at.map(f32::to_bits);
-            let [u, v, w] = frame.direction(surface.normals[k]).map(f32::to_bits);
-            let [r, g, b] = surface.colours[k].map(|c| self.linear[usize::from(c)]);
-            let (red_green, blue_alpha) = (g << 16 | r, 0xFFFF_0000 | b);
-            put(
-                &mut self.vertices,
-                &[x, y, z, u, v, w, red_green, blue_alpha],
-            );
+            put_floats(&mut self.vertices, &at);
+            if self.images.is_none() {
+                put_floats(&mut self.vertices, &frame.direction(surface.normals[k]));
+                let [r, g, b] = surface.colours[k].map(|c| self.linear[usize::from(c)]);
+                put(&mut self.vertices, &[g << 16 | r, 0xFFFF_0000 | b]);
+            }
+            put_floats(&mut self.vertices, &frame.place_in_maps(p));
         }
-        for &triangle in &surface.triangles {
-            put(
-                &mut self.indices,
-                &frame.turned(triangle).map(|k| first + k),
-            );
-        }
+        let count = surface.positions.len();
+        self.most = self.most.max(count);
+        self.describe(first, count, [low, high]);
+        self.index(frame, &surface.triangles, count);
+        self.name(id);
     }
 
-    /// The file, part after part.
-    pub fn finish(self) -> Vec<Vec<u8>> {
-        let mut json = self.json().into_bytes();
-        while !json.len().is_multiple_of(4) {
-            json.push(b' ');
+    /// Adds what tells of a mesh whose vertices begin at `first`, and of its indices, which come next.
+    fn describe(&mut self, first: usize, count: usize, [low, high]: [[f32; 3]; 2]) {
+        for &(offset, accessor) in &self.layout.attributes {
+            let ([a, b, c], [d, e, f]) = (low.map(f64::from), high.map(f64::from));
+            let numbers = [count as f64, (first + offset) as f64, a, b, c, d, e, f];
+            fill(&mut self.accessors, accessor, &numbers);
         }
-        let binary = self.vertices.len() + self.indices.len();
-        let chunks = if binary > 0 { 8 + binary } else { 0 };
-        let total = 12 + 8 + json.len() + chunks;
+        let accessors = std::array::from_fn(|k| f64::from(5 * self.meshes_made) + k as f64);
+        let accessors: [f64; 5] = accessors;
+        fill(&mut self.meshes, self.layout.mesh, &accessors);
+    }
+
+    fn index(&mut self, frame: &Frame, triangles: &[[u32; 3]], vertices: usize) {
+        let (kind, bytes) = if vertices < 65_535 {
+            (5123.0, 2)
+        } else {
+            (5125.0, 4)
+        };
+        let numbers = [
+            3.0 * triangles.len() as f64,
+            self.indices.len() as f64,
+            kind,
+        ];
+        fill(&mut self.accessors, INDICES, &numbers);
+        for &triangle in triangles {
+            for k in frame.turned(triangle) {
+                self.indices.extend_from_slice(&k.to_le_bytes()[..bytes]);
+            }
+        }
+        fill_up(&mut self.indices, 0);
+    }
+
+    fn name(&mut self, id: u32) {
+        let [r, g, b] = id_colour(id).map(f64::from);
+        let (mesh, id) = (f64::from(self.meshes_made), f64::from(id));
+        let (name, numbers) = match id {
+            0.0 => (r#",{"name":"ground","mesh":@}"#, [mesh, 0.0, 0.0, 0.0, 0.0]),
+            _ => (
+                r#",{"name":"stone_@","mesh":@,"extras":{"id_map":[@,@,@]}}"#,
+                [id, mesh, r, g, b],
+            ),
+        };
+        fill(&mut self.nodes, name, &numbers);
+        self.meshes_made += 1;
+        fill(&mut self.children, ",@", &[f64::from(self.meshes_made)]);
+    }
+
+    /// The file, part after part, but for the images.
+    pub fn finish(self) -> Vec<Vec<u8>> {
+        let mut shared = Vec::new();
+        for vector in UPRIGHT.into_iter().filter(|_| self.images.is_some()) {
+            (0..self.most).for_each(|_| put_floats(&mut shared, vector));
+        }
+        let images = self.images.unwrap_or_default().map(filled);
+        let own = self.vertices.len() + self.indices.len() + shared.len();
+        let binary = own + images.iter().sum::<usize>();
+        let mut json = self.json(own, binary).into_bytes();
+        fill_up(&mut json, b' ');
+        let total = 12 + 8 + json.len() + 8 + binary;
         let mut head = Vec::new();
         put(&mut head, &[GLTF, 2, total as u32, json.len() as u32, JSON]);
         head.append(&mut json);
-        if binary > 0 {
-            put(&mut head, &[binary as u32, BIN]);
-        }
-        vec![head, self.vertices, self.indices]
+        put(&mut head, &[binary as u32, BIN]);
+        vec![head, self.vertices, self.indices, shared]
     }
 
-    fn json(&self) -> String {
-        if self.vertices.is_empty() {
-            return EMPTY.to_owned();
-        }
+    /// Where `own` bytes come before the images, and `all` with them.
+    fn json(&self, own: usize, all: usize) -> String {
+        let mut json = HEAD.to_owned();
+        let wrap = if self.tile { 10_497.0 } else { 33_071.0 };
+        let numbers = match self.images {
+            None => [self.roughness.into(), 0.0],
+            Some(_) => [wrap, wrap],
+        };
+        fill(&mut json, self.layout.material, &numbers);
         let [vertices, indices] = [&self.vertices, &self.indices].map(|part| part.len() as f64);
-        let count = f64::from(self.count());
-        let [low, high] = [self.low, self.high].map(|corner| corner.map(f64::from));
-        let numbers = [
-            &[f64::from(self.roughness), vertices + indices],
-            &[vertices, STRIDE as f64, vertices, indices, count][..],
-            &low,
-            &high,
-            &[NORMAL, count, COLOUR, count, indices / 4.0],
-        ];
-        let mut numbers = numbers.concat().into_iter();
-        let mut json = String::new();
-        for piece in TEMPLATE.split('@') {
-            json += piece;
-            json += &numbers.next().map_or(String::new(), number);
+        let stride = self.layout.stride as f64;
+        let numbers = [all as f64, vertices, stride, vertices, indices];
+        fill(&mut json, BUFFERS, &numbers);
+        if let Some(images) = self.images {
+            let (begin, most) = (vertices + indices, self.most as f64);
+            let views = [begin, 12.0 * most, begin + 12.0 * most, 16.0 * most];
+            fill(&mut json, SHARED, &views);
+            let mut at = own;
+            for length in images {
+                fill(&mut json, IMAGE, &[at as f64, length.into()]);
+                at += filled(length);
+            }
+        }
+        let parts = [&self.children, &self.nodes, &self.meshes, &self.accessors];
+        for (k, before) in LISTS.into_iter().enumerate() {
+            json += before;
+            // The second goes on behind a first node.
+            let from = usize::from(k != 1);
+            json += parts.get(k).and_then(|part| part.get(from..)).unwrap_or("");
         }
         json
+    }
+}
+
+/// Bytes of an image with what fills it up.
+fn filled(length: u32) -> usize {
+    (length as usize).next_multiple_of(4)
+}
+
+/// Fills up to a multiple of four bytes.
+fn fill_up(bytes: &mut Vec<u8>, by: u8) {
+    while !bytes.len().is_multiple_of(4) {
+        bytes.push(by);
+    }
+}
+
+/// Adds a template with numbers in the place of each @.
+fn fill(json: &mut String, template: &str, numbers: &[f64]) {
+    let mut numbers = numbers.iter();
+    for (k, piece) in template.split('@').enumerate() {
+        if k > 0 {
+            *json += &numbers.next().map_or(String::new(), |&x| number(x));
+        }
+        *json += piece;
     }
 }
 
@@ -139,13 +317,6 @@ fn number(x: f64) -> String {
         whole.to_string()
     } else {
         decimal::text(x)
-    }
-}
-
-/// Adds words, the lowest byte first.
-fn put(out: &mut Vec<u8>, words: &[u32]) {
-    for word in words {
-        out.extend_from_slice(&word.to_le_bytes());
     }
 }
 
@@ -166,12 +337,19 @@ mod tests {
     }
 
     #[test]
-    fn without_cells_there_is_a_file() {
-        let glb = Glb::new(0.5).finish().concat();
-        assert_eq!(
-            u32::from_le_bytes([glb[8], glb[9], glb[10], glb[11]]),
-            glb.len() as u32
-        );
+    fn images_are_told_of_but_come_later() {
+        let square = Surface {
+            positions: vec![glam::Vec3::ZERO, glam::Vec3::X, glam::Vec3::Y],
+            triangles: vec![[0, 1, 2]],
+            ..Surface::default()
+        };
+        let mut glb = Glb::new(0.5, Some([5, 8, 1]), true);
+        glb.add(&Frame { unit: 1.0 }, &square, 7);
+        let glb = glb.finish().concat();
+        let told = u32::from_le_bytes([glb[8], glb[9], glb[10], glb[11]]);
+        assert_eq!(told as usize, glb.len() + 8 + 8 + 4);
         assert_eq!(glb.len() % 4, 0);
+        let text = String::from_utf8_lossy(&glb);
+        assert!(text.contains(r#""name":"stone_7""#) && text.contains("\"wrapS\":10497"));
     }
 }

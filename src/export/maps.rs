@@ -9,20 +9,32 @@ use crate::material::Material;
 pub struct Map {
     /// Pixels along a side.
     pub side: usize,
-    /// 1 of grey, or 3 of red, green, blue.
+    /// 1 of grey, 3 of red, green, blue, or 4 with alpha.
     pub channels: u8,
-    /// 8 or 16 for each channel.
+    /// 8 or 16 for each channel, or 32 of floats.
     pub bits: u8,
-    /// The values, those of 16 bits with the high byte first, as in PNG.
+    /// The values, with the high byte first, as in PNG.
     pub bytes: Vec<u8>,
 }
 
 impl Map {
-    /// A map of 8 bits as opaque RGBA, to look at.
+    /// A map of 8 bits and one or three channels as opaque RGBA, to look at.
     pub fn rgba(&self) -> Vec<u8> {
         let channels = usize::from(self.channels);
         let opaque = |p: &[u8]| [p[0], p[channels / 2], p[channels - 1], 255];
         self.bytes.chunks_exact(channels).flat_map(opaque).collect()
+    }
+
+    /// The mask map of Unity from one of the kind [`MapKind::Orm`]: metal, occlusion, nothing, and smoothness (what
+    /// is missing of roughness to 1) as red, green, blue and alpha. For native programs: the page has its own.
+    pub fn mask(&self) -> Map {
+        let pixels = self.bytes.chunks_exact(3);
+        let mask = pixels.flat_map(|p| [p[2], p[0], 0, 255 - p[1]]);
+        Map {
+            channels: 4,
+            bytes: mask.collect(),
+            ..*self
+        }
     }
 }
 
@@ -44,11 +56,15 @@ pub enum MapKind {
     Occlusion,
     /// A colour for each cell that no other has, black for the ground: see [`id_colour`].
     Id,
+    /// Ambient occlusion, roughness and metal, of which there is none, as red, green and blue.
+    Orm,
+    /// Height above the base level as floats, in sides of the picture.
+    HeightFloat,
 }
 
 impl MapKind {
     /// All maps with their words, which are the names of their files.
-    pub const ALL: [(MapKind, &'static str); 7] = [
+    pub const ALL: [(MapKind, &'static str); 9] = [
         (MapKind::Height, "height"),
         (MapKind::NormalOpengl, "normal-opengl"),
         (MapKind::NormalDirectx, "normal-directx"),
@@ -56,6 +72,8 @@ impl MapKind {
         (MapKind::Roughness, "roughness"),
         (MapKind::Occlusion, "ao"),
         (MapKind::Id, "id"),
+        (MapKind::Orm, "orm"),
+        (MapKind::HeightFloat, "height-float"),
     ];
 
     /// The map's word.
@@ -92,23 +110,21 @@ pub fn id_colour(id: u32) -> [u8; 3] {
 /// Makes a map of finished planes. `materials` is the table that their plane of materials indexes,
 /// `shininess` the factor of its exponents.
 pub fn map(kind: MapKind, planes: &Planes, materials: &[Material], shininess: f64) -> Map {
+    let rough = || roughnesses(planes, materials, shininess);
     let (channels, bits, bytes) = match kind {
         MapKind::Height => (1, 16, heights(planes)),
         MapKind::NormalOpengl => (3, 8, normals(planes, -1.0)),
         MapKind::NormalDirectx => (3, 8, normals(planes, 1.0)),
         MapKind::Albedo => (3, 8, planes.colour.as_flattened().to_vec()),
-        MapKind::Roughness => {
-            let grey = |o: &Material| roughness(f64::from(o.shininess) * shininess);
-            let greys: Vec<u8> = materials.iter().map(|o| byte(255.0 * grey(o))).collect();
-            let at = |&k: &u8| greys.get(usize::from(k)).copied().unwrap_or(255);
-            (1, 8, planes.material.iter().map(at).collect())
-        }
+        MapKind::Roughness => (1, 8, rough()),
         MapKind::Occlusion => (1, 8, planes.occlusion.clone()),
         MapKind::Id => (
             3,
             8,
             planes.id.iter().flat_map(|&id| id_colour(id)).collect(),
         ),
+        MapKind::Orm => (3, 8, orm(planes, &rough())),
+        MapKind::HeightFloat => (1, 32, floats(planes)),
     };
     Map {
         side: planes.side,
@@ -116,6 +132,30 @@ pub fn map(kind: MapKind, planes: &Planes, materials: &[Material], shininess: f6
         bits,
         bytes,
     }
+}
+
+fn roughnesses(planes: &Planes, materials: &[Material], shininess: f64) -> Vec<u8> {
+    let grey = |o: &Material| roughness(f64::from(o.shininess) * shininess);
+    let greys: Vec<u8> = materials.iter().map(|o| byte(255.0 * grey(o))).collect();
+    let at = |&k: &u8| greys.get(usize::from(k)).copied().unwrap_or(255);
+    planes.material.iter().map(at).collect()
+}
+
+fn orm(planes: &Planes, rough: &[u8]) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    for (&light, &rough) in planes.occlusion.iter().zip(rough) {
+        bytes.extend_from_slice(&[light, rough, 0]);
+    }
+    bytes
+}
+
+fn floats(planes: &Planes) -> Vec<u8> {
+    let unit = planes.pixel_scale as f32 / planes.side as f32;
+    let mut bytes = Vec::new();
+    for height in &planes.bump {
+        bytes.extend_from_slice(&(height * unit).to_be_bytes());
+    }
+    bytes
 }
 
 fn heights(planes: &Planes) -> Vec<u8> {
@@ -198,6 +238,19 @@ mod tests {
     fn shinier_is_less_rough() {
         assert_eq!(made(MapKind::Roughness).bytes[..2], [255, 128]);
         assert!((0..200).all(|n| roughness(n.into()) > roughness((n + 1).into())));
+    }
+
+    #[test]
+    fn packed_maps_have_the_single_ones() {
+        let [rough, light] = [MapKind::Roughness, MapKind::Occlusion].map(|kind| made(kind).bytes);
+        let orm = made(MapKind::Orm);
+        let mask = orm.mask().bytes;
+        for k in 0..64 {
+            assert_eq!(orm.bytes[3 * k..][..3], [light[k], rough[k], 0]);
+            assert_eq!(mask[4 * k..][..4], [0, light[k], 0, 255 - rough[k]]);
+        }
+        let float = made(MapKind::HeightFloat).bytes[4 * 9..][..4].try_into();
+        assert_eq!(f32::from_be_bytes(float.unwrap()), 3.0 / 8.0);
     }
 
     #[test]

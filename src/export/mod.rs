@@ -1,6 +1,8 @@
 //! Writers of what the stages found: text with numbers as the shortest decimals that read back as the
 //! same bits, maps of the planes, and files of the cells' surfaces.
 
+mod bytes;
+mod exr;
 mod fixed;
 mod frame;
 mod glb;
@@ -8,13 +10,20 @@ mod json;
 pub mod maps;
 mod metrics;
 mod obj;
+mod order;
+mod programs;
 mod report;
+mod slab;
 mod surface;
 mod svg;
 
+pub use exr::exr;
 pub use json::{cells_json, mesh_json, text};
 pub use maps::{Map, MapKind};
 pub use metrics::metrics_json;
+pub use order::{DETAILS, MeshFormat, MeshOrder, MeshSize};
+pub use programs::maps_for;
 pub use report::{Report, StageTime};
-pub use surface::{MeshFile, MeshFormat};
+pub use slab::{Slab, SlabFile};
+pub use surface::MeshFile;
 pub use svg::svg;

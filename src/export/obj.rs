@@ -1,4 +1,4 @@
-//! Surfaces as an OBJ file: text, one object for each cell.
+//! Surfaces as an OBJ file: text, one object for each cell and one for the ground.
 
 use super::fixed::{push, push_whole};
 use super::frame::Frame;
@@ -9,7 +9,7 @@ const PART: usize = 1 << 20;
 
 const HEAD: &[u8] = b"# Made by Bubblestone.\n\
     # Right-handed, y up: x to the right of the picture, z down it. One unit is the picture's side.\n\
-    # Each object is the closed surface of a cell; vertices have colours (sRGB, 0 to 1).\n";
+    # Colours are sRGB; places in maps begin at the lower left.\n";
 
 /// An OBJ file in the making.
 pub(super) struct Obj {
@@ -28,31 +28,42 @@ impl Obj {
         }
     }
 
-    /// Adds the surface of the cell `index`.
-    pub fn add(&mut self, frame: &Frame, surface: &Surface, index: usize) {
+    /// Adds the surface of a stone by its id, or of the ground by 0.
+    pub fn add(&mut self, frame: &Frame, surface: &Surface, id: u32) {
         let out = &mut self.part;
-        out.extend_from_slice(b"o cell_");
-        push_whole(out, index as u64);
-        out.push(b'\n');
-        for (&p, &colour) in surface.positions.iter().zip(&surface.colours) {
-            let [x, y, z] = frame.place(p);
-            let [r, g, b] = colour.map(|c| f32::from(c) / 255.0);
-            line(out, b"v", &[x, y, z], 7);
-            line(out, b"", &[r, g, b], 3);
-            out.push(b'\n');
+        match id.checked_sub(1) {
+            None => out.extend_from_slice(b"o ground"),
+            Some(index) => {
+                out.extend_from_slice(b"o cell_");
+                push_whole(out, index.into());
+            }
         }
-        for &n in &surface.normals {
-            line(out, b"vn", &frame.direction(n), 4);
+        out.push(b'\n');
+        for (k, &p) in surface.positions.iter().enumerate() {
+            let [right, down] = frame.place_in_maps(p);
+            let colour = surface.colours[k].map(|c| f32::from(c) / 255.0);
+            let normal = frame.direction(surface.normals[k]);
+            for (word, numbers, decimals) in [
+                ("v", &frame.place(p)[..], 7),
+                ("", &colour, 3),
+                ("\nvt", &[right, 1.0 - down], 6),
+                ("\nvn", &normal, 4),
+            ] {
+                out.extend_from_slice(word.as_bytes());
+                for &x in numbers {
+                    out.push(b' ');
+                    push(out, x, decimals);
+                }
+            }
             out.push(b'\n');
         }
         for &triangle in &surface.triangles {
             out.push(b'f');
             for k in frame.turned(triangle) {
-                let at = self.vertices + u64::from(k) + 1;
-                out.push(b' ');
-                push_whole(out, at);
-                out.extend_from_slice(b"//");
-                push_whole(out, at);
+                for before in [b' ', b'/', b'/'] {
+                    out.push(before);
+                    push_whole(out, self.vertices + u64::from(k) + 1);
+                }
             }
             out.push(b'\n');
         }
@@ -71,13 +82,5 @@ impl Obj {
     pub fn finish(mut self) -> Vec<Vec<u8>> {
         self.parts.push(self.part);
         self.parts
-    }
-}
-
-fn line(out: &mut Vec<u8>, word: &[u8], numbers: &[f32; 3], decimals: u32) {
-    out.extend_from_slice(word);
-    for &x in numbers {
-        out.push(b' ');
-        push(out, x, decimals);
     }
 }

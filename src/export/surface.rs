@@ -1,4 +1,4 @@
-//! The surfaces of all cells in one file, cell by cell.
+//! The surfaces of all cells in one file, cell by cell, and then the ground.
 //!
 //! Files are right-handed with y up, as glTF wants it: x runs to the right of the picture, z down it,
 //! and y is the height; seen from above, the surface looks as the picture. One unit is the picture's
@@ -12,25 +12,11 @@ use super::frame::Frame;
 use super::glb::Glb;
 use super::maps::roughness;
 use super::obj::Obj;
+use super::order::{MeshFormat, MeshOrder};
 use crate::cells::Cell;
-use crate::heightfield::{Planes, Surfaces, TextureParams};
+use crate::heightfield::{GROUND, Planes, Surface, Surfaces, TextureParams, ground};
 use crate::material::{FINISHES, Material};
-use crate::solid::Solid;
-
-/// A kind of mesh file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum MeshFormat {
-    /// Text; an object `cell_K` for the K-th cell, colours in sRGB after the positions.
-    Obj,
-    /// Binary glTF 2.0; one mesh, colours in linear light.
-    Glb,
-}
-
-impl MeshFormat {
-    /// All kinds with the endings of their files' names.
-    pub const ALL: [(MeshFormat, &'static str); 2] =
-        [(MeshFormat::Obj, "obj"), (MeshFormat::Glb, "glb")];
-}
+use crate::solid::{Solid, Solids};
 
 enum Writer {
     Obj(Obj),
@@ -42,23 +28,42 @@ pub struct MeshFile {
     surfaces: Surfaces,
     frame: Frame,
     writer: Writer,
+    /// Triangles of each stone, about.
+    each: usize,
+    /// Squares along a side of the ground.
+    squares: usize,
     cells: usize,
 }
 
 impl MeshFile {
-    /// A file without cells, for planes of these parameters and this table of materials.
-    pub fn new(format: MeshFormat, params: TextureParams, materials: &[Material]) -> Self {
+    /// A file without cells, that is to have `stones` of them, for planes of these parameters and this table
+    /// of materials.
+    pub fn new(
+        order: &MeshOrder,
+        params: TextureParams,
+        materials: &[Material],
+        stones: usize,
+    ) -> Self {
+        let each = order.of_each(stones);
+        let glb = || Glb::new(mean_roughness(materials), order.images, params.tile);
         Self {
             frame: Frame {
                 unit: 1.0 / params.side as f32,
             },
-            surfaces: Surfaces::new(params),
-            writer: match format {
+            surfaces: Surfaces::new(params, each),
+            writer: match order.format {
                 MeshFormat::Obj => Writer::Obj(Obj::new()),
-                MeshFormat::Glb => Writer::Glb(Box::new(Glb::new(mean_roughness(materials)))),
+                MeshFormat::Glb => Writer::Glb(Box::new(glb())),
             },
+            each,
+            squares: order.ground_squares(stones, params.side),
             cells: 0,
         }
+    }
+
+    /// What makes solids that are fine enough.
+    pub fn solids(&self) -> Solids {
+        Solids::to_simplify(self.each)
     }
 
     /// Cells added so far.
@@ -69,13 +74,22 @@ impl MeshFile {
     /// Adds the solid of the next cell of those that the planes were painted from.
     pub fn add(&mut self, solid: &Solid, cell: &Cell, planes: &Planes) {
         let surface = self.surfaces.close(solid, cell, self.cells, planes);
-        if !surface.positions.is_empty() {
-            match &mut self.writer {
-                Writer::Obj(obj) => obj.add(&self.frame, &surface, self.cells),
-                Writer::Glb(glb) => glb.add(&self.frame, &surface),
-            }
-        }
         self.cells += 1;
+        if !surface.positions.is_empty() {
+            self.write(&surface, self.cells as u32);
+        }
+    }
+
+    /// Adds the ground, after the last cell.
+    pub fn add_ground(&mut self, planes: &Planes) {
+        self.write(&ground(planes, self.squares), GROUND);
+    }
+
+    fn write(&mut self, surface: &Surface, id: u32) {
+        match &mut self.writer {
+            Writer::Obj(obj) => obj.add(&self.frame, surface, id),
+            Writer::Glb(glb) => glb.add(&self.frame, surface, id),
+        }
     }
 
     /// The next parts of the file, as far as they are known before the last cell is.

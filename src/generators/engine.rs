@@ -1,6 +1,6 @@
 //! What an engine is to those who run it: stages that work in slices, views, and files.
 
-use crate::export::{Map, MapKind, MeshFormat, Report};
+use crate::export::{Map, MapKind, MeshOrder, MeshSize, Report};
 use crate::notice::{Code, Notice};
 use crate::recipe::Recipe;
 use std::any::Any;
@@ -178,18 +178,23 @@ pub trait Engine: Any {
     /// A notice where there is none, or of another picture.
     fn bigger_map(&self, kind: MapKind) -> Result<Map, Notice>;
 
-    /// Works for about `budget` milliseconds on the file of all surfaces. Begins anew where the picture or
-    /// the format is another one than the last time.
+    /// Works for about `budget` milliseconds on a mesh file. Begins anew where the picture or the order is
+    /// another one than the last time.
     ///
     /// # Errors
     /// A notice where the picture is not finished, or there is no such file.
     fn mesh_file(
         &mut self,
-        _format: MeshFormat,
+        _order: &MeshOrder,
         _clock: Clock,
         _budget: f64,
     ) -> Result<MeshSlice, Notice> {
         Err(Code::NoSuchFile.into())
+    }
+
+    /// How large such a file is; nothing where there is none.
+    fn mesh_size(&self, _order: &MeshOrder) -> Option<MeshSize> {
+        None
     }
 
     /// Lets go of files in the making, and of what was kept of a bigger picture for its maps.

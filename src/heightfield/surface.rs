@@ -5,17 +5,18 @@
 //!
 //! The cap is a fan. The relief is taken between the pixels' middles, and the colour from the planes
 //! wherever the cell's own id is to be seen; walls and hidden parts take theirs from their neighbours
-//! along the surface.
+//! along the surface. Then triangles go until no more are left than are wanted, and what stays has the
+//! places and colours that it had.
 
 use super::{Planes, TextureParams};
 use crate::cells::Cell;
 use crate::material::{Coat, Face, FaceNoise, floor};
 use crate::order::{greater, lesser};
-use crate::solid::Solid;
+use crate::solid::{Solid, simplify};
 use glam::Vec3;
-use std::rc::Rc;
 
-/// A closed surface: each side of a triangle is that of another one, in the other direction.
+/// A surface. Those of cells are closed: each side of a triangle is that of another one, in the other
+/// direction.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Surface {
     /// x, y (down) and height above the base level, in picture units.
@@ -36,60 +37,43 @@ pub struct Surfaces {
     params: TextureParams,
     noise: FaceNoise,
     relief: f32,
-    /// The boundaries of the connectivities seen so far; solids share them.
-    boundaries: Vec<Boundary>,
-}
-
-/// The boundary edges of a connectivity.
-struct Boundary {
-    of: Rc<[[u32; 3]]>,
-    edges: Rc<[[u32; 2]]>,
+    /// Triangles of each surface, about.
+    most: usize,
 }
 
 impl Surfaces {
-    /// For the planes made by these parameters.
-    pub fn new(params: TextureParams) -> Self {
+    /// For the planes made by these parameters, and so many triangles of each surface at most, as far as it
+    /// can be simplified to so few.
+    pub fn new(params: TextureParams, most: usize) -> Self {
         Self {
+            most,
             noise: FaceNoise::new(params.seed, params.size, params.dimension, 0),
             relief: params.relief(),
-            boundaries: Vec::new(),
             params,
         }
     }
 
     /// The surface of a cell's solid, empty where that is; `index` is the cell's place in the list
     /// that the planes were painted from.
-    pub fn close(&mut self, solid: &Solid, cell: &Cell, index: usize, planes: &Planes) -> Surface {
+    pub fn close(&self, solid: &Solid, cell: &Cell, index: usize, planes: &Planes) -> Surface {
         if solid.vertices.is_empty() {
             return Surface::default();
         }
-        let boundary = self.boundary(solid);
+        let boundary = boundary_edges(&solid.triangles, solid.vertices.len());
         let mut positions = solid.vertices.clone();
         let face = self.params.face(cell, Coat::default());
         self.roughen(&face, &mut positions);
-        let normals = normals(&positions, &solid.triangles);
         let colours = colours(&positions, &solid.triangles, index as u32 + 1, planes);
         let mut surface = Surface {
             positions,
-            normals,
+            normals: Vec::new(),
             colours,
             triangles: solid.triangles.to_vec(),
         };
         surface.cap(&boundary);
-        surface
-    }
-
-    fn boundary(&mut self, solid: &Solid) -> Rc<[[u32; 2]]> {
-        let of = &solid.triangles;
-        if let Some(known) = self.boundaries.iter().find(|b| Rc::ptr_eq(&b.of, of)) {
-            return known.edges.clone();
-        }
-        let edges: Rc<[[u32; 2]]> = boundary_edges(of, solid.vertices.len()).into();
-        self.boundaries.push(Boundary {
-            of: of.clone(),
-            edges: edges.clone(),
-        });
-        edges
+        let floor = self.params.level() as f32;
+        simplify(&surface.positions, &mut surface.triangles, self.most, floor);
+        surface.tidy(solid.triangles.len())
     }
 
     /// Adds what the painter adds to each pixel of a stone.
@@ -137,10 +121,30 @@ impl Surface {
         let colour = self.colours[boundary[0][0] as usize];
         let new = self.positions.len() as u32;
         self.positions.push(Vec3::new(middle.x, middle.y, level));
-        self.normals.push(Vec3::NEG_Z);
         self.colours.push(colour);
         self.triangles
             .extend(boundary.iter().map(|&[a, b]| [b, a, new]));
+    }
+
+    /// Makes the normals, of which the triangles from `cap` on have no say, and drops triangles without corners
+    /// and vertices without triangles.
+    fn tidy(self, cap: usize) -> Self {
+        let normals = normals(&self.positions, &self.triangles[..cap]);
+        let mut places = vec![u32::MAX; self.positions.len()];
+        let mut kept = Self::default();
+        for &triangle in self.triangles.iter().filter(|t| t[0] != t[1]) {
+            kept.triangles.push(triangle.map(|k| {
+                let at = k as usize;
+                if places[at] == u32::MAX {
+                    places[at] = kept.positions.len() as u32;
+                    kept.positions.push(self.positions[at]);
+                    kept.normals.push(normals[at]);
+                    kept.colours.push(self.colours[at]);
+                }
+                places[at]
+            }));
+        }
+        kept
     }
 }
 
@@ -174,8 +178,8 @@ fn boundary_edges(triangles: &[[u32; 3]], vertices: usize) -> Vec<[u32; 2]> {
     open
 }
 
-/// Means of the normals of the triangles around each vertex, by their areas.
-fn normals(positions: &[Vec3], triangles: &[[u32; 3]]) -> Vec<Vec3> {
+/// Means of the normals of the triangles around each vertex, by their areas; down where there are none.
+pub(super) fn normals(positions: &[Vec3], triangles: &[[u32; 3]]) -> Vec<Vec3> {
     let mut sums = vec![Vec3::ZERO; positions.len()];
     for triangle in triangles {
         let [a, b, c] = triangle.map(|k| positions[k as usize]);
@@ -185,7 +189,7 @@ fn normals(positions: &[Vec3], triangles: &[[u32; 3]]) -> Vec<Vec3> {
         }
     }
     sums.iter()
-        .map(|n| n.try_normalize().unwrap_or(Vec3::Z))
+        .map(|n| n.try_normalize().unwrap_or(Vec3::NEG_Z))
         .collect()
 }
 

@@ -38,10 +38,12 @@ impl Solid {
 #[derive(Debug)]
 pub struct Solids {
     stencils: StencilCache,
-    /// Loop steps of skin more than a picture needs, or fewer.
+    /// Loop steps of skin more than a picture needs.
     finer: i32,
     /// Pixels for each square picture unit.
     pixels: f64,
+    /// Triangles of each solid that are enough, where not the picture decides.
+    enough: Option<usize>,
 }
 
 impl Default for Solids {
@@ -63,7 +65,26 @@ impl Solids {
             stencils: StencilCache::new(),
             finer,
             pixels: (pixel_scale * pixel_scale) as f64,
+            enough: None,
         }
+    }
+
+    /// Solids to be simplified to so many triangles: they have twice as many or more, or as many as a picture
+    /// with a pixel for each picture unit needs, and never fewer than asked for.
+    pub fn to_simplify(triangles: usize) -> Self {
+        Self {
+            enough: Some(triangles),
+            ..Self::new()
+        }
+    }
+
+    /// Loop steps of a control mesh, where a picture needs `needed`.
+    fn steps(&self, control: usize, needed: u32) -> u32 {
+        let Some(enough) = self.enough else {
+            return needed;
+        };
+        let steps = |triangles: usize| levels(control, triangles as f64);
+        steps(2 * enough).min(needed.max(steps(enough)))
     }
 
     /// The solid of a cell, empty where the cell has no area to speak of. Stones lie inside the cell's
@@ -93,7 +114,8 @@ impl Solids {
         let points = control::points(plan, params, id);
         let area = plan.size * plan.size * params.scale * params.scale;
         let wanted = STONE_TRIANGLES * self.pixels * area;
-        let levels = levels(control::triangle_count(corners), wanted).min(STONE_LEVELS);
+        let coarse = control::triangle_count(corners);
+        let levels = self.steps(coarse, levels(coarse, wanted).min(STONE_LEVELS));
         let refinement = self.stencils.get(false, corners, levels)?;
         let stencil = &refinement.stencil;
         let mut vertices = stencil.apply(&points);
@@ -114,6 +136,7 @@ impl Solids {
         let coarse = prism::triangle_count(corners);
         let needed = levels(coarse, SKIN_TRIANGLES * self.pixels * prism.area());
         let finer = needed.saturating_add_signed(self.finer).min(MOST_LEVELS);
+        let finer = self.steps(coarse, finer);
         let refinement = self.stencils.get(true, corners, finer)?;
         let (stencil, radii) = (&refinement.stencil, &refinement.radii);
         let control = prism.points();

@@ -142,15 +142,15 @@ test('every file is made', () => {
     const studio = finished(open(link));
     assert.match(studio.svg(), /<\/svg>\n$/);
     assert.equal(JSON.parse(studio.report()).hash, studio.digest());
-    for (const word of ['height', 'normal-opengl', 'normal-directx', 'albedo', 'roughness', 'ao', 'id']) {
+    for (const word of ['height', 'normal-opengl', 'normal-directx', 'albedo', 'roughness', 'ao', 'id', 'orm', 'height-float']) {
       assert.equal(studio.map(word).side, 128, word);
     }
-    for (const ending of ['obj', 'glb']) assert.ok(bytesOf(() => studio.meshFile(ending, 4)) > 1000, ending);
+    for (const ending of ['obj', 'glb']) assert.ok(bytesOf(() => studio.meshFile(ending, 'low', [], 4)) > 1000, ending);
     for (const scale of [1, 2]) {
       assert.equal(bytesOf(() => studio.pictureFile(scale, 20)), 3 * (128 * scale) ** 2);
       assert.equal(studio.biggerMap('albedo').side, 128 * scale);
     }
-    studio.meshFile('obj', 0);
+    studio.meshFile('obj', 'low', [], 0);
     studio.stopFile();
     studio.free();
   }
@@ -293,7 +293,7 @@ test('every notice is said', () => {
   }
   hear(studio.setOutline([1, 2, 3], [2]));
   hear([studio.set('nonsense', '1'), studio.set('cs', 'many'), studio.set('lines', '0,0,9,9'), studio.set('poly', '!')]);
-  hear([studio.map('height'), studio.map('nothing'), studio.meshFile('glb', 9), studio.meshFile('', 9), studio.pictureFile(2, 9)]);
+  hear([studio.map('height'), studio.map('nothing'), studio.meshFile('glb', 'low', [], 9), studio.meshFile('', 'low', [], 9), studio.pictureFile(2, 9)]);
   finished(studio);
   hear([studio.pictureFile(99, 9), studio.biggerMap('height')]);
   studio.free();

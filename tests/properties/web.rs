@@ -172,7 +172,7 @@ fn lists_and_parts_are_asked_for() {
 #[wasm_bindgen_test]
 fn maps_and_meshes_come_as_bytes() {
     let mut page = Bubblestone::new(LINK);
-    for early in [page.map("height"), page.mesh_file("glb", 1e9)] {
+    for early in [page.map("height"), page.mesh_file("glb", "low", &[], 1e9)] {
         assert_eq!(code(&early), "not_yet");
     }
     run(&mut page);
@@ -184,7 +184,7 @@ fn maps_and_meshes_come_as_bytes() {
         let mut parts = Vec::new();
         let mut done = false;
         while !done {
-            let slice = page.mesh_file(ending, 1.0);
+            let slice = page.mesh_file(ending, "middle", &[], 1.0);
             assert_eq!(property(&slice, "begun").is_truthy(), parts.is_empty());
             parts.push(JsValue::NULL);
             parts.extend(property(&slice, "parts").unchecked_into::<Array>().iter());
@@ -194,9 +194,15 @@ fn maps_and_meshes_come_as_bytes() {
         let length = |part: &JsValue| part.unchecked_ref::<Uint8Array>().length();
         assert!(parts.iter().map(length).sum::<u32>() > 100_000, "{ending}");
     }
-    for none in [page.map("nothing"), page.mesh_file("", 1.0)] {
+    for none in [
+        page.map("nothing"),
+        page.mesh_file("", "low", &[], 1.0),
+        page.mesh_file("glb", "lowest", &[], 1.0),
+    ] {
         assert_eq!(code(&none), "no_such_file");
     }
+    assert_eq!(page.mesh_size("obj", "low", &[]).len(), 2);
+    assert_eq!(page.mesh_size("stl", "low", &[]).len(), 0);
     assert!(page.report().contains("\"height_range\""));
 }
 

@@ -175,6 +175,12 @@ export class Engine {
     return this.ask((core) => core.heightRange(), 0);
   }
 
+  /** The triangles and bytes, about, of a mesh file in this degree of detail; `images` are the bytes of those inside. */
+  meshSize(ending: string, detail: string, images: readonly number[] = []): { triangles: number; bytes: number } {
+    const [triangles = 0, bytes = 0] = this.ask((core) => core.meshSize(ending, detail, Uint32Array.from(images)), new Float64Array());
+    return { triangles, bytes };
+  }
+
   /** The cell at a place in picture units. */
   probe([x, y]: Point): Probe | undefined {
     return this.ask((core) => core.probe(x, y), undefined);

@@ -7,6 +7,7 @@ import { pageAddress } from '../state/link';
 import type { Work } from '../state/work';
 import { takeDialog } from './dialog';
 import type { Job } from './files/job.worker';
+import { slabSize, type Slab } from './files/slab';
 import { fileOf } from './job';
 import { signed, signedPng } from './origin';
 import { openRecipe, recipeFile } from './recipe-file';
@@ -18,8 +19,22 @@ const SCALES = [1, 2, 3, 4];
 /** The most pixels that a side may have. */
 const MOST = 4096;
 
-/** Which normals were asked for last. */
-let chosenNormals = 'normal-opengl';
+/** What was chosen last: of maps the program or the normals, of meshes the degree of detail. */
+const chosen = { program: 'normal-opengl', detail: 'middle' };
+
+/** Programs that maps are for; the first two keep the maps' own names. */
+const PROGRAMS = { 'normal-opengl': 'OpenGL (+Y)', 'normal-directx': 'DirectX (−Y)', blender: 'Blender', godot: 'Godot', unity: 'Unity', unreal: 'Unreal' };
+
+/** Triangles of a stone, by degrees of detail. */
+const DETAILS = { low: 100, middle: 400, high: 1600 };
+
+/** Bytes of a pixel of a mesh's images, about: colour, normals, occlusion and roughness. */
+const IMAGES = [1.85, 2.2, 1.15];
+
+/** Of slabs, in millimetres, but for the squares along a side of the grid. */
+const measures: Slab = { side: 100, base: 3, relief: 4, squares: 256 };
+const LIMITS = { side: [1, 10_000], base: [0.1, 1000], relief: [0.1, 1000] } as const;
+const GRIDS = [128, 256, 512, 1024];
 
 type Making = (task: Task) => Promise<Blob>;
 
@@ -38,13 +53,8 @@ export class SaveDialog {
       ...this.offered('svg', t('cells'), t('cells_note'), this.button('save-svg', 'SVG', '.svg', this.made(() => ({ file: 'svg' }), false))),
       ...this.offered('forming', t('forming'), t('forming_note'), this.button('save-gif', 'GIF', '.gif', this.made(() => ({ file: 'gif' }), false))),
       row(t('maps'), t('maps_note'), ...this.maps()),
-      ...this.offered(
-        'mesh',
-        t('mesh'),
-        t('mesh_note'),
-        this.button('save-glb', 'GLB', '.glb', this.made(() => ({ file: 'glb' }))),
-        this.button('save-obj', 'OBJ', '.obj', this.made(() => ({ file: 'obj' }))),
-      ),
+      ...this.offered('mesh', t('mesh'), t('mesh_note'), ...this.mesh()),
+      ...this.offered('mesh', t('slab'), t('slab_note'), ...this.slab()),
       row(t('recipe'), t('recipe_note'), ...this.recipe()),
     );
   }
@@ -96,16 +106,55 @@ export class SaveDialog {
   }
 
   private maps(): HTMLElement[] {
-    const normals = make(
-      'select',
-      { id: 'normals' },
-      make('option', { value: 'normal-opengl' }, 'OpenGL (+Y)'),
-      make('option', { value: 'normal-directx' }, 'DirectX (−Y)'),
-    );
-    normals.addEventListener('change', () => (chosenNormals = normals.value));
-    normals.value = chosenNormals;
-    const zip = this.button('save-maps', 'ZIP', '-maps.zip', this.made(() => ({ file: 'maps', normals: normals.value })));
-    return [make('label', { class: 'said', for: 'normals' }, t('normals')), normals, zip];
+    const program = select('normals', t('normals'), PROGRAMS, chosen.program);
+    program.addEventListener('change', () => (chosen.program = program.value));
+    return [program, this.button('save-maps', 'ZIP', '-maps.zip', this.made(() => ({ file: 'maps', program: program.value })))];
+  }
+
+  /** How large the files are is told before one is made. */
+  private mesh(): HTMLElement[] {
+    const { engine } = this.work;
+    const words = { low: t('low', { n: shown(DETAILS.low) }), middle: t('middle', { n: shown(DETAILS.middle) }), high: t('high', { n: shown(DETAILS.high) }) };
+    const detail = select('detail', t('detail'), words, chosen.detail);
+    const size = make('output', { class: 'take-note', id: 'mesh-size', for: 'detail' });
+    const tell = (): void => {
+      chosen.detail = detail.value;
+      const images = IMAGES.map((bytes) => bytes * engine.side() ** 2);
+      const [plain, textured, obj] = [engine.meshSize('glb', detail.value), engine.meshSize('glb', detail.value, images), engine.meshSize('obj', detail.value)];
+      size.value = t('mesh_size', { n: shown(rounded(plain.triangles)), glb: megabytes(plain.bytes), images: megabytes(textured.bytes), obj: megabytes(obj.bytes) });
+    };
+    detail.addEventListener('change', tell);
+    tell();
+    const file = (id: string, word: string, file: 'glb' | 'obj', images = false): HTMLButtonElement =>
+      this.button(id, word, `.${file}`, this.made(() => ({ file, detail: detail.value, images })));
+    return [detail, file('save-glb', 'GLB', 'glb'), file('save-glb-images', t('images'), 'glb', true), file('save-obj', 'OBJ', 'obj'), size];
+  }
+
+  /** A slab for printing; all measures stay while the page is open. */
+  private slab(): HTMLElement[] {
+    const size = make('output', { class: 'take-note', id: 'slab-size' });
+    const tell = (): void => {
+      const { triangles, bytes } = slabSize(measures.squares);
+      size.value = t('slab_size', { n: shown(triangles), size: megabytes(bytes) });
+    };
+    const measure = (word: 'side' | 'base' | 'relief'): HTMLElement => {
+      const [least, most] = LIMITS[word];
+      const box = make('input', { id: `slab-${word}`, type: 'number', inputmode: 'decimal', min: String(least), max: String(most), step: 'any', value: String(measures[word]) });
+      box.addEventListener('change', () => {
+        // What is no number leaves the measure as it was.
+        measures[word] = Math.min(most, Math.max(least, box.valueAsNumber || measures[word]));
+        box.value = String(measures[word]);
+      });
+      return make('label', { class: 'take-sized' }, t(word), box);
+    };
+    const grid = select('slab-grid', t('grid'), Object.fromEntries(GRIDS.map((n) => [n, t('squares', { n })])), String(measures.squares));
+    grid.addEventListener('change', () => {
+      measures.squares = Number(grid.value);
+      tell();
+    });
+    tell();
+    const stl = this.button('save-stl', 'STL', '.stl', this.made(() => ({ file: 'stl', slab: { ...measures } })));
+    return [measure('side'), measure('base'), measure('relief'), grid, stl, size];
   }
 
   /** Saves the recipe, and opens one. */
@@ -123,10 +172,31 @@ export class SaveDialog {
   }
 }
 
+/** A choice with a name that is only read out. */
+function select(id: string, name: string, options: Record<string, string>, value: string): HTMLSelectElement {
+  const element = make('select', { id, 'aria-label': name }, ...Object.entries(options).map(([word, text]) => make('option', { value: word }, text)));
+  element.value = value;
+  return element;
+}
+
+function shown(count: number): string {
+  return count.toLocaleString(document.documentElement.lang);
+}
+
+/** To three digits. */
+function rounded(count: number): number {
+  return Number(count.toPrecision(3));
+}
+
+function megabytes(bytes: number): string {
+  return `${shown(Number((bytes / 1e6).toPrecision(2)))} MB`;
+}
+
 function row(what: string, note: string, ...ways: HTMLElement[]): HTMLElement {
+  const wide = ways.some(({ tagName }) => tagName === 'OUTPUT');
   return make(
     'section',
-    { class: 'take-save', role: 'group', 'aria-label': what },
+    { class: wide ? 'take-save take-wide' : 'take-save', role: 'group', 'aria-label': what },
     make('div', {}, make('h3', {}, what), make('p', { class: 'take-note' }, note)),
     make('div', { class: 'take-ways' }, ...ways),
   );

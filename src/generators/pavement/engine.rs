@@ -2,7 +2,7 @@
 
 use super::look::View;
 use super::{Pavement, Stage, Wish};
-use crate::export::{Map, MapKind, MeshFormat, Report};
+use crate::export::{Map, MapKind, MeshOrder, MeshSize, Report};
 use crate::generators::{Clock, Engine, MeshSlice, PictureSlice, Progress, common};
 use crate::heightfield::Planes;
 use crate::notice::Notice;
@@ -155,11 +155,15 @@ impl Engine for Pavement {
 
     fn mesh_file(
         &mut self,
-        format: MeshFormat,
+        order: &MeshOrder,
         clock: Clock,
         budget: f64,
     ) -> Result<MeshSlice, Notice> {
-        self.mesh_slice(format, clock, budget)
+        self.mesh_slice(order, clock, budget)
+    }
+
+    fn mesh_size(&self, order: &MeshOrder) -> Option<MeshSize> {
+        Some(order.size(self.scales().len(), self.side()))
     }
 
     fn stop_file(&mut self) {

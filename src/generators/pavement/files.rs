@@ -1,7 +1,7 @@
 //! What can be taken out of a finished studio: maps, and the mesh of all cells.
 
 use super::{Pavement, params};
-use crate::export::{self, Map, MapKind, MeshFile, MeshFormat, maps};
+use crate::export::{self, Map, MapKind, MeshFile, MeshOrder, maps};
 use crate::generators::bigger::{Bigger, Picture};
 use crate::generators::height_field::{Bodies, LightParams};
 use crate::generators::{Clock, Engine, MeshSlice, PictureSlice};
@@ -9,15 +9,11 @@ use crate::heightfield::Planes;
 use crate::notice::{Code, Notice};
 use crate::solid::Solids;
 
-/// Loop steps of skin in a file, beyond those of the picture: its triangles are still about a pixel
-/// large, and a file is a quarter as long.
-const MESH_STEPS: i32 = -1;
-
 /// A mesh file in the making.
 pub(super) struct Saving {
     file: MeshFile,
     solids: Solids,
-    format: MeshFormat,
+    order: MeshOrder,
     /// Which of the pictures it is of: planes, and how they answer the light.
     revision: u64,
 }
@@ -77,25 +73,19 @@ impl Pavement {
 
     pub(super) fn mesh_slice(
         &mut self,
-        format: MeshFormat,
+        order: &MeshOrder,
         clock: Clock,
         budget: f64,
     ) -> Result<MeshSlice, Notice> {
         let revision = self.made.finish.light.revision();
-        let fits = |s: &Saving| (s.format, s.revision) == (format, revision);
+        let fits = |s: &Saving| s.order == *order && s.revision == revision;
         let kept = self.saving.take().filter(fits);
         if !self.is_done() {
             return Err(Code::NotYet.into());
         }
         let begun = kept.is_none();
-        let asked = &self.working.params.finish;
-        let mut saving = kept.unwrap_or_else(|| Saving {
-            file: MeshFile::new(format, asked.planes.texture, &asked.light.materials),
-            solids: Solids::for_picture(1, MESH_STEPS),
-            format,
-            revision,
-        });
-        let done = self.add_cells(&mut saving.file, &mut saving.solids, clock, budget);
+        let mut saving = kept.unwrap_or_else(|| self.begin(order, revision));
+        let done = self.add_cells(&mut saving, clock, budget);
         let mut parts = saving.file.take();
         if done {
             parts.extend(saving.file.finish());
@@ -105,14 +95,21 @@ impl Pavement {
         Ok(MeshSlice { begun, parts, done })
     }
 
-    /// Adds cells for about `budget` milliseconds; true when all are in.
-    fn add_cells(
-        &self,
-        file: &mut MeshFile,
-        solids: &mut Solids,
-        clock: Clock,
-        budget: f64,
-    ) -> bool {
+    fn begin(&self, order: &MeshOrder, revision: u64) -> Saving {
+        let asked = &self.working.params.finish;
+        let (texture, materials) = (asked.planes.texture, &asked.light.materials);
+        let file = MeshFile::new(order, texture, materials, self.scales().len());
+        Saving {
+            solids: file.solids(),
+            file,
+            order: *order,
+            revision,
+        }
+    }
+
+    /// Adds cells for about `budget` milliseconds, and then the ground; true when all are in.
+    fn add_cells(&self, saving: &mut Saving, clock: Clock, budget: f64) -> bool {
+        let Saving { file, solids, .. } = saving;
         let stone = self.stone_params();
         let Some(planes) = self.made.planes() else {
             return true;
@@ -126,6 +123,7 @@ impl Pavement {
                 return false;
             }
         }
+        file.add_ground(planes);
         true
     }
 }

@@ -4,8 +4,8 @@
 use super::samples::{painted, small, star};
 use crate::common::finished;
 use crate::paving::OfPavement;
-use bubblestone::export::{MapKind, MeshFormat, maps};
-use bubblestone::generators::pavement;
+use bubblestone::export::{DETAILS, MapKind, MeshFormat, MeshOrder, maps};
+use bubblestone::generators::pavement::{self, PAVEMENT};
 use bubblestone::heightfield::{Planes, Surfaces, TextureParams};
 use bubblestone::material::Gloss;
 use bubblestone::notice::Code;
@@ -20,9 +20,21 @@ const LINK: &str = "size=160&outline=annulus&cs=14";
 const SKIN: &str = "size=160&outline=annulus&cs=20&stone=skin&sc=0.7&dir=boundary";
 
 fn file(studio: &mut Studio, format: MeshFormat) -> Vec<u8> {
+    file_of(studio, &order(format, 400))
+}
+
+fn order(format: MeshFormat, detail: usize) -> MeshOrder {
+    MeshOrder {
+        format,
+        detail,
+        images: None,
+    }
+}
+
+fn file_of(studio: &mut Studio, order: &MeshOrder) -> Vec<u8> {
     let made = studio
         .engine_mut()
-        .mesh_file(format, &mut || 0.0, f64::INFINITY);
+        .mesh_file(order, &mut || 0.0, f64::INFINITY);
     made.expect("a finished picture").parts.concat()
 }
 
@@ -74,7 +86,16 @@ proptest! {
         let solid = Solids::new().solid(&cell, &stone);
         prop_assume!(!solid.vertices.is_empty());
         let planes = painted(params, std::slice::from_ref(&cell));
-        let surface = Surfaces::new(params).close(&solid, &cell, 0, &planes);
+        let whole = Surfaces::new(params, usize::MAX).close(&solid, &cell, 0, &planes);
+        for most in [100, 400] {
+            let surface = Surfaces::new(params, most).close(&solid, &cell, 0, &planes);
+            assert_closed(&surface.triangles, "a simple stone");
+            prop_assert!(surface.triangles.len() <= most.max(whole.triangles.len() / 3));
+            prop_assert!(surface.positions.iter().all(|p| whole.positions.contains(p)));
+            let parts = [&surface, &whole].map(|s| volume(&s.positions, &s.triangles));
+            prop_assert!(parts[0] > 0.6 * parts[1], "{parts:?}");
+        }
+        let surface = whole;
         let count = surface.positions.len();
         prop_assert_eq!((surface.normals.len(), surface.colours.len()), (count, count));
         prop_assert!(surface.positions.iter().all(|p| p.is_finite()));
@@ -83,8 +104,9 @@ proptest! {
         let full = volume(&surface.positions, &surface.triangles);
         prop_assert!(full > 0.0, "{}", full);
         // The base is flat.
-        let level = surface.positions[count - 1].z;
-        let base = surface.triangles.iter().filter(|t| t.contains(&(count as u32 - 1)));
+        let level = surface.positions.iter().fold(f32::MAX, |low, p| low.min(p.z));
+        let base = surface.triangles.last().map_or(0, |t| t[2]);
+        let base = surface.triangles.iter().filter(|t| t.contains(&base));
         for &k in base.flatten() {
             prop_assert_eq!(surface.positions[k as usize].z, level);
         }
@@ -99,7 +121,7 @@ fn a_surface_stands_as_its_planes_show_it() {
     };
     let cells = super::samples::pavement(16.0);
     let planes = painted(params, &cells);
-    let (mut solids, mut surfaces) = (Solids::new(), Surfaces::new(params));
+    let (mut solids, surfaces) = (Solids::new(), Surfaces::new(params, usize::MAX));
     let (mut off, mut count) = (0.0, 0);
     for (index, cell) in cells.iter().enumerate() {
         let solid = solids.solid(cell, &params.stone);
@@ -136,11 +158,13 @@ fn read_as_obj(mut studio: Studio) {
         Err(tobj::LoadError::GenericFailure)
     })
     .expect("an OBJ file");
-    assert_eq!(models.len(), studio.pavement().cells().len());
+    let cells = studio.pavement().cells().len();
+    assert_eq!(models.len(), cells + 1);
+    assert_eq!(models[cells].name, "ground");
     let planes = studio.pavement().planes().unwrap();
     let side = planes.side as f32;
     let mut seen = 0;
-    for (k, model) in models.iter().enumerate() {
+    for (k, model) in models[..cells].iter().enumerate() {
         assert_eq!(model.name, format!("cell_{k}"));
         let triangles = threes(&model.mesh.indices);
         assert_closed(&triangles, &model.name);
@@ -166,46 +190,109 @@ fn read_as_obj(mut studio: Studio) {
         let (x, z) = (cell.centre.x as f32 / side, cell.centre.y as f32 / side);
         assert!((mean.x - x).abs() < 0.1 && (mean.z - z).abs() < 0.1, "{k}");
     }
-    let all: usize = models.iter().map(|m| m.mesh.positions.len() / 3).sum();
+    for mesh in models.iter().map(|model| &model.mesh) {
+        assert_eq!(mesh.texcoord_indices, mesh.indices);
+        for (p, uv) in threes(&mesh.positions).iter().zip(mesh.texcoords.chunks(2)) {
+            let wanted = [p[0] + 0.5, 0.5 - p[2]];
+            assert!((uv[0] - wanted[0]).abs() < 1e-5 && (uv[1] - wanted[1]).abs() < 1e-5);
+        }
+    }
+    let stones = models[..cells].iter();
+    let all: usize = stones.map(|m| m.mesh.positions.len() / 3).sum();
     assert!(seen as usize > all / 3, "{seen} of {all}");
+}
+
+/// A mesh of a GLB file: its node's name, places of its vertices, places in the maps, triangles.
+struct Node {
+    name: String,
+    places: Vec<Vec3>,
+    in_maps: Vec<[f32; 2]>,
+    triangles: Vec<[u32; 3]>,
+}
+
+fn nodes(glb: &[u8]) -> Vec<Node> {
+    let word = |at: usize| u32::from_le_bytes(glb[at..at + 4].try_into().unwrap());
+    let float = |at: usize| f32::from_bits(word(at));
+    assert_eq!((&glb[..4], word(4)), (&b"glTF"[..], 2));
+    assert_eq!(word(8) as usize, glb.len());
+    let start = 28 + word(12) as usize;
+    let json: serde_json::Value = serde_json::from_slice(&glb[20..start - 8]).unwrap();
+    assert_eq!(start + word(start - 8) as usize, glb.len());
+    let number = |value: &serde_json::Value| value.as_u64().unwrap_or(0) as usize;
+    // Where an accessor begins, the bytes of an element, its count.
+    let accessor = |which: &serde_json::Value| {
+        let accessor = &json["accessors"][number(which)];
+        let view = &json["bufferViews"][number(&accessor["bufferView"])];
+        let begin = start + number(&view["byteOffset"]) + number(&accessor["byteOffset"]);
+        (
+            begin,
+            number(&view["byteStride"]),
+            number(&accessor["count"]),
+        )
+    };
+    let root = &json["nodes"][0]["children"];
+    let nodes = root.as_array().unwrap().iter().map(|node| {
+        let node = &json["nodes"][number(node)];
+        let mesh = &json["meshes"][number(&node["mesh"])]["primitives"][0];
+        let (at, stride, count) = accessor(&mesh["attributes"]["POSITION"]);
+        let starts = (0..count).map(|k| at + stride * k);
+        let (uv, ..) = accessor(&mesh["attributes"]["TEXCOORD_0"]);
+        let small = json["accessors"][number(&mesh["indices"])]["componentType"] == 5123;
+        let (first, _, corners) = accessor(&mesh["indices"]);
+        let index = |k: usize| match small {
+            true => u32::from(u16::from_le_bytes([
+                glb[first + 2 * k],
+                glb[first + 2 * k + 1],
+            ])),
+            false => word(first + 4 * k),
+        };
+        Node {
+            name: node["name"].as_str().unwrap().to_owned(),
+            places: starts
+                .clone()
+                .map(|at| Vec3::new(float(at), float(at + 4), float(at + 8)))
+                .collect(),
+            in_maps: starts
+                .map(|k| k - at + uv)
+                .map(|at| [float(at), float(at + 4)])
+                .collect(),
+            triangles: threes(&(0..corners).map(index).collect::<Vec<_>>()),
+        }
+    });
+    nodes.collect()
 }
 
 #[test]
 fn a_glb_file_has_the_triangles_of_the_obj_file() {
     let mut studio = finished(LINK);
-    let glb = file(&mut studio, MeshFormat::Glb);
-    let word = |at: usize| u32::from_le_bytes(glb[at..at + 4].try_into().unwrap());
-    let float = |at: usize| f32::from_bits(word(at));
-    assert_eq!((&glb[..4], word(4)), (&b"glTF"[..], 2));
-    assert_eq!(word(8) as usize, glb.len());
-    let json_end = 20 + word(12) as usize;
-    let json: serde_json::Value = serde_json::from_slice(&glb[20..json_end]).unwrap();
-    assert_eq!(json_end + 8 + word(json_end) as usize, glb.len());
-    let start = json_end + 8;
-    let number = |pointer: &str| json.pointer(pointer).and_then(|v| v.as_u64()).unwrap() as usize;
-    let count = number("/accessors/0/count");
-    let places: Vec<Vec3> = (0..count)
-        .map(|k| start + 32 * k)
-        .map(|at| Vec3::new(float(at), float(at + 4), float(at + 8)))
-        .collect();
-    let first = start + number("/bufferViews/1/byteOffset");
-    let indices: Vec<u32> = (0..number("/accessors/3/count"))
-        .map(|k| word(first + 4 * k))
-        .collect();
-    let triangles = threes(&indices);
-    assert_closed(&triangles, "all cells");
-    assert!(volume(&places, &triangles) > 0.0);
-
+    let nodes = nodes(&file(&mut studio, MeshFormat::Glb));
+    let (ground, stones) = nodes.split_last().unwrap();
+    assert_eq!(ground.name, "ground");
+    for (k, node) in stones.iter().enumerate() {
+        assert_eq!(node.name, format!("stone_{}", k + 1));
+        assert_closed(&node.triangles, &node.name);
+        assert!(volume(&node.places, &node.triangles) > 0.0);
+    }
+    for node in &nodes {
+        for (p, [u, v]) in node.places.iter().zip(&node.in_maps) {
+            assert!((0.0..=1.0).contains(u) && (0.0..=1.0).contains(v));
+            assert!((p.x + 0.5 - u).abs() < 1e-5 && (p.z + 0.5 - v).abs() < 1e-5);
+        }
+    }
     let obj = String::from_utf8(file(&mut studio, MeshFormat::Obj)).unwrap();
     let lines = |word: &str| obj.lines().filter(|line| line.starts_with(word)).count();
+    let count: usize = nodes.iter().map(|node| node.places.len()).sum();
+    let triangles: usize = nodes.iter().map(|node| node.triangles.len()).sum();
     assert_eq!(
-        (lines("v "), lines("vn "), lines("f ")),
-        (count, count, triangles.len())
+        (lines("v "), lines("vt "), lines("vn ")),
+        (count, count, count)
     );
+    assert_eq!(lines("f "), triangles);
+    let places = nodes.iter().flat_map(|node| &node.places);
     for (line, place) in obj
         .lines()
         .filter(|line| line.starts_with("v "))
-        .zip(&places)
+        .zip(places)
     {
         let read: Vec<f32> = line
             .split(' ')
@@ -217,11 +304,71 @@ fn a_glb_file_has_the_triangles_of_the_obj_file() {
 }
 
 #[test]
+fn the_ground_lies_below_the_stones_and_looks_up() {
+    let mut studio = finished(LINK);
+    let nodes = nodes(&file(&mut studio, MeshFormat::Glb));
+    let (ground, stones) = nodes.split_last().unwrap();
+    let top = |node: &Node| node.places.iter().fold(f32::MIN, |top, p| top.max(p.y));
+    let highest = top(ground);
+    let buried = stones.iter().filter(|stone| top(stone) < highest).count();
+    assert!(buried * 20 < stones.len(), "{buried} of {}", stones.len());
+    let [low, high] = [f32::min, f32::max].map(|f| ground.places.iter().map(|p| p.x).reduce(f));
+    assert_eq!((low, high), (Some(-0.5), Some(0.5)));
+    for t in &ground.triangles {
+        let [a, b, c] = t.map(|k| ground.places[k as usize]);
+        assert!((b - a).cross(c - a).y > 0.0);
+    }
+}
+
+/// Stones of presets of every group have as many triangles as asked for, and files the bytes that were told.
+#[test]
+fn details_are_kept_over_presets() {
+    let mut seen = HashSet::new();
+    let links = PAVEMENT.presets.iter().filter(|p| seen.insert(p.group));
+    let links: Vec<&str> = links.map(|preset| preset.link).collect();
+    let more = [
+        "stone=flag&size=256",
+        "stone=skin&sc=0.5&tc=0.8&size=256&outline=star",
+    ];
+    for (k, link) in links.into_iter().chain(more).enumerate() {
+        let mut studio = finished(link);
+        for (word, detail) in [DETAILS[k % 3]] {
+            let order = order(MeshFormat::Glb, detail);
+            let told = studio.engine().mesh_size(&order).unwrap();
+            let file = file_of(&mut studio, &order);
+            let nodes = nodes(&file);
+            let (ground, stones) = nodes.split_last().unwrap();
+            let own: usize = stones.iter().map(|node| node.triangles.len()).sum();
+            let mean = own as f64 / stones.len() as f64 / detail as f64;
+            assert!((0.7..1.3).contains(&mean), "{link}, {word}: {mean}");
+            let all = (own + ground.triangles.len()) as f64;
+            let off = [all / told.triangles as f64, file.len() as f64 / told.bytes];
+            assert!(
+                off.iter().all(|v| (0.9..1.1).contains(v)),
+                "{link}: {off:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn the_text_file_is_as_long_as_told() {
+    let mut studio = finished(LINK);
+    for (_, detail) in DETAILS {
+        let order = order(MeshFormat::Obj, detail);
+        let told = studio.engine().mesh_size(&order).unwrap().bytes;
+        let off = file_of(&mut studio, &order).len() as f64 / told;
+        assert!((0.85..1.15).contains(&off), "{off}");
+    }
+}
+
+#[test]
 fn slices_do_not_matter_and_changes_begin_anew() {
     let mut studio = finished(LINK);
     for (format, word) in MeshFormat::ALL {
-        let whole = file(&mut studio, format);
-        let slice = |studio: &mut Studio| studio.engine_mut().mesh_file(format, &mut || 0.0, 0.0);
+        let order = order(format, 100);
+        let whole = file_of(&mut studio, &order);
+        let slice = |studio: &mut Studio| studio.engine_mut().mesh_file(&order, &mut || 0.0, 0.0);
         let (mut cut, mut slices, mut done) = (Vec::new(), 0, false);
         while !done {
             let next = slice(&mut studio).unwrap();
@@ -239,14 +386,14 @@ fn slices_do_not_matter_and_changes_begin_anew() {
             studio.set_recipe(recipe);
             studio.finish(&mut || 0.0).unwrap();
             assert!(slice(&mut studio).is_ok_and(|next| next.begun), "{change}");
-            let other = file(&mut studio, format);
-            let is_as_rough = format == MeshFormat::Obj && change == "gloss=wet";
+            let other = file_of(&mut studio, &order);
+            let is_as_rough = order.format == MeshFormat::Obj && change == "gloss=wet";
             assert_eq!(other == whole, is_as_rough, "{word}: {change}");
             studio.set_recipe(before.clone());
             let why = slice(&mut studio).unwrap_err();
             assert!(why.code == Code::NotYet && studio.engine().map(MapKind::Id) == Err(why));
             studio.finish(&mut || 0.0).unwrap();
-            assert_eq!(file(&mut studio, format), whole, "{word}");
+            assert_eq!(file_of(&mut studio, &order), whole, "{word}");
         }
     }
 }

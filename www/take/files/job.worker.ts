@@ -4,16 +4,20 @@ import type { Notice } from '../../module/types';
 import { serve } from '../../late/worker';
 import { formingGif } from './forming';
 import { mapsZip } from './maps-zip';
-import { meshFile } from './mesh-file';
+import { meshFile, type MeshJob } from './mesh-file';
 import { pavement, type Progress } from './pavement';
 import { pictureFile } from './picture';
-import { Refusal } from './refusal';
+import { given, Refusal } from './refusal';
+import { slabFile, type Slab } from './slab';
 
-/** What is to be made; `normals` is the word of the normal map. */
+/** What is to be made; `program` is that which the maps are for, or the word of the normal map. */
 export type Job =
-  | { file: 'svg' | 'gif' | 'glb' | 'obj' }
+  | { file: 'svg' }
+  | { file: 'gif' }
+  | MeshJob
+  | { file: 'stl'; slab: Slab }
   | { file: 'picture'; scale: number }
-  | { file: 'maps'; normals: string };
+  | { file: 'maps'; program: string };
 
 /** What the worker gets: the recipe and what to make of it. */
 export type Order = [link: string, job: Job];
@@ -45,8 +49,10 @@ async function made(link: string, job: Job, progress: Progress): Promise<Blob> {
     case 'picture':
       return pictureFile(studio, job.scale, rest);
     case 'maps':
-      return mapsZip(studio, job.normals, rest);
+      return mapsZip(studio, job.program, rest);
+    case 'stl':
+      return slabFile(job.slab, given(studio.map('height-float')), studio.get('tile') === '1', rest);
     default:
-      return meshFile(studio, job.file);
+      return meshFile(studio, job);
   }
 }

@@ -1,16 +1,30 @@
-/** The surface of all cells, for other programs. */
+/** The surfaces of all cells and the ground, for other programs. */
 import type { Bubblestone } from '../../../pkg/bubblestone.js';
 import { BUDGET } from './pavement';
+import { png } from './png';
 import { given } from './refusal';
+
+/** A mesh file: `detail` is 'low', 'middle' or 'high'; only GLB files may have images. */
+export interface MeshJob {
+  file: 'glb' | 'obj';
+  detail: string;
+  images?: boolean;
+}
 
 const TYPES = { glb: 'model/gltf-binary', obj: 'model/obj' };
 
 /** Throws a Refusal where it cannot be made. */
-export function meshFile(studio: Bubblestone, ending: keyof typeof TYPES): Blob {
+export async function meshFile(studio: Bubblestone, { file, detail, images }: MeshJob): Promise<Blob> {
+  const pictures: Uint8Array<ArrayBuffer>[] = [];
+  if (images) for (const word of ['albedo', 'normal-opengl', 'orm']) pictures.push(await png(given(studio.map(word))));
+  const lengths = Uint32Array.from(pictures, ({ length }) => length);
   const parts: BlobPart[] = [];
   for (;;) {
-    const slice = given(studio.meshFile(ending, BUDGET));
+    const slice = given(studio.meshFile(file, detail, lengths, BUDGET));
     parts.push(...slice.parts);
-    if (slice.done) return new Blob(parts, { type: TYPES[ending] });
+    if (slice.done) break;
   }
+  // The file ends with the images, each filled up to a multiple of four bytes.
+  for (const picture of pictures) parts.push(picture, new Uint8Array(-picture.length & 3));
+  return new Blob(parts, { type: TYPES[file] });
 }

@@ -5,6 +5,9 @@ const SIGNATURE = [137, 80, 78, 71, 13, 10, 26, 10];
 /** Each row as the difference to the one above (PNG specification, section 9). */
 const UP = 2;
 
+/** By the number of channels. */
+const COLOUR_TYPES: Record<number, number> = { 1: 0, 3: 2, 4: 6 };
+
 /** A file that is written row after row. */
 export class PngWriter {
   private readonly head = new Uint8Array(13);
@@ -17,7 +20,7 @@ export class PngWriter {
     const view = new DataView(this.head.buffer);
     view.setUint32(0, side);
     view.setUint32(4, side);
-    this.head.set([bits, channels === 1 ? 0 : 2], 8);
+    this.head.set([bits, COLOUR_TYPES[channels] ?? 0], 8);
     this.row = (side * channels * bits) / 8;
     this.above = new Uint8Array(this.row);
     // The browser's “deflate” is the format of zlib that PNG asks for.

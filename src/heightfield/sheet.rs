@@ -1,0 +1,155 @@
+//! Heights at the crossings of a square grid over the picture, coarser or finer than its pixels, and the
+//! ground between and under the stones as a sheet over such a grid.
+
+use super::surface::normals;
+use super::{GROUND, Planes, Surface};
+use crate::order::{greater, lesser};
+use glam::Vec3;
+use std::ops::Range;
+
+/// The ground is looked for so far around a crossing, in pixels: right beside a stone its pixels show some of
+/// the stone, too.
+const AROUND: f32 = 1.5;
+
+/// The columns, or rows, around that numbered `k` of a grid of `n` squares a side, `reach` pixels to either side.
+/// Those of a tile go on beyond its edges.
+fn around(planes: &Planes, n: usize, k: usize, reach: f32) -> Range<i32> {
+    let side = planes.side as i32;
+    let middle = match planes.tile && k == n {
+        true => 0.0,
+        false => k as f32 * side as f32 / n as f32,
+    };
+    let (from, to) = (
+        (middle - reach).floor() as i32,
+        (middle + reach).ceil() as i32,
+    );
+    match planes.tile {
+        true => from..to,
+        false => lesser(greater(from, 0), side - 1)..lesser(to, side),
+    }
+}
+
+/// The mean height around each crossing of a row of a grid of `n` squares a side, in picture units above the
+/// base level; `n` + 1 numbers, the first and the last of a tile alike.
+pub fn means(planes: &Planes, n: usize, row: usize) -> Vec<f32> {
+    let side = planes.side as i32;
+    let half = greater(0.5 * side as f32 / n as f32, 0.5);
+    let wrapped = |v: i32| v.rem_euclid(side) as usize;
+    let mean = |column: usize| {
+        let (mut sum, mut count) = (0.0, 0.0);
+        for y in around(planes, n, row, half).map(wrapped) {
+            for x in around(planes, n, column, half).map(wrapped) {
+                sum += planes.bump[y * planes.side + x];
+                count += 1.0;
+            }
+        }
+        sum / greater(count, 1.0)
+    };
+    (0..=n).map(mean).collect()
+}
+
+/// The ground as a sheet of `n` by `n` squares over the whole picture. Under stones it is flat, where their
+/// base is deeper, and has the colour beside them.
+pub fn ground(planes: &Planes, n: usize) -> Surface {
+    let half = greater(0.5 * planes.side as f32 / n as f32, AROUND);
+    let unit = planes.side as f32 / (n * planes.pixel_scale) as f32;
+    let spans: Vec<Range<i32>> = (0..=n).map(|k| around(planes, n, k, half)).collect();
+    // The colour of the ground met last.
+    let mut colour = [128; 3];
+    let mut sheet = Surface::default();
+    for j in 0..=n {
+        for i in 0..=n {
+            let mut height = planes.ground;
+            if let Some(bare) = bare(planes, spans[i].clone(), spans[j].clone()) {
+                (height, colour) = bare;
+            }
+            let place = Vec3::new(i as f32 * unit, j as f32 * unit, height);
+            sheet.positions.push(place);
+            sheet.colours.push(colour);
+            if i < n && j < n {
+                let a = (j * (n + 1) + i) as u32;
+                let c = a + n as u32 + 1;
+                sheet.triangles.extend([[a, a + 1, c + 1], [a, c + 1, c]]);
+            }
+        }
+    }
+    sheet.normals = normals(&sheet.positions, &sheet.triangles);
+    if planes.tile {
+        // Both ends of all columns, and then of all rows.
+        for (apart, step) in [(n * (n + 1), 1), (n, n + 1)] {
+            for a in (0..=n).map(|k| k * step) {
+                let mean = (sheet.normals[a] + sheet.normals[a + apart]).normalize_or(Vec3::Z);
+                (sheet.normals[a], sheet.normals[a + apart]) = (mean, mean);
+            }
+        }
+    }
+    sheet
+}
+
+/// The height of the lowest pixel of the ground there and the colour of one, if there are any. The lowest may be
+/// darker than the others.
+fn bare(planes: &Planes, columns: Range<i32>, rows: Range<i32>) -> Option<(f32, [u8; 3])> {
+    let side = planes.side as i32;
+    let mut found: Option<(f32, [u8; 3])> = None;
+    for y in rows {
+        for x in columns.clone() {
+            let at = (y.rem_euclid(side) * side + x.rem_euclid(side)) as usize;
+            if planes.id[at] == GROUND {
+                let low = found.map_or(f32::MAX, |(low, _)| low);
+                found = Some((lesser(low, planes.bump[at]), planes.colour[at]));
+            }
+        }
+    }
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Ground of the height 1 with a stone of the height 9 in its middle.
+    fn planes(tile: bool) -> Planes {
+        let mut planes = Planes::new(16);
+        planes.tile = tile;
+        for at in 0..256 {
+            let stone = (4..12).contains(&(at % 16)) && (4..12).contains(&(at / 16));
+            planes.id[at] = u32::from(stone);
+            planes.bump[at] = if stone {
+                9.0
+            } else {
+                1.0 + (at % 16) as f32 / 64.0
+            };
+            planes.colour[at] = if stone { [200; 3] } else { [50, 40, 30] };
+        }
+        planes.ground = 1.5;
+        planes
+    }
+
+    #[test]
+    fn the_ground_knows_no_stones() {
+        for tile in [false, true] {
+            let sheet = ground(&planes(tile), 8);
+            assert_eq!((sheet.positions.len(), sheet.triangles.len()), (81, 128));
+            assert!(sheet.positions.iter().all(|p| (1.0..=1.5).contains(&p.z)));
+            assert_eq!(sheet.positions[40], Vec3::new(8.0, 8.0, 1.5));
+            assert!(sheet.colours.iter().all(|&c| c == [50, 40, 30]));
+            assert!(sheet.normals.iter().all(|n| n.z > 0.8));
+        }
+    }
+
+    #[test]
+    fn a_tile_goes_on() {
+        let planes = planes(true);
+        let sheet = ground(&planes, 5);
+        for k in 0..6 {
+            assert_eq!(sheet.positions[6 * k].z, sheet.positions[6 * k + 5].z);
+            assert_eq!(sheet.positions[k].z, sheet.positions[30 + k].z);
+            assert_eq!(sheet.normals[6 * k], sheet.normals[6 * k + 5]);
+        }
+        for n in [3, 16, 40] {
+            let row = means(&planes, n, n / 2);
+            assert_eq!((row.len(), row[0]), (n + 1, row[n]));
+            assert!(row.iter().all(|h| (1.0..=9.0).contains(h)));
+        }
+    }
+}

@@ -1,0 +1,271 @@
+//! Closed surfaces with fewer triangles.
+//!
+//! Garland, Heckbert (1997), Surface Simplification Using Quadric Error Metrics: edges go one after the
+//! other, each time the one whose end moves least off the planes of the triangles that it stood for. An end
+//! goes to the other end and nowhere else, so what is left is a part of the vertices, with all that they
+//! have. An edge goes only where the surface stays closed (its ends have two neighbours in common: Dey,
+//! Edelsbrunner, Guha, Nekhayev 1999) and no triangle turns over.
+
+use crate::order::{greater, rank};
+use glam::{DVec3, Vec3};
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+
+/// What an edge's length adds to its cost, of the square of it and the area around: on flat parts short
+/// edges go first, and triangles stay alike.
+const LENGTH: f64 = 1e-5;
+/// Cosine of how far a triangle may turn.
+const TURN: f64 = 0.2;
+/// A triangle of less area, in square units, may turn as it will.
+const NO_AREA: f64 = 1e-9;
+
+/// The sum of the squared distances to some planes, weighted by areas: a symmetric matrix, row after row.
+#[derive(Clone, Copy, Default)]
+struct Quadric([f64; 10]);
+
+impl Quadric {
+    fn of_plane(n: DVec3, d: f64, weight: f64) -> Self {
+        let p = [n.x, n.y, n.z, d];
+        let [x, y, z, one] = p.map(|v| weight * v);
+        let [rx, ry, rz] = [x * n, y * n, z * n];
+        Self([
+            rx.x,
+            rx.y,
+            rx.z,
+            x * d,
+            ry.y,
+            ry.z,
+            y * d,
+            rz.z,
+            z * d,
+            one * d,
+        ])
+    }
+
+    fn add(&mut self, other: &Self) {
+        for (sum, more) in self.0.iter_mut().zip(other.0) {
+            *sum += more;
+        }
+    }
+
+    /// The weights of all planes: their normals are unit vectors.
+    fn weight(&self) -> f64 {
+        self.0[0] + self.0[4] + self.0[7]
+    }
+
+    fn at(&self, p: DVec3) -> f64 {
+        let [xx, xy, xz, x, yy, yz, y, zz, z, one] = self.0;
+        let squares = xx * p.x * p.x + yy * p.y * p.y + zz * p.z * p.z;
+        let mixed = xy * p.x * p.y + xz * p.x * p.z + yz * p.y * p.z;
+        squares + 2.0 * (mixed + x * p.x + y * p.y + z * p.z) + one
+    }
+}
+
+/// An edge that may go: the rank of its cost, the end that goes and the one that stays, and how often both
+/// had changed when the cost was worked out.
+type Edge = Reverse<(u64, [u32; 2], u32)>;
+
+struct Simplifier<'a> {
+    places: Vec<DVec3>,
+    triangles: &'a mut [[u32; 3]],
+    quadrics: Vec<Quadric>,
+    /// The triangles around each vertex, and those that have gone.
+    around: Vec<Vec<u32>>,
+    /// How often each vertex has changed.
+    changes: Vec<u32>,
+    edges: BinaryHeap<Edge>,
+}
+
+/// Takes triangles out of a closed surface until at most `most` are left, or none can go. Those that go become
+/// `[0, 0, 0]`. What lies below the height `floor` counts a tenth.
+pub(crate) fn simplify(positions: &[Vec3], triangles: &mut [[u32; 3]], most: usize, floor: f32) {
+    let mut left = triangles.len();
+    if left <= most {
+        return;
+    }
+    let mut simplifier = Simplifier::new(positions, triangles, floor);
+    while left > most.max(4) {
+        let Some(Reverse((_, [a, b], changes))) = simplifier.edges.pop() else {
+            return;
+        };
+        if simplifier.changes_of(a, b) == changes && simplifier.may_go(a, b) {
+            simplifier.collapse(a, b);
+            left -= 2;
+        }
+    }
+}
+
+impl<'a> Simplifier<'a> {
+    fn new(positions: &[Vec3], triangles: &'a mut [[u32; 3]], floor: f32) -> Self {
+        // Sums about a near place lose less.
+        let origin = positions[0];
+        let count = positions.len();
+        let mut new = Self {
+            places: positions.iter().map(|&p| (p - origin).as_dvec3()).collect(),
+            quadrics: vec![Quadric::default(); count],
+            around: vec![Vec::new(); count],
+            changes: vec![0; count],
+            edges: BinaryHeap::new(),
+            triangles,
+        };
+        let floor = f64::from(floor - origin.z);
+        for k in 0..new.triangles.len() {
+            new.weigh(k, floor);
+        }
+        // Each edge comes once in each direction.
+        for k in 0..new.triangles.len() {
+            let [a, b, c] = new.triangles[k];
+            for [a, b] in [[a, b], [b, c], [c, a]] {
+                new.offer(a, b);
+            }
+        }
+        new
+    }
+
+    /// Adds a triangle to its corners.
+    fn weigh(&mut self, k: usize, floor: f64) {
+        let triangle = self.triangles[k];
+        let [a, b, c] = triangle.map(|v| self.places[v as usize]);
+        let normal = (b - a).cross(c - a);
+        let area = normal.length();
+        let normal = normal.try_normalize().unwrap_or_default();
+        let hidden = greater(greater(a.z, b.z), c.z) < floor;
+        let weight = if hidden { 0.1 * area } else { area };
+        let quadric = Quadric::of_plane(normal, -normal.dot(a), weight);
+        for v in triangle.map(|v| v as usize) {
+            self.quadrics[v].add(&quadric);
+            self.around[v].push(k as u32);
+        }
+    }
+
+    fn changes_of(&self, a: u32, b: u32) -> u32 {
+        self.changes[a as usize] + self.changes[b as usize]
+    }
+
+    /// `a` may go to `b`: works out what that costs.
+    fn offer(&mut self, a: u32, b: u32) {
+        let [qa, qb] = [a, b].map(|v| &self.quadrics[v as usize]);
+        let [from, to] = [a, b].map(|v| self.places[v as usize]);
+        let off = greater(qa.at(to) + qb.at(to), 0.0);
+        let cost = off + LENGTH * qa.weight() * (to - from).length_squared();
+        let edge = (rank(cost), [a, b], self.changes_of(a, b));
+        self.edges.push(Reverse(edge));
+    }
+
+    fn living(&self, v: u32) -> impl Iterator<Item = (usize, [u32; 3])> {
+        let around = self.around[v as usize].iter();
+        let all = around.map(|&k| (k as usize, self.triangles[k as usize]));
+        all.filter(move |(_, triangle)| triangle.contains(&v))
+    }
+
+    /// The vertices beside one: in each of its triangles the next.
+    fn beside(&self, v: u32) -> Vec<u32> {
+        let next = |[a, b, c]: [u32; 3]| match v {
+            _ if a == v => b,
+            _ if b == v => c,
+            _ => a,
+        };
+        self.living(v).map(|(_, triangle)| next(triangle)).collect()
+    }
+
+    fn may_go(&self, a: u32, b: u32) -> bool {
+        let (from_a, from_b) = (self.beside(a), self.beside(b));
+        let common = from_a.iter().filter(|v| from_b.contains(v)).count();
+        from_a.contains(&b) && common == 2 && self.keeps_upright(a, b)
+    }
+
+    fn keeps_upright(&self, a: u32, b: u32) -> bool {
+        let normal = |triangle: [u32; 3]| {
+            let [p, q, r] = triangle.map(|v| self.places[v as usize]);
+            (q - p).cross(r - p)
+        };
+        let mut others = self.living(a).filter(|(_, t)| !t.contains(&b));
+        others.all(|(_, triangle)| {
+            let moved = triangle.map(|v| if v == a { b } else { v });
+            let (before, after) = (normal(triangle), normal(moved));
+            let sizes = before.length() * after.length();
+            before.length() < NO_AREA || (sizes > 0.0 && before.dot(after) > TURN * sizes)
+        })
+    }
+
+    fn collapse(&mut self, a: u32, b: u32) {
+        for k in std::mem::take(&mut self.around[a as usize]) {
+            let triangle = &mut self.triangles[k as usize];
+            if triangle.contains(&b) {
+                *triangle = [0; 3];
+            } else if let Some(corner) = triangle.iter_mut().find(|v| **v == a) {
+                *corner = b;
+                self.around[b as usize].push(k);
+            }
+        }
+        let quadric = self.quadrics[a as usize];
+        self.quadrics[b as usize].add(&quadric);
+        self.changes[a as usize] += 1;
+        self.changes[b as usize] += 1;
+        for v in self.beside(b) {
+            self.offer(v, b);
+            self.offer(b, v);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::solid::loop_subdivide;
+    use crate::solid::subdivide::TriangleMesh;
+    use std::collections::HashSet;
+
+    /// A ball of so many Loop steps from an octahedron.
+    fn ball(steps: u32) -> TriangleMesh {
+        let axes = [Vec3::X, Vec3::Y, Vec3::Z];
+        let vertices = axes.into_iter().chain(axes.map(|v| -v)).map(|v| v * 10.0);
+        let triangles = (0..8).map(|k: u32| {
+            let corner = |axis: u32| axis + 3 * (k >> axis & 1);
+            let [x, y, z] = [0, 1, 2].map(corner);
+            if k.count_ones() % 2 == 0 {
+                [x, y, z]
+            } else {
+                [x, z, y]
+            }
+        });
+        let mesh = TriangleMesh {
+            vertices: vertices.collect(),
+            triangles: triangles.collect(),
+        };
+        (0..steps).fold(mesh, |mesh, _| loop_subdivide(&mesh))
+    }
+
+    fn volume(mesh: &TriangleMesh) -> f32 {
+        let six = mesh.triangles.iter().map(|t| {
+            let [a, b, c] = t.map(|k| mesh.vertices[k as usize]);
+            a.dot(b.cross(c))
+        });
+        six.sum::<f32>() / 6.0
+    }
+
+    #[test]
+    fn a_ball_of_fewer_triangles_is_closed_and_nearly_as_large() {
+        let whole = ball(4);
+        for (most, least) in [(500, 0.97), (100, 0.85), (20, 0.5), (4, 0.0)] {
+            let mut mesh = whole.clone();
+            simplify(&mesh.vertices, &mut mesh.triangles, most, f32::MIN);
+            mesh.triangles.retain(|t| *t != [0; 3]);
+            assert!(mesh.triangles.len() <= most.max(8), "{most}");
+            let sides = |[a, b, c]: [u32; 3]| [[a, b], [b, c], [c, a]];
+            let all: HashSet<[u32; 2]> = mesh.triangles.iter().flat_map(|&t| sides(t)).collect();
+            assert_eq!(all.len(), 3 * mesh.triangles.len());
+            assert!(all.iter().all(|&[a, b]| all.contains(&[b, a])));
+            let part = volume(&mesh) / volume(&whole);
+            assert!(part > least && part < 1.01, "{most}: {part}");
+        }
+    }
+
+    #[test]
+    fn few_triangles_stay() {
+        let mut mesh = ball(1);
+        let before = mesh.triangles.clone();
+        simplify(&mesh.vertices, &mut mesh.triangles, 32, 0.0);
+        assert_eq!(mesh.triangles, before);
+    }
+}

@@ -1,0 +1,57 @@
+/**
+ * Sets of maps as other programs expect them: the words of the maps and their files' names.
+ *
+ * Unreal has green down and occlusion, roughness and metal in one map (Epic Games' names of assets); Unity has the mask map
+ * of its pipelines (URP reads it as metal and occlusion, too); Godot takes one map with its ORMMaterial3D; Blender's Node
+ * Wrangler finds single maps by the words in their names.
+ */
+import type { PixelMap } from '../../module/types';
+
+export const PROGRAMS = {
+  blender: [
+    ['albedo', 'Bubblestone_BaseColor.png'],
+    ['normal-opengl', 'Bubblestone_Normal.png'],
+    ['roughness', 'Bubblestone_Roughness.png'],
+    ['ao', 'Bubblestone_AO.png'],
+    ['height-float', 'Bubblestone_Displacement.exr'],
+    ['id', 'Bubblestone_ID.png'],
+  ],
+  godot: [
+    ['albedo', 'bubblestone_albedo.png'],
+    ['normal-opengl', 'bubblestone_normal.png'],
+    ['orm', 'bubblestone_orm.png'],
+    ['height-float', 'bubblestone_height.exr'],
+    ['id', 'bubblestone_id.png'],
+  ],
+  unity: [
+    ['albedo', 'Bubblestone_BaseMap.png'],
+    ['normal-opengl', 'Bubblestone_Normal.png'],
+    ['mask', 'Bubblestone_MaskMap.png'],
+    ['height-float', 'Bubblestone_Height.exr'],
+    ['id', 'Bubblestone_ID.png'],
+  ],
+  unreal: [
+    ['albedo', 'T_Bubblestone_BC.png'],
+    ['normal-directx', 'T_Bubblestone_N.png'],
+    ['orm', 'T_Bubblestone_ORM.png'],
+    ['height-float', 'T_Bubblestone_H.exr'],
+    ['id', 'T_Bubblestone_ID.png'],
+  ],
+} as const;
+
+/** The mask map is made of that of occlusion, roughness and metal: these, nothing, and smoothness for roughness. */
+export function maskOf(orm: PixelMap): PixelMap {
+  const { side, bytes } = orm;
+  const mask = new Uint8Array(4 * side * side);
+  for (let k = 0; k < side * side; k += 1) {
+    mask[4 * k + 1] = bytes[3 * k] ?? 0;
+    mask[4 * k + 3] = 255 - (bytes[3 * k + 1] ?? 0);
+  }
+  return { ...orm, channels: 4, bytes: mask };
+}
+
+/** The maps of a program, or of the word of a normal map under their own names. */
+export function mapsFor(program: string): readonly (readonly [word: string, file: string])[] {
+  if (program in PROGRAMS) return PROGRAMS[program as keyof typeof PROGRAMS];
+  return ['height', program, 'albedo', 'roughness', 'ao', 'id'].map((word) => [word, `${word}.png`] as const);
+}
