@@ -7,6 +7,7 @@
  */
 import { isEnd, isUpToSteps, STEPPING } from '../module/stages';
 import type { Engine } from '../state/engine';
+import type { Until } from './until';
 import type { Watch } from './watch';
 
 /** Milliseconds of work in a frame; the rest of it belongs to the browser. */
@@ -30,6 +31,8 @@ export class Loop {
   stepsPerFrame = 1;
   /** The pace while somebody watches. */
   watch: Watch | undefined;
+  /** The step up to which the packing runs, to be held there; who pauses before that, or changes what is made, lets it be. */
+  until: Until | undefined;
   private credit = 0;
   private readonly engine: Engine;
   private readonly view: (stage: string) => string | undefined;
@@ -63,6 +66,7 @@ export class Loop {
 
   set paused(paused: boolean) {
     this.held = paused;
+    this.until = undefined;
     // What has no cells yet goes on to its first ones.
     this.settling = isUpToSteps(this.engine.generator.stages, this.engine.stage());
     // A pause shows the step that it holds, which may not have been drawn.
@@ -142,6 +146,7 @@ export class Loop {
     const before = this.engine.stage();
     const working = !this.owed && !isEnd(before) && (!this.held || this.settling);
     const changed = working && this.work(begin);
+    this.hold();
     const stage = this.engine.stage();
     // Held, work ends where only packing steps are left: the packing's first cells may take a slice of their own.
     if (isEnd(stage) || (working && this.held && stage === STEPPING && !changed)) this.settling = false;
@@ -156,10 +161,19 @@ export class Loop {
     if (!isEnd(stage) && (!this.held || this.settling)) this.wake();
   }
 
+  /** Pauses where the packing came to the step that it was to run to. */
+  private hold(): void {
+    const { until } = this;
+    if (until?.made === undefined) return;
+    this.paused = true;
+    until.held(until.made);
+  }
+
   /** A slice of the work in a frame that began then; true when what is shown may have changed. */
   private work(begin: number): boolean {
     const { engine, watch } = this;
     if (this.held) return engine.tick(BUDGET, 0);
+    if (this.until) return this.until.tick(engine, BUDGET, this.stepsNow());
     if (!watch) return engine.tick(BUDGET, this.stepsNow());
     // Who asked for slow steps gets them.
     return watch.tick(engine, begin, BUDGET, this.stepsPerFrame < 1 ? this.stepsNow() : undefined);

@@ -15,6 +15,7 @@ export function partsOf(work: Work, view: View) {
     compare: new Later(async () => new (await import('../look/compare')).Compare(work, view)),
     plots: new Later(async () => new (await import('../look/plots')).Plots(engine, view)),
     tiles: new Later(async () => new (await import('../look/tiles')).Tiles(store, view)),
+    linked: new Later(() => import('../look/linked')),
     share: new Later(() => import('../take/share')),
     save: new Later(() => import('../take/save')),
   };

@@ -7,6 +7,7 @@
  */
 
 import type { Preset } from '../module/types';
+import type { Zoomed } from './viewing';
 
 export interface State {
   /** The recipe's link, without '#', as the engine writes it. */
@@ -33,6 +34,8 @@ export interface State {
   readonly view: string;
   /** What is drawn over it. */
   readonly overlays: readonly string[];
+  /** How much closer than all of the picture, and where. */
+  readonly zoom: Zoomed;
   /** So many copies of the picture stand along each side, as of a tile. */
   readonly repeat: number;
   /** Tools for looking closer that are shown. */
