@@ -3,6 +3,7 @@ import { t } from '../words/look';
 import { wantsStill } from '../base/dom';
 import { notice } from '../base/messages';
 import { LIMITS, read, written, type Fault, type Sights } from '../state/asked-view';
+import type { State } from '../state/store';
 import type { Work } from '../state/work';
 import type { Loop } from '../picture/loop';
 import { Until } from '../picture/until';
@@ -11,7 +12,8 @@ import { Until } from '../picture/until';
  * Changes the store as the words say, by `change`; a step is come to from the start of the work. Answers with the words as
  * the page writes them.
  */
-export function show(words: string, { engine, store }: Work, loop: Loop, change: (change: Parameters<typeof store.update>[0]) => void): string {
+export function show(words: string, work: Work, loop: Loop, change: (asked: Partial<State>) => void): string {
+  const { engine } = work;
   const { viewing, faults } = read(words, engine.generator);
   const { view, overlays, pace, step, zoom } = viewing;
   change({
@@ -28,7 +30,7 @@ export function show(words: string, { engine, store }: Work, loop: Loop, change:
       change({ paused: true });
       if (made < step) notice('done', t('linked_ended', { made, step }));
     });
-    engine.restart();
+    work.restart();
     loop.changed();
   }
   if (faults.length) notice('link', ...engine.notices(), ...sentences(faults, engine.generator));

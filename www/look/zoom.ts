@@ -21,17 +21,17 @@ interface Spot {
 }
 
 export class Zoom {
-  private readonly sheet = byId('sheet');
+  private readonly sheet: HTMLElement;
   private readonly store: Store;
   private readonly moved: () => void;
   private readonly down = new Map<number, Spot>();
   private begun: Spot | undefined;
 
-  /** `moved` is called after the picture was zoomed or moved. */
-  constructor(store: Store, moved: () => void) {
+  /** `moved` is called after the picture was zoomed or moved. All sheets show the same part of their pictures. */
+  constructor(store: Store, moved: () => void, sheet = byId('sheet')) {
+    this.sheet = sheet;
     this.store = store;
     this.moved = moved;
-    const { sheet } = this;
     store.on(['zoom'], () => this.show());
     if (store.state.zoom !== WHOLE) this.show();
     sheet.addEventListener('wheel', (event) => this.wheel(event), { passive: false });

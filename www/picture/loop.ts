@@ -26,6 +26,12 @@ const LONG = 32;
 /** Milliseconds of a frame for a drawing that is made in pieces, over as many frames as it takes. */
 const PIECE = 16;
 
+/** What decides how the work goes on in a frame, where two pictures go on together. */
+interface Pair {
+  /** Works for about `budget` milliseconds and makes at most so many steps; true when what is shown may have changed. */
+  tick(engine: Engine, budget: number, steps: number): boolean;
+}
+
 export class Loop {
   /** Packing steps that a frame may take at most; below 1, several frames share one. */
   stepsPerFrame = 1;
@@ -33,6 +39,9 @@ export class Loop {
   watch: Watch | undefined;
   /** The step up to which the packing runs, to be held there; who pauses before that, or changes what is made, lets it be. */
   until: Until | undefined;
+  /** Another picture that goes on together with this one. */
+  pair: Pair | undefined;
+  private readonly ending = new AbortController();
   private credit = 0;
   private readonly engine: Engine;
   private readonly view: (stage: string) => string | undefined;
@@ -57,7 +66,7 @@ export class Loop {
     this.engine = engine;
     this.view = view;
     this.drawn = drawn;
-    document.addEventListener('visibilitychange', () => this.wake());
+    document.addEventListener('visibilitychange', () => this.wake(), this.ending);
   }
 
   get paused(): boolean {
@@ -71,6 +80,12 @@ export class Loop {
     this.settling = isUpToSteps(this.engine.generator.stages, this.engine.stage());
     // A pause shows the step that it holds, which may not have been drawn.
     this.redraw();
+  }
+
+  /** No frame comes any more. */
+  end(): void {
+    this.ending.abort();
+    cancelAnimationFrame(this.frame);
   }
 
   /** Nothing is left to do or to draw, or nobody sees it. */
@@ -172,6 +187,8 @@ export class Loop {
   /** A slice of the work in a frame that began then; true when what is shown may have changed. */
   private work(begin: number): boolean {
     const { engine, watch } = this;
+    // The other one has the other half of the time.
+    if (this.pair && !this.until) return this.pair.tick(engine, BUDGET / 2, this.held ? 0 : this.stepsNow());
     if (this.held) return engine.tick(BUDGET, 0);
     if (this.until) return this.until.tick(engine, BUDGET, this.stepsNow());
     if (!watch) return engine.tick(BUDGET, this.stepsNow());

@@ -92,7 +92,7 @@ export class App {
       (tell) => new Ahead(this.store.state.recipe, (error, link) => this.crashed(error, link), tell),
       () => this.told(),
     );
-    this.parts = partsOf(this.work, this.view);
+    this.parts = partsOf(this.work, this.view, this.loop);
     this.address = new Address(this.work, this.loop, this.parts.linked, () => this.history.undo());
     this.offer();
     this.transport = this.makeTransport();
@@ -191,10 +191,10 @@ export class App {
       if (!text && note.textContent) note.ariaLive = 'off';
       say(note, text);
     };
-    const showTransport = ({ paused, pace, stage }: State): void => {
+    const showTransport = ({ paused, pace }: State): void => {
       if (this.loop.paused !== paused) this.loop.paused = paused;
       this.loop.stepsPerFrame = pace;
-      this.transport.show(isEnd(stage) ? 'again' : paused ? 'play' : 'pause', pace);
+      this.transport.show(this.isOver() ? 'again' : paused ? 'play' : 'pause', pace);
     };
     store.on(['recipe', 'editing'], () => this.forming.leave());
     store.on(['recipe'], () => {
@@ -207,7 +207,7 @@ export class App {
       this.loop.changed();
     });
     store.on(['past', 'future', 'stored', 'own'], showHistory);
-    store.on(['paused', 'pace', 'stage'], showTransport);
+    store.on(['paused', 'pace', 'stage', 'other'], showTransport);
     store.on(['held'], () => this.loop.changed());
     store.on(['view', 'overlays'], () => this.loop.redraw());
     showTransport(store.state);
@@ -217,7 +217,7 @@ export class App {
   private makeTransport(): Transport {
     const { store } = this;
     const transport = new Transport({
-      toggle: () => (isEnd(this.engine.stage()) ? this.again() : store.update({ paused: !store.state.paused })),
+      toggle: () => (this.isOver() ? this.again() : store.update({ paused: !store.state.paused })),
       step: () => this.step(),
       speed: (pace) => {
         this.still = false;
@@ -278,8 +278,10 @@ export class App {
     this.still = false;
     this.store.update({ paused });
     this.goOn();
-    this.forming.begin();
-    this.engine.restart();
+    const { compare, beside } = this.store.state;
+    // Two pictures go on in step, not by the clock.
+    if (!compare || !beside) this.forming.begin();
+    this.work.restart();
     // Buttons tell at once what they do now, not with the next frame.
     this.report(this.engine.stage());
     this.loop.changed();
@@ -295,16 +297,21 @@ export class App {
     this.address.leave();
   }
 
+  /** Whether there is nothing left to do, neither here nor beside. */
+  private isOver(): boolean {
+    return isEnd(this.engine.stage()) && isEnd(this.store.state.other);
+  }
+
   private step(): void {
     const stage = this.engine.stage();
-    if (isEnd(stage)) return this.again(true);
+    if (this.isOver()) return this.again(true);
     this.store.update({ paused: true });
     this.goOn();
     // The first cells come by themselves.
-    if (stage !== STEPPING && isUpToSteps(this.engine.generator.stages, stage)) return;
+    if (!isEnd(stage) && stage !== STEPPING && isUpToSteps(this.engine.generator.stages, stage)) return;
     const before = this.engine.status().steps;
-    this.engine.step();
-    if (this.engine.status().steps === before && this.engine.alive) passing('done', t('settled'));
+    this.work.step();
+    if (this.engine.status().steps === before && this.engine.alive && isEnd(this.store.state.other)) passing('done', t('settled'));
     this.loop.redraw();
   }
 

@@ -42,6 +42,8 @@ export function firstState(engine: Engine, asked: string, last: LastWork | undef
     light: false,
     layers: false,
     compare: false,
+    beside: false,
+    other: 'done',
     plots: false,
     locks: keptLocks(),
     editing: undefined,

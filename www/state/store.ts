@@ -42,6 +42,10 @@ export interface State {
   readonly light: boolean;
   readonly layers: boolean;
   readonly compare: boolean;
+  /** What is compared stands beside the picture, and forms together with it; else under a divider. */
+  readonly beside: boolean;
+  /** The stage of what stands beside the picture; 'done' while nothing does. */
+  readonly other: string;
   readonly plots: boolean;
   /** What chance and presets leave alone: groups of parameters, and the seed. */
   readonly locks: readonly string[];
