@@ -64,7 +64,7 @@ export class Beside implements Partner {
     this.store.update({ other: 'done' });
   }
 
-  /** What stands beside the picture is the engine's from now on; both begin anew, unless the one at work is being packed. */
+  /** What stands beside the picture is the engine's from now on. Both begin anew, or it comes up to the one that is still in the making. */
   take(engine: Engine, title: string): void {
     this.loop?.end();
     this.engine = engine;
@@ -77,7 +77,9 @@ export class Beside implements Partner {
     this.store.update({ other: engine.stage() });
     this.drive();
     this.loop.begin();
-    if (wantsStill() || !isEnd(this.work.engine.stage())) return;
+    // Who asks for less motion sees what is there already.
+    if (wantsStill()) return;
+    if (!isEnd(this.work.engine.stage())) return this.restart();
     this.work.restart();
     this.own.changed();
   }

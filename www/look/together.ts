@@ -22,8 +22,9 @@ export class Together {
     if (isPast(engine)) return engine.tick(budget, 0);
     if (engine.tick(budget, 0)) return true;
     if (!isAtStep(engine)) return false;
+    if (engine === second && this.catchUp(budget)) return true;
     if (isPast(other)) return steps > 0 && engine.tick(budget, steps);
-    return engine === first ? this.lead(budget, steps) : this.catchUp(budget);
+    return engine === first && this.lead(budget, steps);
   }
 
   /** The steps of both, one after the other; where one is behind, it comes first. */
@@ -46,8 +47,10 @@ export class Together {
   private catchUp(budget: number): boolean {
     const { first, second } = this;
     const end = performance.now() + budget;
+    // Before its packing, the first one may tell the steps of the one before.
+    if (!isPast(first) && !isAtStep(first)) return false;
     let changed = false;
-    while (performance.now() < end && isAtStep(first) && isAtStep(second) && second.status().steps < first.status().steps) changed = second.tick(0, 1) || changed;
+    while (performance.now() < end && isAtStep(second) && second.status().steps < first.status().steps) changed = second.tick(0, 1) || changed;
     return changed;
   }
 }
