@@ -10,7 +10,7 @@ import * as setup from './lib/setup.mjs';
 // which cargo locks. The second pair needs the module. Browsers come last, one kind at a time: two of them keep two cores busy.
 const pairs = [
   [['cargo fmt', 'clippy, native', 'cargo doc', 'dependencies'], ['wasm build']],
-  [['cargo test', 'types', 'lint'], ['page build', 'specimen build', 'modules as sent', 'clippy, wasm32', 'wasm-pack test']],
+  [['cargo test', 'types', 'page in Node', 'lint'], ['page build', 'specimen build', 'modules as sent', 'clippy, wasm32', 'wasm-pack test']],
 ];
 const browsers = ['tests in Chromium', 'tests in Firefox'];
 

@@ -16,6 +16,8 @@ async function start(): Promise<void> {
     const embedded = isEmbedded();
     document.documentElement.toggleAttribute('data-embed', embedded);
     const link = embedded ? fragment : firstLink;
+    // What a view in the link needs comes beside the rest; where it does not, that is told later.
+    if (!embedded && askedFor(lastWork()).words) void import('./look/linked').catch(() => undefined);
     const [embed] = await Promise.all([embedded ? import('./shell/embed') : undefined, load(link()), takeLanguage()]);
     // The address may have changed meanwhile.
     while (!isHere(link())) await load(link());
@@ -29,7 +31,7 @@ async function start(): Promise<void> {
 
 function firstLink(): string {
   const last = lastWork();
-  return openedFirst(askedFor(last), last);
+  return openedFirst(askedFor(last).recipe, last);
 }
 
 async function begin(): Promise<void> {

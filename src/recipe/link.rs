@@ -18,6 +18,10 @@ const PAIRS: usize = 200;
 /// The key that names the generator.
 const MAKE: &str = "make";
 
+/// The keys of the view: how the page shows the picture, which no recipe holds. They may stand in every
+/// link and mean nothing here (docs/parameters.md); no schema has a row of these names.
+pub const VIEW: [&str; 4] = ["view", "pace", "step", "zoom"];
+
 impl Recipe {
     /// Reads a whole address, a fragment with its `#`, or a bare fragment, for one of the generators
     /// whose schemas these are (at least one), the first where the link names none; with what was clamped or dropped.
@@ -29,6 +33,7 @@ impl Recipe {
             .take(PAIRS)
             .map(|piece| piece.split_once('=').unwrap_or((piece, "")))
             .map(|(key, value)| (decode(key).trim().to_ascii_lowercase(), decode(value)))
+            .filter(|(key, _)| !VIEW.contains(&key.as_str()))
             .collect();
         if pieces.next().is_some() {
             notices.push(Notice::new(Code::FirstValues).with("n", PAIRS));

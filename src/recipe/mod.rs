@@ -12,7 +12,7 @@ mod rows;
 pub mod schema;
 mod value;
 
-pub use link::VERSION;
+pub use link::{VERSION, VIEW};
 pub use lists::{MAX_ROW_POINTS, MAX_ROWS, points, row};
 pub use parameter::{Choice, Item, Key, Kind, Parameter, SideLimits};
 pub use rows::{Rows, STEPS};

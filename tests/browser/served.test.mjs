@@ -73,7 +73,7 @@ test('every part that is loaded late comes, with its styles', async () => {
   assert.equal(await embedded.page.$eval('.embed-play', (button) => getComputedStyle(button).position), 'absolute');
   assert.deepEqual(embedded.problems, []);
   await embedded.close();
-  const japanese = await visit(SMALL, 'ja');
+  const japanese = await visit(`${SMALL}&view=cells`, 'ja');
   assert.equal(await japanese.page.$eval('html', (html) => html.lang), 'ja');
   assert.deepEqual(japanese.problems, []);
   await japanese.close();

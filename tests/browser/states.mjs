@@ -101,6 +101,13 @@ export const states = {
       await page.waitForFunction(() => document.querySelector('.compare-progress')?.textContent === '', { timeout: 120_000 });
     },
   },
+  beside: {
+    arrange: async (page) => {
+      await shown('#compare-button', '#divider')(page);
+      await shown('#compare-beside', '#beside')(page);
+      await page.waitForFunction(() => document.querySelector('#play')?.getAttribute('data-does') === 'again' && /[1-9]/.test(document.querySelector('#beside-name span')?.textContent ?? ''), { timeout: 120_000 });
+    },
+  },
   generators: { several: true },
   squares: { several: true, fragment: SQUARES, before: speaking('ja') },
   about: { arrange: click('#about-button') },

@@ -1,78 +1,78 @@
-/** Another recipe under the one that is shown, up to a divider; it is made by an engine of its own in idle moments. */
-import { isEnd } from '../module/stages';
+/** Another recipe to compare with the one at work: under a divider, or side by side. */
 import { t } from '../words/look';
-import { byId, idle, make, say } from '../base/dom';
+import { groupIn } from '../words/words';
+import { byId, make, say } from '../base/dom';
 import { notice } from '../base/messages';
+import { shape } from '../late/svg';
 import { Arrivals } from '../state/arrivals';
 import { Engine } from '../state/engine';
 import type { Store } from '../state/store';
 import type { Work } from '../state/work';
+import type { Loop } from '../picture/loop';
 import type { View } from '../picture/view';
+import { Beside } from './beside';
+import { Under } from './under';
 import '../styles/late/compare.css';
 import '../styles/late/look.css';
 
-/** Milliseconds of work in one idle slice, and between two drawings of work in progress. */
-const SLICE = 6;
-const DRAWINGS = 150;
-
-/** What the shown recipe is compared with: itself with one value changed. */
+/** What the recipe at work is compared with: itself with one value changed. */
 const VARIANTS = { voronoi: ['cells', 'voronoi'], lloyd: ['cells', 'lloyd'], packed: ['cells', 'packed'], quadtree: ['start', 'quadtree'] } as const;
-const CHOICES = ['voronoi', 'lloyd', 'packed', 'quadtree', 'before', 'link'] as const;
+type Variant = keyof typeof VARIANTS;
+const THIS = ['voronoi', 'lloyd', 'packed', 'quadtree', 'before'] as const;
+
+/** Before the name of a preset in the list. */
+const PRESET = 'preset:';
+
+/** Where Escape means something else. */
+const NOT_HERE = 'dialog, select, [type=text], #layers, #layers-button, .light-layer, .light-kinds, .edit-tools';
 
 export class Compare {
   private readonly work: Work;
   private readonly store: Store;
-  private readonly view: View;
+  private readonly under: Under;
+  private readonly beside: Beside;
   private readonly sheet = byId('sheet');
-  private readonly canvas = make('canvas', { class: 'other', 'aria-hidden': 'true' });
-  private readonly divider = make('input', { type: 'range', id: 'divider', min: '0', max: '100', step: '1', value: '50', 'aria-label': t('compare_divider') });
   private readonly choice = make('select', { id: 'compare-with', 'aria-label': t('compare_with') });
   private readonly link = make('input', { type: 'text', id: 'compare-link', 'aria-label': t('compare_link_label'), placeholder: t('compare_link_label'), autocomplete: 'off', spellcheck: 'false' });
   private readonly progress = make('span', { class: 'compare-progress', role: 'status' });
-  private readonly tools: HTMLElement[];
+  private readonly way = make('button', { type: 'button', class: 'key', id: 'compare-beside', 'aria-pressed': 'false', 'aria-label': t('compare_beside'), title: t('compare_beside') });
+  private readonly left = make('div', { class: 'compare-left' }, this.choice, this.link, this.progress);
+  private readonly right = make('div', { class: 'compare-right' });
   /** The recipe when the comparison began. */
   private before = '';
   private engine: Engine | undefined;
   private readonly arrivals = new Arrivals();
   /** What the other engine works on. */
   private wanted = '';
-  private waiting = false;
-  /** A drawing is made in pieces, before there is more work. */
-  private owed = false;
-  private drawn = 0;
+  /** The generator whose presets are listed. */
+  private listed = '';
 
-  constructor(work: Work, view: View) {
+  constructor(work: Work, view: View, loop: Loop) {
     this.work = work;
     this.store = work.store;
-    this.view = view;
-    this.choice.append(...CHOICES.map((word) => make('option', { value: word }, t(`compare_${word}`))));
     const end = make('button', { type: 'button', class: 'key', id: 'compare-end', 'aria-label': t('compare_end'), title: t('compare_end') }, '×');
     end.addEventListener('click', () => this.end());
-    const left = make('div', { class: 'compare-left' }, this.choice, this.link, this.progress);
-    const right = make('div', { class: 'compare-right' }, make('span', { class: 'compare-name' }, t('compare_own')), end);
-    this.tools = [left, right, make('div', { class: 'compare-line' }), this.divider];
-    byId('cells').before(this.canvas);
-    this.sheet.append(...this.tools);
-    this.divider.addEventListener('input', () => this.slide());
+    this.way.append(shape('svg', { viewBox: '0 0 20 20', 'aria-hidden': 'true' }, shape('path', { 'fill-rule': 'evenodd', d: 'M2 4.500h7v11H2zm1.700 1.700v7.600h3.600V6.200zM11 4.500h7v11h-7zm1.700 1.700v7.600h3.600V6.200z' })));
+    this.way.addEventListener('click', () => this.store.update({ beside: !this.store.state.beside }));
+    this.right.append(make('span', { class: 'compare-name' }, t('compare_own')), this.way, end);
+    this.under = new Under(work, view, this.progress);
+    this.beside = new Beside(work, view, loop);
+    this.sheet.append(this.left, this.right);
     this.choice.addEventListener('change', () => this.choose());
-    this.link.addEventListener('change', () => this.follow());
-    this.sheet.addEventListener('keydown', ({ key }) => key === 'Escape' && this.store.state.compare && this.end());
+    this.link.addEventListener('change', () => this.follow(true));
+    document.addEventListener('keydown', (event) => this.key(event));
     this.store.on(['recipe', 'held'], () => this.follow());
-    this.store.on(['view', 'overlays'], () => this.paint());
-    this.store.on(['stage', 'paused'], () => this.wake());
-    document.addEventListener('visibilitychange', () => this.wake());
-    this.slide();
+    this.store.on(['beside'], () => this.store.state.compare && this.lay());
   }
 
   show(on: boolean): void {
-    for (const element of [this.canvas, ...this.tools]) element.hidden = !on;
-    this.sheet.toggleAttribute('data-comparing', on);
-    if (on) {
-      this.before = this.store.state.recipe;
-      if (this.store.state.repeat > 1) this.store.update({ repeat: 1 });
-      this.choose();
-      this.divider.focus({ preventScroll: true });
-    } else this.stop();
+    for (const element of [this.left, this.right]) element.hidden = !on;
+    if (!on) return this.stop();
+    this.before = this.store.state.recipe;
+    if (this.store.state.repeat > 1) this.store.update({ repeat: 1 });
+    this.list();
+    this.lay();
+    if (this.store.state.beside) this.choice.focus({ preventScroll: true });
   }
 
   private end(): void {
@@ -82,90 +82,94 @@ export class Compare {
 
   private stop(): void {
     this.arrivals.cancel();
+    this.sheet.toggleAttribute('data-comparing', false);
+    this.under.show(false);
+    this.beside.show(false);
+    this.sheet.append(this.left);
     this.engine?.free();
     this.engine = undefined;
     this.wanted = '';
   }
 
+  /** Shows in the way that was chosen what is chosen, as it was at first. */
+  private lay(): void {
+    const { beside } = this.store.state;
+    this.way.setAttribute('aria-pressed', String(beside));
+    this.sheet.toggleAttribute('data-comparing', !beside);
+    this.under.show(!beside);
+    this.beside.show(beside);
+    (beside ? this.beside.sheet : this.sheet).append(this.left);
+    say(this.progress, '');
+    this.wanted = '';
+    this.choose();
+  }
+
+  /** The recipe at work changed in one way, a link, and the presets in their groups. */
+  private list(): void {
+    const { generator, presets } = this.work.engine;
+    if (this.listed === generator.word) return;
+    this.listed = generator.word;
+    const option = (value: string, name: string): HTMLElement => make('option', { value }, name);
+    const groups = [...new Set(presets.map(({ group }) => group))].map((title) =>
+      make('optgroup', { label: groupIn(title) }, ...presets.filter(({ group }) => group === title).map(({ name, title, figure }) => option(`${PRESET}${name}`, figure || title))),
+    );
+    this.choice.replaceChildren(make('optgroup', { label: t('compare_this') }, ...THIS.map((word) => option(word, t(`compare_${word}`)))), option('link', t('compare_link')), ...groups);
+  }
+
   private choose(): void {
     this.link.hidden = this.choice.value !== 'link';
     if (!this.link.hidden && this.link.value === '') return this.link.focus();
-    this.follow();
+    this.follow(true);
   }
 
-  private slide(): void {
-    const at = this.divider.valueAsNumber;
-    this.sheet.style.setProperty('--divider', String(at / 100));
-    this.divider.setAttribute('aria-valuetext', t('compare_said', { n: at }));
+  private key({ key, target, defaultPrevented }: KeyboardEvent): void {
+    const { compare, beside, editing } = this.store.state;
+    if (key !== 'Escape' || !compare || editing !== undefined || defaultPrevented || !(target instanceof Element)) return;
+    // Under a divider all that is meant is on the picture; two pictures are changed from everywhere.
+    if (beside ? !target.closest(NOT_HERE) : this.sheet.contains(target)) this.end();
   }
 
-  /** The other recipe as it should be now; what is in the hand is waited for. */
-  private follow(): void {
-    const { compare, held, recipe } = this.store.state;
+  /** The other recipe as it should be now; what is in the hand is waited for, and what stands beside follows changes by itself. */
+  private follow(chosen = false): void {
+    const { compare, beside, held, recipe } = this.store.state;
     if (!compare || held) return;
-    const word = this.choice.value as (typeof CHOICES)[number];
-    const base = word === 'before' ? this.before : word === 'link' ? this.link.value.replace(/^[^#]*#/, '').trim() : recipe;
-    const variant = word === 'before' || word === 'link' ? undefined : VARIANTS[word];
-    const wanted = [base, ...(variant ?? [])].join(' ');
+    const { value } = this.choice;
+    const variant = value in VARIANTS ? VARIANTS[value as Variant] : undefined;
+    const base = this.baseOf(value) ?? (beside && !chosen ? undefined : recipe);
+    if (base === undefined) return;
+    const wanted = [value, base].join(' ');
     if (wanted === this.wanted) return;
     this.wanted = wanted;
     this.arrivals.reach(base, () => {
-      this.engine ??= new Engine(base, () => this.failed());
-      const said = this.engine.open(base);
-      if (variant) this.engine.set(variant[0], variant[1]);
-      if (word === 'link') notice('link', ...said);
-      this.drawn = 0;
-      this.wake();
+      const engine = (this.engine ??= new Engine(base, () => this.failed()));
+      const said = engine.open(base);
+      if (variant) engine.set(variant[0], variant[1]);
+      if (value === 'link') notice('link', ...said);
+      if (this.store.state.beside) this.beside.take(engine, this.titleOf(value, engine));
+      else this.under.take(engine);
     });
+  }
+
+  /** The recipe that is chosen; undefined for one that is made of the recipe at work. */
+  private baseOf(value: string): string | undefined {
+    if (value === 'before') return this.before;
+    if (value === 'link') return this.link.value.replace(/^[^#]*#/, '').trim();
+    return this.work.engine.presets.find(({ name }) => value === `${PRESET}${name}`)?.link.replace(/^#/, '');
+  }
+
+  private titleOf(value: string, engine: Engine): string {
+    if (value !== 'link') return this.choice.selectedOptions[0]?.text ?? '';
+    const known = engine.presets.find(({ link }) => link.replace(/^#/, '') === engine.link());
+    return known ? known.figure || known.title : t('compare_theirs');
   }
 
   /** The other engine failed; what is shown goes on. */
   private failed(): void {
     this.engine = undefined;
+    this.under.show(false);
+    this.beside.show(false);
+    this.sheet.append(this.left);
+    this.sheet.toggleAttribute('data-comparing', true);
     say(this.progress, t('compare_failed'));
-  }
-
-  /** Goes on in an idle moment. */
-  private wake(): void {
-    const { engine } = this;
-    if (!engine) return;
-    if (!isEnd(engine.stage())) say(this.progress, t('compare_working'));
-    if (this.waiting) return;
-    this.waiting = true;
-    void idle(50).then(() => {
-      this.waiting = false;
-      this.goOn();
-    });
-  }
-
-  /** Works as long as the shown picture needs no work and the page is seen; what is finished is drawn before it is said to be. */
-  private goOn(): void {
-    const { engine } = this;
-    if (!engine || document.hidden) return;
-    const works = !isEnd(engine.stage());
-    if (works && !this.resting()) return;
-    if (works && !this.owed) engine.tick(SLICE, 100_000);
-    // Its failure was told.
-    if (this.engine !== engine) return;
-    const ended = isEnd(engine.stage());
-    const due = ended || performance.now() >= this.drawn;
-    this.owed = due && !engine.prepare(this.view.words, SLICE);
-    if (due && !this.owed) this.paint();
-    if (ended && !this.owed) say(this.progress, engine.problem());
-    else this.wake();
-  }
-
-  private resting(): boolean {
-    return this.store.state.paused || isEnd(this.work.engine.stage());
-  }
-
-  private paint(): void {
-    const { engine, canvas } = this;
-    const context = engine && canvas.getContext('2d');
-    if (!context) return;
-    const side = engine.side();
-    if (canvas.width !== side) canvas.width = canvas.height = side;
-    engine.draw(context, this.view.words);
-    this.drawn = performance.now() + DRAWINGS;
   }
 }

@@ -1,15 +1,13 @@
 /** Zoom and pan: wheel, two fingers, drag, double click, buttons. Handles over the picture keep their size. */
 import { byId, say } from '../base/dom';
 import type { Store } from '../state/store';
-
-const MOST = 16;
+import { inFrame, LIMITS } from '../state/asked-view';
+import { WHOLE, type Zoomed } from '../state/viewing';
+import { layInFrame } from '../picture/frame';
 
 /** What one press of a button does, and a double click. */
 const STEP = 1.5;
 const CLOSER = 3;
-
-/** From here on the picture's pixels are shown as squares. */
-const CRISP = 3;
 
 /** A pointer that moves less than this many pixels has clicked. */
 const SLACK = 4;
@@ -23,20 +21,19 @@ interface Spot {
 }
 
 export class Zoom {
-  private readonly sheet = byId('sheet');
+  private readonly sheet: HTMLElement;
   private readonly store: Store;
   private readonly moved: () => void;
-  private scale = 1;
-  /** Where the picture's upper left corner is, in sides of the sheet. */
-  private corner: Spot = { x: 0, y: 0 };
   private readonly down = new Map<number, Spot>();
   private begun: Spot | undefined;
 
-  /** `moved` is called after the picture was zoomed or moved. */
-  constructor(store: Store, moved: () => void) {
+  /** `moved` is called after the picture was zoomed or moved. All sheets show the same part of their pictures. */
+  constructor(store: Store, moved: () => void, sheet = byId('sheet')) {
+    this.sheet = sheet;
     this.store = store;
     this.moved = moved;
-    const { sheet } = this;
+    store.on(['zoom'], () => this.show());
+    if (store.state.zoom !== WHOLE) this.show();
     sheet.addEventListener('wheel', (event) => this.wheel(event), { passive: false });
     sheet.addEventListener('dblclick', (event) => this.twice(event));
     sheet.addEventListener('pointerdown', (event) => this.press(event));
@@ -51,6 +48,16 @@ export class Zoom {
     return 'panning' in this.sheet.dataset;
   }
 
+  private get scale(): number {
+    return this.store.state.zoom.scale;
+  }
+
+  /** Where the picture's upper left corner is, in sides of the sheet. */
+  private get corner(): Spot {
+    const { scale, x, y } = this.store.state.zoom;
+    return { x: 0.5 - x * scale, y: 0.5 - y * scale };
+  }
+
   /** Closer (1), farther (-1), or all of the picture (0). */
   step(by: number): void {
     this.to(by ? this.scale * STEP ** by : 1, { x: 0.5, y: 0.5 });
@@ -62,29 +69,26 @@ export class Zoom {
       const seen = corner + at * this.scale;
       return seen < 0.1 || seen > 0.9 ? 0.5 - at * this.scale : corner;
     };
-    this.corner = { x: inward(x, this.corner.x), y: inward(y, this.corner.y) };
-    this.show();
+    this.take(this.scale, { x: inward(x, this.corner.x), y: inward(y, this.corner.y) });
   }
 
-  /** Zooms with a place of the sheet, in its sides, staying where it is. */
-  private to(zoom: number, at: Spot): void {
-    const next = Math.min(Math.max(zoom, 1), MOST);
+  /** Zooms with a place of the sheet, in its sides, staying where it is while the corner goes where it was dragged. */
+  private to(zoom: number, at: Spot, corner = this.corner): void {
+    const [least, most] = LIMITS.zoom;
+    const next = Math.min(Math.max(zoom, least), most);
     const ratio = next / this.scale;
-    this.corner = { x: at.x - (at.x - this.corner.x) * ratio, y: at.y - (at.y - this.corner.y) * ratio };
     // A hair above 1 is 1, so that one finger scrolls the page again.
-    this.scale = next < 1.01 ? 1 : next;
-    this.show();
+    this.take(next < 1.01 ? 1 : next, { x: at.x - (at.x - corner.x) * ratio, y: at.y - (at.y - corner.y) * ratio });
+  }
+
+  private take(scale: number, corner: Spot): void {
+    const zoom = inFrame({ scale, x: (0.5 - corner.x) / scale, y: (0.5 - corner.y) / scale });
+    if (!isSame(zoom, this.store.state.zoom)) this.store.update({ zoom });
   }
 
   private show(): void {
-    const { sheet, scale, corner } = this;
-    const kept = (v: number): number => Math.min(0, Math.max(1 - scale, v));
-    this.corner = { x: kept(corner.x), y: kept(corner.y) };
-    sheet.style.setProperty('--zoom', String(scale));
-    sheet.style.setProperty('--pan-x', String(this.corner.x));
-    sheet.style.setProperty('--pan-y', String(this.corner.y));
-    sheet.toggleAttribute('data-zoomed', scale > 1);
-    sheet.toggleAttribute('data-crisp', scale >= CRISP);
+    const { scale } = this;
+    layInFrame(this.sheet, this.store.state.zoom);
     say(byId('zoom-now'), `${scale < 9.95 ? Number(scale.toFixed(1)) : Math.round(scale)}×`);
     this.moved();
   }
@@ -147,8 +151,7 @@ export class Zoom {
       this.sheet.setPointerCapture(pointerId);
       this.sheet.toggleAttribute('data-panning', true);
     }
-    this.corner = { x: this.corner.x + now.x - before.x, y: this.corner.y + now.y - before.y };
-    this.show();
+    this.take(this.scale, { x: this.corner.x + now.x - before.x, y: this.corner.y + now.y - before.y });
   }
 
   /** One of two fingers moved: what was under both stays under both. */
@@ -156,8 +159,8 @@ export class Zoom {
     this.sheet.toggleAttribute('data-panning', true);
     const apart = (p: Spot): number => Math.max(0.02, Math.hypot(p.x - other.x, p.y - other.y));
     const middle = { x: (before.x + other.x) / 2, y: (before.y + other.y) / 2 };
-    this.corner = { x: this.corner.x + (now.x - before.x) / 2, y: this.corner.y + (now.y - before.y) / 2 };
-    this.to((this.scale * apart(now)) / apart(before), { x: middle.x + (now.x - before.x) / 2, y: middle.y + (now.y - before.y) / 2 });
+    const by = { x: (now.x - before.x) / 2, y: (now.y - before.y) / 2 };
+    this.to((this.scale * apart(now)) / apart(before), { x: middle.x + by.x, y: middle.y + by.y }, { x: this.corner.x + by.x, y: this.corner.y + by.y });
   }
 
   private release({ pointerId }: PointerEvent): void {
@@ -166,4 +169,8 @@ export class Zoom {
     this.begun = [...this.down.values()][0];
     if (!this.down.size) this.sheet.toggleAttribute('data-panning', false);
   }
+}
+
+function isSame(a: Zoomed, b: Zoomed): boolean {
+  return a.scale === b.scale && a.x === b.x && a.y === b.y;
 }

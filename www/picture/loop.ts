@@ -7,6 +7,7 @@
  */
 import { isEnd, isUpToSteps, STEPPING } from '../module/stages';
 import type { Engine } from '../state/engine';
+import type { Until } from './until';
 import type { Watch } from './watch';
 
 /** Milliseconds of work in a frame; the rest of it belongs to the browser. */
@@ -25,11 +26,22 @@ const LONG = 32;
 /** Milliseconds of a frame for a drawing that is made in pieces, over as many frames as it takes. */
 const PIECE = 16;
 
+/** What decides how the work goes on in a frame, where two pictures go on together. */
+interface Pair {
+  /** Works for about `budget` milliseconds and makes at most so many steps; true when what is shown may have changed. */
+  tick(engine: Engine, budget: number, steps: number): boolean;
+}
+
 export class Loop {
   /** Packing steps that a frame may take at most; below 1, several frames share one. */
   stepsPerFrame = 1;
   /** The pace while somebody watches. */
   watch: Watch | undefined;
+  /** The step up to which the packing runs, to be held there; who pauses before that, or changes what is made, lets it be. */
+  until: Until | undefined;
+  /** Another picture that goes on together with this one. */
+  pair: Pair | undefined;
+  private readonly ending = new AbortController();
   private credit = 0;
   private readonly engine: Engine;
   private readonly view: (stage: string) => string | undefined;
@@ -54,7 +66,7 @@ export class Loop {
     this.engine = engine;
     this.view = view;
     this.drawn = drawn;
-    document.addEventListener('visibilitychange', () => this.wake());
+    document.addEventListener('visibilitychange', () => this.wake(), this.ending);
   }
 
   get paused(): boolean {
@@ -63,10 +75,17 @@ export class Loop {
 
   set paused(paused: boolean) {
     this.held = paused;
+    this.until = undefined;
     // What has no cells yet goes on to its first ones.
     this.settling = isUpToSteps(this.engine.generator.stages, this.engine.stage());
     // A pause shows the step that it holds, which may not have been drawn.
     this.redraw();
+  }
+
+  /** No frame comes any more. */
+  end(): void {
+    this.ending.abort();
+    cancelAnimationFrame(this.frame);
   }
 
   /** Nothing is left to do or to draw, or nobody sees it. */
@@ -142,6 +161,7 @@ export class Loop {
     const before = this.engine.stage();
     const working = !this.owed && !isEnd(before) && (!this.held || this.settling);
     const changed = working && this.work(begin);
+    this.hold();
     const stage = this.engine.stage();
     // Held, work ends where only packing steps are left: the packing's first cells may take a slice of their own.
     if (isEnd(stage) || (working && this.held && stage === STEPPING && !changed)) this.settling = false;
@@ -156,10 +176,21 @@ export class Loop {
     if (!isEnd(stage) && (!this.held || this.settling)) this.wake();
   }
 
+  /** Pauses where the packing came to the step that it was to run to. */
+  private hold(): void {
+    const { until } = this;
+    if (until?.made === undefined) return;
+    this.paused = true;
+    until.held(until.made);
+  }
+
   /** A slice of the work in a frame that began then; true when what is shown may have changed. */
   private work(begin: number): boolean {
     const { engine, watch } = this;
+    // The other one has the other half of the time.
+    if (this.pair && !this.until) return this.pair.tick(engine, BUDGET / 2, this.held ? 0 : this.stepsNow());
     if (this.held) return engine.tick(BUDGET, 0);
+    if (this.until) return this.until.tick(engine, BUDGET, this.stepsNow());
     if (!watch) return engine.tick(BUDGET, this.stepsNow());
     // Who asked for slow steps gets them.
     return watch.tick(engine, begin, BUDGET, this.stepsPerFrame < 1 ? this.stepsNow() : undefined);

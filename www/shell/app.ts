@@ -2,15 +2,15 @@
 import { keepModules } from '../module/load';
 import { isEnd, isUpToSteps, STEPPING } from '../module/stages';
 import { language, t } from '../words/words';
-import { byId, byIdAs, frame, make, say, wantsStill } from '../base/dom';
+import { byId, byIdAs, frame, say, wantsStill } from '../base/dom';
 import { bindKeys, listenToKeys } from '../base/keys';
 import { speak } from '../base/language';
-import { alertOf, clear, notice, offerOf, passing } from '../base/messages';
+import { alertOf, clear, notice, passing } from '../base/messages';
 import { isFirstVisit } from '../base/storage';
 import { Engine } from '../state/engine';
 import { askedFor, firstState, openedFirst } from '../state/first';
 import { History } from '../state/history';
-import { address, isReload, Link, withValues } from '../state/link';
+import { address, isReload, withValues } from '../state/link';
 import { isLocked } from '../state/locks';
 import { lastWork, remember } from '../state/memory';
 import { Store, type State } from '../state/store';
@@ -27,6 +27,7 @@ import { Dice } from '../panel/dice';
 import { Panel } from '../panel/panel';
 import { Presets } from '../panel/presets';
 import { Seed, SEED } from '../panel/seed';
+import { Address } from './address';
 import { EditTools } from './edit-tools';
 import { makeLookTools } from './look-tools';
 import { offerMakes } from './makes';
@@ -56,7 +57,7 @@ export class App {
   private readonly history: History;
   private readonly loop: Loop;
   private readonly forming: Forming;
-  private readonly link: Link;
+  private readonly address: Address;
   private readonly view: View;
   private readonly transport: Transport;
   private readonly status = new StatusLine();
@@ -74,7 +75,7 @@ export class App {
 
   constructor() {
     const last = lastWork();
-    const asked = askedFor(last);
+    const { recipe: asked, words } = askedFor(last);
     /** The picture that the page begins with forms slowly for a newcomer: scripts are told ahead. */
     const newcomer = isFirstVisit() && asked === '' && !this.still;
     this.finished = new Promise((resolve) => (this.finish = resolve));
@@ -91,15 +92,8 @@ export class App {
       (tell) => new Ahead(this.store.state.recipe, (error, link) => this.crashed(error, link), tell),
       () => this.told(),
     );
-    this.link = new Link((link, ours) => {
-      const { own, recipe } = this.store.state;
-      const then = (): void => {
-        this.link.write(this.store.state.recipe);
-        if (own && !ours && this.store.state.recipe !== recipe) this.tellReplaced();
-      };
-      this.work.open(link, { then });
-    });
-    this.parts = partsOf(this.work, this.view);
+    this.parts = partsOf(this.work, this.view, this.loop);
+    this.address = new Address(this.work, this.loop, this.parts.linked, () => this.history.undo());
     this.offer();
     this.transport = this.makeTransport();
     new Seed(this.work, () => this.push());
@@ -108,11 +102,11 @@ export class App {
     offerMakes(this.work, () => this.push());
     makeLookTools(this.store, this.parts, () => this.leaveEditor());
     notice('link', ...this.engine.notices());
-    if (last && asked !== '' && last.own && last.recipe !== this.store.state.recipe && !isReload()) this.tellReplaced();
+    if (last && asked !== '' && last.own && last.recipe !== this.store.state.recipe && !isReload()) this.address.tellReplaced();
     remember(this.store);
     keepInSight(this.store);
     if (newcomer) this.forming.begin(true);
-    this.loop.begin();
+    this.address.show(words, () => this.loop.begin());
   }
 
   /** Panel and rail, which are much to build: the first cells are shown before. */
@@ -197,15 +191,14 @@ export class App {
       if (!text && note.textContent) note.ariaLive = 'off';
       say(note, text);
     };
-    const showTransport = ({ paused, pace, stage }: State): void => {
+    const showTransport = ({ paused, pace }: State): void => {
       if (this.loop.paused !== paused) this.loop.paused = paused;
       this.loop.stepsPerFrame = pace;
-      this.transport.show(isEnd(stage) ? 'again' : paused ? 'play' : 'pause', pace);
+      this.transport.show(this.isOver() ? 'again' : paused ? 'play' : 'pause', pace);
     };
     store.on(['recipe', 'editing'], () => this.forming.leave());
-    store.on(['recipe'], ({ recipe }) => {
+    store.on(['recipe'], () => {
       this.forming.endAhead();
-      this.link.write(recipe);
       this.parts.editor.here?.follow();
       this.loop.changed();
     });
@@ -213,13 +206,10 @@ export class App {
       this.offer();
       this.loop.changed();
     });
-    // What did not come leaves the address of what is shown.
-    store.on(['coming'], ({ coming, recipe }) => coming || this.link.write(recipe));
     store.on(['past', 'future', 'stored', 'own'], showHistory);
-    store.on(['paused', 'pace', 'stage'], showTransport);
+    store.on(['paused', 'pace', 'stage', 'other'], showTransport);
     store.on(['held'], () => this.loop.changed());
     store.on(['view', 'overlays'], () => this.loop.redraw());
-    this.link.write(store.state.recipe);
     showTransport(store.state);
     showHistory(store.state);
   }
@@ -227,7 +217,7 @@ export class App {
   private makeTransport(): Transport {
     const { store } = this;
     const transport = new Transport({
-      toggle: () => (isEnd(this.engine.stage()) ? this.again() : store.update({ paused: !store.state.paused })),
+      toggle: () => (this.isOver() ? this.again() : store.update({ paused: !store.state.paused })),
       step: () => this.step(),
       speed: (pace) => {
         this.still = false;
@@ -283,22 +273,15 @@ export class App {
     this.work.set(key, text, !done);
   }
 
-  /** A link was opened over work of the visitor's own: that is one step back. */
-  private tellReplaced(): void {
-    const back = make('button', { type: 'button' }, t('replaced_back'));
-    back.addEventListener('click', () => {
-      clear('replaced');
-      this.history.undo();
-    });
-    offerOf('replaced', t('replaced'), back);
-  }
-
   /** The forming from its start, at a pace to watch it, or held there. */
   private again(paused = false): void {
     this.still = false;
     this.store.update({ paused });
-    this.forming.begin();
-    this.engine.restart();
+    this.goOn();
+    const { compare, beside } = this.store.state;
+    // Two pictures go on in step, not by the clock.
+    if (!compare || !beside) this.forming.begin();
+    this.work.restart();
     // Buttons tell at once what they do now, not with the next frame.
     this.report(this.engine.stage());
     this.loop.changed();
@@ -308,15 +291,27 @@ export class App {
     this.parts.editor.here?.close();
   }
 
+  /** From here on the work is not held where a link asked for it. */
+  private goOn(): void {
+    this.loop.until = undefined;
+    this.address.leave();
+  }
+
+  /** Whether there is nothing left to do, neither here nor beside. */
+  private isOver(): boolean {
+    return isEnd(this.engine.stage()) && isEnd(this.store.state.other);
+  }
+
   private step(): void {
     const stage = this.engine.stage();
-    if (isEnd(stage)) return this.again(true);
+    if (this.isOver()) return this.again(true);
     this.store.update({ paused: true });
+    this.goOn();
     // The first cells come by themselves.
-    if (stage !== STEPPING && isUpToSteps(this.engine.generator.stages, stage)) return;
+    if (!isEnd(stage) && stage !== STEPPING && isUpToSteps(this.engine.generator.stages, stage)) return;
     const before = this.engine.status().steps;
-    this.engine.step();
-    if (this.engine.status().steps === before && this.engine.alive) passing('done', t('settled'));
+    this.work.step();
+    if (this.engine.status().steps === before && this.engine.alive && isEnd(this.store.state.other)) passing('done', t('settled'));
     this.loop.redraw();
   }
 
@@ -382,7 +377,7 @@ export class App {
 
   /** The next change is an entry of its own in the browser's history. */
   private push(): void {
-    this.link.next = 'push';
+    this.address.push();
   }
 
   private async copy(): Promise<void> {

@@ -1,4 +1,4 @@
-/** The picture alone, for other pages: a click pauses and plays, a link in the corner opens the whole page. It stores nothing. */
+/** The picture alone, for other pages, in the view that its link asks for: a click pauses and plays, a link in the corner opens the whole page. It stores nothing. */
 import { isEnd } from '../module/stages';
 import { t } from '../words/words';
 import { byId, byIdAs, make, wantsStill } from '../base/dom';
@@ -6,7 +6,11 @@ import { alertOf, clear } from '../base/messages';
 import { Arrivals } from '../state/arrivals';
 import { Engine } from '../state/engine';
 import { fragment, pageAddress } from '../state/link';
+import { read, written } from '../state/asked-view';
+import { joined, parted, WHOLE } from '../state/viewing';
+import { layInFrame } from '../picture/frame';
 import { Loop } from '../picture/loop';
+import { Until } from '../picture/until';
 import { scriptFace, type ScriptFace } from './scripts';
 import { tellCrash } from './trouble';
 import '../styles/late/embed.css';
@@ -20,32 +24,36 @@ export class Embed {
   private readonly engine: Engine;
   private readonly loop: Loop;
   private readonly still = wantsStill();
+  /** What is drawn, in the words of the module. */
+  private view = 'auto';
 
   constructor() {
-    const engine = (this.engine = new Engine(fragment(), (error, link) => {
+    const { recipe, words } = parted(fragment());
+    const engine = (this.engine = new Engine(recipe, (error, link) => {
       document.documentElement.dataset['stage'] = 'error';
       tellCrash(error, link);
     }));
     const loop = (this.loop = new Loop(engine, (stage) => this.shownAt(stage), (stage, changed) => this.drawn(stage, changed)));
     this.scripts = scriptFace(engine, () => loop.rests);
     byId('sheet').append(make('h1', { class: 'said' }, 'Bubblestone'), this.button, this.home);
-    if (this.still) loop.stepsPerFrame = Number.MAX_SAFE_INTEGER;
     this.button.addEventListener('click', () => this.toggle());
     const arrivals = new Arrivals();
     addEventListener('hashchange', () => {
-      const link = fragment();
-      arrivals.reach(link, () => {
-        engine.open(link);
+      const { recipe, words } = parted(fragment());
+      arrivals.reach(recipe, () => {
+        engine.open(recipe);
         if (engine.alive) clear('trouble');
-        this.opened();
+        this.opened(words);
+        // A step is come to from the start.
+        if (loop.until) engine.restart();
       });
     });
-    this.opened();
+    this.opened(words);
   }
 
-  /** Who asks for less motion sees finished pictures only. */
+  /** Who asks for less motion sees what is finished or held only. */
   private shownAt(stage: string): string | undefined {
-    return !this.still || isEnd(stage) ? 'auto' : undefined;
+    return !this.still || isEnd(stage) || this.loop.paused ? this.view : undefined;
   }
 
   private drawn(stage: string, changed: boolean): void {
@@ -67,6 +75,7 @@ export class Embed {
   private toggle(): void {
     const { engine, loop } = this;
     if (isEnd(engine.stage())) {
+      loop.until = undefined;
       engine.restart();
       loop.paused = false;
       loop.changed();
@@ -82,8 +91,18 @@ export class Embed {
     this.button.setAttribute('aria-label', word);
   }
 
-  private opened(): void {
-    this.home.href = pageAddress(this.engine.link());
-    this.loop.changed();
+  private opened(words: string): void {
+    const { engine, loop } = this;
+    const { viewing } = read(words, engine.generator);
+    const { view = 'auto', overlays = [], pace = 1, step, zoom = WHOLE } = viewing;
+    this.view = [view, ...overlays].join('+');
+    this.home.href = pageAddress(joined(engine.link(), written(viewing)));
+    layInFrame(byId('sheet'), zoom);
+    loop.stepsPerFrame = this.still ? Number.MAX_SAFE_INTEGER : pace;
+    if (step !== undefined) {
+      loop.paused = false;
+      loop.until = new Until(step, () => this.name(engine.stage()));
+    }
+    loop.changed();
   }
 }

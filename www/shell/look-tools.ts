@@ -19,6 +19,7 @@ const REPEATS = 3;
 /** `leave` ends the editing on the picture. */
 export function makeLookTools(store: Store, parts: Parts, leave: () => void): void {
   forward(parts.pointer);
+  store.on(['zoom'], () => void parts.pointer.load());
   tool(store, 'light', parts.light);
   tool(store, 'layers', parts.layers);
   tool(store, 'compare', parts.compare);

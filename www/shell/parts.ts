@@ -1,20 +1,22 @@
 /** The parts of the page that are loaded when they are first asked for, by name. */
 import { Later } from '../base/later';
 import type { Work } from '../state/work';
+import type { Loop } from '../picture/loop';
 import type { View } from '../picture/view';
 
 export type Parts = ReturnType<typeof partsOf>;
 
-export function partsOf(work: Work, view: View) {
+export function partsOf(work: Work, view: View, loop: Loop) {
   const { engine, store } = work;
   return {
     editor: new Later(async () => new (await import('../editor/editor')).Editor(work)),
     pointer: new Later(async () => new (await import('../look/pointer')).Pointer(work, view)),
     light: new Later(async () => new (await import('../look/light')).LightOnCanvas(work)),
     layers: new Later(async () => new (await import('../look/layers')).Layers(store, view)),
-    compare: new Later(async () => new (await import('../look/compare')).Compare(work, view)),
+    compare: new Later(async () => new (await import('../look/compare')).Compare(work, view, loop)),
     plots: new Later(async () => new (await import('../look/plots')).Plots(engine, view)),
     tiles: new Later(async () => new (await import('../look/tiles')).Tiles(store, view)),
+    linked: new Later(() => import('../look/linked')),
     share: new Later(() => import('../take/share')),
     save: new Later(() => import('../take/save')),
   };

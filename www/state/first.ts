@@ -4,11 +4,14 @@ import { fragment, isReload } from './link';
 import { keptLocks } from './locks';
 import type { LastWork } from './memory';
 import type { State } from './store';
+import { PACE, parted, WHOLE } from './viewing';
 import { presetOf } from './work';
 
-/** The recipe that the address asks for; a page that is loaded anew may have been ahead of its address. */
-export function askedFor(last: LastWork | undefined): string {
-  return last && isReload() && last.past.includes(fragment()) ? last.recipe : fragment();
+/** The recipe and the view that the address asks for; a page that is loaded anew may have been ahead of its address. */
+export function askedFor(last: LastWork | undefined): { recipe: string; words: string } {
+  const asked = parted(fragment());
+  const isBehind = last && isReload() && asked.recipe !== last.recipe && last.past.includes(asked.recipe);
+  return isBehind ? { recipe: last.recipe, words: '' } : asked;
 }
 
 /** What is opened: where the address asks for nothing, the visitor's own last work. */
@@ -30,14 +33,17 @@ export function firstState(engine: Engine, asked: string, last: LastWork | undef
     preset: presetOf(engine.presets, recipe),
     own: same && last.own && (asked === '' || asked === recipe),
     stored: same,
-    pace: 3,
+    pace: PACE.usual,
     paused: false,
     view: 'auto',
     overlays: [],
+    zoom: WHOLE,
     repeat: 1,
     light: false,
     layers: false,
     compare: false,
+    beside: false,
+    other: 'done',
     plots: false,
     locks: keptLocks(),
     editing: undefined,

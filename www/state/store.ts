@@ -7,6 +7,7 @@
  */
 
 import type { Preset } from '../module/types';
+import type { Zoomed } from './viewing';
 
 export interface State {
   /** The recipe's link, without '#', as the engine writes it. */
@@ -33,12 +34,18 @@ export interface State {
   readonly view: string;
   /** What is drawn over it. */
   readonly overlays: readonly string[];
+  /** How much closer than all of the picture, and where. */
+  readonly zoom: Zoomed;
   /** So many copies of the picture stand along each side, as of a tile. */
   readonly repeat: number;
   /** Tools for looking closer that are shown. */
   readonly light: boolean;
   readonly layers: boolean;
   readonly compare: boolean;
+  /** What is compared stands beside the picture, and forms together with it; else under a divider. */
+  readonly beside: boolean;
+  /** The stage of what stands beside the picture; 'done' while nothing does. */
+  readonly other: string;
   readonly plots: boolean;
   /** What chance and presets leave alone: groups of parameters, and the seed. */
   readonly locks: readonly string[];

@@ -15,7 +15,16 @@ interface Opening {
   then?: () => void;
 }
 
+/** Another picture that goes along with the one at work. */
+export interface Partner {
+  /** Takes over what was changed by a control: the recipe in the store has it. */
+  follow(): void;
+  step(): void;
+  restart(): void;
+}
+
 export class Work {
+  partner: Partner | undefined;
   readonly engine: Engine;
   readonly store: Store;
   private readonly arrivals: Arrivals;
@@ -82,9 +91,22 @@ export class Work {
     });
   }
 
+  /** Exactly one packing step. */
+  step(): void {
+    this.engine.step();
+    this.partner?.step();
+  }
+
+  /** All stages again. */
+  restart(): void {
+    this.engine.restart();
+    this.partner?.restart();
+  }
+
   private changed(held: boolean): void {
     this.stay();
     this.store.update({ recipe: this.engine.link(), held, own: true });
+    this.partner?.follow();
   }
 }
 

@@ -1,8 +1,13 @@
 /** The dialog that shares the picture: its link, the system's way, a QR code, and code for other pages. */
+import { isEnd } from '../module/stages';
+import { overlayIn } from '../words/look';
 import { t } from '../words/take';
-import { make, say } from '../base/dom';
+import { viewIn } from '../words/words';
+import { make, say, wantsStill } from '../base/dom';
 import type { Engine } from '../state/engine';
 import { address, embedAddress, valuesIn } from '../state/link';
+import { written } from '../state/asked-view';
+import { joined, PACE, WHOLE, type Viewing } from '../state/viewing';
 import type { Store } from '../state/store';
 import { takeDialog } from './dialog';
 import { signedPng } from './origin';
@@ -11,44 +16,106 @@ import { MOST, qrCode } from './qr';
 /** Sides in pixels that the embedded picture may have. */
 const SIDES = [320, 480, 640, 800];
 
+/** Parts of the dialog that hold the link, and follow it. */
+interface Linked {
+  readonly element: HTMLElement;
+  /** `state` is the whole fragment, `words` what of it is the view. */
+  follow(state: string, words: string): void;
+}
+
 export function share(engine: Engine, store: Store, canvas: HTMLCanvasElement): void {
-  const state = engine.link();
-  const link = address(state);
-  const name = store.state.preset?.recipe === state ? store.state.preset.shown.title : t('own');
+  const recipe = engine.link();
+  const name = store.state.preset?.recipe === recipe ? store.state.preset.shown.title : t('own');
+  const title = t('title', { name });
   const told = make('p', { class: 'take-told', role: 'status' });
-  const box = make('input', { id: 'share-link', type: 'text', readonly: '', value: link, spellcheck: 'false' });
-  const copyLink = make('button', { type: 'button', class: 'key', id: 'copy' }, t('copy_link'));
-  copyLink.addEventListener('click', () => void copied(box, told, t('copied_link')));
-  const row = make('div', { class: 'take-row' }, box, copyLink);
-  if ('share' in navigator) row.append(systemButton(link, t('title', { name }), canvas, told));
-  const dialog = takeDialog(
-    'share-dialog',
-    t('share'),
-    section(make('label', { for: 'share-link' }, t('link')), row, make('p', { class: 'take-note', id: 'share-holds' }, holds(engine, link, state)), told),
-    section(link.length > MOST ? make('p', { class: 'take-note', id: 'qr-long' }, t('qr_long', { n: shown(link.length), most: shown(MOST) })) : codeOf(link)),
-    embedding(engine.link(), t('title', { name }), told),
-  );
-  box.addEventListener('focus', () => box.select());
+  const parts = [linkOf(engine, canvas, title, told), codeOf(), embedding(title, told)];
+  const words = written(seen(engine, store));
+  const follow = (as: string): void => parts.forEach((part) => part.follow(joined(recipe, as), as));
+  const [first, ...others] = parts.map(({ element }) => element);
+  first?.append(asSeen(seen(engine, store), words, follow), told);
+  const dialog = takeDialog('share-dialog', t('share'), ...(first ? [first] : []), ...others);
+  follow('');
   dialog.querySelector<HTMLElement>('#copy')?.focus();
+}
+
+/** How the picture is shown now, but for what all see of it. */
+function seen(engine: Engine, store: Store): Viewing {
+  const { view, overlays, pace, paused, stage, zoom } = store.state;
+  return {
+    view,
+    overlays,
+    pace: pace === (wantsStill() ? PACE.still : PACE.usual) ? undefined : pace,
+    step: paused && !isEnd(stage) && engine.generator.offers.includes('forming') ? engine.status().steps : undefined,
+    zoom,
+  };
+}
+
+/** The choice of a link that shows all as it is shown now. */
+function asSeen(viewing: Viewing, words: string, follow: (words: string) => void): HTMLElement {
+  const check = make('input', { type: 'checkbox', id: 'share-seen', 'aria-describedby': 'share-sees' });
+  check.disabled = words === '';
+  check.addEventListener('change', () => follow(check.checked ? words : ''));
+  const note = make('p', { class: 'take-note', id: 'share-sees' }, words === '' ? t('sees_nothing') : t('sees', { what: described(viewing) }));
+  return make('div', { class: 'take-choice' }, check, make('label', { for: 'share-seen' }, t('as_seen')), note);
+}
+
+function described({ view = 'auto', overlays = [], pace, step, zoom = WHOLE }: Viewing): string {
+  const speed = document.querySelector('#speed :checked + span')?.textContent;
+  return [
+    ...(view === 'auto' && !overlays.length ? [] : [[viewIn(view), ...overlays.map((word) => overlayIn(word)[0])].join(' + ')]),
+    ...(pace === undefined ? [] : [speed ? t('sees_speed', { speed }) : t('sees_pace', { n: pace })]),
+    ...(step === undefined ? [] : [t('sees_step', { n: step })]),
+    ...(zoom.scale > 1 ? [`${Number(zoom.scale.toFixed(1))}×`] : []),
+  ].join(t('listed'));
 }
 
 function section(...parts: HTMLElement[]): HTMLElement {
   return make('section', {}, ...parts);
 }
 
-function codeOf(link: string): HTMLElement {
-  const place = make('div', { class: 'take-qr' }, make('div', {}, make('h3', {}, t('qr')), make('p', { class: 'take-note' }, t('qr_note'))));
-  place.prepend(qrCode(link, t('qr_label')));
-  return place;
+/** The link itself, to be copied or given to the system, and what it holds. */
+function linkOf(engine: Engine, canvas: HTMLCanvasElement, title: string, told: HTMLElement): Linked {
+  const box = make('input', { id: 'share-link', type: 'text', readonly: '', spellcheck: 'false' });
+  const copyLink = make('button', { type: 'button', class: 'key', id: 'copy' }, t('copy_link'));
+  copyLink.addEventListener('click', () => void copied(box, told, t('copied_link')));
+  box.addEventListener('focus', () => box.select());
+  const row = make('div', { class: 'take-row' }, box, copyLink);
+  if ('share' in navigator) row.append(systemButton(() => box.value, title, canvas, address(engine.link()), told));
+  const note = make('p', { class: 'take-note', id: 'share-holds' });
+  return {
+    element: section(make('label', { for: 'share-link' }, t('link')), row, note),
+    follow: (state, words) => {
+      box.value = address(state);
+      say(note, holds(engine, box.value, words));
+      say(told, '');
+    },
+  };
+}
+
+/** The code of the link for cameras, unless it is too long for them. */
+function codeOf(): Linked {
+  const element = section();
+  return {
+    element,
+    follow: (state) => {
+      const link = address(state);
+      if (link.length > MOST) return element.replaceChildren(make('p', { class: 'take-note', id: 'qr-long' }, t('qr_long', { n: shown(link.length), most: shown(MOST) })));
+      const said = make('div', {}, make('h3', {}, t('qr')), make('p', { class: 'take-note' }, t('qr_note')));
+      const place = make('div', { class: 'take-qr' }, said);
+      place.prepend(qrCode(link, t('qr_label')));
+      element.replaceChildren(place);
+    },
+  };
 }
 
 /** How long the link is, and what it holds. */
-function holds(engine: Engine, link: string, state: string): string {
-  const values = valuesIn(state).length;
+function holds(engine: Engine, link: string, words: string): string {
+  const values = valuesIn(engine.link()).length;
   const parts = [values === 0 ? t('holds_nothing') : values === 1 ? t('holds_one') : t('holds_values', { n: values })];
   if (engine.get('outline') === 'polygon' && engine.get('tile') !== '1') {
     parts.push(t('holds_points', { n: engine.outline().reduce((sum, ring) => sum + ring.length, 0) }));
   }
+  if (words !== '') parts.push(t('holds_view'));
   return t('holds', { n: shown(link.length), what: parts.join(t('and')) });
 }
 
@@ -68,14 +135,14 @@ async function copied(box: HTMLInputElement | HTMLTextAreaElement, told: HTMLEle
   }
 }
 
-/** The system's own sheet, with the picture where it takes files. */
-function systemButton(url: string, title: string, canvas: HTMLCanvasElement, told: HTMLElement): HTMLElement {
+/** The system's own sheet, with the picture where it takes files; that carries the recipe's link. */
+function systemButton(urlNow: () => string, title: string, canvas: HTMLCanvasElement, recipe: string, told: HTMLElement): HTMLElement {
   const button = make('button', { type: 'button', class: 'key', id: 'share-system' }, t('system'));
   // Made beforehand: a sheet opens only right after a click.
   let picture: File | undefined;
-  void signedPng(canvas, url).then((blob) => (picture = blob && new File([blob], 'bubblestone.png', { type: blob.type })));
+  void signedPng(canvas, recipe).then((blob) => (picture = blob && new File([blob], 'bubblestone.png', { type: blob.type })));
   button.addEventListener('click', () => {
-    const plain: ShareData = { title, url };
+    const plain: ShareData = { title, url: urlNow() };
     const whole: ShareData = picture ? { ...plain, files: [picture] } : plain;
     const data = 'canShare' in navigator && navigator.canShare(whole) ? whole : plain;
     navigator.share(data).catch((error: unknown) => {
@@ -85,7 +152,9 @@ function systemButton(url: string, title: string, canvas: HTMLCanvasElement, tol
   return button;
 }
 
-function embedding(state: string, title: string, told: HTMLElement): HTMLElement {
+/** Code that shows the picture alone in another page. */
+function embedding(title: string, told: HTMLElement): Linked {
+  let state = '';
   const sizes = (id: string, full: boolean): HTMLSelectElement => {
     const select = make('select', { id }, ...SIDES.map((side) => make('option', { value: String(side) }, t('pixels', { n: side }))));
     if (full) select.append(make('option', { value: '100%' }, t('full_width')));
@@ -99,19 +168,25 @@ function embedding(state: string, title: string, told: HTMLElement): HTMLElement
     const attribute = (text: string): string => text.replaceAll('&', '&amp;').replaceAll('"', '&quot;').replaceAll('<', '&lt;');
     code.value = `<iframe src="${attribute(embedAddress(state))}" title="${attribute(title)}" width="${width.value}" height="${height.value}" style="border:0" loading="lazy"></iframe>`;
   };
-  write();
   width.addEventListener('change', write);
   height.addEventListener('change', write);
   code.addEventListener('focus', () => code.select());
   const copy = make('button', { type: 'button', class: 'key', id: 'copy-code' }, t('copy_code'));
   copy.addEventListener('click', () => void copied(code, told, t('copied_code')));
-  return section(
+  const element = section(
     make('h3', {}, t('embed')),
     make('p', { class: 'take-note' }, t('embed_note')),
     make('div', { class: 'take-row' }, sized(t('width'), width), sized(t('height'), height), copy),
     make('label', { class: 'said', for: 'embed-code' }, t('code')),
     code,
   );
+  return {
+    element,
+    follow: (now) => {
+      state = now;
+      write();
+    },
+  };
 }
 
 /** A choice that stays beside its name. */

@@ -9,6 +9,28 @@ use bubblestone::recipe::{Kind, Recipe};
 use glam::DVec2;
 use proptest::prelude::*;
 
+/// A link may say how the page is to show the picture: of that nothing is in the recipe, and nothing is said.
+#[test]
+fn the_view_of_a_link_is_nothing_to_the_recipe() {
+    for view in [
+        "view=mesh+forces&pace=0.25&step=12&zoom=2.5,0.31,0.62",
+        "VIEW=nonsense&Step=&zoom&%70ace=-1&step=12&step=13",
+    ] {
+        for link in [
+            format!("#v=1&cs=18&{view}"),
+            format!("{view}&cs=18"),
+            format!("https://example.org/?embed#{view}&cs=18"),
+        ] {
+            let (recipe, notices) = open(&link);
+            assert_eq!(
+                (recipe.link().as_str(), notices.as_str()),
+                ("v=1&cs=18", ""),
+                "{link}"
+            );
+        }
+    }
+}
+
 pub(super) fn open(link: &str) -> (Recipe, String) {
     let (recipe, notices) = pavement::recipe(link);
     valid(&recipe);

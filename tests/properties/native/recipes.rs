@@ -5,7 +5,7 @@ use crate::paving::row;
 use bubblestone::domain::Outline;
 use bubblestone::generators::ALL;
 use bubblestone::generators::pavement::{self, PAVEMENT, PavementRecipe, SCHEMA, keys};
-use bubblestone::recipe::{Key, Kind, Parameter, Recipe};
+use bubblestone::recipe::{Key, Kind, Parameter, Recipe, VIEW};
 use glam::DVec2;
 
 #[test]
@@ -22,7 +22,8 @@ fn schemas_are_consistent() {
                 std::ptr::eq(row, schema.row(key).expect(key)),
                 "{key} twice"
             );
-            assert!(!["v", "make"].contains(&key), "{key} is a word of the link");
+            let is_taken = ["v", "make"].contains(&key) || VIEW.contains(&key);
+            assert!(!is_taken, "{key} is a word of the link");
             assert!(!row.name.is_empty() && !row.group.is_empty() && row.help.ends_with('.'));
             match row.kind {
                 Kind::Number | Kind::Int => {
@@ -103,7 +104,8 @@ fn described(row: &Parameter) -> String {
     )
 }
 
-/// The table follows from the schemas: `BUBBLESTONE_UPDATE=1 cargo test recipes`.
+/// The table follows from the schemas: `BUBBLESTONE_UPDATE=1 cargo test recipes`. What comes after it is
+/// written by hand.
 #[test]
 fn the_table_of_keys_is_that_of_the_schemas() {
     let mut table = "# The keys of a link\n".to_owned();
@@ -127,16 +129,20 @@ fn the_table_of_keys_is_that_of_the_schemas() {
         }
     }
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/parameters.md");
+    let found = std::fs::read_to_string(path).unwrap_or_default();
+    let (found, view) = found.split_once("\n## The view\n").unwrap();
     if std::env::var_os("BUBBLESTONE_UPDATE").is_some() {
-        std::fs::write(path, table).unwrap();
+        std::fs::write(path, format!("{table}\n## The view\n{view}")).unwrap();
         return;
     }
-    let found = std::fs::read_to_string(path).unwrap_or_default();
     for line in table.lines() {
         assert!(
             found.lines().any(|other| other == line),
             "not in docs/parameters.md: {line}"
         );
+    }
+    for key in VIEW {
+        assert!(view.contains(&format!("\n| `{key}` |")), "{key}");
     }
     assert_eq!(found.lines().count(), table.lines().count());
 }

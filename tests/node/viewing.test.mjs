@@ -1,0 +1,105 @@
+// The words of the view in a link, as the page parts, reads and writes them. `npm test -- 'page in Node'`.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { before, test } from 'node:test';
+import typescript from 'typescript';
+
+/** @type {any} */
+let viewing;
+
+before(async () => {
+  const [parting, asking] = await Promise.all(['viewing', 'asked-view'].map((name) => moduleOf(`../../www/state/${name}.ts`)));
+  viewing = { ...parting, ...asking };
+});
+
+/** A file of the page that needs no other one. @param {string} path beside this file */
+function moduleOf(path) {
+  const source = readFileSync(new URL(path, import.meta.url), 'utf8');
+  const { outputText } = typescript.transpileModule(source, { compilerOptions: { module: typescript.ModuleKind.ESNext, target: typescript.ScriptTarget.ES2022, verbatimModuleSyntax: true } });
+  return import(`data:text/javascript,${encodeURIComponent(outputText)}`);
+}
+
+const SIGHTS = { bases: ['auto', 'picture', 'mesh', 'cells'], overlays: ['size', 'cells', 'mesh', 'forces'], offers: ['forming'] };
+
+/** @param {string} words */
+const read = (words) => viewing.read(words, SIGHTS);
+
+test('a fragment is parted into its recipe and its view, and joined again', () => {
+  for (const [fragment, recipe, words] of [
+    ['', '', ''],
+    ['v=1&cs=18', 'v=1&cs=18', ''],
+    ['v=1&cs=18&view=mesh+forces&step=12', 'v=1&cs=18', 'view=mesh+forces&step=12'],
+    ['zoom=2&cs=18&&PACE=1&seed=7', 'cs=18&seed=7', 'zoom=2&PACE=1'],
+    ['view=mesh', 'v=1', 'view=mesh'],
+    ['%76iew=mesh&v=1', 'v=1', '%76iew=mesh'],
+    ['%&views=1&step', '%&views=1', 'step'],
+  ]) {
+    assert.deepEqual(viewing.parted(fragment), { recipe, words }, fragment);
+  }
+  assert.equal(viewing.joined('v=1&cs=18', 'step=3'), 'v=1&cs=18&step=3');
+  assert.equal(viewing.joined('', 'step=3'), 'v=1&step=3');
+  assert.equal(viewing.joined('', ''), '');
+});
+
+test('what is written is read as it was, and what all see is not written', () => {
+  assert.equal(viewing.written({}), '');
+  assert.equal(viewing.written({ view: 'auto', overlays: [], zoom: { scale: 1, x: 0.5, y: 0.5 } }), '');
+  for (const words of [
+    'view=mesh',
+    'view=auto+forces',
+    'view=mesh+forces&pace=0.25&step=12&zoom=2.5,0.31,0.62',
+    'view=cells+size+cells+mesh&pace=100000',
+    'step=0',
+    'zoom=16,0.0313,0.9688',
+  ]) {
+    const { viewing: asked, faults } = read(words);
+    assert.deepEqual(faults, [], words);
+    assert.equal(viewing.written(asked), words);
+  }
+});
+
+test('layers alone stand over the picture, in any order and however they are joined', () => {
+  for (const given of ['forces+size', 'size%2Bforces', 'auto size forces', 'AUTO%20forces,size', 'auto+size+forces+size']) {
+    assert.deepEqual(read(`view=${given}`), { viewing: { view: 'auto', overlays: ['size', 'forces'] }, faults: [] }, given);
+  }
+});
+
+test('what is wrong is told, with what is taken instead', () => {
+  for (const [words, asked, faults] of [
+    ['view=moon', '', [['view', 'moon', 'auto']]],
+    ['view=', '', [['view', '', 'auto']]],
+    ['view=mesh+sun+forces', 'view=mesh+forces', [['layer', 'sun', undefined]]],
+    ['view=mesh+picture', 'view=mesh', [['layer', 'picture', undefined]]],
+    ['view=moon+forces', 'view=auto+forces', [['view', 'moon', 'auto']]],
+    ['pace=0', 'pace=0.01', [['pace', '0', '0.01']]],
+    ['pace=1e9', 'pace=100000', [['pace', '1e9', '100000']]],
+    ['pace=fast', '', [['pace', 'fast', undefined]]],
+    ['pace', '', [['pace', '', undefined]]],
+    ['step=-3', 'step=0', [['step', '-3', '0']]],
+    ['step=1.5', 'step=2', [['step', '1.5', '2']]],
+    ['step=NaN', '', [['step', 'nan', undefined]]],
+    ['step=Infinity', '', [['step', 'infinity', undefined]]],
+    ['step=%E0%A4%A', '', [['step', '%e0%a4%a', undefined]]],
+    ['zoom=99', 'zoom=16,0.5,0.5', [['zoom', '99', '16']]],
+    ['zoom=0.5', '', [['zoom', '0.5', '1']]],
+    ['zoom=2,0.5', '', [['zoom', '2,0.5', undefined]]],
+    ['zoom=2,a,b', '', [['zoom', '2,a,b', undefined]]],
+    ['zoom=2,1,1,1', '', [['zoom', '2,1,1,1', undefined]]],
+    ['zoom=2,-1,0.5', 'zoom=2,0.25,0.5', [['zoom', '2,-1,0.5', '2,0.25,0.5']]],
+  ]) {
+    const found = read(/** @type {string} */ (words));
+    const told = found.faults.map((/** @type {any} */ { what, given, kept }) => [what, given, kept]);
+    assert.deepEqual([viewing.written(found.viewing), told], [asked, faults], String(words));
+  }
+});
+
+test('a zoom shows nothing beside the picture, and of two words of one key the last one counts', () => {
+  assert.equal(viewing.written(read('zoom=2,0,1').viewing), 'zoom=2,0.25,0.75');
+  assert.equal(viewing.written(read('zoom=3').viewing), 'zoom=3,0.5,0.5');
+  assert.equal(viewing.written(read('step=3&step=4&view=mesh&view=cells').viewing), 'view=cells&step=4');
+});
+
+test('what is not packed in steps is not held at one', () => {
+  const { viewing: asked, faults } = viewing.read('step=3&view=mesh', { ...SIGHTS, offers: [] });
+  assert.deepEqual([viewing.written(asked), faults], ['view=mesh', [{ what: 'step', given: '3' }]]);
+});

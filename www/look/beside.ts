@@ -1,0 +1,182 @@
+/**
+ * Another picture beside the one at work: both form in step, and what a control changes goes to both. What the other one
+ * has of its own stays until that is touched. Undo brings back both.
+ */
+import { isEnd } from '../module/stages';
+import { t } from '../words/look';
+import { byId, frame, make, say, wantsStill } from '../base/dom';
+import type { Engine } from '../state/engine';
+import { valuesIn } from '../state/link';
+import type { Store } from '../state/store';
+import type { Partner, Work } from '../state/work';
+import { Loop } from '../picture/loop';
+import type { View } from '../picture/view';
+import { Together } from './together';
+import { Zoom } from './zoom';
+import '../styles/late/beside.css';
+
+export class Beside implements Partner {
+  readonly sheet = make('div', { class: 'sheet', id: 'beside' });
+  private readonly work: Work;
+  private readonly store: Store;
+  private readonly view: View;
+  private readonly own: Loop;
+  private readonly frame = byId('frame');
+  private readonly canvas = make('canvas', { role: 'img', 'aria-labelledby': 'beside-name' });
+  private readonly names = [make('p', { class: 'beside-name', id: 'beside-name' }), make('p', { class: 'beside-name own' })] as const;
+  private engine: Engine | undefined;
+  private loop: Loop | undefined;
+  /** What the other one is called, and the link that is called so. */
+  private title = '';
+  private link = '';
+  /** The other recipe that stood beside each of this page's, for the way back. */
+  private readonly pairs = new Map<string, string>();
+  /** The page's recipe of the last change. */
+  private last = '';
+
+  constructor(work: Work, view: View, own: Loop) {
+    this.work = work;
+    this.store = work.store;
+    this.view = view;
+    this.own = own;
+    this.sheet.append(make('div', { class: 'pane' }, this.canvas));
+    new Zoom(this.store, () => undefined, this.sheet);
+    // Two fingers zoom the pictures, not the page.
+    this.sheet.addEventListener('touchstart', (event) => event.touches.length > 1 && event.cancelable && event.preventDefault(), { passive: false });
+    this.store.on(['recipe'], () => this.goBack());
+    this.store.on(['paused', 'pace'], () => this.drive());
+    this.store.on(['view', 'overlays'], () => this.loop?.redraw());
+    view.drawn(() => this.tell());
+  }
+
+  show(on: boolean): void {
+    this.frame.toggleAttribute('data-beside', on);
+    if (on) {
+      byId('sheet').before(this.sheet, this.names[0]);
+      byId('sheet').after(this.names[1]);
+      // The frame is another one: on a phone the pictures may be small now.
+      void frame().then(() => byId('enlarge').hidden || byId('enlarge').click());
+      return;
+    }
+    for (const element of [this.sheet, ...this.names]) element.remove();
+    this.loop?.end();
+    this.engine = this.loop = this.own.pair = this.work.partner = undefined;
+    this.store.update({ other: 'done' });
+  }
+
+  /** What stands beside the picture is the engine's from now on. Both begin anew, or it comes up to the one that is still in the making. */
+  take(engine: Engine, title: string): void {
+    this.loop?.end();
+    this.engine = engine;
+    [this.title, this.link] = [title, engine.link()];
+    this.loop = new Loop(engine, (stage) => this.shownAt(stage), (stage, changed) => this.drawn(stage, changed));
+    this.loop.pair = this.own.pair = new Together(this.work.engine, engine);
+    this.work.partner = this;
+    this.pairs.clear();
+    this.remember();
+    this.store.update({ other: engine.stage() });
+    this.drive();
+    this.loop.begin();
+    // Who asks for less motion sees what is there already.
+    if (wantsStill()) return;
+    if (!isEnd(this.work.engine.stage())) return this.restart();
+    this.work.restart();
+    this.own.changed();
+  }
+
+  /** A control was moved: the values that are other ones than before go to the other one, too, where it has them. */
+  follow(): void {
+    const { engine, last } = this;
+    const own = this.work.engine;
+    if (!engine) return;
+    const [before, now] = [new Set(valuesIn(last)), new Set(valuesIn(own.link()))];
+    const keys = [...before, ...now].filter((pair) => before.has(pair) !== now.has(pair)).map((pair) => pair.replace(/=.*/s, ''));
+    const known = new Set(engine.schema.map(({ key }) => key));
+    for (const key of new Set(keys)) if (known.has(key)) engine.set(key, own.get(key));
+    this.remember();
+    this.loop?.changed();
+  }
+
+  step(): void {
+    this.engine?.step();
+    this.loop?.redraw();
+  }
+
+  restart(): void {
+    this.engine?.restart();
+    this.loop?.changed();
+  }
+
+  /** Another recipe of the page's: where the other one stood beside it as another one, so it does again. */
+  private goBack(): void {
+    const { engine } = this;
+    if (!engine) return;
+    const then = this.pairs.get(this.store.state.recipe);
+    if (then === undefined || then === engine.link()) return this.tell();
+    engine.open(then);
+    this.last = this.store.state.recipe;
+    this.loop?.changed();
+  }
+
+  private remember(): void {
+    this.last = this.store.state.recipe;
+    if (this.engine) this.pairs.set(this.last, this.engine.link());
+  }
+
+  private drive(): void {
+    const { loop } = this;
+    const { paused, pace } = this.store.state;
+    if (!loop) return;
+    if (loop.paused !== paused) loop.paused = paused;
+    loop.stepsPerFrame = pace;
+  }
+
+  /** Who asks for less motion sees what is finished or held only. */
+  private shownAt(stage: string): string | undefined {
+    return !wantsStill() || isEnd(stage) || this.store.state.paused ? this.view.words : undefined;
+  }
+
+  private drawn(stage: string, changed: boolean): void {
+    const { engine, canvas } = this;
+    if (!engine?.alive) return;
+    const context = canvas.getContext('2d');
+    const words = this.shownAt(stage);
+    if (context && changed && words !== undefined) {
+      const side = engine.side();
+      if (canvas.width !== side) canvas.width = canvas.height = side;
+      engine.draw(context, words);
+    }
+    this.store.update({ other: stage });
+    this.tell();
+  }
+
+  /** Names and counts below both. */
+  private tell(): void {
+    const { engine } = this;
+    if (!engine) return;
+    const { preset, recipe } = this.store.state;
+    const mine = preset ? named(preset.shown.figure || preset.shown.title, preset.recipe === recipe) : t('compare_mine');
+    write(this.names[0], named(this.title, engine.link() === this.link), engine);
+    write(this.names[1], mine, this.work.engine);
+  }
+}
+
+function named(name: string, same: boolean): string {
+  return same ? name : t('compare_after', { name });
+}
+
+function write(line: HTMLElement, name: string, engine: Engine): void {
+  if (!line.firstChild) line.append(make('strong'), make('span'));
+  const [title, counts] = line.children;
+  if (title) say(title, name);
+  if (counts) say(counts, engine.problem() || counted(engine));
+}
+
+/** The time is that of the stages up to the one at work: of later ones it is that of the picture before. */
+function counted(engine: Engine): string {
+  const { cells, steps, ms } = engine.status();
+  const { stages, offers } = engine.generator;
+  const at = stages.indexOf(engine.stage());
+  const spent = stages.slice(0, at < 0 ? stages.length : at + 1).reduce((sum, word) => sum + (ms[word] ?? 0), 0);
+  return t(offers.includes('forming') ? 'compare_counts' : 'compare_cells', { cells, steps, seconds: (spent / 1000).toFixed(2) });
+}

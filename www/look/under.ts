@@ -1,0 +1,105 @@
+/** Another picture under the one that is shown, up to a divider; it is made in idle moments. */
+import { isEnd } from '../module/stages';
+import { t } from '../words/look';
+import { byId, idle, make, say } from '../base/dom';
+import type { Engine } from '../state/engine';
+import type { Store } from '../state/store';
+import type { Work } from '../state/work';
+import type { View } from '../picture/view';
+
+/** Milliseconds of work in one idle slice, and between two drawings of work in progress. */
+const SLICE = 6;
+const DRAWINGS = 150;
+
+export class Under {
+  private readonly work: Work;
+  private readonly store: Store;
+  private readonly view: View;
+  private readonly progress: HTMLElement;
+  private readonly sheet = byId('sheet');
+  private readonly canvas = make('canvas', { class: 'other', 'aria-hidden': 'true' });
+  private readonly line = make('div', { class: 'compare-line' });
+  private readonly divider = make('input', { type: 'range', id: 'divider', min: '0', max: '100', step: '1', value: '50', 'aria-label': t('compare_divider') });
+  private engine: Engine | undefined;
+  private waiting = false;
+  /** A drawing is made in pieces, before there is more work. */
+  private owed = false;
+  private drawn = 0;
+
+  constructor(work: Work, view: View, progress: HTMLElement) {
+    this.work = work;
+    this.store = work.store;
+    this.view = view;
+    this.progress = progress;
+    byId('cells').before(this.canvas);
+    this.sheet.append(this.line, this.divider);
+    this.divider.addEventListener('input', () => this.slide());
+    this.store.on(['view', 'overlays'], () => this.paint());
+    this.store.on(['stage', 'paused'], () => this.wake());
+    document.addEventListener('visibilitychange', () => this.wake());
+    this.slide();
+  }
+
+  show(on: boolean): void {
+    for (const element of [this.canvas, this.line, this.divider]) element.hidden = !on;
+    if (on) this.divider.focus({ preventScroll: true });
+    else this.engine = undefined;
+  }
+
+  /** What is compared is the engine's picture from now on. */
+  take(engine: Engine): void {
+    this.engine = engine;
+    this.drawn = 0;
+    this.wake();
+  }
+
+  private slide(): void {
+    const at = this.divider.valueAsNumber;
+    this.sheet.style.setProperty('--divider', String(at / 100));
+    this.divider.setAttribute('aria-valuetext', t('compare_said', { n: at }));
+  }
+
+  /** Goes on in an idle moment. */
+  private wake(): void {
+    const { engine } = this;
+    if (!engine) return;
+    if (!isEnd(engine.stage())) say(this.progress, t('compare_working'));
+    if (this.waiting) return;
+    this.waiting = true;
+    void idle(50).then(() => {
+      this.waiting = false;
+      this.goOn();
+    });
+  }
+
+  /** Works as long as the shown picture needs no work and the page is seen; what is finished is drawn before it is said to be. */
+  private goOn(): void {
+    const { engine } = this;
+    if (!engine || document.hidden) return;
+    const works = !isEnd(engine.stage());
+    if (works && !this.resting()) return;
+    if (works && !this.owed) engine.tick(SLICE, 100_000);
+    // Its failure was told.
+    if (this.engine !== engine) return;
+    const ended = isEnd(engine.stage());
+    const due = ended || performance.now() >= this.drawn;
+    this.owed = due && !engine.prepare(this.view.words, SLICE);
+    if (due && !this.owed) this.paint();
+    if (ended && !this.owed) say(this.progress, engine.problem());
+    else this.wake();
+  }
+
+  private resting(): boolean {
+    return this.store.state.paused || isEnd(this.work.engine.stage());
+  }
+
+  private paint(): void {
+    const { engine, canvas } = this;
+    const context = engine && canvas.getContext('2d');
+    if (!context) return;
+    const side = engine.side();
+    if (canvas.width !== side) canvas.width = canvas.height = side;
+    engine.draw(context, this.view.words);
+    this.drawn = performance.now() + DRAWINGS;
+  }
+}

@@ -1,0 +1,13 @@
+/** What of the picture is in its frame: styles/stage.css lays the pane so. */
+import type { Zoomed } from '../state/viewing';
+
+/** From here on the picture's pixels are shown as squares. */
+const CRISP = 3;
+
+export function layInFrame(sheet: HTMLElement, { scale, x, y }: Zoomed): void {
+  sheet.style.setProperty('--zoom', String(scale));
+  sheet.style.setProperty('--pan-x', String(0.5 - x * scale));
+  sheet.style.setProperty('--pan-y', String(0.5 - y * scale));
+  sheet.toggleAttribute('data-zoomed', scale > 1);
+  sheet.toggleAttribute('data-crisp', scale >= CRISP);
+}

@@ -1,0 +1,103 @@
+/** What the words of the view in a link ask for (viewing.ts), checked, and the words for what is shown. */
+import type { Viewing, Zoomed } from './viewing';
+
+/** What there is to look at, of a generator. */
+export interface Sights {
+  readonly bases: readonly string[];
+  readonly overlays: readonly string[];
+  /** Only what is offered as a forming goes in steps. */
+  readonly offers: readonly string[];
+}
+
+/** Something in a link that cannot be used as it is. */
+export interface Fault {
+  readonly what: 'view' | 'layer' | 'pace' | 'step' | 'zoom';
+  readonly given: string;
+  /** What is taken instead; without it the word is left out. */
+  readonly kept?: string;
+}
+
+/** From and to. */
+export const LIMITS = { pace: [0.01, 100_000], step: [0, 100_000], zoom: [1, 16] } as const;
+
+/** What the words ask for, and what of it is mended or left out. */
+export function read(words: string, sights: Sights): { viewing: Viewing; faults: Fault[] } {
+  const viewing: Viewing = {};
+  const faults: Fault[] = [];
+  for (const [key, given] of words.split('&').map(pairOf)) {
+    if (key === 'view') readView(given, sights, viewing, faults);
+    if (key === 'zoom') readZoom(given, viewing, faults);
+    if (key === 'pace') viewing.pace = within(given, key, faults);
+    if (key === 'step' && sights.offers.includes('forming')) viewing.step = within(given, key, faults);
+    else if (key === 'step') faults.push({ what: 'step', given });
+  }
+  return { viewing, faults };
+}
+
+/** The words that ask for this; '' for what all see. */
+export function written({ view = 'auto', overlays = [], pace, step, zoom }: Viewing): string {
+  const drawn = [view, ...overlays].join('+');
+  return [
+    ...(drawn === 'auto' ? [] : [`view=${drawn}`]),
+    ...(pace === undefined ? [] : [`pace=${pace}`]),
+    ...(step === undefined ? [] : [`step=${step}`]),
+    ...(zoom && zoom.scale > 1 ? [`zoom=${[zoom.scale, zoom.x, zoom.y].map((value) => Number(value.toFixed(4))).join()}`] : []),
+  ].join('&');
+}
+
+/** The same with no place beyond the picture in the frame. */
+export function inFrame({ scale, x, y }: Zoomed): Zoomed {
+  const kept = (at: number): number => Math.min(1 - 0.5 / scale, Math.max(0.5 / scale, at));
+  return { scale, x: kept(x), y: kept(y) };
+}
+
+function pairOf(piece: string): [key: string, value: string] {
+  const at = piece.indexOf('=');
+  return at < 0 ? [decoded(piece), ''] : [decoded(piece.slice(0, at)), decoded(piece.slice(at + 1))];
+}
+
+function decoded(text: string): string {
+  try {
+    return decodeURIComponent(text).trim().toLowerCase();
+  } catch {
+    return text.trim().toLowerCase();
+  }
+}
+
+/** A view and layers over it, or layers alone. */
+function readView(given: string, { bases, overlays }: Sights, viewing: Viewing, faults: Fault[]): void {
+  const [first = '', ...more] = given.split(/[+,\s]+/);
+  const isView = bases.includes(first);
+  const isLayer = !isView && overlays.includes(first);
+  if (!isView && !isLayer) faults.push({ what: 'view', given: first, kept: 'auto' });
+  const layers = isLayer ? [first, ...more] : more;
+  for (const word of layers) if (!overlays.includes(word)) faults.push({ what: 'layer', given: word });
+  viewing.view = isView ? first : 'auto';
+  viewing.overlays = overlays.filter((word) => layers.includes(word));
+}
+
+/** How much closer, and the middle; that of the picture where it is not said. */
+function readZoom(given: string, viewing: Viewing, faults: Fault[]): void {
+  const [times = '', ...place] = given.split(',');
+  const [x, y] = (place.length ? place : ['0.5', '0.5']).map(numberIn);
+  if (x === undefined || y === undefined || place.length > 2) return void faults.push({ what: 'zoom', given });
+  const scale = within(times, 'zoom', faults);
+  if (scale === undefined) return;
+  const asked = { scale, x, y };
+  if (Math.min(x, y) < 0 || Math.max(x, y) > 1) faults.push({ what: 'zoom', given, kept: written({ zoom: inFrame(asked) }).slice(5) || '1' });
+  viewing.zoom = inFrame(asked);
+}
+
+/** A number within the limits of its word, steps whole; undefined where it is none. */
+function within(given: string, what: 'pace' | 'step' | 'zoom', faults: Fault[]): number | undefined {
+  const number = numberIn(given);
+  if (number === undefined) return void faults.push({ what, given });
+  const [least, most] = LIMITS[what];
+  const kept = Math.min(most, Math.max(least, what === 'step' ? Math.round(number) : number));
+  if (kept !== number) faults.push({ what, given, kept: String(kept) });
+  return kept;
+}
+
+function numberIn(text: string): number | undefined {
+  return text.trim() !== '' && Number.isFinite(Number(text)) ? Number(text) : undefined;
+}
