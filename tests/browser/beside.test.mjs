@@ -35,9 +35,15 @@ const does = (page, what) => page.waitForFunction((word) => document.querySelect
 
 /** Does what has both begin anew, and waits until both are done. */
 async function formed(page, act) {
+  const before = await page.evaluate(() => {
+    window.ends ??= 0;
+    // A state that comes and goes between two looks counts, too.
+    window.ending ??= new MutationObserver(([{ target }]) => (window.ends += target.dataset.does === 'again' ? 1 : 0));
+    window.ending.observe(document.querySelector('#play'), { attributeFilter: ['data-does'] });
+    return window.ends;
+  });
   await act();
-  await does(page, 'pause');
-  await does(page, 'again');
+  await page.waitForFunction((count) => window.ends > count && document.querySelector('#play').dataset.does === 'again', { timeout: 120_000 }, before);
   return names(page);
 }
 
@@ -117,7 +123,7 @@ test('two pictures form in step, are paused, stepped and zoomed together, and Es
 });
 
 test('sliders change both, what differs stays until it is touched, and undo brings back both', sameEverywhere, async () => {
-  const { page, problems, close } = await site.newPage(`${SQUARE}&pace=100000`);
+  const { page, problems, close } = await site.newPage(SQUARE);
   await digest(page);
   await beside(page, `${SMALL}&cs=30&kind=circle`);
   await does(page, 'again');
@@ -132,8 +138,8 @@ test('sliders change both, what differs stays until it is touched, and undo brin
   assert.deepEqual(await formed(page, () => click(page, '#undo')), seeded);
   assert.deepEqual(await formed(page, () => click(page, '#undo')), first);
   assert.equal(await get(page, 'cs'), '16');
-  // A preset is another recipe of the page's: the other one stays.
-  const [other] = await formed(page, () => click(page, '[data-preset=tortoise]'));
+  // A link is another recipe of the page's: the other one stays.
+  const [other] = await formed(page, () => page.evaluate((fragment) => (location.hash = fragment), `${SQUARE}&seed=9&cs=20`));
   assert.deepEqual(other, first[0]);
   assert.deepEqual(problems, []);
   await close();
