@@ -34,7 +34,7 @@ const oneWay = {
 };
 
 export default defineConfig(
-  globalIgnores(['dist/', 'node_modules/', 'out/', 'pkg/', 'pkg-specimen/', 'target/']),
+  globalIgnores(['dist/', 'node_modules/', 'out/', 'pkg/', 'pkg-*/', 'target/']),
   { linterOptions: { reportUnusedDisableDirectives: 'error' } },
   {
     rules: {

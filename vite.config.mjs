@@ -4,6 +4,7 @@ import { defineConfig } from 'vite';
 import { buildIcons } from './scripts/lib/icons.mjs';
 import { offline } from './scripts/lib/offline.mjs';
 import { buildThumbs, generatorsOf, thumbsOfMore } from './scripts/lib/thumbs.mjs';
+import { hasHouse } from './scripts/lib/wasm.mjs';
 
 const here = (/** @type {string} */ path) => fileURLToPath(new URL(path, import.meta.url));
 
@@ -65,7 +66,8 @@ function japanese() {
 }
 
 /** The folder of the second module, which is loaded at first need; none while all generators are in the first. */
-const house = process.env['BUBBLESTONE_HOUSE'] ? here(`pkg-${process.env['BUBBLESTONE_HOUSE']}`) : undefined;
+const second = process.env['BUBBLESTONE_HOUSE'] ?? (hasHouse ? 'house' : undefined);
+const house = second && here(`pkg-${second}`);
 
 /** What each module makes, for the page to offer it before it is here; and the second module, if there is one. */
 const made = {

@@ -2,13 +2,13 @@
 import { start } from './lib/run.mjs';
 import * as setup from './lib/setup.mjs';
 import { buildSite } from './lib/site.mjs';
-import { buildWasm } from './lib/wasm.mjs';
+import { buildModules } from './lib/wasm.mjs';
 
 await start(async () => {
   setup.checkGivens();
   setup.npmPackages();
   const env = setup.wasmRust();
   setup.wasmTools();
-  await buildWasm('web', env);
+  await buildModules(env);
   await buildSite();
 });

@@ -2,7 +2,7 @@
 import { start } from './lib/run.mjs';
 import * as setup from './lib/setup.mjs';
 import { keepBuilt, serveSite } from './lib/site.mjs';
-import { buildWasm } from './lib/wasm.mjs';
+import { buildModules } from './lib/wasm.mjs';
 
 /** The first port that is tried. */
 const PORT = 5173;
@@ -12,7 +12,7 @@ await start(async () => {
   setup.npmPackages();
   const env = setup.wasmRust();
   setup.wasmTools();
-  await buildWasm('web', env);
+  await buildModules(env);
   await keepBuilt();
   const { address } = await serveSite(PORT);
   console.log(`\nBubblestone is at ${address} (Ctrl+C ends it)`);

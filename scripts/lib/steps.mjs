@@ -9,7 +9,7 @@ import { ask, root, run, Stop } from './run.mjs';
 import { nativeEnv, neededRust, wasmEnv, wasmTarget } from './rust.mjs';
 import { clippyMatches } from './setup.mjs';
 import { buildSite, buildSpecimenSite } from './site.mjs';
-import { buildWasm } from './wasm.mjs';
+import { buildModules, buildWasm } from './wasm.mjs';
 
 // It adds a generator and changes nothing else. The page's module and clippy for WebAssembly go without it.
 const features = ['--features', 'specimen'];
@@ -21,7 +21,7 @@ export const steps = {
   'cargo test': () => run('cargo', ['test', ...features], { env: nativeEnv() }),
   'cargo doc': () => run('cargo', ['doc', '--no-deps', ...features], { env: { ...nativeEnv(), RUSTDOCFLAGS: '-D warnings' } }),
   dependencies,
-  'wasm build': () => buildWasm('web', forWasm()),
+  'wasm build': () => buildModules(forWasm()),
   'page build': buildSite,
   types,
   lint: () => tool('eslint', 'bin/eslint.js', ['--max-warnings', '0', '.']),
@@ -95,7 +95,7 @@ function tool(name, program, args) {
 }
 
 // These take longest: they begin first, or one of them would end alone.
-const long = ['axe', 'tools', 'share', 'controls', 'digests', 'look', 'layout'].map((name) => `${name}.test.mjs`);
+const long = ['axe', 'share', 'tools', 'controls', 'digests', 'look', 'import', 'layout'].map((name) => `${name}.test.mjs`);
 
 /** @param {import('./browser.mjs').Kind} kind */
 async function browserTests(kind) {

@@ -60,3 +60,25 @@ pub(super) fn shading(recipe: &Recipe) -> ShadeParams {
         occlusion: recipe.number(keys::OCCL),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::generators::ALL;
+
+    /// To ask for a row that is not there panics.
+    #[test]
+    fn who_uses_the_height_field_has_its_rows() {
+        let finisher = ["planes", "weather", "shading"];
+        let users = ALL.iter().filter(|one| one.stages.ends_with(&finisher));
+        for generator in users {
+            for word in ["parallel", "point"] {
+                let mut recipe = Recipe::new(generator.schema);
+                assert_eq!(recipe.set(keys::LIGHT.0, word), Ok(vec![]));
+                assert_eq!((side(&recipe), seed(&recipe)), (512, 1));
+                assert_eq!(weather(&recipe), WeatherParams::default());
+                assert_eq!(light(&recipe).shade.occlusion, 1.0);
+            }
+        }
+    }
+}

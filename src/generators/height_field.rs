@@ -51,7 +51,8 @@ pub(super) struct HeightFieldParams {
 
 /// Planes, weather and light.
 pub(super) struct HeightField {
-    /// None once the weather has taken them.
+    /// None once the weather has taken them. While stones are painted anew the last ones stay, 13 bytes a
+    /// pixel and their ground: after a step back nothing has to be painted.
     pub planes: Node<PlaneParams, Painting, Option<Painted>>,
     pub weather: Node<WeatherParams, Weathering, Planes>,
     /// The picture: opaque RGBA, row after row from the top. [`Passes::One`] leaves it in the shader.

@@ -1,5 +1,6 @@
 //! What can be made: each generator with its schema, presets, stages, views, and the machine that
-//! works. A new one is a folder here, its libraries, and one line in [`ALL`].
+//! works. A new one is a folder here, its libraries, and one line in [`ALL`], both of the cargo feature
+//! `house`, as a first visit does without them.
 
 mod bigger;
 mod common;

@@ -130,6 +130,7 @@ fn english(notice: &Notice) -> String {
         let (name, after) = after.split_once('}').unwrap_or((after, ""));
         text += before;
         let arg = notice.args.iter().find(|(own, _)| *own == name);
+        debug_assert!(arg.is_some(), "no {name}: {template}");
         text += &arg.map_or(String::new(), |(_, arg)| arg.english());
         rest = after;
     }

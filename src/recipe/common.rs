@@ -1,4 +1,5 @@
-//! Rows that generators share: a generator puts those that it has among its own.
+//! Rows that generators share: a generator puts those that it has among its own, with another sentence
+//! and in another group where it has them.
 
 use super::parameter::{Parameter, choice, int, number};
 use super::schema::choices;
@@ -16,12 +17,12 @@ macro_rules! common {
 }
 
 common! {
-    size SIZE: "Side of the square picture; the outline grows with it, the stones do not." =>
+    size SIZE: "Side of the square picture." =>
         int("", "Picture side").range(128.0, 2048.0, 64.0, 512.0).unit("px")
-            .group("Outline").steady();
+            .group("Picture").steady();
 
-    seed SEED: "Names the random numbers: another seed, another pavement." =>
-        int("", "Seed").range(0.0, 4_294_967_295.0, 1.0, 1.0).group("Packing").steady();
+    seed SEED: "Names the random numbers." =>
+        int("", "Seed").range(0.0, 4_294_967_295.0, 1.0, 1.0).group("Picture").steady();
 
     fd FD: "Fractal dimension of the faces: near 1 smooth swells, near 2 rough grain." =>
         number("Fd", "Fractal dimension").range(1.05, 1.95, 0.01, 1.5)

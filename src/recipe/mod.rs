@@ -73,15 +73,19 @@ impl Recipe {
         self.values.get(self.schema.place(key)?)
     }
 
-    /// The value of a number or whole number; of a choice, the place of its word. 0 where the schema
-    /// has no such row.
+    /// The value of a number or whole number; of a choice, the place of its word. The schema must have
+    /// such a row, which debug builds check.
     pub fn number(&self, key: Key) -> f64 {
-        self.value(key).map_or(0.0, |value| value.number)
+        let value = self.value(key);
+        debug_assert!(value.is_some(), "no row {}", key.0);
+        value.map_or(0.0, |value| value.number)
     }
 
-    /// The word of a choice; empty for other kinds.
+    /// The word of a choice; empty for other kinds. The schema must have such a row, which debug builds
+    /// check.
     pub fn choice(&self, key: Key) -> &'static str {
         let row = self.schema.row(key.0);
+        debug_assert!(row.is_some(), "no row {}", key.0);
         let choice = row.and_then(|row| row.choices.get(self.number(key) as usize));
         choice.map_or("", |choice| choice.word)
     }

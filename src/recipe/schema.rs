@@ -1,7 +1,7 @@
 //! All that a generator's recipes hold: its rows, and rules that go beyond them.
 
 use super::{Key, Parameter, Recipe, Rows};
-use crate::notice::Notice;
+use crate::notice::{Code, Notice, quote};
 use std::panic::RefUnwindSafe;
 
 /// A generator's parameters.
@@ -34,16 +34,17 @@ pub trait Rules: Sync + RefUnwindSafe {
         recipe: &mut Recipe,
         key: Key,
         rows: Option<Rows>,
-    ) -> Result<Vec<Notice>, Notice> {
-        recipe.put_rows(key, rows.unwrap_or_default());
-        Ok(Vec::new())
-    }
+    ) -> Result<Vec<Notice>, Notice>;
 }
 
-/// The rules of a schema whose rows say all.
+/// The rules of a schema whose rows say all: nothing is drawn.
 pub struct NoRules;
 
-impl Rules for NoRules {}
+impl Rules for NoRules {
+    fn draw(&self, _: &mut Recipe, key: Key, _: Option<Rows>) -> Result<Vec<Notice>, Notice> {
+        Err(Notice::new(Code::NotAParameter).with("given", quote(key.0)))
+    }
+}
 
 impl Schema {
     /// The place of a key's row.
@@ -58,7 +59,8 @@ impl Schema {
 }
 
 /// Makes a constant of each row's key, in a module `keys`, and `ROWS`, the list of all rows. A row of
-/// its own is `word CONSTANT: "Help." => row;`, a common one `word CONSTANT => row;`.
+/// its own is `word CONSTANT: "Help." => row;`, a common one `word CONSTANT => row;`, or with a sentence of
+/// its own as the others.
 macro_rules! rows {
     ($($word:ident $name:ident $(: $help:literal)? => $row:expr;)*) => {
         /// The keys of the rows.

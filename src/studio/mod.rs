@@ -31,6 +31,10 @@ pub struct Studio {
     is_live: bool,
     /// Milliseconds by stage of the latest pass through it.
     spent: Vec<f64>,
+    /// The first stage that the recipe at work asked something else of.
+    first: usize,
+    /// The stage of the last slice, unless it has to begin anew.
+    last: Option<usize>,
     /// Milliseconds of the last shading that was finished; infinite before there is one.
     last_shading: f64,
 }
@@ -52,6 +56,8 @@ impl Studio {
             engine,
             is_live: false,
             spent: vec![0.0; generator.stages.len()],
+            first: 0,
+            last: None,
             last_shading: f64::INFINITY,
         }
     }
@@ -145,7 +151,7 @@ impl Studio {
         words.zip(self.engine.runs()).collect()
     }
 
-    /// Milliseconds spent by stage, in the stages' order.
+    /// Milliseconds spent by stage in the latest pass through it, in the stages' order.
     pub fn milliseconds(&self) -> Vec<StageTime> {
         let times = self.generator.stages.iter().zip(&self.spent);
         times.map(|(&stage, &ms)| StageTime { stage, ms }).collect()
@@ -289,6 +295,9 @@ impl Studio {
     fn timed_slice(&mut self, stage: usize, before: f64, clock: Clock) -> f64 {
         self.engine.advance();
         let after = clock();
+        if self.last.replace(stage) != Some(stage) {
+            self.spent[stage] = 0.0;
+        }
         self.spent[stage] += (after - before).max(0.0);
         if self.engine.at().is_none() {
             self.last_shading = self.spent[self.last_stage()];
@@ -299,15 +308,22 @@ impl Studio {
         after
     }
 
-    /// Is the work so near its end that it should finish before the new recipe begins?
+    /// Is the work so near its end that it should finish before the new recipe begins? Where that asks
+    /// something else only of stages to come, it can begin at once: nothing is dropped.
     fn lets_finish(&self) -> bool {
         let (Some(at), Some(stale)) = (self.engine.at_work(), self.engine.stale()) else {
             return false;
         };
         let finisher = self.engine.finisher();
-        let late = at >= finisher && stale >= finisher;
-        let pass: f64 = self.spent[finisher..].iter().sum();
-        late && (at == self.last_stage() || pass < SHORT_PASS)
+        let late = at >= stale && stale >= finisher;
+        late && (at == self.last_stage() || self.pass(finisher) < SHORT_PASS)
+    }
+
+    /// Milliseconds of the pass at work from this stage on.
+    fn pass(&self, from: usize) -> f64 {
+        let begun = self.last.map_or(0, |last| last + 1);
+        let skipped = from.max(self.first);
+        self.spent[..begun].iter().skip(skipped).sum()
     }
 
     /// Makes the latest recipe the one at work.
@@ -319,10 +335,12 @@ impl Studio {
         }
     }
 
-    /// A stage has got something else to do, if there is work at all.
+    /// A stage has got something else to do.
     fn begin(&mut self, stage: usize) {
-        if let Some(at) = self.engine.at() {
-            self.spent[at.max(stage)..].fill(0.0);
+        self.first = stage;
+        // Stages before it go on with their work.
+        if self.engine.at().is_some_and(|at| at >= stage) {
+            self.last = None;
         }
     }
 }

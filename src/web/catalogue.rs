@@ -28,7 +28,7 @@ export interface Parameter {
   /** Chance leaves it as it is. */
   steady: boolean;
   choices: { word: string; label: string }[];
-  /** The parameter applies only while another one has one of these words. */
+  /** It applies only while another parameter has one of these words or, where there are none, is not at its default. */
   shownFor?: { key: string; words: string[] } | undefined;
 }
 

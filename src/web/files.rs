@@ -56,14 +56,14 @@ impl Bubblestone {
         or_why(made.map(|slice| objects::picture_slice(&slice)))
     }
 
-    /// As `map`, of the picture that `pictureFile` finished last.
+    /// As `map`, of the picture that `pictureFile` finished last: maps of more pixels than are on the screen.
     #[wasm_bindgen(js_name = biggerMap, unchecked_return_type = "PixelMap | Notice")]
     pub fn bigger_map(&self, word: &str) -> Object {
         let engine = self.studio.engine();
         map_of(word, |kind| engine.bigger_map(kind))
     }
 
-    /// Stops `meshFile` or `pictureFile` and frees what they hold.
+    /// Stops `meshFile` or `pictureFile` and frees what they hold, for visitors who do not want to wait.
     #[wasm_bindgen(js_name = stopFile)]
     pub fn stop_file(&mut self) {
         self.studio.engine_mut().stop_file();

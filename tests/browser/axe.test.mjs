@@ -4,6 +4,7 @@ import { createRequire } from 'node:module';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { targetDir } from '../../scripts/lib/rust.mjs';
+import { specimenSite } from '../../scripts/lib/site.mjs';
 import { kind } from './browsers.mjs';
 import { open } from './harness.mjs';
 import { phone } from './page.mjs';
@@ -11,6 +12,8 @@ import { enter, states } from './states.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
+/** @type {Awaited<ReturnType<typeof open>>} */
+let several;
 
 const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 
@@ -38,9 +41,13 @@ const screensOf = (/** @type {string} */ state, /** @type {number} */ turn) => {
 before(async () => {
   mkdirSync(pictures, { recursive: true });
   site = await open();
+  several = await open({ files: specimenSite, beside: site });
 });
 
-after(() => site?.close());
+after(async () => {
+  await several?.close();
+  await site?.close();
+});
 
 /** What axe finds with every rule of these tags, those that it leaves out by itself, too. */
 async function findings(page) {
@@ -58,7 +65,7 @@ async function findings(page) {
 for (const [turn, [name, state]] of Object.entries(states).entries()) {
   for (const { name: screen, ...options } of screensOf(name, turn)) {
     test(`axe finds nothing: ${name}, ${screen}`, async () => {
-      const { page, close } = await enter(site, state, options);
+      const { page, close } = await enter(state.several ? several : site, state, options);
       await page.screenshot({ path: join(pictures, `${name}-${screen}.png`) });
       const { found, count } = await findings(page);
       // Behind a dialog, or beside the picture alone, there is little for them.

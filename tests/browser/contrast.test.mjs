@@ -1,5 +1,6 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
+import { specimenSite } from '../../scripts/lib/site.mjs';
 import { open } from './harness.mjs';
 import { all, digest, edit, SMALL } from './page.mjs';
 
@@ -7,7 +8,7 @@ import { all, digest, edit, SMALL } from './page.mjs';
 let site;
 
 before(async () => {
-  site = await open();
+  site = await open({ files: specimenSite });
 });
 
 after(() => site?.close());

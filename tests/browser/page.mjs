@@ -204,6 +204,16 @@ export async function read(page) {
   await frames(page, 3);
 }
 
+/** The handles of points, on the screen. @param {Page} page @returns {Promise<number[][]>} */
+export function handles(page) {
+  return page.$$eval('button.handle', (all) =>
+    all.map((handle) => {
+      const box = handle.getBoundingClientRect();
+      return [box.x + box.width / 2, box.y + box.height / 2];
+    }),
+  );
+}
+
 /** The outline as the export writes it. @param {Page} page @param {string} kind @returns {Promise<string>} */
 export async function exported(page, kind) {
   await page.evaluate(() => {

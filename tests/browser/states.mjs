@@ -11,6 +11,7 @@ import { all, digest, frames, message, SMALL, SQUARE } from './page.mjs';
  * @property {(fresh: Page) => Promise<unknown>} [before] before it is opened
  * @property {(page: Page) => Promise<unknown>} [arrange] once the picture is done
  * @property {boolean} [few] most of the page is hidden, or behind a dialog
+ * @property {boolean} [several] of the site that has a specimen, too
  * @property {boolean} [early] nothing waits for the picture
  */
 
@@ -32,11 +33,17 @@ const opening = (selector, opened) => async (/** @type {Page} */ page) => {
 /** @param {(document: Document) => void} change */
 const change = (change) => (/** @type {Page} */ page) => page.evaluate(`(${change})(document)`);
 
+/** A few squares: the specimen's. */
+export const SQUARES = '#v=1&make=specimen&size=192&across=5';
+
+/** @param {string} code */
+const speaking = (code) => (/** @type {Page} */ fresh) => fresh.evaluateOnNewDocument((word) => localStorage.setItem('bubblestone.language', word), code);
+
 /** @type {Record<string, State>} */
 export const states = {
   opening: { fragment: '', early: true },
   done: { fragment: '' },
-  japanese: { before: (fresh) => fresh.evaluateOnNewDocument(() => localStorage.setItem('bubblestone.language', 'ja')) },
+  japanese: { before: speaking('ja') },
   editing: { fragment: SQUARE, arrange: opening('#edit-outline', '.handle') },
   road: { fragment: SQUARE, arrange: opening('[data-tool=road]', '.handle') },
   letters: { fragment: SQUARE, arrange: opening('[data-tool=text]', '#letters') },
@@ -94,6 +101,8 @@ export const states = {
       await page.waitForFunction(() => document.querySelector('.compare-progress')?.textContent === '', { timeout: 120_000 });
     },
   },
+  generators: { several: true },
+  squares: { several: true, fragment: SQUARES, before: speaking('ja') },
   about: { arrange: click('#about-button') },
 };
 

@@ -1,9 +1,9 @@
-// The editor's tools: what is drawn over the canvas, brought to it and taken away.
+// The editor's tools: what is drawn over the canvas, and taken away.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { sameEverywhere } from './browsers.mjs';
 import { open } from './harness.mjs';
-import { bring, click, digest, exported, frames, get, link, message, phone, rings, SQUARE, tool } from './page.mjs';
+import { click, digest, frames, get, handles, link, phone, rings, SQUARE, tool } from './page.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
@@ -22,16 +22,6 @@ async function placesOf(page) {
 
 /** What was said about the outline. */
 const messages = (page) => page.$$eval('.message[data-topic=outline]', (notes) => notes.map((note) => note.textContent));
-
-/** The handles of points, on the screen. */
-function handles(page) {
-  return page.$$eval('button.handle', (all) =>
-    all.map((handle) => {
-      const box = handle.getBoundingClientRect();
-      return [box.x + box.width / 2, box.y + box.height / 2];
-    }),
-  );
-}
 
 async function drag(page, from, to, between = 6) {
   await page.mouse.move(...from);
@@ -297,113 +287,6 @@ test('lines, strokes and spots are drawn by dragging', async () => {
   }
   assert.equal(seen.size, 4);
   assert.deepEqual(problems, []);
-  await close();
-});
-
-for (const kind of ['svg', 'json']) {
-  test(`an outline with a hole and an island comes back from ${kind} as it was`, sameEverywhere, async () => {
-    const { page, problems, close } = await site.newPage(SQUARE);
-    await digest(page);
-    await bring(page, 'M10 10H110V110H10ZM40 40V80H80V40ZM50 50H70V70H50Z');
-    await page.waitForSelector('.handle');
-    assert.equal((await handles(page)).length, 12);
-    const [was, made] = [await link(page), await digest(page)];
-    const file = await exported(page, kind);
-    const other = await site.newPage(SQUARE);
-    await digest(other.page);
-    await bring(other.page, file);
-    assert.equal(await link(other.page), was);
-    assert.equal(await digest(other.page), made);
-    assert.deepEqual(await messages(other.page), []);
-    assert.deepEqual([...problems, ...other.problems], []);
-    await other.close();
-    await close();
-  });
-}
-
-test('shapes of an SVG come with their transforms and sharp corners; scripts in it do nothing', sameEverywhere, async () => {
-  const { page, problems, close } = await site.newPage(SQUARE);
-  await digest(page);
-  await bring(
-    page,
-    `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 100 100" onload="window.bad = 1">
-      <script>window.bad = 1</script><defs><rect width="100" height="100"/></defs>
-      <g transform="translate(10 10) scale(2)"><rect width="15" height="15" onclick="window.bad = 1"/></g>
-      <polygon points="60,10 90,10 90,40 60,40" transform="rotate(90 75 25)"/>
-      <circle cx="25" cy="75" r="15"/><ellipse cx="75" cy="75" rx="15" ry="10"/></svg>`,
-  );
-  await page.waitForSelector('.handle');
-  const found = await rings(page);
-  assert.equal(found.length, 4);
-  const near = (a, b) => Math.abs(a - b) < 0.003;
-  const square = found.find((ring) => ring.length === 4 && ring.some(([x, y]) => near(x, 0.1) && near(y, 0.1)));
-  assert.ok(square?.some(([x, y]) => near(x, 0.4) && near(y, 0.4)), 'the rectangle, moved and scaled');
-  assert.equal(found.filter((ring) => ring.length === 4).length, 2);
-  const circle = found.find((ring) => ring.length > 8 && ring.every(([x, y]) => Math.abs(Math.hypot(x - 0.25, y - 0.75) - 0.15) < 0.002));
-  assert.ok(circle, 'the circle');
-  assert.equal(await page.evaluate(() => window.bad), undefined);
-  // Pictures in the picture, what is used, lengths with units, and what is not to be seen.
-  await bring(
-    page,
-    `<svg viewBox="0 0 200 200"><symbol id="dot" viewBox="0 0 10 10"><circle cx="5" cy="5" r="5"/></symbol><defs><path id="box" d="M0 0h20v20H0z"/></defs>
-      <svg x="100" width="25%" height="50" viewBox="0 0 2 2"><rect width="100%" height="2" style="display:none"/><path d="M0 0h2v2z"/></svg>
-      <use href="#dot" x="20" y="120" width="60" height="60"/><use href="#box" x="120" y="120"/>
-      <g fill="none"><rect width="200" height="200"/></g><rect x="5%" y="15pt" width="10%" height="20"/></svg>`,
-  );
-  const seen = (await rings(page)).map((ring) => [0, 1].flatMap((axis) => [Math.min, Math.max].map((end) => Math.round(200 * end(...ring.map((point) => point[axis]))))));
-  assert.deepEqual(seen.sort((a, b) => a[0] - b[0] || a[2] - b[2]), [
-    [10, 30, 20, 40],
-    [20, 80, 120, 180],
-    [100, 150, 0, 50],
-    [120, 140, 120, 140],
-  ]);
-  assert.deepEqual(problems, []);
-  await close();
-});
-
-test('a list of points is an outline, and one that crosses itself becomes what it encloses', sameEverywhere, async () => {
-  const { page, close } = await site.newPage(SQUARE);
-  await digest(page);
-  await bring(page, '[[10, 10], [30, 10], [20, 30]]');
-  await page.waitForSelector('.handle');
-  assert.equal((await handles(page)).length, 3);
-  await bring(page, '{"size": [512, 512], "outer": [[50, 50], [450, 450], [450, 50], [50, 450]]}');
-  const crossed = await rings(page);
-  assert.ok(crossed.length >= 1 && crossed.flat().length < 24, JSON.stringify(crossed));
-  const last = await link(page);
-  for (const [text, words] of [
-    ['[[1, 2]]', /no outline that encloses an area/],
-    ['M 0 0 L 50 50 L 100 100 z', /encloses an area/],
-    ['[[1, 2], [3, 4], [5, "x"]]', /point 3 in ring 1/],
-  ]) {
-    await bring(page, text);
-    await message(page, 'alert', words);
-    assert.equal(await link(page), last);
-  }
-  assert.match(await digest(page), /^[0-9a-f]+$/);
-  await close();
-});
-
-test('an outline is pasted, and other text is not', async () => {
-  const { page, close } = await site.newPage(SQUARE);
-  await digest(page);
-  const paste = (text) =>
-    page.evaluate((content) => {
-      const clipboardData = new DataTransfer();
-      clipboardData.setData('text/plain', content);
-      // Firefox makes the event's clipboard of these two words.
-      const given = { clipboardData, data: content, dataType: 'text/plain', bubbles: true };
-      document.body.dispatchEvent(new ClipboardEvent('paste', given));
-    }, text);
-  await paste('a shopping list');
-  await frames(page, 5);
-  assert.deepEqual(await messages(page), []);
-  await paste('m 2,2 h 8 v 8 h -8 z');
-  await page.waitForFunction(() => window.bubblestone.get('outline') === 'polygon');
-  await page.waitForSelector('.handle');
-  assert.equal((await handles(page)).length, 4);
-  await paste('{"outer": [[1, 2], [3]]}');
-  await message(page, 'alert', /point 2 in ring 1.*outline stays/);
   await close();
 });
 

@@ -86,6 +86,22 @@ test('a page that cannot be stored works, and says nothing of it', async () => {
   await close();
 });
 
+test('words that do not arrive leave the page in English, which says so once', async () => {
+  const { page, close } = await site.newPage(SMALL, {
+    before: async (fresh) => {
+      await fresh.evaluateOnNewDocument(() => localStorage.setItem('bubblestone.language', 'ja'));
+      await fresh.setRequestInterception(true);
+      fresh.on('request', (request) => (/\bja-.*\.js$/.test(request.url()) ? request.abort() : request.continue()));
+    },
+  });
+  await digest(page);
+  await message(page, 'status', /in English until it is loaded again/);
+  assert.equal(await page.$$eval('.message', (notes) => notes.length), 1);
+  assert.equal(await page.$eval('html', (html) => html.lang), 'en');
+  assert.equal(await page.$eval('#share', (button) => button.checkVisibility({ visibilityProperty: true }) && button.textContent.trim()), 'Share');
+  await close();
+});
+
 test('a module that does not arrive gets a sentence', async () => {
   const { page, close } = await site.newPage(SMALL, {
     before: async (fresh) => {

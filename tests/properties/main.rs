@@ -16,6 +16,7 @@ mod web;
 /// What is the same bits in WebAssembly, as the digests say, or needs files.
 #[cfg(not(target_arch = "wasm32"))]
 mod native {
+    mod bad_links;
     mod bigger;
     mod coats;
     mod even;
@@ -28,7 +29,9 @@ mod native {
     mod line_cells;
     mod lines;
     mod links;
+    mod outline_rings;
     mod outlines;
+    mod overlays;
     mod packing;
     mod recipes;
     mod samples;

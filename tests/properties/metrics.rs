@@ -1,5 +1,7 @@
 //! Figures that can be worked out by hand.
 
+use crate::common::{finished, recipe};
+use crate::paving::OfPavement;
 use bubblestone::cells::Cell;
 use bubblestone::domain::{Domain, Outline};
 use bubblestone::field::{Direction, FieldBuilder, FieldParams, Fields, Kind};
@@ -309,4 +311,17 @@ fn a_wheel_of_triangles_with_a_square_at_its_rim() {
         (nothing.faces, nothing.quads, nothing.ideal_valence),
         (0, 0.0, None)
     );
+}
+
+/// While other particles move, the figures are those of the cells that are there.
+#[test]
+fn figures_are_of_the_packing_that_ended() {
+    let mut studio = finished("size=128&cs=14&vs=0.2");
+    let figures = studio.pavement().metrics();
+    assert!(figures.is_some());
+    studio.set_recipe(recipe("size=128&cs=14&vs=0.2&seed=9"));
+    while studio.progress().steps < 3 {
+        studio.tick(&mut || 0.0, 0.0, 1);
+    }
+    assert_eq!(studio.pavement().metrics(), figures);
 }

@@ -12,6 +12,7 @@ use bubblestone::random::{Purpose, Random};
 use bubblestone::recipe::Recipe;
 use bubblestone::studio::Studio;
 use glam::DVec2;
+use std::cell::Cell;
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
@@ -181,6 +182,69 @@ fn the_latest_recipe_wins() {
         assert_eq!(studio.picture(), finished_recipe(&wanted).picture());
         assert_eq!(studio.recipe(), &wanted);
     }
+}
+
+/// While a slider of the weather is dragged, the weather comes to an end now and then, however long the
+/// stones took before.
+#[test]
+fn weather_is_let_finish_after_slow_stones() {
+    let pace = Cell::new(100.0);
+    let mut time = 0.0;
+    let mut clock = || {
+        time += pace.get();
+        time
+    };
+    let mut wanted = recipe(LINK);
+    let mut studio = Studio::new(ALL, wanted.clone());
+    assert_eq!(studio.finish(&mut clock), Ok(()));
+    pace.set(1.0);
+    for by in 0..200 {
+        let wet = (0.1 + 0.002 * f64::from(by)).to_string();
+        wanted = with(&wanted, "wet", &wet);
+        studio.set_recipe(wanted.clone());
+        studio.tick(&mut clock, 0.0, 1);
+    }
+    let runs = studio.runs()[rank("weather")].1;
+    assert!(runs > 3, "{runs}");
+    run_on(&mut studio);
+    assert_eq!(studio.digest(), finished_recipe(&wanted).digest());
+}
+
+/// A step back before anything else was made has nothing to do, and tells the times of what is there.
+#[test]
+fn times_stay_with_what_they_made() {
+    let milliseconds = |studio: &Studio| {
+        let times = studio.milliseconds().into_iter();
+        times.map(|time| time.ms).collect::<Vec<f64>>()
+    };
+    let mut studio = Studio::new(ALL, recipe(LINK));
+    run_on(&mut studio);
+    let made = milliseconds(&studio);
+    assert!(made.iter().all(|&ms| ms > 0.0), "{made:?}");
+    let mut clock = counting_clock();
+    studio.set_recipe(with(&recipe(LINK), "cs", "16"));
+    studio.tick(&mut clock, 0.0, 1);
+    studio.set_recipe(recipe(LINK));
+    assert!(studio.done());
+    let domain_and_fields = 2;
+    let back = milliseconds(&studio);
+    assert_eq!(back[domain_and_fields..], made[domain_and_fields..]);
+    // Work that goes on keeps its time, and work that begins anew does not.
+    studio.set_recipe(with(&recipe(LINK), "hs", "9"));
+    while studio.stage() != "planes" || milliseconds(&studio)[rank("planes")] < 5.0 {
+        studio.tick(&mut clock, 0.0, 1);
+    }
+    let last = with(&with(&recipe(LINK), "hs", "9"), "moss", "0.5");
+    studio.set_recipe(last.clone());
+    assert!(milliseconds(&studio)[rank("planes")] >= 5.0);
+    run_on(&mut studio);
+    let mut plain = Studio::new(ALL, last);
+    run_on(&mut plain);
+    let weather = rank("weather");
+    assert_eq!(
+        milliseconds(&studio)[weather..],
+        milliseconds(&plain)[weather..]
+    );
 }
 
 #[test]

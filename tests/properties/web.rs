@@ -1,8 +1,6 @@
 //! The face towards JavaScript, under Node.
 
-use bubblestone::web::{
-    Bubblestone, digest_of_link, generators, presets, random_seed, report_of_link, schema,
-};
+use bubblestone::web::{Bubblestone, digest_of_link, generators, presets, random_seed, schema};
 use js_sys::{Array, Float64Array, Object, Reflect, Uint8Array, Uint32Array};
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -231,14 +229,7 @@ fn tables_are_plain_objects() {
 }
 
 #[wasm_bindgen_test]
-fn reports_and_dice() {
-    let report = report_of_link(LINK);
-    assert!(number(&report, "cells") > 10.0);
-    assert_eq!(
-        property(&report, "hash").as_string(),
-        Some(digest_of_link(LINK))
-    );
-    assert_eq!(property(&report, "problem"), JsValue::UNDEFINED);
+fn dice_fall_otherwise_each_time() {
     let throws: Vec<u32> = (0..4).map(|_| random_seed()).collect();
     assert!(throws.iter().any(|&t| t != throws[0]));
 }

@@ -9,6 +9,8 @@ interface Binding {
   shown?: string[];
   /** What they do, for the list. */
   word: Word;
+  /** The part of the page that they serve, where only some generators offer it: without it there are no such keys. */
+  part?: string;
   act: (key: string) => void;
   /** Holding the key down acts again and again. */
   repeats?: boolean;
@@ -21,18 +23,18 @@ export function bindKeys(...more: Binding[]): void {
   bindings.push(...more);
 }
 
-/** The keys that mean something only on the picture, or while points are edited; they are told in the same list. */
-const ON_PICTURE: readonly [shown: string[], word: Word][] = [
-  [['← ↑ → ↓'], 'key_walk'],
-  [['← ↑ → ↓'], 'key_move'],
-  [['Shift'], 'key_far'],
-  [['Shift'], 'key_snap'],
-  [['Ctrl'], 'key_whole'],
-  [['Insert'], 'key_insert'],
-  [['Delete'], 'key_delete'],
-  [['Enter'], 'key_turn'],
-  [['Enter'], 'key_finish'],
-  [['Esc'], 'key_escape'],
+/** The keys that mean something only on the picture, or while points are edited, with their parts; they are told in the same list. */
+const ON_PICTURE: readonly [shown: string[], word: Word, part: string][] = [
+  [['← ↑ → ↓'], 'key_walk', 'probe'],
+  [['← ↑ → ↓'], 'key_move', 'outline'],
+  [['Shift'], 'key_far', 'outline'],
+  [['Shift'], 'key_snap', 'outline'],
+  [['Ctrl'], 'key_whole', 'outline'],
+  [['Insert'], 'key_insert', 'outline'],
+  [['Delete'], 'key_delete', 'outline'],
+  [['Enter'], 'key_turn', 'outline'],
+  [['Enter'], 'key_finish', 'outline'],
+  [['Esc'], 'key_escape', 'outline'],
 ];
 
 /** Listens from now on, and shows the list under `?` and its button. */
@@ -40,7 +42,7 @@ export function listenToKeys(): void {
   document.addEventListener('keydown', (event) => {
     if (event.defaultPrevented || event.altKey) return;
     const combined = `${event.ctrlKey || event.metaKey ? 'ctrl+' : ''}${event.shiftKey && event.key.length > 1 ? 'shift+' : ''}${shifted(event)}`;
-    const binding = bindings.find(({ keys }) => keys.includes(combined));
+    const binding = bindings.find(({ keys, part }) => keys.includes(combined) && isOffered(part));
     if (!binding || (event.target instanceof Element && needs(event.target, event.key))) return;
     if (document.querySelector('dialog[open]')) return;
     event.preventDefault();
@@ -51,8 +53,8 @@ export function listenToKeys(): void {
     const row = (shown: string[], word: Word): HTMLElement =>
       make('div', {}, make('dt', {}, ...shown.flatMap((key, k) => [...(k ? [' '] : []), make('kbd', {}, key)])), make('dd', {}, t(word)));
     byId('keys-list').replaceChildren(
-      ...bindings.map(({ keys, shown, word }) => row(shown ?? keys.map((key) => key.toUpperCase()), word)),
-      ...ON_PICTURE.map(([shown, word]) => row([...shown], word)),
+      ...bindings.filter(({ part }) => isOffered(part)).map(({ keys, shown, word }) => row(shown ?? keys.map((key) => key.toUpperCase()), word)),
+      ...ON_PICTURE.filter(([, , part]) => isOffered(part)).map(([shown, word]) => row([...shown], word)),
     );
     dialog.showModal();
     // The button to close it has the focus, and may be below what is to be seen.
@@ -61,6 +63,11 @@ export function listenToKeys(): void {
   bindKeys({ keys: ['?'], word: 'key_keys', act: show });
   byId('keys-button').addEventListener('click', show);
   closeFromBeside(dialog);
+}
+
+/** Whether the page has this part now. */
+function isOffered(part?: string): boolean {
+  return part === undefined || (document.documentElement.dataset['offers'] ?? '').split(' ').includes(part);
 }
 
 /** Letters are bound with `shift+` only together with Ctrl; signs such as `?` need Shift anyway. */

@@ -1,9 +1,10 @@
 /** The language of the page: the one that was chosen here, or the browser's. Words of other languages than English are loaded when they are needed. */
-import { translate } from '../words/words';
+import { t, translate } from '../words/words';
 import { byIdAs } from './dom';
+import { notice } from './messages';
 import { keep, kept } from './storage';
 
-/** Takes the language that was chosen here before, or the first one of the browser's that the page has. */
+/** Takes the language that was chosen here before, or the first one of the browser's that the page has; English where its words do not come. */
 export async function takeLanguage(): Promise<void> {
   const wanted = [kept('language'), ...navigator.languages].map((code) => code?.slice(0, 2));
   const known = [...byIdAs('language', HTMLSelectElement).options].map(({ value }) => value);
@@ -15,6 +16,9 @@ export async function takeLanguage(): Promise<void> {
     const japanese = await import('../strings/ja');
     translate('ja', japanese);
     for (const element of document.querySelectorAll<HTMLElement>('[data-t]')) fill(element, japanese.page);
+  } catch {
+    // The English ones are here.
+    notice('language', t('lost_language'));
   } finally {
     root.toggleAttribute('data-wordless', false);
   }

@@ -55,10 +55,11 @@ export class CellProbe {
     this.layer.addEventListener('blur', () => this.hide());
     view.drawn(() => this.place && this.tell());
     const follow = (): void => {
-      this.layer.hidden = this.store.state.editing !== undefined || this.store.state.compare;
+      const { editing, compare } = this.store.state;
+      this.layer.hidden = editing !== undefined || compare || !this.engine.generator.offers.includes('probe');
       this.hide();
     };
-    this.store.on(['editing', 'compare', 'repeat', 'view'], follow);
+    this.store.on(['make', 'editing', 'compare', 'repeat', 'view'], follow);
     follow();
   }
 

@@ -42,6 +42,7 @@ const PATIENCE = 12;
 /** Parts of the page that only some generators need, and what opens them. */
 const OFFERED = [
   ['outline', 'edit-tools'],
+  ['probe', 'cells'],
   ['layers', 'layers-button'],
   ['tiles', 'tile-button'],
   ['compare', 'compare-button'],
@@ -171,7 +172,7 @@ export class App {
     document.documentElement.dataset['offers'] = offers.join(' ');
     for (const [part, id] of OFFERED) byId(id).hidden = !offers.includes(part);
     this.leaveEditor();
-    this.store.update({ compare: false, plots: false, repeat: 1 });
+    this.store.update({ layers: false, compare: false, plots: false, repeat: 1 });
   }
 
   /** Whether cells were shown, or never will be. */
@@ -251,7 +252,7 @@ export class App {
       { keys: ['ctrl+shift+z', 'ctrl+y'], shown: ['Ctrl+Shift+Z', 'Ctrl+Y'], word: 'key_redo', act: press('redo'), repeats: true },
       { keys: ['c'], word: 'key_copy', act: () => void this.copy() },
       { keys: '0123456789'.split(''), shown: ['0', '–', '9'], word: 'key_view', act: (key) => this.store.update({ view: this.view.bases[Number(key)] ?? 'auto' }) },
-      { keys: ['e'], word: 'key_edit', act: () => parts.editor.ask((editor) => editor.toggle()) },
+      { keys: ['e'], word: 'key_edit', part: 'outline', act: () => parts.editor.ask((editor) => editor.toggle()) },
     );
     listenToKeys();
     for (const id of ['share', 'save']) byId(id).addEventListener('click', () => this.forming.leave());

@@ -66,10 +66,10 @@ function bind(): void {
     { keys: ['+', '=', '-'], shown: ['+', '-'], word: 'key_zoom', act: (key) => byId(key === '-' ? 'zoom-out' : 'zoom-in').click(), repeats: true },
     { keys: ['f'], word: 'key_fit', act: press('zoom-fit') },
     { keys: ['l'], word: 'key_light', act: press('light-button') },
-    { keys: ['o'], word: 'key_layers', act: press('layers-button') },
-    { keys: ['t'], word: 'key_repeat', act: press('tile-button') },
-    { keys: ['v'], word: 'key_compare', act: press('compare-button') },
-    { keys: ['p'], word: 'key_plots', act: press('plots-button') },
+    { keys: ['o'], word: 'key_layers', part: 'layers', act: press('layers-button') },
+    { keys: ['t'], word: 'key_repeat', part: 'tiles', act: press('tile-button') },
+    { keys: ['v'], word: 'key_compare', part: 'compare', act: press('compare-button') },
+    { keys: ['p'], word: 'key_plots', part: 'plots', act: press('plots-button') },
   );
 }
 

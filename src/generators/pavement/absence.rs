@@ -85,7 +85,7 @@ impl Pavement {
         ];
         let not_yet = |there: bool| (!there).then_some(Absence::NotYet);
         if overlay == Overlay::Forces && packs {
-            let packing = self.made.packing_mut();
+            let packing = self.made.shown_packing_mut();
             let loads = packing.map(|(packing, domain)| packing.net_forces(domain));
             let still = loads.is_some_and(|loads| draw::forces::at_rest(&loads));
             return still.then_some(Absence::AtRest);

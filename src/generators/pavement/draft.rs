@@ -74,7 +74,7 @@ impl Pavement {
             Some(last) => (last.terrain, Some(last.packing), last.tones),
             None => (
                 Terrain::new(asked.clone()),
-                self.made.packing().cloned(),
+                self.made.shown_packing().cloned(),
                 self.tones(),
             ),
         };
@@ -105,7 +105,7 @@ impl Pavement {
             None => (
                 &self.working.outline,
                 &self.made.terrain,
-                self.made.packing(),
+                self.made.shown_packing(),
             ),
         };
         Shown {

@@ -23,10 +23,9 @@ impl Engine for Pavement {
 
     fn take_up(&mut self) {
         self.working = self.latest.clone();
-        if self.stale.take().is_some() {
-            self.made.want(self.working.params.clone());
-            self.changes += 1;
-        }
+        // Whether anything differs the nodes find out for themselves.
+        self.made.want(self.working.params.clone());
+        self.changes += u64::from(self.stale.take().is_some());
     }
 
     fn forget(&mut self) {
@@ -89,7 +88,7 @@ impl Engine for Pavement {
         {
             return draft.energy();
         }
-        let packing = self.made.packing_mut();
+        let packing = self.made.shown_packing_mut();
         packing.map_or(0.0, |(packing, domain)| packing.energy(domain))
     }
 

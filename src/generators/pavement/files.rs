@@ -14,7 +14,7 @@ pub(super) struct Saving {
     file: MeshFile,
     solids: Solids,
     order: MeshOrder,
-    /// Which of the planes it is made of.
+    /// Which of the pictures it is of: planes, and how they answer the light.
     revision: u64,
 }
 
@@ -77,7 +77,7 @@ impl Pavement {
         clock: Clock,
         budget: f64,
     ) -> Result<MeshSlice, Notice> {
-        let revision = self.made.finish.weather.revision();
+        let revision = self.made.finish.light.revision();
         let fits = |s: &Saving| s.order == *order && s.revision == revision;
         let kept = self.saving.take().filter(fits);
         if !self.is_done() {

@@ -14,7 +14,7 @@ use crate::packing::Packing;
 /// Where nothing else is said, what was made last, stale or not.
 impl Stages {
     /// The packing at work, or the last one.
-    pub fn packing(&self) -> Option<&Packing> {
+    pub fn shown_packing(&self) -> Option<&Packing> {
         match self.packing.work() {
             Some(Packs::Moving(packing)) => Some(packing),
             _ => self.packing.made(),
@@ -22,7 +22,7 @@ impl Stages {
     }
 
     /// The packing at work, or the last one, and the domain: it keeps what it works out of itself.
-    pub fn packing_mut(&mut self) -> Option<(&mut Packing, &Domain)> {
+    pub fn shown_packing_mut(&mut self) -> Option<(&mut Packing, &Domain)> {
         let is_moving = matches!(self.packing.work(), Some(Packs::Moving(_)));
         let packing = match is_moving {
             true => self.packing.work_mut().and_then(|packs| match packs {

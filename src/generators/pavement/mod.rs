@@ -190,7 +190,7 @@ impl Pavement {
     /// The packing at work, or the last one; while live, the one that flows.
     pub fn packing(&self) -> Option<&Packing> {
         let flowing = self.flowing().map(|draft| &draft.packing);
-        flowing.or(self.made.packing())
+        flowing.or(self.made.shown_packing())
     }
 
     /// What the packing at work has done so far; nothing before its first cells are placed.
@@ -198,7 +198,7 @@ impl Pavement {
         if let Some(draft) = self.flowing() {
             return draft.packing.report();
         }
-        let begun = self.made.packing().filter(|_| self.made.is_packing());
+        let begun = self.made.shown_packing().filter(|_| self.made.is_packing());
         begun.map(Packing::report).unwrap_or_default()
     }
 
@@ -230,7 +230,7 @@ impl Pavement {
     /// How good the mesh and the cells of the last packing that ended are, once they are there.
     pub fn metrics(&self) -> Option<Metrics> {
         let made = &self.made;
-        let particles = made.packing()?.particles();
+        let particles = made.packing.made()?.particles();
         let (domain, fields) = made.terrain.made()?;
         let mesh = made.mesh().filter(|_| !made.cells().is_empty())?;
         Some(Metrics::new(domain, fields, &particles, mesh, made.cells()))

@@ -17,7 +17,7 @@ impl Pavement {
         }
         for overlay in view.overlays() {
             let loads = match overlay {
-                Overlay::Energy | Overlay::Forces if packs => self.made.packing_mut(),
+                Overlay::Energy | Overlay::Forces if packs => self.made.shown_packing_mut(),
                 _ => None,
             };
             let loads = loads.map(|(packing, domain)| packing.net_forces(domain));
@@ -27,10 +27,12 @@ impl Pavement {
             };
             match overlay {
                 Overlay::Size => {
-                    heat.draw(board, made.terrain.revision(), side, domain, fields);
+                    // In a new domain the last fields stay as they were shown.
+                    let revision = made.terrain.fields.revision();
+                    heat.draw(board, revision, side, domain, fields);
                 }
                 Overlay::Packed => {
-                    let packing = made.packing().filter(|_| packs);
+                    let packing = made.shown_packing().filter(|_| packs);
                     let particles = packing.map_or(Vec::new(), Packing::particles);
                     let stress = stress(domain, &particles);
                     board.draw(&draw::over::packed(&particles, &stress));

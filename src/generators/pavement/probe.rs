@@ -96,7 +96,7 @@ impl Pavement {
 
     fn packed_at(&self, p: DVec2) -> Option<Probe> {
         let made = &self.made;
-        let packing = made.packing().filter(|_| made.is_packing())?;
+        let packing = made.shown_packing().filter(|_| made.is_packing())?;
         let (domain, fields) = made.terrain.made()?;
         let (cell, particle) = packing.at(domain, p)?;
         let shift = domain.space().shortest(particle.centre - p) + p - particle.centre;
@@ -149,7 +149,7 @@ impl Pavement {
 
     /// How the packing at work went so far, or the last one, by rising steps.
     pub fn samples(&self) -> &[Sample] {
-        let packing = self.made.packing();
+        let packing = self.made.shown_packing();
         let begun = packing.filter(|_| self.made.is_packing());
         begun.map_or(&[], |packing| packing.samples())
     }
@@ -163,7 +163,7 @@ impl Pavement {
         let stands = match past || !self.made.is_packing() {
             true => Vec::new(),
             false => {
-                let packing = self.made.packing_mut();
+                let packing = self.made.shown_packing_mut();
                 packing.map_or(Vec::new(), |(packing, domain)| packing.alignments(domain))
             }
         };
@@ -219,7 +219,8 @@ impl Boxes {
             self.meeting([image; 2])
                 .find(|&k| ring_contains(&cells[k].ring, image))
         };
-        images(domain).find_map(|shift| Some((here(p + shift)?, p + shift)))
+        let mut images = domain.space().images(p, f64::INFINITY);
+        images.find_map(|image| Some((here(image)?, image)))
     }
 
     /// The cells whose boxes meet a box.
@@ -235,7 +236,7 @@ impl Boxes {
         let reach = REACH.map(|reach| reach * cell.size);
         let [lo, hi] = self.boxes[index];
         let mut near: Vec<(usize, DVec2)> = Vec::new();
-        for shift in images(domain) {
+        for shift in domain.space().shifts(1) {
             let around = [lo - reach[1] + shift, hi + reach[1] + shift];
             near.extend(self.meeting(around).map(|k| (k, shift)));
         }
@@ -259,14 +260,6 @@ impl Boxes {
         }
         found.len()
     }
-}
-
-/// From a place to its images on a torus, itself first.
-fn images(domain: &Domain) -> impl Iterator<Item = DVec2> {
-    let shift = |k: usize| f64::from([0, -1, 1][k]);
-    let period = domain.space().period();
-    let count = if period.is_some() { 9 } else { 1 };
-    (0..count).map(move |k| period.unwrap_or(0.0) * DVec2::new(shift(k % 3), shift(k / 3)))
 }
 
 fn bounds(cell: &Cell) -> [DVec2; 2] {

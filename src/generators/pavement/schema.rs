@@ -36,7 +36,8 @@ rows! {
         choice("Area", &[
             Choice { word: "0", label: "Outline" }, Choice { word: "1", label: "Seamless tile" },
         ]).group("Outline");
-    size SIZE => common::SIZE;
+    size SIZE: "Side of the square picture; the outline grows with it, the stones do not." =>
+        common::SIZE.group("Outline");
     ow OW: "Width of the paved way, as a factor of the shape's own." =>
         number("", "Width").range(0.3, 1.7, 0.05, 1.0).group("Outline")
             .only_for(keys::OUTLINE, BUILT_IN);
@@ -124,7 +125,8 @@ rows! {
         ]).group("Packing").steady();
     vs VS: "Random variance of the cells' size." =>
         number("Vs", "Size variance").range(0.0, 0.5, 0.01, 0.0).group("Packing").main();
-    seed SEED => common::SEED;
+    seed SEED: "Names the random numbers: another seed, another pavement." =>
+        common::SEED.group("Packing");
 
     cells CELLS: "Cells fitted to each other without gaps, or as they were packed; to compare, Voronoi cells of as many random points, plain or evened out by Lloyd's relaxation." =>
         choice("Cells", choices![

@@ -5,16 +5,38 @@ use super::schema::keys;
 use super::{Pavement, SCHEMA, Stage};
 use crate::generators::ALL;
 use crate::random::{Purpose, Random};
-use crate::recipe::{Kind, Recipe};
+use crate::recipe::{Key, Kind, Recipe};
 use crate::studio::Studio;
+
+/// What is drawn, for each of the lists.
+fn drawn(key: Key) -> [&'static str; 3] {
+    match key {
+        keys::POLY => [
+            "0.1,0.1,0.9,0.2,0.7,0.9,0.2,0.8",
+            "0.1,0.1,0.9,0.1,0.9,0.9,0.1,0.9;0.3,0.3,0.3,0.6,0.6,0.6",
+            "0.05,0.3,0.95,0.3,0.95,0.8,0.05,0.8",
+        ],
+        keys::LINES => ["", "0,0.4,1,0.6", "0.1,0.1,0.9,0.9;0.1,0.9,0.9,0.1"],
+        keys::STROKES => ["", "0.2,0.3,0.8,0.6,0.9,0.1", "0.5,0.1,0.5,0.9"],
+        keys::SPOTS => ["", "0.5,0.5,0.3,1.5", "0.5,0.5,0.3,1.5;0.2,0.2,0.2,2"],
+        keys::STRETCH => ["", "0.5,0.5,0.3,4", "0.3,0.5,0.2,1"],
+        keys::PARTS => ["", "0.5,0.5,1;0.2,0.7,3", "0.3,0.3,2"],
+        _ => panic!("nothing to draw for {}", key.0),
+    }
+}
 
 /// A recipe in which some values are other ones, of small pictures with few cells.
 fn changed(recipe: &Recipe, random: &mut Random) -> Recipe {
     let mut changed = recipe.clone();
     for _ in 0..=random.below(3) {
-        let row = &SCHEMA.rows[random.below(SCHEMA.rows.len())];
+        let lists = || SCHEMA.rows.iter().filter(|row| row.kind == Kind::Text);
+        let row = match random.below(5) {
+            0 => lists().nth(random.below(lists().count())),
+            _ => SCHEMA.rows.get(random.below(SCHEMA.rows.len())),
+        };
+        let row = row.expect("a row");
         let text = match row.kind {
-            Kind::Text => continue,
+            Kind::Text => drawn(row.key)[random.below(3)].to_owned(),
             Kind::Choice => row.choices[random.below(row.choices.len())].word.to_owned(),
             Kind::Number | Kind::Int => {
                 let value = row.min + (row.max - row.min) * random.unit();
@@ -23,7 +45,9 @@ fn changed(recipe: &Recipe, random: &mut Random) -> Recipe {
         };
         let _ = changed.set(row.key.0, &text);
     }
-    let _ = changed.set("size", "128");
+    let sides = [recipe.side(), recipe.side(), recipe.side(), 128.0, 160.0];
+    let side = sides[random.below(sides.len())].to_string();
+    let _ = changed.set("size", &side);
     if changed.number(keys::CS) < 12.0 {
         let _ = changed.set("cs", "12");
     }

@@ -11,20 +11,20 @@ use crate::domain::{Domain, Outline};
 use crate::field::Kind;
 use crate::graph::Node;
 use crate::heightfield::{Planes, TextureParams};
-use crate::material::ColourParams;
+use crate::material::{ColourParams, Pattern};
 use crate::recipe::parameter::{int, number};
 use crate::recipe::schema::{NoRules, rows};
 use crate::recipe::{Recipe, Schema, common as shared};
-use crate::solid::{Distribution, StoneKind, StoneParams};
+use crate::solid::{Distribution, SkinParams, StoneKind, StoneParams};
 use glam::DVec2;
 
 rows! {
     size SIZE => shared::SIZE;
+    seed SEED => shared::SEED;
     across ACROSS: "Squares along a side." =>
         int("", "Squares").range(1.0, 32.0, 1.0, 6.0).group("Grid").main();
     gap GAP: "Between squares, in parts of one." =>
         number("", "Gap").range(0.0, 0.9, 0.05, 0.2).group("Grid");
-    seed SEED => shared::SEED;
     fd FD => shared::FD;
     af AF => shared::AF;
     palette PALETTE => shared::PALETTE;
@@ -127,6 +127,48 @@ fn grid(recipe: &Recipe) -> GridParams {
     }
 }
 
+/// Flagstones with bevelled edges, no two alike.
+fn stone(recipe: &Recipe, size: f64) -> StoneParams {
+    StoneParams {
+        kind: StoneKind::Flagstone,
+        height: 0.3 * size,
+        scale: 1.0,
+        distortion: 0.3,
+        distribution: Distribution::Uniform,
+        bevel_horizontal: 0.2,
+        bevel_vertical: 0.2,
+        skin: NO_SKIN,
+        seed: common::seed(recipe),
+    }
+}
+
+/// Flagstones have none.
+const NO_SKIN: SkinParams = SkinParams {
+    sweep: 0.0,
+    skew: 0.0,
+    skew_angle: 0.0,
+    tilt: 0.0,
+    taper: 0.0,
+    flatness: 0.0,
+    keel: 0.0,
+    rings: 0,
+    dimension: 0.0,
+    amplitude: 0.0,
+};
+
+/// The palette's colours without marks, rims and belly.
+const PLAIN: ColourParams = ColourParams {
+    pattern: Pattern::Plain,
+    scale: 1.0,
+    angle: 0.0,
+    sharpness: 0.0,
+    share: 0.0,
+    amount: 0.0,
+    rim: 0.0,
+    belly: 0.0,
+    belly_angle: 0.0,
+};
+
 fn finish(recipe: &Recipe, pixel_scale: usize) -> HeightFieldParams {
     let size = recipe.side() / recipe.number(keys::ACROSS);
     let texture = TextureParams {
@@ -134,19 +176,13 @@ fn finish(recipe: &Recipe, pixel_scale: usize) -> HeightFieldParams {
         pixel_scale,
         seed: common::seed(recipe),
         size,
-        stone: StoneParams {
-            kind: StoneKind::Flagstone,
-            height: 0.3 * size,
-            distribution: Distribution::Uniform,
-            seed: common::seed(recipe),
-            ..StoneParams::default()
-        },
+        stone: stone(recipe, size),
         dimension: recipe.number(keys::FD),
         amplitude: recipe.number(keys::AF),
         palette: recipe.choice(keys::PALETTE),
         ground: recipe.choice(keys::GROUND),
         vary: recipe.number(keys::VARY),
-        colour: ColourParams::default(),
+        colour: PLAIN,
         tile: false,
     };
     HeightFieldParams {

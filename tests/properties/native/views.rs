@@ -6,7 +6,7 @@ use bubblestone::generators::pavement;
 use bubblestone::generators::pavement::{Absence, Base, Overlay, View};
 use bubblestone::studio::Studio;
 
-const SIDE: usize = 160;
+pub(super) const SIDE: usize = 160;
 
 /// A view of a recipe in a small picture, finished.
 fn view(link: &str, words: &str) -> Vec<u8> {
@@ -23,7 +23,7 @@ fn warmth(rgba: &[u8], x: usize, y: usize) -> i32 {
     red - blue
 }
 
-fn differing(a: &[u8], b: &[u8]) -> usize {
+pub(super) fn differing(a: &[u8], b: &[u8]) -> usize {
     let pairs = a.chunks(4).zip(b.chunks(4));
     pairs.filter(|(a, b)| a != b).count()
 }
@@ -171,89 +171,8 @@ fn a_tile_has_no_outline_and_no_seam() {
     assert!(row(SIDE - 1) <= (0..SIDE - 1).map(row).max().unwrap());
 }
 
-/// Every overlay, in a pavement in which each has something to show.
-const FULL: &str = "outline=square&kind=ellipse&dir=circular&gx=0.4&stretch=0.5,0.5,0.3,4";
-
-fn finished(link: &str) -> Studio {
+pub(super) fn finished(link: &str) -> Studio {
     crate::common::finished(&format!("size={SIDE}&cs=14&{link}"))
-}
-
-#[test]
-fn overlays_lie_over_the_picture_and_over_each_other() {
-    let mut studio = finished(FULL);
-    let mut seen = |words: String| studio.engine_mut().view(&words).to_vec();
-    let picture = seen("picture".into());
-    for (k, (_, a)) in Overlay::ALL.iter().enumerate() {
-        let over = seen(format!("picture+{a}"));
-        assert!(differing(&picture, &over) > 60, "{a}");
-        assert!(over.chunks(4).all(|p| p[3] == 255), "{a}");
-        assert!(
-            differing(&over, &seen((*a).into())) > SIDE * SIDE / 8,
-            "{a}"
-        );
-        for (_, b) in &Overlay::ALL[..k] {
-            let both = seen(format!("picture+{a}+{b}"));
-            assert!(differing(&both, &over) > 40, "{b} under {a}");
-            let other = seen(format!("picture+{b}"));
-            assert!(differing(&both, &other) > 40, "{a} over {b}");
-            assert!(both == seen(format!("{b}+picture+{a}")), "{a} {b}");
-        }
-    }
-    assert!(picture == seen("picture".into()));
-}
-
-#[test]
-fn overlays_let_the_picture_through() {
-    let mut studio = finished(FULL);
-    let picture = studio.engine_mut().view("picture").to_vec();
-    // Light stays light and dark stays dark under a filling.
-    for word in ["size", "energy"] {
-        let over = studio.engine_mut().view(&format!("picture+{word}"));
-        let grey = |rgba: &[u8]| -> Vec<f64> {
-            let pixels = rgba.chunks(4);
-            pixels
-                .map(|p| p[..3].iter().map(|&c| f64::from(c)).sum())
-                .collect()
-        };
-        let (below, above) = (grey(&picture), grey(over));
-        let mean = |v: &[f64]| v.iter().sum::<f64>() / v.len() as f64;
-        let (m, n) = (mean(&below), mean(&above));
-        let of = |a: &[f64], p: f64, b: &[f64], q: f64| {
-            a.iter().zip(b).map(|(a, b)| (a - p) * (b - q)).sum::<f64>()
-        };
-        let alike =
-            of(&below, m, &above, n) / (of(&below, m, &below, m) * of(&above, n, &above, n)).sqrt();
-        assert!(alike > 0.4, "{word}: {alike}");
-    }
-}
-
-/// The contrast of two pixels, 1 to 21: of their luminances, as for texts.
-fn contrast(a: &[u8], b: &[u8]) -> f64 {
-    let linear = |c: u8| libm::pow((f64::from(c) / 255.0 + 0.055) / 1.055, 2.4);
-    let light =
-        |p: &[u8]| 0.05 + 0.2126 * linear(p[0]) + 0.7152 * linear(p[1]) + 0.0722 * linear(p[2]);
-    let (a, b) = (light(a), light(b));
-    a.max(b) / a.min(b)
-}
-
-#[test]
-fn fields_stand_out_from_pale_stones_and_from_dark_ones() {
-    for palette in ["limestone", "marble", "granite", "basalt"] {
-        for word in ["direction", "anisotropy"] {
-            let link = format!("kind=ellipse&outline=square&palette={palette}");
-            let mut studio = finished(&link);
-            let picture = studio.engine_mut().view("picture").to_vec();
-            let over = studio.engine_mut().view(&format!("picture+{word}"));
-            let pairs = picture.chunks(4).zip(over.chunks(4));
-            let drawn: Vec<f64> = pairs
-                .filter(|(a, b)| a != b)
-                .map(|(a, b)| contrast(a, b))
-                .collect();
-            let clear = drawn.iter().filter(|&&ratio| ratio > 2.0).count();
-            let share = clear as f64 / drawn.len() as f64;
-            assert!(share > 0.36, "{word} on {palette}: {share}");
-        }
-    }
 }
 
 /// What of a view shows nothing.
@@ -343,21 +262,6 @@ fn planes_have_views_of_their_own() {
     let at = SIDE * SIDE / 2 + SIDE / 2;
     assert_eq!(views[3][4 * at..][..3], planes.colour[at]);
     assert_eq!(views[5][4 * at..][..3], [planes.occlusion[at]; 3]);
-}
-
-#[test]
-fn overlays_show_only_what_is_there() {
-    let (recipe, _) = pavement::recipe(&format!("size={SIDE}&cs=14&outline=star"));
-    let mut studio = Studio::new(ALL, recipe);
-    for _ in 0..3 {
-        studio.step(&mut || 0.0);
-    }
-    let mut seen = |words: &str| studio.engine_mut().view(words).to_vec();
-    let plain = seen("auto");
-    assert!(plain == seen("auto+mesh+cells"));
-    for word in ["forces", "energy", "direction", "size", "packed"] {
-        assert!(plain != seen(&format!("auto+{word}")), "{word}");
-    }
 }
 
 /// A studio in the midst of its work: so many packing steps in, or so many slices past the packing.
