@@ -146,6 +146,6 @@ fn the_native_program_writes_its_files() {
         assert!(out.join(name).is_file(), "{name}");
     }
     assert!(native::write_svg(&studio, &out).is_err());
-    assert!(native::write_meshes(&mut studio, &out).is_err());
+    assert!(native::write_meshes(&mut studio, 100, &out).is_err());
     std::fs::remove_dir_all(&out).unwrap();
 }

@@ -223,7 +223,7 @@ mod tests {
         let triangles = (0..8).map(|k: u32| {
             let corner = |axis: u32| axis + 3 * (k >> axis & 1);
             let [x, y, z] = [0, 1, 2].map(corner);
-            if k.count_ones() % 2 == 0 {
+            if k.count_ones().is_multiple_of(2) {
                 [x, y, z]
             } else {
                 [x, z, y]
