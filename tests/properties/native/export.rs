@@ -4,7 +4,7 @@
 use super::samples::{painted, small, star};
 use crate::common::finished;
 use crate::paving::OfPavement;
-use bubblestone::export::{DETAILS, MeshFormat, MeshOrder};
+use bubblestone::export::{DETAILS, MapKind, MeshFormat, MeshOrder};
 use bubblestone::generators::pavement::{self, PAVEMENT};
 use bubblestone::heightfield::{Surfaces, TextureParams};
 use bubblestone::notice::Code;
@@ -12,6 +12,7 @@ use bubblestone::solid::{SkinParams, Solids, StoneKind, StoneParams};
 use bubblestone::studio::Studio;
 use glam::Vec3;
 use proptest::prelude::*;
+use std::collections::HashSet;
 
 const LINK: &str = "size=160&outline=annulus&cs=14";
 /// Scales that lie over each other.
