@@ -46,7 +46,7 @@ function count() {
 const fine = (page, side = THREE) => page.waitForSelector(`#sheet[data-fine="${side}"]`);
 
 /** What there is of it. */
-const there = (page) => page.evaluate(() => [document.querySelectorAll('.fine').length, document.querySelector('#sheet').dataset.fine]);
+const there = (page) => page.evaluate(() => [document.querySelectorAll('.fine').length, document.querySelector('#sheet').dataset.fine ?? null]);
 
 test('the finished picture gets the pixels of the screen: those of its file, and where the canvas has them', async () => {
   const { page, problems, external, close } = await opened(LINK, {
