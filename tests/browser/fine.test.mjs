@@ -128,7 +128,7 @@ test('it goes with the first change, and comes back once the picture stands stil
     await back();
     await fine(page);
   };
-  await away(() => page.keyboard.press('4'), () => page.keyboard.press('0'));
+  await away(() => page.keyboard.press('4'), () => page.keyboard.press('1'));
   await away(() => click(page, '#tile-button'), async () => { for (let k = 0; k < 2; k += 1) await click(page, '#tile-button'); });
   await click(page, '#compare-button');
   await page.waitForSelector('#divider');

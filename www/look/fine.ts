@@ -10,6 +10,7 @@ import { byId } from '../base/dom';
 import { answerOf } from '../late/worker';
 import { CRISP } from '../picture/frame';
 import type { View } from '../picture/view';
+import { isPicture } from '../state/fine';
 import type { Work } from '../state/work';
 import type { Answer, Order } from './fine.worker';
 import '../styles/late/fine.css';
@@ -43,10 +44,10 @@ interface Picture {
 }
 
 /** Keeps the page's own picture fine, while the visitor wants that. */
-export function keepFine({ engine, store }: Work, { canvas }: View): void {
-  const fine = new Fine(canvas, () => {
-    const { recipe, stage, held, view, overlays, repeat, compare, editing, zoom, fine: wanted } = store.state;
-    const isPlain = view === 'auto' && !overlays.length && repeat === 1 && !compare && editing === undefined;
+export function keepFine({ engine, store }: Work, view: View): void {
+  const fine = new Fine(view.canvas, () => {
+    const { recipe, stage, held, repeat, compare, editing, zoom, fine: wanted } = store.state;
+    const isPlain = isPicture(view.words) && repeat === 1 && !compare && editing === undefined;
     return wanted && isPlain && !held && stage === 'done' ? { link: recipe, side: engine.side(), zoom: zoom.scale } : undefined;
   });
   store.on(['recipe', 'stage', 'held', 'view', 'overlays', 'repeat', 'compare', 'editing', 'zoom', 'fine'], () => fine.follow());

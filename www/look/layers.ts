@@ -2,7 +2,7 @@
 import { overlayIn, t } from '../words/look';
 import { viewIn } from '../words/words';
 import { byId, make } from '../base/dom';
-import { chooseFine } from '../state/fine';
+import { chooseFine, isPicture } from '../state/fine';
 import type { Store } from '../state/store';
 import type { View } from '../picture/view';
 import '../styles/late/look.css';
@@ -71,7 +71,7 @@ export class Layers {
     const seen = [
       [view, viewIn(view), this.view.note || t(view === 'auto' ? 'note_auto' : 'note_picture')] as const,
       ...this.view.overlays.filter((word) => !lone && overlays.includes(word)).map((word) => [word, ...overlayIn(word)] as const),
-      ...(fine && view === 'auto' ? [['fine', t('fine'), t('note_fine')] as const] : []),
+      ...(fine && isPicture(this.view.words) ? [['fine', t('fine'), t('note_fine')] as const] : []),
     ];
     const absent = this.view.absences();
     this.legend.replaceChildren(...seen.map(([word, name, note]) => make('div', {}, make('dt', {}, name), make('dd', {}, [note, absent.get(word)].filter(Boolean).join(' ')))));

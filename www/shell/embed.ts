@@ -7,7 +7,7 @@ import { Arrivals } from '../state/arrivals';
 import { Engine } from '../state/engine';
 import { fragment, pageAddress } from '../state/link';
 import { read, written } from '../state/asked-view';
-import { wantsFine } from '../state/fine';
+import { isPicture, wantsFine } from '../state/fine';
 import { joined, parted, WHOLE } from '../state/viewing';
 import type { Fine } from '../look/fine';
 import { layInFrame } from '../picture/frame';
@@ -84,11 +84,14 @@ export class Embed {
     if (this.refining) return;
     this.refining = true;
     const { canvas, engine } = this;
-    const asked = () => {
-      const isPlain = this.view === 'auto' && engine.stage() === 'done';
-      return isPlain ? { link: engine.link(), side: engine.side(), zoom: this.zoom.scale } : undefined;
-    };
-    import('../look/fine').then(({ Fine }) => (this.fine = new Fine(canvas, asked)), () => undefined);
+    import('../look/fine').then(
+      ({ Fine }) =>
+        (this.fine = new Fine(canvas, () => {
+          const isPlain = isPicture(this.view) && engine.stage() === 'done';
+          return isPlain ? { link: engine.link(), side: engine.side(), zoom: this.zoom.scale } : undefined;
+        })),
+      () => undefined,
+    );
   }
 
   private toggle(): void {

@@ -11,6 +11,14 @@ export function wantsFine(): boolean {
   return choice === undefined ? !connection?.saveData : choice === 'yes';
 }
 
+/** The views that end with the picture, which alone can be painted finer. */
+const PICTURES = ['auto', 'picture'];
+
+/** Whether a view, in the words of the module, is the picture and nothing over it, once it is finished. */
+export function isPicture(view: string): boolean {
+  return PICTURES.includes(view);
+}
+
 export function chooseFine(store: Store, fine: boolean): void {
   keep(CHOICE, fine ? 'yes' : 'no');
   store.update({ fine });
