@@ -121,7 +121,7 @@ test('without it the side is the side alone, and the choice is kept', async () =
   const { page, problems, close } = await opened('#v=1&size=192&cs=16');
   await page.focus('#scale-all');
   assert.match(await page.$eval('#hint', (hint) => hint.textContent), /same design/);
-  await page.keyboard.press('Space');
+  await page.keyboard.press(' ');
   await set(page, 'size', '256');
   assert.deepEqual(await values(page, 'size', 'cs'), ['256', '16']);
   await reloading(page, () => page.reload({ waitUntil: 'load' }));
