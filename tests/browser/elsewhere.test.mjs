@@ -11,7 +11,7 @@ import { targetDir } from '../../scripts/lib/rust.mjs';
 import { kind, sameEverywhere } from './browsers.mjs';
 import { open } from './harness.mjs';
 
-const given = join(root, 'tests', 'data', 'elsewhere');
+const given = join(root, 'tests', 'elsewhere');
 const folder = join(targetDir, 'elsewhere');
 const plain = join(targetDir, 'elsewhere-plain');
 

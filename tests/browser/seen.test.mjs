@@ -17,9 +17,9 @@ after(() => site?.close());
 
 const VIEW = 'view=packed+forces&pace=0.25&step=7&zoom=2.5,0.31,0.62';
 
-/** Waits until the packing is held at a step, which is drawn. */
+/** Waits until the packing is held at a step, which is drawn, and scripts are answered. */
 const held = (page, step) =>
-  page.waitForFunction((count) => document.querySelector('#play')?.dataset.does === 'play' && Number(document.querySelector('#count-steps')?.textContent) === count, { timeout: 60_000 }, step);
+  page.waitForFunction((count) => 'bubblestone' in window && document.querySelector('#play')?.dataset.does === 'play' && Number(document.querySelector('#count-steps')?.textContent) === count, { timeout: 60_000 }, step);
 
 /** Waits until the address has these words of the view; '' for none. */
 const addressed = (page, words) =>

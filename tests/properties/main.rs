@@ -29,6 +29,7 @@ mod native {
     mod line_cells;
     mod lines;
     mod links;
+    mod maps;
     mod outline_rings;
     mod outlines;
     mod overlays;

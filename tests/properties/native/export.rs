@@ -1,19 +1,17 @@
-//! What is taken out of the program for other programs: closed surfaces as OBJ and GLB, read by other
-//! readers, and maps.
+//! Meshes that are taken out of the program for other programs: closed surfaces as OBJ and GLB, read by other
+//! readers.
 
 use super::samples::{painted, small, star};
 use crate::common::finished;
 use crate::paving::OfPavement;
-use bubblestone::export::{DETAILS, MapKind, MeshFormat, MeshOrder, maps};
+use bubblestone::export::{DETAILS, MeshFormat, MeshOrder};
 use bubblestone::generators::pavement::{self, PAVEMENT};
-use bubblestone::heightfield::{Planes, Surfaces, TextureParams};
-use bubblestone::material::Gloss;
+use bubblestone::heightfield::{Surfaces, TextureParams};
 use bubblestone::notice::Code;
 use bubblestone::solid::{SkinParams, Solids, StoneKind, StoneParams};
 use bubblestone::studio::Studio;
 use glam::Vec3;
 use proptest::prelude::*;
-use std::collections::HashSet;
 
 const LINK: &str = "size=160&outline=annulus&cs=14";
 /// Scales that lie over each other.
@@ -393,44 +391,6 @@ fn slices_do_not_matter_and_changes_begin_anew() {
             assert!(why.code == Code::NotYet && studio.engine().map(MapKind::Id) == Err(why));
             studio.finish(&mut || 0.0).unwrap();
             assert_eq!(file_of(&mut studio, &order), whole, "{word}");
-        }
-    }
-}
-
-/// Planes that begin at another place of the tile.
-fn shifted(planes: &Planes, [dx, dy]: [usize; 2]) -> Planes {
-    fn moved<T: Clone>(list: &[T], side: usize, [dx, dy]: [usize; 2]) -> Vec<T> {
-        let at = |k: usize| (k / side + dy) % side * side + (k % side + dx) % side;
-        (0..list.len()).map(|k| list[at(k)].clone()).collect()
-    }
-    let by = [dx, dy];
-    Planes {
-        bump: moved(&planes.bump, planes.side, by),
-        colour: moved(&planes.colour, planes.side, by),
-        material: moved(&planes.material, planes.side, by),
-        id: moved(&planes.id, planes.side, by),
-        occlusion: moved(&planes.occlusion, planes.side, by),
-        ..*planes
-    }
-}
-
-#[test]
-fn maps_of_a_tile_repeat_to_the_pixel() {
-    let studio = finished("size=192&tile=1&cs=17&kind=square");
-    let planes = studio.pavement().planes().unwrap();
-    let materials = bubblestone::material::material_table("granite", "sand", Gloss::default());
-    for (kind, word) in MapKind::ALL {
-        let map = studio.engine().map(kind).unwrap();
-        let pixel = usize::from(map.channels) * usize::from(map.bits) / 8;
-        assert_eq!(map.bytes.len(), map.side * map.side * pixel, "{word}");
-        let values: HashSet<&[u8]> = map.bytes.chunks_exact(pixel).collect();
-        assert!(values.len() > 2, "{word} is flat");
-        let [dx, dy] = [77, 130];
-        let other = maps::map(kind, &shifted(planes, [dx, dy]), &materials, 1.0);
-        for (k, there) in other.bytes.chunks_exact(pixel).enumerate() {
-            let (x, y) = ((k % 192 + dx) % 192, (k / 192 + dy) % 192);
-            let here = &map.bytes[(y * 192 + x) * pixel..][..pixel];
-            assert_eq!(here, there, "{word} at {x}, {y}");
         }
     }
 }

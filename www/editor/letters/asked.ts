@@ -4,6 +4,8 @@ import type { Letters, Order } from './letters.worker';
 export class Asked {
   private readonly worker = new Worker(new URL('./letters.worker.ts', import.meta.url), { type: 'module' });
   private works = false;
+  /** What it works on is still wanted. */
+  private wanted = false;
   private next: Order | undefined;
 
   /** `come` gets the outline that was asked for last; `broke` a reason. */
@@ -13,19 +15,26 @@ export class Asked {
       const { next } = this;
       this.next = undefined;
       if (next) this.ask(next);
-      else act();
+      else if (this.wanted) act();
     };
     this.worker.addEventListener('message', ({ data }: MessageEvent<Letters | { broken: string }>) => over(() => ('broken' in data ? broke(data.broken) : come(data))));
     this.worker.addEventListener('error', ({ message }) => over(() => broke(message)));
   }
 
   ask(order: Order): void {
+    this.wanted = true;
     if (this.works) {
       this.next = order;
       return;
     }
     this.works = true;
     this.worker.postMessage(order);
+  }
+
+  /** Nothing of what was asked for is wanted any more. */
+  forget(): void {
+    this.wanted = false;
+    this.next = undefined;
   }
 
   end(): void {

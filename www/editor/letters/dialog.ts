@@ -145,7 +145,10 @@ class LettersDialog {
     last.text = this.word.value;
     last.face = this.face.value as Face;
     this.finer = finer;
-    if (last.text.trim() === '') return this.nothing(t('text_none'));
+    if (last.text.trim() === '') {
+      this.asked.forget();
+      return this.nothing(t('text_none'));
+    }
     this.asked.ask({ text: last.text, face: last.face, finer });
   }
 
