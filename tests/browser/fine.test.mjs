@@ -177,7 +177,9 @@ test('it comes in softly, but for those who ask for less motion', async () => {
 test('it is left to the visitor, and off where data is to be spared', async () => {
   const asked = () => site.requests.some((path) => /\/fine[-.][^/]*\.js$/.test(path));
   site.requests.length = 0;
-  const { page, problems, close } = await opened(LINK, { fine: false });
+  const sparing = (/** @type {import('puppeteer-core').Page} */ fresh) =>
+    fresh.evaluateOnNewDocument(() => Object.defineProperty(navigator, 'connection', { value: { saveData: true } }));
+  const { page, problems, close } = await opened(LINK, { before: sparing });
   await digest(page);
   await page.keyboard.press('o');
   await page.waitForSelector('#fine');

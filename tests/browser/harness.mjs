@@ -105,15 +105,18 @@ async function newPage(browser, system, address, fragment, { viewport = { width:
   page.setDefaultTimeout(120_000);
   await page.setViewport(viewport);
   if (!stores) await page.evaluateOnNewDocument(neverStored);
-  if (!fine) await page.evaluateOnNewDocument(sparing);
+  if (!fine) await page.evaluateOnNewDocument(plain);
   await before?.(page);
   await page.goto(address + fragment, { waitUntil: 'load' });
   return { page, problems, external, close };
 }
 
-/** Data is to be spared: what the visitor did not choose stays away. */
-function sparing() {
-  Object.defineProperty(navigator, 'connection', { value: { saveData: true } });
+/** The visitor has chosen to see the picture's own pixels, and nothing else is kept: the first visit is one all the same. */
+function plain() {
+  const kept = Storage.prototype.getItem;
+  Storage.prototype.getItem = function (name) {
+    return kept.call(this, name) ?? (name === 'bubblestone.fine' ? 'no' : null);
+  };
 }
 
 /** The time for the service worker never comes. */
