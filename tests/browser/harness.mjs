@@ -69,6 +69,7 @@ export async function open({ flags = [], files = dist, serve = (asked) => host(f
  * @property {import('puppeteer-core').Viewport} [viewport]
  * @property {boolean} [dark] whether the system asks for a dark page
  * @property {boolean} [still] whether the system asks for less motion
+ * @property {boolean} [fine] whether the finished picture is painted once more, with the screen's own pixels
  * @property {boolean} [stores] whether the page may store the site, all of whose files it fetches for that
  * @property {(page: import('puppeteer-core').Page) => Promise<unknown>} [before] runs before the page is opened
  */
@@ -80,7 +81,7 @@ export async function open({ flags = [], files = dist, serve = (asked) => host(f
  * @param {string} fragment
  * @param {PageOptions} options
  */
-async function newPage(browser, system, address, fragment, { viewport = { width: 1280, height: 800 }, stores = false, before }) {
+async function newPage(browser, system, address, fragment, { viewport = { width: 1280, height: 800 }, stores = false, fine = false, before }) {
   const { page, close } = await blankPage(browser, system);
   const { origin } = new URL(address);
   /** Errors on the console, uncaught errors, failed requests. @type {string[]} */
@@ -104,9 +105,18 @@ async function newPage(browser, system, address, fragment, { viewport = { width:
   page.setDefaultTimeout(120_000);
   await page.setViewport(viewport);
   if (!stores) await page.evaluateOnNewDocument(neverStored);
+  if (!fine) await page.evaluateOnNewDocument(plain);
   await before?.(page);
   await page.goto(address + fragment, { waitUntil: 'load' });
   return { page, problems, external, close };
+}
+
+/** The visitor has chosen to see the picture's own pixels, and nothing else is kept: the first visit is one all the same. */
+function plain() {
+  const kept = Storage.prototype.getItem;
+  Storage.prototype.getItem = function (name) {
+    return kept.call(this, name) ?? (name === 'bubblestone.fine' ? 'no' : null);
+  };
 }
 
 /** The time for the service worker never comes. */

@@ -25,11 +25,18 @@ async function visit(query, language = 'en') {
   return opened;
 }
 
+/** Has the picture painted finer, which the tests have turned off. */
+async function fine(page) {
+  await click(page, '#layers-button');
+  await click(page, '#fine');
+}
+
 /** What a part gives, and a style that the page has from that part only; `close` puts it out of the way. */
 const parts = [
   { name: 'zoom', act: (page) => click(page, '#zoom-in'), of: '.walk svg', styles: { position: 'absolute' }, close: '#zoom-fit' },
   { name: 'light', act: (page) => click(page, '#light-button'), of: '.light-layer', styles: { position: 'absolute', top: '0px' }, close: '#light-button' },
   { name: 'layers', act: (page) => click(page, '#layers-button'), of: '#layers', styles: { overflow: 'auto', width: '304px' }, close: '#layers-button' },
+  { name: 'fine', act: (page) => fine(page), of: '.fine', styles: { position: 'absolute', pointerEvents: 'none' }, close: '#layers-button' },
   { name: 'plots', act: (page) => click(page, '#plots-button'), of: '.plot canvas', styles: { display: 'block' }, close: '#plots-button' },
   { name: 'tile', act: (page) => click(page, '#tile-button'), of: '.tiles', styles: { position: 'absolute' } },
   { name: 'compare', act: (page) => click(page, '#compare-button'), of: '#divider', styles: { position: 'absolute', marginLeft: '0px' }, close: '#compare-button' },

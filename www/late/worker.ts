@@ -13,9 +13,15 @@ type Said<Answer> = { progress: number } | Answer | Broken;
 /** The least step of the progress that is told. */
 const STEP = 0.01;
 
-/** In a worker: does what the page orders, and answers. The order is what the page gave to `answerOf`. */
-export function serve<Answer extends object>(work: (order: never, progress: (done: number) => void) => Answer | Promise<Answer>): void {
-  const say = (said: Said<Answer>): void => postMessage(said);
+/**
+ * In a worker: does what the page orders, and answers. The order is what the page gave to `answerOf`; `moved` are
+ * the parts of the answer that are handed over, not copied.
+ */
+export function serve<Answer extends object>(
+  work: (order: never, progress: (done: number) => void) => Answer | Promise<Answer>,
+  moved: (answer: Answer) => Transferable[] = () => [],
+): void {
+  const say = (said: Said<Answer>, transfer: Transferable[] = []): void => postMessage(said, { transfer });
   let told = 0;
   const progress = (done: number): void => {
     if (done >= told + STEP) say({ progress: (told = done) });
@@ -23,7 +29,8 @@ export function serve<Answer extends object>(work: (order: never, progress: (don
   addEventListener('message', ({ data }: MessageEvent<unknown>) => {
     Promise.resolve(data as never)
       .then((order) => work(order, progress))
-      .then(say, (error: unknown) => say({ broken: reasonOf(error) }));
+      .then((answer) => say(answer, moved(answer)))
+      .catch((error: unknown) => say({ broken: reasonOf(error) }));
   });
 }
 

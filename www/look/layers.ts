@@ -2,6 +2,7 @@
 import { overlayIn, t } from '../words/look';
 import { viewIn } from '../words/words';
 import { byId, make } from '../base/dom';
+import { chooseFine, isPicture } from '../state/fine';
 import type { Store } from '../state/store';
 import type { View } from '../picture/view';
 import '../styles/late/look.css';
@@ -15,6 +16,7 @@ export class Layers {
   /** What the boxes are for. */
   private offered: readonly string[] = [];
   private readonly legend = make('dl', { class: 'layers-legend' });
+  private readonly fine = make('input', { type: 'checkbox', id: 'fine', title: t('note_fine') });
 
   constructor(store: Store, view: View) {
     this.store = store;
@@ -28,8 +30,9 @@ export class Layers {
         store.update({ layers: false });
       });
     }
+    this.fine.addEventListener('change', () => chooseFine(store, this.fine.checked));
     byId('look-tools').after(this.box);
-    store.on(['view', 'overlays', 'stage', 'paused'], () => this.follow());
+    store.on(['view', 'overlays', 'stage', 'paused', 'fine'], () => this.follow());
   }
 
   show(on: boolean): void {
@@ -47,7 +50,7 @@ export class Layers {
     this.overlays = overlays.map((word) => make('input', { type: 'checkbox', value: word }));
     const over = group(t('layers_over'), this.overlays, overlays.map((word) => overlayIn(word)[0]));
     over.hidden = !overlays.length;
-    this.box.replaceChildren(over, group(t('layers_base'), this.bases, bases.map(viewIn)), this.legend);
+    this.box.replaceChildren(over, group(t('layers_base'), this.bases, bases.map(viewIn)), group(t('layers_screen'), [this.fine], [t('fine')]), this.legend);
     for (const radio of this.bases) radio.addEventListener('change', () => this.store.update({ view: radio.value }));
     for (const check of this.overlays) {
       check.addEventListener('change', () => this.store.update({ overlays: this.overlays.filter(({ checked }) => checked).map(({ value }) => value) }));
@@ -57,9 +60,10 @@ export class Layers {
   private follow(): void {
     if (this.box.hidden) return;
     this.offer();
-    const { view, overlays } = this.store.state;
+    const { view, overlays, fine } = this.store.state;
     const lone = view === 'potential';
     for (const radio of this.bases) radio.checked = radio.value === view;
+    this.fine.checked = fine;
     for (const check of this.overlays) {
       check.checked = overlays.includes(check.value);
       check.disabled = lone;
@@ -67,6 +71,7 @@ export class Layers {
     const seen = [
       [view, viewIn(view), this.view.note || t(view === 'auto' ? 'note_auto' : 'note_picture')] as const,
       ...this.view.overlays.filter((word) => !lone && overlays.includes(word)).map((word) => [word, ...overlayIn(word)] as const),
+      ...(fine && isPicture(this.view.words) ? [['fine', t('fine'), t('note_fine')] as const] : []),
     ];
     const absent = this.view.absences();
     this.legend.replaceChildren(...seen.map(([word, name, note]) => make('div', {}, make('dt', {}, name), make('dd', {}, [note, absent.get(word)].filter(Boolean).join(' ')))));

@@ -143,7 +143,7 @@ export class Panel {
 function hintFrom(form: HTMLFormElement): void {
   const hint = byId('hint');
   const show = (event: Event): void => {
-    const control = event.target instanceof Element ? event.target.closest('.control') : null;
+    const control = event.target instanceof Element ? event.target.closest('.option, .control') : null;
     say(hint, control?.querySelector('[id$="-help"]')?.textContent ?? '');
   };
   form.addEventListener('pointerover', show);

@@ -2,7 +2,7 @@
 import type { Zoomed } from '../state/viewing';
 
 /** From here on the picture's pixels are shown as squares. */
-const CRISP = 3;
+export const CRISP = 3;
 
 export function layInFrame(sheet: HTMLElement, { scale, x, y }: Zoomed): void {
   sheet.style.setProperty('--zoom', String(scale));

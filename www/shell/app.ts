@@ -26,6 +26,7 @@ import { shown } from '../panel/control';
 import { Dice } from '../panel/dice';
 import { Panel } from '../panel/panel';
 import { Presets } from '../panel/presets';
+import { Scaling, SIDE } from '../panel/scaling';
 import { Seed, SEED } from '../panel/seed';
 import { Address } from './address';
 import { EditTools } from './edit-tools';
@@ -62,6 +63,7 @@ export class App {
   private readonly transport: Transport;
   private readonly status = new StatusLine();
   private readonly parts: Parts;
+  private readonly scaling: Scaling;
   private readonly face: ScriptFace;
   /** Whether cells were shown. */
   private begun = false;
@@ -83,6 +85,7 @@ export class App {
     this.face = scriptFace(this.engine, () => this.loop.rests, () => this.forming.ahead);
     this.store = new Store(firstState(this.engine, asked, last));
     this.work = new Work(this.engine, this.store);
+    this.scaling = new Scaling(this.work);
     this.history = new History(this.store, (link, act) => this.work.reach(link, act));
     this.view = new View(this.engine, this.store);
     this.loop = new Loop(this.engine, (stage) => this.shownAt(stage), (stage, changed) => this.drawn(stage, changed));
@@ -107,6 +110,7 @@ export class App {
     keepInSight(this.store);
     if (newcomer) this.forming.begin(true);
     this.address.show(words, () => this.loop.begin());
+    void this.finished.then(() => this.refine());
   }
 
   /** Panel and rail, which are much to build: the first cells are shown before. */
@@ -138,6 +142,7 @@ export class App {
       await panel.build();
       tools.build(panel);
       dice.build(panel);
+      this.scaling.build(panel);
       panel.refresh();
       panel.attach();
       this.loop.spare();
@@ -156,6 +161,17 @@ export class App {
       mark(state);
     });
     await follow();
+  }
+
+  /** What makes the finished picture finer comes when there is time, where the visitor wants it; without it there is the picture. */
+  private refine(): void {
+    const { store } = this;
+    let coming: Promise<unknown> | undefined;
+    const bring = (): void => {
+      if (store.state.fine) coming ??= import('../look/fine').then(({ keepFine }) => keepFine(this.work, this.view), () => (coming = undefined));
+    };
+    store.on(['fine'], bring);
+    bring();
   }
 
   /** What is made now, before anything of it is shown: stages, views, and the parts of the page that serve it. */
@@ -270,6 +286,7 @@ export class App {
   /** A control was moved. */
   private change(key: string, text: string, done: boolean): void {
     if (key === 'outline' && text === 'polygon') return this.parts.editor.ask((editor) => editor.free());
+    if (key === SIDE) return this.scaling.set(text, !done);
     this.work.set(key, text, !done);
   }
 

@@ -7,7 +7,9 @@ import { Arrivals } from '../state/arrivals';
 import { Engine } from '../state/engine';
 import { fragment, pageAddress } from '../state/link';
 import { read, written } from '../state/asked-view';
+import { isPicture, wantsFine } from '../state/fine';
 import { joined, parted, WHOLE } from '../state/viewing';
+import type { Fine } from '../look/fine';
 import { layInFrame } from '../picture/frame';
 import { Loop } from '../picture/loop';
 import { Until } from '../picture/until';
@@ -26,6 +28,10 @@ export class Embed {
   private readonly still = wantsStill();
   /** What is drawn, in the words of the module. */
   private view = 'auto';
+  private zoom = WHOLE;
+  /** What makes the finished picture finer; it comes when there is time, and without it there is the picture. */
+  private fine: Fine | undefined;
+  private refining = !wantsFine();
 
   constructor() {
     const { recipe, words } = parted(fragment());
@@ -65,11 +71,27 @@ export class Embed {
       engine.draw(context, view);
     }
     if (stage === 'done') scripts.done();
+    if (stage === 'done') this.refine();
+    this.fine?.follow();
     if (stage === 'error') {
       alertOf('trouble', engine.problem());
       scripts.failed(engine.problem());
     }
     this.name(stage);
+  }
+
+  private refine(): void {
+    if (this.refining) return;
+    this.refining = true;
+    const { canvas, engine } = this;
+    import('../look/fine').then(
+      ({ Fine }) =>
+        (this.fine = new Fine(canvas, () => {
+          const isPlain = isPicture(this.view) && engine.stage() === 'done';
+          return isPlain ? { link: engine.link(), side: engine.side(), zoom: this.zoom.scale } : undefined;
+        })),
+      () => undefined,
+    );
   }
 
   private toggle(): void {
@@ -97,7 +119,8 @@ export class Embed {
     const { view = 'auto', overlays = [], pace = 1, step, zoom = WHOLE } = viewing;
     this.view = [view, ...overlays].join('+');
     this.home.href = pageAddress(joined(engine.link(), written(viewing)));
-    layInFrame(byId('sheet'), zoom);
+    layInFrame(byId('sheet'), (this.zoom = zoom));
+    this.fine?.follow();
     loop.stepsPerFrame = this.still ? Number.MAX_SAFE_INTEGER : pace;
     if (step !== undefined) {
       loop.paused = false;

@@ -1,5 +1,6 @@
 /** What the page begins with: what its address asks for, and the last work, whose history goes on. */
 import type { Engine } from './engine';
+import { wantsFine } from './fine';
 import { fragment, isReload } from './link';
 import { keptLocks } from './locks';
 import type { LastWork } from './memory';
@@ -39,6 +40,7 @@ export function firstState(engine: Engine, asked: string, last: LastWork | undef
     overlays: [],
     zoom: WHOLE,
     repeat: 1,
+    fine: wantsFine(),
     light: false,
     layers: false,
     compare: false,

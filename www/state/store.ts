@@ -38,6 +38,8 @@ export interface State {
   readonly zoom: Zoomed;
   /** So many copies of the picture stand along each side, as of a tile. */
   readonly repeat: number;
+  /** The finished picture is shown as finely as the screen can. */
+  readonly fine: boolean;
   /** Tools for looking closer that are shown. */
   readonly light: boolean;
   readonly layers: boolean;

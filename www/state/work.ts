@@ -64,10 +64,11 @@ export class Work {
     return told;
   }
 
-  /** Many values in one step; those that do not fit are kept within their limits. */
-  setAll(values: readonly [key: string, text: string][]): void {
-    for (const [key, text] of values) this.engine.set(key, text);
-    this.changed(false);
+  /** Many values in one step; those that do not fit are kept within their limits, and the answer is what is to be told of that. */
+  setAll(values: readonly (readonly [key: string, text: string])[], held = false): string[] {
+    const sentences = values.flatMap(([key, text]) => this.engine.set(key, text).sentences);
+    this.changed(held);
+    return sentences;
   }
 
   /** Rings of a free outline: whether they were refused, and what is to be said. */

@@ -36,7 +36,7 @@ rows! {
         choice("Area", &[
             Choice { word: "0", label: "Outline" }, Choice { word: "1", label: "Seamless tile" },
         ]).group("Outline");
-    size SIZE: "Side of the square picture; the outline grows with it, the stones do not." =>
+    size SIZE: "Side of the square picture; the outline grows with it, the stones only as their own lengths do." =>
         common::SIZE.group("Outline");
     ow OW: "Width of the paved way, as a factor of the shape's own." =>
         number("", "Width").range(0.3, 1.7, 0.05, 1.0).group("Outline")

@@ -1,0 +1,261 @@
+// The finished picture with the screen's own pixels, over the canvas.
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { open } from './harness.mjs';
+import { canvas, click, digest, frames, reloading, set } from './page.mjs';
+import { longestTask, skip } from './tasks.mjs';
+
+/** @type {Awaited<ReturnType<typeof open>>} */
+let site;
+
+before(async () => {
+  site = await open();
+});
+
+after(() => site?.close());
+
+/** On a screen of two pixels for one the sheet wants three for one of the picture; closer by one press, four. */
+const LINK = '#size=384&cs=32&outline=square';
+const THREE = '1152';
+const FOUR = '1536';
+
+const retina = { width: 1280, height: 800, deviceScaleFactor: 2 };
+
+/** A page where the picture becomes fine, which counts its workers. @param {string} [fragment] @param {import('./harness.mjs').PageOptions} [options] */
+async function opened(fragment = LINK, options = {}) {
+  const counting = (/** @type {import('puppeteer-core').Page} */ fresh) => fresh.evaluateOnNewDocument(count);
+  return site.newPage(fragment, { fine: true, still: true, viewport: retina, before: counting, ...options });
+}
+
+function count() {
+  const { Worker } = window;
+  window.begun = window.ended = 0;
+  window.Worker = class extends Worker {
+    constructor(...given) {
+      super(...given);
+      window.begun += 1;
+    }
+    terminate() {
+      window.ended += 1;
+      super.terminate();
+    }
+  };
+}
+
+/** Waits for the fine picture, of so many pixels along a side. */
+const fine = (page, side = THREE) => page.waitForSelector(`#sheet[data-fine="${side}"]`);
+
+/** What there is of it. */
+const there = (page) => page.evaluate(() => [document.querySelectorAll('.fine').length, document.querySelector('#sheet').dataset.fine ?? null]);
+
+test('the finished picture gets the pixels of the screen: those of its file, and where the canvas has them', async () => {
+  const { page, problems, external, close } = await opened(LINK, {
+    before: (fresh) =>
+      fresh.evaluateOnNewDocument(() => {
+        const create = URL.createObjectURL;
+        URL.createObjectURL = (blob) => create((window.saved = blob));
+        HTMLAnchorElement.prototype.click = () => undefined;
+      }),
+  });
+  await digest(page);
+  const plain = await canvas(page);
+  await fine(page);
+  assert.deepEqual(await canvas(page), plain, 'the canvas is another one');
+  await click(page, '#save');
+  await click(page, '#save-png-3');
+  await page.waitForFunction(() => window.saved);
+  const { box, below, apart, other } = await page.evaluate(async () => {
+    const [canvas, over] = ['#canvas', '.fine'].map((name) => document.querySelector(name));
+    const pixels = (source, side) => {
+      const copy = new OffscreenCanvas(side, side).getContext('2d');
+      copy.drawImage(source, 0, 0);
+      return copy.getImageData(0, 0, side, side).data;
+    };
+    const { width: side } = canvas;
+    const scale = over.width / side;
+    const [coarse, finer, file] = [pixels(canvas, side), pixels(over, over.width), pixels(await createImageBitmap(window.saved), over.width)];
+    // How far the means over a pixel are from the pixels, where the picture is moved by some of its own.
+    const apart = (dx, dy) => {
+      let [sum, all] = [0, 0];
+      for (let y = 4; y < side - 4; y += 1) {
+        for (let x = 4; x < side - 4; x += 1) {
+          let mean = 0;
+          for (let v = 0; v < scale; v += 1) for (let u = 0; u < scale; u += 1) mean += finer[4 * ((y * scale + v + dy) * over.width + x * scale + u + dx)];
+          sum += Math.abs(mean / scale ** 2 - coarse[4 * (y * side + x)]);
+          all += 1;
+        }
+      }
+      return sum / all;
+    };
+    const places = [-scale, -1, 0, 1, scale];
+    return {
+      box: JSON.stringify(over.getBoundingClientRect()),
+      below: JSON.stringify(canvas.getBoundingClientRect()),
+      apart: places.flatMap((dy) => places.map((dx) => ({ dx, dy, off: apart(dx, dy) }))).sort((a, b) => a.off - b.off),
+      other: finer.filter((value, k) => value !== file[k]).length,
+    };
+  });
+  assert.equal(box, below);
+  assert.equal(other, 0, 'values that are not those of the file');
+  assert.deepEqual([apart[0].dx, apart[0].dy], [0, 0], JSON.stringify(apart.slice(0, 3)));
+  assert.ok(apart[0].off < 12, `${apart[0].off} off`);
+  assert.deepEqual([problems, external], [[], []]);
+  await close();
+});
+
+test('it goes with the first change, and comes back once the picture stands still', async () => {
+  const { page, problems, close } = await opened();
+  await fine(page);
+  // A slider on its way, and let go.
+  for (const kind of ['input', 'change']) {
+    const left = await page.$eval(
+      '[data-key=az] [type=range]',
+      (slider, name) => {
+        slider.value = name === 'input' ? '300' : '400';
+        slider.dispatchEvent(new Event(name, { bubbles: true }));
+        return document.querySelectorAll('.fine, [data-fine]').length;
+      },
+      kind,
+    );
+    assert.equal(left, 0, 'it shows what was there before');
+  }
+  await fine(page);
+  assert.deepEqual(await page.evaluate(() => [window.begun, window.ended]), [2, 2]);
+  // Other views than the picture, and what lies over it.
+  const away = async (act, back) => {
+    await act();
+    assert.deepEqual(await there(page), [0, null]);
+    await back();
+    await fine(page);
+  };
+  await away(() => page.keyboard.press('4'), () => page.keyboard.press('1'));
+  await away(() => click(page, '#tile-button'), async () => { for (let k = 0; k < 2; k += 1) await click(page, '#tile-button'); });
+  await click(page, '#compare-button');
+  await page.waitForSelector('#divider');
+  assert.deepEqual(await there(page), [0, null]);
+  await click(page, '#compare-button');
+  await fine(page);
+  await click(page, '#edit-outline');
+  await page.waitForSelector('.handle');
+  assert.deepEqual(await there(page), [0, null]);
+  await click(page, '#edit-outline');
+  await fine(page);
+  assert.deepEqual(await there(page), [1, THREE]);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('closer it is finer, and all of the picture keeps what there is', async () => {
+  const { page, problems, close } = await opened();
+  await fine(page);
+  await click(page, '#zoom-in');
+  await fine(page, FOUR);
+  await page.waitForFunction(() => document.querySelectorAll('.fine').length === 1);
+  await click(page, '#zoom-fit');
+  await frames(page, 2);
+  assert.deepEqual(await there(page), [1, FOUR]);
+  assert.equal(await page.evaluate(() => window.begun), 2);
+  // Where even these pixels are seen one by one, they are squares as ever.
+  const rendering = () => page.$eval('.fine', (canvas) => getComputedStyle(canvas).imageRendering);
+  assert.equal(await rendering(), 'auto');
+  for (let k = 0; k < 7; k += 1) await click(page, '#zoom-in');
+  await page.waitForFunction(() => Number(document.querySelector('#sheet').style.getPropertyValue('--zoom')) > 12);
+  assert.notEqual(await rendering(), 'auto');
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('it comes in softly, but for those who ask for less motion', async () => {
+  for (const still of [true, false]) {
+    const { page, close } = await opened(LINK, { still });
+    await fine(page);
+    assert.equal(await page.$eval('.fine', (canvas) => getComputedStyle(canvas).animationName), still ? 'none' : 'fine');
+    await close();
+  }
+});
+
+test('it is left to the visitor, and off where data is to be spared', async () => {
+  const asked = () => site.requests.some((path) => /\/fine[-.][^/]*\.js$/.test(path));
+  site.requests.length = 0;
+  const sparing = (/** @type {import('puppeteer-core').Page} */ fresh) =>
+    fresh.evaluateOnNewDocument(() => Object.defineProperty(navigator, 'connection', { value: { saveData: true } }));
+  const { page, problems, close } = await opened(LINK, { before: sparing });
+  await digest(page);
+  await page.keyboard.press('o');
+  await page.waitForSelector('#fine');
+  assert.equal(await page.$eval('#fine', (check) => check.checked), false);
+  assert.equal(asked(), false, 'what makes it fine was loaded');
+  await click(page, '#fine');
+  await fine(page);
+  assert.ok(asked());
+  assert.match(await page.$eval('.layers-legend', (legend) => legend.textContent), /Fine picture/);
+  await reloading(page, () => page.reload({ waitUntil: 'load' }));
+  await fine(page);
+  await page.keyboard.press('o');
+  await click(page, '#fine');
+  assert.deepEqual(await there(page), [0, null]);
+  site.requests.length = 0;
+  await reloading(page, () => page.reload({ waitUntil: 'load' }));
+  await digest(page);
+  await page.keyboard.press('o');
+  await page.waitForSelector('#fine');
+  assert.equal(await page.$eval('#fine', (check) => check.checked), false);
+  assert.equal(asked(), false);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('a page that is not seen makes none', async () => {
+  const { page, problems, close } = await opened('#cs=12');
+  const hide = (hidden) =>
+    page.evaluate((now) => {
+      Object.defineProperty(document, 'hidden', { value: now, configurable: true });
+      document.dispatchEvent(new Event('visibilitychange'));
+      return [window.begun, window.ended];
+    }, hidden);
+  await page.waitForFunction(() => window.begun === 1);
+  assert.deepEqual(await hide(true), [1, 0]);
+  await page.waitForFunction(() => window.ended === 1);
+  assert.deepEqual(await there(page), [0, null]);
+  await hide(false);
+  await fine(page, '1024');
+  // What is there stays.
+  await hide(true);
+  await hide(false);
+  assert.deepEqual(await there(page), [1, '1024']);
+  assert.equal(await page.evaluate(() => window.begun), 2);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('the page is not held while it comes', { skip }, async () => {
+  const { page, close } = await opened('#cs=24&zoom=4,0.5,0.5', { still: false });
+  await fine(page, '2048');
+  const runs = [];
+  // Once in a while the browser itself holds a page for long.
+  while (runs.length < 3 && !(runs.at(-1) < 1)) {
+    await set(page, 'seed', String(10 + runs.length));
+    await digest(page);
+    runs.push(
+      await longestTask(page, async () => {
+        await fine(page, '2048');
+        await frames(page, 40);
+      }),
+    );
+  }
+  assert.ok(runs.at(-1) < 1, `the page was held for ${runs.join(', ')} of 50 ms`);
+  await close();
+});
+
+test('the picture alone in another page is fine, too', async () => {
+  const { page, problems, close } = await opened(`?embed${LINK}`, { viewport: { width: 500, height: 500, deviceScaleFactor: 2 } });
+  await fine(page);
+  await page.evaluate((fragment) => (location.hash = fragment), `${LINK}&az=40`);
+  await page.waitForFunction(() => !document.querySelector('.fine'));
+  await fine(page);
+  assert.equal(await page.evaluate(() => window.begun), 2);
+  await page.evaluate((fragment) => (location.hash = fragment), `${LINK}&view=cells`);
+  await page.waitForFunction(() => !document.querySelector('.fine'));
+  assert.deepEqual(problems, []);
+  await close();
+});

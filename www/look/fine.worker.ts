@@ -1,0 +1,49 @@
+/** Works a link out anew, and its picture with more pixels. Nothing here blocks the page: it is a worker, which ends with the picture. */
+import { serve } from '../late/worker';
+import { loadModule } from '../module/load';
+import { isEnd } from '../module/stages';
+
+/** What the worker gets: the recipe, and how many pixels there are for one of its own, along a side. */
+export type Order = [link: string, scale: number];
+
+/** What it answers; no picture where the recipe gives none of this scale. */
+export interface Answer {
+  picture?: ImageBitmap;
+}
+
+/** Milliseconds of work in one call, and more packing steps than fit into that. */
+const BUDGET = 50;
+const STEPS = 100_000;
+
+serve(
+  async ([link, scale]: Order): Promise<Answer> => {
+    const pixels = await painted(link, scale);
+    return pixels ? { picture: await createImageBitmap(pixels) } : {};
+  },
+  ({ picture }) => (picture ? [picture] : []),
+);
+
+async function painted(link: string, scale: number): Promise<ImageData | undefined> {
+  const module = await loadModule(link);
+  const studio = new module.Bubblestone(link);
+  while (!isEnd(studio.stage())) studio.tick(BUDGET, STEPS);
+  let pixels: ImageData | undefined;
+  for (let at = 0; ; ) {
+    const slice = studio.pictureFile(scale, BUDGET);
+    if (!('rows' in slice)) return undefined;
+    pixels ??= new ImageData(slice.side, slice.side);
+    at = put(slice.rows, pixels.data, at);
+    if (slice.done) return pixels;
+  }
+}
+
+/** Puts red, green and blue into pixels from this place on; answers the next place. */
+function put(rows: Uint8Array, pixels: Uint8ClampedArray, at: number): number {
+  for (let k = 0; k < rows.length; k += 3, at += 4) {
+    pixels[at] = rows[k] ?? 0;
+    pixels[at + 1] = rows[k + 1] ?? 0;
+    pixels[at + 2] = rows[k + 2] ?? 0;
+    pixels[at + 3] = 255;
+  }
+  return at;
+}

@@ -1,0 +1,85 @@
+/**
+ * The picture's side that takes all lengths along: the same design with more pixels, where the side alone would give
+ * more stones. It is what a control does, by the visitor's choice; a link means what its values say.
+ *
+ * Values are scaled from those that the visitor chose, not from scaled ones, as long as nothing else changes them: what
+ * was rounded or met a limit on the way is as it was at the first side again.
+ */
+import { t } from '../words/words';
+import { make } from '../base/dom';
+import { notice } from '../base/messages';
+import { keep, kept } from '../base/storage';
+import { applies, differs, recipeOf } from '../state/rules';
+import type { Work } from '../state/work';
+import type { Panel } from './panel';
+
+export const SIDE = 'size';
+
+const CHOICE = 'scale';
+
+/** The schema names the units of lengths, but of this one: it is in pixels on stones, in skin sizes on skin. */
+const ROUGHNESS = 'af';
+
+type Values = readonly (readonly [key: string, text: string])[];
+
+export class Scaling {
+  private readonly work: Work;
+  private readonly check = make('input', { type: 'checkbox', id: 'scale-all', 'aria-describedby': 'scale-all-help' });
+  /** The visitor's own values, and what became of them by the last scaling. */
+  private own: { values: Values; scaled: Values } | undefined;
+
+  constructor(work: Work) {
+    this.work = work;
+    this.check.checked = kept(CHOICE) !== 'no';
+    this.check.addEventListener('change', () => {
+      keep(CHOICE, this.check.checked ? 'yes' : 'no');
+      this.own = undefined;
+    });
+  }
+
+  /** Puts the choice beside the control of the side. */
+  build(panel: Panel): void {
+    const words = t('scale_all_title');
+    const help = make('span', { class: 'said', id: 'scale-all-help' }, words);
+    const label = make('label', { title: words }, this.check, make('span', {}, t('scale_all')));
+    for (const [, group] of panel.groupings()) group.querySelector(`[data-key=${SIDE}]`)?.append(make('div', { class: 'option' }, label, help));
+  }
+
+  /** The side's new value; `held` while its slider is still on its way. */
+  set(text: string, held: boolean): void {
+    const { engine } = this.work;
+    if (!this.check.checked) return this.work.set(SIDE, text, held);
+    const now = this.lengths();
+    const { own } = this;
+    const values = own && isSame(own.scaled, now) ? own.values : now;
+    // The side's own limits come first: all go by what it really is.
+    engine.set(SIDE, text);
+    const ratio = Number(engine.get(SIDE)) / Number(valueOf(values, SIDE));
+    const lengths = values.filter(([key]) => key !== SIDE).map(([key, value]) => [key, scaled(value, ratio)] as const);
+    // Once more, with all that depends on it in place: what it says now is of the side alone.
+    notice('value', ...this.work.setAll([...lengths, [SIDE, text]], held));
+    this.own = { values, scaled: this.lengths() };
+  }
+
+  /** The side, and all lengths in pixels that count, or were chosen. */
+  private lengths(): Values {
+    const { engine } = this.work;
+    const recipe = recipeOf(engine);
+    const isLength = (key: string, unit: string): boolean => (key === ROUGHNESS ? engine.get('stone') !== 'skin' : unit === 'px');
+    const counts = recipe.schema.filter((row) => applies(row, recipe) || differs(row, engine.get(row.key), engine.defaultOf(row)));
+    return counts.filter(({ key, unit }) => isLength(key, unit)).map(({ key }) => [key, engine.get(key)] as const);
+  }
+}
+
+function isSame(a: Values, b: Values): boolean {
+  return a.join() === b.join();
+}
+
+function valueOf(values: Values, key: string): string | undefined {
+  return values.find(([name]) => name === key)?.[1];
+}
+
+/** In thousandths of a pixel, which is finer than anything that is to be seen, and short in a link. */
+function scaled(value: string, ratio: number): string {
+  return ratio === 1 ? value : String(Math.round(Number(value) * ratio * 1000) / 1000);
+}
