@@ -158,9 +158,8 @@ async function largePicture(studio: Bubblestone, side: number, progress: Progres
     const count = rows.length / 3 / side;
     if (!count) return;
     const image = context.createImageData(side, count);
-    for (let from = 0, to = 0; from < rows.length; from += 3, to += 4) {
-      image.data.set([rows[from] ?? 0, rows[from + 1] ?? 0, rows[from + 2] ?? 0, 255], to);
-    }
+    const { data } = image;
+    for (let from = 0, to = 0; to < data.length; to += 1) data[to] = (to & 3) === 3 ? 255 : (rows[from++] ?? 0);
     context.putImageData(image, 0, row);
     row += count;
   });

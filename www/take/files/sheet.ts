@@ -13,7 +13,10 @@ const LINES = { title: 124, name: 196 };
 const WIDEST = 940;
 
 /** Pixels along the side of the picture out of focus. */
-const COARSE = 20;
+const COARSE = 7;
+
+/** How bright the ground is, 0..255: letters on it are white. */
+const DARK = 66;
 
 /** What is written. */
 export interface Words {
@@ -83,10 +86,19 @@ function groundOf(picture: OffscreenCanvas, words: Words): OffscreenCanvas {
   const { width, height } = SHAPES.upright;
   const context = contextOf(width, height);
   // Not all browsers have filters on canvases: made small and large again, step by step, it is as soft.
-  const soft = doubled(picture);
-  context.drawImage(soft, (width - height) / 2, 0, height, height);
+  const soft = outOfFocus(picture, COARSE, 900);
+  const all = [(width - height) / 2, 0, height, height] as const;
+  context.drawImage(soft, ...all);
+  // Multiplied by themselves bright colours become deep ones; dark ones are deep.
+  context.globalCompositeOperation = 'multiply';
+  context.globalAlpha = Math.min(1, Math.max(0, brightnessOf(context) / DARK - 1));
+  context.drawImage(soft, ...all);
+  context.globalCompositeOperation = 'source-over';
+  context.globalAlpha = Math.max(0, 1 - DARK / brightnessOf(context));
+  context.fillRect(0, 0, width, height);
+  context.globalAlpha = 1;
   const shade = context.createLinearGradient(0, 0, 0, height);
-  for (const [at, dark] of [[0, 0.62], [0.45, 0.5], [1, 0.78]] as const) shade.addColorStop(at, `rgb(12 11 10 / ${dark})`);
+  for (const [at, dark] of [[0, 0.2], [0.4, 0], [0.7, 0.1], [1, 0.4]] as const) shade.addColorStop(at, `rgb(0 0 0 / ${dark})`);
   context.fillStyle = shade;
   context.fillRect(0, 0, width, height);
   context.save();
@@ -100,7 +112,16 @@ function groundOf(picture: OffscreenCanvas, words: Words): OffscreenCanvas {
   return context.canvas;
 }
 
-function doubled(picture: OffscreenCanvas): OffscreenCanvas {
+/** Of all there is, 0..255. */
+function brightnessOf(context: Context): number {
+  const one = contextOf(1, 1);
+  one.drawImage(outOfFocus(context.canvas, 1, 1), 0, 0);
+  const [red = 0, green = 0, blue = 0] = one.getImageData(0, 0, 1, 1).data;
+  return Math.max(1, 0.2126 * red + 0.7152 * green + 0.0722 * blue);
+}
+
+/** Made small by halves, down to so many pixels, and large again by doubles, up to at least so many. */
+function outOfFocus(picture: OffscreenCanvas, least: number, most: number): OffscreenCanvas {
   let soft = picture;
   let side = picture.width;
   const to = (next: number): void => {
@@ -108,8 +129,8 @@ function doubled(picture: OffscreenCanvas): OffscreenCanvas {
     context.drawImage(soft, 0, 0, next, next);
     [soft, side] = [context.canvas, next];
   };
-  while (side > COARSE) to(Math.max(COARSE, Math.ceil(side / 2)));
-  while (side < 900) to(side * 2);
+  while (side > least) to(Math.max(least, Math.ceil(side / 2)));
+  while (side < most) to(side * 2);
   return soft;
 }
 
