@@ -14,14 +14,15 @@ import { working } from './working';
 export const FILES = { mp4: 'MP4', webm: 'WebM' };
 
 /** Makes a film of the finished picture, and hands it over. */
-export function makeFilm(engine: Engine, store: Store, shape: Shape, codec: Codec): Promise<void> {
+export function makeFilm(engine: Engine, store: Store, shape: Shape, codecs: Codec[]): Promise<void> {
   const { preset, recipe } = store.state;
-  const words = { title: preset?.recipe === recipe ? preset.shown.title : '', font: getComputedStyle(document.body).getPropertyValue('--serif') };
+  const style = getComputedStyle(document.body);
+  const words = { title: preset?.recipe === recipe ? preset.shown.title : '', font: style.getPropertyValue('--serif'), latin: style.getPropertyValue('--latin') };
   const work = async (task: Parameters<typeof fileOf>[2]): Promise<Blob> => {
     if (engine.stage() !== 'done') throw new Error(engine.problem() || t('wait'));
-    return fileOf(engine.link(), { file: 'film', codec, shape, words }, task);
+    return fileOf(engine.link(), { file: 'film', codecs, shape, words }, task);
   };
-  return working(nameOf(engine, store, `-${shape}.${codec.file}`), work, handOver);
+  return working(nameOf(engine, store, `-${shape}.${codecs[0]?.file ?? ''}`), work, handOver);
 }
 
 /** Where the system shares files, this is asked for: its sheet opens only right after a click. */

@@ -1,13 +1,13 @@
 /** The dialog of all that can be saved: pictures, drawings, an animation, files for other programs, the recipe. */
 import { t } from '../words/take';
-import { make } from '../base/dom';
+import { make, say } from '../base/dom';
 import { notice } from '../base/messages';
 import type { Task } from '../late/task';
 import { pageAddress } from '../state/link';
 import type { Work } from '../state/work';
 import { takeDialog } from './dialog';
 import { FILES, makeFilm } from './film';
-import { codecFor, SHAPES, type Codec, type Shape } from './files/codecs';
+import { codecsFor, SHAPES, type Codec, type Shape } from './files/codecs';
 import type { Job } from './files/job.worker';
 import { slabSize, type Slab } from './files/slab';
 import { fileOf } from './job';
@@ -106,24 +106,25 @@ export class SaveDialog {
     const { engine, store } = this.work;
     const shape = select('shape', t('shape'), { square: t('square'), upright: t('upright') }, chosen.shape);
     const film = make('button', { type: 'button', class: 'key', id: 'save-film', disabled: '' }, FILES.mp4);
-    const can = new Map<string, Codec>();
+    const can = new Map<string, Codec[]>();
     const tell = (): void => {
       chosen.shape = shape.value as Shape;
-      const codec = can.get(shape.value);
+      const [codec] = can.get(shape.value) ?? [];
       film.disabled = !codec;
       film.textContent = FILES[codec?.file ?? 'mp4'];
     };
     shape.addEventListener('change', tell);
     film.addEventListener('click', () => {
-      const codec = can.get(shape.value);
-      if (!codec) return;
       this.dialog.close();
-      void makeFilm(engine, store, chosen.shape, codec);
+      void makeFilm(engine, store, chosen.shape, can.get(chosen.shape) ?? []);
     });
-    void Promise.all((Object.keys(SHAPES) as Shape[]).map(async (word) => [word, await codecFor(word)] as const)).then((found) => {
-      for (const [word, codec] of found) if (codec) can.set(word, codec);
+    void Promise.all((Object.keys(SHAPES) as Shape[]).map(async (word) => [word, await codecsFor(word)] as const)).then((found) => {
+      for (const [word, codecs] of found) if (codecs.length) can.set(word, codecs);
       tell();
-      if (!can.size) [shape, film].forEach((way) => (way.hidden = true));
+      if (can.size) return;
+      for (const way of [shape, film]) way.hidden = true;
+      const note = film.closest('section')?.querySelector('.take-note');
+      if (note) say(note, t('no_film'));
     });
     return [shape, film, this.button('save-gif', 'GIF', '.gif', this.made(() => ({ file: 'gif' }), false))];
   }

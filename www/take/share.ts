@@ -11,7 +11,7 @@ import { joined, PACE, WHOLE, type Viewing } from '../state/viewing';
 import type { Store } from '../state/store';
 import { takeDialog } from './dialog';
 import { makeFilm, shared, shareFile, sharesFile } from './film';
-import { codecFor, type Codec, type Shape } from './files/codecs';
+import { codecsFor, type Codec, type Shape } from './files/codecs';
 import { signedPng } from './origin';
 import { MOST, qrCode } from './qr';
 
@@ -36,11 +36,11 @@ export function share(engine: Engine, store: Store, canvas: HTMLCanvasElement): 
   const follow = (as: string): void => parts.forEach((part) => part.follow(joined(recipe, as), as));
   const [first, ...others] = parts.map(({ element }) => element);
   first?.append(asSeen(seen(engine, store), words, follow), told);
-  const film = (shape: Shape, codec: Codec): void => {
+  const film = (shape: Shape, codecs: Codec[]): void => {
     dialog.close();
-    void makeFilm(engine, store, shape, codec);
+    void makeFilm(engine, store, shape, codecs);
   };
-  const alone = picture && engine.generator.offers.includes('forming') ? [filesAlone(picture, film)] : [];
+  const alone = picture ? [filesAlone(picture, engine.generator.offers.includes('forming') ? film : undefined)] : [];
   const dialog = takeDialog('share-dialog', t('share'), ...(first ? [first] : []), ...alone, ...others);
   follow('');
   dialog.querySelector<HTMLElement>('#copy')?.focus();
@@ -162,7 +162,7 @@ function systemButton(urlNow: () => string, title: string, picture: Promise<File
 }
 
 /** The picture and its film by themselves, where the system's sheet takes files. */
-function filesAlone(picture: Promise<File | undefined>, film: (shape: Shape, codec: Codec) => void): HTMLElement {
+function filesAlone(picture: Promise<File | undefined>, film?: (shape: Shape, codecs: Codec[]) => void): HTMLElement {
   const told = make('p', { class: 'take-told', role: 'status' });
   const row = make('div', { class: 'take-row' });
   const element = make('section', { hidden: '', id: 'share-alone' }, make('h3', {}, t('alone')), make('p', { class: 'take-note' }, t('alone_note')), row, told);
@@ -175,9 +175,10 @@ function filesAlone(picture: Promise<File | undefined>, film: (shape: Shape, cod
   const fill = async (): Promise<void> => {
     const file = await picture;
     if (file && sharesFile(file)) add('share-picture', t('picture'), () => void shareFile(file).then((failed) => say(told, failed)));
-    for (const shape of ['square', 'upright'] as const) {
-      const codec = await codecFor(shape);
-      if (codec && sharesFile(new File([], `film.${codec.file}`, { type: `video/${codec.file}` }))) add(`share-${shape}`, t(`film_${shape}`), () => film(shape, codec));
+    for (const shape of film ? (['square', 'upright'] as const) : []) {
+      const codecs = await codecsFor(shape);
+      const file = codecs[0]?.file;
+      if (file && sharesFile(new File([], `film.${file}`, { type: `video/${file}` }))) add(`share-${shape}`, t(`film_${shape}`), () => film?.(shape, codecs));
     }
   };
   void fill();

@@ -21,8 +21,9 @@ const DARK = 66;
 /** What is written. */
 export interface Words {
   title: string;
-  /** The page's type. */
+  /** The page's type, and that of its name. */
   font: string;
+  latin: string;
 }
 
 type Context = OffscreenCanvasRenderingContext2D;
@@ -134,7 +135,7 @@ function outOfFocus(picture: OffscreenCanvas, least: number, most: number): Offs
   return soft;
 }
 
-function write(context: Context, { title, font }: Words): void {
+function write(context: Context, { title, font, latin }: Words): void {
   const { y, side } = BOXES.upright;
   const middle = context.canvas.width / 2;
   context.textAlign = 'center';
@@ -144,6 +145,6 @@ function write(context: Context, { title, font }: Words): void {
   if (wide > WIDEST) context.font = `${Math.floor((62 * WIDEST) / wide)}px ${font}`;
   context.fillText(title, middle, y + side + LINES.title);
   context.fillStyle = 'rgb(255 252 246 / 0.62)';
-  context.font = `italic 36px ${font}`;
+  context.font = `italic 36px ${latin}`;
   context.fillText('Bubblestone', middle, y + side + (title ? LINES.name : LINES.title));
 }
