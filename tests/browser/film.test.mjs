@@ -215,7 +215,7 @@ test('where no film can be made, the dialogs tell so, and the animation stays', 
   const { page, problems, close } = await opened(SMALL, { shares: true, films: false });
   await digest(page);
   await click(page, '#save');
-  await page.waitForSelector('#save-film', { hidden: true });
+  await page.waitForSelector('#save-film[hidden]');
   assert.equal(await page.$eval('#shape', (shape) => shape.checkVisibility()), false);
   assert.match(await page.$eval('section:has(#save-gif) .take-note', (note) => note.textContent), /this browser makes no films/);
   assert.ok(await page.$eval('#save-gif', (key) => key.checkVisibility()));
