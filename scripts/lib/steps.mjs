@@ -27,7 +27,7 @@ export const steps = {
   'page in Node': () => nodeTests([join(root, 'tests', 'node', 'viewing.test.mjs')], 'Node'),
   lint: () => tool('eslint', 'bin/eslint.js', ['--max-warnings', '0', '.']),
   'specimen build': specimen,
-  'modules as sent': () => nodeTests([join(root, 'tests', 'node', 'shipped.test.mjs')], 'Node'),
+  'modules as sent': () => nodeTests(['shipped', 'film'].map((name) => join(root, 'tests', 'node', `${name}.test.mjs`)), 'Node'),
   'clippy, wasm32': () => wasmLint(forWasm()),
   'wasm-pack test': () => wasmTest(forWasm()),
   'tests in Chromium': () => browserTests('chromium'),

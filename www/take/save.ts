@@ -1,14 +1,17 @@
 /** The dialog of all that can be saved: pictures, drawings, an animation, files for other programs, the recipe. */
 import { t } from '../words/take';
-import { make } from '../base/dom';
+import { make, say } from '../base/dom';
 import { notice } from '../base/messages';
 import type { Task } from '../late/task';
 import { pageAddress } from '../state/link';
 import type { Work } from '../state/work';
 import { takeDialog } from './dialog';
+import { FILES, makeFilm } from './film';
+import { codecsFor, SHAPES, type Codec, type Shape } from './files/codecs';
 import type { Job } from './files/job.worker';
 import { slabSize, type Slab } from './files/slab';
 import { fileOf } from './job';
+import { nameOf } from './name';
 import { signed, signedPng } from './origin';
 import { openRecipe, recipeFile } from './recipe-file';
 import { working } from './working';
@@ -19,8 +22,8 @@ const SCALES = [1, 2, 3, 4];
 /** The most pixels that a side may have. */
 const MOST = 4096;
 
-/** What was chosen last: of maps the program or the normals, of meshes the degree of detail. */
-const chosen = { program: 'normal-opengl', detail: 'middle' };
+/** What was chosen last: of maps the program or the normals, of meshes the degree of detail, of films the shape. */
+const chosen: { program: string; detail: string; shape: Shape } = { program: 'normal-opengl', detail: 'middle', shape: 'square' };
 
 /** Programs that maps are for; the first two keep the maps' own names. */
 const PROGRAMS = { 'normal-opengl': 'OpenGL (+Y)', 'normal-directx': 'DirectX (−Y)', blender: 'Blender', godot: 'Godot', unity: 'Unity', unreal: 'Unreal' };
@@ -51,7 +54,7 @@ export class SaveDialog {
       t('save'),
       row(t('picture'), t('picture_note'), ...this.pictures()),
       ...this.offered('svg', t('cells'), t('cells_note'), this.button('save-svg', 'SVG', '.svg', this.made(() => ({ file: 'svg' }), false))),
-      ...this.offered('forming', t('forming'), t('forming_note'), this.button('save-gif', 'GIF', '.gif', this.made(() => ({ file: 'gif' }), false))),
+      ...this.offered('forming', t('forming'), t('forming_note'), ...this.films()),
       row(t('maps'), t('maps_note'), ...this.maps()),
       ...this.offered('mesh', t('mesh'), t('mesh_note'), ...this.mesh()),
       ...this.offered('mesh', t('slab'), t('slab_note'), ...this.slab()),
@@ -64,18 +67,11 @@ export class SaveDialog {
     return this.work.engine.generator.offers.includes(part) ? [row(what, note, ...ways)] : [];
   }
 
-  private name(ending: string): string {
-    const { engine, store } = this.work;
-    const { preset, recipe, make: word } = store.state;
-    const what = preset?.recipe === recipe ? preset.shown.name : engine.get('tile') === '1' ? 'tile' : engine.get('outline') || word;
-    return `bubblestone-${what}-${engine.get('seed')}${ending}`;
-  }
-
   private button(id: string, word: string, ending: string, making: Making): HTMLButtonElement {
     const key = make('button', { type: 'button', class: 'key', id }, word);
     key.addEventListener('click', () => {
       this.dialog.close();
-      void working(this.name(ending), making);
+      void working(nameOf(this.work.engine, this.work.store, ending), making);
     });
     return key;
   }
@@ -103,6 +99,34 @@ export class SaveDialog {
       key.setAttribute('aria-label', t('pixels_label', { n }));
       return key;
     });
+  }
+
+  /** Films, as far as the browser can, and the animation that all can make. */
+  private films(): HTMLElement[] {
+    const { engine, store } = this.work;
+    const shape = select('shape', t('shape'), { square: t('square'), upright: t('upright') }, chosen.shape);
+    const film = make('button', { type: 'button', class: 'key', id: 'save-film', disabled: '' }, FILES.mp4);
+    const can = new Map<string, Codec[]>();
+    const tell = (): void => {
+      chosen.shape = shape.value as Shape;
+      const [codec] = can.get(shape.value) ?? [];
+      film.disabled = !codec;
+      film.textContent = FILES[codec?.file ?? 'mp4'];
+    };
+    shape.addEventListener('change', tell);
+    film.addEventListener('click', () => {
+      this.dialog.close();
+      void makeFilm(engine, store, chosen.shape, can.get(chosen.shape) ?? []);
+    });
+    void Promise.all((Object.keys(SHAPES) as Shape[]).map(async (word) => [word, await codecsFor(word)] as const)).then((found) => {
+      for (const [word, codecs] of found) if (codecs.length) can.set(word, codecs);
+      tell();
+      if (can.size) return;
+      for (const way of [shape, film]) way.hidden = true;
+      const note = film.closest('section')?.querySelector('.take-note');
+      if (note) say(note, t('no_film'));
+    });
+    return [shape, film, this.button('save-gif', 'GIF', '.gif', this.made(() => ({ file: 'gif' }), false))];
   }
 
   private maps(): HTMLElement[] {

@@ -10,6 +10,8 @@ import { written } from '../state/asked-view';
 import { joined, PACE, WHOLE, type Viewing } from '../state/viewing';
 import type { Store } from '../state/store';
 import { takeDialog } from './dialog';
+import { makeFilm, shared, shareFile, sharesFile } from './film';
+import { codecsFor, type Codec, type Shape } from './files/codecs';
 import { signedPng } from './origin';
 import { MOST, qrCode } from './qr';
 
@@ -28,14 +30,25 @@ export function share(engine: Engine, store: Store, canvas: HTMLCanvasElement): 
   const name = store.state.preset?.recipe === recipe ? store.state.preset.shown.title : t('own');
   const title = t('title', { name });
   const told = make('p', { class: 'take-told', role: 'status' });
-  const parts = [linkOf(engine, canvas, title, told), codeOf(), embedding(title, told)];
+  const picture = 'share' in navigator ? pictureOf(canvas, address(recipe)) : undefined;
+  const parts = [linkOf(engine, picture, title, told), codeOf(), embedding(title, told)];
   const words = written(seen(engine, store));
   const follow = (as: string): void => parts.forEach((part) => part.follow(joined(recipe, as), as));
   const [first, ...others] = parts.map(({ element }) => element);
   first?.append(asSeen(seen(engine, store), words, follow), told);
-  const dialog = takeDialog('share-dialog', t('share'), ...(first ? [first] : []), ...others);
+  const film = (shape: Shape, codecs: Codec[]): void => {
+    dialog.close();
+    void makeFilm(engine, store, shape, codecs);
+  };
+  const alone = picture ? [filesAlone(picture, engine.generator.offers.includes('forming') ? film : undefined)] : [];
+  const dialog = takeDialog('share-dialog', t('share'), ...(first ? [first] : []), ...alone, ...others);
   follow('');
   dialog.querySelector<HTMLElement>('#copy')?.focus();
+}
+
+async function pictureOf(canvas: HTMLCanvasElement, recipe: string): Promise<File | undefined> {
+  const png = await signedPng(canvas, recipe);
+  return png && new File([png], 'bubblestone.png', { type: png.type });
 }
 
 /** How the picture is shown now, but for what all see of it. */
@@ -74,13 +87,13 @@ function section(...parts: HTMLElement[]): HTMLElement {
 }
 
 /** The link itself, to be copied or given to the system, and what it holds. */
-function linkOf(engine: Engine, canvas: HTMLCanvasElement, title: string, told: HTMLElement): Linked {
+function linkOf(engine: Engine, picture: Promise<File | undefined> | undefined, title: string, told: HTMLElement): Linked {
   const box = make('input', { id: 'share-link', type: 'text', readonly: '', spellcheck: 'false' });
   const copyLink = make('button', { type: 'button', class: 'key', id: 'copy' }, t('copy_link'));
   copyLink.addEventListener('click', () => void copied(box, told, t('copied_link')));
   box.addEventListener('focus', () => box.select());
   const row = make('div', { class: 'take-row' }, box, copyLink);
-  if ('share' in navigator) row.append(systemButton(() => box.value, title, canvas, address(engine.link()), told));
+  if (picture) row.append(systemButton(() => box.value, title, picture, told));
   const note = make('p', { class: 'take-note', id: 'share-holds' });
   return {
     element: section(make('label', { for: 'share-link' }, t('link')), row, note),
@@ -136,20 +149,40 @@ async function copied(box: HTMLInputElement | HTMLTextAreaElement, told: HTMLEle
 }
 
 /** The system's own sheet, with the picture where it takes files; that carries the recipe's link. */
-function systemButton(urlNow: () => string, title: string, canvas: HTMLCanvasElement, recipe: string, told: HTMLElement): HTMLElement {
+function systemButton(urlNow: () => string, title: string, picture: Promise<File | undefined>, told: HTMLElement): HTMLElement {
   const button = make('button', { type: 'button', class: 'key', id: 'share-system' }, t('system'));
   // Made beforehand: a sheet opens only right after a click.
-  let picture: File | undefined;
-  void signedPng(canvas, recipe).then((blob) => (picture = blob && new File([blob], 'bubblestone.png', { type: blob.type })));
+  let file: File | undefined;
+  void picture.then((made) => (file = made));
   button.addEventListener('click', () => {
     const plain: ShareData = { title, url: urlNow() };
-    const whole: ShareData = picture ? { ...plain, files: [picture] } : plain;
-    const data = 'canShare' in navigator && navigator.canShare(whole) ? whole : plain;
-    navigator.share(data).catch((error: unknown) => {
-      if (!(error instanceof DOMException && error.name === 'AbortError')) say(told, t('system_failed', { reason: String(error) }));
-    });
+    void shared(file && sharesFile(file) ? { ...plain, files: [file] } : plain).then((failed) => say(told, failed));
   });
   return button;
+}
+
+/** The picture and its film by themselves, where the system's sheet takes files. */
+function filesAlone(picture: Promise<File | undefined>, film?: (shape: Shape, codecs: Codec[]) => void): HTMLElement {
+  const told = make('p', { class: 'take-told', role: 'status' });
+  const row = make('div', { class: 'take-row' });
+  const element = make('section', { hidden: '', id: 'share-alone' }, make('h3', {}, t('alone')), make('p', { class: 'take-note' }, t('alone_note')), row, told);
+  const add = (id: string, word: string, act: () => void): void => {
+    const key = make('button', { type: 'button', class: 'key', id }, word);
+    key.addEventListener('click', act);
+    row.append(key);
+    element.hidden = false;
+  };
+  const fill = async (): Promise<void> => {
+    const file = await picture;
+    if (file && sharesFile(file)) add('share-picture', t('picture'), () => void shareFile(file).then((failed) => say(told, failed)));
+    for (const shape of film ? (['square', 'upright'] as const) : []) {
+      const codecs = await codecsFor(shape);
+      const file = codecs[0]?.file;
+      if (file && sharesFile(new File([], `film.${file}`, { type: `video/${file}` }))) add(`share-${shape}`, t(`film_${shape}`), () => film?.(shape, codecs));
+    }
+  };
+  void fill();
+  return element;
 }
 
 /** Code that shows the picture alone in another page. */

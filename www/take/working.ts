@@ -8,8 +8,11 @@ import { stoppable, type Task } from '../late/task';
 /** What is being made. */
 let busy: string | undefined;
 
-/** Makes a file and hands it over; `work` throws a sentence where it cannot be made. */
-export async function working(name: string, work: (task: Task) => Promise<Blob>): Promise<void> {
+/**
+ * Makes a file and hands it over; `work` throws a sentence where it cannot be made. `hand` may do it in a way of its own,
+ * and then says so.
+ */
+export async function working(name: string, work: (task: Task) => Promise<Blob>, hand: (file: Blob, name: string) => boolean = () => false): Promise<void> {
   if (busy !== undefined) {
     passing('busy', t('busy', { name: busy }));
     return;
@@ -17,8 +20,11 @@ export async function working(name: string, work: (task: Task) => Promise<Blob>)
   busy = name;
   const stopping = new AbortController();
   try {
-    offer(await stoppable({ topic: 'files', sentence: t('making', { name }), name, stop: t('stop') }, stopping, work), name);
-    passing('files', t('saved', { name }));
+    const file = await stoppable({ topic: 'files', sentence: t('making', { name }), name, stop: t('stop') }, stopping, work);
+    if (!hand(file, name)) {
+      offer(file, name);
+      passing('files', t('saved', { name }));
+    }
   } catch (error) {
     if (stopping.signal.aborted) passing('files', t('stopped', { name }));
     else notice('files', reasonOf(error));

@@ -4,7 +4,7 @@
  * One step or one stone is made at a time, so frames do not depend on a clock.
  */
 import type { Bubblestone } from '../../../pkg/bubblestone.js';
-import { gif, smaller, type Frame } from './film';
+import { gif, smaller, type Frame } from './gif';
 import { pavement, type Progress } from './pavement';
 
 /** Sides in pixels; smaller pictures keep their own. */

@@ -2,6 +2,7 @@
 import { loadModule } from '../../module/load';
 import type { Notice } from '../../module/types';
 import { serve } from '../../late/worker';
+import type { FilmJob } from './film';
 import { formingGif } from './forming';
 import { mapsZip } from './maps-zip';
 import { meshFile, type MeshJob } from './mesh-file';
@@ -14,6 +15,7 @@ import { slabFile, type Slab } from './slab';
 export type Job =
   | { file: 'svg' }
   | { file: 'gif' }
+  | FilmJob
   | MeshJob
   | { file: 'stl'; slab: Slab }
   | { file: 'picture'; scale: number }
@@ -39,6 +41,11 @@ async function made(link: string, job: Job, progress: Progress): Promise<Blob> {
   const studio = new module.Bubblestone(link);
   const { stages = [] } = module.generators().find(({ word }) => word === studio.generator()) ?? {};
   if (job.file === 'gif') return formingGif(studio, stages, progress);
+  if (job.file === 'film') {
+    // Only films need what films need.
+    const { formingFilm } = await import('./film');
+    return formingFilm(studio, stages, job, progress);
+  }
   // The pavement is this part of the work.
   const part = job.file === 'picture' ? 1 / job.scale ** 2 : 0.8;
   const rest = (done: number): void => progress(part + (1 - part) * done);

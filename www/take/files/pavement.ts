@@ -15,14 +15,20 @@ export type Progress = (done: number) => void;
 
 /** Where somebody looks on, one step of the packing or one stone is made at a time. Throws a Refusal where there is no picture. */
 export function pavement(studio: Bubblestone, stages: readonly string[], progress: Progress, looksOn?: (stage: string, status: Status) => void): void {
+  for (const [stage, status] of making(studio, looksOn ? 0 : BUDGET, looksOn ? 1 : STEPS)) {
+    looksOn?.(stage, status);
+    progress(progressOf(stages, stage, status));
+  }
+}
+
+/** How far a picture is before each slice of its work: of so many milliseconds, and steps of the packing. Throws the same. */
+export function* making(studio: Bubblestone, budget: number, steps: number): Generator<[stage: string, status: Status]> {
   for (;;) {
-    const stage = studio.stage();
-    const status = studio.status();
+    const [stage, status] = [studio.stage(), studio.status()];
     const problem = studio.problem();
     if (problem) throw new Refusal(problem);
     if (stage === 'done') return;
-    looksOn?.(stage, status);
-    progress(progressOf(stages, stage, status));
-    studio.tick(looksOn ? 0 : BUDGET, looksOn ? 1 : STEPS);
+    yield [stage, status];
+    studio.tick(budget, steps);
   }
 }

@@ -1,0 +1,115 @@
+/** A film as a file: frames go in, in their order, each for as long as the others. */
+import { RATE, SHAPES, encoding, type Codec, type Shape } from './codecs';
+import { planesOf } from './planes';
+
+/** Frames that wait for the encoder at most: each has megabytes. */
+const WAITING = 8;
+
+/** Frames from one that stands for itself to the next; players jump to these. */
+const KEY = 90;
+
+/** What codecs are tried with: frames, each as the one before but moved by some bytes, and milliseconds for each that are quick enough. */
+const TRIAL = { frames: 5, shift: 40_000, quick: 50 };
+
+interface Muxer {
+  add(chunk: EncodedVideoChunk, meta?: EncodedVideoChunkMetadata): void;
+  end(): ArrayBuffer;
+}
+
+export class FilmEncoder {
+  private readonly encoder: VideoEncoder;
+  private frames = 0;
+  private failure: Error | undefined;
+  /** Ends a wait. */
+  private wake: () => void = () => undefined;
+
+  private constructor(
+    private readonly codec: Codec,
+    private readonly shape: Shape,
+    private readonly muxer: Muxer,
+  ) {
+    this.encoder = new VideoEncoder({
+      output: (chunk, meta) => this.muxer.add(chunk, inColours(meta, codec)),
+      error: (error) => {
+        this.failure = error;
+        this.wake();
+      },
+    });
+    this.encoder.addEventListener('dequeue', () => this.wake());
+    this.encoder.configure(encoding(codec, shape));
+  }
+
+  static async of(codec: Codec, shape: Shape): Promise<FilmEncoder> {
+    return new FilmEncoder(codec, shape, await muxerOf(codec, shape));
+  }
+
+  /** Shows red, green, blue, alpha of all pixels for so many frames. Throws what the browser says where it cannot encode them. */
+  async add(rgba: Uint8ClampedArray, times = 1): Promise<void> {
+    const { width, height } = SHAPES[this.shape];
+    const planes = planesOf(rgba, width, height, this.codec.matrix);
+    for (let time = 0; time < times; time += 1) {
+      while (!this.failure && this.encoder.encodeQueueSize >= WAITING) await new Promise<void>((resolve) => (this.wake = resolve));
+      if (this.failure) throw this.failure;
+      const [timestamp, next] = [at(this.frames), at(this.frames + 1)];
+      const frame = new VideoFrame(planes, { format: 'I420', codedWidth: width, codedHeight: height, timestamp, duration: next - timestamp, colorSpace: coloursOf(this.codec) });
+      this.encoder.encode(frame, { keyFrame: this.frames % KEY === 0 });
+      frame.close();
+      this.frames += 1;
+    }
+  }
+
+  async finish(): Promise<Blob> {
+    await this.encoder.flush();
+    if (this.failure) throw this.failure;
+    this.encoder.close();
+    return new Blob([this.muxer.end()], { type: `video/${this.codec.file}` });
+  }
+}
+
+/**
+ * The quickest of some codecs: one browser takes ten times as long for VP9 as for VP8, another one for VP8 as for VP9. Only
+ * where the first one is slow the others are tried. `rgba` is a frame to try them with, and is spoilt.
+ */
+export async function quickest(codecs: readonly Codec[], shape: Shape, rgba: Uint8ClampedArray): Promise<Codec> {
+  let [best, least] = [codecs[0], Infinity];
+  for (const codec of codecs.length > 1 ? codecs : []) {
+    const encoder = await FilmEncoder.of(codec, shape);
+    const begin = performance.now();
+    for (let frame = 0; frame < TRIAL.frames; frame += 1) {
+      await encoder.add(rgba);
+      rgba.copyWithin(TRIAL.shift, 0);
+    }
+    await encoder.finish();
+    const time = (performance.now() - begin) / TRIAL.frames;
+    if (time < least) [best, least] = [codec, time];
+    if (time < TRIAL.quick) break;
+  }
+  if (!best) throw new Error('VideoEncoder');
+  return best;
+}
+
+/** Microseconds at which a frame begins. */
+function at(frame: number): number {
+  return Math.round((frame * 1e6) / RATE);
+}
+
+function coloursOf({ matrix }: Codec): VideoColorSpaceInit {
+  return { primaries: 'bt709', transfer: 'bt709', matrix, fullRange: false };
+}
+
+/** Encoders that say nothing of colours leave it to the player to guess. */
+function inColours(meta: EncodedVideoChunkMetadata | undefined, codec: Codec): EncodedVideoChunkMetadata | undefined {
+  return meta?.decoderConfig ? { ...meta, decoderConfig: { ...meta.decoderConfig, colorSpace: coloursOf(codec) } } : meta;
+}
+
+async function muxerOf({ file, track }: Codec, shape: Shape): Promise<Muxer> {
+  const video = { ...SHAPES[shape], frameRate: RATE };
+  if (file === 'mp4') {
+    const { ArrayBufferTarget, Muxer } = await import('mp4-muxer');
+    const muxer = new Muxer({ target: new ArrayBufferTarget(), fastStart: 'in-memory', video: { ...video, codec: 'avc' } });
+    return { add: (chunk, meta) => muxer.addVideoChunk(chunk, meta), end: () => (muxer.finalize(), muxer.target.buffer) };
+  }
+  const { ArrayBufferTarget, Muxer } = await import('webm-muxer');
+  const muxer = new Muxer({ target: new ArrayBufferTarget(), video: { ...video, codec: track } });
+  return { add: (chunk, meta) => muxer.addVideoChunk(chunk, meta), end: () => (muxer.finalize(), muxer.target.buffer) };
+}

@@ -1,0 +1,120 @@
+/** The frames of the forming's film, by steps: what each of them shows of the pictures on the way. */
+import type { Bubblestone } from '../../../pkg/bubblestone.js';
+import type { Status } from '../../module/types';
+import { making } from './pavement';
+import { contextOf } from './sheet';
+
+type Canvas = OffscreenCanvas;
+
+/** Frames of the parts. */
+const FRAMES = { opening: 8, start: 10, still: 6, cells: 9, standing: 6, stones: 40, light: 16, last: 66 };
+
+/** Frames of the packing: so many for each step, within limits. */
+const PACKING = { step: 2, least: 48, most: 96 };
+
+/** One picture, and so much of another over it, 0..1, for so many frames. */
+export type Show = (one: Canvas, other?: Canvas, share?: number, times?: number) => Promise<void>;
+
+/** So many frames have a film of so many steps. */
+export function framesOf(steps: number): number {
+  return Object.values(FRAMES).reduce((sum, count) => sum + count, paceOf(steps).length);
+}
+
+/** Makes a picture anew that was made before with this status, and shows the finished one, how it forms, and it again. */
+export async function showForming(studio: Bubblestone, finished: Canvas, { steps, stones }: Status, show: Show): Promise<void> {
+  await new Forming(studio, finished, paceOf(steps), stones, show).run();
+}
+
+/** At which step each frame of the packing is: few steps at first, when each of them moves much. */
+function paceOf(steps: number): number[] {
+  const frames = steps ? Math.min(PACKING.most, Math.max(PACKING.least, PACKING.step * steps)) : 0;
+  return Array.from({ length: frames }, (_, frame) => {
+    const at = frame / (frames - 1);
+    return steps * (0.5 * at + 0.5 * at * at);
+  });
+}
+
+class Forming {
+  /** What was seen last, and what is seen now. */
+  private before: OffscreenCanvasRenderingContext2D;
+  private now: OffscreenCanvasRenderingContext2D;
+  private begun = false;
+  /** The next frames of the packing and of the stones. */
+  private packed = 0;
+  private placed = 1;
+  private steps = -1;
+
+  constructor(
+    private readonly studio: Bubblestone,
+    private readonly finished: Canvas,
+    private readonly pace: readonly number[],
+    private readonly stones: number,
+    private readonly show: Show,
+  ) {
+    this.before = contextOf(studio.side(), studio.side());
+    this.now = contextOf(studio.side(), studio.side());
+  }
+
+  async run(): Promise<void> {
+    this.studio.restart();
+    let stood = false;
+    for (const [stage, { steps, cells, stones }] of making(this.studio, 0, 1)) {
+      if (cells && steps > this.steps && !stood) await this.step(steps);
+      if (stage === 'planes' && !stood) {
+        stood = true;
+        await this.stand();
+      }
+      // The last stone ends its stage.
+      if (stood && this.stones) await this.stone(stage === 'planes' ? stones : this.stones);
+    }
+    // Where nothing was seen on the way, this is seen.
+    if (!this.begun) await this.look();
+    await this.dissolve(this.now.canvas, this.finished, FRAMES.light);
+    await this.show(this.finished, this.finished, 0, FRAMES.last);
+  }
+
+  /** Draws what there is now; the first time the film begins. */
+  private async look(): Promise<void> {
+    [this.before, this.now] = [this.now, this.before];
+    this.studio.draw(this.now as unknown as CanvasRenderingContext2D, 'auto');
+    if (this.begun) return;
+    this.begun = true;
+    await this.show(this.finished, this.finished, 0, FRAMES.opening);
+    await this.dissolve(this.finished, this.now.canvas, FRAMES.start);
+    await this.show(this.now.canvas, this.now.canvas, 0, FRAMES.still);
+  }
+
+  /** After a step of the packing: the frames up to it. */
+  private async step(steps: number): Promise<void> {
+    const next = this.pace[this.packed] ?? Infinity;
+    const last = this.steps;
+    this.steps = steps;
+    // Only what lies beside a frame is drawn.
+    if (next > steps + 1) return;
+    await this.look();
+    for (let at = this.pace[this.packed]; at !== undefined && at <= steps; at = this.pace[(this.packed += 1)]) {
+      await this.show(this.before.canvas, this.now.canvas, last < 0 ? 1 : at - last);
+    }
+  }
+
+  /** Bubbles have become cells. */
+  private async stand(): Promise<void> {
+    await this.look();
+    await this.dissolve(this.before.canvas, this.now.canvas, FRAMES.cells);
+    await this.show(this.now.canvas, this.now.canvas, 0, FRAMES.standing);
+  }
+
+  /** After a stone: the frame that is due. */
+  private async stone(stones: number): Promise<void> {
+    if (stones < (this.placed / FRAMES.stones) * this.stones) return;
+    await this.look();
+    for (; stones >= (this.placed / FRAMES.stones) * this.stones && this.placed <= FRAMES.stones; this.placed += 1) await this.show(this.now.canvas);
+  }
+
+  private async dissolve(one: Canvas, other: Canvas, frames: number): Promise<void> {
+    for (let frame = 1; frame <= frames; frame += 1) {
+      const at = frame / (frames + 1);
+      await this.show(one, other, at * at * (3 - 2 * at));
+    }
+  }
+}

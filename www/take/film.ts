@@ -1,0 +1,58 @@
+/** The film of the forming: how it is asked for, and how it is handed over. */
+import { t } from '../words/take';
+import { make } from '../base/dom';
+import { notice, offerOf } from '../base/messages';
+import { offer } from '../late/download';
+import type { Engine } from '../state/engine';
+import type { Store } from '../state/store';
+import type { Codec, Shape } from './files/codecs';
+import { fileOf } from './job';
+import { nameOf } from './name';
+import { working } from './working';
+
+/** Films as files are called by people. */
+export const FILES = { mp4: 'MP4', webm: 'WebM' };
+
+/** Makes a film of the finished picture, and hands it over. */
+export function makeFilm(engine: Engine, store: Store, shape: Shape, codecs: Codec[]): Promise<void> {
+  const { preset, recipe } = store.state;
+  const style = getComputedStyle(document.body);
+  const words = { title: preset?.recipe === recipe ? preset.shown.title : '', font: style.getPropertyValue('--serif'), latin: style.getPropertyValue('--latin') };
+  const work = async (task: Parameters<typeof fileOf>[2]): Promise<Blob> => {
+    if (engine.stage() !== 'done') throw new Error(engine.problem() || t('wait'));
+    return fileOf(engine.link(), { file: 'film', codecs, shape, words }, task);
+  };
+  return working(nameOf(engine, store, `-${shape}.${codecs[0]?.file ?? ''}`), work, handOver);
+}
+
+/** Where the system shares files, this is asked for: its sheet opens only right after a click. */
+function handOver(film: Blob, name: string): boolean {
+  const file = new File([film], name, { type: film.type });
+  if (!sharesFile(file)) return false;
+  const share = make('button', { type: 'button', id: 'share-film' }, t('system'));
+  const save = make('button', { type: 'button', id: 'keep-film' }, t('save'));
+  share.addEventListener('click', () => void shareFile(file).then((failed) => failed && notice('trouble', failed)));
+  save.addEventListener('click', () => offer(film, name));
+  offerOf('files', t('film_made', { name }), share, save);
+  return true;
+}
+
+/** Whether the system's sheet takes such a file. */
+export function sharesFile(file: File): boolean {
+  return 'canShare' in navigator && navigator.canShare({ files: [file] });
+}
+
+/** The system's sheet with a file alone: many programs take a file or a link, not both. Answers what went wrong, but for the visitor's own will. */
+export function shareFile(file: File): Promise<string> {
+  return shared({ files: [file] });
+}
+
+/** The same with whatever else. */
+export async function shared(data: ShareData): Promise<string> {
+  try {
+    await navigator.share(data);
+  } catch (error) {
+    if (!(error instanceof DOMException && error.name === 'AbortError')) return t('system_failed', { reason: String(error) });
+  }
+  return '';
+}
