@@ -147,8 +147,8 @@ test('every file is made', () => {
     }
     for (const ending of ['obj', 'glb']) assert.ok(bytesOf(() => studio.meshFile(ending, 'low', [], 4)) > 1000, ending);
     for (const scale of [1, 2]) {
-      assert.equal(bytesOf(() => studio.pictureFile(scale, 20)), 3 * (128 * scale) ** 2);
-      assert.equal(studio.biggerMap('albedo').side, 128 * scale);
+      assert.equal(bytesOf(() => studio.pictureFile(scale, '', 20)), 3 * (128 * scale) ** 2);
+      assert.equal(bytesOf(() => studio.pictureFile(scale, 'albedo height-float id', 20)), 10 * (128 * scale) ** 2);
     }
     studio.meshFile('obj', 'low', [], 0);
     studio.stopFile();
@@ -159,8 +159,8 @@ test('every file is made', () => {
 /** Has all slices made. @param {() => any} slice @returns {number} the bytes of a file */
 function bytesOf(slice) {
   for (let sum = 0; ; ) {
-    const { parts, rows, done } = slice();
-    for (const part of parts ?? [rows]) sum += part.length;
+    const { parts, maps, done } = slice();
+    for (const part of parts ?? maps.map(({ bytes }) => bytes)) sum += part.length;
     if (done) return sum;
   }
 }
@@ -293,9 +293,9 @@ test('every notice is said', () => {
   }
   hear(studio.setOutline([1, 2, 3], [2]));
   hear([studio.set('nonsense', '1'), studio.set('cs', 'many'), studio.set('lines', '0,0,9,9'), studio.set('poly', '!')]);
-  hear([studio.map('height'), studio.map('nothing'), studio.meshFile('glb', 'low', [], 9), studio.meshFile('', 'low', [], 9), studio.pictureFile(2, 9)]);
+  hear([studio.map('height'), studio.map('nothing'), studio.meshFile('glb', 'low', [], 9), studio.meshFile('', 'low', [], 9), studio.pictureFile(2, '', 9)]);
   finished(studio);
-  hear([studio.pictureFile(99, 9), studio.biggerMap('height')]);
+  hear([studio.pictureFile(99, '', 9), studio.pictureFile(2, 'nothing', 9)]);
   studio.free();
   const codes = text('../src/notice/words.txt').match(/^[a-z]\w*$/gm) ?? [];
   assert.deepEqual(codes.filter((code) => !said.has(code) && !NEVER_SAID.includes(code)), []);

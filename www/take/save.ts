@@ -13,14 +13,15 @@ import { signed, signedPng } from './origin';
 import { openRecipe, recipeFile } from './recipe-file';
 import { working } from './working';
 
-/** Times the picture's side. */
-const SCALES = [1, 2, 3, 4];
+/** Times the picture's side, of pictures and of maps. */
+const SCALES = [1, 2, 3, 4, 8];
+const MAP_SCALES = [1, 2, 4, 8];
 
 /** The most pixels that a side may have. */
-const MOST = 4096;
+const MOST = 8192;
 
-/** What was chosen last: of maps the program or the normals, of meshes the degree of detail. */
-const chosen = { program: 'normal-opengl', detail: 'middle' };
+/** What was chosen last: of maps the program or the normals, and times the picture's side; of meshes the degree of detail. */
+const chosen = { program: 'normal-opengl', scale: '1', detail: 'middle' };
 
 /** Programs that maps are for; the first two keep the maps' own names. */
 const PROGRAMS = { 'normal-opengl': 'OpenGL (+Y)', 'normal-directx': 'DirectX (−Y)', blender: 'Blender', godot: 'Godot', unity: 'Unity', unreal: 'Unreal' };
@@ -71,11 +72,11 @@ export class SaveDialog {
     return `bubblestone-${what}-${engine.get('seed')}${ending}`;
   }
 
-  private button(id: string, word: string, ending: string, making: Making): HTMLButtonElement {
+  private button(id: string, word: string, ending: string | (() => string), making: Making): HTMLButtonElement {
     const key = make('button', { type: 'button', class: 'key', id }, word);
     key.addEventListener('click', () => {
       this.dialog.close();
-      void working(this.name(ending), making);
+      void working(this.name(typeof ending === 'string' ? ending : ending()), making);
     });
     return key;
   }
@@ -108,7 +109,12 @@ export class SaveDialog {
   private maps(): HTMLElement[] {
     const program = select('normals', t('normals'), PROGRAMS, chosen.program);
     program.addEventListener('change', () => (chosen.program = program.value));
-    return [program, this.button('save-maps', 'ZIP', '-maps.zip', this.made(() => ({ file: 'maps', program: program.value })))];
+    const side = this.canvas.width;
+    const sizes = MAP_SCALES.filter((scale) => side * scale <= MOST).map((scale) => [String(scale), `${scale}× · ${t('pixels', { n: side * scale })}`] as const);
+    const size = select('maps-size', t('maps_size'), Object.fromEntries(sizes), sizes.some(([scale]) => scale === chosen.scale) ? chosen.scale : '1');
+    const zip = this.button('save-maps', 'ZIP', () => (size.value === '1' ? '-maps.zip' : `-maps-${side * Number(size.value)}.zip`), this.made(() => ({ file: 'maps', program: program.value, scale: Number(size.value) })));
+    size.addEventListener('change', () => (chosen.scale = size.value));
+    return [program, size, zip];
   }
 
   /** How large the files are is told before one is made. */

@@ -4,6 +4,8 @@
 //! Directionality via Packing Rectangular and Elliptical Cells).
 
 mod absence;
+#[cfg(test)]
+mod bands;
 mod defaults;
 mod draft;
 mod engine;
@@ -97,7 +99,7 @@ pub struct Pavement {
     draft: Option<Draft>,
     /// The mesh file in the making.
     saving: Option<files::Saving>,
-    /// The bigger picture in the making, or its planes.
+    /// The bigger picture in the making.
     bigger: Option<Bigger>,
     boxes: probe::Boxes,
 }
