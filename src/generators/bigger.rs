@@ -21,12 +21,9 @@ pub const MOST_PIXELS: usize = 8192;
 /// At most so many pixels for one of the picture, along a side.
 const MOST_SCALE: usize = 8;
 /// Pixels that stones are put into at a time: what is known of their samples is held for these only.
-const BAND: usize = 1 << 21;
-/// Bytes held for each pixel of the picture, when all is there.
-const BYTES: usize = 10;
-/// The same while stones are painted: for each pixel, and more for each pixel of the band; and those of noise and
-/// ground.
-const PAINTING: [usize; 3] = [8, 43, 64 << 20];
+const BAND: usize = 1 << 20;
+/// Bytes for each pixel of the picture when all is there, for each pixel of the band, and for noise and ground.
+const BYTES: [usize; 3] = [10, 43, 64 << 20];
 
 /// A bigger picture, or its maps, in the making.
 pub(super) struct Bigger {
@@ -271,11 +268,10 @@ fn check(scale: usize, side: usize) -> Result<(), Notice> {
         let notice = notice.with("most", most).with("given", scale);
         return Err(notice.with("pixels", MOST_PIXELS));
     }
-    let [each, in_band, more] = PAINTING;
+    let [each, in_band, more] = BYTES;
     let pixels = bigger * bigger;
-    let painting = each * pixels + in_band * pixels.min(BAND) + more;
     let mut room: Vec<u8> = Vec::new();
-    match room.try_reserve_exact(painting.max(BYTES * pixels)) {
+    match room.try_reserve_exact(each * pixels + in_band * pixels.min(BAND) + more) {
         Ok(()) => Ok(()),
         Err(_) => Err(Notice::new(Code::NoMemory).with("side", bigger)),
     }

@@ -33,7 +33,7 @@ pub struct Bed {
     /// pixels.
     dense: usize,
     /// Noise, broad and fine.
-    tiles: Vec<NoiseTile>,
+    tiles: [NoiseTile; 2],
     /// What each place of [`PLACES`] has.
     pebbles: Vec<Option<Pebble>>,
     /// The tile's rows that are held: the first, and how many.
@@ -78,8 +78,8 @@ impl Pebble {
 }
 
 impl Bed {
-    /// Ground at `level`, its unevenness a part of the joints' `depth`; to be made by
-    /// [`Bed::advance`]. With a `period` it repeats after so many pixels.
+    /// Ground at `level`, its unevenness a part of the joints' `depth`; what is held
+    /// of it is made by [`Bed::advance`]. With a `period` it repeats after so many pixels.
     pub fn new(
         ground: Ground,
         [level, depth]: [f32; 2],
@@ -88,6 +88,10 @@ impl Bed {
         pixel_scale: PixelScale,
     ) -> Self {
         let dense = (pixel_scale.per_unit() as usize).next_power_of_two();
+        let doublings = pixel_scale.noise_doublings();
+        let tiles = NOISES.map(|(item, log_side, levels, dimension)| {
+            NoiseTile::finer(seed, item, [log_side, levels], dimension, doublings)
+        });
         Self {
             ground,
             level,
@@ -96,7 +100,7 @@ impl Bed {
             period,
             pixel_scale,
             dense,
-            tiles: Vec::new(),
+            tiles,
             pebbles: Vec::new(),
             first: 0,
             held: 0,
@@ -128,16 +132,8 @@ impl Bed {
 
     /// Makes about `rows` rows of the tile; true when all that are to be held are made.
     pub fn advance(&mut self, rows: usize) -> bool {
-        let mut left = rows;
-        while self.tiles.len() < NOISES.len() && left > 0 {
-            let (item, log_side, levels, dimension) = NOISES[self.tiles.len()];
-            let doublings = self.pixel_scale.noise_doublings();
-            let tile = NoiseTile::finer(self.seed, item, [log_side, levels], dimension, doublings);
-            self.tiles.push(tile);
-            left = left.saturating_sub(SIDE);
-        }
         let made = self.heights.len() / self.side();
-        let end = self.held.min(made.saturating_add(left));
+        let end = self.held.min(made.saturating_add(rows));
         for row in made..end {
             self.row((self.first + row) as i32);
         }

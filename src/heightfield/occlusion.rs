@@ -60,7 +60,6 @@ impl Occlusion {
     /// The next `rows` rows; true when all are done.
     pub fn advance(&mut self, planes: &mut Planes, rows: usize) -> bool {
         let side = planes.side;
-        planes.occlusion.resize(side * side, 255);
         let end = side.min(self.row.saturating_add(rows));
         let mut closed = vec![0.0f32; side];
         let mut steepest = vec![0.0f32; side];

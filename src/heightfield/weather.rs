@@ -52,11 +52,13 @@ impl Weathering {
     /// Weather to come over planes as they were painted.
     pub fn new(params: WeatherParams, painted: Painted) -> Self {
         let Painted {
-            planes,
+            mut planes,
             bed,
             size,
             depth,
         } = painted;
+        // Planes painted in bands have none so far: it takes the place of what painting took.
+        planes.occlusion.resize(planes.bump.len(), 255);
         let effects = Effects::new(params, [planes.ground, depth], bed.dirt());
         Self {
             weather: Weather::new(effects, [planes.side, planes.pixel_scale], size, depth),

@@ -16,6 +16,8 @@ use crate::random::{Purpose, Random};
 const BELOW: f32 = 0.6;
 /// So many levels below the unit are stored.
 const STORED: u32 = 2;
+/// The same factor for the level below these: it is seen in pictures of all its points only, and would darken them.
+const LAST: f32 = 0.4;
 
 /// A periodic square of noise: mean 0, and deviation 1 at the distance of the coarse grid's points.
 #[derive(Clone, Debug)]
@@ -107,7 +109,7 @@ impl NoiseTile {
         tile.centre(unit);
         if !is_stored {
             tile.midpoints = Some(Midpoints {
-                amplitudes: [amplitude * BELOW, amplitude * BELOW * BELOW],
+                amplitudes: [amplitude * LAST, amplitude * LAST * LAST],
                 salt: Random::new(seed, Purpose::Noise, item).bits() as u32,
             });
         }

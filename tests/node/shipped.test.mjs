@@ -121,6 +121,20 @@ test('the first picture, a large one, and the largest painted anew take the memo
   assert.throws(() => memory.grow(16_384), RangeError);
 });
 
+test('what there is no memory for gets a sentence, and the picture stays', async () => {
+  const own = await import(`${pathToFileURL(join(pageModule, 'bubblestone.js')).href}?full`);
+  const { memory } = own.initSync({ module: bytes });
+  const studio = finished(new own.Bubblestone(SMALL));
+  const digest = studio.digest();
+  // Of 1 GiB 200 MB are left.
+  memory.grow((2 ** 30 - 2e8 - memory.buffer.byteLength) >> 16);
+  assert.equal(studio.pictureFile(64, '', 20).code, 'bad_scale');
+  const large = finished(new own.Bubblestone('size=1024&cs=200'));
+  for (const words of ['', 'albedo id']) assert.match(large.pictureFile(8, words, 20).text, /too little memory here for 8192 pixels/);
+  assert.equal(bytesOf(() => large.pictureFile(1, '', 20)), 3 * 1024 ** 2);
+  assert.deepEqual([studio.digest(), large.stage()], [digest, 'done']);
+});
+
 test('everything is drawn and told at every stage', () => {
   for (const link of DRAWN) {
     const studio = open(link);

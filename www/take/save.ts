@@ -21,7 +21,7 @@ const MAP_SCALES = [1, 2, 4, 8];
 const MOST = 8192;
 
 /** What was chosen last: of maps the program or the normals, and times the picture's side; of meshes the degree of detail. */
-const chosen = { program: 'normal-opengl', scale: '1', detail: 'middle' };
+const chosen = { program: 'normal-opengl', scale: 1, detail: 'middle' };
 
 /** Programs that maps are for; the first two keep the maps' own names. */
 const PROGRAMS = { 'normal-opengl': 'OpenGL (+Y)', 'normal-directx': 'DirectX (−Y)', blender: 'Blender', godot: 'Godot', unity: 'Unity', unreal: 'Unreal' };
@@ -107,13 +107,15 @@ export class SaveDialog {
   }
 
   private maps(): HTMLElement[] {
+    const { width } = this.canvas;
     const program = select('normals', t('normals'), PROGRAMS, chosen.program);
     program.addEventListener('change', () => (chosen.program = program.value));
-    const side = this.canvas.width;
-    const sizes = MAP_SCALES.filter((scale) => side * scale <= MOST).map((scale) => [String(scale), `${scale}× · ${t('pixels', { n: side * scale })}`] as const);
-    const size = select('maps-size', t('maps_size'), Object.fromEntries(sizes), sizes.some(([scale]) => scale === chosen.scale) ? chosen.scale : '1');
-    const zip = this.button('save-maps', 'ZIP', () => (size.value === '1' ? '-maps.zip' : `-maps-${side * Number(size.value)}.zip`), this.made(() => ({ file: 'maps', program: program.value, scale: Number(size.value) })));
-    size.addEventListener('change', () => (chosen.scale = size.value));
+    const scales = MAP_SCALES.filter((scale) => width * scale <= MOST);
+    const sizes = Object.fromEntries(scales.map((scale) => [scale, `${scale}× · ${t('pixels', { n: width * scale })}`]));
+    const size = select('maps-size', t('maps_size'), sizes, String(scales.includes(chosen.scale) ? chosen.scale : 1));
+    size.addEventListener('change', () => (chosen.scale = Number(size.value)));
+    const ending = (): string => (size.value === '1' ? '-maps.zip' : `-maps-${width * Number(size.value)}.zip`);
+    const zip = this.button('save-maps', 'ZIP', ending, this.made(() => ({ file: 'maps', program: program.value, scale: Number(size.value) })));
     return [program, size, zip];
   }
 

@@ -4,8 +4,6 @@
 //! Directionality via Packing Rectangular and Elliptical Cells).
 
 mod absence;
-#[cfg(test)]
-mod bands;
 mod defaults;
 mod draft;
 mod engine;

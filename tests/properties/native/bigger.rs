@@ -62,7 +62,7 @@ fn averaged_it_is_the_picture() {
     for link in links {
         let mut studio = finished(&format!("size=256&{link}"));
         for (scale, most, most_smooth) in
-            [(2, 5.0, 2.0), (3, 6.0, 4.0), (4, 7.0, 4.0), (8, 8.0, 6.0)]
+            [(2, 5.0, 2.0), (3, 6.0, 4.0), (4, 7.0, 4.0), (8, 8.5, 6.5)]
         {
             let made = bigger(&mut studio, scale);
             let picture = studio.picture().unwrap();
