@@ -11,7 +11,7 @@
 //! with --mesh the surface of all cells and the ground as surface.obj, surface.glb and, with images,
 //! surface-textured.glb, of low, middle (the default) or high detail, with --stl the height field as a
 //! closed slab of these millimetres as slab.stl, with --svg the cells' outlines as cells.svg, with
-//! --scale the picture at 1 to 4 times its side as picture-Nx.png and, with --maps, its
+//! --scale the picture at 1 to 8 times its side as picture-Nx.png and, with --maps, its
 //! maps as NAME-Nx.png. Ends with code 2 and one sentence where something is wrong with what it was
 //! given.
 //!
@@ -137,7 +137,7 @@ impl Wish {
                 }
                 "--scale" => {
                     let scale = value("--scale")?.parse();
-                    let said = |_| format!("--scale needs a whole number, 1 to 4. {USAGE}");
+                    let said = |_| format!("--scale needs a whole number, 1 to 8. {USAGE}");
                     wish.scale = Some(scale.map_err(said)?);
                 }
                 "--svg" => wish.svg = true,

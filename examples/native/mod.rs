@@ -161,17 +161,19 @@ pub fn write_bigger(
     maps: bool,
     dir: &Path,
 ) -> Result<(), String> {
-    let made = studio
-        .engine_mut()
-        .picture_file(scale, &mut || 0.0, f64::INFINITY)?;
-    let colours = made.rows.chunks_exact(3).map(|p| [p[0], p[1], p[2]]);
-    write_rgb(dir, &format!("picture-{scale}x.png"), made.side, colours)?;
-    for (kind, word) in MapKind::ALL.into_iter().filter(|_| maps) {
-        write_png(
-            dir,
-            &format!("{word}-{scale}x.png"),
-            &studio.engine().bigger_map(kind)?,
-        )?;
+    let engine = studio.engine_mut();
+    let mut made = |kinds: &[MapKind]| {
+        let made = engine.picture_file((scale, kinds), &mut || 0.0, f64::INFINITY);
+        made.map(|made| made.rows)
+    };
+    for picture in made(&[])? {
+        write_png(dir, &format!("picture-{scale}x.png"), &picture)?;
+    }
+    if maps {
+        let all = made(&MapKind::ALL.map(|(kind, _)| kind))?;
+        for (map, (_, word)) in all.iter().zip(MapKind::ALL) {
+            write_png(dir, &format!("{word}-{scale}x.png"), map)?;
+        }
     }
     studio.engine_mut().stop_file();
     Ok(())

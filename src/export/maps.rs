@@ -3,8 +3,9 @@
 
 use crate::heightfield::{Planes, row_slopes};
 use crate::material::Material;
+use std::ops::Range;
 
-/// A map, `side` x `side` pixels, row after row from the top.
+/// A map, `side` x `side` pixels, row after row from the top; or some rows of it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Map {
     /// Pixels along a side.
@@ -82,6 +83,22 @@ impl MapKind {
         found.map_or("", |(_, word)| word)
     }
 
+    /// A map of this kind without rows.
+    pub(crate) fn empty(self, side: usize) -> Map {
+        let (channels, bits) = match self {
+            MapKind::Height => (1, 16),
+            MapKind::HeightFloat => (1, 32),
+            MapKind::Roughness | MapKind::Occlusion => (1, 8),
+            _ => (3, 8),
+        };
+        Map {
+            side,
+            channels,
+            bits,
+            bytes: Vec::new(),
+        }
+    }
+
     /// The map of a word.
     pub fn of_word(word: &str) -> Option<MapKind> {
         let found = Self::ALL.iter().find(|(_, w)| *w == word);
@@ -107,82 +124,92 @@ pub fn id_colour(id: u32) -> [u8; 3] {
     [r, g, b]
 }
 
-/// Makes a map of finished planes. `materials` is the table that their plane of materials indexes,
-/// `shininess` the factor of its exponents.
+/// What the maps of some rows need to know of all of them.
+#[derive(Clone, Debug)]
+pub struct Scale {
+    /// The lowest and the highest value of the bump plane, in picture units.
+    pub heights: (f32, f32),
+    /// Roughness of each material, 0..255.
+    roughness: Vec<u8>,
+}
+
+impl Scale {
+    /// `materials` is the table that the plane of materials indexes, `shininess` the factor of its exponents.
+    pub fn new(planes: &Planes, materials: &[Material], shininess: f64) -> Self {
+        let grey = |o: &Material| roughness(f64::from(o.shininess) * shininess);
+        Self {
+            heights: planes.height_range(),
+            roughness: materials.iter().map(|o| byte(255.0 * grey(o))).collect(),
+        }
+    }
+
+    fn rough(&self, material: u8) -> u8 {
+        let found = self.roughness.get(usize::from(material));
+        found.copied().unwrap_or(255)
+    }
+
+    /// In the 16 bits of [`MapKind::Height`].
+    fn grey(&self, height: f32) -> u16 {
+        let (low, high) = self.heights;
+        let scale = if high > low {
+            65535.0 / (high - low)
+        } else {
+            0.0
+        };
+        ((height - low) * scale + 0.5) as u16
+    }
+}
+
+/// Makes a map of finished planes; see [`Scale::new`].
 pub fn map(kind: MapKind, planes: &Planes, materials: &[Material], shininess: f64) -> Map {
-    let rough = || roughnesses(planes, materials, shininess);
-    let (channels, bits, bytes) = match kind {
-        MapKind::Height => (1, 16, heights(planes)),
-        MapKind::NormalOpengl => (3, 8, normals(planes, -1.0)),
-        MapKind::NormalDirectx => (3, 8, normals(planes, 1.0)),
-        MapKind::Albedo => (3, 8, planes.colour.as_flattened().to_vec()),
-        MapKind::Roughness => (1, 8, rough()),
-        MapKind::Occlusion => (1, 8, planes.occlusion.clone()),
-        MapKind::Id => (
-            3,
-            8,
-            planes.id.iter().flat_map(|&id| id_colour(id)).collect(),
-        ),
-        MapKind::Orm => (3, 8, orm(planes, &rough())),
-        MapKind::HeightFloat => (1, 32, floats(planes)),
-    };
-    Map {
-        side: planes.side,
-        channels,
-        bits,
-        bytes,
+    let scale = Scale::new(planes, materials, shininess);
+    rows(kind, planes, &scale, 0..planes.side)
+}
+
+/// Makes these rows of a map of finished planes.
+pub fn rows(kind: MapKind, planes: &Planes, scale: &Scale, rows: Range<usize>) -> Map {
+    let at = rows.start * planes.side..rows.end * planes.side;
+    let heights = &planes.bump[at.clone()];
+    let mut map = kind.empty(planes.side);
+    let bytes = &mut map.bytes;
+    match kind {
+        MapKind::Height => bytes.extend(heights.iter().flat_map(|&h| scale.grey(h).to_be_bytes())),
+        MapKind::NormalOpengl => normals(planes, -1.0, rows, bytes),
+        MapKind::NormalDirectx => normals(planes, 1.0, rows, bytes),
+        MapKind::Albedo => bytes.extend_from_slice(planes.colour[at].as_flattened()),
+        MapKind::Roughness => bytes.extend(planes.material[at].iter().map(|&k| scale.rough(k))),
+        MapKind::Occlusion => bytes.extend_from_slice(&planes.occlusion[at]),
+        MapKind::Id => bytes.extend(ids(&planes.id[at])),
+        MapKind::Orm => {
+            let pixels = planes.occlusion[at.clone()]
+                .iter()
+                .zip(&planes.material[at]);
+            bytes.extend(pixels.flat_map(|(&open, &k)| [open, scale.rough(k), 0]));
+        }
+        MapKind::HeightFloat => {
+            let unit = planes.pixel_scale as f32 / planes.side as f32;
+            bytes.extend(heights.iter().flat_map(|h| (h * unit).to_be_bytes()));
+        }
     }
+    map
 }
 
-fn roughnesses(planes: &Planes, materials: &[Material], shininess: f64) -> Vec<u8> {
-    let grey = |o: &Material| roughness(f64::from(o.shininess) * shininess);
-    let greys: Vec<u8> = materials.iter().map(|o| byte(255.0 * grey(o))).collect();
-    let at = |&k: &u8| greys.get(usize::from(k)).copied().unwrap_or(255);
-    planes.material.iter().map(at).collect()
-}
-
-fn orm(planes: &Planes, rough: &[u8]) -> Vec<u8> {
-    let mut bytes = Vec::new();
-    for (&light, &rough) in planes.occlusion.iter().zip(rough) {
-        bytes.extend_from_slice(&[light, rough, 0]);
-    }
-    bytes
-}
-
-fn floats(planes: &Planes) -> Vec<u8> {
-    let unit = planes.pixel_scale as f32 / planes.side as f32;
-    let mut bytes = Vec::new();
-    for height in &planes.bump {
-        bytes.extend_from_slice(&(height * unit).to_be_bytes());
-    }
-    bytes
-}
-
-fn heights(planes: &Planes) -> Vec<u8> {
-    let (low, high) = planes.height_range();
-    let scale = if high > low {
-        65535.0 / (high - low)
-    } else {
-        0.0
-    };
-    let grey = |h: &f32| (((h - low) * scale + 0.5) as u16).to_be_bytes();
-    planes.bump.iter().flat_map(grey).collect()
+/// Red, green and blue of these ids.
+pub(crate) fn ids(ids: &[u32]) -> impl Iterator<Item = u8> {
+    ids.iter().flat_map(|&id| id_colour(id))
 }
 
 /// `green` is the direction of green: 1 down the picture, -1 up.
-fn normals(planes: &Planes, green: f32) -> Vec<u8> {
-    let side = planes.side;
-    let mut slopes = [vec![0.0; side], vec![0.0; side]];
-    let mut bytes = Vec::with_capacity(3 * side * side);
-    for y in 0..side {
+fn normals(planes: &Planes, green: f32, rows: Range<usize>, to: &mut Vec<u8>) {
+    let mut slopes = [vec![0.0; planes.side], vec![0.0; planes.side]];
+    for y in rows {
         row_slopes(planes, y, &mut slopes);
         for (&across, &down) in slopes[0].iter().zip(&slopes[1]) {
             let upright = 1.0 / (1.0 + across * across + down * down).sqrt();
             let normal = [-across * upright, -green * down * upright, upright];
-            bytes.extend(normal.map(|v| byte(127.5 + 127.5 * v)));
+            to.extend(normal.map(|v| byte(127.5 + 127.5 * v)));
         }
     }
-    bytes
 }
 
 fn byte(v: f32) -> u8 {

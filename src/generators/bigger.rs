@@ -1,42 +1,57 @@
 //! The finished picture once more, with more pixels: the same bodies and noises, seen finer.
 //!
-//! Stages up to the cells' coats know picture units only. From the painter on, `pixel_scale` pixels
-//! stand for each unit. Stones are painted in bands of rows, as nine samples of all pixels would not
-//! fit into memory.
+//! Stages up to the cells' coats know picture units only. From the painter on, `pixel_scale` pixels stand for
+//! each unit. A picture of 8192 pixels along a side fits into memory, as of all pixels only those planes are held
+//! that stages to come read all over the picture: heights, colours and materials, 8 bytes a pixel, then
+//! occlusion and light. The ground's tile, the samples of stones and the ids are there for a band of rows at a
+//! time, the weather's means for those around one row, and rows of the picture or of its maps leave as soon as
+//! they are made. No stage needs to know of joints between bands, and there are none.
 
-use super::height_field::{
-    Bodies, Finish, HeightField, HeightFieldParams, Passes, ROWS, Revisions,
-};
+use super::height_field::{Bodies, HeightFieldParams, LightParams, Painting, ROWS, solids};
 use super::{Clock, PictureSlice};
-use crate::heightfield::Planes;
+use crate::export::{Map, MapKind, maps};
+use crate::heightfield::{Planes, Shader, Weathering};
+use crate::material::WeatherParams;
 use crate::notice::{Code, Notice};
+use crate::solid::Solids;
+use std::ops::Range;
 
 /// Most pixels along the side: more would not fit into the memory that browsers give a page.
-pub const MOST_PIXELS: usize = 4096;
+pub const MOST_PIXELS: usize = 8192;
 /// At most so many pixels for one of the picture, along a side.
-const MOST_SCALE: usize = 4;
+const MOST_SCALE: usize = 8;
 /// Pixels that stones are put into at a time: what is known of their samples is held for these only.
-const BAND: usize = 1 << 21;
-/// Bytes of all that is held at once, for each pixel, besides the band.
-const BYTES: usize = 28;
+const BAND: usize = 1 << 20;
+/// Bytes for each pixel of the picture when all is there, for each pixel of the band, and for noise and ground.
+const BYTES: [usize; 3] = [10, 43, 64 << 20];
 
-/// A bigger picture in the making, or what is left of it.
+/// A bigger picture, or its maps, in the making.
 pub(super) struct Bigger {
     scale: usize,
+    /// The maps that are wanted; none where it is the picture.
+    kinds: Vec<MapKind>,
     /// Which of the pictures it is.
     revision: u64,
-    finish: HeightField,
+    side: usize,
+    light: LightParams,
+    work: Work,
     /// Slices of the stage at work.
     slices: usize,
-    /// Bytes of the picture that were handed out.
-    given: usize,
+    /// Rows of the picture whose stones are all painted.
+    painted: usize,
+    heights: (f32, f32),
+    /// Rows to be handed out.
+    rows: Vec<Map>,
 }
 
-/// A bigger picture has no inputs that change.
-const INPUTS: Revisions = Revisions {
-    domain: 0,
-    cells: 0,
-};
+/// The stage at work, and what it has made.
+enum Work {
+    Painting(Painting, Solids, WeatherParams),
+    Weathering(Weathering),
+    Shading(Planes, Shader),
+    Mapping(Planes, maps::Scale, usize),
+    Done,
+}
 
 /// What a bigger picture is made of.
 pub(super) struct Picture<'a> {
@@ -48,46 +63,49 @@ pub(super) struct Picture<'a> {
 }
 
 impl Bigger {
-    /// Works for about `budget` milliseconds on a picture with `scale` times as many pixels along its
-    /// side; `kept` is what was made by now.
+    /// Works for about `budget` milliseconds on these maps, or where there are none on the picture, with `scale`
+    /// times as many pixels along its side; `kept` is what was made by now.
     ///
     /// # Errors
     /// A notice where the picture is not finished, or would be too large; nothing is kept then.
     pub fn advance(
         kept: &mut Option<Bigger>,
         picture: &Picture,
-        (scale, params): (usize, &dyn Fn() -> HeightFieldParams),
+        ((scale, kinds), params): ((usize, &[MapKind]), &dyn Fn() -> HeightFieldParams),
         clock: Clock,
         budget: f64,
     ) -> Result<PictureSlice, Notice> {
         let goes_on = |b: &Bigger| {
-            (b.scale, Some(b.revision)) == (scale, picture.revision) && b.at().is_some()
+            let is_same = (b.scale, Some(b.revision)) == (scale, picture.revision);
+            is_same && b.kinds == kinds && !b.is_done()
         };
         let going = kept.take().filter(goes_on);
         let Picture {
             side,
-            revision,
+            revision: Some(revision),
             bodies: Some(bodies),
         } = *picture
         else {
             return Err(Code::NotYet.into());
         };
-        let revision = revision.ok_or(Code::NotYet)?;
-        let bigger_side = side.saturating_mul(scale);
-        if !(1..=MOST_SCALE).contains(&scale) || bigger_side > MOST_PIXELS {
-            let most = (MOST_PIXELS / side).clamp(1, MOST_SCALE);
-            let notice = Notice::new(Code::BadScale).with("side", side);
-            let notice = notice.with("most", most).with("given", scale);
-            return Err(notice.with("pixels", MOST_PIXELS));
-        }
         let begun = going.is_none();
         let mut bigger = match going {
             Some(bigger) => bigger,
-            None => Self::begin(scale, bigger_side, revision, params)?,
+            None => {
+                check(scale, side)?;
+                let band = (BAND / (side * scale)).max(ROWS);
+                Self::begin(
+                    (scale, kinds),
+                    scale * side,
+                    revision,
+                    params(),
+                    (bodies, band),
+                )
+            }
         };
         let begin = clock();
         // Not `>=`: a clock that fails must not make this endless.
-        while bigger.at().is_some() {
+        while !bigger.is_done() {
             bigger.add(bodies);
             let inside = clock() - begin < budget;
             if !inside {
@@ -96,93 +114,165 @@ impl Bigger {
         }
         let slice = PictureSlice {
             begun,
-            progress: bigger.progress(bigger_side, bodies.cells.len()),
-            side: bigger_side,
+            progress: bigger.progress(bodies.cells.len()),
             rows: bigger.take(),
-            done: bigger.at().is_none(),
+            heights: bigger.heights,
+            done: bigger.is_done(),
         };
         *kept = Some(bigger);
         Ok(slice)
     }
 
-    fn begin(
-        scale: usize,
+    /// A picture of `side` pixels, with all its work before it; stones are to be put into `band` rows at a time.
+    pub fn begin(
+        (scale, kinds): (usize, &[MapKind]),
         side: usize,
         revision: u64,
-        params: &dyn Fn() -> HeightFieldParams,
-    ) -> Result<Bigger, Notice> {
-        let mut room: Vec<u8> = Vec::new();
-        if room.try_reserve_exact(BYTES * side * side).is_err() {
-            return Err(Notice::new(Code::NoMemory).with("side", side));
-        }
-        drop(room);
-        Ok(Bigger {
+        params: HeightFieldParams,
+        (bodies, band): (Bodies, usize),
+    ) -> Bigger {
+        let painting = Painting::new(&params.planes, bodies.coats, band);
+        let rows = match kinds {
+            // Red, green and blue, as of colours.
+            [] => vec![MapKind::Albedo.empty(side)],
+            _ => kinds.iter().map(|kind| kind.empty(side)).collect(),
+        };
+        Bigger {
             scale,
+            kinds: kinds.to_vec(),
             revision,
-            finish: HeightField::new(params(), Passes::One, band(side)),
+            side,
+            light: params.light,
+            work: Work::Painting(painting, solids(&params.planes), params.weather),
             slices: 0,
-            given: 0,
-        })
+            painted: 0,
+            heights: (0.0, 0.0),
+            rows,
+        }
     }
 
-    /// The planes, once they are finished, of the picture of this revision.
-    pub fn planes(&self, revision: u64) -> Option<&Planes> {
-        let planes = self.finish.weather.made();
-        planes.filter(|_| self.at().is_none() && self.revision == revision)
+    /// Are all rows made?
+    pub fn is_done(&self) -> bool {
+        matches!(self.work, Work::Done)
     }
 
     /// One slice of the work.
-    fn add(&mut self, bodies: Bodies) {
-        let Some(at) = self.at() else {
-            return;
-        };
-        self.finish.advance(at, bodies, INPUTS);
-        self.slices = match self.at() == Some(at) {
-            true => self.slices + 1,
-            false => 0,
+    pub fn add(&mut self, bodies: Bodies) {
+        self.slices += 1;
+        self.work = match std::mem::replace(&mut self.work, Work::Done) {
+            Work::Painting(mut painting, mut solids, weather) => {
+                match painting.advance(&mut solids, bodies.cells) && !self.next_band(&mut painting)
+                {
+                    false => Work::Painting(painting, solids, weather),
+                    true => {
+                        self.slices = 0;
+                        Work::Weathering(Weathering::new(weather, painting.finish()))
+                    }
+                }
+            }
+            Work::Weathering(mut weathering) => match weathering.advance(bodies.domain, ROWS) {
+                false => Work::Weathering(weathering),
+                true => self.finishing(weathering.finish()),
+            },
+            Work::Shading(planes, mut shader) => {
+                let done = shader.advance(&planes, &self.light.materials, ROWS);
+                let pixels = shader.finished().chunks_exact(4);
+                let rgb = pixels.flat_map(|p| [p[0], p[1], p[2]]);
+                self.rows[0].bytes.extend(rgb);
+                match done {
+                    false => Work::Shading(planes, shader),
+                    true => Work::Done,
+                }
+            }
+            Work::Mapping(planes, scale, from) => {
+                let end = self.side.min(from + ROWS);
+                self.map(&planes, &scale, from..end);
+                match end == self.side {
+                    false => Work::Mapping(planes, scale, end),
+                    true => Work::Done,
+                }
+            }
+            Work::Done => Work::Done,
         };
     }
 
-    fn progress(&self, side: usize, cells: usize) -> f64 {
+    /// Hands out the ids of a band with all its stones, and goes on to the next one; false where there is none.
+    fn next_band(&mut self, painting: &mut Painting) -> bool {
+        let ids = painting.ids();
+        self.painted += ids.len() / self.side;
+        for (map, kind) in self.rows.iter_mut().zip(&self.kinds) {
+            if *kind == MapKind::Id {
+                map.bytes.extend(maps::ids(ids));
+            }
+        }
+        painting.next_band()
+    }
+
+    /// What comes after the weather.
+    fn finishing(&mut self, planes: Planes) -> Work {
+        self.slices = 0;
+        let shade = &self.light.shade;
+        if self.kinds.is_empty() {
+            let shader = Shader::banded(shade, [planes.side, planes.pixel_scale], ROWS);
+            return Work::Shading(planes, shader);
+        }
+        let scale = maps::Scale::new(&planes, &self.light.materials, shade.shininess);
+        self.heights = scale.heights;
+        Work::Mapping(planes, scale, 0)
+    }
+
+    /// Hands out these rows of all maps but those of ids.
+    fn map(&mut self, planes: &Planes, scale: &maps::Scale, rows: Range<usize>) {
+        for (map, &kind) in self.rows.iter_mut().zip(&self.kinds) {
+            if kind != MapKind::Id {
+                let made = maps::rows(kind, planes, scale, rows.clone());
+                map.bytes.extend(made.bytes);
+            }
+        }
+    }
+
+    fn progress(&self, cells: usize) -> f64 {
         let slices = self.slices as f64;
-        let rows = side.div_ceil(ROWS) as f64;
-        let bands = side.div_ceil(band(side)) as f64;
-        let (from, to, part) = match self.at() {
-            Some(Finish::Planes) if !self.finish.is_bedded(INPUTS) => {
-                (0.0, 0.05, slices / (2.0 * rows))
+        let rows = self.side.div_ceil(ROWS) as f64;
+        let (from, to, part) = match &self.work {
+            Work::Painting(painting, ..) => {
+                let band = painting.ids().len() as f64 / (self.side * self.side) as f64;
+                let stones = painting.stones() as f64 / cells.max(1) as f64;
+                let done = self.painted as f64 / self.side as f64;
+                (0.0, 0.7, done + band * stones)
             }
-            Some(Finish::Planes) => {
-                let stones = self.finish.stones_coming(INPUTS) as f64 / cells.max(1) as f64;
-                let done = self.finish.bands_done(INPUTS) as f64 + stones;
-                (0.05, 0.75, done / bands)
-            }
-            Some(Finish::Weather) => (0.75, 0.9, slices / (3.0 * rows)),
-            Some(Finish::Shading) => (0.9, 1.0, slices / (2.0 * rows)),
-            None => (1.0, 1.0, 0.0),
+            Work::Weathering(_) => (0.7, 0.85, slices / (2.2 * rows)),
+            Work::Shading(..) => (0.85, 1.0, slices / (2.0 * rows)),
+            Work::Mapping(..) => (0.85, 1.0, slices / rows),
+            Work::Done => (1.0, 1.0, 0.0),
         };
         from + (to - from) * part.min(1.0)
     }
 
-    /// The stage at work; none where all is done.
-    fn at(&self) -> Option<Finish> {
-        self.finish.due(INPUTS).map(|(stage, _)| stage)
-    }
-
-    /// The rows that are finished and were not given yet.
-    fn take(&mut self) -> Vec<u8> {
-        let finished = self.finish.shaded();
-        let fresh = &finished[self.given.min(finished.len())..];
-        let pixels = fresh.chunks_exact(4);
-        let rows = pixels.flat_map(|p| [p[0], p[1], p[2]]).collect();
-        self.given = finished.len();
-        if self.at().is_none() {
-            self.finish.drop_shader();
-        }
-        rows
+    /// The rows that were made and not given yet.
+    pub fn take(&mut self) -> Vec<Map> {
+        let taken = |map: &mut Map| Map {
+            bytes: std::mem::take(&mut map.bytes),
+            ..*map
+        };
+        self.rows.iter_mut().map(taken).collect()
     }
 }
 
-/// Rows of a picture that stones are put into at a time.
-fn band(side: usize) -> usize {
-    (BAND / side).max(ROWS)
+/// Whether a picture of `side` pixels can be made at `scale` times its side.
+fn check(scale: usize, side: usize) -> Result<(), Notice> {
+    let bigger = side.saturating_mul(scale);
+    if !(1..=MOST_SCALE).contains(&scale) || bigger > MOST_PIXELS {
+        let most = (MOST_PIXELS / side).clamp(1, MOST_SCALE);
+        let notice = Notice::new(Code::BadScale).with("side", side);
+        let notice = notice.with("most", most).with("given", scale);
+        return Err(notice.with("pixels", MOST_PIXELS));
+    }
+    let [each, in_band, more] = BYTES;
+    let pixels = bigger * bigger;
+    let mut room: Vec<u8> = Vec::new();
+    match room.try_reserve_exact(each * pixels + in_band * pixels.min(BAND) + more) {
+        Ok(()) => Ok(()),
+        Err(_) => Err(Notice::new(Code::NoMemory).with("side", bigger)),
+    }
 }

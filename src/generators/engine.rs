@@ -38,18 +38,17 @@ pub struct MeshSlice {
     pub done: bool,
 }
 
-/// What one slice of work has made of a bigger picture.
+/// What one slice of work has made of a bigger picture, or of its maps.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PictureSlice {
     /// A new picture begins with these rows; those of calls before belong to another one.
     pub begun: bool,
     /// How much of the work is done, 0..1, by a rough estimate.
     pub progress: f64,
-    /// Pixels along the picture's side.
-    pub side: usize,
-    /// Red, green and blue of the next pixels, a byte each, in whole rows from the top; empty in most
-    /// slices.
-    pub rows: Vec<u8>,
+    /// The next rows of each map that was asked for, or of the picture, from the top; none in most slices.
+    pub rows: Vec<Map>,
+    /// The lowest and the highest value of its bump plane, in picture units, once that is finished.
+    pub heights: (f32, f32),
     /// The picture ends with them.
     pub done: bool,
 }
@@ -159,24 +158,18 @@ pub trait Engine: Any {
     /// A notice where the picture is not finished, or there is no such map.
     fn map(&self, kind: MapKind) -> Result<Map, Notice>;
 
-    /// Works for about `budget` milliseconds on the finished picture with `scale` times as many pixels
-    /// along its side. Begins anew where the picture or the scale is another one than the last time, or
-    /// the last one was done.
+    /// Works for about `budget` milliseconds on these maps of the finished picture with `scale` times as many pixels
+    /// along its side, or where there are none on the picture itself. Begins anew where the order or the picture
+    /// is another one than the last time, or the last one was done.
     ///
     /// # Errors
     /// A notice where the picture is not finished, or would be too large.
     fn picture_file(
         &mut self,
-        scale: usize,
+        order: (usize, &[MapKind]),
         clock: Clock,
         budget: f64,
     ) -> Result<PictureSlice, Notice>;
-
-    /// A map of the bigger picture that was finished last.
-    ///
-    /// # Errors
-    /// A notice where there is none, or of another picture.
-    fn bigger_map(&self, kind: MapKind) -> Result<Map, Notice>;
 
     /// Works for about `budget` milliseconds on a mesh file. Begins anew where the picture or the order is
     /// another one than the last time.

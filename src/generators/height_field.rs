@@ -51,24 +51,14 @@ pub(super) struct HeightFieldParams {
 
 /// Planes, weather and light.
 pub(super) struct HeightField {
-    /// None once the weather has taken them. While stones are painted anew the last ones stay, 13 bytes a
-    /// pixel and their ground: after a step back nothing has to be painted.
-    pub planes: Node<PlaneParams, Painting, Option<Painted>>,
+    /// While stones are painted anew the last ones stay, 13 bytes a pixel and their ground: after a step back
+    /// nothing has to be painted.
+    pub planes: Node<PlaneParams, Painting, Painted>,
     pub weather: Node<WeatherParams, Weathering, Planes>,
-    /// The picture: opaque RGBA, row after row from the top. [`Passes::One`] leaves it in the shader.
+    /// The picture: opaque RGBA, row after row from the top.
     pub light: Node<LightParams, (), Vec<u8>>,
-    passes: Passes,
-    /// Rows that stones are put into at a time.
-    band: usize,
     solids: Solids,
     shader: Option<Shader>,
-}
-
-/// How often its stages are worked on: what they made is kept for passes to come, which takes memory.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Passes {
-    Many,
-    One,
 }
 
 /// What it is made of.
@@ -89,15 +79,13 @@ pub(super) struct Revisions {
 }
 
 impl HeightField {
-    /// Nothing made yet; stones are put into `band` rows at a time.
-    pub fn new(params: HeightFieldParams, passes: Passes, band: usize) -> Self {
+    /// Nothing made yet.
+    pub fn new(params: HeightFieldParams) -> Self {
         Self {
             solids: solids(&params.planes),
             planes: Node::new(params.planes),
             weather: Node::new(params.weather),
             light: Node::new(params.light),
-            passes,
-            band,
             shader: None,
         }
     }
@@ -140,30 +128,26 @@ impl HeightField {
     }
 
     fn paint(&mut self, bodies: Bodies, inputs: u64) {
-        let (solids, band) = (&mut self.solids, self.band);
+        let solids = &mut self.solids;
         self.planes.advance(inputs, |params, work| {
             let Some(painting) = work else {
-                *work = Some(Painting::new(params, bodies.coats, band));
+                *work = Some(Painting::new(params, bodies.coats, usize::MAX));
                 return Ok(None);
             };
             if !painting.advance(solids, bodies.cells) {
                 return Ok(None);
             }
             let painting = work.take();
-            Ok(painting.map(|painting| Some(painting.painter.finish())))
+            Ok(painting.map(Painting::finish))
         });
     }
 
     fn weather(&mut self, domain: &Domain, inputs: u64) {
-        let (planes, passes) = (&mut self.planes, self.passes);
+        let planes = &self.planes;
         self.weather.advance(inputs, |params, work| {
             if work.is_none() {
-                let painted = planes.made_mut().and_then(|painted| match passes {
-                    Passes::Many => painted.clone(),
-                    Passes::One => painted.take(),
-                });
-                let painted = painted.ok_or(Code::StageMissing)?;
-                *work = Some(Weathering::new(*params, painted));
+                let painted = planes.made().ok_or(Code::StageMissing)?;
+                *work = Some(Weathering::new(*params, painted.clone()));
             }
             let over = work.take_if(|weathering| weathering.advance(domain, ROWS));
             Ok(over.map(Weathering::finish))
@@ -174,7 +158,7 @@ impl HeightField {
         let Some(planes) = self.weather.made() else {
             return;
         };
-        let (kept, passes) = (&mut self.shader, self.passes);
+        let kept = &mut self.shader;
         self.light
             .advance(self.weather.revision(), |params, begun| {
                 // Under another light the same shader goes on: its tables stay.
@@ -185,10 +169,7 @@ impl HeightField {
                     shader.restart(&params.shade);
                 }
                 let done = shader.advance(planes, &params.materials, ROWS);
-                Ok(done.then(|| match passes {
-                    Passes::Many => shader.rgba().to_vec(),
-                    Passes::One => Vec::new(),
-                }))
+                Ok(done.then(|| shader.rgba().to_vec()))
             });
     }
 
@@ -207,14 +188,9 @@ impl HeightField {
         self.planes.work_of(inputs.cells)
     }
 
-    /// Stones painted by now, of the band of rows at work.
+    /// Stones painted by now.
     pub fn stones_coming(&self, inputs: Revisions) -> usize {
         self.painting(inputs).map_or(0, |painting| painting.stones)
-    }
-
-    /// Bands of rows that all stones are in.
-    pub fn bands_done(&self, inputs: Revisions) -> usize {
-        self.painting(inputs).map_or(0, |painting| painting.bands)
     }
 
     /// Is the ground laid?
@@ -229,24 +205,15 @@ impl HeightField {
             Finish::Planes => Some(self.painting(inputs)?.painter.planes()),
             Finish::Weather => match self.weather.work_of(self.weather_inputs(inputs)) {
                 Some(weathering) => Some(weathering.planes()),
-                None => Some(&self.planes.made()?.as_ref()?.planes),
+                None => Some(&self.planes.made()?.planes),
             },
             _ => None,
         }
     }
-
-    /// The rows of the picture that are shaded by now.
-    pub fn shaded(&self) -> &[u8] {
-        self.shader.as_ref().map_or(&[], Shader::finished)
-    }
-
-    /// Lets go of the picture, once all its rows were taken.
-    pub fn drop_shader(&mut self) {
-        self.shader = None;
-    }
 }
 
-fn solids(params: &PlaneParams) -> Solids {
+/// Solids as detailed as these planes need them.
+pub(super) fn solids(params: &PlaneParams) -> Solids {
     Solids::for_picture(params.texture.pixel_scale, params.finer)
 }
 
@@ -255,24 +222,22 @@ pub(super) struct Painting {
     painter: Painter,
     is_bedded: bool,
     stones: usize,
-    bands: usize,
 }
 
 impl Painting {
-    fn new(params: &PlaneParams, coats: &[Coat], band: usize) -> Self {
+    /// Stones are to be put into `band` rows at a time.
+    pub fn new(params: &PlaneParams, coats: &[Coat], band: usize) -> Self {
         let mut painter = Painter::banded(params.texture, band);
         painter.set_coats(coats);
         Self {
             painter,
             is_bedded: false,
             stones: 0,
-            bands: 0,
         }
     }
 
-    /// One slice: some ground, a stone, or the next band of rows; true when all stones are in all of
-    /// them.
-    fn advance(&mut self, solids: &mut Solids, cells: &[Cell]) -> bool {
+    /// One slice: some ground or a stone; true when all stones are in the band's rows.
+    pub fn advance(&mut self, solids: &mut Solids, cells: &[Cell]) -> bool {
         if !self.is_bedded {
             self.is_bedded = self.painter.lay_ground(ROWS);
             return false;
@@ -281,13 +246,27 @@ impl Painting {
             let done = self.painter.paint_slice(solids, cell, self.stones);
             self.stones += usize::from(done);
         }
-        if self.stones < cells.len() {
-            return false;
-        }
-        let goes_on = self.painter.next_band();
-        if goes_on {
-            (self.bands, self.stones) = (self.bands + 1, 0);
-        }
-        !goes_on
+        self.stones >= cells.len()
+    }
+
+    /// Goes on to the next band; false where there is none left.
+    pub fn next_band(&mut self) -> bool {
+        (self.is_bedded, self.stones) = (false, 0);
+        self.painter.next_band()
+    }
+
+    /// Stones painted by now, of the band at work.
+    pub fn stones(&self) -> usize {
+        self.stones
+    }
+
+    /// Ids of the band's rows.
+    pub fn ids(&self) -> &[u32] {
+        self.painter.band_ids()
+    }
+
+    /// The planes with all stones in them.
+    pub fn finish(self) -> Painted {
+        self.painter.finish()
     }
 }

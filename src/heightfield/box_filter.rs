@@ -1,13 +1,21 @@
 //! Means of the heights around each pixel: a box filter by running sums.
+//!
+//! Of the sums along rows only those around the row at hand are held: the heights may change behind it, row
+//! by row, while the filter goes on.
 
 use super::Planes;
 
 /// The mean height of the square around each pixel: sums of rows first, then running sums of these.
 pub(super) struct BoxFilter {
     radius: usize,
-    /// Sums along rows.
+    side: usize,
+    /// Sums along rows, that of row `y` at `y` modulo the rows that there is room for. Rows count on beyond the
+    /// edges.
     along: Vec<f32>,
-    filled: usize,
+    /// On a tile the sums along its first rows, which follow its last ones.
+    first: Vec<f32>,
+    /// The rows that were entered, from `radius` rows above the picture on.
+    entered: usize,
     /// Sums of `along` over the rows around the one at hand.
     sums: Vec<f64>,
 }
@@ -16,56 +24,84 @@ impl BoxFilter {
     pub fn new(radius: usize, side: usize) -> Self {
         Self {
             radius: radius.clamp(1, side / 2),
+            side,
             along: Vec::new(),
-            filled: 0,
+            first: Vec::new(),
+            entered: 0,
             sums: Vec::new(),
         }
     }
 
-    /// Some more sums along rows; false when all are there.
-    pub fn fill(&mut self, planes: &Planes, rows: usize) -> bool {
-        let (side, tile) = (planes.side, planes.tile);
-        let end = side.min(self.filled.saturating_add(rows));
-        for y in self.filled..end {
-            let row = &planes.bump[y * side..][..side];
-            let of = |x: i64| f64::from(row[place(x, side, tile)]);
-            let reach = self.radius as i64;
-            let mut sum: f64 = (-reach..=reach).map(of).sum();
-            for x in 0..side as i64 {
-                self.along.push(sum as f32);
-                sum += of(x + reach + 1) - of(x - reach);
-            }
+    /// Sums some more of the rows that come before the first means; false when all of them are there.
+    pub fn prepare(&mut self, planes: &Planes, rows: usize) -> bool {
+        let around = 2 * self.radius + 1;
+        let end = around.min(self.entered.saturating_add(rows));
+        if self.entered >= around {
+            return false;
         }
-        let more = self.filled < end;
-        self.filled = end;
-        more
+        // One row more: that which leaves the sums.
+        self.along.resize((around + 1) * self.side, 0.0);
+        while self.entered < end {
+            self.enter(planes);
+        }
+        true
     }
 
-    /// The means of a row; rows must be asked for in turn.
-    pub fn row(&mut self, y: usize, tile: bool, out: &mut [f32]) {
-        let side = out.len();
-        let (y, reach) = (y as i64, self.radius as i64);
-        let along = &self.along;
-        let of = |y: i64| &along[place(y, side, tile) * side..][..side];
+    /// The means of a row; rows must be asked for in turn, and their heights not change before that.
+    pub fn row(&mut self, y: usize, planes: &Planes, out: &mut [f32]) {
+        let reach = self.radius as i64;
+        let y = y as i64;
         if y == 0 {
-            self.sums = vec![0.0; side];
-            for row in (-reach..=reach).map(of) {
-                add(&mut self.sums, row, 1.0);
+            self.sums = vec![0.0; self.side];
+            for y in -reach..=reach {
+                self.add(y, 1.0);
             }
         } else {
-            add(&mut self.sums, of(y + reach), 1.0);
-            add(&mut self.sums, of(y - reach - 1), -1.0);
+            self.enter(planes);
+            self.add(y + reach, 1.0);
+            self.add(y - reach - 1, -1.0);
         }
         let width = (2 * self.radius + 1) as f64;
         for (out, sum) in out.iter_mut().zip(&self.sums) {
             *out = (sum / (width * width)) as f32;
         }
     }
-}
 
-fn add(sums: &mut [f64], row: &[f32], factor: f64) {
-    for (sum, &v) in sums.iter_mut().zip(row) {
-        *sum += factor * f64::from(v);
+    /// Sums along the next row.
+    fn enter(&mut self, planes: &Planes) {
+        let (side, tile) = (self.side, planes.tile);
+        let y = self.entered as i64 - self.radius as i64;
+        self.entered += 1;
+        let slot = self.slot(y);
+        let to = &mut self.along[slot..][..side];
+        if tile && y >= side as i64 {
+            to.copy_from_slice(&self.first[(y as usize - side) * side..][..side]);
+            return;
+        }
+        let row = &planes.bump[place(y, side, tile) * side..][..side];
+        let of = |x: i64| f64::from(row[place(x, side, tile)]);
+        let reach = self.radius as i64;
+        let mut sum: f64 = (-reach..=reach).map(of).sum();
+        for (x, to) in (0..).zip(&mut *to) {
+            *to = sum as f32;
+            sum += of(x + reach + 1) - of(x - reach);
+        }
+        if tile && (0..reach).contains(&y) {
+            self.first.extend_from_slice(to);
+        }
+    }
+
+    /// Where the sums along a row are.
+    fn slot(&self, y: i64) -> usize {
+        let room = 2 * self.radius as i64 + 2;
+        y.rem_euclid(room) as usize * self.side
+    }
+
+    fn add(&mut self, y: i64, factor: f64) {
+        let row = &self.along[self.slot(y)..][..self.side];
+        for (sum, &v) in self.sums.iter_mut().zip(row) {
+            *sum += factor * f64::from(v);
+        }
     }
 }
 

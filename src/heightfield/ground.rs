@@ -1,9 +1,12 @@
 //! The bed of the pavement, between the stones and all around them: one periodic tile of heights and colours
-//! with swells and patches, grains, and some pebbles.
+//! with swells and patches, grains, and some pebbles. Of the tile those rows are held that the picture's rows
+//! at hand lie on.
 
 use super::pixel_scale::PixelScale;
 use crate::material::{Ground, NoiseTile};
+use crate::order::lesser;
 use crate::random::{Purpose, Random};
+use std::ops::Range;
 
 /// Picture units along the tile's side, a power of two.
 const SIDE: usize = 512;
@@ -16,7 +19,7 @@ const PEBBLE: [f32; 2] = [0.7, 2.6];
 /// Height of a pebble over the ground, of its radius.
 const STAND: f32 = 0.55;
 
-/// Height and colour of the ground at any pixel, the same whenever asked.
+/// Height and colour of the ground at the pixels of some rows, the same whenever asked.
 #[derive(Clone, Debug)]
 pub struct Bed {
     ground: Ground,
@@ -30,16 +33,53 @@ pub struct Bed {
     /// pixels.
     dense: usize,
     /// Noise, broad and fine.
-    tiles: Vec<NoiseTile>,
-    /// Above the base level, in picture units.
+    tiles: [NoiseTile; 2],
+    /// What each place of [`PLACES`] has.
+    pebbles: Vec<Option<Pebble>>,
+    /// The tile's rows that are held: the first, and how many.
+    first: usize,
+    held: usize,
+    /// Of the rows held, above the base level, in picture units.
     heights: Vec<f32>,
     /// Red, green and blue, 0..255.
     colours: Vec<[f32; 3]>,
 }
 
+/// A pebble; lengths in places of the tile.
+#[derive(Clone, Copy, Debug)]
+struct Pebble {
+    middle: [f32; 2],
+    radius: f32,
+    /// Height of the ground that it lies on, in picture units.
+    base: f32,
+    colour: [f32; 3],
+}
+
+impl Pebble {
+    /// The places, columns or rows, that it may cover.
+    fn span(&self, axis: usize) -> Range<i32> {
+        let (middle, reach) = (self.middle[axis] as i32, self.radius.ceil() as i32 + 1);
+        middle - reach..middle + reach + 1
+    }
+
+    /// The distance of a place from the middle, of the radius: below 1 where the pebble is.
+    fn away(&self, [x, y]: [i32; 2]) -> f32 {
+        let [dx, dy] = [
+            x as f32 + 0.5 - self.middle[0],
+            y as f32 + 0.5 - self.middle[1],
+        ];
+        (dx * dx + dy * dy).sqrt() / self.radius
+    }
+
+    /// Its height so far away from its middle, in picture units, which are so many places.
+    fn height(&self, away: f32, unit: f32) -> f32 {
+        self.base + STAND * self.radius * unit * (1.0 - away * away).sqrt()
+    }
+}
+
 impl Bed {
-    /// Ground at `level`, its unevenness a part of the joints' `depth`; to be made by
-    /// [`Bed::advance`]. With a `period` it repeats after so many pixels.
+    /// Ground at `level`, its unevenness a part of the joints' `depth`; what is held
+    /// of it is made by [`Bed::advance`]. With a `period` it repeats after so many pixels.
     pub fn new(
         ground: Ground,
         [level, depth]: [f32; 2],
@@ -48,7 +88,10 @@ impl Bed {
         pixel_scale: PixelScale,
     ) -> Self {
         let dense = (pixel_scale.per_unit() as usize).next_power_of_two();
-        let places = dense * SIDE * dense * SIDE;
+        let doublings = pixel_scale.noise_doublings();
+        let tiles = NOISES.map(|(item, log_side, levels, dimension)| {
+            NoiseTile::finer(seed, item, [log_side, levels], dimension, doublings)
+        });
         Self {
             ground,
             level,
@@ -57,9 +100,12 @@ impl Bed {
             period,
             pixel_scale,
             dense,
-            tiles: Vec::new(),
-            heights: Vec::with_capacity(places),
-            colours: Vec::with_capacity(places),
+            tiles,
+            pebbles: Vec::new(),
+            first: 0,
+            held: 0,
+            heights: Vec::new(),
+            colours: Vec::new(),
         }
     }
 
@@ -68,48 +114,59 @@ impl Bed {
         SIDE * self.dense
     }
 
-    /// Makes about `rows` rows of the tile; true when all are made.
+    /// From now on the ground under these rows of the picture is asked for, once it is made.
+    pub fn hold(&mut self, rows: Range<usize>) {
+        let [first, last] = [rows.start as i32, rows.end as i32 - 1].map(|y| self.stretched(y));
+        self.first = first as usize & (self.side() - 1);
+        self.held = self.side().min((last - first).max(0) as usize + 1);
+        self.heights.clear();
+        self.colours.clear();
+        self.heights.reserve_exact(self.held * self.side());
+        self.colours.reserve_exact(self.held * self.side());
+    }
+
+    /// Lets go of the rows held: what is noise only can be asked for still.
+    pub fn drop_rows(&mut self) {
+        (self.held, self.heights, self.colours) = (0, Vec::new(), Vec::new());
+    }
+
+    /// Makes about `rows` rows of the tile; true when all that are to be held are made.
     pub fn advance(&mut self, rows: usize) -> bool {
-        let mut left = rows;
-        while self.tiles.len() < NOISES.len() && left > 0 {
-            let (item, log_side, levels, dimension) = NOISES[self.tiles.len()];
-            let doublings = self.pixel_scale.noise_doublings();
-            let tile = NoiseTile::finer(self.seed, item, [log_side, levels], dimension, doublings);
-            self.tiles.push(tile);
-            left = left.saturating_sub(SIDE);
+        let made = self.heights.len() / self.side();
+        let end = self.held.min(made.saturating_add(rows));
+        for row in made..end {
+            self.row((self.first + row) as i32);
         }
-        let side = self.side();
-        let made = self.heights.len() / side;
-        let end = side.min(made.saturating_add(left));
-        for y in made..end {
-            self.row(y as i32);
+        if made < end && end == self.held {
+            self.put_pebbles();
         }
-        if made < end && end == side {
-            self.scatter_pebbles();
-        }
-        end == side
+        end == self.held
     }
 
     fn row(&mut self, y: i32) {
-        let swell = self.ground.swell * self.depth;
         let unit = self.dense as i32;
         for x in 0..self.side() as i32 {
             let (wave, grain) = (self.noise(0, [x, y]), self.noise(1, [x, y]));
-            self.heights
-                .push(self.level + swell * wave + self.ground.grain * grain);
+            self.heights.push(self.bare(wave, grain));
             let patch = 0.4 * wave + 0.6 * self.noise(0, [y + 131 * unit, x + 57 * unit]);
             self.colours.push(soil_colour(&self.ground, patch, grain));
         }
     }
 
-    /// Height above the base level, in picture units.
-    pub fn height(&self, x: i32, y: i32) -> f32 {
-        self.heights[self.place(x, y)]
+    /// The height without pebbles, where the noises are these.
+    fn bare(&self, wave: f32, grain: f32) -> f32 {
+        let swell = self.ground.swell * self.depth;
+        self.level + swell * wave + self.ground.grain * grain
     }
 
-    /// Red, green and blue, 0..255.
+    /// Height above the base level, in picture units, in the rows held.
+    pub fn height(&self, x: i32, y: i32) -> f32 {
+        self.heights[self.index([x, y].map(|v| self.stretched(v)))]
+    }
+
+    /// Red, green and blue, 0..255, in the rows held.
     pub fn colour(&self, x: i32, y: i32) -> [f32; 3] {
-        self.colours[self.place(x, y)]
+        self.colours[self.index([x, y].map(|v| self.stretched(v)))]
     }
 
     /// The noise of swells and patches at any pixel: deviation about 1.
@@ -123,8 +180,7 @@ impl Bed {
     }
 
     fn noise_at(&self, which: usize, x: i32, y: i32) -> f32 {
-        let (at, side) = (self.place(x, y), self.side());
-        self.noise(which, [(at % side) as i32, (at / side) as i32])
+        self.noise(which, [x, y].map(|v| self.stretched(v)))
     }
 
     /// At a place of the tile.
@@ -139,42 +195,41 @@ impl Bed {
         self.ground.dirt.map(f32::from)
     }
 
-    /// Where in the tile a pixel is: tiles are stretched to a whole number in a period.
-    fn place(&self, x: i32, y: i32) -> usize {
+    /// Where in the tile, which repeats, a column or row of pixels is: tiles are stretched to a whole number in a
+    /// period.
+    fn stretched(&self, v: i32) -> i32 {
+        let (pixels, dense) = (self.pixel_scale.per_unit(), self.dense as i32);
         match self.period {
             Some(period) => {
                 let period = period as i32;
-                let (side, unit) = (
-                    self.side() as i32,
-                    SIDE as i32 * self.pixel_scale.per_unit(),
-                );
+                let (side, unit) = (self.side() as i32, SIDE as i32 * pixels);
                 let tiles = ((period + unit / 2) / unit).max(1);
-                let stretched = |v: i32| v.rem_euclid(period) * tiles * side / period;
-                self.index(stretched(x), stretched(y))
+                v.rem_euclid(period) * tiles * side / period
             }
-            None => self.index(self.of_pixel(x), self.of_pixel(y)),
+            None if pixels == dense => v,
+            None => (v * dense).div_euclid(pixels),
         }
     }
 
-    fn of_pixel(&self, v: i32) -> i32 {
-        let (pixels, dense) = (self.pixel_scale.per_unit(), self.dense as i32);
-        if pixels == dense {
-            v
-        } else {
-            (v * dense).div_euclid(pixels)
-        }
+    /// The column of a place of the tile, and its row from the first one held on.
+    fn in_held(&self, [x, y]: [i32; 2]) -> [usize; 2] {
+        let last = self.side() - 1;
+        [
+            x as usize & last,
+            (y as usize).wrapping_sub(self.first) & last,
+        ]
     }
 
-    fn index(&self, x: i32, y: i32) -> usize {
-        let side = self.side();
-        (y as usize & (side - 1)) * side + (x as usize & (side - 1))
+    fn index(&self, place: [i32; 2]) -> usize {
+        let [x, y] = self.in_held(place);
+        y * self.side() + x
     }
 
     fn scatter_pebbles(&mut self) {
         let ground = self.ground;
         let mut random = Random::new(self.seed, Purpose::Ground, 0);
         let apart = (self.side() / PLACES) as f64;
-        let unit = self.dense as f32;
+        self.pebbles = vec![None; PLACES * PLACES];
         for place in 0..PLACES * PLACES {
             let x = ((place % PLACES) as f64 + random.unit()) * apart;
             let y = ((place / PLACES) as f64 + random.unit()) * apart;
@@ -183,38 +238,70 @@ impl Bed {
             if there < f64::from(ground.pebbles) {
                 let radius = PEBBLE[0] + (PEBBLE[1] - PEBBLE[0]) * (size * size * size) as f32;
                 let light = 1.0 + 0.28 * tone as f32;
-                let colour = [1.0 + 0.06 * warm, 1.0, 1.0 - 0.06 * warm]
-                    .map(|w| w * light)
-                    .into_iter()
-                    .zip(ground.pebble)
-                    .map(|(w, c)| w * f32::from(c));
-                let mut rgb = [0.0; 3];
-                rgb.iter_mut().zip(colour).for_each(|(to, c)| *to = c);
-                self.pebble([x as f32, y as f32], radius * unit, rgb);
+                let warmth = [1.0 + 0.06 * warm, 1.0, 1.0 - 0.06 * warm];
+                let middle = [x as f32, y as f32];
+                self.pebbles[place] = Some(Pebble {
+                    middle,
+                    radius: radius * self.dense as f32,
+                    base: self.base(place, middle.map(|v| v as i32)),
+                    colour: std::array::from_fn(|k| {
+                        warmth[k] * light * f32::from(ground.pebble[k])
+                    }),
+                });
             }
         }
     }
 
-    /// In places of the tile.
-    fn pebble(&mut self, [x, y]: [f32; 2], radius: f32, colour: [f32; 3]) {
-        let unit = 1.0 / self.dense as f32;
-        let base = self.heights[self.index(x as i32, y as i32)];
-        let reach = radius.ceil() as i32 + 1;
-        for py in y as i32 - reach..=y as i32 + reach {
-            for px in x as i32 - reach..=x as i32 + reach {
-                let (dx, dy) = (px as f32 + 0.5 - x, py as f32 + 0.5 - y);
-                let away = (dx * dx + dy * dy).sqrt() / radius;
-                if away < 1.0 {
-                    let at = self.index(px, py);
-                    let height = base + STAND * radius * unit * (1.0 - away * away).sqrt();
-                    self.heights[at] = self.heights[at].max(height);
-                    let cover = ((1.0 - away) * radius * unit * 1.5).min(1.0);
-                    let old = self.colours[at];
-                    self.colours[at] =
-                        std::array::from_fn(|k| old[k] + (colour[k] - old[k]) * cover);
+    /// The height at the middle of a pebble to come, which may be on those before it.
+    fn base(&self, place: usize, middle: [i32; 2]) -> f32 {
+        let [wave, grain] = [0, 1].map(|which| self.noise(which, middle));
+        let mut base = self.bare(wave, grain);
+        // Pebbles are smaller than their places.
+        for k in 0..9 {
+            let (column, row) = (
+                place % PLACES + PLACES + k % 3 - 1,
+                place / PLACES + PLACES + k / 3 - 1,
+            );
+            let there = row % PLACES * PLACES + column % PLACES;
+            let Some(pebble) = &self.pebbles[there] else {
+                continue;
+            };
+            let side = self.side() as i32;
+            let beyond = [column, row].map(|v| (v / PLACES) as i32 - 1);
+            let away = pebble.away([0, 1].map(|k| middle[k] - beyond[k] * side));
+            if away < 1.0 {
+                base = base.max(pebble.height(away, 1.0 / self.dense as f32));
+            }
+        }
+        base
+    }
+
+    /// Puts the pebbles into the rows held.
+    fn put_pebbles(&mut self) {
+        if self.pebbles.is_empty() {
+            self.scatter_pebbles();
+        }
+        let pebbles = std::mem::take(&mut self.pebbles);
+        for pebble in pebbles.iter().flatten() {
+            for y in pebble.span(1) {
+                if self.in_held([0, y])[1] < self.held {
+                    pebble.span(0).for_each(|x| self.put(pebble, [x, y]));
                 }
             }
         }
+        self.pebbles = pebbles;
+    }
+
+    fn put(&mut self, pebble: &Pebble, place: [i32; 2]) {
+        let unit = 1.0 / self.dense as f32;
+        let (away, at) = (pebble.away(place), self.index(place));
+        if away >= 1.0 {
+            return;
+        }
+        self.heights[at] = self.heights[at].max(pebble.height(away, unit));
+        let cover = lesser((1.0 - away) * pebble.radius * unit * 1.5, 1.0);
+        let (old, colour) = (self.colours[at], pebble.colour);
+        self.colours[at] = std::array::from_fn(|k| old[k] + (colour[k] - old[k]) * cover);
     }
 }
 

@@ -10,7 +10,7 @@ use super::pixel_scale::PixelScale;
 use super::samples::{BLEND, PER_PIXEL, Samples};
 use super::scan::Raster;
 use super::weather::Painted;
-use super::{Planes, TextureParams};
+use super::{GROUND, Planes, TextureParams};
 use crate::cells::Cell;
 use crate::material::{Coat, Face, FaceNoise, Palette, palette};
 use crate::order::{greater, lesser};
@@ -39,7 +39,10 @@ pub struct Painter {
     level: f32,
     depth: f32,
     relief: f32,
+    /// Rows of the picture with ground.
     laid: usize,
+    /// First and last row of each stone that was painted in a band before, in picture units.
+    spans: Vec<Option<[f32; 2]>>,
     /// The stone at work.
     work: Option<Work>,
 }
@@ -77,14 +80,20 @@ impl Painter {
         Self::banded(params, usize::MAX)
     }
 
-    /// The same, with stones to be put into so many rows at a time only, from the top: the samples of all
-    /// pixels would take three times as much memory as the planes.
+    /// The same, with ground and stones to be put into so many rows at a time only, from the top: the samples of
+    /// all pixels would take four times as much memory as the planes. [`Painter::next_band`] goes on.
     pub fn banded(params: TextureParams, rows: usize) -> Self {
         let side = params.side * params.pixel_scale;
         let (level, depth) = (params.level() as f32, params.depth() as f32);
         let pixel_scale = PixelScale::new(params.pixel_scale);
         let doublings = pixel_scale.noise_doublings();
         let band = 0..side.min(rows);
+        let planes = match band.len() == side {
+            true => Planes::new(side),
+            false => Planes::banded(side, band.len()),
+        };
+        let mut bed = params.bed();
+        bed.hold(band.clone());
         let share_per_height = match params.stone.kind {
             StoneKind::Skin => 1.0 / BLEND,
             _ => f32::INFINITY,
@@ -95,9 +104,9 @@ impl Painter {
                 tile: params.tile,
                 pixel_scale: params.pixel_scale,
                 ground: level,
-                ..Planes::new(side)
+                ..planes
             },
-            bed: params.bed(),
+            bed,
             noise: FaceNoise::new(params.seed, params.size, params.dimension, doublings),
             coats: Vec::new(),
             raster: Raster::default(),
@@ -109,19 +118,20 @@ impl Painter {
             depth,
             relief: params.relief(),
             laid: 0,
+            spans: Vec::new(),
             work: None,
             params,
         }
     }
 
-    /// Makes and lays the ground, about `rows` rows of it; true when all are laid.
+    /// Makes and lays the ground of the band, about `rows` rows of it; true when all are laid.
     /// [`Painter::paint`] lays what is missing.
     pub fn lay_ground(&mut self, rows: usize) -> bool {
-        let side = self.side;
-        if self.laid == 0 && !self.bed.advance(rows) {
+        let (side, band_end) = (self.side, self.band.end);
+        if self.laid == self.band.start && !self.bed.advance(rows) {
             return false;
         }
-        let end = side.min(self.laid.saturating_add(rows));
+        let end = band_end.min(self.laid.saturating_add(rows));
         for y in self.laid..end {
             for x in 0..side {
                 let (px, py) = (x as i32, y as i32);
@@ -130,7 +140,7 @@ impl Painter {
             }
         }
         self.laid = end;
-        end == side
+        end == band_end
     }
 
     /// The coats of the cells that are to be painted, by their index. Those that are not in the list are
@@ -139,14 +149,20 @@ impl Painter {
         self.coats = coats.to_vec();
     }
 
-    /// Goes on to the next rows that stones are put into; false where there are none left.
+    /// Goes on to the next rows that ground and stones are put into; false where there are none left.
     pub fn next_band(&mut self) -> bool {
-        let rows = self.band.len();
-        let end = self.side.min(self.band.end + rows);
+        if self.band.end == self.side {
+            self.samples.clear(0);
+            return false;
+        }
+        let end = self.side.min(self.band.end + self.band.len());
         self.band = self.band.end..end;
         let pixels = self.band.len() * self.side;
         self.samples.clear(pixels);
-        pixels > 0
+        self.planes.id.clear();
+        self.planes.id.resize(pixels, GROUND);
+        self.bed.hold(self.band.clone());
+        true
     }
 
     /// Puts the stone of a cell into the planes, under the id `index` + 1.
@@ -162,7 +178,7 @@ impl Painter {
             Some(work) => work,
             None => {
                 self.lay_ground(usize::MAX);
-                if !self.params.tile && self.is_beyond(cell) {
+                if self.is_beyond(cell, index) {
                     return true;
                 }
                 let Some(solid) = solids.solid_or_slice(cell, &self.params.stone) else {
@@ -189,6 +205,11 @@ impl Painter {
             false => Vec::new(),
         };
         images.reverse();
+        self.spans.resize(self.spans.len().max(index + 1), None);
+        let rows = solid.vertices.iter().map(|v| v.y);
+        let none = [f32::MAX, f32::MIN];
+        let span = rows.fold(none, |[low, high], y| [lesser(low, y), greater(high, y)]);
+        self.spans[index] = Some(span);
         let (window, pixel_scale) = (self.window(), self.params.pixel_scale as f32);
         self.raster.begin(&solid, window, pixel_scale);
         Work {
@@ -201,7 +222,22 @@ impl Painter {
     }
 
     /// Whether nothing of a cell's stone can be in the rows that are painted now.
-    fn is_beyond(&self, cell: &Cell) -> bool {
+    fn is_beyond(&self, cell: &Cell, index: usize) -> bool {
+        let rows =
+            [self.band.start, self.band.end].map(|row| row as f64 / self.params.pixel_scale as f64);
+        let is_off = |low: f64, high: f64| low > rows[1] || high < rows[0];
+        if let Some(span) = self.spans.get(index).copied().flatten() {
+            let [low, high] = span.map(f64::from);
+            let side = self.params.side as f64;
+            let turns = if self.params.tile {
+                &[-1.0, 0.0, 1.0][..]
+            } else {
+                &[0.0]
+            };
+            return turns
+                .iter()
+                .all(|turn| is_off(low + turn * side, high + turn * side));
+        }
         let (mut low, mut high) = (DVec2::MAX, DVec2::MIN);
         for &p in &cell.ring {
             (low, high) = (low.min(p), high.max(p));
@@ -210,10 +246,9 @@ impl Painter {
         // A prism's corners are displaced by its scale, its skew, its distortion.
         let reach = 1.0 + stone.scale + stone.skin.skew + stone.distortion;
         let reach = reach * (high - low).max_element();
-        let rows = |row: usize| row as f64 / self.params.pixel_scale as f64;
-        let from = DVec2::new(0.0, rows(self.band.start));
-        let to = DVec2::new(self.params.side as f64, rows(self.band.end));
-        (low - reach - to).max_element() > 0.0 || (high + reach - from).min_element() < 0.0
+        let side = self.params.side as f64;
+        let is_aside = low.x - reach > side || high.x + reach < 0.0;
+        !self.params.tile && (is_aside || is_off(low.y - reach, high.y + reach))
     }
 
     /// The columns and rows that are painted now.
@@ -273,9 +308,18 @@ impl Painter {
         &self.planes
     }
 
+    /// Ids of the rows that are painted now.
+    pub fn band_ids(&self) -> &[u32] {
+        &self.planes.id
+    }
+
     /// The planes with all stones in them, for the weather.
     pub fn finish(mut self) -> Painted {
         self.lay_ground(usize::MAX);
+        if self.band.len() < self.side {
+            self.planes.id = Vec::new();
+            self.bed.drop_rows();
+        }
         Painted {
             planes: self.planes,
             bed: self.bed.into(),
@@ -323,7 +367,7 @@ impl Painter {
             old[k] + gain * each
         }));
         if self.samples.is_owner(in_band, &cover) {
-            self.planes.id[i] = id;
+            self.planes.id[in_band] = id;
             self.planes.material[i] = face.material;
         }
     }

@@ -11,7 +11,7 @@ use crate::solid::{StoneKind, StoneParams, joint_depth, lean, top};
 pub struct TextureParams {
     /// Picture units along a side of the picture.
     pub side: usize,
-    /// Pixels for each picture unit, along a side: 1 to 4.
+    /// Pixels for each picture unit, along a side: 1 to 8.
     pub pixel_scale: usize,
     /// Seed of colours, relief and ground.
     pub seed: u64,

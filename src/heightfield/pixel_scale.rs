@@ -1,7 +1,7 @@
 //! Pixels and picture units: a picture may have more than one pixel for each unit.
 
-/// Levels of noise below the unit, in pictures with more than one pixel for each unit.
-const DOUBLINGS: u32 = 2;
+/// Levels of noise below the unit, in pictures with more than one pixel for each unit, and with more than four.
+const DOUBLINGS: [u32; 2] = [2, 3];
 
 /// How many pixels a picture unit has.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,7 +33,11 @@ impl PixelScale {
 
     /// Noise has `2^doublings` values for each picture unit, along a side.
     pub fn noise_doublings(self) -> u32 {
-        if self.per_unit == 1 { 0 } else { DOUBLINGS }
+        match self.per_unit {
+            1 => 0,
+            2..=4 => DOUBLINGS[0],
+            _ => DOUBLINGS[1],
+        }
     }
 
     /// The value of such a noise that lies nearest to a pixel's middle.
@@ -43,7 +47,7 @@ impl PixelScale {
             return pixel;
         }
         // centre(pixel) times the values for each unit, rounded.
-        let (pixels, values) = (self.per_unit, 1 << DOUBLINGS);
+        let (pixels, values) = (self.per_unit, 1 << self.noise_doublings());
         (values * (2 * pixel + 1) - (values - 1) * pixels).div_euclid(2 * pixels)
     }
 }
@@ -55,10 +59,11 @@ mod tests {
     #[test]
     fn values_are_those_nearest_to_pixels() {
         assert_eq!(PixelScale::new(1).noise_value(-7), -7);
-        for per_unit in 2..=4 {
+        for per_unit in 2..=8 {
             let scale = PixelScale::new(per_unit);
+            let values = (1 << scale.noise_doublings()) as f32;
             for pixel in -40..40 {
-                let off = scale.centre(pixel) * 4.0 - scale.noise_value(pixel) as f32;
+                let off = scale.centre(pixel) * values - scale.noise_value(pixel) as f32;
                 assert!(off.abs() <= 0.51, "{per_unit} {pixel} {off}");
             }
         }

@@ -14,9 +14,11 @@ pub struct Planes {
     pub colour: Vec<[u8; 3]>,
     /// Index into the table of materials: the optics plane of the paper.
     pub material: Vec<u8>,
-    /// 0 for the ground, cell index + 1 for a stone.
+    /// 0 for the ground, cell index + 1 for a stone. In pictures that are painted in bands, of the band's rows
+    /// only.
     pub id: Vec<u32>,
-    /// Ambient occlusion as maps have it: 255 where all of the sky is seen.
+    /// Ambient occlusion as maps have it: 255 where all of the sky is seen. In pictures that are painted in bands
+    /// none before it is worked out.
     pub occlusion: Vec<u8>,
     /// Height of the ground without its swells, in picture units above the base level.
     pub ground: f32,
@@ -31,12 +33,21 @@ impl Planes {
     pub fn new(side: usize) -> Self {
         let n = side * side;
         Self {
+            occlusion: vec![255; n],
+            ..Self::banded(side, side)
+        }
+    }
+
+    /// Planes to be painted in bands of so many rows: those that are not needed all at once have no pixels yet.
+    pub(super) fn banded(side: usize, rows: usize) -> Self {
+        let n = side * side;
+        Self {
             side,
             bump: vec![0.0; n],
             colour: vec![[0; 3]; n],
             material: vec![0; n],
-            id: vec![GROUND; n],
-            occlusion: vec![255; n],
+            id: vec![GROUND; rows * side],
+            occlusion: Vec::new(),
             ground: 0.0,
             pixel_scale: 1,
             tile: false,

@@ -24,6 +24,8 @@ pub struct Raster {
     pub origin: [i32; 2],
     /// Columns and rows of pixels of the box.
     pub extent: [usize; 2],
+    /// Rows of pixels of the stone's own box above it: a stone is rounded alike whatever part of it is looked at.
+    above: i32,
     /// Pixels for each picture unit, along a side.
     pixel_scale: f32,
     /// Samples from row to row.
@@ -95,21 +97,25 @@ impl Raster {
         let span = |k: usize| {
             let (from, to) = (window[k].start as f32, window[k].end as f32);
             let inside = |v: f32| lesser(greater(v, from), to);
-            let first = inside((low[k] * self.pixel_scale).floor()) as usize;
+            let least = (low[k] * self.pixel_scale).floor();
+            let first = inside(least) as usize;
             let last = inside((high[k] * self.pixel_scale).ceil()) as usize;
-            (first as i32, last.saturating_sub(first))
+            let before = first as i32 - greater(least, 0.0) as i32;
+            (first as i32, last.saturating_sub(first), before)
         };
-        let ((x, columns), (y, rows)) = (span(0), span(1));
+        let ((x, columns, _), (y, rows, above)) = (span(0), span(1));
+        self.above = above;
         self.origin = [x, y];
         self.extent = [columns, rows];
     }
 
-    /// Sample (0, 0) of the box lies at (0, 0).
+    /// Sample (0, 0) of the stone's own box lies at (0, 0).
     fn in_samples(&self, v: Vec3) -> Vec3 {
         let scale = ACROSS as f32;
+        let top = self.origin[1] - self.above;
         Vec3::new(
             (v.x * self.pixel_scale - self.origin[0] as f32) * scale - 0.5,
-            (v.y * self.pixel_scale - self.origin[1] as f32) * scale - 0.5,
+            (v.y * self.pixel_scale - top as f32) * scale - 0.5,
             v.z,
         )
     }
@@ -126,7 +132,8 @@ impl Raster {
         let Some((x0, x1)) = whole_between([a.x, b.x, c.x], columns) else {
             return;
         };
-        let Some((y0, y1)) = whole_between([a.y, b.y, c.y], rows) else {
+        let above = self.above * ACROSS as i32;
+        let Some((y0, y1)) = whole_between([a.y, b.y, c.y], above + rows) else {
             return;
         };
         let inverse = 1.0 / area;
@@ -135,11 +142,11 @@ impl Raster {
         let [c_across, c_down] = [-ab.y * inverse, ab.x * inverse];
         let rise = b_across * ab.z + c_across * ac.z;
         let fall = b_down * ab.z + c_down * ac.z;
-        for y in y0..=y1 {
+        for y in greater(y0, above)..=y1 {
             let dy = y as f32 - a.y;
             let (b_row, c_row, row) = (b_down * dy, c_down * dy, a.z + fall * dy);
             for x in (x0..=x1).step_by(LANES) {
-                let start = y as usize * self.stride + x as usize;
+                let start = (y - above) as usize * self.stride + x as usize;
                 let slots = &mut self.heights[start..start + LANES];
                 for (lane, slot) in slots.iter_mut().enumerate() {
                     let dx = (x + lane as i32) as f32 - a.x;

@@ -6,12 +6,12 @@
 //! Height, colour and material change together, so that light and maps follow. The rows of the table of
 //! materials are the same for all palettes: every finish, dirt and moss dry, damp and wet, then water.
 
+use super::Planes;
 use super::box_filter::BoxFilter;
 use super::ground::Bed;
 use super::occlusion::Occlusion;
-use super::{GROUND, Planes};
 use crate::domain::Domain;
-use crate::material::{Effects, LEVEL, Place, Sample, WeatherParams, smoothstep_f32};
+use crate::material::{Effects, GROUND_ROW, LEVEL, Place, Sample, WeatherParams, smoothstep_f32};
 use crate::order::greater;
 use glam::DVec2;
 use std::rc::Rc;
@@ -52,11 +52,13 @@ impl Weathering {
     /// Weather to come over planes as they were painted.
     pub fn new(params: WeatherParams, painted: Painted) -> Self {
         let Painted {
-            planes,
+            mut planes,
             bed,
             size,
             depth,
         } = painted;
+        // Planes painted in bands have none so far: it takes the place of what painting took.
+        planes.occlusion.resize(planes.bump.len(), 255);
         let effects = Effects::new(params, [planes.ground, depth], bed.dirt());
         Self {
             weather: Weather::new(effects, [planes.side, planes.pixel_scale], size, depth),
@@ -124,14 +126,14 @@ impl Weather {
             return true;
         }
         let side = self.side;
-        if self.measure(domain, rows) || self.means.iter_mut().any(|m| m.fill(planes, rows)) {
+        if self.measure(domain, rows) || self.prepare(planes, rows) {
             return false;
         }
         let end = side.min(self.row.saturating_add(rows));
         let mut means = [vec![0.0; side], vec![0.0; side]];
         for y in self.row..end {
             for (mean, row) in self.means.iter_mut().zip(&mut means) {
-                mean.row(y, planes.tile, row);
+                mean.row(y, planes, row);
             }
             let [near, wide] = &means;
             for (x, (&near, &wide)) in near.iter().zip(wide).enumerate() {
@@ -140,6 +142,11 @@ impl Weather {
         }
         self.row = end;
         end == side
+    }
+
+    /// Sums some more of the rows that come before the first means; false when all of them are there.
+    fn prepare(&mut self, planes: &Planes, rows: usize) -> bool {
+        self.means.iter_mut().any(|mean| mean.prepare(planes, rows))
     }
 
     /// Some more rows of distances; false when all are there.
@@ -189,7 +196,7 @@ impl Weather {
         let distance = self.distance([x, y]);
         let height = planes.bump[i];
         let place = Place {
-            is_stone: planes.id[i] != GROUND,
+            is_stone: planes.material[i] != GROUND_ROW,
             hollow: (LEVEL + (wide - height) / self.depth).clamp(0.0, 1.0),
             near,
             trodden: smoothstep_f32(distance / self.farthest * TRODDEN),

@@ -24,5 +24,6 @@ pub use noise::NoiseTile;
 pub(crate) use noise::floor;
 pub use palette::{Ground, Palette};
 pub use palettes::{PALETTES, ground, material_table, palette};
+pub(crate) use phong::GROUND_ROW;
 pub use phong::{FINISHES, Gloss, Material};
 pub(crate) use smoothstep::smoothstep_f32;

@@ -6,13 +6,18 @@
 //! level, H = 2 - Fd for profiles of fractal dimension Fd.
 //!
 //! Pictures of more pixels a unit have more levels below the unit. These are flatter, and such that the
-//! mean over a unit stays: averaged, the bigger picture is the one of one pixel a unit.
+//! mean over a unit stays: averaged, the bigger picture is the one of one pixel a unit. The finest of these
+//! levels would take most of the memory and is worked out whenever it is asked for.
 
 use crate::random::{Purpose, Random};
 
 /// Below the unit of length the amplitude falls by this factor each half level, whatever the dimension: more
 /// pixels must not make the picture rougher and darker.
 const BELOW: f32 = 0.6;
+/// So many levels below the unit are stored.
+const STORED: u32 = 2;
+/// The same factor for the level below these: it is seen in pictures of all its points only, and would darken them.
+const LAST: f32 = 0.4;
 
 /// A periodic square of noise: mean 0, and deviation 1 at the distance of the coarse grid's points.
 #[derive(Clone, Debug)]
@@ -21,6 +26,31 @@ pub struct NoiseTile {
     /// Values for each unit of length, along a side.
     dense: f32,
     values: Vec<f32>,
+    /// The level between the values, if there is one.
+    midpoints: Option<Midpoints>,
+}
+
+/// Points midway between the values.
+#[derive(Clone, Debug)]
+struct Midpoints {
+    /// How far those amid four values are displaced, and those between two.
+    amplitudes: [f32; 2],
+    salt: u32,
+}
+
+impl Midpoints {
+    /// The displacement of a point amid so many values, the same whenever asked.
+    fn displacement(&self, x: usize, y: usize, amid: usize) -> f32 {
+        // Two rounds of a hash of 32 bits (Wellons 2018, Prospecting for Hash Functions).
+        let mut bits = (x as u32).wrapping_mul(0x9E37_79B1) ^ (y as u32).wrapping_mul(0x85EB_CA77);
+        bits ^= self.salt;
+        for factor in [0x7FEB_352D, 0x846C_A68B_u32] {
+            bits = (bits ^ bits >> 16).wrapping_mul(factor) ^ bits >> 15;
+        }
+        // Of deviation 1.
+        let uniform = bits as i32 as f32 * (3.0f32.sqrt() / 2_147_483_648.0);
+        self.amplitudes[usize::from(amid == 2)] * uniform
+    }
 }
 
 impl NoiseTile {
@@ -31,7 +61,7 @@ impl NoiseTile {
     }
 
     /// The same with so many levels more below the finest one: every value of the other is there, and
-    /// `2^doublings` of these go to a unit of length.
+    /// `2^doublings` of these, at most 8, go to a unit of length.
     pub fn finer(
         seed: u64,
         item: u64,
@@ -39,12 +69,15 @@ impl NoiseTile {
         dimension: f64,
         doublings: u32,
     ) -> Self {
+        let is_stored = doublings <= STORED;
+        let doublings = doublings.min(STORED);
         let side = 1usize << (log_side + doublings);
         let levels = levels.min(log_side) + doublings;
         let mut tile = Self {
             side,
             dense: (1u32 << doublings) as f32,
             values: vec![0.0; side * side],
+            midpoints: None,
         };
         let mut random = Random::new(seed, Purpose::Noise, item);
         // Uniform numbers of deviation 1.
@@ -74,18 +107,46 @@ impl NoiseTile {
             step /= 2;
         }
         tile.centre(unit);
+        if !is_stored {
+            tile.midpoints = Some(Midpoints {
+                amplitudes: [amplitude * LAST, amplitude * LAST * LAST],
+                salt: Random::new(seed, Purpose::Noise, item).bits() as u32,
+            });
+        }
         tile
     }
 
     /// Values along a side, a power of two.
     pub fn side(&self) -> usize {
-        self.side
+        self.side << u32::from(self.midpoints.is_some())
     }
 
     /// The value at a grid point, repeated in all directions.
     pub fn at(&self, x: i32, y: i32) -> f32 {
+        match &self.midpoints {
+            None => self.stored(x, y),
+            Some(midpoints) => self.midway(midpoints, x, y),
+        }
+    }
+
+    fn stored(&self, x: i32, y: i32) -> f32 {
         let mask = self.side - 1;
         self.values[(y as usize & mask) * self.side + (x as usize & mask)]
+    }
+
+    /// The value at a place that counts in halves of the stored grid.
+    fn midway(&self, midpoints: &Midpoints, x: i32, y: i32) -> f32 {
+        let (left, up) = (x >> 1, y >> 1);
+        let (right, down) = (left + (x & 1), up + (y & 1));
+        let amid = 1 << ((x & 1) + (y & 1));
+        let here = self.stored(left, up);
+        if amid == 1 {
+            return here;
+        }
+        let sum =
+            here + self.stored(right, up) + self.stored(left, down) + self.stored(right, down);
+        let mask = 2 * self.side - 1;
+        sum / 4.0 + midpoints.displacement(x as usize & mask, y as usize & mask, amid)
     }
 
     /// The value between grid points, bilinear; x and y in units of length.
@@ -93,8 +154,8 @@ impl NoiseTile {
         let (x, y) = (x * self.dense, y * self.dense);
         let (ix, iy) = (floor(x), floor(y));
         let (tx, ty) = (x - ix as f32, y - iy as f32);
-        let upper = self.at(ix, iy) * (1.0 - tx) + self.at(ix + 1, iy) * tx;
-        let lower = self.at(ix, iy + 1) * (1.0 - tx) + self.at(ix + 1, iy + 1) * tx;
+        let upper = self.stored(ix, iy) * (1.0 - tx) + self.stored(ix + 1, iy) * tx;
+        let lower = self.stored(ix, iy + 1) * (1.0 - tx) + self.stored(ix + 1, iy + 1) * tx;
         upper * (1.0 - ty) + lower * ty
     }
 
@@ -243,6 +304,32 @@ mod tests {
             assert_eq!(finer.at(4 * x, 4 * y), finer.between(x as f32, y as f32));
         }
         assert!(off < 0.1, "{off}");
+    }
+
+    #[test]
+    fn the_finest_level_lies_between_the_others() {
+        let [stored, finest] = [2, 3].map(|levels| NoiseTile::finer(5, 2, [6, 9], 1.8, levels));
+        assert_eq!((stored.side(), finest.side()), (256, 512));
+        let (mut sum, mut squares) = (0.0, 0.0);
+        for (x, y) in (0..512).flat_map(|y| (0..512).map(move |x| (x, y))) {
+            assert_eq!(finest.at(x, y), finest.at(x - 512, y + 512));
+            if (x | y) & 1 == 0 {
+                assert_eq!(finest.at(x, y), stored.at(x / 2, y / 2));
+            } else {
+                let (x, y) = (0.5 * x as f32, 0.5 * y as f32);
+                let off = finest.at((2.0 * x) as i32, (2.0 * y) as i32)
+                    - stored.between(0.25 * x, 0.25 * y);
+                (sum, squares) = (sum + off, squares + off * off);
+            }
+        }
+        let count = (3 * 512 * 512 / 4) as f32;
+        let deviation = (squares / count).sqrt();
+        let rise = variogram(&stored, 1).sqrt() as f32;
+        assert!((sum / count).abs() < 0.02 * deviation, "{sum}");
+        assert!(
+            (0.1..0.9).contains(&(deviation / rise)),
+            "{deviation} {rise}"
+        );
     }
 
     #[test]

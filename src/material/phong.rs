@@ -132,7 +132,9 @@ impl Gloss {
     }
 }
 
-/// Rows of the table: the ground, then the finishes from rough to smooth, then these two.
+/// Rows of the table: first the ground, which no stone is made of, ...
+pub(crate) const GROUND_ROW: u8 = 0;
+/// ... then the finishes from rough to smooth, then these two.
 pub(super) const MOSS: u8 = FINISHES as u8 + 1;
 pub(super) const DIRT: u8 = MOSS + 1;
 /// All these rows are there three times: dry, damp, wet.

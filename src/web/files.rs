@@ -2,9 +2,9 @@
 
 use super::said::or_why;
 use super::{Bubblestone, objects};
-use crate::export::{DETAILS, Map, MapKind, MeshFormat, MeshOrder};
+use crate::export::{DETAILS, MapKind, MeshFormat, MeshOrder};
 use crate::generators::pavement::Pavement;
-use crate::notice::{Code, Notice};
+use crate::notice::Code;
 use js_sys::Object;
 use wasm_bindgen::prelude::*;
 
@@ -19,8 +19,9 @@ impl Bubblestone {
     /// 'roughness', 'ao', 'id', 'orm', 'height-float'), or why there is none.
     #[wasm_bindgen(unchecked_return_type = "PixelMap | Notice")]
     pub fn map(&self, word: &str) -> Object {
-        let engine = self.studio.engine();
-        map_of(word, |kind| engine.map(kind))
+        let kind = MapKind::of_word(word).ok_or(Code::NoSuchFile.into());
+        let made = kind.and_then(|kind| self.studio.engine().map(kind));
+        or_why(made.map(|map| objects::map(&map)))
     }
 
     /// Works for about `budget` milliseconds on a mesh file: 'glb' or 'obj', with 'low', 'middle' or 'high'
@@ -46,21 +47,20 @@ impl Bubblestone {
         size.map_or(Vec::new(), |size| vec![size.triangles as f64, size.bytes])
     }
 
-    /// Works for about `budget` milliseconds on the finished picture at `scale` (1 to 4) times its side.
-    /// `stopFile` frees what it holds.
+    /// Works for about `budget` milliseconds on maps of the finished picture at `scale` (1 to 8) times its side, by
+    /// their words with spaces between; on the picture itself where there are none. `stopFile` frees what it
+    /// holds.
     #[wasm_bindgen(js_name = pictureFile, unchecked_return_type = "PictureSlice | Notice")]
-    pub fn picture_file(&mut self, scale: u32, budget: f64) -> Object {
+    pub fn picture_file(&mut self, scale: u32, maps: &str, budget: f64) -> Object {
         let clock = &self.clock;
-        let engine = self.studio.engine_mut();
-        let made = engine.picture_file(scale as usize, &mut || clock.now(), budget);
+        let words = maps.split_ascii_whitespace();
+        let kinds: Option<Vec<MapKind>> = words.map(MapKind::of_word).collect();
+        let made = kinds.ok_or(Code::NoSuchFile.into()).and_then(|kinds| {
+            let order = (scale as usize, &kinds[..]);
+            let engine = self.studio.engine_mut();
+            engine.picture_file(order, &mut || clock.now(), budget)
+        });
         or_why(made.map(|slice| objects::picture_slice(&slice)))
-    }
-
-    /// As `map`, of the picture that `pictureFile` finished last: maps of more pixels than are on the screen.
-    #[wasm_bindgen(js_name = biggerMap, unchecked_return_type = "PixelMap | Notice")]
-    pub fn bigger_map(&self, word: &str) -> Object {
-        let engine = self.studio.engine();
-        map_of(word, |kind| engine.bigger_map(kind))
     }
 
     /// Stops `meshFile` or `pictureFile` and frees what they hold, for visitors who do not want to wait.
@@ -85,9 +85,4 @@ fn order(ending: &str, detail: &str, images: &[u32]) -> Option<MeshOrder> {
         detail,
         images: images.try_into().ok(),
     })
-}
-
-fn map_of(word: &str, made: impl Fn(MapKind) -> Result<Map, Notice>) -> Object {
-    let kind = MapKind::of_word(word).ok_or(Code::NoSuchFile.into());
-    or_why(kind.and_then(made).map(|map| objects::map(&map)))
 }

@@ -71,8 +71,9 @@ export interface Histograms {
   angle: Histogram;
 }
 
-/** A map for other programs: rows from the top, values of 16 bits with the high byte first. */
+/** A map for other programs, or the next of its rows: from the top, values of 16 and 32 bits with the high byte first. */
 export interface PixelMap {
+  /** Pixels along the side of the whole map. */
   side: number;
   /** 1 of grey, or 3 of red, green, blue. */
   channels: number;
@@ -87,16 +88,16 @@ export interface MeshSlice {
   done: boolean;
 }
 
-/** What a slice of work gave of a bigger picture. */
+/** What a slice of work gave of a bigger picture, or of its maps. */
 export interface PictureSlice {
   begun: boolean;
   done: boolean;
   /** How much of the work is done, about, 0..1. */
   progress: number;
-  /** Pixels along the picture's side. */
-  side: number;
-  /** Red, green, blue of the next pixels: whole rows from the top, mostly none yet. */
-  rows: Uint8Array<ArrayBuffer>;
+  /** The next whole rows of each map in the order that they were asked for, or of the picture: mostly none yet. */
+  maps: PixelMap[];
+  /** The heights shown as 0 and 65535 in the map 'height', in picture units, from its first row on. */
+  heights: [low: number, high: number];
 }
 
 /** The rings of an outline: x, y, x, y, ... in picture units, and the rings' lengths in points. */
@@ -189,12 +190,14 @@ pub(super) fn mesh_slice(slice: &MeshSlice) -> Object {
 }
 
 pub(super) fn picture_slice(slice: &PictureSlice) -> Object {
+    let (low, high) = slice.heights;
+    let [low, high] = [low, high].map(JsValue::from);
     object(&[
         ("begun", slice.begun.into()),
         ("done", slice.done.into()),
         ("progress", slice.progress.into()),
-        ("side", (slice.side as u32).into()),
-        ("rows", Uint8Array::from(&slice.rows[..]).into()),
+        ("maps", slice.rows.iter().map(map).collect::<Array>().into()),
+        ("heights", [low, high].into_iter().collect::<Array>().into()),
     ])
 }
 

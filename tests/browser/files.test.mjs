@@ -52,10 +52,8 @@ async function dialog(page) {
   await page.waitForSelector('#save-dialog[open]');
 }
 
-/** Clicks a button of the dialog; answers the file's name and bytes. */
-async function saved(page, button, chosen = {}) {
-  await page.evaluate(() => (window.saved = undefined));
-  await dialog(page);
+/** Chooses of the dialog's lists. @param {Record<string, string>} chosen values by ids */
+async function choose(page, chosen) {
   for (const [id, value] of Object.entries(chosen)) {
     await page.$eval(
       `#${id}`,
@@ -66,6 +64,13 @@ async function saved(page, button, chosen = {}) {
       value,
     );
   }
+}
+
+/** Clicks a button of the dialog; answers the file's name and bytes. */
+async function saved(page, button, chosen = {}) {
+  await page.evaluate(() => (window.saved = undefined));
+  await dialog(page);
+  await choose(page, chosen);
   await click(page, button);
   await page.waitForFunction(() => window.saved, { timeout: 120_000 });
   const { name, text } = await page.evaluate(async () => {
@@ -320,28 +325,84 @@ test('before the picture is done a sentence says so', sameEverywhere, async () =
   await close();
 });
 
-test('the picture is saved at one to four times its side, and shows the same', async () => {
+/** @param {any} small @param {any} large PNG files of a picture, of which the second has `scale` times the side @returns {number} how far the means of the reds are off each other */
+function meanDifference(small, large, scale) {
+  let off = 0;
+  for (let y = 0; y < small.height; y += 1) {
+    for (let x = 0; x < small.width; x += 1) {
+      let sum = 0;
+      for (let v = 0; v < scale; v += 1) for (let u = 0; u < scale; u += 1) sum += large.data[4 * ((y * scale + v) * large.width + x * scale + u)];
+      off += Math.abs(sum / scale ** 2 - small.data[4 * (y * small.width + x)]);
+    }
+  }
+  return off / (small.width * small.height);
+}
+
+test('maps come larger, and show the same', sameEverywhere, async () => {
+  const { page, problems, external, close } = await opened(`${SMALL}&tile=1`);
+  await digest(page);
+  const sizes = () => page.$$eval('#maps-size option', (options) => options.map(({ value, textContent }) => [value, textContent]));
+  await dialog(page);
+  assert.deepEqual(await sizes(), [['1', '1× · 192 px'], ['2', '2× · 384 px'], ['4', '4× · 768 px'], ['8', '8× · 1536 px']]);
+  await page.$eval('#save-dialog', (shown) => shown.close());
+  const own = files(await saved(page, '#save-maps'));
+  const png = (zip, name) => PNG.sync.read(Buffer.from(zip[`${name}.png`]), { skipRescale: true });
+  const zip = await saved(page, '#save-maps', { 'maps-size': '2' });
+  assert.equal(zip.name, 'bubblestone-tile-1-maps-384.zip');
+  const twice = files(zip);
+  assert.deepEqual(Object.keys(twice).sort(), Object.keys(own).sort());
+  for (const name of Object.keys(own).filter((name) => name.endsWith('.png'))) {
+    const [small, large] = [own, twice].map((zip) => png(zip, name.slice(0, -4)));
+    assert.deepEqual([large.width, large.height, large.depth], [384, 384, small.depth], name);
+    // Ids change at once from cell to cell, and what is rough and shown by 16 bits differs more in numbers.
+    if (name === 'albedo.png') assert.ok(meanDifference(small, large, 2) < 4, `${name} is ${meanDifference(small, large, 2)} off`);
+  }
+  const reports = [own, twice].map((zip) => JSON.parse(Buffer.from(zip['report.json']).toString()));
+  assert.deepEqual([reports[1].scale, reports[1].hash], [2, reports[0].hash]);
+  // What was chosen stays, and the heights of 32 bits are those of 16.
+  const blender = files(await saved(page, '#save-maps', { normals: 'blender' }));
+  const { width, height, data, format } = new EXRLoader().setDataType(FloatType).parse(Uint8Array.from(blender['Bubblestone_Displacement.exr']).buffer);
+  assert.deepEqual([width, height], [384, 384]);
+  const channels = format === RedFormat ? 1 : 4;
+  const [low, high] = reports[1].height_range;
+  const grey = png(twice, 'height').data;
+  for (let k = 0; k < 384 * 384; k += 1) {
+    const [x, y] = [k % 384, Math.floor(k / 384)];
+    const float = data[channels * ((383 - y) * 384 + x)] * 192;
+    assert.ok(Math.abs(float - (low + ((high - low) * grey[4 * k]) / 65535)) < 1e-3 * high);
+  }
+  const most = png(files(await saved(page, '#save-maps', { 'maps-size': '8', normals: 'normal-opengl' })), 'albedo');
+  assert.equal(most.width, 1536);
+  assert.ok(meanDifference(png(own, 'albedo'), most, 8) < 6);
+  assert.deepEqual([problems, external], [[], []]);
+  await close();
+});
+
+test('a large picture has maps of at most 8192 pixels', async () => {
+  const { page, problems, close } = await opened('#size=1536&cs=90');
+  await digest(page);
+  await dialog(page);
+  assert.deepEqual(await page.$$eval('#maps-size option', (options) => options.map(({ value }) => value)), ['1', '2', '4']);
+  assert.deepEqual(await page.$$eval('[id^=save-png-]', (keys) => keys.map(({ id }) => id)), ['save-png-2', 'save-png-3', 'save-png-4']);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('the picture is saved at one to eight times its side, and shows the same', async () => {
   const { page, problems, external, close } = await opened();
   await digest(page);
   const plain = await saved(page, '#save-png');
   assert.equal(plain.name, 'bubblestone-annulus-1-picture.png');
   const small = PNG.sync.read(Buffer.from(plain.bytes));
   assert.deepEqual([small.width, small.height], [192, 192]);
-  for (const scale of [2, 3, 4]) {
+  for (const scale of [2, 3, 4, 8]) {
     const { name, bytes } = await saved(page, `#save-png-${scale}`);
     assert.equal(name, `bubblestone-annulus-1-${192 * scale}.png`);
-    const { width, height, data } = PNG.sync.read(Buffer.from(bytes));
-    assert.deepEqual([width, height], [192 * scale, 192 * scale]);
+    const large = PNG.sync.read(Buffer.from(bytes));
+    assert.deepEqual([large.width, large.height], [192 * scale, 192 * scale]);
     // The mean of the pixels over a pixel is about that pixel.
-    let off = 0;
-    for (let y = 0; y < 192; y += 1) {
-      for (let x = 0; x < 192; x += 1) {
-        let sum = 0;
-        for (let v = 0; v < scale; v += 1) for (let u = 0; u < scale; u += 1) sum += data[4 * ((y * scale + v) * width + x * scale + u)];
-        off += Math.abs(sum / scale ** 2 - small.data[4 * (y * 192 + x)]);
-      }
-    }
-    assert.ok(off / 192 ** 2 < 20, `the picture at ${scale} times its side is ${off / 192 ** 2} off`);
+    const off = meanDifference(small, large, scale);
+    assert.ok(off < 20, `the picture at ${scale} times its side is ${off} off`);
   }
   assert.deepEqual([problems, external], [[], []]);
   await close();
@@ -485,6 +546,22 @@ test('Stop stops what is being made, and then another file can be saved', async 
   assert.equal((await saved(page, '#save-recipe')).name, 'bubblestone-snake-1.json');
   await set(page, 'cs', '40');
   assert.equal((await saved(page, '#save-recipe')).name, 'bubblestone-tile-1.json');
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('Stop stops maps of many pixels in the midst of them', sameEverywhere, async () => {
+  const { page, problems, close } = await opened('#size=512');
+  await digest(page);
+  await dialog(page);
+  await choose(page, { 'maps-size': '8' });
+  await click(page, '#save-maps');
+  await page.waitForFunction(() => document.querySelector('.message progress')?.value > 0.2);
+  await page.$eval('#stop-files', (stop) => stop.click());
+  await message(page, 'status', /was stopped/);
+  assert.equal(await page.evaluate(() => window.saved), undefined);
+  const { bytes } = await saved(page, '#save-maps', { 'maps-size': '1' });
+  assert.equal(PNG.sync.read(Buffer.from(unzipSync(bytes)['albedo.png'])).width, 512);
   assert.deepEqual(problems, []);
   await close();
 });

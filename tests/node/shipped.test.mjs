@@ -121,6 +121,20 @@ test('the first picture, a large one, and the largest painted anew take the memo
   assert.throws(() => memory.grow(16_384), RangeError);
 });
 
+test('what there is no memory for gets a sentence, and the picture stays', async () => {
+  const own = await import(`${pathToFileURL(join(pageModule, 'bubblestone.js')).href}?full`);
+  const { memory } = own.initSync({ module: bytes });
+  const studio = finished(new own.Bubblestone(SMALL));
+  const digest = studio.digest();
+  // Of 1 GiB 200 MB are left.
+  memory.grow((2 ** 30 - 2e8 - memory.buffer.byteLength) >> 16);
+  assert.equal(studio.pictureFile(64, '', 20).code, 'bad_scale');
+  const large = finished(new own.Bubblestone('size=1024&cs=200'));
+  for (const words of ['', 'albedo id']) assert.match(large.pictureFile(8, words, 20).text, /too little memory here for 8192 pixels/);
+  assert.equal(bytesOf(() => large.pictureFile(1, '', 20)), 3 * 1024 ** 2);
+  assert.deepEqual([studio.digest(), large.stage()], [digest, 'done']);
+});
+
 test('everything is drawn and told at every stage', () => {
   for (const link of DRAWN) {
     const studio = open(link);
@@ -147,8 +161,8 @@ test('every file is made', () => {
     }
     for (const ending of ['obj', 'glb']) assert.ok(bytesOf(() => studio.meshFile(ending, 'low', [], 4)) > 1000, ending);
     for (const scale of [1, 2]) {
-      assert.equal(bytesOf(() => studio.pictureFile(scale, 20)), 3 * (128 * scale) ** 2);
-      assert.equal(studio.biggerMap('albedo').side, 128 * scale);
+      assert.equal(bytesOf(() => studio.pictureFile(scale, '', 20)), 3 * (128 * scale) ** 2);
+      assert.equal(bytesOf(() => studio.pictureFile(scale, 'albedo height-float id', 20)), 10 * (128 * scale) ** 2);
     }
     studio.meshFile('obj', 'low', [], 0);
     studio.stopFile();
@@ -159,8 +173,8 @@ test('every file is made', () => {
 /** Has all slices made. @param {() => any} slice @returns {number} the bytes of a file */
 function bytesOf(slice) {
   for (let sum = 0; ; ) {
-    const { parts, rows, done } = slice();
-    for (const part of parts ?? [rows]) sum += part.length;
+    const { parts, maps, done } = slice();
+    for (const part of parts ?? maps.map(({ bytes }) => bytes)) sum += part.length;
     if (done) return sum;
   }
 }
@@ -293,9 +307,9 @@ test('every notice is said', () => {
   }
   hear(studio.setOutline([1, 2, 3], [2]));
   hear([studio.set('nonsense', '1'), studio.set('cs', 'many'), studio.set('lines', '0,0,9,9'), studio.set('poly', '!')]);
-  hear([studio.map('height'), studio.map('nothing'), studio.meshFile('glb', 'low', [], 9), studio.meshFile('', 'low', [], 9), studio.pictureFile(2, 9)]);
+  hear([studio.map('height'), studio.map('nothing'), studio.meshFile('glb', 'low', [], 9), studio.meshFile('', 'low', [], 9), studio.pictureFile(2, '', 9)]);
   finished(studio);
-  hear([studio.pictureFile(99, 9), studio.biggerMap('height')]);
+  hear([studio.pictureFile(99, '', 9), studio.pictureFile(2, 'nothing', 9)]);
   studio.free();
   const codes = text('../src/notice/words.txt').match(/^[a-z]\w*$/gm) ?? [];
   assert.deepEqual(codes.filter((code) => !said.has(code) && !NEVER_SAID.includes(code)), []);

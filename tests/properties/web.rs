@@ -237,22 +237,29 @@ fn dice_fall_otherwise_each_time() {
 #[wasm_bindgen_test]
 fn a_bigger_picture_comes_in_rows() {
     let mut page = Bubblestone::new(LINK);
-    assert_eq!(code(&page.picture_file(2, 1e9)), "not_yet");
+    assert_eq!(code(&page.picture_file(2, "", 1e9)), "not_yet");
     run(&mut page);
-    assert_eq!(code(&page.picture_file(9, 1e9)), "bad_scale");
-    let (mut bytes, mut slices) = (0, 0);
-    loop {
-        let slice = page.picture_file(2, 4.0);
-        assert_eq!(property(&slice, "begun"), JsValue::from(slices == 0));
-        assert_eq!(number(&slice, "side"), 320.0);
-        bytes += number(&property(&slice, "rows"), "length") as usize;
-        slices += 1;
-        if property(&slice, "done") == JsValue::TRUE {
-            break;
+    assert_eq!(code(&page.picture_file(9, "", 1e9)), "bad_scale");
+    assert_eq!(
+        code(&page.picture_file(2, "ao nothing", 1e9)),
+        "no_such_file"
+    );
+    for (words, bytes) in [("", vec![3]), ("ao height id", vec![1, 2, 3])] {
+        let (mut sums, mut slices) = (vec![0; bytes.len()], 0);
+        loop {
+            let slice = page.picture_file(2, words, 4.0);
+            assert_eq!(property(&slice, "begun"), JsValue::from(slices == 0));
+            for (map, sum) in Array::from(&property(&slice, "maps")).iter().zip(&mut sums) {
+                assert_eq!(number(&map, "side"), 320.0);
+                *sum += number(&property(&map, "bytes"), "length") as usize;
+            }
+            slices += 1;
+            if property(&slice, "done") == JsValue::TRUE {
+                break;
+            }
         }
+        let pixels = bytes.iter().map(|n| n * 320 * 320);
+        assert_eq!(sums, pixels.collect::<Vec<usize>>(), "{words}");
     }
-    assert_eq!(bytes, 3 * 320 * 320);
-    assert_eq!(number(&page.bigger_map("height"), "side"), 320.0);
     page.stop_file();
-    assert_eq!(code(&page.bigger_map("height")), "no_bigger_picture");
 }

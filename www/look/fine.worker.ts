@@ -27,12 +27,12 @@ async function painted(link: string, scale: number): Promise<ImageData | undefin
   const module = await loadModule(link);
   const studio = new module.Bubblestone(link);
   while (!isEnd(studio.stage())) studio.tick(BUDGET, STEPS);
-  let pixels: ImageData | undefined;
+  const side = studio.side() * scale;
+  const pixels = new ImageData(side, side);
   for (let at = 0; ; ) {
-    const slice = studio.pictureFile(scale, BUDGET);
-    if (!('rows' in slice)) return undefined;
-    pixels ??= new ImageData(slice.side, slice.side);
-    at = put(slice.rows, pixels.data, at);
+    const slice = studio.pictureFile(scale, '', BUDGET);
+    if (!('maps' in slice)) return undefined;
+    for (const { bytes } of slice.maps) at = put(bytes, pixels.data, at);
     if (slice.done) return pixels;
   }
 }

@@ -1,5 +1,5 @@
 /** What the page shares with the module: the objects that it hands over are declared where they are made. */
-export type { Answer, Generator, Histogram, Histograms, Notice, NoticeArg, Parameter, PixelMap, Preset, Probe, Series, Status } from '../../pkg/bubblestone.js';
+export type { Answer, Generator, Histogram, Histograms, Notice, NoticeArg, Parameter, PictureSlice, PixelMap, Preset, Probe, Series, Status } from '../../pkg/bubblestone.js';
 
 /** Why something of a view shows nothing. */
 export type Absence = 'not_yet' | 'at_rest' | 'no_point' | 'no_mesh' | 'one_size' | 'all_even';

@@ -16,14 +16,15 @@ import { signed, signedPng } from './origin';
 import { openRecipe, recipeFile } from './recipe-file';
 import { working } from './working';
 
-/** Times the picture's side. */
-const SCALES = [1, 2, 3, 4];
+/** Times the picture's side, of pictures and of maps. */
+const SCALES = [1, 2, 3, 4, 8];
+const MAP_SCALES = [1, 2, 4, 8];
 
 /** The most pixels that a side may have. */
-const MOST = 4096;
+const MOST = 8192;
 
-/** What was chosen last: of maps the program or the normals, of meshes the degree of detail, of films the shape. */
-const chosen: { program: string; detail: string; shape: Shape } = { program: 'normal-opengl', detail: 'middle', shape: 'square' };
+/** What was chosen last: of maps the program or the normals, and times the picture's side; of meshes the degree of detail, of films the shape. */
+const chosen: { program: string; scale: number; detail: string; shape: Shape } = { program: 'normal-opengl', scale: 1, detail: 'middle', shape: 'square' };
 
 /** Programs that maps are for; the first two keep the maps' own names. */
 const PROGRAMS = { 'normal-opengl': 'OpenGL (+Y)', 'normal-directx': 'DirectX (−Y)', blender: 'Blender', godot: 'Godot', unity: 'Unity', unreal: 'Unreal' };
@@ -67,11 +68,11 @@ export class SaveDialog {
     return this.work.engine.generator.offers.includes(part) ? [row(what, note, ...ways)] : [];
   }
 
-  private button(id: string, word: string, ending: string, making: Making): HTMLButtonElement {
+  private button(id: string, word: string, ending: string | (() => string), making: Making): HTMLButtonElement {
     const key = make('button', { type: 'button', class: 'key', id }, word);
     key.addEventListener('click', () => {
       this.dialog.close();
-      void working(nameOf(this.work.engine, this.work.store, ending), making);
+      void working(nameOf(this.work.engine, this.work.store, typeof ending === 'string' ? ending : ending()), making);
     });
     return key;
   }
@@ -130,9 +131,16 @@ export class SaveDialog {
   }
 
   private maps(): HTMLElement[] {
+    const { width } = this.canvas;
     const program = select('normals', t('normals'), PROGRAMS, chosen.program);
     program.addEventListener('change', () => (chosen.program = program.value));
-    return [program, this.button('save-maps', 'ZIP', '-maps.zip', this.made(() => ({ file: 'maps', program: program.value })))];
+    const scales = MAP_SCALES.filter((scale) => width * scale <= MOST);
+    const sizes = Object.fromEntries(scales.map((scale) => [scale, `${scale}× · ${t('pixels', { n: width * scale })}`]));
+    const size = select('maps-size', t('maps_size'), sizes, String(scales.includes(chosen.scale) ? chosen.scale : 1));
+    size.addEventListener('change', () => (chosen.scale = Number(size.value)));
+    const ending = (): string => (size.value === '1' ? '-maps.zip' : `-maps-${width * Number(size.value)}.zip`);
+    const zip = this.button('save-maps', 'ZIP', ending, this.made(() => ({ file: 'maps', program: program.value, scale: Number(size.value) })));
+    return [program, size, zip];
   }
 
   /** How large the files are is told before one is made. */

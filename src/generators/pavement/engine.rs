@@ -142,15 +142,11 @@ impl Engine for Pavement {
 
     fn picture_file(
         &mut self,
-        scale: usize,
+        order: (usize, &[MapKind]),
         clock: Clock,
         budget: f64,
     ) -> Result<PictureSlice, Notice> {
-        self.bigger_slice(scale, clock, budget)
-    }
-
-    fn bigger_map(&self, kind: MapKind) -> Result<Map, Notice> {
-        self.map_of_bigger(kind)
+        self.bigger_slice(order, clock, budget)
     }
 
     fn mesh_file(

@@ -22,20 +22,18 @@ impl Pavement {
     pub(super) fn map_of_planes(&self, kind: MapKind) -> Result<Map, Notice> {
         let planes = self.made.planes().filter(|_| self.is_done());
         let planes = planes.ok_or(Code::NotYet)?;
-        Ok(map_of(kind, planes, &self.working.params.finish.light))
-    }
-
-    pub(super) fn map_of_bigger(&self, kind: MapKind) -> Result<Map, Notice> {
-        let revision = self.made.finish.light.revision();
-        let bigger = self.bigger.as_ref().filter(|_| self.is_done());
-        let planes = bigger.and_then(|bigger| bigger.planes(revision));
-        let planes = planes.ok_or(Code::NoBiggerPicture)?;
-        Ok(map_of(kind, planes, &self.working.params.finish.light))
+        let light = &self.working.params.finish.light;
+        Ok(maps::map(
+            kind,
+            planes,
+            &light.materials,
+            light.shade.shininess,
+        ))
     }
 
     pub(super) fn bigger_slice(
         &mut self,
-        scale: usize,
+        order: (usize, &[MapKind]),
         clock: Clock,
         budget: f64,
     ) -> Result<PictureSlice, Notice> {
@@ -50,8 +48,8 @@ impl Pavement {
                 coats: self.made.coats(),
             }),
         };
-        let params = || params::finish(&self.working.recipe, scale, self.finer);
-        let slice = Bigger::advance(&mut kept, &picture, (scale, &params), clock, budget);
+        let params = || params::finish(&self.working.recipe, order.0, self.finer);
+        let slice = Bigger::advance(&mut kept, &picture, (order, &params), clock, budget);
         self.bigger = kept;
         slice
     }

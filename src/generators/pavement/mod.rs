@@ -97,7 +97,7 @@ pub struct Pavement {
     draft: Option<Draft>,
     /// The mesh file in the making.
     saving: Option<files::Saving>,
-    /// The bigger picture in the making, or its planes.
+    /// The bigger picture in the making.
     bigger: Option<Bigger>,
     boxes: probe::Boxes,
 }

@@ -5,7 +5,7 @@ use super::slices::{Packed, Packs, Shaping};
 use super::stage::Stage;
 use super::terrain::Terrain;
 use crate::cells::{Cell, Graph};
-use crate::generators::height_field::{Bodies, Finish, HeightField, Passes, Revisions};
+use crate::generators::height_field::{Bodies, Finish, HeightField, Revisions};
 use crate::graph::{Node, State};
 use crate::material::{Coat, Coats};
 use crate::mesh::{Mesh, Meshing};
@@ -65,7 +65,7 @@ impl Stages {
             cells: Node::new(params.cells),
             flow: Node::new(params.is_skin),
             coats: Node::new(params.coats),
-            finish: HeightField::new(params.finish, Passes::Many, usize::MAX),
+            finish: HeightField::new(params.finish),
             pictured: 0,
         }
     }

@@ -145,7 +145,7 @@ impl Engine for Specimen {
 
     fn picture_file(
         &mut self,
-        scale: usize,
+        order: (usize, &[MapKind]),
         clock: Clock,
         budget: f64,
     ) -> Result<PictureSlice, Notice> {
@@ -155,26 +155,10 @@ impl Engine for Specimen {
             revision: self.planes().map(|_| self.finish.light.revision()),
             bodies: self.bodies(),
         };
-        let params = || finish(&self.working, scale);
-        let slice = Bigger::advance(&mut kept, &picture, (scale, &params), clock, budget);
+        let params = || finish(&self.working, order.0);
+        let slice = Bigger::advance(&mut kept, &picture, (order, &params), clock, budget);
         self.bigger = kept;
         slice
-    }
-
-    fn bigger_map(&self, kind: MapKind) -> Result<Map, Notice> {
-        let revision = self.finish.light.revision();
-        let planes = self
-            .bigger
-            .as_ref()
-            .and_then(|bigger| bigger.planes(revision));
-        let planes = planes.ok_or(Code::NoBiggerPicture)?;
-        let light = common::light(&self.working);
-        Ok(maps::map(
-            kind,
-            planes,
-            &light.materials,
-            light.shade.shininess,
-        ))
     }
 
     fn stop_file(&mut self) {

@@ -4,7 +4,7 @@
 mod engine;
 
 use super::bigger::Bigger;
-use super::height_field::{Bodies, HeightField, HeightFieldParams, Passes, PlaneParams, Revisions};
+use super::height_field::{Bodies, HeightField, HeightFieldParams, PlaneParams, Revisions};
 use super::{Engine, Generator, Preset, Views, common};
 use crate::cells::Cell;
 use crate::domain::{Domain, Outline};
@@ -232,7 +232,7 @@ impl Specimen {
             latest: recipe.clone(),
             working: recipe.clone(),
             grid: Node::new(grid(recipe)),
-            finish: HeightField::new(finish(recipe, 1), Passes::Many, usize::MAX),
+            finish: HeightField::new(finish(recipe, 1)),
             bigger: None,
             frame: Vec::new(),
         }

@@ -33,6 +33,8 @@ pub struct Shader {
     finishes: Vec<Finish>,
     row: usize,
     row_light: RowLight,
+    /// Rows of the picture that there is room for: all, or those that are handed out at a time.
+    room: usize,
     rgba: Vec<u8>,
 }
 
@@ -88,7 +90,12 @@ impl RowLight {
 impl Shader {
     /// A picture of `side` pixels, `pixel_scale` for each picture unit, to be shaded; black until it is.
     pub fn new(params: &ShadeParams, side: usize, pixel_scale: usize) -> Self {
-        let mut rgba = vec![0; side * side * 4];
+        Self::banded(params, [side, pixel_scale], side)
+    }
+
+    /// The same, of which not more than `room` rows are held.
+    pub fn banded(params: &ShadeParams, [side, pixel_scale]: [usize; 2], room: usize) -> Self {
+        let mut rgba = vec![0; side * room * 4];
         rgba.iter_mut().skip(3).step_by(4).for_each(|a| *a = 255);
         Self {
             params: *params,
@@ -100,6 +107,7 @@ impl Shader {
             finishes: Vec::new(),
             row: 0,
             row_light: RowLight::new(side),
+            room,
             rgba,
         }
     }
@@ -130,6 +138,7 @@ impl Shader {
             return false;
         }
         let end = self.side.min(self.row.saturating_add(rows));
+        let end = end.min((self.row / self.room + 1) * self.room);
         for y in self.row..end {
             self.shade_row(planes, y);
         }
@@ -142,9 +151,13 @@ impl Shader {
         &self.rgba
     }
 
-    /// The rows of the picture that are shaded by now.
+    /// The rows of the picture that are shaded by now: of those that are held, once there is no room for all.
     pub fn finished(&self) -> &[u8] {
-        &self.rgba[..4 * self.side * self.row]
+        let rows = match self.row % self.room {
+            0 => self.row.min(self.room),
+            some => some,
+        };
+        &self.rgba[..4 * self.side * rows]
     }
 
     fn shade_row(&mut self, planes: &Planes, y: usize) {
@@ -210,7 +223,7 @@ impl Shader {
     fn colour_row(&mut self, planes: &Planes, y: usize) {
         let n = self.side;
         let here = y * n..(y + 1) * n;
-        let out = self.rgba[4 * here.start..4 * here.end].chunks_exact_mut(4);
+        let out = self.rgba[4 * (y % self.room) * n..][..4 * n].chunks_exact_mut(4);
         let colours = &planes.colour[here.clone()][..n];
         let materials = &planes.material[here][..n];
         let line = &self.row_light;

@@ -1,22 +1,32 @@
 //! The picture with more pixels is the same picture.
 
 use crate::common::finished;
-use bubblestone::export::MapKind;
+use bubblestone::export::{Map, MapKind};
 use bubblestone::generators::PictureSlice;
-use bubblestone::notice::Code;
+use bubblestone::notice::{Code, Notice};
 use bubblestone::studio::Studio;
 
-/// All of a bigger picture, in one call.
-fn bigger(studio: &mut Studio, scale: usize) -> PictureSlice {
-    let made = studio
-        .engine_mut()
-        .picture_file(scale, &mut || 0.0, f64::INFINITY);
+/// All of a bigger picture, or of its maps, in one call.
+fn made(studio: &mut Studio, scale: usize, kinds: &[MapKind]) -> PictureSlice {
+    let engine = studio.engine_mut();
+    let made = engine.picture_file((scale, kinds), &mut || 0.0, f64::INFINITY);
     made.expect("a picture that can be saved")
+}
+
+/// All of a bigger picture.
+fn bigger(studio: &mut Studio, scale: usize) -> Map {
+    made(studio, scale, &[]).rows.remove(0)
+}
+
+/// A slice of it in no time at all: the least there can be.
+fn slice(studio: &mut Studio, scale: usize) -> Result<PictureSlice, Notice> {
+    let engine = studio.engine_mut();
+    engine.picture_file((scale, &[]), &mut || 0.0, 0.0)
 }
 
 /// The mean difference of colours between a picture and a bigger one whose pixels are averaged over
 /// squares of `block` pixels of the first.
-fn difference(picture: &[u8], made: &PictureSlice, scale: usize, block: usize) -> f64 {
+fn difference(picture: &[u8], made: &Map, scale: usize, block: usize) -> f64 {
     let side = made.side / scale;
     let across = side / block;
     let mut sums = vec![0.0; 3 * across * across];
@@ -31,7 +41,7 @@ fn difference(picture: &[u8], made: &PictureSlice, scale: usize, block: usize) -
     }
     let (wide, block) = (made.side, block * scale);
     let pixels = (block * block) as f64;
-    for (at, rgb) in made.rows.chunks_exact(3).enumerate() {
+    for (at, rgb) in made.bytes.chunks_exact(3).enumerate() {
         add(at % wide / block, at / wide / block, rgb, 1.0 / pixels);
     }
     sums.iter().map(|d| d.abs()).sum::<f64>() / sums.len() as f64
@@ -51,7 +61,9 @@ fn averaged_it_is_the_picture() {
     ];
     for link in links {
         let mut studio = finished(&format!("size=256&{link}"));
-        for (scale, most, most_smooth) in [(2, 5.0, 2.0), (3, 6.0, 4.0), (4, 7.0, 4.0)] {
+        for (scale, most, most_smooth) in
+            [(2, 5.0, 2.0), (3, 6.0, 4.0), (4, 7.0, 4.0), (8, 8.5, 6.5)]
+        {
             let made = bigger(&mut studio, scale);
             let picture = studio.picture().unwrap();
             let [off, smooth] = [1, 8].map(|block| difference(picture, &made, scale, block));
@@ -72,24 +84,22 @@ fn at_its_own_side_it_is_the_picture() {
     ] {
         let mut studio = finished(link);
         let made = bigger(&mut studio, 1);
-        let off = difference(studio.picture().unwrap(), &made, 1, 1);
-        assert!(off < 1e-5, "{link}: {off}");
+        let rgb = studio.picture().unwrap().chunks_exact(4);
+        let rgb: Vec<u8> = rgb.flat_map(|p| [p[0], p[1], p[2]]).collect();
+        assert!(made.bytes == rgb, "{link}");
     }
 }
 
 #[test]
 fn slices_give_the_same_picture() {
     let mut studio = finished("size=160&outline=annulus&cs=14&moss=0.5");
-    let whole = bigger(&mut studio, 2);
+    let whole = made(&mut studio, 2, &[]);
     assert!(whole.begun && whole.done && whole.progress == 1.0);
-    assert_eq!((whole.side, whole.rows.len()), (320, 3 * 320 * 320));
+    let whole = &whole.rows[0];
+    assert_eq!((whole.side, whole.bytes.len()), (320, 3 * 320 * 320));
     let (mut rows, mut progress, mut slices) = (Vec::new(), 0.0, 0);
     loop {
-        // No time at all: the least there can be.
-        let slice = studio
-            .engine_mut()
-            .picture_file(2, &mut || 0.0, 0.0)
-            .unwrap();
+        let slice = slice(&mut studio, 2).unwrap();
         assert_eq!(slice.begun, slices == 0);
         assert!(
             slice.progress >= progress,
@@ -97,22 +107,22 @@ fn slices_give_the_same_picture() {
             slice.progress
         );
         (progress, slices) = (slice.progress, slices + 1);
-        rows.extend(slice.rows);
+        rows.extend(slice.rows.into_iter().flat_map(|map| map.bytes));
         if slice.done {
             break;
         }
     }
     assert!(slices > 100 && progress == 1.0);
-    assert!(rows == whole.rows);
+    assert!(rows == whole.bytes);
 }
 
 #[test]
 fn another_picture_begins_anew() {
     let mut studio = finished("size=160&outline=annulus&cs=14");
-    let slice =
-        |studio: &mut Studio, scale| studio.engine_mut().picture_file(scale, &mut || 0.0, 0.0);
     assert!(slice(&mut studio, 2).unwrap().begun);
     assert!(!slice(&mut studio, 2).unwrap().begun);
+    assert!(slice(&mut studio, 3).unwrap().begun);
+    assert!(made(&mut studio, 3, &[MapKind::Id]).begun);
     assert!(slice(&mut studio, 3).unwrap().begun);
     studio.engine_mut().stop_file();
     assert!(slice(&mut studio, 3).unwrap().begun);
@@ -126,41 +136,41 @@ fn another_picture_begins_anew() {
 
 #[test]
 fn what_is_too_large_gets_a_sentence() {
-    let mut studio = finished("size=1088&cs=60");
-    for scale in [0, 4, 5, usize::MAX / 4096] {
-        let said = studio
-            .engine_mut()
-            .picture_file(scale, &mut || 0.0, 0.0)
-            .unwrap_err();
-        let said = said.to_string();
-        assert!(said.contains("1 to 3 times its side"), "{said}");
+    for (link, most) in [("size=1088&cs=60", 7), ("size=128&cs=20", 8)] {
+        let mut studio = finished(link);
+        let picture = studio.picture().map(<[u8]>::to_vec);
+        for scale in [0, most + 1, 12, usize::MAX / 4096] {
+            let said = slice(&mut studio, scale).unwrap_err().to_string();
+            let most = format!("1 to {most} times its side");
+            assert!(said.contains(&most), "{said}");
+        }
+        assert_eq!(studio.picture().map(<[u8]>::to_vec), picture);
     }
 }
 
 #[test]
 fn its_maps_are_those_of_the_picture() {
-    let mut studio = finished("size=160&tile=1&cs=14");
-    assert!(studio.engine().bigger_map(MapKind::Height).is_err());
-    bigger(&mut studio, 2);
-    for (kind, word) in MapKind::ALL {
-        let (map, own) = (
-            studio.engine().bigger_map(kind).unwrap(),
-            studio.engine().map(kind).unwrap(),
-        );
-        assert_eq!(
-            (map.side, map.bytes.len()),
-            (320, 4 * own.bytes.len()),
-            "{word}"
-        );
-        // The high byte of what has two.
-        let step = usize::from(map.bits / 8);
-        let mean = |bytes: &[u8]| {
-            let values = bytes.iter().step_by(step).map(|&v| f64::from(v));
-            values.sum::<f64>() / (bytes.len() / step) as f64
-        };
-        let (big, small) = (mean(&map.bytes), mean(&own.bytes));
-        assert!((big - small).abs() < 4.0, "{word}: {big}, {small}");
+    let kinds = MapKind::ALL.map(|(kind, _)| kind);
+    for link in ["size=160&tile=1&cs=14", "size=160&cs=14&moss=0.5&wear=0.5"] {
+        let mut studio = finished(link);
+        let own = kinds.map(|kind| studio.engine().map(kind).unwrap());
+        assert!(made(&mut studio, 1, &kinds).rows == own, "{link}");
+        let bigger = made(&mut studio, 2, &kinds);
+        assert!(bigger.heights.1 > bigger.heights.0);
+        for ((map, own), (_, word)) in bigger.rows.iter().zip(&own).zip(MapKind::ALL) {
+            assert_eq!(
+                (map.side, map.bytes.len()),
+                (320, 4 * own.bytes.len()),
+                "{word}"
+            );
+            // The high byte of what has two.
+            let step = usize::from(map.bits / 8);
+            let mean = |bytes: &[u8]| {
+                let values = bytes.iter().step_by(step).map(|&v| f64::from(v));
+                values.sum::<f64>() / (bytes.len() / step) as f64
+            };
+            let (big, small) = (mean(&map.bytes), mean(&own.bytes));
+            assert!((big - small).abs() < 4.0, "{word}: {big}, {small}");
+        }
     }
-    studio.engine_mut().stop_file();
-    assert!(studio.engine().bigger_map(MapKind::Height).is_err());
 }

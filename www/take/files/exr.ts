@@ -1,5 +1,5 @@
 /** Heights as an OpenEXR file: one part of scan lines, one channel Y of 32 bit floats, not packed (OpenEXR File Layout). */
-import type { PixelMap } from '../../module/types';
+import { Parts, type RowWriter } from './parts';
 
 /** Attributes with their types; the values are numbers of 32 bits, or the list of channels. */
 const ATTRIBUTES = (last: number): readonly (readonly [name: string, kind: string, value: Uint8Array])[] => {
@@ -18,26 +18,41 @@ const ATTRIBUTES = (last: number): readonly (readonly [name: string, kind: strin
 };
 
 /** The file of a map of one channel of 32 bits. */
-export function exr({ side, bytes }: PixelMap): Uint8Array<ArrayBuffer> {
-  const text = new TextEncoder();
-  const attributes = ATTRIBUTES(side - 1).flatMap(([name, kind, value]) => [...text.encode(`${name}\0${kind}\0`), ...words(value.length), ...value]);
-  const head = Uint8Array.from([...words(20_000_630, 2), ...attributes, 0]);
-  // The table tells where each line begins, in 64 bits.
-  const begin = head.length + 8 * side;
-  const line = 8 + 4 * side;
-  const file = new Uint8Array(begin + side * line);
-  const out = new DataView(file.buffer);
-  const values = new DataView(bytes.buffer, bytes.byteOffset);
-  file.set(head);
-  for (let y = 0; y < side; y += 1) {
-    const at = begin + y * line;
-    out.setUint32(head.length + 8 * y, at, true);
-    out.setUint32(at, y, true);
-    out.setUint32(at + 4, 4 * side, true);
-    // Maps have the high byte first.
-    for (let x = 0; x < side; x += 1) out.setFloat32(at + 8 + 4 * x, values.getFloat32(4 * (y * side + x)), true);
+export class ExrWriter implements RowWriter {
+  private readonly side: number;
+  private readonly parts = new Parts();
+  private line = 0;
+
+  constructor(side: number) {
+    this.side = side;
+    const text = new TextEncoder();
+    const attributes = ATTRIBUTES(side - 1).flatMap(([name, kind, value]) => [...text.encode(`${name}\0${kind}\0`), ...words(value.length), ...value]);
+    const head = Uint8Array.from([...words(20_000_630, 2), ...attributes, 0]);
+    // The table tells where each line begins, in 64 bits.
+    const begin = head.length + 8 * side;
+    const table = new DataView(new ArrayBuffer(8 * side));
+    for (let y = 0; y < side; y += 1) table.setUint32(8 * y, begin + y * (8 + 4 * side), true);
+    this.parts.add(head);
+    this.parts.add(new Uint8Array(table.buffer));
   }
-  return file;
+
+  write(rows: Uint8Array): Promise<void> {
+    const { side } = this;
+    const values = new DataView(rows.buffer, rows.byteOffset);
+    for (let at = 0; at < rows.length; at += 4 * side) {
+      const line = new DataView(new ArrayBuffer(8 + 4 * side));
+      line.setUint32(0, this.line++, true);
+      line.setUint32(4, 4 * side, true);
+      // Maps have the high byte first.
+      for (let x = 0; x < side; x += 1) line.setFloat32(8 + 4 * x, values.getFloat32(at + 4 * x), true);
+      this.parts.add(new Uint8Array(line.buffer));
+    }
+    return Promise.resolve();
+  }
+
+  finish(): Promise<Blob> {
+    return Promise.resolve(this.parts.file('image/x-exr'));
+  }
 }
 
 function words(...numbers: number[]): Uint8Array {

@@ -5,11 +5,12 @@
  * frame to frame. So every film has about the same length, and frames depend on steps, never on a clock.
  */
 import type { Bubblestone } from '../../../pkg/bubblestone.js';
+import type { PixelMap } from '../../module/types';
 import type { Codec, Shape } from './codecs';
+import { bigger } from './bigger';
 import { FilmEncoder, quickest } from './encoder';
 import { framesOf, showForming, type Show } from './frames';
 import { pavement, type Progress } from './pavement';
-import { eachSlice } from './picture';
 import { contextOf, Sheet, type Words } from './sheet';
 
 export interface FilmJob {
@@ -51,15 +52,16 @@ async function largePicture(studio: Bubblestone, side: number, progress: Progres
   const scale = Math.min(MOST, Math.ceil(side / studio.side()));
   const context = contextOf(scale * studio.side(), scale * studio.side());
   let row = 0;
-  await eachSlice(studio, scale, progress, ({ rows, side }) => {
-    const count = rows.length / 3 / side;
-    if (!count) return;
-    const image = context.createImageData(side, count);
+  const lay = async ([rows]: PixelMap[]): Promise<void> => {
+    if (!rows) return;
+    const { side, bytes } = rows;
+    const image = context.createImageData(side, bytes.length / 3 / side);
     const { data } = image;
-    for (let from = 0, to = 0; to < data.length; to += 1) data[to] = (to & 3) === 3 ? 255 : (rows[from++] ?? 0);
+    for (let from = 0, to = 0; to < data.length; to += 1) data[to] = (to & 3) === 3 ? 255 : (bytes[from++] ?? 0);
     context.putImageData(image, 0, row);
-    row += count;
-  });
+    row += image.height;
+  };
+  await bigger(studio, scale, [], lay, progress);
   studio.stopFile();
   return context.canvas;
 }

@@ -4,14 +4,14 @@ import type { Notice } from '../../module/types';
 import { serve } from '../../late/worker';
 import type { FilmJob } from './film';
 import { formingGif } from './forming';
-import { mapsZip } from './maps-zip';
+import { mapsZip, type MapsJob } from './maps-zip';
 import { meshFile, type MeshJob } from './mesh-file';
 import { pavement, type Progress } from './pavement';
 import { pictureFile } from './picture';
 import { given, Refusal } from './refusal';
 import { slabFile, type Slab } from './slab';
 
-/** What is to be made; `program` is that which the maps are for, or the word of the normal map. */
+/** What is to be made; `scale` is times the picture's side. */
 export type Job =
   | { file: 'svg' }
   | { file: 'gif' }
@@ -19,7 +19,7 @@ export type Job =
   | MeshJob
   | { file: 'stl'; slab: Slab }
   | { file: 'picture'; scale: number }
-  | { file: 'maps'; program: string };
+  | MapsJob;
 
 /** What the worker gets: the recipe and what to make of it. */
 export type Order = [link: string, job: Job];
@@ -47,7 +47,7 @@ async function made(link: string, job: Job, progress: Progress): Promise<Blob> {
     return formingFilm(studio, stages, job, progress);
   }
   // The pavement is this part of the work.
-  const part = job.file === 'picture' ? 1 / job.scale ** 2 : 0.8;
+  const part = 'scale' in job && job.scale > 1 ? 1 / job.scale ** 2 : 0.8;
   const rest = (done: number): void => progress(part + (1 - part) * done);
   pavement(studio, stages, (done) => progress(part * done));
   switch (job.file) {
@@ -56,7 +56,7 @@ async function made(link: string, job: Job, progress: Progress): Promise<Blob> {
     case 'picture':
       return pictureFile(studio, job.scale, rest);
     case 'maps':
-      return mapsZip(studio, job.program, rest);
+      return mapsZip(studio, job, rest);
     case 'stl':
       return slabFile(job.slab, given(studio.map('height-float')), studio.get('tile') === '1', rest);
     default:

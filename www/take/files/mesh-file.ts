@@ -15,9 +15,9 @@ const TYPES = { glb: 'model/gltf-binary', obj: 'model/obj' };
 
 /** Throws a Refusal where it cannot be made. */
 export async function meshFile(studio: Bubblestone, { file, detail, images }: MeshJob): Promise<Blob> {
-  const pictures: Uint8Array<ArrayBuffer>[] = [];
+  const pictures: Blob[] = [];
   if (images) for (const word of ['albedo', 'normal-opengl', 'orm']) pictures.push(await png(given(studio.map(word))));
-  const lengths = Uint32Array.from(pictures, ({ length }) => length);
+  const lengths = Uint32Array.from(pictures, ({ size }) => size);
   const parts: BlobPart[] = [];
   for (;;) {
     const slice = given(studio.meshFile(file, detail, lengths, BUDGET));
@@ -25,6 +25,6 @@ export async function meshFile(studio: Bubblestone, { file, detail, images }: Me
     if (slice.done) break;
   }
   // The file ends with the images, each filled up to a multiple of four bytes.
-  for (const picture of pictures) parts.push(picture, new Uint8Array(-picture.length & 3));
+  for (const picture of pictures) parts.push(picture, new Uint8Array(-picture.size & 3));
   return new Blob(parts, { type: TYPES[file] });
 }

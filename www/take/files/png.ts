@@ -1,5 +1,6 @@
 /** Pixels as PNG files, with 16 bits a channel where a map has them, which a canvas cannot do. */
 import type { PixelMap } from '../../module/types';
+import { Parts, type RowWriter } from './parts';
 
 const SIGNATURE = [137, 80, 78, 71, 13, 10, 26, 10];
 /** Each row as the difference to the one above (PNG specification, section 9). */
@@ -8,13 +9,14 @@ const UP = 2;
 /** By the number of channels. */
 const COLOUR_TYPES: Record<number, number> = { 1: 0, 3: 2, 4: 6 };
 
-/** A file that is written row after row. */
-export class PngWriter {
+/** A PNG file, packed as its rows come. */
+export class PngWriter implements RowWriter {
   private readonly head = new Uint8Array(13);
   private readonly row: number;
   private readonly above: Uint8Array;
   private readonly into: WritableStreamDefaultWriter<BufferSource>;
-  private readonly packed: Promise<ArrayBuffer>;
+  private readonly parts = new Parts();
+  private readonly packed: Promise<void>;
 
   constructor(side: number, channels: number, bits: number) {
     const view = new DataView(this.head.buffer);
@@ -26,18 +28,25 @@ export class PngWriter {
     // The browser's “deflate” is the format of zlib that PNG asks for.
     const stream = new CompressionStream('deflate');
     this.into = stream.writable.getWriter();
-    this.packed = new Response(stream.readable).arrayBuffer();
+    this.parts.add(Uint8Array.from(SIGNATURE));
+    this.parts.add(chunk('IHDR', this.head));
+    this.packed = this.pack(stream.readable.getReader());
   }
 
-  /** Whole rows from the top. */
   async write(rows: Uint8Array): Promise<void> {
     if (rows.length) await this.into.write(this.filtered(rows));
   }
 
-  async finish(): Promise<Uint8Array<ArrayBuffer>> {
+  async finish(): Promise<Blob> {
     await this.into.close();
-    const packed = new Uint8Array(await this.packed);
-    return joined([Uint8Array.from(SIGNATURE), chunk('IHDR', this.head), chunk('IDAT', packed), chunk('IEND', new Uint8Array())]);
+    await this.packed;
+    this.parts.add(chunk('IEND', new Uint8Array()));
+    return this.parts.file('image/png');
+  }
+
+  /** Each piece that comes out packed is a chunk of its own. */
+  private async pack(from: ReadableStreamDefaultReader<Uint8Array>): Promise<void> {
+    for (let piece = await from.read(); !piece.done; piece = await from.read()) this.parts.add(chunk('IDAT', piece.value));
   }
 
   private filtered(bytes: Uint8Array): Uint8Array<ArrayBuffer> {
@@ -54,7 +63,7 @@ export class PngWriter {
   }
 }
 
-export async function png({ side, channels, bits, bytes }: PixelMap): Promise<Uint8Array<ArrayBuffer>> {
+export async function png({ side, channels, bits, bytes }: PixelMap): Promise<Blob> {
   const writer = new PngWriter(side, channels, bits);
   await writer.write(bytes);
   return writer.finish();
@@ -84,7 +93,7 @@ export function textIn(bytes: Uint8Array, keyword: string): string | undefined {
   return undefined;
 }
 
-function chunk(name: string, content: Uint8Array): Uint8Array {
+function chunk(name: string, content: Uint8Array): Uint8Array<ArrayBuffer> {
   const named = joined([new TextEncoder().encode(name), content]);
   const ends = new Uint8Array(8);
   const view = new DataView(ends.buffer);

@@ -5,8 +5,6 @@
  * of its pipelines (URP reads it as metal and occlusion, too); Godot takes one map with its ORMMaterial3D; Blender's Node
  * Wrangler finds single maps by the words in their names.
  */
-import type { PixelMap } from '../../module/types';
-
 export const PROGRAMS = {
   blender: [
     ['albedo', 'Bubblestone_BaseColor.png'],
@@ -39,15 +37,15 @@ export const PROGRAMS = {
   ],
 } as const;
 
-/** The mask map is made of that of occlusion, roughness and metal: these, nothing, and smoothness for roughness. */
-export function maskOf(orm: PixelMap): PixelMap {
-  const { side, bytes } = orm;
-  const mask = new Uint8Array(4 * side * side);
-  for (let k = 0; k < side * side; k += 1) {
-    mask[4 * k + 1] = bytes[3 * k] ?? 0;
-    mask[4 * k + 3] = 255 - (bytes[3 * k + 1] ?? 0);
+/** The pixels of a mask map from those of occlusion, roughness and metal: these, nothing, and smoothness for roughness. */
+export function maskOf(orm: Uint8Array): Uint8Array {
+  const pixels = orm.length / 3;
+  const mask = new Uint8Array(4 * pixels);
+  for (let k = 0; k < pixels; k += 1) {
+    mask[4 * k + 1] = orm[3 * k] ?? 0;
+    mask[4 * k + 3] = 255 - (orm[3 * k + 1] ?? 0);
   }
-  return { ...orm, channels: 4, bytes: mask };
+  return mask;
 }
 
 /** The maps of a program, or of the word of a normal map under their own names. */
