@@ -8,7 +8,7 @@ import { given } from './refusal';
  * Has the rows of these maps taken as they are made, of the picture where there are no words; answers the heights that
  * are 0 and 65535 in the map of heights. Throws a Refusal where it cannot be made.
  */
-export async function bigger(studio: Bubblestone, scale: number, words: string[], take: (maps: PixelMap[]) => Promise<void>, progress: Progress): Promise<PictureSlice['heights']> {
+export async function bigger(studio: Bubblestone, scale: number, words: string[], take: (maps: PixelMap[]) => Promise<void> | void, progress: Progress): Promise<PictureSlice['heights']> {
   for (;;) {
     const { maps, heights, done, progress: part } = given(studio.pictureFile(scale, words.join(' '), BUDGET));
     await take(maps);

@@ -52,7 +52,7 @@ async function largePicture(studio: Bubblestone, side: number, progress: Progres
   const scale = Math.min(MOST, Math.ceil(side / studio.side()));
   const context = contextOf(scale * studio.side(), scale * studio.side());
   let row = 0;
-  const lay = async ([rows]: PixelMap[]): Promise<void> => {
+  const lay = ([rows]: PixelMap[]): void => {
     if (!rows) return;
     const { side, bytes } = rows;
     const image = context.createImageData(side, bytes.length / 3 / side);
