@@ -2,7 +2,7 @@
  * The finished picture with as many pixels as the screen has, laid over the canvas while it stands still.
  *
  * The canvas has the recipe's own pixels, and browsers stretch it: on a screen of fine pixels, or where one comes
- * closer, it is soft. Once it stood still for a while, a worker works the link out anew and paints it with two to four
+ * closer, it is soft. Once it stood still for a while, a worker works the link out anew and paints it with two to eight
  * times as many pixels along a side, which come in softly. They are gone with the first change. What scripts, files and
  * the probe read stays the canvas below. For scripts the sheet tells their number as `data-fine`.
  */
@@ -19,10 +19,10 @@ import '../styles/late/fine.css';
 const STILL = 1000;
 
 /** So far the pixels may be stretched: a sheet a little larger than the picture is no reason for four times as many. */
-const SLACK = 1.1;
+const SLACK = 1.04;
 
 /** At most so many pixels for one of the picture along a side. */
-const MOST_SCALE = 4;
+const MOST_SCALE = 8;
 
 /** At most so many along a side: as many as the module makes where there is much memory, else in proportion to that. */
 const MOST_PIXELS = 4096;

@@ -225,7 +225,9 @@ function megabytes(bytes: number): string {
 }
 
 function row(what: string, note: string, ...ways: HTMLElement[]): HTMLElement {
-  const wide = ways.some(({ tagName }) => tagName === 'OUTPUT');
+  const count = (tag: string): number => ways.filter(({ tagName }) => tagName === tag).length;
+  // The words keep a column beside a few ways only.
+  const wide = ways.length > 3 || count('SELECT') > 1 || count('OUTPUT') > 0;
   return make(
     'section',
     { class: wide ? 'take-save take-wide' : 'take-save', role: 'group', 'aria-label': what },
