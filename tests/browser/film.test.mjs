@@ -97,7 +97,13 @@ async function playing(url, [x, y, side]) {
     const seeked = new Promise((resolve) => (video.onseeked = resolve));
     video.currentTime = time;
     await seeked;
-    coarse.push(window.coarse(video, x, y, side));
+    // Decoded frames come to the page a little later than it is told: until then all is black.
+    let seen = [0];
+    while (!seen.some((value) => value > 0)) {
+      await new Promise((resolve) => requestAnimationFrame(resolve));
+      seen = window.coarse(video, x, y, side);
+    }
+    coarse.push(seen);
   }
   return { length: video.duration, size: [video.videoWidth, video.videoHeight], coarse };
 }
