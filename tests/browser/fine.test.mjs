@@ -14,10 +14,10 @@ before(async () => {
 
 after(() => site?.close());
 
-/** On a screen of two pixels for one the sheet wants three for one of the picture; closer by one press, four. */
+/** On a screen of two pixels for one the sheet wants three for one of the picture; closer by one press, five. */
 const LINK = '#size=384&cs=32&outline=square';
 const THREE = '1152';
-const FOUR = '1536';
+const CLOSER = '1920';
 
 const retina = { width: 1280, height: 800, deviceScaleFactor: 2 };
 
@@ -149,11 +149,11 @@ test('closer it is finer, and all of the picture keeps what there is', async () 
   const { page, problems, close } = await opened();
   await fine(page);
   await click(page, '#zoom-in');
-  await fine(page, FOUR);
+  await fine(page, CLOSER);
   await page.waitForFunction(() => document.querySelectorAll('.fine').length === 1);
   await click(page, '#zoom-fit');
   await frames(page, 2);
-  assert.deepEqual(await there(page), [1, FOUR]);
+  assert.deepEqual(await there(page), [1, CLOSER]);
   assert.equal(await page.evaluate(() => window.begun), 2);
   // Where even these pixels are seen one by one, they are squares as ever.
   const rendering = () => page.$eval('.fine', (canvas) => getComputedStyle(canvas).imageRendering);

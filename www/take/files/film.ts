@@ -53,7 +53,7 @@ async function largePicture(studio: Bubblestone, side: number, progress: Progres
   const context = contextOf(scale * studio.side(), scale * studio.side());
   let row = 0;
   const lay = ([rows]: PixelMap[]): void => {
-    if (!rows) return;
+    if (!rows?.bytes.length) return;
     const { side, bytes } = rows;
     const image = context.createImageData(side, bytes.length / 3 / side);
     const { data } = image;
