@@ -25,6 +25,9 @@ const BAND: usize = 1 << 20;
 /// Bytes for each pixel of the picture when all is there, for each pixel of the band, and for noise and ground.
 const BYTES: [usize; 3] = [10, 43, 64 << 20];
 
+/// Rows are handed out as soon as they have so many bytes, however fast they come.
+const HANDED: usize = 4 << 20;
+
 /// A bigger picture, or its maps, in the making.
 pub(super) struct Bigger {
     scale: usize,
@@ -108,7 +111,7 @@ impl Bigger {
         while !bigger.is_done() {
             bigger.add(bodies);
             let inside = clock() - begin < budget;
-            if !inside {
+            if !inside || bigger.bytes() >= HANDED {
                 break;
             }
         }
@@ -247,6 +250,11 @@ impl Bigger {
             Work::Done => (1.0, 1.0, 0.0),
         };
         from + (to - from) * part.min(1.0)
+    }
+
+    /// Bytes of the rows to be handed out.
+    fn bytes(&self) -> usize {
+        self.rows.iter().map(|map| map.bytes.len()).sum()
     }
 
     /// The rows that were made and not given yet.
