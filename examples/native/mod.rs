@@ -162,9 +162,20 @@ pub fn write_bigger(
     dir: &Path,
 ) -> Result<(), String> {
     let engine = studio.engine_mut();
-    let mut made = |kinds: &[MapKind]| {
-        let made = engine.picture_file((scale, kinds), &mut || 0.0, f64::INFINITY);
-        made.map(|made| made.rows)
+    let mut made = |kinds: &[MapKind]| -> Result<Vec<Map>, Notice> {
+        let mut maps: Vec<Map> = Vec::new();
+        loop {
+            let slice = engine.picture_file((scale, kinds), &mut || 0.0, f64::INFINITY)?;
+            if slice.begun {
+                maps = slice.rows;
+            } else {
+                let rows = maps.iter_mut().zip(slice.rows);
+                rows.for_each(|(map, more)| map.bytes.extend(more.bytes));
+            }
+            if slice.done {
+                return Ok(maps);
+            }
+        }
     };
     for picture in made(&[])? {
         write_png(dir, &format!("picture-{scale}x.png"), &picture)?;

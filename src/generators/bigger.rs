@@ -22,8 +22,12 @@ pub const MOST_PIXELS: usize = 8192;
 const MOST_SCALE: usize = 8;
 /// Pixels that stones are put into at a time: what is known of their samples is held for these only.
 const BAND: usize = 1 << 20;
-/// Bytes for each pixel of the picture when all is there, for each pixel of the band, and for noise and ground.
-const BYTES: [usize; 3] = [10, 43, 64 << 20];
+/// Bytes for each pixel of the picture when all is there.
+const BYTES: usize = 10;
+/// The same while stones are painted: for each pixel, more for each pixel of the band, and for noise and ground.
+const PAINTING: [usize; 3] = [8, 43, 64 << 20];
+/// Rows are handed out as soon as they have so many bytes, however fast they come.
+const HANDED: usize = 4 << 20;
 
 /// A bigger picture, or its maps, in the making.
 pub(super) struct Bigger {
@@ -108,7 +112,7 @@ impl Bigger {
         while !bigger.is_done() {
             bigger.add(bodies);
             let inside = clock() - begin < budget;
-            if !inside {
+            if !inside || bigger.bytes() >= HANDED {
                 break;
             }
         }
@@ -166,6 +170,8 @@ impl Bigger {
                     false => Work::Painting(painting, solids, weather),
                     true => {
                         self.slices = 0;
+                        // What comes next takes the place of what painting took.
+                        drop(solids);
                         Work::Weathering(Weathering::new(weather, painting.finish()))
                     }
                 }
@@ -249,6 +255,11 @@ impl Bigger {
         from + (to - from) * part.min(1.0)
     }
 
+    /// Bytes of the rows to be handed out.
+    fn bytes(&self) -> usize {
+        self.rows.iter().map(|map| map.bytes.len()).sum()
+    }
+
     /// The rows that were made and not given yet.
     pub fn take(&mut self) -> Vec<Map> {
         let taken = |map: &mut Map| Map {
@@ -268,10 +279,11 @@ fn check(scale: usize, side: usize) -> Result<(), Notice> {
         let notice = notice.with("most", most).with("given", scale);
         return Err(notice.with("pixels", MOST_PIXELS));
     }
-    let [each, in_band, more] = BYTES;
+    let [each, in_band, more] = PAINTING;
     let pixels = bigger * bigger;
+    let painting = each * pixels + in_band * pixels.min(BAND) + more;
     let mut room: Vec<u8> = Vec::new();
-    match room.try_reserve_exact(each * pixels + in_band * pixels.min(BAND) + more) {
+    match room.try_reserve_exact(painting.max(BYTES * pixels)) {
         Ok(()) => Ok(()),
         Err(_) => Err(Notice::new(Code::NoMemory).with("side", bigger)),
     }

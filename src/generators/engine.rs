@@ -158,7 +158,7 @@ pub trait Engine: Any {
     /// A notice where the picture is not finished, or there is no such map.
     fn map(&self, kind: MapKind) -> Result<Map, Notice>;
 
-    /// Works for about `budget` milliseconds on these maps of the finished picture with `scale` times as many pixels
+    /// Works for about `budget` milliseconds, or until there are some megabytes of rows, on these maps of the finished picture with `scale` times as many pixels
     /// along its side, or where there are none on the picture itself. Begins anew where the order or the picture
     /// is another one than the last time, or the last one was done.
     ///

@@ -212,9 +212,12 @@ impl HeightField {
     }
 }
 
+/// More triangles than for so many pixels of a unit show nothing new: bodies are smooth, and take most of the memory.
+const MOST_DETAIL: usize = 4;
+
 /// Solids as detailed as these planes need them.
 pub(super) fn solids(params: &PlaneParams) -> Solids {
-    Solids::for_picture(params.texture.pixel_scale, params.finer)
+    Solids::for_picture(params.texture.pixel_scale.min(MOST_DETAIL), params.finer)
 }
 
 /// Planes on their way.

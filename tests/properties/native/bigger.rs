@@ -6,11 +6,22 @@ use bubblestone::generators::PictureSlice;
 use bubblestone::notice::{Code, Notice};
 use bubblestone::studio::Studio;
 
-/// All of a bigger picture, or of its maps, in one call.
+/// All of a bigger picture, or of its maps, in as few slices as can be.
 fn made(studio: &mut Studio, scale: usize, kinds: &[MapKind]) -> PictureSlice {
-    let engine = studio.engine_mut();
-    let made = engine.picture_file((scale, kinds), &mut || 0.0, f64::INFINITY);
-    made.expect("a picture that can be saved")
+    let mut slice = || {
+        let engine = studio.engine_mut();
+        let made = engine.picture_file((scale, kinds), &mut || 0.0, f64::INFINITY);
+        made.expect("a picture that can be saved")
+    };
+    let mut whole = slice();
+    while !whole.done {
+        let next = slice();
+        for (map, more) in whole.rows.iter_mut().zip(next.rows) {
+            map.bytes.extend(more.bytes);
+        }
+        (whole.progress, whole.heights, whole.done) = (next.progress, next.heights, next.done);
+    }
+    whole
 }
 
 /// All of a bigger picture.
