@@ -218,18 +218,18 @@ test('a page that is not seen makes none', async () => {
   await page.waitForFunction(() => window.ended === 1);
   assert.deepEqual(await there(page), [0, null]);
   await hide(false);
-  await fine(page, '1024');
+  await fine(page, '1536');
   // What is there stays.
   await hide(true);
   await hide(false);
-  assert.deepEqual(await there(page), [1, '1024']);
+  assert.deepEqual(await there(page), [1, '1536']);
   assert.equal(await page.evaluate(() => window.begun), 2);
   assert.deepEqual(problems, []);
   await close();
 });
 
 test('the page is not held while it comes', { skip }, async () => {
-  const { page, close } = await opened('#cs=24&zoom=4,0.5,0.5', { still: false });
+  const { page, close } = await opened('#cs=24&zoom=1.8,0.5,0.5', { still: false });
   await fine(page, '2048');
   const runs = [];
   // Once in a while the browser itself holds a page for long.
