@@ -30,6 +30,7 @@ mod native {
     mod lines;
     mod links;
     mod maps;
+    mod mesh_sizes;
     mod outline_rings;
     mod outlines;
     mod overlays;

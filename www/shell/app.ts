@@ -33,6 +33,7 @@ import { EditTools } from './edit-tools';
 import { makeLookTools } from './look-tools';
 import { offerMakes } from './makes';
 import { partsOf, type Parts } from './parts';
+import { refine } from './refine';
 import { scriptFace, type ScriptFace } from './scripts';
 import { tellCrash } from './trouble';
 
@@ -110,7 +111,7 @@ export class App {
     keepInSight(this.store);
     if (newcomer) this.forming.begin(true);
     this.address.show(words, () => this.loop.begin());
-    void this.finished.then(() => this.refine());
+    void this.finished.then(() => refine(this.work, this.view));
   }
 
   /** Panel and rail, which are much to build: the first cells are shown before. */
@@ -161,17 +162,6 @@ export class App {
       mark(state);
     });
     await follow();
-  }
-
-  /** What makes the finished picture finer comes when there is time, where the visitor wants it; without it there is the picture. */
-  private refine(): void {
-    const { store } = this;
-    let coming: Promise<unknown> | undefined;
-    const bring = (): void => {
-      if (store.state.fine) coming ??= import('../look/fine').then(({ keepFine }) => keepFine(this.work, this.view), () => (coming = undefined));
-    };
-    store.on(['fine'], bring);
-    bring();
   }
 
   /** What is made now, before anything of it is shown: stages, views, and the parts of the page that serve it. */

@@ -1,0 +1,48 @@
+//! How many triangles and bytes mesh files are told to have, and have.
+
+use super::export::{LINK, file_of, nodes, order};
+use crate::common::finished;
+use bubblestone::export::{DETAILS, MeshFormat};
+use bubblestone::generators::pavement::PAVEMENT;
+use std::collections::HashSet;
+
+/// Stones of presets of every group have as many triangles as asked for, and files the bytes that were told.
+#[test]
+fn details_are_kept_over_presets() {
+    let mut seen = HashSet::new();
+    let links = PAVEMENT.presets.iter().filter(|p| seen.insert(p.group));
+    let links: Vec<&str> = links.map(|preset| preset.link).collect();
+    let more = [
+        "stone=flag&size=256",
+        "stone=skin&sc=0.5&tc=0.8&size=256&outline=star",
+    ];
+    for (k, link) in links.into_iter().chain(more).enumerate() {
+        let (word, detail) = DETAILS[k % 3];
+        let mut studio = finished(link);
+        let order = order(MeshFormat::Glb, detail);
+        let told = studio.engine().mesh_size(&order).unwrap();
+        let file = file_of(&mut studio, &order);
+        let nodes = nodes(&file);
+        let (ground, stones) = nodes.split_last().unwrap();
+        let own: usize = stones.iter().map(|node| node.triangles.len()).sum();
+        let mean = own as f64 / stones.len() as f64 / detail as f64;
+        assert!((0.7..1.3).contains(&mean), "{link}, {word}: {mean}");
+        let all = (own + ground.triangles.len()) as f64;
+        let off = [all / told.triangles as f64, file.len() as f64 / told.bytes];
+        assert!(
+            off.iter().all(|v| (0.9..1.1).contains(v)),
+            "{link}: {off:?}"
+        );
+    }
+}
+
+#[test]
+fn the_text_file_is_as_long_as_told() {
+    let mut studio = finished(LINK);
+    for (_, detail) in DETAILS {
+        let order = order(MeshFormat::Obj, detail);
+        let told = studio.engine().mesh_size(&order).unwrap().bytes;
+        let off = file_of(&mut studio, &order).len() as f64 / told;
+        assert!((0.85..1.15).contains(&off), "{off}");
+    }
+}
