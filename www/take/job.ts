@@ -17,5 +17,8 @@ export async function fileOf(link: string, job: Job, task: Task): Promise<Blob> 
   const worker = new Worker(new URL('./files/job.worker.ts', import.meta.url), { type: 'module' });
   const answer = await answerOf<Answer>(worker, [link, job] satisfies Order, task);
   if ('file' in answer) return answer.file;
-  throw new Error(t('not_made', { reason: 'refused' in answer ? said(answer.refused) : answer.broken }));
+  if ('refused' in answer) throw new Error(t('not_made', { reason: said(answer.refused) }));
+  // A module that is given no more memory ends without a word.
+  const isLarge = 'scale' in job && job.scale > 1;
+  throw new Error(t(isLarge ? 'not_made_large' : 'not_made', { reason: answer.broken }));
 }
