@@ -1,6 +1,7 @@
 // The finished picture with the screen's own pixels, over the canvas.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
+import { sameEverywhere } from './browsers.mjs';
 import { open } from './harness.mjs';
 import { canvas, click, digest, frames, reloading, set } from './page.mjs';
 import { longestTask, skip } from './tasks.mjs';
@@ -103,7 +104,7 @@ test('the finished picture gets the pixels of the screen: those of its file, and
   await close();
 });
 
-test('it goes with the first change, and comes back once the picture stands still', async () => {
+test('it goes with the first change, and comes back once the picture stands still', sameEverywhere, async () => {
   const { page, problems, close } = await opened();
   await fine(page);
   // A slider on its way, and let go.
@@ -122,30 +123,21 @@ test('it goes with the first change, and comes back once the picture stands stil
   await fine(page);
   assert.deepEqual(await page.evaluate(() => [window.begun, window.ended]), [2, 2]);
   // Other views than the picture, and what lies over it.
-  const away = async (act, back) => {
-    await act();
-    assert.deepEqual(await there(page), [0, null]);
-    await back();
-    await fine(page);
-  };
-  await away(() => page.keyboard.press('4'), () => page.keyboard.press('1'));
-  await away(() => click(page, '#tile-button'), async () => { for (let k = 0; k < 2; k += 1) await click(page, '#tile-button'); });
+  await page.keyboard.press('4');
+  assert.deepEqual(await there(page), [0, null]);
+  await page.keyboard.press('1');
+  await fine(page);
   await click(page, '#compare-button');
   await page.waitForSelector('#divider');
   assert.deepEqual(await there(page), [0, null]);
   await click(page, '#compare-button');
-  await fine(page);
-  await click(page, '#edit-outline');
-  await page.waitForSelector('.handle');
-  assert.deepEqual(await there(page), [0, null]);
-  await click(page, '#edit-outline');
   await fine(page);
   assert.deepEqual(await there(page), [1, THREE]);
   assert.deepEqual(problems, []);
   await close();
 });
 
-test('closer it is finer, and all of the picture keeps what there is', async () => {
+test('closer it is finer, and all of the picture keeps what there is', sameEverywhere, async () => {
   const { page, problems, close } = await opened();
   await fine(page);
   await click(page, '#zoom-in');
@@ -165,7 +157,7 @@ test('closer it is finer, and all of the picture keeps what there is', async () 
   await close();
 });
 
-test('it comes in softly, but for those who ask for less motion', async () => {
+test('it comes in softly, but for those who ask for less motion', sameEverywhere, async () => {
   for (const still of [true, false]) {
     const { page, close } = await opened(LINK, { still });
     await fine(page);
@@ -174,7 +166,7 @@ test('it comes in softly, but for those who ask for less motion', async () => {
   }
 });
 
-test('it is left to the visitor, and off where data is to be spared', async () => {
+test('it is left to the visitor, and off where data is to be spared', sameEverywhere, async () => {
   const asked = () => site.requests.some((path) => /\/fine[-.][^/]*\.js$/.test(path));
   site.requests.length = 0;
   const sparing = (/** @type {import('puppeteer-core').Page} */ fresh) =>
@@ -205,7 +197,7 @@ test('it is left to the visitor, and off where data is to be spared', async () =
   await close();
 });
 
-test('a page that is not seen makes none', async () => {
+test('a page that is not seen makes none', sameEverywhere, async () => {
   const { page, problems, close } = await opened('#cs=12');
   const hide = (hidden) =>
     page.evaluate((now) => {
@@ -247,7 +239,7 @@ test('the page is not held while it comes', { skip }, async () => {
   await close();
 });
 
-test('the picture alone in another page is fine, too', async () => {
+test('the picture alone in another page is fine, too', sameEverywhere, async () => {
   const { page, problems, close } = await opened(`?embed${LINK}`, { viewport: { width: 500, height: 500, deviceScaleFactor: 2 } });
   await fine(page);
   await page.evaluate((fragment) => (location.hash = fragment), `${LINK}&az=40`);

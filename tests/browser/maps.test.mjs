@@ -157,9 +157,9 @@ test('maps come larger, and show the same', sameEverywhere, async () => {
   await close();
 });
 
-test('a large picture has maps of at most 8192 pixels', async () => {
+test('a large picture has maps of at most 8192 pixels', sameEverywhere, async () => {
   const { page, problems, close } = await opened(site, '#size=1536&cs=90');
-  await digest(page);
+  await page.waitForFunction(() => document.querySelector('#canvas').width === 1536);
   await dialog(page);
   assert.deepEqual(await page.$$eval('#maps-size option', (options) => options.map(({ value }) => value)), ['1', '2', '4']);
   assert.deepEqual(await page.$$eval('[id^=save-png-]', (keys) => keys.map(({ id }) => id)), ['save-png-2', 'save-png-3', 'save-png-4']);

@@ -67,7 +67,7 @@ test('the same design comes with more pixels, in one step, and the first link on
   }
 });
 
-test('every way of the control takes the lengths along, and rounds nothing on the way', async () => {
+test('every way of the control takes the lengths along, and rounds nothing on the way', sameEverywhere, async () => {
   const { page, problems, close } = await opened('#v=1&size=256&cs=17.3&hs=9.7&af=1.15');
   const first = await link(page);
   // Keys, there and back.
@@ -117,7 +117,7 @@ test('what meets a limit is told, and is as it was on the way back', sameEverywh
   await close();
 });
 
-test('without it the side is the side alone, and the choice is kept', async () => {
+test('without it the side is the side alone, and the choice is kept', sameEverywhere, async () => {
   const { page, problems, close } = await opened('#v=1&size=192&cs=16');
   await page.focus('#scale-all');
   assert.match(await page.$eval('#hint', (hint) => hint.textContent), /same design/);
