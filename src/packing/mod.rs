@@ -39,6 +39,7 @@ mod front;
 mod grid;
 mod integrate;
 mod measures;
+mod params;
 mod placed;
 mod placement;
 mod population;
@@ -50,6 +51,7 @@ mod warm_start;
 
 pub(crate) use grid::Grid;
 pub use measures::{Alignment, NetForce, Sample};
+pub use params::{BoundaryCondition, Integrator, PackingParams, Population, Start};
 pub use placement::Placing;
 pub use stress::{Stress, stress};
 
@@ -60,96 +62,8 @@ use crate::order;
 use crate::random::{Purpose, Random};
 use glam::DVec2;
 use integrate::Motion;
+use params::TUNING;
 use shape::Shape;
-
-/// How the cells meet the boundary.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum BoundaryCondition {
-    /// The cells' edges lie on it: a soft wall pushes them to half a cell from it.
-    Wall,
-    /// The cells' centres lie on it and are fixed, as in the papers.
-    On,
-}
-
-/// How the inside is filled at first.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Start {
-    /// Cell by cell from the boundary inwards along the direction field.
-    Stream,
-    /// One cell in every leaf of a quadtree, as the papers say.
-    Quadtree,
-}
-
-/// How the equation of motion is integrated.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Integrator {
-    /// Semi-implicit Euler: one evaluation of the forces a step.
-    SemiImplicit,
-    /// Fourth-order Runge-Kutta, as the papers say: four evaluations a step.
-    RungeKutta,
-}
-
-/// How cells are added and removed on the way.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Population {
-    /// A cell is added where an edge of another has an empty place for it.
-    Slots,
-    /// The papers' rule: a cell is added beside one whose nearest neighbour is far.
-    Smallest,
-    /// The number of cells stays as it was placed.
-    Off,
-}
-
-/// What a packing is made from, besides the outline and the fields.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PackingParams {
-    /// How the cells meet the boundary.
-    pub boundary: BoundaryCondition,
-    /// How the inside is filled at first.
-    pub start: Start,
-    /// How the equation of motion is integrated.
-    pub integrator: Integrator,
-    /// How cells are added and removed.
-    pub population: Population,
-    /// Vs: the standard deviation of the cells' sizes over their mean, 0..0.5.
-    pub variance: f64,
-    /// Draws the sizes and whatever placement leaves to chance.
-    pub seed: u64,
-}
-
-/// The constants of the relaxation, in cell sizes where they are lengths.
-struct Tuning {
-    /// A run has ended when no force is larger ...
-    force_end: f64,
-    /// ... nor any move of the last step ...
-    move_end: f64,
-    /// ... but not before this many steps.
-    least_steps: u32,
-    /// Population is looked at every so many steps ...
-    population_every: u32,
-    /// ... and not after this many.
-    population_until: u32,
-    /// From this step on the time step shrinks by `cooling` a step, so that a cell caught between
-    /// two directions comes to rest.
-    cooling_from: u32,
-    cooling: f64,
-    /// The run ends here in any case.
-    most_steps: u32,
-    /// The most cells that are packed: of more there is a notice.
-    most_cells: f64,
-}
-
-const TUNING: Tuning = Tuning {
-    force_end: 0.05,
-    move_end: 0.02,
-    least_steps: 10,
-    population_every: 10,
-    population_until: 100,
-    cooling_from: 100,
-    cooling: 0.97,
-    most_steps: 200,
-    most_cells: 250_000.0,
-};
 
 /// What cells are packed in.
 #[derive(Clone, Copy)]

@@ -5,6 +5,7 @@ import { createFile } from 'mp4box';
 import { sameEverywhere } from './browsers.mjs';
 import { open } from './harness.mjs';
 import { click, digest, message, phone, SMALL } from './page.mjs';
+import { keeping } from './saved.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
@@ -21,20 +22,10 @@ const UPRIGHT = [28, 356, 1024];
 
 /** A page that keeps the files it hands over. @param {string} fragment @param {{ shares?: boolean, films?: boolean, viewport?: typeof phone }} [options] */
 const opened = (fragment, { shares = false, films = true, viewport } = {}) =>
-  site.newPage(fragment, { ...(viewport && { viewport }), before: (fresh) => fresh.evaluateOnNewDocument(keeping, shares, films) });
+  site.newPage(fragment, { ...(viewport && { viewport }), before: (fresh) => fresh.evaluateOnNewDocument(keeping).then(() => fresh.evaluateOnNewDocument(able, shares, films)) });
 
-/** Runs in the page: keeps files, and what is shared where the system does; films may be none. @param {boolean} shares @param {boolean} films */
-function keeping(shares, films) {
-  const blobs = new Map();
-  const create = URL.createObjectURL;
-  URL.createObjectURL = (blob) => {
-    const url = create(blob);
-    blobs.set(url, blob);
-    return url;
-  };
-  HTMLAnchorElement.prototype.click = function () {
-    window.saved = { name: this.download, blob: blobs.get(this.href) };
-  };
+/** Runs in the page: keeps what is shared where the system does; films may be none. @param {boolean} shares @param {boolean} films */
+function able(shares, films) {
   navigator.canShare = ({ files = [] }) => shares && files.every(({ type }) => /^(image|video)\//.test(type));
   if (shares) navigator.share = async (data) => (window.shared = data);
   if (!films) delete window.VideoEncoder;

@@ -9,23 +9,23 @@ import { click, SMALL } from './page.mjs';
 
 /** A page that keeps the files it hands over. @param {Site} site @param {string} [fragment] */
 export async function opened(site, fragment = SMALL) {
-  return site.newPage(fragment, {
-    before: (fresh) =>
-      fresh.evaluateOnNewDocument(() => {
-        const keeping = /** @type {Keeping} */ (window);
-        /** @type {Map<string, any>} */
-        const blobs = new Map();
-        const create = URL.createObjectURL;
-        URL.createObjectURL = (blob) => {
-          const url = create(blob);
-          blobs.set(url, blob);
-          return url;
-        };
-        HTMLAnchorElement.prototype.click = function () {
-          keeping.saved = { name: this.download, blob: blobs.get(this.href) };
-        };
-      }),
-  });
+  return site.newPage(fragment, { before: (fresh) => fresh.evaluateOnNewDocument(keeping) });
+}
+
+/** Runs in the page: keeps the files that it hands over. */
+export function keeping() {
+  const page = /** @type {Keeping} */ (window);
+  /** @type {Map<string, any>} */
+  const blobs = new Map();
+  const create = URL.createObjectURL;
+  URL.createObjectURL = (blob) => {
+    const url = create(blob);
+    blobs.set(url, blob);
+    return url;
+  };
+  HTMLAnchorElement.prototype.click = function () {
+    page.saved = { name: this.download, blob: blobs.get(this.href) };
+  };
 }
 
 /** Opens the dialog of all that can be saved. @param {Page} page */

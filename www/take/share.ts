@@ -32,10 +32,11 @@ export function share(engine: Engine, store: Store, canvas: HTMLCanvasElement): 
   const told = make('p', { class: 'take-told', role: 'status' });
   const picture = 'share' in navigator ? pictureOf(canvas, address(recipe)) : undefined;
   const parts = [linkOf(engine, picture, title, told), codeOf(), embedding(title, told)];
-  const words = written(seen(engine, store));
+  const viewing = seen(engine, store);
+  const words = written(viewing);
   const follow = (as: string): void => parts.forEach((part) => part.follow(joined(recipe, as), as));
   const [first, ...others] = parts.map(({ element }) => element);
-  first?.append(asSeen(seen(engine, store), words, follow), told);
+  first?.append(asSeen(viewing, words, follow), told);
   const film = (shape: Shape, codecs: Codec[]): void => {
     dialog.close();
     void makeFilm(engine, store, shape, codecs);
