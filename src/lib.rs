@@ -13,7 +13,7 @@
 //! 5. [`cells`] makes one polygon of each, the dual of that mesh, fitted into the outline.
 //! 6. [`solid`] builds a stone or a scale on each cell, of some [`material`].
 //! 7. [`heightfield`] puts these solids into planes of height, colour and material, lets the weather
-//!    go over them, and lights them.
+//!    go over them, and puts them in the [`light`].
 //!
 //! [`draw`] shows what the stages have made, [`metrics`] measures it, and [`export`] writes it to files.
 //!
@@ -60,6 +60,7 @@ pub mod field;
 pub mod generators;
 mod graph;
 pub mod heightfield;
+pub mod light;
 pub mod material;
 pub mod mesh;
 pub mod metrics;

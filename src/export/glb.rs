@@ -14,7 +14,8 @@ use super::bytes::{put, put_floats};
 use super::frame::Frame;
 use super::maps::id_colour;
 use crate::decimal;
-use crate::heightfield::{Surface, decoded};
+use crate::heightfield::Surface;
+use crate::light::decoded;
 use crate::order::{greater, lesser};
 
 /// What all vertices share in a file with images: normal and tangent.

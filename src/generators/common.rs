@@ -1,7 +1,7 @@
 //! From the rows that generators share to the parameters of the height field's weather and light.
 
 use super::height_field::LightParams;
-use crate::heightfield::{Light, ShadeParams};
+use crate::light::{Light, ShadeParams};
 use crate::material::{Gloss, WeatherParams, material_table};
 use crate::recipe::Recipe;
 use crate::recipe::common::keys;

@@ -4,9 +4,8 @@
 use crate::cells::Cell;
 use crate::domain::Domain;
 use crate::graph::{Node, State};
-use crate::heightfield::{
-    Painted, Painter, Planes, ShadeParams, Shader, TextureParams, Weathering,
-};
+use crate::heightfield::{Painted, Painter, Planes, Shader, TextureParams, Weathering};
+use crate::light::ShadeParams;
 use crate::material::{Coat, Material, WeatherParams};
 use crate::notice::{Code, Notice};
 use crate::solid::Solids;

@@ -5,9 +5,8 @@
 //! use bubblestone::cells::Cell;
 //! use bubblestone::domain::{Domain, Outline};
 //! use bubblestone::field::Kind;
-//! use bubblestone::heightfield::{
-//!     GROUND, Painter, ShadeParams, Shader, TextureParams, Weathering,
-//! };
+//! use bubblestone::heightfield::{GROUND, Painter, Shader, TextureParams, Weathering};
+//! use bubblestone::light::ShadeParams;
 //! use bubblestone::material::{Gloss, WeatherParams, material_table};
 //! use bubblestone::solid::Solids;
 //! use glam::DVec2;
@@ -52,7 +51,7 @@
 
 mod box_filter;
 mod ground;
-mod light;
+mod lit;
 mod occlusion;
 mod painter;
 mod params;
@@ -65,8 +64,7 @@ mod slopes;
 mod surface;
 mod weather;
 
-pub(crate) use light::decoded;
-pub use light::{Light, ShadeParams, Shader};
+pub use lit::Shader;
 pub use painter::Painter;
 pub use params::TextureParams;
 pub use planes::{GROUND, Planes};

@@ -4,7 +4,8 @@
 use super::{params, recipe};
 use crate::field::FieldParams;
 use crate::generators::common;
-use crate::heightfield::{ShadeParams, TextureParams};
+use crate::heightfield::TextureParams;
+use crate::light::ShadeParams;
 use crate::material::{ColourParams, WeatherParams};
 use crate::packing::PackingParams;
 use crate::recipe::Recipe;

@@ -1,7 +1,8 @@
 //! Shading: shadows, slices, changes of light.
 
 use super::samples::{SIDE, painted, pavement, small};
-use bubblestone::heightfield::{Light, Planes, ShadeParams, Shader};
+use bubblestone::heightfield::{Planes, Shader};
+use bubblestone::light::{Light, ShadeParams};
 use bubblestone::material::{Gloss, material_table};
 use std::f64::consts::TAU;
 

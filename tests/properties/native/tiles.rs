@@ -2,7 +2,8 @@
 
 use crate::paving::OfPavement;
 use bubblestone::domain::{Domain, signed_area};
-use bubblestone::heightfield::{Light, Planes, ShadeParams, Shader};
+use bubblestone::heightfield::{Planes, Shader};
+use bubblestone::light::{Light, ShadeParams};
 use bubblestone::material::{Gloss, material_table};
 use bubblestone::mesh::Mesh;
 use bubblestone::metrics::Metrics;

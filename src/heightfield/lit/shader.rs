@@ -1,25 +1,10 @@
 //! Phong's shading of the data planes, in slices of rows.
 
 use super::shadow::Shadows;
-use super::tone::Tone;
-use super::{Light, ShadeParams};
 use crate::heightfield::{Planes, row_slopes};
+use crate::light::{Finish, GAP, LAMP, Light, SHINE, SKY, STEEP, ShadeParams, Tone, lamp_from};
 use crate::material::Material;
 use crate::order::greater;
-
-/// Colour of the lamp, linear.
-const LAMP: [f32; 3] = [1.44, 1.38, 1.28];
-/// Colour of the sky, linear.
-const SKY: [f32; 3] = [0.33, 0.35, 0.38];
-/// Part of the sky's light that reaches a vertical face.
-const STEEP: f32 = 0.72;
-/// Part of the lamp's light lost where the sky is hidden: little is reflected there.
-const GAP: f32 = 0.35;
-/// The point lamp's light is 1 at its foot. Of its inverse this part grows with the square of the
-/// distance, and the rest stays.
-const FALL_OFF: f32 = 0.55;
-/// Entries of the table of highlights.
-const SHINE: usize = 256;
 
 /// Shades planes into a picture.
 pub struct Shader {
@@ -36,28 +21,6 @@ pub struct Shader {
     /// Rows of the picture that there is room for: all, or those that are handed out at a time.
     room: usize,
     rgba: Vec<u8>,
-}
-
-/// A material with the factors of the recipe.
-struct Finish {
-    ambient: f32,
-    diffuse: f32,
-    /// The highlight by the cosine between mirrored light and view, 0..1.
-    shine: Vec<f32>,
-}
-
-impl Finish {
-    fn new(material: &Material, params: &ShadeParams) -> Self {
-        let exponent = f64::from(material.shininess) * params.shininess;
-        let strength = material.specular * params.specular as f32;
-        let shine = (0..=SHINE)
-            .map(|i| strength * libm::pow(i as f64 / SHINE as f64, exponent.max(0.1)) as f32);
-        Self {
-            ambient: material.ambient * params.ambient as f32,
-            diffuse: material.diffuse * params.diffuse as f32,
-            shine: shine.collect(),
-        }
-    }
 }
 
 /// The light that reaches each pixel of a row, whatever its material and colour.
@@ -241,16 +204,4 @@ impl Shader {
             }
         }
     }
-}
-
-/// The unit vector from a point to a lamp, and the lamp's strength there.
-#[inline(always)]
-fn lamp_from(p: [f32; 3], lamp: [f32; 3]) -> ([f32; 3], f32) {
-    let d = [lamp[0] - p[0], lamp[1] - p[1], lamp[2] - p[2]];
-    let square = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
-    let inverse = 1.0 / greater(square.sqrt(), 1e-3);
-    let loss = square / (lamp[2] * lamp[2]);
-    let strength = 1.0 / greater(1.0 - FALL_OFF + FALL_OFF * loss, 0.05);
-    let strength = if strength > 2.0 { 2.0 } else { strength };
-    (d.map(|v| v * inverse), strength)
 }

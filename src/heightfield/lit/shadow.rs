@@ -8,11 +8,11 @@
 //! reach so far are scanned before the first one. Under a point light no picture can repeat, and nothing
 //! beyond its edges casts a shadow.
 
-use super::Light;
 use super::parallel::ParallelShadows;
 use super::point::PointShadows;
 use super::scan_order::{ColumnBlock, ScanOrder};
 use crate::heightfield::Planes;
+use crate::light::Light;
 use crate::order::{greater, lesser};
 
 /// Shadows are followed back through at most so many pictures of a tile.
