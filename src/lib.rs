@@ -70,6 +70,7 @@ pub mod packing;
 mod planar;
 pub mod random;
 pub mod recipe;
+pub mod scene;
 pub mod solid;
 pub mod studio;
 #[cfg(target_arch = "wasm32")]

@@ -1,5 +1,6 @@
 //! A surface of triangles, as it is drawn and written to files.
 
+use crate::notice::{Code, Notice};
 use glam::Vec3;
 
 /// A surface. Those of cells are closed: each side of a triangle is that of another one, in the other
@@ -14,6 +15,30 @@ pub struct Surface {
     pub colours: Vec<[u8; 3]>,
     /// Clockwise on screen seen from outside.
     pub triangles: Vec<[u32; 3]>,
+}
+
+/// No coordinate may be larger: sums of products stay finite.
+const LARGEST: f32 = 1e9;
+
+impl Surface {
+    /// What is wrong with it, if anything is: lists of different lengths, a coordinate that is not a number, a
+    /// corner that is not there. One without a fault can be drawn.
+    pub fn fault(&self) -> Option<Notice> {
+        let count = self.positions.len();
+        let fault = |why: Notice| Some(Notice::new(Code::SurfaceFault).with("why", why));
+        if self.normals.len() != count || self.colours.len() != count {
+            return fault(Code::SurfaceLists.into());
+        }
+        let is_good = |v: &Vec3| v.is_finite() && v.abs().max_element() <= LARGEST;
+        let pairs = self.positions.iter().zip(&self.normals);
+        let mut good = pairs.map(|(p, n)| is_good(p) && is_good(n));
+        if let Some(n) = good.position(|good| !good) {
+            return fault(Notice::new(Code::SurfaceNumber).with("n", n));
+        }
+        let misses = |t: &[u32; 3]| t.iter().any(|&v| v as usize >= count);
+        let missing = self.triangles.iter().position(misses);
+        missing.and_then(|n| fault(Notice::new(Code::SurfaceCorner).with("n", n)))
+    }
 }
 
 /// Means of the normals of the triangles around each vertex, by their areas; down where there are none.

@@ -1,0 +1,57 @@
+//! What is seen where no body is: a floor that fades into the air above it, a sky, or nothing.
+
+use crate::order::{greater, lesser};
+use glam::Vec3;
+
+/// What lies behind the bodies.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Backdrop {
+    /// A floor under the lowest body, without an end, as in a photographer's studio.
+    #[default]
+    Floor,
+    /// The sky, and what lies far below it.
+    Sky,
+    /// Nothing: the picture is transparent there.
+    Nothing,
+}
+
+impl Backdrop {
+    /// All, with their words.
+    pub const ALL: [(Backdrop, &'static str); 3] = [
+        (Backdrop::Floor, "floor"),
+        (Backdrop::Sky, "sky"),
+        (Backdrop::Nothing, "nothing"),
+    ];
+}
+
+/// Colour of the floor before light (sRGB).
+pub(super) const FLOOR_COLOUR: [f32; 3] = [172.0, 168.0, 161.0];
+/// The floor fades from here to there, in radii of the ball around all bodies.
+const FADES: [f32; 2] = [1.1, 3.2];
+/// Colours on the screen by how high one looks, as the sine of the angle: low and high.
+type Gradient = [[f32; 3]; 2];
+const STUDIO: Gradient = [[203.0, 199.0, 192.0], [226.0, 224.0, 220.0]];
+const AIR: Gradient = [[214.0, 224.0, 233.0], [104.0, 146.0, 198.0]];
+const LAND: Gradient = [[196.0, 200.0, 196.0], [118.0, 116.0, 108.0]];
+
+/// The colour on the screen in a direction (a unit vector); black for [`Backdrop::Nothing`].
+pub(super) fn behind(backdrop: Backdrop, way: Vec3) -> [f32; 3] {
+    let high = greater(way.y, 0.0);
+    match backdrop {
+        Backdrop::Floor => between(STUDIO, high),
+        Backdrop::Sky if way.y >= 0.0 => between(AIR, lesser(1.6 * high, 1.0).sqrt()),
+        Backdrop::Sky => between(LAND, lesser(-2.0 * way.y, 1.0)),
+        Backdrop::Nothing => [0.0; 3],
+    }
+}
+
+fn between([low, high]: Gradient, part: f32) -> [f32; 3] {
+    std::array::from_fn(|k| low[k] + (high[k] - low[k]) * part)
+}
+
+/// How much of the floor is seen at a place so far from the middle of a ball of this radius, 0..1.
+pub(super) fn floor_part(away: f32, radius: f32) -> f32 {
+    let [from, to] = FADES.map(|part| part * radius);
+    let part = ((to - away) / greater(to - from, f32::MIN_POSITIVE)).clamp(0.0, 1.0);
+    part * part * (3.0 - 2.0 * part)
+}

@@ -1,0 +1,271 @@
+//! Where a scene is seen from, and where its points are on the screen then.
+//!
+//! The world is right-handed with y up. The camera goes round its target: the angle counts clockwise seen from
+//! above, and at 0 the viewer stands where z is large and looks along -z, with x to the right.
+
+use crate::notice::{Code, Notice, quote};
+use crate::order::{greater, lesser};
+use glam::{DVec3, Vec3};
+
+/// A viewer who looks at a target. It is a view of a scene and no part of it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Camera {
+    /// Where the viewer stands: degrees, 0..360.
+    pub angle: f64,
+    /// How high: degrees above the horizon, -90..90.
+    pub height: f64,
+    /// How far from the target, in units of the scene: 0.05..20.
+    pub distance: f64,
+    /// The angle of view along the shorter side of the frame: degrees, 5..100.
+    pub lens: f64,
+    /// What is in the middle of the frame, each -2..2 units of the scene.
+    pub target: [f64; 3],
+}
+
+/// The numbers of a camera by their names, in their order, each with the least and the greatest.
+pub const LIMITS: [(&str, f64, f64); 7] = [
+    ("angle", 0.0, 360.0),
+    ("height", -90.0, 90.0),
+    ("distance", 0.05, 20.0),
+    ("lens", 5.0, 100.0),
+    ("x", -2.0, 2.0),
+    ("y", -2.0, 2.0),
+    ("z", -2.0, 2.0),
+];
+
+/// Nothing nearer than this part of the distance to the target is seen.
+const NEAR: f64 = 0.01;
+
+impl Default for Camera {
+    /// A little from the left, as one looks at a floor: all of a square of the side 1 is in the frame.
+    fn default() -> Self {
+        Self {
+            angle: 330.0,
+            height: 38.0,
+            distance: 1.9,
+            lens: 35.0,
+            target: [0.0; 3],
+        }
+    }
+}
+
+impl Camera {
+    /// Reads numbers with commas between: angle, height, distance, lens, and the target's x, y and z. Those
+    /// that are missing at the end are taken from `self`; what is no number is, too, and one that is too small
+    /// or too large is brought to its limit, both with a notice.
+    pub fn read(self, text: &str) -> (Self, Vec<Notice>) {
+        let mut numbers = self.numbers();
+        let mut notices = Vec::new();
+        let words: Vec<&str> = match text.trim() {
+            "" => Vec::new(),
+            text => text.split(',').collect(),
+        };
+        for (k, word) in words.iter().enumerate() {
+            let Some(&(name, least, most)) = LIMITS.get(k) else {
+                notices.push(Notice::new(Code::CameraNumbers).with("n", words.len()));
+                break;
+            };
+            let number: Option<f64> = word.trim().parse().ok().filter(|n: &f64| n.is_finite());
+            let kept = match number {
+                Some(number) if k == 0 => turned(number),
+                Some(number) => number.clamp(least, most),
+                None => numbers[k],
+            };
+            if number.is_none_or(|number| k > 0 && number != kept) {
+                let notice = Notice::new(Code::CameraNumber)
+                    .with("name", name.to_owned())
+                    .with("given", quote(word))
+                    .with("least", least.to_string())
+                    .with("most", most.to_string());
+                notices.push(notice.with("kept", kept.to_string()));
+            }
+            numbers[k] = kept;
+        }
+        (Self::of_numbers(numbers), notices)
+    }
+
+    /// The numbers, in the order of [`LIMITS`].
+    pub fn numbers(&self) -> [f64; 7] {
+        let [x, y, z] = self.target;
+        [self.angle, self.height, self.distance, self.lens, x, y, z]
+    }
+
+    fn of_numbers([angle, height, distance, lens, x, y, z]: [f64; 7]) -> Self {
+        Self {
+            angle,
+            height,
+            distance,
+            lens,
+            target: [x, y, z],
+        }
+    }
+
+    /// The view from here into a frame of so many pixels, at least 1 each.
+    pub fn view(&self, width: usize, height: usize) -> View {
+        let (angle, rise) = (self.angle.to_radians(), self.height.to_radians());
+        let flat = libm::cos(rise);
+        let back = DVec3::new(
+            -libm::sin(angle) * flat,
+            libm::sin(rise),
+            libm::cos(angle) * flat,
+        );
+        // Straight from above there is an up, too.
+        let right = DVec3::new(libm::cos(angle), 0.0, libm::sin(angle));
+        let eye = DVec3::from(self.target) + back * self.distance;
+        let half = 0.5 * width.min(height) as f64;
+        let focal = half / libm::tan(0.5 * self.lens.to_radians());
+        View {
+            eye: eye.as_vec3(),
+            right: right.as_vec3(),
+            up: back.cross(right).as_vec3(),
+            ahead: (-back).as_vec3(),
+            focal: focal as f32,
+            near: (NEAR * self.distance) as f32,
+            middle: [0.5 * width as f32, 0.5 * height as f32],
+            size: [width, height],
+        }
+    }
+}
+
+/// An angle within 0..360 degrees.
+fn turned(angle: f64) -> f64 {
+    let turns = libm::floor(angle / 360.0);
+    let left = angle - 360.0 * turns;
+    if (0.0..360.0).contains(&left) {
+        left
+    } else {
+        0.0
+    }
+}
+
+/// A camera and a frame: a perspective projection.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct View {
+    /// Where it is seen from.
+    pub eye: Vec3,
+    /// Unit vectors to the right of the frame, up it, and into it.
+    pub right: Vec3,
+    /// See [`View::right`].
+    pub up: Vec3,
+    /// See [`View::right`].
+    pub ahead: Vec3,
+    /// Pixels for a unit at a depth of a unit.
+    pub focal: f32,
+    /// What is less deep is not seen.
+    pub near: f32,
+    /// The pixel coordinates of what is straight ahead.
+    pub middle: [f32; 2],
+    /// Width and height in pixels.
+    pub size: [usize; 2],
+}
+
+impl View {
+    /// Where a point is seen from here: to the right, up, and how deep, in units of the scene.
+    #[inline(always)]
+    pub fn of(&self, p: Vec3) -> Vec3 {
+        let d = p - self.eye;
+        Vec3::new(d.dot(self.right), d.dot(self.up), d.dot(self.ahead))
+    }
+
+    /// The pixel coordinates (y down) of a point that [`View::of`] gave, and the inverse of its depth, which
+    /// must not be 0.
+    #[inline(always)]
+    pub fn on_screen(&self, seen: Vec3) -> [f32; 3] {
+        let inverse = 1.0 / seen.z;
+        let scale = self.focal * inverse;
+        [
+            self.middle[0] + seen.x * scale,
+            self.middle[1] - seen.y * scale,
+            inverse,
+        ]
+    }
+
+    /// The direction from the eye through a place of the frame; of depth 1, so not a unit vector.
+    #[inline(always)]
+    pub fn ray(&self, x: f32, y: f32) -> Vec3 {
+        let across = (x - self.middle[0]) / self.focal;
+        let down = (y - self.middle[1]) / self.focal;
+        self.ahead + self.right * across - self.up * down
+    }
+
+    /// How many pixels wide a ball looks; infinite where the eye may be inside of it, 0 where all of it is behind.
+    pub fn diameter(&self, seen: Vec3, radius: f32) -> f32 {
+        if seen.z <= -radius {
+            return 0.0;
+        }
+        if seen.z <= radius + self.near {
+            return f32::INFINITY;
+        }
+        2.0 * radius * self.focal / seen.z
+    }
+
+    /// Whether a ball may be in the frame.
+    pub fn may_see(&self, seen: Vec3, radius: f32) -> bool {
+        if seen.z < self.near - radius {
+            return false;
+        }
+        // Distances from the four planes through the eye and the frame's sides.
+        let [width, height] = self.size.map(|n| n as f32);
+        let beyond = |along: f32, from: f32, to: f32| {
+            let norm = |slope: f32| (1.0 + slope * slope).sqrt();
+            let (low, high) = (from / self.focal, to / self.focal);
+            greater(
+                (low * seen.z - along) / norm(low),
+                (along - high * seen.z) / norm(high),
+            )
+        };
+        let across = beyond(seen.x, -self.middle[0], width - self.middle[0]);
+        let down = beyond(-seen.y, -self.middle[1], height - self.middle[1]);
+        lesser(greater(across, down), f32::MAX) <= radius
+    }
+
+    /// The same view of a frame whose places are moved by a part of a pixel.
+    pub fn moved(mut self, [x, y]: [f32; 2]) -> Self {
+        self.middle = [self.middle[0] + x, self.middle[1] + y];
+        self
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_view_is_right_handed_and_rays_meet_their_points() {
+        for angle in [0.0, 90.0, 200.0] {
+            for height in [-90.0, 0.0, 38.0, 90.0] {
+                let camera = Camera {
+                    angle,
+                    height,
+                    ..Camera::default()
+                };
+                let view = camera.view(640, 480);
+                assert!((view.right.cross(view.up) + view.ahead).length() < 1e-6);
+                let p = Vec3::new(0.2, -0.1, 0.3);
+                let [x, y, inverse] = view.on_screen(view.of(p));
+                let back = view.eye + view.ray(x, y) / inverse;
+                assert!((back - p).length() < 1e-5, "{back}");
+            }
+        }
+        // At the left edge one looks to the right.
+        let left = Camera {
+            angle: 90.0,
+            height: 0.0,
+            ..Camera::default()
+        };
+        assert!(left.view(10, 10).ahead.x > 0.999);
+    }
+
+    #[test]
+    fn words_are_read_and_mended() {
+        let base = Camera::default();
+        assert_eq!(base.read(""), (base, Vec::new()));
+        let (camera, notices) = base.read("-30, 20");
+        assert_eq!((camera.angle, camera.height), (330.0, 20.0));
+        assert_eq!((camera.distance, notices.len()), (base.distance, 0));
+        let (camera, notices) = base.read("nan,95,none,0.1,1,2,3,4");
+        assert_eq!((camera.angle, camera.height), (base.angle, 90.0));
+        assert_eq!((camera.lens, camera.target), (5.0, [1.0, 2.0, 2.0]));
+        assert_eq!(notices.len(), 6);
+    }
+}

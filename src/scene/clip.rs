@@ -1,0 +1,104 @@
+//! Triangles cut to what can be drawn of them.
+
+use super::View;
+use glam::Vec3;
+
+/// So many times the frame's larger side, at least, lies beyond the frame on each side before a triangle is cut there: nearly none is.
+const GUARD: f32 = 2.0;
+/// At most so many corners: three, and one more for each of five planes.
+pub(super) const MOST: usize = 8;
+
+/// A convex polygon; the first `count` corners count.
+#[derive(Clone, Copy)]
+pub(super) struct Polygon {
+    pub corners: [Vec3; MOST],
+    pub count: usize,
+}
+
+/// The planes that triangles are cut by: `distance` of a point in the view is not negative inside.
+#[derive(Clone, Copy)]
+pub(super) struct Planes {
+    near: f32,
+    /// How far to the side, for a unit of depth.
+    across: f32,
+    down: f32,
+}
+
+impl Planes {
+    pub fn new(view: &View) -> Self {
+        let [width, height] = view.size.map(|n| n as f32);
+        let larger = if width > height { width } else { height };
+        let slope = |half: f32| (half + GUARD * larger) / view.focal;
+        Self {
+            near: view.near,
+            across: slope(0.5 * width),
+            down: slope(0.5 * height),
+        }
+    }
+
+    #[inline(always)]
+    fn distance(&self, plane: usize, p: Vec3) -> f32 {
+        match plane {
+            0 => p.z - self.near,
+            1 => self.across * p.z - p.x,
+            2 => self.across * p.z + p.x,
+            3 => self.down * p.z - p.y,
+            _ => self.down * p.z + p.y,
+        }
+    }
+
+    /// Which planes a point is beyond, a bit each.
+    #[inline(always)]
+    pub fn beyond(&self, p: Vec3) -> u32 {
+        let mut bits = 0;
+        for plane in 0..5 {
+            bits |= u32::from(self.distance(plane, p) < 0.0) << plane;
+        }
+        bits
+    }
+
+    /// The part of a triangle on the inner side of those planes. Two triangles with a common edge are cut at the
+    /// same point of it, to the bit: cuts are worked out from the inner end.
+    pub fn cut(&self, triangle: [Vec3; 3], planes: u32) -> Polygon {
+        let [a, b, c] = triangle;
+        let mut corners = [Vec3::ZERO; MOST];
+        corners[..3].copy_from_slice(&[a, b, c]);
+        let mut polygon = Polygon { corners, count: 3 };
+        for plane in (0..5).filter(|plane| planes >> plane & 1 == 1) {
+            polygon = self.cut_by(plane, &polygon);
+        }
+        polygon
+    }
+
+    fn cut_by(&self, plane: usize, polygon: &Polygon) -> Polygon {
+        let mut cut = Polygon {
+            corners: [Vec3::ZERO; MOST],
+            count: 0,
+        };
+        let mut add = |p: Vec3| {
+            if cut.count < MOST {
+                cut.corners[cut.count] = p;
+                cut.count += 1;
+            }
+        };
+        for k in 0..polygon.count {
+            let (p, q) = (polygon.corners[k], polygon.corners[(k + 1) % polygon.count]);
+            let (here, there) = (self.distance(plane, p), self.distance(plane, q));
+            if here >= 0.0 {
+                add(p);
+            }
+            if (here >= 0.0) != (there >= 0.0) {
+                let (inner, outer, from, to) = match here >= 0.0 {
+                    true => (p, q, here, there),
+                    false => (q, p, there, here),
+                };
+                let mut at = inner + (outer - inner) * (from / (from - to));
+                if plane == 0 {
+                    at.z = self.near;
+                }
+                add(at);
+            }
+        }
+        cut
+    }
+}

@@ -1,0 +1,375 @@
+//! One picture of a scene, in slices: what is seen, how much of the sky each place sees, and its light.
+
+use super::backdrop::{FLOOR_COLOUR, behind, floor_part};
+use super::met::Met;
+use super::occlusion::Occlusion;
+use super::sight::{FLOOR, NOTHING, Sight};
+use super::{Backdrop, Camera, Lighting, Scene, Surfel, lines};
+use glam::Vec3;
+
+/// Pixels that are shaded with about the work of one triangle that is drawn: their inverse.
+const PIXEL_WORK: usize = 1;
+/// Where the samples of a pixel lie, from its middle.
+const SAMPLES: [[f32; 2]; 4] = [[-0.25, -0.25], [0.25, -0.25], [-0.25, 0.25], [0.25, 0.25]];
+
+/// What frame is wanted.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Order {
+    /// Where it is seen from.
+    pub camera: Camera,
+    /// Width and height in pixels, 1 to 8192.
+    pub size: [usize; 2],
+    /// Each pixel is the mean of two by two samples, or there is one.
+    pub is_fine: bool,
+    /// Something moves: bodies are a level coarser, and there is no occlusion.
+    pub is_moving: bool,
+    /// What is behind the bodies.
+    pub backdrop: Backdrop,
+}
+
+/// A frame in the making.
+pub struct Frame {
+    order: Order,
+    sight: Sight,
+    occlusion: Occlusion,
+    /// By pixel: the normal of the triangles there.
+    normals: Vec<Vec3>,
+    phase: Phase,
+    sample: usize,
+    /// Sums over samples of red, green, blue and alpha.
+    sums: Vec<[u16; 4]>,
+    rgba: Vec<u8>,
+    kept: Kept,
+    /// Middle and radius of the ball around all bodies, and the floor's height.
+    ground: ((Vec3, f32), f32),
+}
+
+/// Of the first sample of each pixel.
+#[derive(Default)]
+struct Kept {
+    depths: Vec<f32>,
+    ids: Vec<u32>,
+    instances: Vec<u32>,
+    normals: Vec<Vec3>,
+}
+
+/// What comes next; rows that are done.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Phase {
+    Start,
+    Sight,
+    Normals(usize),
+    Occlusion,
+    Shade(usize),
+    Lines,
+    Sum(usize),
+    Done,
+}
+
+impl Frame {
+    /// A frame to be made.
+    pub fn new(order: Order) -> Self {
+        let view = order.camera.view(order.size[0], order.size[1]);
+        let mut frame = Self {
+            sight: Sight::new(view),
+            occlusion: Occlusion::new(),
+            normals: Vec::new(),
+            phase: Phase::Start,
+            sample: 0,
+            sums: Vec::new(),
+            rgba: Vec::new(),
+            kept: Kept::default(),
+            ground: ((Vec3::ZERO, 0.0), 0.0),
+            order,
+        };
+        frame.begin(order);
+        frame
+    }
+
+    /// Begins another frame in the same memory.
+    pub fn begin(&mut self, order: Order) {
+        self.order = order;
+        self.phase = Phase::Start;
+        self.sample = 0;
+        let pixels = order.size[0] * order.size[1];
+        self.sums.clear();
+        self.sums
+            .resize(if order.is_fine { pixels } else { 0 }, [0; 4]);
+        self.rgba.clear();
+        self.rgba.resize(4 * pixels, 0);
+    }
+
+    /// What frame it is.
+    pub fn order(&self) -> &Order {
+        &self.order
+    }
+
+    /// Is it finished?
+    pub fn is_done(&self) -> bool {
+        self.phase == Phase::Done
+    }
+
+    /// How much of it is done, 0..1, by a rough estimate.
+    pub fn progress(&self) -> f64 {
+        let rows = self.order.size[1] as f64;
+        let part = match self.phase {
+            Phase::Start => 0.0,
+            Phase::Sight => 0.3 * self.sight.progress(),
+            Phase::Normals(row) => 0.3 + 0.1 * row as f64 / rows,
+            Phase::Occlusion => 0.4,
+            Phase::Shade(row) => 0.6 + 0.35 * row as f64 / rows,
+            Phase::Lines | Phase::Sum(_) => 0.95,
+            Phase::Done => return 1.0,
+        };
+        (self.sample as f64 + part) / self.samples() as f64
+    }
+
+    fn samples(&self) -> usize {
+        if self.order.is_fine { SAMPLES.len() } else { 1 }
+    }
+
+    /// Goes on for about the work of so many triangles, or of as many pixels; true when it is done. Scene and light must be the same
+    /// from the first call to the last; the light must be ready.
+    pub fn advance(&mut self, scene: &Scene, light: &Lighting, amount: usize) -> bool {
+        let [width, height] = self.order.size;
+        let rows = (amount / (PIXEL_WORK * width)).max(1);
+        self.phase = match self.phase {
+            Phase::Start => {
+                self.start(scene);
+                Phase::Sight
+            }
+            Phase::Sight => match self.sight.advance(scene, amount) {
+                true => Phase::Normals(0),
+                false => Phase::Sight,
+            },
+            Phase::Normals(row) => {
+                let end = height.min(row + 2 * rows);
+                (row..end).for_each(|y| self.find_normals(scene, y));
+                match end == height {
+                    true if self.order.is_moving => Phase::Shade(0),
+                    true => Phase::Occlusion,
+                    false => Phase::Normals(end),
+                }
+            }
+            Phase::Occlusion => {
+                let (sight, normals) = (&self.sight, &self.normals);
+                match self.occlusion.advance(sight, normals, scene.reach, rows) {
+                    true => Phase::Shade(0),
+                    false => Phase::Occlusion,
+                }
+            }
+            Phase::Shade(row) => {
+                let end = height.min(row + rows);
+                (row..end).for_each(|y| self.shade(scene, light, y));
+                match end == height {
+                    true => Phase::Lines,
+                    false => Phase::Shade(end),
+                }
+            }
+            Phase::Lines => {
+                lines::draw(&self.sight, &scene.lines, &mut self.rgba);
+                if self.sample == 0 {
+                    self.keep(scene);
+                }
+                match self.order.is_fine {
+                    true => Phase::Sum(0),
+                    false => Phase::Done,
+                }
+            }
+            Phase::Sum(row) => self.sum(row, height.min(row + 4 * rows)),
+            Phase::Done => Phase::Done,
+        };
+        self.is_done()
+    }
+
+    fn start(&mut self, scene: &Scene) {
+        if self.sample == 0 {
+            self.ground = (scene.ball(), scene.lowest());
+        }
+        let [width, height] = self.order.size;
+        let view = self.order.camera.view(width, height);
+        let view = match self.order.is_fine {
+            true => view.moved(SAMPLES[self.sample]),
+            false => view,
+        };
+        self.sight.begin(view, self.order.is_moving);
+        self.occlusion.begin(width * height);
+        self.normals.clear();
+        self.normals.resize(width * height, Vec3::ZERO);
+    }
+
+    /// Finds the normals of a row, and where the floor is seen.
+    fn find_normals(&mut self, scene: &Scene, y: usize) {
+        let view = *self.sight.view();
+        let width = view.size[0];
+        let has_floor = self.order.backdrop == Backdrop::Floor;
+        let ((middle, radius), floor) = self.ground;
+        for x in 0..width {
+            let at = y * width + x;
+            let ray = view.ray(x as f32 + 0.5, y as f32 + 0.5);
+            if self.sight.owner[at] == NOTHING {
+                let depth = (floor - view.eye.y) / ray.y;
+                let met = view.eye + ray * depth;
+                let is_near = || floor_part((met - middle).length(), radius) > 0.0;
+                // Seen from below there is no floor.
+                if has_floor && ray.y < 0.0 && depth > view.near && is_near() {
+                    self.sight.owner[at] = FLOOR;
+                    self.sight.inverse[at] = 1.0 / depth;
+                    self.normals[at] = Vec3::Y;
+                }
+                continue;
+            }
+            self.normals[at] = Met::new(&self.sight, scene, at, ray).normal;
+        }
+    }
+
+    fn shade(&mut self, scene: &Scene, light: &Lighting, y: usize) {
+        let view = *self.sight.view();
+        let width = view.size[0];
+        let ((middle, radius), _) = self.ground;
+        for x in 0..width {
+            let at = y * width + x;
+            let ray = view.ray(x as f32 + 0.5, y as f32 + 0.5);
+            let way = ray.normalize_or(Vec3::NEG_Y);
+            let owner = self.sight.owner[at];
+            let pixel = &mut self.rgba[4 * at..][..4];
+            if owner == NOTHING {
+                let colour = behind(self.order.backdrop, way);
+                for k in 0..3 {
+                    pixel[k] = (colour[k] + 0.5) as u8;
+                }
+                pixel[3] = if self.order.backdrop == Backdrop::Nothing {
+                    0
+                } else {
+                    255
+                };
+                continue;
+            }
+            let depth = 1.0 / self.sight.inverse[at];
+            let position = view.eye + ray * depth;
+            let smooth = self.normals[at];
+            let open = f32::from(self.occlusion.open[at]) * (1.0 / 255.0);
+            let mut surfel = Surfel {
+                position,
+                normal: smooth,
+                colour: FLOOR_COLOUR,
+                material: 0,
+                open: 1.0,
+            };
+            if owner == FLOOR {
+                let lit = light.light(&surfel, smooth, -way, open);
+                let part = floor_part((position - middle).length(), radius);
+                let back = behind(Backdrop::Floor, way);
+                let pixel = &mut self.rgba[4 * at..][..4];
+                for k in 0..3 {
+                    let floor = f32::from(light.tone().screen(lit[k]));
+                    pixel[k] = (back[k] + (floor - back[k]) * part + 0.5) as u8;
+                }
+                pixel[3] = 255;
+                continue;
+            }
+            let instance = &scene.instances[owner as usize];
+            surfel.colour = Met::new(&self.sight, scene, at, ray).colour;
+            surfel.material = scene.bodies[instance.body as usize].material;
+            if let Some(detail) = &scene.detail {
+                detail.refine(&mut surfel, instance.id, depth / view.focal);
+            }
+            let open = if surfel.open < open {
+                surfel.open
+            } else {
+                open
+            };
+            let lit = light.light(&surfel, smooth, -way, open);
+            let pixel = &mut self.rgba[4 * at..][..4];
+            for k in 0..3 {
+                pixel[k] = light.tone().screen(lit[k]);
+            }
+            pixel[3] = 255;
+        }
+    }
+
+    /// Keeps what files and the pointer ask for.
+    fn keep(&mut self, scene: &Scene) {
+        let is_body = |&owner: &u32| owner < FLOOR;
+        let id = |&owner: &u32| match is_body(&owner) {
+            true => scene.instances[owner as usize].id,
+            false => 0,
+        };
+        let kept = &mut self.kept;
+        kept.ids.clear();
+        kept.ids.extend(self.sight.owner.iter().map(id));
+        kept.instances.clone_from(&self.sight.owner);
+        kept.depths.clear();
+        let depth = |(&owner, &inverse): (&u32, &f32)| match is_body(&owner) {
+            true => 1.0 / inverse,
+            false => 0.0,
+        };
+        let seen = self.sight.owner.iter().zip(&self.sight.inverse);
+        kept.depths.extend(seen.map(depth));
+        kept.normals.clone_from(&self.normals);
+        let owners = self.sight.owner.iter();
+        for (normal, owner) in kept.normals.iter_mut().zip(owners) {
+            if !is_body(owner) {
+                *normal = Vec3::ZERO;
+            }
+        }
+    }
+
+    /// Adds rows of this sample to the others; after the last one, what comes next.
+    fn sum(&mut self, from: usize, to: usize) -> Phase {
+        let [width, height] = self.order.size;
+        let last = self.sample + 1 == SAMPLES.len();
+        let span = from * width..to * width;
+        let pixels = self.rgba[4 * span.start..4 * span.end].chunks_exact_mut(4);
+        for (sum, pixel) in self.sums[span].iter_mut().zip(pixels) {
+            // Colours count as far as something is there.
+            let there = u16::from(pixel[3] > 0);
+            for k in 0..3 {
+                sum[k] += there * u16::from(pixel[k]);
+            }
+            sum[3] += there;
+            if last {
+                let count = sum[3].max(1);
+                for k in 0..3 {
+                    pixel[k] = ((sum[k] + count / 2) / count) as u8;
+                }
+                pixel[3] = (sum[3] * 255 / SAMPLES.len() as u16) as u8;
+            }
+        }
+        if to < height {
+            return Phase::Sum(to);
+        }
+        if last {
+            return Phase::Done;
+        }
+        self.sample += 1;
+        Phase::Start
+    }
+
+    /// The finished picture: red, green, blue and alpha (not multiplied in), row after row from the top.
+    pub fn rgba(&self) -> &[u8] {
+        &self.rgba
+    }
+
+    /// Of each pixel the depth of the body there, in units of the scene; 0 where none is.
+    pub fn depths(&self) -> &[f32] {
+        &self.kept.depths
+    }
+
+    /// Of each pixel the id of the body there; 0 where none is.
+    pub fn ids(&self) -> &[u32] {
+        &self.kept.ids
+    }
+
+    /// Of each pixel the unit normal of the body there, in the world; zero where none is.
+    pub fn normals(&self) -> &[Vec3] {
+        &self.kept.normals
+    }
+
+    /// The place in the scene's list of the body at a pixel.
+    pub fn instance_at(&self, x: usize, y: usize) -> Option<usize> {
+        let [width, height] = self.order.size;
+        let owner = *self.kept.instances.get(y * width + x)?;
+        (x < width && y < height && owner < FLOOR).then_some(owner as usize)
+    }
+}
