@@ -1,4 +1,5 @@
-//! Writes the codes of notices and their English from the one table of words.
+//! Writes the codes of notices and their English from the one table of words, and says whether the whole house
+//! is built.
 
 use std::fmt::Write;
 use std::{env, fs, path::Path};
@@ -6,6 +7,12 @@ use std::{env, fs, path::Path};
 const TABLE: &str = "src/notice/words.txt";
 
 fn main() {
+    // Only the module of a first visit goes without: see the feature `house`.
+    println!("cargo::rustc-check-cfg=cfg(house)");
+    let in_browser = env::var("CARGO_CFG_TARGET_ARCH").is_ok_and(|arch| arch == "wasm32");
+    if !in_browser || env::var_os("CARGO_FEATURE_HOUSE").is_some() {
+        println!("cargo::rustc-cfg=house");
+    }
     println!("cargo::rerun-if-changed={TABLE}");
     let table = fs::read_to_string(TABLE).expect("the table of words");
     let (mut codes, mut words, mut english) = (String::new(), String::new(), String::new());

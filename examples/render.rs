@@ -2,7 +2,7 @@
 //!
 //!     cargo run --release --example render -- '<link or fragment>' [--outline FILE.json] --out DIR
 //!         [--views] [--maps] [--maps-for PROGRAM] [--mesh] [--detail WORD]
-//!         [--stl SIDE,BASE,RELIEF,SQUARES] [--svg] [--scale N]
+//!         [--stl SIDE,BASE,RELIEF,SQUARES] [--svg] [--scale N] [--view CAMERA]
 //!
 //! writes picture.png, height.png (16 bit grey), albedo.png, id.png, cells.json, mesh.json and
 //! report.json into DIR; with --views also each view of the page and mixtures of them as
@@ -12,7 +12,8 @@
 //! surface-textured.glb, of low, middle (the default) or high detail, with --stl the height field as a
 //! closed slab of these millimetres as slab.stl, with --svg the cells' outlines as cells.svg, with
 //! --scale the picture at 1 to 8 times its side as picture-Nx.png and, with --maps, its
-//! maps as NAME-Nx.png. Ends with code 2 and one sentence where something is wrong with what it was
+//! maps as NAME-Nx.png, with --view what is seen of its bodies from a camera as slant.png, slant-depth.png,
+//! slant-normal.png and slant-id.png, and in report.json the hash of the still, `frame`. Ends with code 2 and one sentence where something is wrong with what it was
 //! given.
 //!
 //! An outline file that tells its `size` is drawn in a picture of that size, or scaled to that of the
@@ -58,8 +59,21 @@ fn run() -> Result<(), String> {
     };
     let mut clock = native::clock();
     studio.finish(&mut clock)?;
-    native::write_all(&mut studio, notices, wish.out.as_ref())?;
     let out = wish.out.as_ref();
+    native::make(out)?;
+    let mut frame = None;
+    if let Some(words) = &wish.view {
+        let (camera, said) = bubblestone::scene::Camera::default().read(words);
+        notices.extend(said);
+        frame = Some(native::slant::write_slant(
+            &mut studio,
+            camera,
+            &mut clock,
+            out,
+        )?);
+    }
+    native::write_report(&mut studio, notices, frame, out)?;
+    native::write_made(&mut studio, out)?;
     if wish.views {
         native::write_views(&mut studio, out)?;
     }
@@ -105,6 +119,7 @@ struct Wish {
     detail: Option<String>,
     stl: Option<[f32; 4]>,
     scale: Option<usize>,
+    view: Option<String>,
     svg: bool,
 }
 
@@ -113,7 +128,8 @@ impl Wish {
     fn read(mut words: impl Iterator<Item = String>) -> Result<Self, String> {
         const USAGE: &str = "Usage: render '<link or fragment>' [--outline FILE.json] --out DIR \
             [--views] [--maps] [--maps-for PROGRAM] [--mesh] [--detail WORD] \
-            [--stl SIDE,BASE,RELIEF,SQUARES] [--svg] [--scale N].";
+            [--stl SIDE,BASE,RELIEF,SQUARES] [--svg] [--scale N] \
+            [--view ANGLE,HEIGHT,DISTANCE,LENS,X,Y,Z].";
         let mut wish = Wish::default();
         let mut link = None;
         while let Some(word) = words.next() {
@@ -140,6 +156,7 @@ impl Wish {
                     let said = |_| format!("--scale needs a whole number, 1 to 8. {USAGE}");
                     wish.scale = Some(scale.map_err(said)?);
                 }
+                "--view" => wish.view = Some(value("--view")?),
                 "--svg" => wish.svg = true,
                 _ if word.starts_with("--") => {
                     return Err(format!("There is no option {word}. {USAGE}"));

@@ -59,6 +59,7 @@ pub mod export;
 pub mod field;
 pub mod generators;
 mod graph;
+mod hash;
 pub mod heightfield;
 pub mod light;
 pub mod material;
@@ -70,6 +71,7 @@ pub mod packing;
 mod planar;
 pub mod random;
 pub mod recipe;
+#[cfg(house)]
 pub mod scene;
 pub mod solid;
 pub mod studio;

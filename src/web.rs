@@ -9,6 +9,8 @@ mod catalogue;
 mod files;
 mod objects;
 mod said;
+#[cfg(house)]
+mod turn;
 
 pub use catalogue::{generators, presets, schema};
 

@@ -1,6 +1,8 @@
 //! What the native programs share: clock, files, messages.
 #![allow(dead_code)] // Each program uses its part of it.
 
+pub mod slant;
+
 use bubblestone::domain::Outline;
 use bubblestone::export::{
     DETAILS, Map, MapKind, MeshFormat, MeshOrder, Slab, SlabFile, exr, maps_for, metrics_json,
@@ -127,12 +129,32 @@ fn ring_of(ring: &Value, name: &str) -> Result<Vec<glam::DVec2>, String> {
 
 /// Writes the pictures, what was made as text, and the report of a finished studio.
 pub fn write_all(studio: &mut Studio, notices: Vec<Notice>, dir: &Path) -> Result<(), String> {
-    std::fs::create_dir_all(dir).map_err(|e| format!("Cannot make {}: {e}.", dir.display()))?;
+    make(dir)?;
+    write_report(studio, notices, None, dir)?;
+    write_made(studio, dir)
+}
+
+/// Makes the folder where it is not there.
+pub fn make(dir: &Path) -> Result<(), String> {
+    std::fs::create_dir_all(dir).map_err(|e| format!("Cannot make {}: {e}.", dir.display()))
+}
+
+/// Writes report.json, with the hash of the still where one was made.
+pub fn write_report(
+    studio: &mut Studio,
+    notices: Vec<Notice>,
+    frame: Option<String>,
+    dir: &Path,
+) -> Result<(), String> {
     let mut report = studio.report();
-    report.notices = notices;
+    (report.notices, report.frame) = (notices, frame);
     let metrics = studio.engine_as().and_then(Pavement::metrics);
     report.metrics = metrics.map(|metrics| metrics_json(&metrics));
-    write(dir, "report.json", report.json().as_bytes())?;
+    write(dir, "report.json", report.json().as_bytes())
+}
+
+/// Writes the picture, three of its maps, and what the stages have made.
+pub fn write_made(studio: &mut Studio, dir: &Path) -> Result<(), String> {
     for (name, text) in studio.engine().data() {
         write(dir, name, text.as_bytes())?;
     }

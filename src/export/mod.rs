@@ -5,6 +5,8 @@ mod bytes;
 mod exr;
 mod fixed;
 mod frame;
+#[cfg(house)]
+mod frame_maps;
 mod glb;
 mod json;
 pub mod maps;
@@ -18,6 +20,8 @@ mod surface;
 mod svg;
 
 pub use exr::exr;
+#[cfg(house)]
+pub use frame_maps::{FramePlane, frame_map};
 pub use json::{cells_json, mesh_json, text};
 pub use maps::{Map, MapKind};
 pub use metrics::metrics_json;

@@ -44,6 +44,8 @@ pub struct Report {
     pub notices: Vec<Notice>,
     /// Digest of the planes, in hex.
     pub hash: String,
+    /// Hash of the still from the camera that was asked for, in hex; none where none was.
+    pub frame: Option<String>,
 }
 
 /// A JSON number, null where there is none. `json::number` is quicker, but would bring the standard
@@ -89,6 +91,7 @@ impl Report {
             ),
             ("hash", text(&self.hash)),
         ];
+        fields.extend(self.frame.as_deref().map(|frame| ("frame", text(frame))));
         fields.extend(self.metrics.clone().map(|metrics| ("metrics", metrics)));
         let lines: Vec<String> = fields
             .iter()

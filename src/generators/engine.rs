@@ -1,8 +1,12 @@
 //! What an engine is to those who run it: stages that work in slices, views, and files.
 
+#[cfg(house)]
+use super::turntable::{FrameSlice, SeenBody, TurnOrder};
 use crate::export::{Map, MapKind, MeshOrder, MeshSize, Report};
 use crate::notice::{Code, Notice};
 use crate::recipe::Recipe;
+#[cfg(house)]
+use crate::scene::Frame;
 use std::any::Any;
 
 /// A clock, in milliseconds from any start. It may stand still: no result depends on it.
@@ -188,6 +192,39 @@ pub trait Engine: Any {
     /// How large such a file is; nothing where there is none.
     fn mesh_size(&self, _order: &MeshOrder) -> Option<MeshSize> {
         None
+    }
+
+    /// Works for about `budget` milliseconds on a frame of the bodies, seen from a slant. Begins anew where it is
+    /// another one than the last time, or was done.
+    ///
+    /// # Errors
+    /// A notice where the picture is not finished, or there are no bodies.
+    #[cfg(house)]
+    fn turn(
+        &mut self,
+        _order: &TurnOrder,
+        _clock: Clock,
+        _budget: f64,
+    ) -> Result<FrameSlice, Notice> {
+        Err(Code::NoSuchFile.into())
+    }
+
+    /// The frame last finished by [`Engine::turn`], until the next one begins.
+    #[cfg(house)]
+    fn frame(&self) -> Option<&Frame> {
+        None
+    }
+
+    /// The body at a pixel of that frame.
+    #[cfg(house)]
+    fn body_at(&self, _x: usize, _y: usize) -> Option<SeenBody> {
+        None
+    }
+
+    /// The words of the steps in which a body is made, of its id.
+    #[cfg(house)]
+    fn making(&self, _id: u32) -> Vec<String> {
+        Vec::new()
     }
 
     /// Lets go of files in the making, and of what was kept of a bigger picture for its maps.

@@ -10,10 +10,14 @@ pub mod pavement;
 mod preset;
 #[cfg(feature = "specimen")]
 pub mod specimen;
+#[cfg(house)]
+mod turntable;
 
 pub use bigger::MOST_PIXELS;
 pub use engine::{Clock, Engine, MeshSlice, PictureSlice, Progress};
 pub use preset::{Part, Preset, Timing};
+#[cfg(house)]
+pub use turntable::{FrameSlice, SeenBody, TurnOrder};
 
 use crate::notice::Notice;
 use crate::recipe::{Recipe, Schema};
@@ -31,7 +35,7 @@ pub struct Generator {
     /// What of its work can be looked at.
     pub views: Views,
     /// Words of the page's parts that it needs: `outline` (the editor), `probe`, `plots`, `layers`,
-    /// `tiles`, `compare`, `svg`, `mesh`, `forming`.
+    /// `tiles`, `compare`, `svg`, `mesh`, `forming`, `turn`.
     pub offers: &'static [&'static str],
     /// Makes an engine for a recipe, with all its work before it.
     pub engine: fn(&Recipe) -> Box<dyn Engine>,

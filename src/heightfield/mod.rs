@@ -50,6 +50,8 @@
 //! ```
 
 mod box_filter;
+#[cfg(house)]
+mod cutout;
 mod ground;
 mod lit;
 mod occlusion;
@@ -57,6 +59,8 @@ mod painter;
 mod params;
 mod pixel_scale;
 mod planes;
+#[cfg(house)]
+mod relief;
 mod samples;
 mod scan;
 mod sheet;
@@ -64,10 +68,14 @@ mod slopes;
 mod surface;
 mod weather;
 
+#[cfg(house)]
+pub use cutout::Cutout;
 pub use lit::Shader;
 pub use painter::Painter;
 pub use params::TextureParams;
 pub use planes::{GROUND, Planes};
+#[cfg(house)]
+pub use relief::Relief;
 pub use sheet::{ground, means};
 pub(crate) use slopes::{beside, row_slopes};
 pub use surface::Surfaces;

@@ -1,5 +1,7 @@
 //! The data planes of the texture (Miyata, Itoh, Shimada 2000, section 3.2).
 
+use crate::hash::Hash;
+
 /// Id of the ground in [`Planes::id`]; a stone has its cell's index + 1.
 pub const GROUND: u32 = 0;
 
@@ -67,10 +69,9 @@ impl Planes {
         }
     }
 
-    /// 16 hex digits that change with any bit of any plane (FNV-1a on words of 64 bits, finished as
-    /// SplitMix64).
+    /// 16 hex digits that change with any bit of any plane.
     pub fn digest(&self) -> String {
-        let mut hash = Fnv(0xCBF2_9CE4_8422_2325);
+        let mut hash = Hash::new();
         hash.add(self.side as u64);
         self.bump
             .iter()
@@ -79,22 +80,7 @@ impl Planes {
             let bytes = [r, g, b, self.material[i], self.occlusion[i], 0, 0, 0];
             hash.add(u64::from_le_bytes(bytes) | u64::from(self.id[i]) << 40);
         }
-        format!("{:016x}", hash.finish())
-    }
-}
-
-struct Fnv(u64);
-
-impl Fnv {
-    fn add(&mut self, word: u64) {
-        let mixed = (self.0 ^ word).wrapping_mul(0x0000_0100_0000_01B3);
-        // Plain FNV on whole words never brings high bits down.
-        self.0 = mixed ^ (mixed >> 29);
-    }
-
-    fn finish(&self) -> u64 {
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z ^ (z >> 27)
+        hash.text()
     }
 }
 

@@ -116,21 +116,8 @@ impl Surface {
     /// and vertices without triangles.
     fn tidy(self, cap: usize) -> Self {
         let normals = normals(&self.positions, &self.triangles[..cap]);
-        let mut places = vec![u32::MAX; self.positions.len()];
-        let mut kept = Self::default();
-        for &triangle in self.triangles.iter().filter(|t| t[0] != t[1]) {
-            kept.triangles.push(triangle.map(|k| {
-                let at = k as usize;
-                if places[at] == u32::MAX {
-                    places[at] = kept.positions.len() as u32;
-                    kept.positions.push(self.positions[at]);
-                    kept.normals.push(normals[at]);
-                    kept.colours.push(self.colours[at]);
-                }
-                places[at]
-            }));
-        }
-        kept
+        let triangles = self.triangles.clone();
+        Self { normals, ..self }.part(&triangles)
     }
 }
 

@@ -1,6 +1,5 @@
 //! What a scene is made of: bodies, and where they stand.
 
-use crate::material::Material;
 use crate::notice::{Code, Notice};
 use crate::order::greater;
 use crate::scene::Detail;
@@ -13,7 +12,7 @@ pub struct Body {
     /// Its surface from the finest to the coarsest, at least one; right-handed, y up, triangles
     /// counter-clockwise seen from outside.
     pub levels: Vec<Surface>,
-    /// Row of the scene's table of materials.
+    /// Row of the table of materials.
     pub material: u8,
     /// The middle of the box around it.
     pub middle: Vec3,
@@ -120,8 +119,6 @@ pub struct Scene {
     pub bodies: Vec<Body>,
     /// Where they stand.
     pub instances: Vec<Instance>,
-    /// What surfaces are made of.
-    pub materials: Vec<Material>,
     /// What surfaces have beyond their triangles; none where those are all.
     pub detail: Option<Box<dyn Detail>>,
     /// Lines over the surfaces, such as the edges of a control mesh.

@@ -42,7 +42,7 @@ impl Default for Camera {
         Self {
             angle: 330.0,
             height: 38.0,
-            distance: 1.9,
+            distance: 2.15,
             lens: 35.0,
             target: [0.0; 3],
         }

@@ -5,6 +5,7 @@ use super::met::Met;
 use super::occlusion::Occlusion;
 use super::sight::{FLOOR, NOTHING, Sight};
 use super::{Backdrop, Camera, Lighting, Scene, Surfel, lines};
+use crate::hash::Hash;
 use glam::Vec3;
 
 /// Pixels that are shaded with about the work of one triangle that is drawn: their inverse.
@@ -349,6 +350,19 @@ impl Frame {
     /// The finished picture: red, green, blue and alpha (not multiplied in), row after row from the top.
     pub fn rgba(&self) -> &[u8] {
         &self.rgba
+    }
+
+    /// 16 hex digits that change with any bit of the picture and of the planes of depth and ids.
+    pub fn hash(&self) -> String {
+        let mut hash = Hash::new();
+        hash.add(self.order.size[0] as u64);
+        let pixels = self.rgba.as_chunks().0.iter();
+        let planes = self.kept.depths.iter().zip(&self.kept.ids);
+        for (&pixel, (depth, &id)) in pixels.zip(planes) {
+            hash.add(u64::from(depth.to_bits()) << 32 | u64::from(u32::from_le_bytes(pixel)));
+            hash.add(id.into());
+        }
+        hash.text()
     }
 
     /// Of each pixel the depth of the body there, in units of the scene; 0 where none is.

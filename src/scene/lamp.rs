@@ -3,6 +3,7 @@
 use super::shadow::Shadows;
 use super::{Scene, Surfel};
 use crate::light::{Finish, GAP, LAMP, Light, SHINE, SKY, STEEP, ShadeParams, Tone, lamp_from};
+use crate::material::Material;
 use crate::order::greater;
 use glam::Vec3;
 
@@ -73,8 +74,13 @@ pub struct Lighting {
 }
 
 impl Lighting {
-    /// The light of a scene. Coarse, its shadows are softer, and of coarser bodies.
-    pub fn new(scene: &Scene, lamp: Lamp, params: &ShadeParams, is_coarse: bool) -> Self {
+    /// The light of a scene whose surfaces are of these materials. Coarse, its shadows are softer, and of coarser bodies.
+    pub fn new(
+        scene: &Scene,
+        lamp: Lamp,
+        (params, materials): (&ShadeParams, &[Material]),
+        is_coarse: bool,
+    ) -> Self {
         let finish = |material| Finish::new(material, params);
         let side = SIDES[usize::from(is_coarse)];
         let side = match lamp {
@@ -84,7 +90,7 @@ impl Lighting {
         Self {
             lamp,
             params: *params,
-            finishes: scene.materials.iter().map(finish).collect(),
+            finishes: materials.iter().map(finish).collect(),
             tone: Tone::new(),
             shadows: Shadows::new(scene, lamp, side, is_coarse),
             is_ready: params.shadow <= 0.0,

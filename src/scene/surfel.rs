@@ -11,7 +11,7 @@ pub struct Surfel {
     pub normal: Vec3,
     /// Red, green, blue, 0..255, before light (sRGB).
     pub colour: [f32; 3],
-    /// Row of the scene's table of materials.
+    /// Row of the table of materials.
     pub material: u8,
     /// Part of the sky that is seen from it, 0..1, as far as is known without its surroundings.
     pub open: f32,

@@ -1,5 +1,6 @@
 //! A surface of triangles, as it is drawn and written to files.
 
+use super::simplify;
 use crate::notice::{Code, Notice};
 use glam::Vec3;
 
@@ -38,6 +39,35 @@ impl Surface {
         let misses = |t: &[u32; 3]| t.iter().any(|&v| v as usize >= count);
         let missing = self.triangles.iter().position(misses);
         missing.and_then(|n| fault(Notice::new(Code::SurfaceCorner).with("n", n)))
+    }
+}
+
+impl Surface {
+    /// The same with at most so many triangles, as far as it can be simplified to so few; what lies below `floor`
+    /// may be coarser. Vertices that stay have the normals and colours that they had.
+    pub fn coarser(&self, most: usize, floor: f32) -> Self {
+        let mut triangles = self.triangles.clone();
+        simplify(&self.positions, &mut triangles, most, floor);
+        self.part(&triangles)
+    }
+
+    /// These of its triangles (those that are none are left out), with the vertices that they have.
+    pub(crate) fn part(&self, triangles: &[[u32; 3]]) -> Self {
+        let mut places = vec![u32::MAX; self.positions.len()];
+        let mut kept = Self::default();
+        for &triangle in triangles.iter().filter(|t| t[0] != t[1]) {
+            kept.triangles.push(triangle.map(|k| {
+                let at = k as usize;
+                if places[at] == u32::MAX {
+                    places[at] = kept.positions.len() as u32;
+                    kept.positions.push(self.positions[at]);
+                    kept.normals.push(self.normals[at]);
+                    kept.colours.push(self.colours[at]);
+                }
+                places[at]
+            }));
+        }
+        kept
     }
 }
 

@@ -13,6 +13,8 @@ use crate::export::{Report, StageTime};
 use crate::generators::{Clock, Engine, Generator, Progress, Registry};
 use crate::notice::Notice;
 use crate::recipe::Recipe;
+#[cfg(house)]
+use crate::{generators::TurnOrder, notice::Code, scene::Frame};
 use std::any::Any;
 
 /// A pass over the finisher shorter than this many milliseconds is let finish before a newer recipe
@@ -289,6 +291,17 @@ impl Studio {
         }
         let failure = self.engine.failure();
         failure.map_or(Ok(()), |why| Err(why.clone()))
+    }
+
+    /// Finishes the picture, and then a frame of its bodies, seen from a slant.
+    ///
+    /// # Errors
+    /// Why there is none.
+    #[cfg(house)]
+    pub fn finish_frame(&mut self, order: &TurnOrder, clock: Clock) -> Result<&Frame, Notice> {
+        self.finish(clock)?;
+        while !self.engine.turn(order, clock, f64::INFINITY)?.done {}
+        self.engine.frame().ok_or(Code::NotYet.into())
     }
 
     /// One slice of a stage, begun at `before`. Answers with the time after it.

@@ -4,9 +4,13 @@ use super::look::View;
 use super::{Pavement, Stage, Wish};
 use crate::export::{Map, MapKind, MeshOrder, MeshSize, Report};
 use crate::generators::{Clock, Engine, MeshSlice, PictureSlice, Progress, common};
+#[cfg(house)]
+use crate::generators::{FrameSlice, SeenBody, TurnOrder};
 use crate::heightfield::Planes;
 use crate::notice::Notice;
 use crate::recipe::Recipe;
+#[cfg(house)]
+use crate::scene::Frame;
 
 impl Engine for Pavement {
     fn ask(&mut self, recipe: &Recipe) {
@@ -160,6 +164,26 @@ impl Engine for Pavement {
 
     fn mesh_size(&self, order: &MeshOrder) -> Option<MeshSize> {
         Some(order.size(self.scales().len(), self.side()))
+    }
+
+    #[cfg(house)]
+    fn turn(&mut self, order: &TurnOrder, clock: Clock, budget: f64) -> Result<FrameSlice, Notice> {
+        self.turn_slice(order, clock, budget)
+    }
+
+    #[cfg(house)]
+    fn frame(&self) -> Option<&Frame> {
+        self.slant.frame()
+    }
+
+    #[cfg(house)]
+    fn body_at(&self, x: usize, y: usize) -> Option<SeenBody> {
+        self.seen_at(x, y)
+    }
+
+    #[cfg(house)]
+    fn making(&self, id: u32) -> Vec<String> {
+        self.steps_of(id)
     }
 
     fn stop_file(&mut self) {

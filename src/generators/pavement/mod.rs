@@ -16,6 +16,8 @@ mod params;
 mod presets;
 mod probe;
 mod schema;
+#[cfg(house)]
+mod slant;
 mod slices;
 mod stage;
 mod stages;
@@ -67,7 +69,7 @@ pub static PAVEMENT: Generator = Generator {
         overlays: &Overlay::WORDS,
     },
     offers: &[
-        "outline", "probe", "plots", "layers", "tiles", "compare", "svg", "mesh", "forming",
+        "outline", "probe", "plots", "layers", "tiles", "compare", "svg", "mesh", "forming", "turn",
     ],
     engine: |recipe| Box::new(Pavement::new(recipe)),
 };
@@ -100,6 +102,8 @@ pub struct Pavement {
     /// The bigger picture in the making.
     bigger: Option<Bigger>,
     boxes: probe::Boxes,
+    #[cfg(house)]
+    slant: slant::Slant,
 }
 
 /// A recipe, and what it asks of the stages.
@@ -159,6 +163,8 @@ impl Pavement {
             saving: None,
             bigger: None,
             boxes: probe::Boxes::default(),
+            #[cfg(house)]
+            slant: slant::Slant::default(),
         }
     }
 

@@ -9,7 +9,7 @@ use std::path::Path;
 type Uses = BTreeSet<(String, String)>;
 
 /// The ground, which any folder of src may use: no arrows are drawn to it.
-const GROUND: [&str; 4] = ["notice", "order", "random", "decimal"];
+const GROUND: [&str; 5] = ["notice", "order", "random", "decimal", "hash"];
 
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))

@@ -1,0 +1,178 @@
+//! Scenes on a turntable: frames in slices, of the latest order, with the light kept while the camera moves.
+
+use super::Clock;
+use super::height_field::LightParams;
+use crate::notice::{Code, Notice};
+use crate::scene::{Backdrop, Camera, Frame, Lamp, Lighting, Order, Scene};
+
+/// The work of one slice, in triangles drawn or pixels shaded.
+const SLICE: usize = 20_000;
+/// Pixels along a side of a frame at most.
+const MOST_PIXELS: usize = 8192;
+
+/// What frame is asked for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TurnOrder {
+    /// Nothing for all there is, or a body's id and the place of a step in its making, as '12:3'.
+    pub subject: String,
+    /// Where it is seen from; each subject has its own scale.
+    pub camera: Camera,
+    /// Width and height in pixels.
+    pub size: [usize; 2],
+    /// Words joined by '+': 'moving' (coarser, without occlusion), 'still' (one sample for each pixel) or 'fine' (two by
+    /// two); 'floor', 'sky' or 'nothing' behind. Others are passed over.
+    pub how: String,
+}
+
+impl TurnOrder {
+    /// The body and the step that are asked for; none where it is all.
+    pub(super) fn step(&self) -> Option<(u32, usize)> {
+        let (id, step) = self.subject.split_once(':')?;
+        Some((id.parse().ok()?, step.parse().ok()?))
+    }
+
+    fn order(&self) -> Result<Order, Notice> {
+        let fits = |n: &usize| (1..=MOST_PIXELS).contains(n);
+        if !self.size.iter().all(fits) {
+            return Err(Code::NoSuchFile.into());
+        }
+        let has = |word: &str| self.how.split('+').any(|given| given == word);
+        let backdrop = Backdrop::ALL.iter().find(|(_, word)| has(word));
+        Ok(Order {
+            camera: self.camera,
+            size: self.size,
+            is_fine: has("fine"),
+            is_moving: has("moving"),
+            backdrop: backdrop.map_or(Backdrop::Floor, |&(backdrop, _)| backdrop),
+        })
+    }
+}
+
+/// What a slice of work has made of a frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FrameSlice {
+    /// A new frame begins: another one was asked for, or is wanted again.
+    pub begun: bool,
+    /// It is finished.
+    pub done: bool,
+    /// How much of the work is done, 0..1, by a rough estimate.
+    pub progress: f64,
+}
+
+/// A body that is seen.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SeenBody {
+    /// Its id, from 1.
+    pub id: u32,
+    /// The middle of its cell, in picture units.
+    pub cell: [f64; 2],
+    /// The middle of the body, in the scene.
+    pub middle: [f64; 3],
+}
+
+/// What a frame is of.
+#[derive(Clone, PartialEq)]
+struct Key {
+    scene: u64,
+    light: LightParams,
+    order: Order,
+}
+
+/// Light and frame.
+#[derive(Default)]
+pub(super) struct Turntable {
+    /// Fine and coarse, each with the scene and the light that it is of.
+    lights: [Option<(u64, LightParams, Lighting)>; 2],
+    frame: Option<Frame>,
+    key: Option<Key>,
+}
+
+/// What is lit: a scene and its number, which no other one has.
+pub(super) struct Stand<'a> {
+    pub scene: &'a Scene,
+    pub number: u64,
+    pub light: &'a LightParams,
+    /// Height of the ground that lamps stand over, in the scene.
+    pub ground: f32,
+}
+
+impl Turntable {
+    /// Works for about `budget` milliseconds on a frame. Begins anew where it is another one than the last time.
+    pub fn advance(
+        &mut self,
+        stand: &Stand,
+        order: &TurnOrder,
+        clock: Clock,
+        budget: f64,
+    ) -> Result<FrameSlice, Notice> {
+        let key = Key {
+            scene: stand.number,
+            light: stand.light.clone(),
+            order: order.order()?,
+        };
+        let is_new = self.key.as_ref() != Some(&key);
+        let frame = match &mut self.frame {
+            Some(frame) => {
+                if is_new || frame.is_done() {
+                    frame.begin(key.order);
+                }
+                frame
+            }
+            none => none.insert(Frame::new(key.order)),
+        };
+        let is_moving = key.order.is_moving;
+        self.key = Some(key);
+        let begin = clock();
+        let which = which_light(&self.lights, stand, is_moving);
+        let light = light_for(&mut self.lights[which], stand, which == 1);
+        let inside = |now: f64| now - begin < budget;
+        let mut done = false;
+        // Not `>=`: a clock that fails must not make this endless.
+        while !done {
+            if light.advance(stand.scene, SLICE) {
+                done = frame.advance(stand.scene, light, SLICE);
+            }
+            if !inside(clock()) {
+                break;
+            }
+        }
+        Ok(FrameSlice {
+            begun: is_new,
+            done,
+            progress: frame.progress(),
+        })
+    }
+
+    /// The frame last finished.
+    pub fn frame(&self) -> Option<&Frame> {
+        self.frame.as_ref().filter(|frame| frame.is_done())
+    }
+}
+
+type Lights = [Option<(u64, LightParams, Lighting)>; 2];
+
+/// While something moves the fine light does where it is there; else the coarse one is made sooner.
+fn which_light(lights: &Lights, stand: &Stand, is_moving: bool) -> usize {
+    let [fine, _] = lights;
+    let is_there = fine.as_ref().is_some_and(|kept| is_of(kept, stand));
+    usize::from(is_moving && !is_there)
+}
+
+fn is_of((number, params, _): &(u64, LightParams, Lighting), stand: &Stand) -> bool {
+    *number == stand.number && params == stand.light
+}
+
+fn light_for<'a>(
+    kept: &'a mut Option<(u64, LightParams, Lighting)>,
+    stand: &Stand,
+    is_coarse: bool,
+) -> &'a mut Lighting {
+    let fits = kept.take().filter(|kept| is_of(kept, stand));
+    let new = || {
+        let lamp = Lamp::over_picture(stand.light.shade.light, stand.ground);
+        let (params, materials) = (&stand.light.shade, &stand.light.materials);
+        let light = Lighting::new(stand.scene, lamp, (params, materials), is_coarse);
+        (stand.number, stand.light.clone(), light)
+    };
+    &mut kept.insert(fits.unwrap_or_else(new)).2
+}

@@ -1,0 +1,22 @@
+//! Digests of what was made.
+
+/// FNV-1a on words of 64 bits, finished as SplitMix64.
+pub(crate) struct Hash(u64);
+
+impl Hash {
+    pub fn new() -> Self {
+        Self(0xCBF2_9CE4_8422_2325)
+    }
+
+    pub fn add(&mut self, word: u64) {
+        let mixed = (self.0 ^ word).wrapping_mul(0x0000_0100_0000_01B3);
+        // Plain FNV on whole words never brings high bits down.
+        self.0 = mixed ^ (mixed >> 29);
+    }
+
+    /// 16 hex digits that change with any bit of any word.
+    pub fn text(&self) -> String {
+        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        format!("{:016x}", z ^ (z >> 27))
+    }
+}

@@ -1,0 +1,242 @@
+//! A pavement or a hide cut out of its plane: its stones as bodies on their ground, for [`crate::scene`].
+//!
+//! Each stone is the closed surface that files have of it, at several degrees of detail, with the planes as its
+//! finish. The ground is a block with the picture's top, cut off at its edges like a cake.
+
+use super::relief::Relief;
+use super::{GROUND, Planes, Surfaces, TextureParams, ground};
+use crate::cells::Cell;
+use crate::order::lesser;
+use crate::scene::{Body, Instance, Place, Scene};
+use crate::solid::{Solids, Surface, joint_depth, top};
+use glam::Vec3;
+
+/// Triangles of all stones at their finest, about.
+const ALL: usize = 700_000;
+/// Triangles of a stone at its finest: at least and at most.
+const EACH: [usize; 2] = [150, 1500];
+/// A level has so many times the triangles of the next one.
+const FINER: usize = 4;
+/// Fewer triangles than this are no stone any more.
+const LEAST: usize = 28;
+/// Squares along a side of the ground, from the finest level on.
+const SQUARES: [usize; 3] = [192, 96, 48];
+/// How far the block reaches below the base of the stones, of the picture's side.
+const THICK: f32 = 0.035;
+/// Colour of the cut, of the colour of the ground at its edge, at the top and at the bottom.
+const CUT: [f32; 2] = [0.8, 0.42];
+/// How far a stone holds light off others, of the size of stones.
+const REACH: f64 = 0.5;
+
+/// A scene in the making.
+pub struct Cutout {
+    params: TextureParams,
+    solids: Solids,
+    surfaces: Surfaces,
+    /// Triangles of a stone at its finest.
+    most: usize,
+    scene: Scene,
+    cell: usize,
+}
+
+impl Cutout {
+    /// Of planes that were made by these parameters from so many cells.
+    pub fn new(params: TextureParams, cells: usize) -> Self {
+        let most = (ALL / cells.max(1)).clamp(EACH[0], EACH[1]);
+        let side = params.side as f64;
+        let deep = joint_depth(&params.stone, params.size);
+        let reach = (REACH * params.size).max(deep) / side;
+        Self {
+            solids: Solids::to_simplify(most),
+            surfaces: Surfaces::new(params, most),
+            most,
+            scene: Scene {
+                reach: reach as f32,
+                ..Scene::default()
+            },
+            cell: 0,
+            params,
+        }
+    }
+
+    /// How much of it is done, 0..1.
+    pub fn progress(&self, cells: &[Cell]) -> f64 {
+        self.cell as f64 / (cells.len() + 1) as f64
+    }
+
+    /// Adds the next stone, or after the last one the ground; true when all is there. Cells and planes are those that
+    /// it is of.
+    pub fn advance(&mut self, cells: &[Cell], planes: &Planes) -> bool {
+        match cells.get(self.cell) {
+            Some(cell) => self.add(cell, planes),
+            None => {
+                self.add_ground(planes);
+                self.scene.detail = Some(Box::new(Relief::new(planes)));
+            }
+        }
+        self.cell += 1;
+        self.cell > cells.len()
+    }
+
+    /// The scene, once it is there.
+    pub fn finish(self) -> Scene {
+        self.scene
+    }
+
+    fn add(&mut self, cell: &Cell, planes: &Planes) {
+        let stone = &self.params.stone;
+        let solid = self.solids.solid(cell, stone);
+        let finest = self.surfaces.close(&solid, cell, self.cell, planes);
+        if finest.triangles.is_empty() {
+            return;
+        }
+        let floor = (top(stone, cell.size) - joint_depth(stone, cell.size)) as f32;
+        let mut levels = vec![finest];
+        let mut most = self.most / FINER;
+        while most >= LEAST {
+            levels.push(levels[levels.len() - 1].coarser(most, floor));
+            most /= FINER;
+        }
+        let levels: Vec<Surface> = levels.iter().map(|level| self.upright(level)).collect();
+        let material = self.material(cell, planes);
+        let body = Body::new(levels, material);
+        let (middle, radius) = (body.middle, body.radius);
+        let number = self.scene.bodies.len() as u32;
+        self.scene.bodies.push(body);
+        for [x, z] in images(middle, radius, self.params.tile) {
+            self.scene.instances.push(Instance {
+                body: number,
+                place: Place::at(Vec3::new(x, 0.0, z)),
+                id: self.cell as u32 + 1,
+            });
+        }
+    }
+
+    /// That of the stone's middle.
+    fn material(&self, cell: &Cell, planes: &Planes) -> u8 {
+        let side = planes.side as f64;
+        let scale = planes.pixel_scale as f64;
+        let at = |v: f64| (v * scale).rem_euclid(side).min(side - 1.0) as usize;
+        planes.material[at(cell.centre.y) * planes.side + at(cell.centre.x)]
+    }
+
+    fn add_ground(&mut self, planes: &Planes) {
+        let levels = SQUARES.map(|squares| {
+            let squares = squares.min(planes.side);
+            let mut sheet = ground(planes, squares);
+            cut_off(&mut sheet, squares, THICK * self.params.side as f32);
+            self.upright(&sheet)
+        });
+        self.scene.instances.push(Instance {
+            body: self.scene.bodies.len() as u32,
+            place: Place::default(),
+            id: GROUND,
+        });
+        let body = Body::new(levels.to_vec(), crate::material::GROUND_ROW);
+        self.scene.bodies.push(body);
+    }
+
+    /// From picture units with the height pointing out of the picture to a scene, which is right-handed.
+    fn upright(&self, surface: &Surface) -> Surface {
+        let side = self.params.side as f32;
+        let swapped = |v: &Vec3| Vec3::new(v.x, v.z, v.y);
+        let place = |p: &Vec3| swapped(p) / side - Vec3::new(0.5, 0.0, 0.5);
+        Surface {
+            positions: surface.positions.iter().map(place).collect(),
+            normals: surface.normals.iter().map(swapped).collect(),
+            colours: surface.colours.clone(),
+            triangles: surface
+                .triangles
+                .iter()
+                .map(|&[a, b, c]| [a, c, b])
+                .collect(),
+        }
+    }
+}
+
+/// Where the images of a body on a tile stand that reach into the picture; the first is the body itself.
+fn images(middle: Vec3, radius: f32, tile: bool) -> Vec<[f32; 2]> {
+    let mut images = vec![[0.0, 0.0]];
+    if !tile {
+        return images;
+    }
+    for k in (0..9).filter(|&k| k != 4) {
+        let to = [(k % 3 - 1) as f32, (k / 3 - 1) as f32];
+        let reaches = |at: f32, by: f32| (at + by).abs() < 0.5 + radius;
+        if reaches(middle.x, to[0]) && reaches(middle.z, to[1]) {
+            images.push(to);
+        }
+    }
+    images
+}
+
+/// Makes a block of a sheet of so many squares a side: walls down from its edges, and a bottom.
+fn cut_off(sheet: &mut Surface, n: usize, thick: f32) {
+    let row = n + 1;
+    // Clockwise on screen, seen from above, and where the wall looks to.
+    let sides: [(Vec3, &dyn Fn(usize) -> usize); 4] = [
+        (Vec3::NEG_Y, &|k| k),
+        (Vec3::X, &|k| k * row + n),
+        (Vec3::Y, &|k| n * row + n - k),
+        (Vec3::NEG_X, &|k| (n - k) * row),
+    ];
+    let shade = |colour: [u8; 3], part: f32| colour.map(|v| (f32::from(v) * part) as u8);
+    for (normal, place) in sides {
+        let first = sheet.positions.len() as u32;
+        for k in 0..=n {
+            let (p, colour) = (sheet.positions[place(k)], sheet.colours[place(k)]);
+            for (z, part) in [(p.z, CUT[0]), (-thick, CUT[1])] {
+                sheet.positions.push(Vec3::new(p.x, p.y, lesser(z, p.z)));
+                sheet.normals.push(normal);
+                sheet.colours.push(shade(colour, part));
+            }
+        }
+        for k in 0..n as u32 {
+            let [a, b, c, d] = [0, 1, 2, 3].map(|v| first + 2 * k + v);
+            sheet.triangles.extend([[a, b, c], [b, d, c]]);
+        }
+    }
+    let first = sheet.positions.len() as u32;
+    for place in [0, n, n * row, n * row + n] {
+        let (p, colour) = (sheet.positions[place], sheet.colours[place]);
+        sheet.positions.push(Vec3::new(p.x, p.y, -thick));
+        sheet.normals.push(Vec3::NEG_Z);
+        sheet.colours.push(shade(colour, CUT[1]));
+    }
+    let [a, b, c, d] = [0, 1, 2, 3].map(|v| first + v);
+    sheet.triangles.extend([[a, c, b], [b, c, d]]);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::DVec3;
+
+    #[test]
+    fn a_block_is_as_large_as_its_sheet() {
+        let mut planes = Planes::new(20);
+        planes.bump.fill(3.0);
+        let mut sheet = ground(&planes, 5);
+        cut_off(&mut sheet, 5, 1.0);
+        assert_eq!(sheet.fault(), None);
+        // By the divergence theorem, with the picture's axes, which are left-handed.
+        let six: f64 = sheet
+            .triangles
+            .iter()
+            .map(|t| {
+                let [a, b, c] = t.map(|k| sheet.positions[k as usize].as_dvec3());
+                DVec3::dot(a, b.cross(c))
+            })
+            .sum();
+        assert!((six / 6.0 - 20.0 * 20.0 * 4.0).abs() < 1e-2, "{six}");
+    }
+
+    #[test]
+    fn images_are_those_that_reach_in() {
+        let middle = Vec3::new(0.49, 0.0, 0.0);
+        assert_eq!(images(middle, 0.05, false), [[0.0, 0.0]]);
+        assert_eq!(images(middle, 0.05, true), [[0.0, 0.0], [-1.0, 0.0]]);
+        let corner = Vec3::new(-0.49, 0.0, 0.49);
+        assert_eq!(images(corner, 0.05, true).len(), 4);
+    }
+}

@@ -1,0 +1,141 @@
+//! Bodies in light, seen from a slant: frames of them, and what is seen there.
+
+use super::said::or_why;
+use super::{Bubblestone, object, objects};
+use crate::export::{FramePlane, frame_map};
+use crate::generators::{ALL, FrameSlice, TurnOrder};
+use crate::notice::{Code, Notice};
+use crate::scene::Camera;
+use crate::studio::Studio;
+use js_sys::{Array, Object, Uint8Array};
+use wasm_bindgen::prelude::*;
+
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = r"
+/** What a slice of work gave of a frame. */
+export interface FrameSlice {
+  /** A new frame begins. */
+  begun: boolean;
+  done: boolean;
+  /** How much of the work is done, about, 0..1. */
+  progress: number;
+  /** Red, green, blue and alpha (not multiplied in) of each pixel from the top, when it is done. */
+  pixels?: Uint8Array<ArrayBuffer>;
+}
+
+/** A body, as found at a pixel of a frame. */
+export interface SeenBody {
+  /** From 1. */
+  id: number;
+  /** The middle of its cell, in picture units. */
+  x: number;
+  y: number;
+  /** The middle of the body, in the scene. */
+  centre: [x: number, y: number, z: number];
+}
+";
+
+#[wasm_bindgen]
+impl Bubblestone {
+    /// Works for about `budget` milliseconds on a frame of the bodies. `subject` is '' for all there is, or a body's id
+    /// and the place of a step in its making, as '12:3'; `camera` its numbers with commas between: angle, height,
+    /// distance, lens, and the target's x, y, z, of which those at the end may be missing. `how` has words joined by
+    /// '+': 'moving', 'still' or 'fine', and 'floor', 'sky' or 'nothing' behind. Begins anew where something of that is
+    /// otherwise than the last time.
+    #[wasm_bindgen(unchecked_return_type = "FrameSlice | Notice")]
+    pub fn turn(
+        &mut self,
+        subject: &str,
+        camera: &str,
+        width: u32,
+        height: u32,
+        how: &str,
+        budget: f64,
+    ) -> Object {
+        let clock = &self.clock;
+        let order = order(subject, camera, [width, height], how);
+        let engine = self.studio.engine_mut();
+        let made = engine.turn(&order, &mut || clock.now(), budget);
+        let made = made.map(|slice| frame_slice(slice, self.studio.engine().frame()));
+        or_why(made)
+    }
+
+    /// The body at a pixel of the frame last finished.
+    #[wasm_bindgen(js_name = bodyAt, unchecked_return_type = "SeenBody | undefined")]
+    pub fn body_at(&self, x: u32, y: u32) -> JsValue {
+        let body = self.studio.engine().body_at(x as usize, y as usize);
+        body.map_or(JsValue::UNDEFINED, |body| {
+            let [x, y] = body.cell;
+            let middle: Array = body.middle.iter().map(|&v| JsValue::from(v)).collect();
+            object(&[
+                ("id", body.id.into()),
+                ("x", x.into()),
+                ("y", y.into()),
+                ("centre", middle.into()),
+            ])
+            .into()
+        })
+    }
+
+    /// A plane of the frame last finished: 'depth', 'normal' or 'id'. Its side is the frame's width.
+    #[wasm_bindgen(js_name = frameMap, unchecked_return_type = "PixelMap | Notice")]
+    pub fn frame_plane(&self, word: &str) -> Object {
+        let plane = FramePlane::of_word(word).ok_or(Notice::from(Code::NoSuchFile));
+        let map = plane.and_then(|plane| {
+            let frame = self.studio.engine().frame();
+            Ok(frame_map(frame.ok_or(Code::NotYet)?, plane))
+        });
+        or_why(map.map(|map| objects::map(&map)))
+    }
+
+    /// The words of the steps in which a body is made: a frame of each is that of the subject 'ID:STEP'.
+    pub fn making(&self, id: u32) -> Vec<String> {
+        self.studio.engine().making(id)
+    }
+
+    /// 16 hex digits that change with any bit of the frame last finished; '' before there is one.
+    #[wasm_bindgen(js_name = frameHash)]
+    pub fn frame_hash(&self) -> String {
+        let frame = self.studio.engine().frame();
+        frame.map_or(String::new(), crate::scene::Frame::hash)
+    }
+}
+
+/// The hash of the still of a link from a camera: as large as the picture, one sample for each pixel, full detail; the
+/// problem's sentence where there is none.
+#[wasm_bindgen]
+pub fn frame_of_link(link: &str, camera: &str) -> String {
+    let (recipe, _) = ALL.recipe(link);
+    let mut studio = Studio::new(ALL, recipe);
+    let side = studio.side() as u32;
+    let order = order("", camera, [side, side], "still");
+    match studio.finish_frame(&order, &mut || 0.0) {
+        Ok(frame) => frame.hash(),
+        Err(why) => why.to_string(),
+    }
+}
+
+fn order(subject: &str, camera: &str, size: [u32; 2], how: &str) -> TurnOrder {
+    // What is wrong with the words of a link the page has said before.
+    let (camera, _) = Camera::default().read(camera);
+    TurnOrder {
+        subject: subject.to_owned(),
+        camera,
+        size: size.map(|n| n as usize),
+        how: how.to_owned(),
+    }
+}
+
+fn frame_slice(slice: FrameSlice, frame: Option<&crate::scene::Frame>) -> Object {
+    let said = object(&[
+        ("begun", slice.begun.into()),
+        ("done", slice.done.into()),
+        ("progress", slice.progress.into()),
+    ]);
+    if let Some(frame) = frame.filter(|_| slice.done) {
+        let pixels = Uint8Array::from(frame.rgba());
+        // Setting a property of a fresh object cannot fail.
+        let _ = js_sys::Reflect::set(&said, &"pixels".into(), &pixels);
+    }
+    said
+}
