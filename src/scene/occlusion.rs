@@ -95,9 +95,9 @@ impl Occlusion {
         let [wide, high] = [width as f32, height as f32];
         let (slope, fading) = (1.0 / view.focal, 0.5 / (reach * reach));
         // To the right, down and into the frame.
-        let at_depth = |x: usize, y: usize, depth: f32| {
-            let across = (x as f32 + 0.5 - view.middle[0]) * slope;
-            let down = (y as f32 + 0.5 - view.middle[1]) * slope;
+        let at_depth = |x: f32, y: f32, depth: f32| {
+            let across = (x + 0.5 - view.middle[0]) * slope;
+            let down = (y + 0.5 - view.middle[1]) * slope;
             Vec3::new(across * depth, down * depth, depth)
         };
         let patterns = &self.pattern[(y % PATTERN) * PATTERN..][..PATTERN];
@@ -109,35 +109,36 @@ impl Occlusion {
             if across < 1.0 {
                 continue;
             }
-            let point = at_depth(x, y, 1.0 / inverse);
+            let point = at_depth(x as f32, y as f32, 1.0 / inverse);
             let normal = normals[at];
             let normal = Vec3::new(
                 normal.dot(view.right),
                 -normal.dot(view.up),
                 normal.dot(view.ahead),
             );
-            let mut hidden = 0.0;
-            for &[dx, dy] in &patterns[x % PATTERN] {
+            // First what is seen at the places, then what it hides: the second loop does four at a time.
+            let (mut there, mut right, mut down) = ([0.0; TAPS], [0.0; TAPS], [0.0; TAPS]);
+            for (k, &[dx, dy]) in patterns[x % PATTERN].iter().enumerate() {
                 let (tx, ty) = (x as f32 + 0.5 + dx * across, y as f32 + 0.5 + dy * across);
-                if !(tx >= 0.0 && ty >= 0.0 && tx < wide && ty < high) {
-                    continue;
+                if tx >= 0.0 && ty >= 0.0 && tx < wide && ty < high {
+                    // Through i32: the cast to unsigned takes a detour on x86.
+                    let (tx, ty) = (tx as i32, ty as i32);
+                    there[k] = sight.inverse[ty as usize * width + tx as usize];
+                    (right[k], down[k]) = (tx as f32, ty as f32);
                 }
-                // Through i32: the cast to unsigned takes a detour on x86.
-                let (tx, ty) = (tx as i32 as usize, ty as i32 as usize);
-                let there = sight.inverse[ty * width + tx];
-                if there == 0.0 {
-                    continue;
-                }
-                let way = at_depth(tx, ty, 1.0 / there) - point;
-                let square = way.length_squared();
-                let along = way.dot(normal);
-                // The pixel itself is none of its surroundings.
-                if along <= 0.0 || square < 1e-12 {
-                    continue;
-                }
-                let fades = greater(1.0 - square * fading, 0.0);
-                hidden += greater(along / square.sqrt() - LEAST, 0.0) * fades;
             }
+            let mut parts = [0.0; TAPS];
+            for k in 0..TAPS {
+                let depth = 1.0 / greater(there[k], f32::MIN_POSITIVE);
+                let way = at_depth(right[k], down[k], depth) - point;
+                // The pixel itself is none of its surroundings.
+                let square = greater(way.length_squared(), 1e-12);
+                let cosine = way.dot(normal) / square.sqrt();
+                let fades = greater(1.0 - square * fading, 0.0);
+                let part = greater(cosine - LEAST, 0.0) * fades;
+                parts[k] = if there[k] > 0.0 { part } else { 0.0 };
+            }
+            let hidden: f32 = parts.iter().sum();
             let open = greater(1.0 - STRENGTH * hidden / TAPS as f32, 0.0);
             self.raw[at] = (255.0 * open + 0.5) as u8;
         }
