@@ -225,3 +225,37 @@ fn small_bodies_are_dots() {
     assert!(same.count() * 1000 > 995 * wanted.len());
     assert!(frame.ids().iter().filter(|&&id| id > 0).count() > 2000);
 }
+
+/// A ball far to the side of a wide lens is drawn there, however large it looks: one before it hides it as far as
+/// it is before it.
+#[test]
+fn balls_at_the_side_of_a_wide_lens_are_not_overlooked() {
+    let mut chance = Chance(11);
+    let ball = ball(5);
+    for turn in 0..10 {
+        let at = |chance: &mut Chance, z: f32| {
+            let [x, y] = [(); 2].map(|()| 3.2 * (chance.next() - 0.5));
+            [x * 1.3, y, z]
+        };
+        let mut parts = Vec::new();
+        for k in 0..10 {
+            let z = -0.15 * k as f32;
+            let scale = if k < 5 { 0.35 } else { 0.2 };
+            parts.push((
+                ball.clone(),
+                place(
+                    [0.0, 1.0, 0.3],
+                    40.0 * f64::from(k),
+                    scale,
+                    at(&mut chance, z),
+                ),
+            ));
+        }
+        let scene = scene(parts);
+        compare(
+            &scene,
+            order(camera(0.0, 0.0, 1.0, 100.0), SIZE),
+            &format!("turn {turn}"),
+        );
+    }
+}

@@ -2,7 +2,7 @@
 
 use super::scene::around;
 use super::scene_rays::*;
-use bubblestone::scene::{Backdrop, Body, Frame, Order, Scene};
+use bubblestone::scene::{Backdrop, Body, Frame, Lighting, Order, Place, Scene};
 use bubblestone::solid::Surface;
 use glam::Vec3;
 
@@ -164,5 +164,35 @@ fn memory_keeps_nothing_of_the_frame_before() {
         let new = frame(&scene, &light, order, 700);
         assert!(kept.rgba() == new.rgba() && kept.depths() == new.depths());
         assert!(kept.ids() == new.ids() && kept.normals() == new.normals());
+    }
+}
+
+/// One large body is no larger slice than many small ones, and neither are maps and planes.
+#[test]
+fn large_bodies_and_frames_are_cut_into_slices() {
+    const AMOUNT: usize = 2000;
+    let scene = scene(vec![(ball(100), Place::default())]);
+    let triangles = scene.bodies[0].levels[0].triangles.len();
+    for lamp in [sun(0.5, 0.8, -0.3), bulb([0.2, 3.0, 0.4])] {
+        let mut light = Lighting::new(&scene, lamp, &PARAMS, false);
+        let mut calls = 1;
+        while !light.advance(&scene, AMOUNT) {
+            calls += 1;
+        }
+        assert!(calls > triangles / AMOUNT, "{calls} for the light");
+        let mut before = 0;
+        for size in [[40, 30], [400, 300]] {
+            let mut frame = Frame::new(order(camera(330.0, 38.0, 4.0, 45.0), size));
+            let (mut calls, mut progress) = (1, 0.0);
+            while !frame.advance(&scene, &light, AMOUNT) {
+                calls += 1;
+                assert!(frame.progress() >= progress && frame.progress() < 1.0);
+                progress = frame.progress();
+            }
+            // Of shading alone there are as many as pixels ask for.
+            let least = triangles / AMOUNT + size[0] * size[1] / AMOUNT;
+            assert!(calls > least.max(before), "{calls} for a frame of {size:?}");
+            before = calls;
+        }
     }
 }

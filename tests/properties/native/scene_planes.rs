@@ -117,6 +117,9 @@ fn lines_are_hidden_by_what_is_before_them() {
     // From before the ball to far behind the eye, to the right of it.
     scene.lines = vec![[Vec3::new(0.1, 0.0, 2.0), Vec3::new(0.5, 0.0, 400.0)]];
     assert!(dark(&scene, 30) > 15);
+    // Across the frame, from far to the left to far to the right, without a gap.
+    scene.lines = vec![[Vec3::new(-1e4, 0.0, 1.1), Vec3::new(1e4, 0.0, 1.1)]];
+    assert_eq!(dark(&scene, 30), 61);
     scene.lines = vec![[Vec3::new(-1e9, 0.0, 1e9), Vec3::new(1e9, 0.0, 1e9)]];
     assert_eq!(dark(&scene, 30), 0);
 }
