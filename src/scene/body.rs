@@ -1,9 +1,9 @@
 //! What a scene is made of: bodies, and where they stand.
 
 use crate::notice::{Code, Notice};
-use crate::order::greater;
+use crate::order::{greater, lesser};
 use crate::scene::Detail;
-use crate::solid::Surface;
+use crate::solid::{LARGEST, Surface};
 use glam::Vec3;
 
 /// Something solid, at several degrees of detail.
@@ -137,7 +137,8 @@ impl Scene {
                 let body = self.bodies.get(instance.body as usize);
                 let (place, has_surface) = (&instance.place, |body: &Body| !body.levels.is_empty());
                 let numbers = [place.axes[0], place.axes[1], place.axes[2], place.origin];
-                !body.is_some_and(has_surface) || !numbers.iter().all(|v| v.is_finite())
+                let is_good = |v: &Vec3| v.abs().max_element() <= LARGEST && v.is_finite();
+                !body.is_some_and(has_surface) || !numbers.iter().all(is_good)
             };
             let bad = self.instances.iter().position(is_bad)?;
             let why = Notice::new(Code::SurfaceMissing).with("n", bad);
@@ -173,12 +174,16 @@ impl Scene {
 
     /// The lowest point of all bodies; 0 where there are none.
     pub fn lowest(&self) -> f32 {
-        let points = self.instances.iter().flat_map(|instance| {
-            let body = &self.bodies[instance.body as usize];
-            let points = body.levels.first().map_or(&[][..], |l| &l.positions);
-            points.iter().map(|&p| instance.place.of(p).y)
-        });
-        let low = points.fold(f32::MAX, f32::min);
+        let heights = self.instances.iter().map(|i| self.lowest_of(i).0);
+        let low = heights.fold(f32::MAX, lesser);
         if low == f32::MAX { 0.0 } else { low }
+    }
+
+    /// The lowest point of a body, and how many there were to look at.
+    pub(super) fn lowest_of(&self, instance: &Instance) -> (f32, usize) {
+        let body = &self.bodies[instance.body as usize];
+        let points = body.levels.first().map_or(&[][..], |l| &l.positions);
+        let heights = points.iter().map(|&p| instance.place.of(p).y);
+        (heights.fold(f32::MAX, lesser), points.len())
     }
 }

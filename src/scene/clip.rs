@@ -70,6 +70,31 @@ impl Planes {
         polygon
     }
 
+    /// The part of a line between the planes, if there is one.
+    pub fn part_of_line(&self, [mut a, mut b]: [Vec3; 2]) -> Option<[Vec3; 2]> {
+        for plane in 0..5 {
+            let (here, there) = (self.distance(plane, a), self.distance(plane, b));
+            match (here >= 0.0, there >= 0.0) {
+                (true, true) => {}
+                (true, false) => b = self.crossing(plane, a, b),
+                (false, true) => a = self.crossing(plane, b, a),
+                (false, false) => return None,
+            }
+        }
+        Some([a, b])
+    }
+
+    /// Where the line between two points meets a plane that is between them.
+    #[inline(always)]
+    fn crossing(&self, plane: usize, inner: Vec3, outer: Vec3) -> Vec3 {
+        let (from, to) = (self.distance(plane, inner), self.distance(plane, outer));
+        let mut at = inner + (outer - inner) * (from / (from - to));
+        if plane == 0 {
+            at.z = self.near;
+        }
+        at
+    }
+
     fn cut_by(&self, plane: usize, polygon: &Polygon) -> Polygon {
         let mut cut = Polygon {
             corners: [Vec3::ZERO; MOST],
@@ -88,15 +113,10 @@ impl Planes {
                 add(p);
             }
             if (here >= 0.0) != (there >= 0.0) {
-                let (inner, outer, from, to) = match here >= 0.0 {
-                    true => (p, q, here, there),
-                    false => (q, p, there, here),
-                };
-                let mut at = inner + (outer - inner) * (from / (from - to));
-                if plane == 0 {
-                    at.z = self.near;
-                }
-                add(at);
+                add(match here >= 0.0 {
+                    true => self.crossing(plane, p, q),
+                    false => self.crossing(plane, q, p),
+                });
             }
         }
         cut

@@ -1,11 +1,13 @@
 //! One picture of a scene, in slices: what is seen, how much of the sky each place sees, and its light.
 
 use super::backdrop::{FLOOR_COLOUR, behind, floor_part};
+use super::kept::Kept;
 use super::met::Met;
 use super::occlusion::Occlusion;
 use super::sight::{FLOOR, NOTHING, Sight};
 use super::{Backdrop, Camera, Lighting, Scene, Surfel, lines};
 use crate::hash::Hash;
+use crate::order::lesser;
 use glam::Vec3;
 
 /// Pixels that are shaded with about the work of one triangle that is drawn: their inverse.
@@ -45,24 +47,17 @@ pub struct Frame {
     ground: ((Vec3, f32), f32),
 }
 
-/// Of the first sample of each pixel.
-#[derive(Default)]
-struct Kept {
-    depths: Vec<f32>,
-    ids: Vec<u32>,
-    instances: Vec<u32>,
-    normals: Vec<Vec3>,
-}
-
-/// What comes next; rows that are done.
+/// What comes next; instances, rows or lines that are done.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Phase {
-    Start,
+    Ground(usize),
+    Room(usize),
     Sight,
     Normals(usize),
     Occlusion,
     Shade(usize),
-    Lines,
+    Lines(usize),
+    Keep(usize),
     Sum(usize),
     Done,
 }
@@ -75,7 +70,7 @@ impl Frame {
             sight: Sight::new(view),
             occlusion: Occlusion::new(),
             normals: Vec::new(),
-            phase: Phase::Start,
+            phase: Phase::Ground(0),
             sample: 0,
             sums: Vec::new(),
             rgba: Vec::new(),
@@ -90,14 +85,16 @@ impl Frame {
     /// Begins another frame in the same memory.
     pub fn begin(&mut self, order: Order) {
         self.order = order;
-        self.phase = Phase::Start;
+        self.phase = Phase::Ground(0);
         self.sample = 0;
+        self.ground = ((Vec3::ZERO, 0.0), 0.0);
         let pixels = order.size[0] * order.size[1];
         self.sums.clear();
         self.sums
-            .resize(if order.is_fine { pixels } else { 0 }, [0; 4]);
+            .reserve_exact(if order.is_fine { pixels } else { 0 });
         self.rgba.clear();
-        self.rgba.resize(4 * pixels, 0);
+        self.rgba.reserve_exact(4 * pixels);
+        self.kept.begin(pixels);
     }
 
     /// What frame it is.
@@ -114,12 +111,12 @@ impl Frame {
     pub fn progress(&self) -> f64 {
         let rows = self.order.size[1] as f64;
         let part = match self.phase {
-            Phase::Start => 0.0,
+            Phase::Ground(_) | Phase::Room(_) => 0.0,
             Phase::Sight => 0.3 * self.sight.progress(),
             Phase::Normals(row) => 0.3 + 0.1 * row as f64 / rows,
             Phase::Occlusion => 0.4,
             Phase::Shade(row) => 0.6 + 0.35 * row as f64 / rows,
-            Phase::Lines | Phase::Sum(_) => 0.95,
+            Phase::Lines(_) | Phase::Keep(_) | Phase::Sum(_) => 0.95,
             Phase::Done => return 1.0,
         };
         (self.sample as f64 + part) / self.samples() as f64
@@ -133,18 +130,16 @@ impl Frame {
     /// from the first call to the last; the light must be ready.
     pub fn advance(&mut self, scene: &Scene, light: &Lighting, amount: usize) -> bool {
         let [width, height] = self.order.size;
-        let rows = (amount / (PIXEL_WORK * width)).max(1);
+        let rows = (amount / (PIXEL_WORK * width)).clamp(1, height);
         self.phase = match self.phase {
-            Phase::Start => {
-                self.start(scene);
-                Phase::Sight
-            }
+            Phase::Ground(place) => self.find_ground(scene, place, amount),
+            Phase::Room(row) => self.make_room(height.min(row.saturating_add(8 * rows))),
             Phase::Sight => match self.sight.advance(scene, amount) {
                 true => Phase::Normals(0),
                 false => Phase::Sight,
             },
             Phase::Normals(row) => {
-                let end = height.min(row + 2 * rows);
+                let end = height.min(row.saturating_add(2 * rows));
                 (row..end).for_each(|y| self.find_normals(scene, y));
                 match end == height {
                     true if self.order.is_moving => Phase::Shade(0),
@@ -160,33 +155,61 @@ impl Frame {
                 }
             }
             Phase::Shade(row) => {
-                let end = height.min(row + rows);
+                let end = height.min(row.saturating_add(rows));
                 (row..end).for_each(|y| self.shade(scene, light, y));
                 match end == height {
-                    true => Phase::Lines,
+                    true => Phase::Lines(0),
                     false => Phase::Shade(end),
                 }
             }
-            Phase::Lines => {
-                lines::draw(&self.sight, &scene.lines, &mut self.rgba);
-                if self.sample == 0 {
-                    self.keep(scene);
-                }
-                match self.order.is_fine {
-                    true => Phase::Sum(0),
-                    false => Phase::Done,
+            Phase::Lines(line) => {
+                let (sight, rgba) = (&self.sight, &mut self.rgba);
+                match lines::draw(sight, &scene.lines, line, amount, rgba) {
+                    next if next < scene.lines.len() => Phase::Lines(next),
+                    _ if self.sample == 0 => Phase::Keep(0),
+                    _ => Phase::Sum(0),
                 }
             }
-            Phase::Sum(row) => self.sum(row, height.min(row + 4 * rows)),
+            Phase::Keep(row) => {
+                let end = height.min(row.saturating_add(4 * rows));
+                let pixels = row * width..end * width;
+                self.kept.add(scene, &self.sight, &self.normals, pixels);
+                match end == height {
+                    true if self.order.is_fine => Phase::Sum(0),
+                    true => Phase::Done,
+                    false => Phase::Keep(end),
+                }
+            }
+            Phase::Sum(row) => self.sum(row, height.min(row.saturating_add(4 * rows))),
             Phase::Done => Phase::Done,
         };
         self.is_done()
     }
 
-    fn start(&mut self, scene: &Scene) {
-        if self.sample == 0 {
-            self.ground = (scene.ball(), scene.lowest());
+    /// Finds out where bodies end, before the first sample.
+    fn find_ground(&mut self, scene: &Scene, from: usize, amount: usize) -> Phase {
+        if self.order.backdrop == Backdrop::Floor {
+            if from == 0 {
+                self.ground = (scene.ball(), f32::MAX);
+            }
+            let (mut at, mut work) = (from, 0);
+            while at < scene.instances.len() && work < amount {
+                let (low, points) = scene.lowest_of(&scene.instances[at]);
+                self.ground.1 = lesser(self.ground.1, low);
+                (at, work) = (at + 1, work + 1 + points / 8);
+            }
+            if at < scene.instances.len() {
+                return Phase::Ground(at);
+            }
+            if at == 0 {
+                self.ground.1 = 0.0;
+            }
         }
+        self.begin_sample();
+        Phase::Room(0)
+    }
+
+    fn begin_sample(&mut self) {
         let [width, height] = self.order.size;
         let view = self.order.camera.view(width, height);
         let view = match self.order.is_fine {
@@ -196,7 +219,26 @@ impl Frame {
         self.sight.begin(view, self.order.is_moving);
         self.occlusion.begin(width * height);
         self.normals.clear();
-        self.normals.resize(width * height, Vec3::ZERO);
+        self.normals.reserve_exact(width * height);
+    }
+
+    /// Makes room for rows.
+    fn make_room(&mut self, to: usize) -> Phase {
+        let [width, height] = self.order.size;
+        let pixels = to * width;
+        self.sight.make_room(pixels);
+        self.occlusion.make_room(pixels);
+        self.normals.resize(pixels, Vec3::ZERO);
+        if self.sample == 0 {
+            self.rgba.resize(4 * pixels, 0);
+            if self.order.is_fine {
+                self.sums.resize(pixels, [0; 4]);
+            }
+        }
+        match to == height {
+            true => Phase::Sight,
+            false => Phase::Room(to),
+        }
     }
 
     /// Finds the normals of a row, and where the floor is seen.
@@ -248,17 +290,17 @@ impl Frame {
             }
             let depth = 1.0 / self.sight.inverse[at];
             let position = view.eye + ray * depth;
-            let smooth = self.normals[at];
             let open = f32::from(self.occlusion.open[at]) * (1.0 / 255.0);
             let mut surfel = Surfel {
                 position,
-                normal: smooth,
+                normal: self.normals[at],
                 colour: FLOOR_COLOUR,
                 material: 0,
                 open: 1.0,
             };
             if owner == FLOOR {
-                let lit = light.light(&surfel, smooth, -way, open);
+                let met = Met::floor(surfel.colour);
+                let lit = light.light(&surfel, &met, -way, open);
                 let part = floor_part((position - middle).length(), radius);
                 let back = behind(Backdrop::Floor, way);
                 let pixel = &mut self.rgba[4 * at..][..4];
@@ -270,7 +312,8 @@ impl Frame {
                 continue;
             }
             let instance = &scene.instances[owner as usize];
-            surfel.colour = Met::new(&self.sight, scene, at, ray).colour;
+            let met = Met::new(&self.sight, scene, at, ray);
+            surfel.colour = met.colour;
             surfel.material = scene.bodies[instance.body as usize].material;
             if let Some(detail) = &scene.detail {
                 detail.refine(&mut surfel, instance.id, depth / view.focal);
@@ -280,39 +323,12 @@ impl Frame {
             } else {
                 open
             };
-            let lit = light.light(&surfel, smooth, -way, open);
+            let lit = light.light(&surfel, &met, -way, open);
             let pixel = &mut self.rgba[4 * at..][..4];
             for k in 0..3 {
                 pixel[k] = light.tone().screen(lit[k]);
             }
             pixel[3] = 255;
-        }
-    }
-
-    /// Keeps what files and the pointer ask for.
-    fn keep(&mut self, scene: &Scene) {
-        let is_body = |&owner: &u32| owner < FLOOR;
-        let id = |&owner: &u32| match is_body(&owner) {
-            true => scene.instances[owner as usize].id,
-            false => 0,
-        };
-        let kept = &mut self.kept;
-        kept.ids.clear();
-        kept.ids.extend(self.sight.owner.iter().map(id));
-        kept.instances.clone_from(&self.sight.owner);
-        kept.depths.clear();
-        let depth = |(&owner, &inverse): (&u32, &f32)| match is_body(&owner) {
-            true => 1.0 / inverse,
-            false => 0.0,
-        };
-        let seen = self.sight.owner.iter().zip(&self.sight.inverse);
-        kept.depths.extend(seen.map(depth));
-        kept.normals.clone_from(&self.normals);
-        let owners = self.sight.owner.iter();
-        for (normal, owner) in kept.normals.iter_mut().zip(owners) {
-            if !is_body(owner) {
-                *normal = Vec3::ZERO;
-            }
         }
     }
 
@@ -344,7 +360,8 @@ impl Frame {
             return Phase::Done;
         }
         self.sample += 1;
-        Phase::Start
+        self.begin_sample();
+        Phase::Room(0)
     }
 
     /// The finished picture: red, green, blue and alpha (not multiplied in), row after row from the top.

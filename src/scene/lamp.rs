@@ -1,5 +1,6 @@
 //! The light of a scene: the lamp of a recipe in space, its shadows, and Phong's shading of a place.
 
+use super::met::Met;
 use super::shadow::Shadows;
 use super::{Scene, Surfel};
 use crate::light::{Finish, GAP, LAMP, Light, SHINE, SKY, STEEP, ShadeParams, Tone, lamp_from};
@@ -13,6 +14,9 @@ const SIDES: [usize; 2] = [2048, 768];
 const LAMP_SIDE: usize = 2;
 /// The sky's light from below, mirrored by what lies there, of that on a vertical face.
 const BELOW: f32 = 0.45;
+
+/// Cosine below which a triangle is taken for a part of what its corners' normals say.
+const TURNED: f32 = 0.05;
 
 /// Where light comes from.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -107,13 +111,19 @@ impl Lighting {
 
     /// How much of the lamp is seen from a place, 0..1, `normal` being that of the surface's triangles.
     pub fn visible(&self, point: Vec3, normal: Vec3) -> f32 {
-        if self.params.shadow <= 0.0 {
-            return 1.0;
-        }
         let (to, _) = self.lamp.from(point);
         match normal.dot(to) > 0.0 {
-            true => self.shadows.visible(point, normal, to),
+            true => self.lit(point, normal, 0.0),
+            false if self.params.shadow <= 0.0 => 1.0,
             false => 0.0,
+        }
+    }
+
+    /// The same of a surface that faces the lamp and may be off by so much.
+    fn lit(&self, point: Vec3, normal: Vec3, spread: f32) -> f32 {
+        match self.params.shadow <= 0.0 {
+            true => 1.0,
+            false => self.shadows.visible(point, normal, spread),
         }
     }
 
@@ -121,15 +131,24 @@ impl Lighting {
         &self.tone
     }
 
-    /// The light that a place gives off towards the eye, linear. `smooth` is the normal of the surface's triangles,
-    /// `to_eye` the unit vector to the eye, `open` the part of the sky that is seen from there.
-    pub(super) fn light(&self, surfel: &Surfel, smooth: Vec3, to_eye: Vec3, open: f32) -> [f32; 3] {
+    /// The light that a place gives off towards the eye, linear. `met` is the place as
+    /// its triangles have it, `to_eye` the unit vector to the eye, `open` the part of the sky that is seen from
+    /// there.
+    pub(super) fn light(&self, surfel: &Surfel, met: &Met, to_eye: Vec3, open: f32) -> [f32; 3] {
         let normal = surfel.normal;
         let (to, strength) = self.lamp.from(surfel.position);
         let facing = greater(normal.dot(to), 0.0);
         let open = 1.0 - self.params.occlusion as f32 * (1.0 - open);
         let seen = match facing > 0.0 {
-            true => self.visible(surfel.position, smooth),
+            true => {
+                // Triangles that do not face the lamp may be part of a round surface that does.
+                let is_flat = met.flat.dot(to) > TURNED;
+                let normal = if is_flat { met.flat } else { met.normal };
+                match normal.dot(to) > 0.0 {
+                    true => self.lit(surfel.position, normal, met.spread),
+                    false => 0.0,
+                }
+            }
             false => 1.0,
         };
         let seen = 1.0 - self.params.shadow as f32 * (1.0 - seen);

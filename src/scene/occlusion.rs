@@ -4,7 +4,7 @@
 //! Twelve places around each pixel are looked at, in a pattern that is turned from pixel to pixel over squares
 //! of four by four; the mean over such a square, as far as it lies on the same surface, has no pattern left.
 
-use super::sight::{NOTHING, Sight};
+use super::sight::Sight;
 use crate::order::{greater, lesser};
 use glam::Vec3;
 use std::f64::consts::TAU;
@@ -58,9 +58,15 @@ impl Occlusion {
     pub fn begin(&mut self, pixels: usize) {
         for list in [&mut self.raw, &mut self.open] {
             list.clear();
-            list.resize(pixels, 255);
+            list.reserve_exact(pixels);
         }
         (self.row, self.means) = (0, 0);
+    }
+
+    /// Makes room for pixels up to this one: for all of them before [`Occlusion::advance`].
+    pub fn make_room(&mut self, pixels: usize) {
+        self.raw.resize(pixels, 255);
+        self.open.resize(pixels, 255);
     }
 
     /// Goes on for so many rows; true when done. `normals` are those of the surfaces seen, `reach` how far
@@ -68,14 +74,14 @@ impl Occlusion {
     pub fn advance(&mut self, sight: &Sight, normals: &[Vec3], reach: f32, rows: usize) -> bool {
         let height = sight.view().size[1];
         if self.row < height {
-            let end = height.min(self.row + rows);
+            let end = height.min(self.row.saturating_add(rows));
             for y in self.row..end {
                 self.look(sight, normals, reach, y);
             }
             self.row = end;
             return false;
         }
-        let end = height.min(self.means + 4 * rows);
+        let end = height.min(self.means.saturating_add(4 * rows));
         for y in self.means..end {
             self.average(sight, y);
         }
@@ -86,38 +92,53 @@ impl Occlusion {
     fn look(&mut self, sight: &Sight, normals: &[Vec3], reach: f32, y: usize) {
         let view = sight.view();
         let [width, height] = view.size;
+        let [wide, high] = [width as f32, height as f32];
+        let (slope, fading) = (1.0 / view.focal, 0.5 / (reach * reach));
+        // To the right, down and into the frame.
+        let at_depth = |x: f32, y: f32, depth: f32| {
+            let across = (x + 0.5 - view.middle[0]) * slope;
+            let down = (y + 0.5 - view.middle[1]) * slope;
+            Vec3::new(across * depth, down * depth, depth)
+        };
+        let patterns = &self.pattern[(y % PATTERN) * PATTERN..][..PATTERN];
         for x in 0..width {
             let at = y * width + x;
-            if sight.owner[at] == NOTHING {
-                continue;
-            }
             let inverse = sight.inverse[at];
-            let point = view.ray(x as f32 + 0.5, y as f32 + 0.5) / inverse;
-            let normal = normals[at];
-            let across = lesser(reach * view.focal * inverse, MOST_REACH * height as f32);
+            let across = lesser(reach * view.focal * inverse, MOST_REACH * high);
+            // Where nothing is, too.
             if across < 1.0 {
                 continue;
             }
-            let pattern = &self.pattern[(y % PATTERN) * PATTERN + x % PATTERN];
-            let mut hidden = 0.0;
-            for &[dx, dy] in pattern {
+            let point = at_depth(x as f32, y as f32, 1.0 / inverse);
+            let normal = normals[at];
+            let normal = Vec3::new(
+                normal.dot(view.right),
+                -normal.dot(view.up),
+                normal.dot(view.ahead),
+            );
+            // First what is seen at the places, then what it hides: the second loop does four at a time.
+            let (mut there, mut right, mut down) = ([0.0; TAPS], [0.0; TAPS], [0.0; TAPS]);
+            for (k, &[dx, dy]) in patterns[x % PATTERN].iter().enumerate() {
                 let (tx, ty) = (x as f32 + 0.5 + dx * across, y as f32 + 0.5 + dy * across);
-                if tx < 0.0 || ty < 0.0 || tx >= width as f32 || ty >= height as f32 {
-                    continue;
+                if tx >= 0.0 && ty >= 0.0 && tx < wide && ty < high {
+                    // Through i32: the cast to unsigned takes a detour on x86.
+                    let (tx, ty) = (tx as i32, ty as i32);
+                    there[k] = sight.inverse[ty as usize * width + tx as usize];
+                    (right[k], down[k]) = (tx as f32, ty as f32);
                 }
-                let (tx, ty) = (tx as usize, ty as usize);
-                let there = ty * width + tx;
-                if sight.owner[there] == NOTHING || there == at {
-                    continue;
-                }
-                let other = view.ray(tx as f32 + 0.5, ty as f32 + 0.5) / sight.inverse[there];
-                let way = other - point;
+            }
+            let mut parts = [0.0; TAPS];
+            for k in 0..TAPS {
+                let depth = 1.0 / greater(there[k], f32::MIN_POSITIVE);
+                let way = at_depth(right[k], down[k], depth) - point;
+                // The pixel itself is none of its surroundings.
                 let square = greater(way.length_squared(), 1e-12);
                 let cosine = way.dot(normal) / square.sqrt();
-                let part = square / (reach * reach);
-                let fades = greater(1.0 - part * 0.5, 0.0);
-                hidden += greater(cosine - LEAST, 0.0) * fades;
+                let fades = greater(1.0 - square * fading, 0.0);
+                let part = greater(cosine - LEAST, 0.0) * fades;
+                parts[k] = if there[k] > 0.0 { part } else { 0.0 };
             }
+            let hidden: f32 = parts.iter().sum();
             let open = greater(1.0 - STRENGTH * hidden / TAPS as f32, 0.0);
             self.raw[at] = (255.0 * open + 0.5) as u8;
         }
@@ -126,19 +147,22 @@ impl Occlusion {
     fn average(&mut self, sight: &Sight, y: usize) {
         let [width, height] = sight.view().size;
         let span = |v: usize, size: usize| v.saturating_sub(1)..size.min(v + PATTERN - 1);
+        let rows = span(y, height);
         for x in 0..width {
             let at = y * width + x;
-            if sight.owner[at] == NOTHING {
+            let inverse = sight.inverse[at];
+            if inverse == 0.0 {
                 continue;
             }
-            let inverse = sight.inverse[at];
+            let (near, columns) = (SAME * inverse, span(x, width));
             let (mut sum, mut count) = (0u32, 0u32);
-            for row in span(y, height) {
-                for there in span(x, width).map(|column| row * width + column) {
-                    if (sight.inverse[there] - inverse).abs() <= SAME * inverse {
-                        sum += u32::from(self.raw[there]);
-                        count += 1;
-                    }
+            for row in rows.clone().map(|row| row * width) {
+                let beside = row + columns.start..row + columns.end;
+                let inverses = &sight.inverse[beside.clone()];
+                for (there, &open) in inverses.iter().zip(&self.raw[beside]) {
+                    let is_same = u32::from((there - inverse).abs() <= near);
+                    sum += is_same * u32::from(open);
+                    count += is_same;
                 }
             }
             self.open[at] = (sum / count.max(1)) as u8;

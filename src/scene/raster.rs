@@ -49,14 +49,15 @@ impl Edge {
 
 impl Grid {
     /// Draws a triangle: calls `put` with each pixel's place in the grid and the inverse depth there. Triangles
-    /// whose corners do not turn counter-clockwise on the screen (seen with y up) are not drawn; false then.
+    /// whose corners do not turn counter-clockwise on the screen (seen with y up) are not drawn. Answers with the
+    /// number of pixels that were looked at.
     #[inline(always)]
-    pub fn triangle(&self, corners: [Corner; 3], mut put: impl FnMut(usize, f32)) -> bool {
+    pub fn triangle(&self, corners: [Corner; 3], mut put: impl FnMut(usize, f32)) -> usize {
         let fixed = corners.map(|[x, y, _]| [x, y].map(|v| (v * SUB).round_ties_even() as i64));
         let [a, b, c] = fixed;
         let area = (c[0] - a[0]) * (b[1] - a[1]) - (b[0] - a[0]) * (c[1] - a[1]);
         if area <= 0 {
-            return false;
+            return 0;
         }
         let span = |axis: usize, size: usize| {
             let low = a[axis].min(b[axis]).min(c[axis]);
@@ -68,7 +69,7 @@ impl Grid {
         };
         let ((x0, x1), (y0, y1)) = (span(0, self.width), span(1, self.height));
         if x0 >= x1 || y0 >= y1 {
-            return true;
+            return 0;
         }
         let first = [(x0 << SUB_BITS) + HALF, (y0 << SUB_BITS) + HALF];
         let edges = [
@@ -98,15 +99,15 @@ impl Grid {
                 rows[k] += edges[k].down;
             }
         }
-        true
+        ((x1 - x0) * (y1 - y0)) as usize
     }
 }
 
-/// The inverse depth over a triangle.
+/// The inverse depth over a triangle. Slivers have steep slopes across, which f32 is too coarse for.
 struct Depth {
-    origin: Corner,
-    right: f32,
-    down: f32,
+    origin: [f64; 3],
+    right: f64,
+    down: f64,
     low: f32,
     high: f32,
 }
@@ -115,13 +116,13 @@ impl Depth {
     #[inline(always)]
     fn new(corners: [Corner; 3], fixed: [[i64; 2]; 3], area: i64) -> Self {
         let [a, b, c] = fixed;
-        let part = |v: i64| v as f32 / SUB;
+        let part = |v: i64| v as f64 / f64::from(SUB);
         let [bx, by] = [part(b[0] - a[0]), part(b[1] - a[1])];
         let [cx, cy] = [part(c[0] - a[0]), part(c[1] - a[1])];
-        let [za, zb, zc] = corners.map(|corner| corner[2]);
+        let [za, zb, zc] = corners.map(|corner| f64::from(corner[2]));
         let (zb, zc) = (zb - za, zc - za);
         // Twice the area in pixels, negative as y points down.
-        let inverse = -(SUB * SUB) / area as f32;
+        let inverse = -f64::from(SUB * SUB) / area as f64;
         Self {
             right: (zb * cy - zc * by) * inverse,
             down: (zc * bx - zb * cx) * inverse,
@@ -134,8 +135,9 @@ impl Depth {
     #[inline(always)]
     fn at(&self, x: f32, y: f32) -> f32 {
         let [ox, oy, oz] = self.origin;
-        let z = oz + (x - ox) * self.right + (y - oy) * self.down;
-        // Slivers have steep slopes: no pixel is nearer or farther than the corners.
+        let (x, y) = (f64::from(x) - ox, f64::from(y) - oy);
+        let z = (oz + x * self.right + y * self.down) as f32;
+        // No pixel is nearer or farther than the corners.
         lesser(greater(z, self.low), self.high)
     }
 }

@@ -3,22 +3,25 @@
 //! itself, of which those are drawn that bodies may be seen through. A map depends on bodies and light only:
 //! while the camera moves it is kept.
 
-use super::clip::Planes;
-use super::raster::{Corner, Grid};
+use super::fill::{Fill, Vertex, some_of};
+use super::raster::Corner;
 use super::sight::level_of;
-use super::{Camera, Lamp, Scene, View};
-use crate::solid::Surface;
+use super::{Camera, Lamp, Scene};
+use crate::order::greater;
 use glam::Vec3;
 
 /// The map ends so many parts of the ball's radius beyond it.
 const MARGIN: f32 = 1.02;
-/// Points are compared so many texels off their surface, along its normal where light grazes it: taps that
-/// reach a texel and a half to the sides, and corners farther, do not meet the surface itself.
-const OFF: f32 = 2.2;
-/// The same towards the lamp, whatever the angle.
-const LEAST_OFF: f32 = 0.6;
+/// Points are compared so many texels off their surface: what is drawn on the map may be a coarser or a finer
+/// level of it. While all is coarse, twice as many.
+const OFF: f32 = 0.5;
+/// Where the cosine between a surface and the way to the lamp is smaller, it is taken as this.
+const GRAZING: f32 = 1e-3;
 /// Half the angle that a side of the cube looks through: a little more than an eighth of a turn, for the taps.
 const SIDE_LENS: f64 = 91.0;
+
+/// Making room for so many texels is about the work of one triangle.
+const ROOM: usize = 64;
 
 /// One square map.
 struct Map {
@@ -36,19 +39,21 @@ enum Way {
         middle: Vec3,
         axes: [Vec3; 3],
         scale: f32,
+        /// Of so many pixels; nothing is cut in it.
+        fill: Fill,
     },
     /// From a place.
-    From(View),
+    From(Fill),
 }
 
 /// Shadow maps, in the making until [`Shadows::advance`] says so.
 pub(super) struct Shadows {
-    lamp: Lamp,
     maps: Vec<Map>,
     is_coarse: bool,
-    /// The map and the instance that come next.
-    at: [usize; 2],
-    corners: Vec<Corner>,
+    /// The map, the instance and the triangle that come next.
+    at: [usize; 3],
+    /// Those of the instance that is drawn.
+    corners: Vec<Vertex>,
 }
 
 impl Shadows {
@@ -57,53 +62,54 @@ impl Shadows {
         let ball = scene.ball();
         let maps = ways(ball, lamp, side);
         Self {
-            lamp,
             maps: maps.into_iter().map(|way| Map::new(way, side)).collect(),
             is_coarse,
-            at: [0, 0],
+            at: [0; 3],
             corners: Vec::new(),
         }
     }
 
     /// Goes on for about the work of so many triangles; true when all maps are there.
     pub fn advance(&mut self, scene: &Scene, amount: usize) -> bool {
-        let mut left = amount as i64;
+        let mut left = amount;
         while left > 0 {
-            let [map, place] = self.at;
+            let [map, place, next] = self.at;
             let Some(map) = self.maps.get_mut(map) else {
                 return true;
             };
-            if place == scene.instances.len() {
-                self.at = [self.at[0] + 1, 0];
+            if map.near.len() < map.side * map.side {
+                left = left.saturating_sub(map.make_room(left));
                 continue;
             }
-            left -= map.draw(scene, place, self.is_coarse, &mut self.corners) as i64;
-            self.at[1] += 1;
+            if place == scene.instances.len() {
+                self.at = [self.at[0] + 1, 0, 0];
+                continue;
+            }
+            let (work, next) = map.draw(
+                scene,
+                [place, next],
+                left,
+                self.is_coarse,
+                &mut self.corners,
+            );
+            left = left.saturating_sub(work);
+            match next {
+                Some(next) => self.at[2] = next,
+                None => self.at = [self.at[0], place + 1, 0],
+            }
         }
         false
     }
 
-    /// How much of the lamp is seen from a point of a surface, 0..1. `normal` is that of the surface, `to_lamp` the unit
-    /// vector to the lamp.
-    pub fn visible(&self, point: Vec3, normal: Vec3, to_lamp: Vec3) -> f32 {
-        let cosine = normal.dot(to_lamp);
-        let sine = (1.0 - cosine * cosine).max(0.0).sqrt();
-        match self.lamp {
-            Lamp::Sun(_) => self.maps.first().map_or(1.0, |map| {
-                let texel = map.texel(point);
-                let off = normal * (OFF * sine * texel) + to_lamp * (LEAST_OFF * texel);
-                map.visible(point + off)
-            }),
-            Lamp::Bulb { .. } => {
-                let near = |map: &Map| map.is_towards(point);
-                let map = self.maps.iter().find(|map| near(map));
-                map.map_or(1.0, |map| {
-                    let texel = map.texel(point);
-                    let off = normal * (OFF * sine * texel) + to_lamp * (LEAST_OFF * texel);
-                    map.visible(point + off)
-                })
-            }
-        }
+    /// How much of the lamp is seen from a point of a surface, 0..1. `normal` is that of the surface, which must
+    /// face the lamp; `spread` is how far, in the world, surfaces drawn there may be off, beside what the map is.
+    pub fn visible(&self, point: Vec3, normal: Vec3, spread: f32) -> f32 {
+        let map = self.maps.iter().find(|map| map.is_towards(point));
+        map.map_or(1.0, |map| {
+            let levels = if self.is_coarse { 2.0 } else { 1.0 };
+            let off = OFF * (levels * map.texel(point) + spread);
+            map.visible(point + normal * off, normal)
+        })
     }
 }
 
@@ -116,6 +122,7 @@ fn ways((middle, radius): (Vec3, f32), lamp: Lamp, side: usize) -> Vec<Way> {
                 middle,
                 axes: [across, to.cross(across), to],
                 scale: 0.5 * side as f32 / (radius * MARGIN).max(f32::MIN_POSITIVE),
+                fill: Fill::new(Camera::default().view(side, side)),
             }]
         }
         Lamp::Bulb { at, .. } => {
@@ -140,7 +147,7 @@ fn ways((middle, radius): (Vec3, f32), lamp: Lamp, side: usize) -> Vec<Way> {
                 view
             });
             let seen = views.filter(|view| view.may_see(view.of(middle), radius));
-            seen.map(Way::From).collect()
+            seen.map(|view| Way::From(Fill::new(view))).collect()
         }
     }
 }
@@ -150,15 +157,27 @@ impl Map {
         Self {
             side,
             way,
-            near: vec![f32::MIN; side * side],
+            near: Vec::with_capacity(side * side),
         }
+    }
+
+    /// Makes room for some more texels; answers with the work that it was.
+    fn make_room(&mut self, most: usize) -> usize {
+        let all = self.side * self.side;
+        let end = all.min(self.near.len() + most.saturating_mul(ROOM));
+        let work = (end - self.near.len()).div_ceil(ROOM);
+        self.near.resize(end, f32::MIN);
+        work
     }
 
     /// How large a texel is at a point, in the world.
     fn texel(&self, point: Vec3) -> f32 {
         match &self.way {
             Way::Along { scale, .. } => 1.0 / scale,
-            Way::From(view) => view.of(point).z.max(view.near) / view.focal,
+            Way::From(fill) => {
+                let view = &fill.view;
+                greater(view.of(point).z, view.near) / view.focal
+            }
         }
     }
 
@@ -166,9 +185,9 @@ impl Map {
     fn is_towards(&self, point: Vec3) -> bool {
         match &self.way {
             Way::Along { .. } => true,
-            Way::From(view) => {
-                let seen = view.of(point);
-                seen.z > view.near && seen.x.abs() <= seen.z && seen.y.abs() <= seen.z
+            Way::From(fill) => {
+                let seen = fill.view.of(point);
+                seen.z > fill.view.near && seen.x.abs() <= seen.z && seen.y.abs() <= seen.z
             }
         }
     }
@@ -181,6 +200,7 @@ impl Map {
                 middle,
                 axes,
                 scale,
+                ..
             } => {
                 let d = p - *middle;
                 let half = 0.5 * self.side as f32;
@@ -190,11 +210,31 @@ impl Map {
                     d.dot(axes[2]),
                 ]
             }
-            Way::From(view) => view.on_screen(view.of(p)),
+            Way::From(fill) => fill.view.on_screen(fill.view.of(p)),
         }
     }
 
-    fn visible(&self, p: Vec3) -> f32 {
+    /// How much nearer to the lamp the plane through a point is for each texel to the right, and down.
+    fn slopes(&self, p: Vec3, normal: Vec3) -> [f32; 2] {
+        match &self.way {
+            Way::Along { axes, scale, .. } => {
+                let [x, y, facing] = axes.map(|axis| normal.dot(axis));
+                let part = 1.0 / (scale * greater(facing, GRAZING));
+                [-x * part, y * part]
+            }
+            Way::From(fill) => {
+                // The inverse depth is even over a plane, too: for a ray of depth 1 it is its part along the
+                // normal, over that of any point of the plane.
+                let view = &fill.view;
+                let way = p - view.eye;
+                let facing = greater(-normal.dot(way), GRAZING * way.length());
+                let part = 1.0 / (view.focal * greater(facing, f32::MIN_POSITIVE));
+                [-normal.dot(view.right) * part, normal.dot(view.up) * part]
+            }
+        }
+    }
+
+    fn visible(&self, p: Vec3, normal: Vec3) -> f32 {
         let [u, v, near] = self.on_map(p);
         // Three by three texels, each weighted by how much of it lies under a square of that size.
         let (u, v) = (u - 1.5, v - 1.5);
@@ -207,92 +247,75 @@ impl Map {
         let (tu, tv) = (u - fu, v - fv);
         let across = [1.0 - tu, 1.0, 1.0, tu];
         let down = [1.0 - tv, 1.0, 1.0, tv];
+        // Each texel is compared with the surface's plane there, so that it does not meet the surface itself,
+        // and shadows end where they do.
+        let [right, below] = self.slopes(p, normal);
+        let steps = [-1.0, 0.0, 1.0, 2.0];
         let mut sum = 0.0;
         for (row, weight) in down.into_iter().enumerate() {
             let first = (j as usize + row) * self.side + i as usize;
             let texels = &self.near[first..][..4];
+            let start = near + below * (steps[row] - tv);
             let mut lit = 0.0;
             for k in 0..4 {
-                lit += if texels[k] > near { 0.0 } else { across[k] };
+                let plane = start + right * (steps[k] - tu);
+                lit += if texels[k] > plane { 0.0 } else { across[k] };
             }
             sum += weight * lit;
         }
         sum / 9.0
     }
 
-    /// Draws an instance; answers with the work that it was.
-    fn draw(&mut self, scene: &Scene, place: usize, coarse: bool, kept: &mut Vec<Corner>) -> usize {
+    /// Draws an instance from one of its triangles on; answers with the work that it was, and the triangle that
+    /// comes next, if there is one.
+    fn draw(
+        &mut self,
+        scene: &Scene,
+        [place, next]: [usize; 2],
+        most: usize,
+        is_coarse: bool,
+        corners: &mut Vec<Vertex>,
+    ) -> (usize, Option<usize>) {
         let instance = &scene.instances[place];
         let body = &scene.bodies[instance.body as usize];
         let (middle, radius) = scene.ball_of(instance);
         let diameter = match &self.way {
             Way::Along { scale, .. } => 2.0 * radius * scale,
-            Way::From(view) => {
-                let seen = view.of(middle);
-                if !view.may_see(seen, radius) {
-                    return 1;
+            Way::From(fill) => {
+                let seen = fill.view.of(middle);
+                if !fill.view.may_see(seen, radius) {
+                    return (1, None);
                 }
-                view.diameter(seen, radius)
+                fill.view.diameter(seen, radius)
             }
         };
-        let level = level_of(diameter, body.levels.len(), coarse);
+        let level = level_of(diameter, body.levels.len(), is_coarse);
         let Some(surface) = body.levels.get(level) else {
-            return 1;
+            return (1, None);
         };
-        match self.way {
-            Way::Along { .. } => {
-                kept.clear();
-                let corners = surface.positions.iter();
-                kept.extend(corners.map(|&p| self.on_map(instance.place.of(p))));
-                self.fill(surface, kept);
+        let mut work = 0;
+        if next == 0 {
+            let points = surface.positions.iter().map(|&p| instance.place.of(p));
+            corners.clear();
+            match &self.way {
+                Way::Along { .. } => {
+                    corners.extend(points.map(|p| Vertex::on_screen(self.on_map(p))));
+                }
+                Way::From(fill) => corners.extend(points.map(|p| fill.vertex(p))),
             }
-            Way::From(view) => {
-                let seen = surface.positions.iter();
-                let seen: Vec<Vec3> = seen.map(|&p| view.of(instance.place.of(p))).collect();
-                self.fill_from(&view, surface, &seen);
-            }
+            work = surface.positions.len() / 4;
         }
-        surface.triangles.len()
-    }
-
-    fn fill(&mut self, surface: &Surface, corners: &[Corner]) {
-        let grid = self.grid();
-        let near = &mut self.near;
-        for triangle in &surface.triangles {
+        let (Way::Along { fill, .. } | Way::From(fill)) = &self.way;
+        let near = &mut self.near[..];
+        let most = most.saturating_sub(work).max(1);
+        let (end, drawn) = some_of(&surface.triangles, next, most, |_, triangle| {
             let corners = triangle.map(|v| corners[v as usize]);
-            grid.triangle(corners, |at, here| {
+            fill.triangle(corners, |at, here| {
                 if here > near[at] {
                     near[at] = here;
                 }
-            });
-        }
-    }
-
-    fn fill_from(&mut self, view: &View, surface: &Surface, seen: &[Vec3]) {
-        let (grid, planes) = (self.grid(), Planes::new(view));
-        let near = &mut self.near;
-        for triangle in &surface.triangles {
-            let corners = triangle.map(|v| seen[v as usize]);
-            let [a, b, c] = corners.map(|p| planes.beyond(p));
-            if a & b & c != 0 {
-                continue;
-            }
-            let cut = planes.cut(corners, a | b | c);
-            let screen = |k: usize| view.on_screen(cut.corners[k]);
-            for k in 2..cut.count {
-                grid.triangle([screen(0), screen(k - 1), screen(k)], |at, here| {
-                    if here > near[at] {
-                        near[at] = here;
-                    }
-                });
-            }
-        }
-    }
-
-    fn grid(&self) -> Grid {
-        Grid {
-            width: self.side,
-            height: self.side,
-        }
+            })
+        });
+        (work + drawn, (end < surface.triangles.len()).then_some(end))
     }
 }

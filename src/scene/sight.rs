@@ -4,11 +4,9 @@
 //! needs, and left out where the ball around them lies behind what is drawn. Surfaces are looked up again from
 //! here when they are shaded, so nothing is worked out for what is hidden.
 
-use super::clip::Planes;
-use super::raster::{Corner, Grid};
+use super::fill::{Fill, Vertex, some_of};
 use super::{Scene, View};
 use crate::order::{self, pair};
-use crate::solid::Surface;
 use glam::Vec3;
 
 /// From this many pixels across, a body is drawn at its finest level, or one coarser, and so on: the last
@@ -35,8 +33,7 @@ pub(super) fn level_of(diameter: f32, levels: usize, coarse: bool) -> usize {
 
 /// What is seen, in the making.
 pub(super) struct Sight {
-    view: View,
-    planes: Planes,
+    fill: Fill,
     is_coarse: bool,
     /// Place of the instance, by pixel from the top.
     pub owner: Vec<u32>,
@@ -51,22 +48,15 @@ pub(super) struct Sight {
     planned: usize,
     is_sorted: bool,
     drawn: usize,
+    /// Of the instance that is drawn, the corners and the triangle that comes next; 0 before it is begun.
     corners: Vec<Vertex>,
-}
-
-/// A vertex in the view, on the screen, and which planes it is beyond.
-#[derive(Clone, Copy)]
-struct Vertex {
-    seen: Vec3,
-    screen: Corner,
-    beyond: u32,
+    next: usize,
 }
 
 impl Sight {
     pub fn new(view: View) -> Self {
         let mut sight = Self {
-            view,
-            planes: Planes::new(&view),
+            fill: Fill::new(view),
             is_coarse: false,
             owner: Vec::new(),
             triangle: Vec::new(),
@@ -77,6 +67,7 @@ impl Sight {
             is_sorted: false,
             drawn: 0,
             corners: Vec::new(),
+            next: 0,
         };
         sight.begin(view, false);
         sight
@@ -84,21 +75,37 @@ impl Sight {
 
     /// Begins anew, with bodies a level coarser or not.
     pub fn begin(&mut self, view: View, is_coarse: bool) {
+        (self.fill, self.is_coarse) = (Fill::new(view), is_coarse);
         let pixels = view.size[0] * view.size[1];
-        (self.view, self.planes, self.is_coarse) = (view, Planes::new(&view), is_coarse);
-        for (list, empty) in [(&mut self.owner, NOTHING), (&mut self.triangle, AS_DOT)] {
+        for list in [&mut self.owner, &mut self.triangle] {
             list.clear();
-            list.resize(pixels, empty);
+            list.reserve_exact(pixels);
         }
         self.inverse.clear();
-        self.inverse.resize(pixels, 0.0);
+        self.inverse.reserve_exact(pixels);
         self.levels.clear();
         self.due.clear();
-        (self.planned, self.is_sorted, self.drawn) = (0, false, 0);
+        (self.planned, self.is_sorted, self.drawn, self.next) = (0, false, 0, 0);
+    }
+
+    /// Makes room for pixels up to this one: for all of them before [`Sight::advance`].
+    pub fn make_room(&mut self, pixels: usize) {
+        self.owner.resize(pixels, NOTHING);
+        self.triangle.resize(pixels, AS_DOT);
+        self.inverse.resize(pixels, 0.0);
     }
 
     pub fn view(&self) -> &View {
-        &self.view
+        &self.fill.view
+    }
+
+    /// By how many pixels what is drawn may be off.
+    pub fn spread(&self) -> f32 {
+        if self.is_coarse { 2.0 } else { 1.0 }
+    }
+
+    pub fn fill(&self) -> &Fill {
+        &self.fill
     }
 
     /// How much of it is done, 0..1.
@@ -120,29 +127,33 @@ impl Sight {
             self.is_sorted = true;
             return false;
         }
-        let mut left = amount as i64;
+        let mut left = amount;
         while left > 0 {
             let Some(&due) = self.due.get(self.drawn) else {
                 return true;
             };
-            left -= self.draw(scene, due as u32) as i64;
-            self.drawn += 1;
+            let (work, is_drawn) = self.draw(scene, due as u32, left);
+            left = left.saturating_sub(work);
+            self.drawn += usize::from(is_drawn);
         }
         self.drawn == self.due.len()
     }
 
     /// Finds out where instances are, and how fine they are to be.
     fn plan(&mut self, scene: &Scene, amount: usize) {
-        let end = scene.instances.len().min(self.planned + amount);
+        let end = scene
+            .instances
+            .len()
+            .min(self.planned.saturating_add(amount));
         for place in self.planned..end {
             let instance = &scene.instances[place];
             let levels = scene.bodies[instance.body as usize].levels.len();
             let (middle, radius) = scene.ball_of(instance);
-            let seen = self.view.of(middle);
-            let diameter = self.view.diameter(seen, radius);
+            let seen = self.view().of(middle);
+            let diameter = self.view().diameter(seen, radius);
             self.levels
                 .push(level_of(diameter, levels, self.is_coarse) as u8);
-            if levels > 0 && self.view.may_see(seen, radius) {
+            if levels > 0 && self.view().may_see(seen, radius) {
                 let near = order::rank(f64::from(seen.z - radius));
                 self.due.push(pair((near >> 32) as u32, place as u32));
             }
@@ -150,71 +161,53 @@ impl Sight {
         self.planned = end;
     }
 
-    /// Draws an instance; answers with the work that it was.
-    fn draw(&mut self, scene: &Scene, place: u32) -> usize {
+    /// Draws an instance, or goes on with it; answers with the work that it was, and whether it is drawn.
+    fn draw(&mut self, scene: &Scene, place: u32, most: usize) -> (usize, bool) {
         let instance = &scene.instances[place as usize];
-        let (middle, radius) = scene.ball_of(instance);
-        let seen = self.view.of(middle);
-        let diameter = self.view.diameter(seen, radius);
-        if diameter < DOT {
-            self.dot(seen, place);
-            return 1;
-        }
-        if self.is_hidden(seen, radius, diameter) {
-            return 16;
-        }
         let level = usize::from(self.levels[place as usize]);
         let surface = &scene.bodies[instance.body as usize].levels[level];
-        let mut corners = std::mem::take(&mut self.corners);
-        corners.clear();
-        corners.extend(surface.positions.iter().map(|&p| {
-            let seen = self.view.of(instance.place.of(p));
-            Vertex {
-                seen,
-                screen: self.view.on_screen(seen),
-                beyond: self.planes.beyond(seen),
+        let mut work = 0;
+        if self.next == 0 {
+            let (middle, radius) = scene.ball_of(instance);
+            let seen = self.view().of(middle);
+            let diameter = self.view().diameter(seen, radius);
+            if diameter < DOT {
+                self.dot(seen, place);
+                return (1, true);
             }
-        }));
-        self.fill(surface, &corners, place);
-        self.corners = corners;
-        surface.triangles.len()
-    }
-
-    fn fill(&mut self, surface: &Surface, corners: &[Vertex], place: u32) {
-        let [width, height] = self.view.size;
-        let grid = Grid { width, height };
-        for (number, triangle) in (0..).zip(&surface.triangles) {
-            let [a, b, c] = triangle.map(|v| corners[v as usize]);
-            if a.beyond & b.beyond & c.beyond != 0 {
-                continue;
+            if self.is_hidden(seen, radius, diameter) {
+                return (16, true);
             }
-            let (owner, triangles) = (&mut self.owner, &mut self.triangle);
-            let inverse = &mut self.inverse;
-            let mut put = |at: usize, near: f32| {
-                if near > inverse[at] {
-                    (inverse[at], owner[at], triangles[at]) = (near, place, number);
-                }
-            };
-            let beyond = a.beyond | b.beyond | c.beyond;
-            if beyond == 0 {
-                grid.triangle([a.screen, b.screen, c.screen], &mut put);
-                continue;
-            }
-            let cut = self.planes.cut([a.seen, b.seen, c.seen], beyond);
-            let screen = |k: usize| self.view.on_screen(cut.corners[k]);
-            for k in 2..cut.count {
-                grid.triangle([screen(0), screen(k - 1), screen(k)], &mut put);
-            }
+            let (fill, points) = (&self.fill, surface.positions.iter());
+            self.corners.clear();
+            self.corners
+                .extend(points.map(|&p| fill.vertex(instance.place.of(p))));
+            work = surface.positions.len() / 4;
         }
+        let (fill, corners) = (&self.fill, &self.corners);
+        let (inverse, owner) = (&mut self.inverse[..], &mut self.owner[..]);
+        let triangles = &mut self.triangle[..];
+        let most = most.saturating_sub(work).max(1);
+        let (next, drawn) = some_of(&surface.triangles, self.next, most, |number, triangle| {
+            let corners = triangle.map(|v| corners[v as usize]);
+            fill.triangle(corners, |at, near| {
+                if near > inverse[at] {
+                    (inverse[at], owner[at], triangles[at]) = (near, place, number as u32);
+                }
+            })
+        });
+        let is_drawn = next == surface.triangles.len();
+        self.next = if is_drawn { 0 } else { next };
+        (work + drawn, is_drawn)
     }
 
     /// A body too small to have a shape.
     fn dot(&mut self, seen: Vec3, place: u32) {
-        if seen.z <= self.view.near {
+        if seen.z <= self.view().near {
             return;
         }
-        let [width, height] = self.view.size;
-        let [x, y, near] = self.view.on_screen(seen);
+        let [width, height] = self.view().size;
+        let [x, y, near] = self.view().on_screen(seen);
         if x >= 0.0 && y >= 0.0 && x < width as f32 && y < height as f32 {
             let at = y as usize * width + x as usize;
             if near > self.inverse[at] {
@@ -226,24 +219,28 @@ impl Sight {
     /// Whether something nearer than a ball was met wherever it was looked for.
     fn is_hidden(&self, seen: Vec3, radius: f32, diameter: f32) -> bool {
         let may_hide = MAY_HIDE[0]..=MAY_HIDE[1];
-        if !may_hide.contains(&diameter) || seen.z <= radius + self.view.near {
+        if !may_hide.contains(&diameter) || seen.z <= radius + self.view().near {
             return false;
         }
         let nearest = 1.0 / (seen.z - radius);
-        let [x, y, _] = self.view.on_screen(seen);
-        // A ball's outline is an ellipse, a little larger than the circle.
-        let reach = 0.5 * diameter * seen.z * nearest + 1.0;
-        let [width, height] = self.view.size;
-        let span = |middle: f32, size: usize| {
-            let first = (middle - reach) as i64;
-            let end = (middle + reach) as i64 + 1;
-            (first.max(0), end.min(size as i64))
+        let view = self.view();
+        let [width, height] = view.size;
+        // Exactly where a ball is seen, however far to the side: the slopes of the planes that touch it.
+        let span = |along: f32, middle: f32, size: usize| {
+            let deep = seen.z * seen.z - radius * radius;
+            let root = (along * along + deep).sqrt() * radius;
+            let slope = |side: f32| (along * seen.z + side * root) / deep * view.focal;
+            let (first, last) = (middle + slope(-1.0) - 1.0, middle + slope(1.0) + 1.0);
+            ((first as i64).max(0), (last as i64 + 1).min(size as i64))
         };
-        let ((x0, x1), (y0, y1)) = (span(x, width), span(y, height));
-        let mut rows = (y0..y1).step_by(2);
+        let (x0, x1) = span(seen.x, view.middle[0], width);
+        let (y0, y1) = span(-seen.y, view.middle[1], height);
+        // While something moves, a gap of a pixel may be overlooked.
+        let step = if self.is_coarse { 2 } else { 1 };
+        let mut rows = (y0..y1).step_by(step);
         rows.all(|row| {
             let row = row as usize * width;
-            let mut columns = (x0..x1).step_by(2);
+            let mut columns = (x0..x1).step_by(step);
             columns.all(|column| self.inverse[row + column as usize] > nearest)
         })
     }

@@ -51,6 +51,7 @@ pub(crate) use simplify::simplify;
 pub use solids::{Solid, Solids, control_mesh};
 pub use stencil_cache::MOST_LEVELS;
 pub use subdivide::{Stencil, TriangleMesh, beta, loop_subdivide};
+pub(crate) use surface::LARGEST;
 pub use surface::{Surface, normals};
 
 /// The control mesh a stone begins with.

@@ -19,7 +19,7 @@ pub struct Surface {
 }
 
 /// No coordinate may be larger: sums of products stay finite.
-const LARGEST: f32 = 1e9;
+pub(crate) const LARGEST: f32 = 1e9;
 
 impl Surface {
     /// What is wrong with it, if anything is: lists of different lengths, a coordinate that is not a number, a

@@ -37,6 +37,11 @@ mod native {
     mod packing;
     mod recipes;
     mod samples;
+    mod scene;
+    mod scene_cases;
+    mod scene_light;
+    mod scene_planes;
+    mod scene_rays;
     mod shading;
     mod skin_recipes;
     mod skins;

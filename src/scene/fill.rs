@@ -1,0 +1,93 @@
+//! Triangles of a view, from their corners in the world to pixels.
+
+use super::View;
+use super::clip::Planes;
+use super::raster::{Corner, Grid};
+use glam::Vec3;
+
+/// So many pixels are about the work of one triangle.
+const PIXELS: usize = 32;
+
+/// A corner in the view, on the screen, and which planes it is beyond.
+#[derive(Clone, Copy)]
+pub(super) struct Vertex {
+    seen: Vec3,
+    screen: Corner,
+    beyond: u32,
+}
+
+impl Vertex {
+    /// One that is on the screen for sure.
+    pub fn on_screen(screen: Corner) -> Self {
+        Self {
+            seen: Vec3::ZERO,
+            screen,
+            beyond: 0,
+        }
+    }
+}
+
+/// A view with the planes that triangles are cut by.
+#[derive(Clone, Copy)]
+pub(super) struct Fill {
+    pub view: View,
+    planes: Planes,
+}
+
+impl Fill {
+    pub fn new(view: View) -> Self {
+        let planes = Planes::new(&view);
+        Self { view, planes }
+    }
+
+    #[inline(always)]
+    pub fn vertex(&self, p: Vec3) -> Vertex {
+        let seen = self.view.of(p);
+        Vertex {
+            seen,
+            screen: self.view.on_screen(seen),
+            beyond: self.planes.beyond(seen),
+        }
+    }
+
+    /// The part of a line that lies between the planes, if there is one.
+    pub fn part_of_line(&self, line: [Vec3; 2]) -> Option<[Vec3; 2]> {
+        self.planes.part_of_line(line.map(|p| self.view.of(p)))
+    }
+
+    /// Draws a triangle (see [`Grid::triangle`]); answers with the work that it was.
+    #[inline(always)]
+    pub fn triangle(&self, [a, b, c]: [Vertex; 3], mut put: impl FnMut(usize, f32)) -> usize {
+        if a.beyond & b.beyond & c.beyond != 0 {
+            return 1;
+        }
+        let [width, height] = self.view.size;
+        let grid = Grid { width, height };
+        let beyond = a.beyond | b.beyond | c.beyond;
+        if beyond == 0 {
+            return 1 + grid.triangle([a.screen, b.screen, c.screen], &mut put) / PIXELS;
+        }
+        let cut = self.planes.cut([a.seen, b.seen, c.seen], beyond);
+        let screen = |k: usize| self.view.on_screen(cut.corners[k]);
+        let pieces = 2..cut.count;
+        let pixels = pieces.map(|k| grid.triangle([screen(0), screen(k - 1), screen(k)], &mut put));
+        1 + pixels.sum::<usize>() / PIXELS
+    }
+}
+
+/// Goes on with a list of triangles from one of them, for about so much work: answers with the next one and the
+/// work that it was.
+#[inline(always)]
+pub(super) fn some_of(
+    triangles: &[[u32; 3]],
+    from: usize,
+    most: usize,
+    mut draw: impl FnMut(usize, [u32; 3]) -> usize,
+) -> (usize, usize) {
+    let (mut at, mut work) = (from, 0);
+    while at < triangles.len() && work < most {
+        work += draw(at, triangles[at]);
+        at += 1;
+    }
+    (at, work)
+}
