@@ -14,8 +14,9 @@ use super::bytes::{put, put_floats};
 use super::frame::Frame;
 use super::maps::id_colour;
 use crate::decimal;
-use crate::heightfield::{Surface, decoded};
+use crate::heightfield::decoded;
 use crate::order::{greater, lesser};
+use crate::solid::Surface;
 
 /// What all vertices share in a file with images: normal and tangent.
 const UPRIGHT: [&[f32]; 2] = [&[0.0, 1.0, 0.0], &[1.0, 0.0, 0.0, 1.0]];

@@ -2,7 +2,7 @@
 
 use super::fixed::{push, push_whole};
 use super::frame::Frame;
-use crate::heightfield::Surface;
+use crate::solid::Surface;
 
 /// Bytes after which another part of the file begins.
 const PART: usize = 1 << 20;

@@ -14,9 +14,9 @@ use super::maps::roughness;
 use super::obj::Obj;
 use super::order::{MeshFormat, MeshOrder};
 use crate::cells::Cell;
-use crate::heightfield::{GROUND, Planes, Surface, Surfaces, TextureParams, ground};
+use crate::heightfield::{GROUND, Planes, Surfaces, TextureParams, ground};
 use crate::material::{FINISHES, Material};
-use crate::solid::{Solid, Solids};
+use crate::solid::{Solid, Solids, Surface};
 
 enum Writer {
     Obj(Obj),

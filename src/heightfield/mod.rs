@@ -72,5 +72,5 @@ pub use params::TextureParams;
 pub use planes::{GROUND, Planes};
 pub use sheet::{ground, means};
 pub(crate) use slopes::{beside, row_slopes};
-pub use surface::{Surface, Surfaces};
+pub use surface::Surfaces;
 pub use weather::{Painted, Weathering};

@@ -1,9 +1,9 @@
 //! Heights at the crossings of a square grid over the picture, coarser or finer than its pixels, and the
 //! ground between and under the stones as a sheet over such a grid.
 
-use super::surface::normals;
-use super::{GROUND, Planes, Surface};
+use super::{GROUND, Planes};
 use crate::order::{greater, lesser};
+use crate::solid::{Surface, normals};
 use glam::Vec3;
 use std::ops::Range;
 

@@ -42,6 +42,7 @@ mod solids;
 mod sparse;
 mod stencil_cache;
 mod subdivide;
+mod surface;
 
 pub use footprint::{Footprint, MOST_CORNERS};
 pub use orientation::oriented;
@@ -50,6 +51,7 @@ pub(crate) use simplify::simplify;
 pub use solids::{Solid, Solids, control_mesh};
 pub use stencil_cache::MOST_LEVELS;
 pub use subdivide::{Stencil, TriangleMesh, beta, loop_subdivide};
+pub use surface::{Surface, normals};
 
 /// The control mesh a stone begins with.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
