@@ -12,7 +12,7 @@ use super::{Planes, TextureParams};
 use crate::cells::Cell;
 use crate::material::{Coat, Face, FaceNoise, floor};
 use crate::order::{greater, lesser};
-use crate::solid::{Solid, Surface, normals, simplify};
+use crate::solid::{Solid, Surface, boundary_edges, normals, simplify};
 use glam::Vec3;
 
 /// From the base up to this part of a stone's height the relief grows from nothing to its full size.
@@ -90,28 +90,6 @@ impl Surfaces {
 }
 
 impl Surface {
-    /// Closes the base by a fan, at the level of the lowest point of the boundary.
-    fn cap(&mut self, boundary: &[[u32; 2]]) {
-        let on_boundary = |list: &[Vec3]| -> Vec<Vec3> {
-            boundary.iter().map(|&[a, _]| list[a as usize]).collect()
-        };
-        let ring = on_boundary(&self.positions);
-        if ring.is_empty() {
-            return;
-        }
-        let level = ring.iter().fold(f32::MAX, |low, p| lesser(low, p.z));
-        for &[a, _] in boundary {
-            self.positions[a as usize].z = level;
-        }
-        let middle = ring.iter().sum::<Vec3>() / ring.len() as f32;
-        let colour = self.colours[boundary[0][0] as usize];
-        let new = self.positions.len() as u32;
-        self.positions.push(Vec3::new(middle.x, middle.y, level));
-        self.colours.push(colour);
-        self.triangles
-            .extend(boundary.iter().map(|&[a, b]| [b, a, new]));
-    }
-
     /// Makes the normals, of which the triangles from `cap` on have no say, and drops triangles without corners
     /// and vertices without triangles.
     fn tidy(self, cap: usize) -> Self {
@@ -132,36 +110,6 @@ impl Surface {
         }
         kept
     }
-}
-
-/// The edges that belong to one triangle only, in its direction.
-fn boundary_edges(triangles: &[[u32; 3]], vertices: usize) -> Vec<[u32; 2]> {
-    let corners = triangles.as_flattened();
-    // Corner k of the list and the next one of its triangle.
-    let side = |k: usize| [corners[k], corners[if k % 3 == 2 { k - 2 } else { k + 1 }]];
-    // The ends of the sides from each vertex, those from vertex k at starts[k] .. starts[k + 1].
-    let mut starts = vec![0usize; vertices + 1];
-    for &a in corners {
-        starts[a as usize + 1] += 1;
-    }
-    for k in 0..vertices {
-        starts[k + 1] += starts[k];
-    }
-    let mut ends = vec![0; corners.len()];
-    let mut next = starts.clone();
-    for k in 0..corners.len() {
-        let [a, b] = side(k);
-        ends[next[a as usize]] = b;
-        next[a as usize] += 1;
-    }
-    let mut open = Vec::new();
-    for [a, b] in (0..corners.len()).map(side) {
-        let b_to = starts[b as usize]..starts[b as usize + 1];
-        if !ends[b_to].contains(&a) {
-            open.push([a, b]);
-        }
-    }
-    open
 }
 
 /// The colours of the picture at the vertices where the stone `id` is to be seen; walls and what lies

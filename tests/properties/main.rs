@@ -29,6 +29,7 @@ mod native {
     mod line_cells;
     mod lines;
     mod links;
+    mod making;
     mod maps;
     mod mesh_sizes;
     mod outline_rings;
