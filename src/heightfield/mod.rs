@@ -53,6 +53,7 @@
 mod box_filter;
 mod ground;
 mod light;
+mod making;
 mod occlusion;
 mod painter;
 mod params;

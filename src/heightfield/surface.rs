@@ -20,9 +20,10 @@ const FOOT: f32 = 0.125;
 
 /// Makes surfaces, and keeps what those of all cells share.
 pub struct Surfaces {
-    params: TextureParams,
+    pub(super) params: TextureParams,
     noise: FaceNoise,
-    relief: f32,
+    /// Deviation of the relief, in picture units.
+    deviation: f32,
     /// Triangles of each surface, about.
     most: usize,
 }
@@ -34,7 +35,7 @@ impl Surfaces {
         Self {
             most,
             noise: FaceNoise::new(params.seed, params.size, params.dimension, 0),
-            relief: params.relief(),
+            deviation: params.relief(),
             params,
         }
     }
@@ -74,19 +75,33 @@ impl Surfaces {
 
     /// What the painter adds at a place, interpolated between the middles of pixels.
     fn raise(&self, face: &Face, x: f32, y: f32) -> f32 {
-        let (ix, iy) = (floor(x), floor(y));
-        let (tx, ty) = (x - ix as f32, y - iy as f32);
-        let mut sum = 0.0;
-        for k in 0..4 {
-            let (right, below) = (k & 1, k >> 1);
-            let across = if right == 1 { tx } else { 1.0 - tx };
-            let down = if below == 1 { ty } else { 1.0 - ty };
-            let (x, y) = (ix + right, iy + below);
-            let relief = self.relief * face.relief(&self.noise, [x, y]);
-            sum += across * down * (relief + face.lift([x as f32, y as f32]));
-        }
-        sum
+        between(x, y, |[x, y]| {
+            self.relief_at(face, [x, y]) + face.lift([x as f32, y as f32])
+        })
     }
+
+    /// The relief alone at a place, interpolated in the same way.
+    pub(super) fn relief(&self, face: &Face, x: f32, y: f32) -> f32 {
+        between(x, y, |pixel| self.relief_at(face, pixel))
+    }
+
+    fn relief_at(&self, face: &Face, pixel: [i32; 2]) -> f32 {
+        self.deviation * face.relief(&self.noise, pixel)
+    }
+}
+
+/// Bilinear interpolation of what pixels have.
+fn between(x: f32, y: f32, value: impl Fn([i32; 2]) -> f32) -> f32 {
+    let (ix, iy) = (floor(x), floor(y));
+    let (tx, ty) = (x - ix as f32, y - iy as f32);
+    let mut sum = 0.0;
+    for k in 0..4 {
+        let (right, below) = (k & 1, k >> 1);
+        let across = if right == 1 { tx } else { 1.0 - tx };
+        let down = if below == 1 { ty } else { 1.0 - ty };
+        sum += across * down * value([ix + right, iy + below]);
+    }
+    sum
 }
 
 impl Surface {
@@ -115,10 +130,10 @@ impl Surface {
 /// The colours of the picture at the vertices where the stone `id` is to be seen; walls and what lies
 /// under other stones go on in the colour that is nearest along the surface.
 fn colours(positions: &[Vec3], triangles: &[[u32; 3]], id: u32, planes: &Planes) -> Vec<[u8; 3]> {
-    let side = planes.side as i32;
+    let (side, pixels) = (planes.side as i32, planes.pixel_scale.max(1) as f32);
     let mut seen: Vec<Option<[u8; 3]>> = vec![None; positions.len()];
     for (colour, p) in seen.iter_mut().zip(positions) {
-        let (mut x, mut y) = (floor(p.x), floor(p.y));
+        let (mut x, mut y) = (floor(p.x * pixels), floor(p.y * pixels));
         if planes.tile {
             (x, y) = (x.rem_euclid(side), y.rem_euclid(side));
         }

@@ -30,6 +30,7 @@ mod native {
     mod lines;
     mod links;
     mod making;
+    mod making_planes;
     mod maps;
     mod mesh_sizes;
     mod outline_rings;
