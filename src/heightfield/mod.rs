@@ -54,6 +54,7 @@ mod box_filter;
 mod cutout;
 mod ground;
 mod lit;
+mod making;
 mod occlusion;
 mod painter;
 mod params;

@@ -12,7 +12,7 @@ use super::{Planes, TextureParams};
 use crate::cells::Cell;
 use crate::material::{Coat, Face, FaceNoise, floor};
 use crate::order::{greater, lesser};
-use crate::solid::{Solid, Surface, normals, simplify};
+use crate::solid::{Solid, Surface, boundary_edges, normals, simplify};
 use glam::Vec3;
 
 /// From the base up to this part of a stone's height the relief grows from nothing to its full size.
@@ -20,9 +20,10 @@ const FOOT: f32 = 0.125;
 
 /// Makes surfaces, and keeps what those of all cells share.
 pub struct Surfaces {
-    params: TextureParams,
+    pub(super) params: TextureParams,
     noise: FaceNoise,
-    relief: f32,
+    /// Deviation of the relief, in picture units.
+    deviation: f32,
     /// Triangles of each surface, about.
     most: usize,
 }
@@ -34,7 +35,7 @@ impl Surfaces {
         Self {
             most,
             noise: FaceNoise::new(params.seed, params.size, params.dimension, 0),
-            relief: params.relief(),
+            deviation: params.relief(),
             params,
         }
     }
@@ -74,44 +75,36 @@ impl Surfaces {
 
     /// What the painter adds at a place, interpolated between the middles of pixels.
     fn raise(&self, face: &Face, x: f32, y: f32) -> f32 {
-        let (ix, iy) = (floor(x), floor(y));
-        let (tx, ty) = (x - ix as f32, y - iy as f32);
-        let mut sum = 0.0;
-        for k in 0..4 {
-            let (right, below) = (k & 1, k >> 1);
-            let across = if right == 1 { tx } else { 1.0 - tx };
-            let down = if below == 1 { ty } else { 1.0 - ty };
-            let (x, y) = (ix + right, iy + below);
-            let relief = self.relief * face.relief(&self.noise, [x, y]);
-            sum += across * down * (relief + face.lift([x as f32, y as f32]));
-        }
-        sum
+        between(x, y, |[x, y]| {
+            self.relief_at(face, [x, y]) + face.lift([x as f32, y as f32])
+        })
+    }
+
+    /// The relief alone at a place, interpolated in the same way.
+    pub(super) fn relief(&self, face: &Face, x: f32, y: f32) -> f32 {
+        between(x, y, |pixel| self.relief_at(face, pixel))
+    }
+
+    fn relief_at(&self, face: &Face, pixel: [i32; 2]) -> f32 {
+        self.deviation * face.relief(&self.noise, pixel)
     }
 }
 
-impl Surface {
-    /// Closes the base by a fan, at the level of the lowest point of the boundary.
-    fn cap(&mut self, boundary: &[[u32; 2]]) {
-        let on_boundary = |list: &[Vec3]| -> Vec<Vec3> {
-            boundary.iter().map(|&[a, _]| list[a as usize]).collect()
-        };
-        let ring = on_boundary(&self.positions);
-        if ring.is_empty() {
-            return;
-        }
-        let level = ring.iter().fold(f32::MAX, |low, p| lesser(low, p.z));
-        for &[a, _] in boundary {
-            self.positions[a as usize].z = level;
-        }
-        let middle = ring.iter().sum::<Vec3>() / ring.len() as f32;
-        let colour = self.colours[boundary[0][0] as usize];
-        let new = self.positions.len() as u32;
-        self.positions.push(Vec3::new(middle.x, middle.y, level));
-        self.colours.push(colour);
-        self.triangles
-            .extend(boundary.iter().map(|&[a, b]| [b, a, new]));
+/// Bilinear interpolation of what pixels have.
+fn between(x: f32, y: f32, value: impl Fn([i32; 2]) -> f32) -> f32 {
+    let (ix, iy) = (floor(x), floor(y));
+    let (tx, ty) = (x - ix as f32, y - iy as f32);
+    let mut sum = 0.0;
+    for k in 0..4 {
+        let (right, below) = (k & 1, k >> 1);
+        let across = if right == 1 { tx } else { 1.0 - tx };
+        let down = if below == 1 { ty } else { 1.0 - ty };
+        sum += across * down * value([ix + right, iy + below]);
     }
+    sum
+}
 
+impl Surface {
     /// Makes the normals, of which the triangles from `cap` on have no say, and drops triangles without corners
     /// and vertices without triangles.
     fn tidy(self, cap: usize) -> Self {
@@ -121,43 +114,13 @@ impl Surface {
     }
 }
 
-/// The edges that belong to one triangle only, in its direction.
-fn boundary_edges(triangles: &[[u32; 3]], vertices: usize) -> Vec<[u32; 2]> {
-    let corners = triangles.as_flattened();
-    // Corner k of the list and the next one of its triangle.
-    let side = |k: usize| [corners[k], corners[if k % 3 == 2 { k - 2 } else { k + 1 }]];
-    // The ends of the sides from each vertex, those from vertex k at starts[k] .. starts[k + 1].
-    let mut starts = vec![0usize; vertices + 1];
-    for &a in corners {
-        starts[a as usize + 1] += 1;
-    }
-    for k in 0..vertices {
-        starts[k + 1] += starts[k];
-    }
-    let mut ends = vec![0; corners.len()];
-    let mut next = starts.clone();
-    for k in 0..corners.len() {
-        let [a, b] = side(k);
-        ends[next[a as usize]] = b;
-        next[a as usize] += 1;
-    }
-    let mut open = Vec::new();
-    for [a, b] in (0..corners.len()).map(side) {
-        let b_to = starts[b as usize]..starts[b as usize + 1];
-        if !ends[b_to].contains(&a) {
-            open.push([a, b]);
-        }
-    }
-    open
-}
-
 /// The colours of the picture at the vertices where the stone `id` is to be seen; walls and what lies
 /// under other stones go on in the colour that is nearest along the surface.
 fn colours(positions: &[Vec3], triangles: &[[u32; 3]], id: u32, planes: &Planes) -> Vec<[u8; 3]> {
-    let side = planes.side as i32;
+    let (side, pixels) = (planes.side as i32, planes.pixel_scale.max(1) as f32);
     let mut seen: Vec<Option<[u8; 3]>> = vec![None; positions.len()];
     for (colour, p) in seen.iter_mut().zip(positions) {
-        let (mut x, mut y) = (floor(p.x), floor(p.y));
+        let (mut x, mut y) = (floor(p.x * pixels), floor(p.y * pixels));
         if planes.tile {
             (x, y) = (x.rem_euclid(side), y.rem_euclid(side));
         }

@@ -181,14 +181,13 @@ struct OutlinePoint {
 pub fn points(plan: &Footprint, params: &StoneParams, id: u32) -> Vec<Vec3> {
     let (rings, dome) = profile(params, plan.size);
     let outline = outline(plan, params, id);
-    let uneven = UNEVEN * (params.distortion / 0.3).min(1.5) * joint_depth(params, plan.size);
+    let uneven = unevenness(plan, params);
     let mut points = Vec::with_capacity(RINGS * outline.len() + 1);
     for (k, ring) in rings.iter().enumerate() {
+        let scale = scale_at(params.scale, ring.displaced);
         for point in &outline {
-            let arm = arm(plan, params, point, ring);
-            let scale = scale_at(params.scale, ring.displaced).max(1.0);
-            let p = plan.centre + plan.axis * arm.x + plan.axis.perp() * arm.y;
-            let p = plan.kept_in(p, scale);
+            let arm = arm(plan, scale, point, ring);
+            let p = placed(plan, scale, arm);
             let mut z = ring.height + uneven * point.lift * ring.displaced;
             if k > 1 {
                 z -= dome * (arm / plan.half).length_squared().min(2.0);
@@ -201,6 +200,40 @@ pub fn points(plan: &Footprint, params: &StoneParams, id: u32) -> Vec<Vec3> {
     points
 }
 
+/// The corners alone of the footprint swept to a height (Miyata, Itoh, Shimada 2000, fig. 8 (a)), of which
+/// `displaced` of eq. (6) reaches them: 0 straight over the base, 1 as the top has it (fig. 8 (b)). The mesh of
+/// [`points`] stands between such corners, and has a smaller top where the scale is above 1.
+pub fn corners(
+    plan: &Footprint,
+    params: &StoneParams,
+    id: u32,
+    [height, displaced]: [f64; 2],
+) -> Vec<Vec3> {
+    let ring = RingProfile {
+        height,
+        displaced,
+        ..RingProfile::default()
+    };
+    let uneven = unevenness(plan, params) * displaced;
+    let corner = |point: &OutlinePoint| {
+        let p = placed(plan, params.scale, arm(plan, params.scale, point, &ring));
+        p.extend(height + uneven * point.lift).as_vec3()
+    };
+    let outline = outline(plan, params, id);
+    outline.iter().skip(1).step_by(3).map(corner).collect()
+}
+
+/// How far corners of the top differ in height at most, either way.
+fn unevenness(plan: &Footprint, params: &StoneParams) -> f64 {
+    UNEVEN * (params.distortion / 0.3).min(1.5) * joint_depth(params, plan.size)
+}
+
+/// The place of an arm, in the cell or in the cell enlarged by a scale above 1.
+fn placed(plan: &Footprint, scale: f64, arm: DVec2) -> DVec2 {
+    let p = plan.centre + plan.axis * arm.x + plan.axis.perp() * arm.y;
+    plan.kept_in(p, scale.max(1.0))
+}
+
 /// The scale at a ring. Above 1 it widens the foot more than the top: stones touch, and still show their
 /// joints.
 fn scale_at(scale: f64, displaced: f64) -> f64 {
@@ -208,9 +241,9 @@ fn scale_at(scale: f64, displaced: f64) -> f64 {
 }
 
 /// From the axis of the stone to a control point, along and across the footprint's principal axis.
-fn arm(plan: &Footprint, params: &StoneParams, point: &OutlinePoint, ring: &RingProfile) -> DVec2 {
+fn arm(plan: &Footprint, scale: f64, point: &OutlinePoint, ring: &RingProfile) -> DVec2 {
     let factor = 1.0 + (point.factor - 1.0) * ring.displaced;
-    let arm = (point.at - plan.centre) * scale_at(params.scale, ring.displaced) * factor;
+    let arm = (point.at - plan.centre) * scale * factor;
     // Drawn in by the same length along and across, so that joints of long cells are even.
     let inset = ring.inset + half_joint(plan.size);
     let narrow = DVec2::ONE - (inset / plan.half).min(DVec2::splat(MOST_INSET));
@@ -312,10 +345,15 @@ pub fn triangle_count(n: usize) -> usize {
 /// The triangles over the points of a stone with `n` corners, seen from above clockwise on screen.
 /// The base is open: nobody sees it.
 pub fn triangles(n: usize) -> Vec<[u32; 3]> {
+    triangles_over(RINGS, n)
+}
+
+/// The same over so many rings.
+pub fn triangles_over(rings: usize, n: usize) -> Vec<[u32; 3]> {
     let m = 3 * n;
     let at = |ring: usize, i: usize| (ring * m + i % m) as u32;
-    let mut triangles = Vec::with_capacity(triangle_count(n));
-    for ring in 0..RINGS - 1 {
+    let mut triangles = Vec::with_capacity((2 * rings - 1) * m);
+    for ring in 0..rings - 1 {
         for i in 0..m {
             let [a, b] = [at(ring, i), at(ring, i + 1)];
             let [c, d] = [at(ring + 1, i), at(ring + 1, i + 1)];
@@ -327,7 +365,7 @@ pub fn triangles(n: usize) -> Vec<[u32; 3]> {
             }
         }
     }
-    let middle = (RINGS * m) as u32;
-    triangles.extend((0..m).map(|i| [at(RINGS - 1, i), at(RINGS - 1, i + 1), middle]));
+    let middle = (rings * m) as u32;
+    triangles.extend((0..m).map(|i| [at(rings - 1, i), at(rings - 1, i + 1), middle]));
     triangles
 }

@@ -35,6 +35,7 @@ mod control;
 mod displacement;
 mod edges;
 mod footprint;
+mod making;
 mod orientation;
 mod prism;
 mod simplify;
@@ -45,13 +46,14 @@ mod subdivide;
 mod surface;
 
 pub use footprint::{Footprint, MOST_CORNERS};
+pub use making::{Making, PLAIN, Step, step, steps};
 pub use orientation::oriented;
 pub use prism::{Prism, lean};
 pub(crate) use simplify::simplify;
 pub use solids::{Solid, Solids, control_mesh};
 pub use stencil_cache::MOST_LEVELS;
 pub use subdivide::{Stencil, TriangleMesh, beta, loop_subdivide};
-pub(crate) use surface::LARGEST;
+pub(crate) use surface::{LARGEST, boundary_edges};
 pub use surface::{Surface, normals};
 
 /// The control mesh a stone begins with.

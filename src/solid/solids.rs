@@ -15,6 +15,8 @@ const STONE_LEVELS: u32 = 5;
 /// Triangles of a cell of skin for a pixel of its prism's surface, at least. Finer ones change
 /// nothing that can be seen.
 const SKIN_TRIANGLES: f64 = 0.9;
+/// The last Loop step in a making has at least so many triangles, and more for a large cell, if not so many.
+const SHOWN: [f64; 2] = [3000.0, 12_000.0];
 
 /// A stone or a cell of skin: its surface from the base up, open below.
 #[derive(Clone, Debug)]
@@ -44,6 +46,8 @@ pub struct Solids {
     pixels: f64,
     /// Triangles of each solid that are enough, where not the picture decides.
     enough: Option<usize>,
+    /// Loop steps of the solid asked for, where nothing else decides.
+    exactly: Option<u32>,
 }
 
 impl Default for Solids {
@@ -66,6 +70,7 @@ impl Solids {
             finer,
             pixels: (pixel_scale * pixel_scale) as f64,
             enough: None,
+            exactly: None,
         }
     }
 
@@ -80,6 +85,9 @@ impl Solids {
 
     /// Loop steps of a control mesh, where a picture needs `needed`.
     fn steps(&self, control: usize, needed: u32) -> u32 {
+        if let Some(exactly) = self.exactly {
+            return exactly;
+        }
         let Some(enough) = self.enough else {
             return needed;
         };
@@ -98,7 +106,16 @@ impl Solids {
         }
     }
 
-    /// The same, or nothing where only a slice of the work on its stencil could be done.
+    /// The same after exactly so many Loop steps, or after [`MOST_LEVELS`] where that is fewer. Noise of skin
+    /// ends where it does in the solid that a picture needs.
+    pub fn solid_of_level(&mut self, cell: &Cell, params: &StoneParams, level: u32) -> Solid {
+        self.exactly = Some(level.min(MOST_LEVELS));
+        let solid = self.solid(cell, params);
+        self.exactly = None;
+        solid
+    }
+
+    /// The solid of a cell, or nothing where only a slice of the work on its stencil could be done.
     pub fn solid_or_slice(&mut self, cell: &Cell, params: &StoneParams) -> Option<Solid> {
         let Some(plan) = Footprint::new(&cell.ring, cell.centre) else {
             return Some(Solid::empty());
@@ -112,8 +129,7 @@ impl Solids {
     fn stone(&mut self, plan: &Footprint, params: &StoneParams, id: u32) -> Option<Solid> {
         let corners = plan.corners.len();
         let points = control::points(plan, params, id);
-        let area = plan.size * plan.size * params.scale * params.scale;
-        let wanted = STONE_TRIANGLES * self.pixels * area;
+        let wanted = STONE_TRIANGLES * self.pixels * area(plan, params);
         let coarse = control::triangle_count(corners);
         let levels = self.steps(coarse, levels(coarse, wanted).min(STONE_LEVELS));
         let refinement = self.stencils.get(false, corners, levels)?;
@@ -167,6 +183,32 @@ pub fn control_mesh(cell: &Cell, params: &StoneParams) -> Option<TriangleMesh> {
             triangles: control::triangles(corners),
         },
     })
+}
+
+/// Loop steps until all of a cell's making is seen from near by: as many as a picture with a pixel for each unit
+/// needs, within limits; None where the cell has no area to speak of.
+pub(super) fn shown_level(cell: &Cell, params: &StoneParams) -> Option<u32> {
+    let plan = Footprint::new(&cell.ring, cell.centre)?;
+    let corners = plan.corners.len();
+    let (coarse, needed) = match params.kind {
+        StoneKind::Skin => {
+            let prism = Prism::over(&plan, cell.axis, params, cell.id);
+            (
+                prism::triangle_count(corners),
+                SKIN_TRIANGLES * prism.area(),
+            )
+        }
+        _ => (
+            control::triangle_count(corners),
+            STONE_TRIANGLES * area(&plan, params),
+        ),
+    };
+    Some(levels(coarse, needed.clamp(SHOWN[0], SHOWN[1])))
+}
+
+/// The area of a stone's base, in square picture units.
+fn area(plan: &Footprint, params: &StoneParams) -> f64 {
+    plan.size * plan.size * params.scale * params.scale
 }
 
 /// Moves vertices back into the ring: smoothing cuts across reflex corners.

@@ -2,6 +2,7 @@
 
 use super::simplify;
 use crate::notice::{Code, Notice};
+use crate::order::lesser;
 use glam::Vec3;
 
 /// A surface. Those of cells are closed: each side of a triangle is that of another one, in the other
@@ -69,6 +70,60 @@ impl Surface {
         }
         kept
     }
+}
+
+impl Surface {
+    /// Closes the base by a fan, at the level of the lowest point of the boundary.
+    pub(crate) fn cap(&mut self, boundary: &[[u32; 2]]) {
+        let on_boundary = |list: &[Vec3]| -> Vec<Vec3> {
+            boundary.iter().map(|&[a, _]| list[a as usize]).collect()
+        };
+        let ring = on_boundary(&self.positions);
+        if ring.is_empty() {
+            return;
+        }
+        let level = ring.iter().fold(f32::MAX, |low, p| lesser(low, p.z));
+        for &[a, _] in boundary {
+            self.positions[a as usize].z = level;
+        }
+        let middle = ring.iter().sum::<Vec3>() / ring.len() as f32;
+        let colour = self.colours[boundary[0][0] as usize];
+        let new = self.positions.len() as u32;
+        self.positions.push(Vec3::new(middle.x, middle.y, level));
+        self.colours.push(colour);
+        self.triangles
+            .extend(boundary.iter().map(|&[a, b]| [b, a, new]));
+    }
+}
+
+/// The edges that belong to one triangle only, in its direction.
+pub(crate) fn boundary_edges(triangles: &[[u32; 3]], vertices: usize) -> Vec<[u32; 2]> {
+    let corners = triangles.as_flattened();
+    // Corner k of the list and the next one of its triangle.
+    let side = |k: usize| [corners[k], corners[if k % 3 == 2 { k - 2 } else { k + 1 }]];
+    // The ends of the sides from each vertex, those from vertex k at starts[k] .. starts[k + 1].
+    let mut starts = vec![0usize; vertices + 1];
+    for &a in corners {
+        starts[a as usize + 1] += 1;
+    }
+    for k in 0..vertices {
+        starts[k + 1] += starts[k];
+    }
+    let mut ends = vec![0; corners.len()];
+    let mut next = starts.clone();
+    for k in 0..corners.len() {
+        let [a, b] = side(k);
+        ends[next[a as usize]] = b;
+        next[a as usize] += 1;
+    }
+    let mut open = Vec::new();
+    for [a, b] in (0..corners.len()).map(side) {
+        let b_to = starts[b as usize]..starts[b as usize + 1];
+        if !ends[b_to].contains(&a) {
+            open.push([a, b]);
+        }
+    }
+    open
 }
 
 /// Means of the normals of the triangles around each vertex, by their areas; down where there are none.

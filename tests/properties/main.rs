@@ -29,6 +29,8 @@ mod native {
     mod line_cells;
     mod lines;
     mod links;
+    mod making;
+    mod making_planes;
     mod maps;
     mod mesh_sizes;
     mod outline_rings;
