@@ -47,6 +47,8 @@ export function firstState(engine: Engine, asked: string, last: LastWork | undef
     beside: false,
     other: 'done',
     plots: false,
+    turn: false,
+    camera: undefined,
     locks: keptLocks(),
     editing: undefined,
     stage: '',
