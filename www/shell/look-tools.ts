@@ -69,12 +69,17 @@ function forward({ pointer, turn }: Parts, store: Store): void {
 
 function bind(): void {
   const press = (id: string) => () => byId(id).click();
+  const turn = (): void => {
+    // From where the focus is, the keys go on.
+    byId('turn-button').focus();
+    byId('turn-button').click();
+  };
   bindKeys(
     { keys: ['+', '=', '-'], shown: ['+', '-'], word: 'key_zoom', act: (key) => byId(key === '-' ? 'zoom-out' : 'zoom-in').click(), repeats: true },
     { keys: ['f'], word: 'key_fit', act: press('zoom-fit') },
     { keys: ['l'], word: 'key_light', act: press('light-button') },
     { keys: ['o'], word: 'key_layers', part: 'layers', act: press('layers-button') },
-    { keys: ['g'], word: 'key_slant', part: 'turn', act: press('turn-button') },
+    { keys: ['g'], word: 'key_slant', part: 'turn', act: turn },
     { keys: ['t'], word: 'key_repeat', part: 'tiles', act: press('tile-button') },
     { keys: ['v'], word: 'key_compare', part: 'compare', act: press('compare-button') },
     { keys: ['p'], word: 'key_plots', part: 'plots', act: press('plots-button') },

@@ -49,6 +49,7 @@ export function firstState(engine: Engine, asked: string, last: LastWork | undef
     plots: false,
     turn: false,
     camera: undefined,
+    body: undefined,
     locks: keptLocks(),
     editing: undefined,
     stage: '',

@@ -52,6 +52,8 @@ export interface State {
   /** The picture's bodies are seen from a slant, and where from; undefined until that was chosen. */
   readonly turn: boolean;
   readonly camera: Camera | undefined;
+  /** One body alone, while it is shown how that is made: the number and the step (`ID:STEP`), and where it is seen from. */
+  readonly body: { readonly subject: string; readonly camera: Camera } | undefined;
   /** What chance and presets leave alone: groups of parameters, and the seed. */
   readonly locks: readonly string[];
   /** The sort of figures whose points are shown; undefined while nothing is edited. */

@@ -19,6 +19,7 @@ export class PageTurntable {
       get: (key) => engine.get(key),
       camera: () => store.state.camera,
       take: (camera) => store.update({ camera }),
+      alone: (subject, camera) => store.update({ body: subject === '' ? undefined : { subject, camera } }),
       leave: () => store.update({ turn: false }),
       ended: (how, why) => this.ended(how, why),
     });
@@ -33,6 +34,7 @@ export class PageTurntable {
     const button = byId('turn-button');
     const focused = this.turntable.focused;
     if (on) clear('part');
+    else this.work.store.update({ body: undefined });
     this.turntable.toggle(on);
     // A link that opens it leaves the focus where it is.
     if (on && document.activeElement === button) this.turntable.focus();

@@ -26,6 +26,8 @@ export interface Place {
   /** Where the viewer stands; undefined where that is usual. */
   camera(): Camera | undefined;
   take(camera: Camera): void;
+  /** One body alone is shown, a step in its making (`ID:STEP`), or all again. */
+  alone?(subject: string, camera: Camera): void;
   /** Ends it; in somebody else's page nothing does. */
   leave?: () => void;
   /** There are no frames. */
@@ -131,6 +133,7 @@ export class Turntable {
     const [width, height] = [clientWidth, clientHeight].map((side) => Math.round(side * fine)) as [number, number];
     const { making, place } = this;
     const wish = { link: place.link(), subject: making.subject, camera: cameraWords(this.camera), width, height, moving: this.moving || place.held() };
+    place.alone?.(making.subject, this.camera);
     if (this.frames.want(wish)) this.state('coming');
   }
 

@@ -10,12 +10,15 @@ import { pavement, type Progress } from './pavement';
 import { pictureFile } from './picture';
 import { given, Refusal } from './refusal';
 import { slabFile, type Slab } from './slab';
+import type { TurnFilmJob, TurnJob } from './turn';
 
 /** What is to be made; `scale` is times the picture's side. */
 export type Job =
   | { file: 'svg' }
   | { file: 'gif' }
   | FilmJob
+  | TurnJob
+  | TurnFilmJob
   | MeshJob
   | { file: 'stl'; slab: Slab }
   | { file: 'picture'; scale: number }
@@ -37,6 +40,11 @@ serve(async ([link, job]: Order, progress): Promise<Answer> => {
 });
 
 async function made(link: string, job: Job, progress: Progress): Promise<Blob> {
+  if (job.file === 'turn' || job.file === 'turn-film') {
+    // These need the module that has all there is.
+    const { turnFile, turnFilm } = await import('./turn');
+    return job.file === 'turn' ? turnFile(link, job, progress) : turnFilm(link, job, progress);
+  }
   const module = await loadModule(link);
   const studio = new module.Bubblestone(link);
   const { stages = [] } = module.generators().find(({ word }) => word === studio.generator()) ?? {};
