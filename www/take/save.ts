@@ -57,8 +57,8 @@ export class SaveDialog {
     this.dialog = takeDialog(
       'save-dialog',
       t('save'),
-      ...(this.work.store.state.turn ? [turned(work, (id, word, ending, job) => this.button(id, word, ending, this.made(job, false)), () => this.dialog.close())] : []),
       row(t('picture'), t('picture_note'), ...this.pictures()),
+      ...(this.work.store.state.turn ? [turned(work, (id, word, ending, job) => this.button(id, word, ending, this.made(job, false)), () => this.dialog.close())] : []),
       ...this.offered('svg', t('cells'), t('cells_note'), this.button('save-svg', 'SVG', '.svg', this.made(() => ({ file: 'svg' }), false))),
       ...this.offered('forming', t('forming'), t('forming_note'), ...this.films()),
       row(t('maps'), t('maps_note'), ...this.maps()),

@@ -47,9 +47,9 @@ export function turned({ engine, store }: Work, offer: Offer, close: () => void)
 
 /** The button of the film: in the best file that the browser makes, or as an animation, which all can make. */
 function film(makeIt: (codecs: Codec[]) => void): HTMLElement {
-  const key = make('button', { type: 'button', class: 'key', id: 'save-turn-film', disabled: '' }, FILES.mp4);
+  const key = make('button', { type: 'button', class: 'key', id: 'save-turn-film', disabled: '' }, t('turned_film', { file: FILES.mp4 }));
   void codecsFor('turn').then((codecs) => {
-    key.textContent = codecs[0] ? FILES[codecs[0].file] : 'GIF';
+    key.textContent = t('turned_film', { file: codecs[0] ? FILES[codecs[0].file] : 'GIF' });
     key.disabled = false;
     key.addEventListener('click', () => makeIt(codecs));
   });

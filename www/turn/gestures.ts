@@ -75,6 +75,7 @@ export class Gestures {
     this.listen('contextmenu', (event) => event.preventDefault());
     // Two fingers move the viewer, not the page.
     this.listen('touchstart', (event) => event.touches.length > 1 && event.cancelable && event.preventDefault());
+    // A tap is told by its pointer.
     this.listen('click', () => undefined);
   }
 
@@ -126,7 +127,7 @@ export class Gestures {
       return;
     }
     const other = [...this.down].find(([id]) => id !== pointerId)?.[1];
-    if (other) this.pinch(before, { x, y }, other, event);
+    if (other) this.pinch(before, { x, y }, other);
     else if (this.begun) this.drag(before, { x, y }, this.begun, timeStamp, event);
     if (other || this.begun?.moves) this.down.set(pointerId, { x, y });
   }
@@ -149,7 +150,7 @@ export class Gestures {
   }
 
   /** One of two fingers moved: apart and together comes closer and goes, about each other and sideways turns, both up and down is height. */
-  private pinch(before: { x: number; y: number }, now: { x: number; y: number }, other: { x: number; y: number }, event: PointerEvent): void {
+  private pinch(before: { x: number; y: number }, now: { x: number; y: number }, other: { x: number; y: number }): void {
     const { width, height, left, top } = this.box;
     const short = Math.min(width, height);
     const apart = (p: { x: number; y: number }): number => Math.max(20, Math.hypot(p.x - other.x, p.y - other.y));
@@ -159,7 +160,6 @@ export class Gestures {
     const [right, down] = [(now.x - before.x) / 2 / short, (now.y - before.y) / 2 / short];
     const closer = nearer(this.hands.camera(), apart(before) / apart(now), middle);
     this.stand.toggleAttribute('data-held', true);
-    event.preventDefault();
     this.hands.take(turned(closer, right * ROUND + twist, down * UP, this.hands.heights()), true);
   }
 

@@ -18,7 +18,7 @@ export interface Steps {
 export class Making {
   readonly strip = make('section', { class: 'turn-making', 'aria-labelledby': 'turn-making-title' });
   private readonly steps: Steps;
-  private readonly title = make('h3', { id: 'turn-making-title' });
+  private readonly title = make('h2', { id: 'turn-making-title' });
   private readonly name = make('strong');
   private readonly count = make('span');
   private readonly note = make('p', { class: 'turn-note', 'aria-live': 'polite' });

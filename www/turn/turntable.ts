@@ -37,6 +37,9 @@ export interface Place {
 /** Where the viewer of one body stands at first: its own size is the unit there. */
 const BODY: Camera = [330, 30, 3, 35, 0, 0, 0];
 
+/** Milliseconds for which the worker is kept for the way back. */
+const KEPT = 60_000;
+
 /** The most pixels along a side. */
 const MOST = 1600;
 
@@ -46,7 +49,8 @@ export class Turntable {
   private readonly canvas = make('canvas', { 'aria-hidden': 'true' });
   private readonly stand = make('div', { class: 'turn-stand', id: 'turn', role: 'application', tabindex: '0', 'aria-label': `${t('name')}. ${t('keys')}`, 'aria-describedby': 'turn-seen' }, this.canvas);
   private readonly told = make('p', { class: 'said', id: 'turn-seen', role: 'status' });
-  private readonly working = make('p', { class: 'turn-working', role: 'status' }, t('working'));
+  private readonly bar = make('progress', { max: '1', 'aria-label': t('working') });
+  private readonly working = make('div', { class: 'turn-working' }, make('span', { role: 'status' }, t('working')), this.bar);
   private readonly making: Making;
   private readonly card: Card;
   private readonly root: HTMLElement;
@@ -55,6 +59,11 @@ export class Turntable {
   private bodies: Bodies = { count: 0, skin: false };
   private on = false;
   private moving = false;
+  /** What is shown of the latest wish, and the recipe that the frame is of. */
+  private reached: Quality | 'coming' | 'refused' = 'coming';
+  private shown = '';
+  /** Ends the worker once the turntable is off for long. */
+  private ending = 0;
   /** Where one body is seen from. */
   private beside: Camera = BODY;
   /** Counts what was pointed at: an answer that comes late is let be. */
@@ -66,9 +75,12 @@ export class Turntable {
     this.card = new Card((body) => this.how(body));
     this.frames = new Frames({
       frame: (frame, quality, bodies, latest) => this.show(frame, quality, bodies, latest),
-      working: () => undefined,
+      working: (done) => (this.bar.value = done),
       refused: () => (this.making.subject === '' ? this.state('refused') : this.all()),
-      ended: (how, why) => place.ended(how, why),
+      ended: (how, why) => {
+        this.shown = '';
+        place.ended(how, why);
+      },
     });
     this.gestures = new Gestures(
       this.stand,
@@ -96,18 +108,20 @@ export class Turntable {
     this.on = on;
     // Readers and keys do not come to what is covered.
     byId('pane').inert = on;
+    clearTimeout(this.ending);
     if (on) {
       this.sheet.append(this.root);
-      this.root.toggleAttribute('data-shown', false);
+      this.root.toggleAttribute('data-shown', this.shown === this.place.link());
       this.follow();
       return;
     }
     this.gestures.stop();
     this.making.end();
     this.card.hide();
+    this.moving = false;
     this.root.remove();
-    this.frames.end();
-    this.state('');
+    delete this.sheet.dataset['turn'];
+    this.ending = window.setTimeout(() => this.frames.end(), KEPT);
   }
 
   focus(): void {
@@ -134,7 +148,7 @@ export class Turntable {
     const { making, place } = this;
     const wish = { link: place.link(), subject: making.subject, camera: cameraWords(this.camera), width, height, moving: this.moving || place.held() };
     place.alone?.(making.subject, this.camera);
-    if (this.frames.want(wish)) this.state('coming');
+    this.state(this.frames.want(wish) ? 'coming' : this.reached);
   }
 
   private get camera(): Camera {
@@ -176,13 +190,14 @@ export class Turntable {
     canvas.getContext('bitmaprenderer')?.transferFromImageBitmap(frame);
     this.root.toggleAttribute('data-shown', true);
     if (!latest) return;
+    this.shown = this.place.link();
     this.state(quality);
     if (quality !== 'moving' && !this.moving) say(this.told, this.making.subject === '' ? seen(bodies, this.camera) : this.making.seen);
   }
 
-  private state(word: Quality | 'coming' | 'refused' | ''): void {
-    if (word) this.sheet.dataset['turn'] = word;
-    else delete this.sheet.dataset['turn'];
+  private state(word: Quality | 'coming' | 'refused'): void {
+    this.reached = word;
+    if (this.on) this.sheet.dataset['turn'] = word;
   }
 
   /** Tells the body at a place of the frame; one that is picked may be asked for more. */

@@ -10,7 +10,8 @@ import { pavement, type Progress } from './pavement';
 import { pictureFile } from './picture';
 import { given, Refusal } from './refusal';
 import { slabFile, type Slab } from './slab';
-import type { TurnFilmJob, TurnJob } from './turn';
+import { turnFile, type TurnJob } from './turn';
+import type { TurnFilmJob } from './turn-film';
 
 /** What is to be made; `scale` is times the picture's side. */
 export type Job =
@@ -40,10 +41,10 @@ serve(async ([link, job]: Order, progress): Promise<Answer> => {
 });
 
 async function made(link: string, job: Job, progress: Progress): Promise<Blob> {
-  if (job.file === 'turn' || job.file === 'turn-film') {
-    // These need the module that has all there is.
-    const { turnFile, turnFilm } = await import('./turn');
-    return job.file === 'turn' ? turnFile(link, job, progress) : turnFilm(link, job, progress);
+  if (job.file === 'turn') return turnFile(link, job, progress);
+  if (job.file === 'turn-film') {
+    const { turnFilm } = await import('./turn-film');
+    return turnFilm(link, job, progress);
   }
   const module = await loadModule(link);
   const studio = new module.Bubblestone(link);
