@@ -9,7 +9,7 @@ import { sameEverywhere } from './browsers.mjs';
 import { open } from './harness.mjs';
 import { click, digest, frames, link, message, phone, reloading, set, SMALL } from './page.mjs';
 import { opened, saved } from './saved.mjs';
-import { box, spot } from './sheet.mjs';
+import { box, drag, spot } from './sheet.mjs';
 
 /** @typedef {import('puppeteer-core').Page} Page */
 
@@ -130,6 +130,38 @@ test('the page is scrolled over it, by one finger and by the wheel', async () =>
   await stroke(120, 0);
   await page.waitForFunction((was) => document.querySelector('#turn-seen')?.textContent !== was, {}, before);
   assert.equal(await wheel(-100), false, 'the first turn of the wheel comes no closer');
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('a mouse turns it, moves its ground with Shift, and comes closer to what it points at', async () => {
+  const { page, problems, close } = await site.newPage(`${SMALL}&outline=square&camera=330,45`, { still: true });
+  await turned(page);
+  /** The body that is told at a place. */
+  const body = async ({ x, y }) => {
+    await turned(page);
+    await page.mouse.move(x + 1, y);
+    await page.mouse.move(x, y);
+    await page.waitForSelector('.turn-card:not([hidden]) strong');
+    return page.$eval('.turn-card strong', (name) => name.textContent);
+  };
+  const at = await spot(page, 0.35, 0.6);
+  const stone = await body(at);
+  assert.match(stone, /^Stone \d+$/);
+  for (let k = 0; k < 3; k += 1) await page.mouse.wheel({ deltaY: -100 });
+  assert.equal(await body(at), stone);
+  const to = { x: at.x + 80, y: at.y - 40 };
+  await page.keyboard.down('Shift');
+  await drag(page, at, to);
+  await page.mouse.up();
+  await page.keyboard.up('Shift');
+  assert.equal(await body(to), stone);
+  const { width } = await box(page, '#sheet');
+  await drag(page, to, { x: to.x + (40 / 220) * width, y: to.y + (10 / 130) * width });
+  await page.mouse.up();
+  await page.waitForFunction(() => /seen from the lower edge, 55 degrees/.test(document.querySelector('#turn-seen')?.textContent ?? ''));
+  await page.mouse.click(to.x, to.y, { count: 2 });
+  await page.waitForFunction(() => /seen from the lower right, 38 degrees/.test(document.querySelector('#turn-seen')?.textContent ?? ''));
   assert.deepEqual(problems, []);
   await close();
 });

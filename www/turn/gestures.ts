@@ -23,6 +23,18 @@ export interface Hands {
   enter(): void;
 }
 
+/** A place on the screen, in pixels. */
+interface Point {
+  readonly x: number;
+  readonly y: number;
+}
+
+/** A pointer that came down alone: where, whether it moves by now, and whether the ground rather than the viewer. */
+interface Begun extends Point {
+  readonly ground: boolean;
+  moves: boolean;
+}
+
 /** Degrees from one edge of the frame to the other. */
 const ROUND = 220;
 const UP = 130;
@@ -34,18 +46,18 @@ export const CLOSER = 1 / 1.3;
 /** A pointer that moves less than so many pixels has clicked; fingers are less steady. */
 const SLACK = { mouse: 4, touch: 9 };
 
-/** Milliseconds: a mouse rests before a body is told; the wheel and keys have stopped; a throw is as fast as its last part, and dies down. */
+/** Milliseconds: a mouse rests before a body is told; the wheel and keys have stopped; a throw is as fast as its last part, in degrees each, and dies down. */
 const REST = 120;
 const STOPPED = 220;
-const THROW = { last: 90, dies: 260, least: 0.01 };
+const THROW = { last: 90, dies: 260, least: 0.01, most: 0.2 };
 
 export class Gestures {
   private readonly stand: HTMLElement;
   private readonly hands: Hands;
   /** In a page of somebody else. */
   private readonly alone: boolean;
-  private readonly down = new Map<number, { x: number; y: number }>();
-  private begun: { x: number; y: number; moves: boolean; ground: boolean } | undefined;
+  private readonly down = new Map<number, Point>();
+  private begun: Begun | undefined;
   /** The last moves of a turn: when, and by how many degrees. */
   private trail: { at: number; round: number; up: number }[] = [];
   private flying = 0;
@@ -104,14 +116,16 @@ export class Gestures {
   }
 
   /** From the middle, in shorter sides. */
-  private spot({ clientX, clientY }: MouseEvent): Spot {
+  private spot({ x, y }: Point): Spot {
     const { left, top, width, height } = this.box;
     const short = Math.min(width, height);
-    return [(clientX - left - width / 2) / short, (clientY - top - height / 2) / short];
+    return [(x - left - width / 2) / short, (y - top - height / 2) / short];
   }
 
   private press(event: PointerEvent): void {
     const { pointerId, button, pointerType, shiftKey, clientX: x, clientY: y } = event;
+    // What still moved is caught.
+    if (this.flying || this.stopping) this.hands.take(this.hands.camera(), false);
     this.stop();
     if (pointerType !== 'touch' && button > 2) return;
     this.down.set(pointerId, { x, y });
@@ -120,7 +134,7 @@ export class Gestures {
   }
 
   private move(event: PointerEvent): void {
-    const { pointerId, pointerType, clientX: x, clientY: y, timeStamp } = event;
+    const { pointerId, pointerType, clientX: x, clientY: y } = event;
     const before = this.down.get(pointerId);
     if (!before) {
       if (pointerType === 'mouse') this.hover(event);
@@ -128,36 +142,36 @@ export class Gestures {
     }
     const other = [...this.down].find(([id]) => id !== pointerId)?.[1];
     if (other) this.pinch(before, { x, y }, other);
-    else if (this.begun) this.drag(before, { x, y }, this.begun, timeStamp, event);
+    else if (this.begun) this.drag(before, { x, y }, this.begun, event);
     if (other || this.begun?.moves) this.down.set(pointerId, { x, y });
   }
 
-  private drag(before: { x: number; y: number }, now: { x: number; y: number }, begun: { x: number; y: number; moves: boolean; ground: boolean }, at: number, event: PointerEvent): void {
+  private drag(before: Point, now: Point, begun: Begun, event: PointerEvent): void {
     const [dx, dy] = [now.x - begun.x, now.y - begun.y];
-    const touch = event.pointerType === 'touch';
+    const { timeStamp: at, pointerType } = event;
+    const touch = pointerType === 'touch';
     if (!begun.moves && Math.hypot(dx, dy) < (touch ? SLACK.touch : SLACK.mouse)) return;
     // Up and down is the page's.
     if (!begun.moves && touch && Math.abs(dy) > Math.abs(dx)) return;
     if (!begun.moves) this.stand.setPointerCapture(event.pointerId);
     this.stand.toggleAttribute('data-held', true);
     begun.moves = true;
-    const { width, height } = this.box;
-    const [right, down] = [(now.x - before.x) / Math.min(width, height), (now.y - before.y) / Math.min(width, height)];
-    if (begun.ground) return this.hands.take(dragged(this.hands.camera(), right, down), true);
+    const [from, to] = [this.spot(before), this.spot(now)];
+    const [right, down] = [to[0] - from[0], to[1] - from[1]];
+    if (begun.ground) return this.hands.take(dragged(this.hands.camera(), from, to), true);
     const [round, up] = [right * ROUND, down * UP];
     this.trail = [...this.trail.filter((one) => one.at > at - THROW.last), { at, round, up }];
     this.hands.take(turned(this.hands.camera(), round, up, this.hands.heights()), true);
   }
 
   /** One of two fingers moved: apart and together comes closer and goes, about each other and sideways turns, both up and down is height. */
-  private pinch(before: { x: number; y: number }, now: { x: number; y: number }, other: { x: number; y: number }): void {
-    const { width, height, left, top } = this.box;
-    const short = Math.min(width, height);
-    const apart = (p: { x: number; y: number }): number => Math.max(20, Math.hypot(p.x - other.x, p.y - other.y));
-    const way = (p: { x: number; y: number }): number => (Math.atan2(p.y - other.y, p.x - other.x) * 180) / Math.PI;
+  private pinch(before: Point, now: Point, other: Point): void {
+    const apart = (p: Point): number => Math.max(20, Math.hypot(p.x - other.x, p.y - other.y));
+    const way = (p: Point): number => (Math.atan2(p.y - other.y, p.x - other.x) * 180) / Math.PI;
     const twist = ((way(now) - way(before) + 540) % 360) - 180;
-    const middle: Spot = [((now.x + other.x) / 2 - left - width / 2) / short, ((now.y + other.y) / 2 - top - height / 2) / short];
-    const [right, down] = [(now.x - before.x) / 2 / short, (now.y - before.y) / 2 / short];
+    const [from, to, still] = [this.spot(before), this.spot(now), this.spot(other)];
+    const middle: Spot = [(to[0] + still[0]) / 2, (to[1] + still[1]) / 2];
+    const [right, down] = [(to[0] - from[0]) / 2, (to[1] - from[1]) / 2];
     const closer = nearer(this.hands.camera(), apart(before) / apart(now), middle);
     this.stand.toggleAttribute('data-held', true);
     this.hands.take(turned(closer, right * ROUND + twist, down * UP, this.hands.heights()), true);
@@ -183,6 +197,8 @@ export class Gestures {
     let round = last.reduce((sum, one) => sum + one.round, 0) / time;
     let up = last.reduce((sum, one) => sum + one.up, 0) / time;
     if (last.length < 2 || wantsStill()) return this.hands.take(this.hands.camera(), false);
+    const limit = Math.min(1, THROW.most / Math.max(THROW.least, Math.hypot(round, up)));
+    [round, up] = [round * limit, up * limit];
     let before = performance.now();
     const on = (now: number): void => {
       const span = Math.min(64, Math.max(0, now - before));
@@ -216,7 +232,7 @@ export class Gestures {
     const { hands } = this;
     const camera = hands.camera();
     const way = ARROWS[key];
-    if (way && shiftKey) this.soon(dragged(camera, -way[0] * KEY.drag, -way[1] * KEY.drag));
+    if (way && shiftKey) this.soon(dragged(camera, [0, 0], [-way[0] * KEY.drag, -way[1] * KEY.drag]));
     else if (way) this.soon(turned(camera, way[0] * KEY.round, -way[1] * KEY.up, hands.heights()));
     else if (key === '+' || key === '=') this.soon(nearer(camera, CLOSER));
     else if (key === '-') this.soon(nearer(camera, 1 / CLOSER));
