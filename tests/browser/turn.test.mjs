@@ -139,13 +139,18 @@ test('a mouse turns it, moves its ground with Shift, and comes closer to what it
   await turned(page);
   /** The body that is told at a place. */
   const body = async ({ x, y }) => {
+    await page.mouse.move(2, 2);
+    await page.waitForSelector('.turn-card[hidden]');
     await turned(page);
-    await page.mouse.move(x + 1, y);
     await page.mouse.move(x, y);
     await page.waitForSelector('.turn-card:not([hidden]) strong');
     return page.$eval('.turn-card strong', (name) => name.textContent);
   };
-  const at = await spot(page, 0.35, 0.6);
+  const { x, y } = await spot(page, 0.35, 0.6);
+  const at = { x: Math.round(x), y: Math.round(y) };
+  // Well inside of a stone: a pixel more or less is no other one.
+  const near = (off) => body({ x: at.x + off, y: at.y + off });
+  while ((await near(-6)) !== (await near(6))) at.x += 4;
   const stone = await body(at);
   assert.match(stone, /^Stone \d+$/);
   for (let k = 0; k < 3; k += 1) await page.mouse.wheel({ deltaY: -100 });

@@ -27,7 +27,7 @@ export const CAMERA = [[0, 360], [5, 90], [0.05, 20], [5, 100], [-2, 2], [-2, 2]
 export const HOME: Camera = [330, 38, 1.6, 35, 0, 0, 0];
 
 /** Decimals that a link has of each number. */
-const DIGITS = [1, 1, 3, 1, 3, 3, 3];
+const DIGITS = [1, 1, 3, 1, 4, 4, 4];
 
 /** What the words ask for, and what of it is mended or left out. */
 export function read(words: string, sights: Sights): { viewing: Viewing; faults: Fault[] } {

@@ -63,6 +63,7 @@ export class Gestures {
   private flying = 0;
   private stopping = 0;
   private resting = 0;
+  private telling = false;
   /** The wheel came closer since the pointer came. */
   private wheeled = false;
 
@@ -252,14 +253,19 @@ export class Gestures {
 
   private hover({ clientX, clientY }: PointerEvent): void {
     clearTimeout(this.resting);
-    this.resting = window.setTimeout(() => {
+    const tell = (): void => {
       const { left, top, width, height } = this.box;
+      this.telling = true;
       this.hands.over((clientX - left) / width, (clientY - top) / height);
-    }, REST);
+    };
+    // Once one body is told, others follow the pointer.
+    if (this.telling) tell();
+    else this.resting = window.setTimeout(tell, REST);
   }
 
   private rest(): void {
     clearTimeout(this.resting);
+    this.telling = false;
     this.hands.over();
   }
 }

@@ -104,7 +104,7 @@ export class Making {
     const skin = this.steps.get('stone') === 'skin';
     say(this.name, stepName(step));
     say(this.count, t('at', { n: at + 1, all: body.steps.length }));
-    say(this.note, `${stepNote(step, (key) => this.steps.get(key))} ${t(skin ? 'paper_skin' : 'paper_stone')}.`);
+    say(this.note, t('cited', { note: stepNote(step, (key) => this.steps.get(key)), paper: t(skin ? 'paper_skin' : 'paper_stone') }));
     [...this.dots.children].forEach((dot, k) => {
       if (k === at) dot.setAttribute('aria-current', 'step');
       else dot.removeAttribute('aria-current');
