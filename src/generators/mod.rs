@@ -35,7 +35,7 @@ pub struct Generator {
     /// What of its work can be looked at.
     pub views: Views,
     /// Words of the page's parts that it needs: `outline` (the editor), `probe`, `plots`, `layers`,
-    /// `tiles`, `compare`, `svg`, `mesh`, `forming`, `turn`.
+    /// `tiles`, `compare`, `turn` (its bodies seen from a slant), `svg`, `mesh`, `forming`.
     pub offers: &'static [&'static str],
     /// Makes an engine for a recipe, with all its work before it.
     pub engine: fn(&Recipe) -> Box<dyn Engine>,

@@ -20,7 +20,7 @@ const MAKE: &str = "make";
 
 /// The keys of the view: how the page shows the picture, which no recipe holds. They may stand in every
 /// link and mean nothing here (docs/parameters.md); no schema has a row of these names.
-pub const VIEW: [&str; 4] = ["view", "pace", "step", "zoom"];
+pub const VIEW: [&str; 5] = ["view", "pace", "step", "zoom", "camera"];
 
 impl Recipe {
     /// Reads a whole address, a fragment with its `#`, or a bare fragment, for one of the generators

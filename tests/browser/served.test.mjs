@@ -40,6 +40,8 @@ const parts = [
   { name: 'plots', act: (page) => click(page, '#plots-button'), of: '.plot canvas', styles: { display: 'block' }, close: '#plots-button' },
   { name: 'tile', act: (page) => click(page, '#tile-button'), of: '.tiles', styles: { position: 'absolute' } },
   { name: 'compare', act: (page) => click(page, '#compare-button'), of: '#divider', styles: { position: 'absolute', marginLeft: '0px' }, close: '#compare-button' },
+  { name: 'turn', act: (page) => click(page, '#turn-button'), of: '#sheet[data-turn=fine] .turn', styles: { position: 'absolute' }, close: '#turn-end' },
+  { name: 'frame', act: (page) => page.evaluate(() => window.bubblestone.frame()), of: '#sheet', styles: {} },
   { name: 'keys', act: (page) => click(page, '#keys-button'), of: '#keys', styles: { position: 'fixed' }, close: '#keys form button' },
   { name: 'share', act: (page) => click(page, '#share'), of: '#share-dialog', styles: { position: 'fixed', width: '560px' }, close: '[data-close]' },
   { name: 'save', act: (page) => click(page, '#save'), of: '#save-dialog', styles: { position: 'fixed', width: '560px' }, close: '[data-close]' },
@@ -86,7 +88,7 @@ test('every part that is loaded late comes, with its styles', async () => {
   await japanese.close();
   const first = firstOf(dist);
   // A film takes long, and a browser asks for one of two ways to write it: film.test.mjs has one made.
-  const late = filesOf(dist).filter((path) => path.startsWith('assets/') && !first.includes(path) && !/\/(film|mp4-muxer|webm-muxer)-/.test(path));
+  const late = filesOf(dist).filter((path) => path.startsWith('assets/') && !first.includes(path) && !/\/(film|turn-film|encoder|mp4-muxer|webm-muxer)-/.test(path));
   assert.deepEqual(late.filter((path) => !site.requests.includes(path)), [], 'not asked for');
 });
 

@@ -108,6 +108,19 @@ export const states = {
       await page.waitForFunction(() => document.querySelector('#play')?.getAttribute('data-does') === 'again' && /[1-9]/.test(document.querySelector('#beside-name span')?.textContent ?? ''), { timeout: 120_000 });
     },
   },
+  slant: { fragment: `${SMALL}&camera=330`, arrange: (page) => page.waitForSelector('#sheet[data-turn=fine]') },
+  making: {
+    fragment: `${SQUARE}&camera=330,60`,
+    arrange: async (page) => {
+      await page.waitForSelector('#sheet[data-turn=fine]');
+      await page.focus('#turn');
+      await page.keyboard.press('Enter');
+      await page.waitForSelector('#turn-how');
+      await page.keyboard.press('Enter');
+      await page.waitForSelector('.turn-making', { visible: true });
+      await page.waitForSelector('#sheet[data-turn=fine]');
+    },
+  },
   generators: { several: true },
   squares: { several: true, fragment: SQUARES, before: speaking('ja') },
   about: { arrange: click('#about-button') },

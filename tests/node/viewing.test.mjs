@@ -19,7 +19,7 @@ function moduleOf(path) {
   return import(`data:text/javascript,${encodeURIComponent(outputText)}`);
 }
 
-const SIGHTS = { bases: ['auto', 'picture', 'mesh', 'cells'], overlays: ['size', 'cells', 'mesh', 'forces'], offers: ['forming'] };
+const SIGHTS = { bases: ['auto', 'picture', 'mesh', 'cells'], overlays: ['size', 'cells', 'mesh', 'forces'], offers: ['forming', 'turn'] };
 
 /** @param {string} words */
 const read = (words) => viewing.read(words, SIGHTS);
@@ -33,6 +33,7 @@ test('a fragment is parted into its recipe and its view, and joined again', () =
     ['view=mesh', 'v=1', 'view=mesh'],
     ['%76iew=mesh&v=1', 'v=1', '%76iew=mesh'],
     ['%&views=1&step', '%&views=1', 'step'],
+    ['v=1&camera=330,38&cs=18', 'v=1&cs=18', 'camera=330,38'],
   ]) {
     assert.deepEqual(viewing.parted(fragment), { recipe, words }, fragment);
   }
@@ -51,6 +52,9 @@ test('what is written is read as it was, and what all see is not written', () =>
     'view=cells+size+cells+mesh&pace=100000',
     'step=0',
     'zoom=16,0.0313,0.9688',
+    'camera=330',
+    'camera=12.5,80',
+    'view=mesh&zoom=2,0.5,0.5&camera=330,38,1.6,35,0.25,0,-0.125',
   ]) {
     const { viewing: asked, faults } = read(words);
     assert.deepEqual(faults, [], words);
@@ -86,6 +90,11 @@ test('what is wrong is told, with what is taken instead', () => {
     ['zoom=2,a,b', '', [['zoom', '2,a,b', undefined]]],
     ['zoom=2,1,1,1', '', [['zoom', '2,1,1,1', undefined]]],
     ['zoom=2,-1,0.5', 'zoom=2,0.25,0.5', [['zoom', '2,-1,0.5', '2,0.25,0.5']]],
+    ['camera=400,2', 'camera=360,5', [['camera', '400,2', '360,5']]],
+    ['camera=0,90,99,1,3,-3', 'camera=0,90,20,5,2,-2', [['camera', '0,90,99,1,3,-3', '0,90,20,5,2,-2']]],
+    ['camera=here', '', [['camera', 'here', undefined]]],
+    ['camera=1,2,', '', [['camera', '1,2,', undefined]]],
+    ['camera=1,45,3,4,0,0,0,0', '', [['camera', '1,45,3,4,0,0,0,0', undefined]]],
   ]) {
     const found = read(/** @type {string} */ (words));
     const told = found.faults.map((/** @type {any} */ { what, given, kept }) => [what, given, kept]);
@@ -97,6 +106,17 @@ test('a zoom shows nothing beside the picture, and of two words of one key the l
   assert.equal(viewing.written(read('zoom=2,0,1').viewing), 'zoom=2,0.25,0.75');
   assert.equal(viewing.written(read('zoom=3').viewing), 'zoom=3,0.5,0.5');
   assert.equal(viewing.written(read('step=3&step=4&view=mesh&view=cells').viewing), 'view=cells&step=4');
+});
+
+test('a camera stands where it is said, else as usual', () => {
+  assert.deepEqual(read('camera').viewing.camera, [330, 38, 1.6, 35, 0, 0, 0]);
+  assert.deepEqual(read('camera=90,10,0.5').viewing.camera, [90, 10, 0.5, 35, 0, 0, 0]);
+  assert.equal(viewing.written({ camera: [330.04, 38.26, 1.60049, 35, 0.000049, 0, 0] }), 'camera=330,38.3');
+});
+
+test('what has no bodies is not seen from a slant', () => {
+  const { viewing: asked, faults } = viewing.read('camera=330&view=mesh', { ...SIGHTS, offers: [] });
+  assert.deepEqual([viewing.written(asked), faults], ['view=mesh', [{ what: 'camera', given: '330' }]]);
 });
 
 test('what is not packed in steps is not held at one', () => {

@@ -26,6 +26,7 @@ export function bindKeys(...more: Binding[]): void {
 /** The keys that mean something only on the picture, or while points are edited, with their parts; they are told in the same list. */
 const ON_PICTURE: readonly [shown: string[], word: Word, part: string][] = [
   [['← ↑ → ↓'], 'key_walk', 'probe'],
+  [['← ↑ → ↓'], 'key_orbit', 'turn'],
   [['← ↑ → ↓'], 'key_move', 'outline'],
   [['Shift'], 'key_far', 'outline'],
   [['Shift'], 'key_snap', 'outline'],

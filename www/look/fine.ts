@@ -46,11 +46,11 @@ interface Picture {
 /** Keeps the page's own picture fine, while the visitor wants that. */
 export function keepFine({ engine, store }: Work, view: View): void {
   const fine = new Fine(view.canvas, () => {
-    const { recipe, stage, held, repeat, compare, editing, zoom, fine: wanted } = store.state;
-    const isPlain = isPicture(view.words) && repeat === 1 && !compare && editing === undefined;
+    const { recipe, stage, held, repeat, compare, turn, editing, zoom, fine: wanted } = store.state;
+    const isPlain = isPicture(view.words) && repeat === 1 && !compare && !turn && editing === undefined;
     return wanted && isPlain && !held && stage === 'done' ? { link: recipe, side: engine.side(), zoom: zoom.scale } : undefined;
   });
-  store.on(['recipe', 'stage', 'held', 'view', 'overlays', 'repeat', 'compare', 'editing', 'zoom', 'fine'], () => fine.follow());
+  store.on(['recipe', 'stage', 'held', 'view', 'overlays', 'repeat', 'compare', 'turn', 'editing', 'zoom', 'fine'], () => fine.follow());
 }
 
 export class Fine {

@@ -4,6 +4,7 @@ import { byId, make } from '../base/dom';
 import { ARROWS } from '../late/arrows';
 import { shape } from '../late/svg';
 import type { Engine } from '../state/engine';
+import { HOME } from '../state/asked-view';
 import { onStep } from '../state/scale';
 import type { Store } from '../state/store';
 import type { Work } from '../state/work';
@@ -72,7 +73,7 @@ export class LightOnCanvas {
     this.keys(this.sun, (dx, dy) => ({ az: (this.number('az') + dx * TURN + 360) % 360, el: this.number('el') - dy * TURN }));
     this.keys(this.foot, (dx, dy) => ({ lx: this.number('lx') + dx * NUDGE, ly: this.number('ly') + dy * NUDGE }));
     this.keys(this.bulb, (dx, dy) => ({ lz: this.number('lz') + (dx - dy) * NUDGE }));
-    this.store.on(['recipe'], () => this.place());
+    this.store.on(['recipe', 'turn', 'camera'], () => this.place());
     for (const place of [this.layer, this.choice]) {
       place.addEventListener('keydown', ({ key }) => {
         if (key !== 'Escape') return;
@@ -96,6 +97,12 @@ export class LightOnCanvas {
     return { x: inside(this.number('lx')), y: inside(this.number('ly')) };
   }
 
+  /** How far the picture is turned under the viewer, in degrees. */
+  private round(): number {
+    const { turn, camera } = this.store.state;
+    return turn ? (camera ?? HOME)[0] : 0;
+  }
+
   private upwards(): 1 | -1 {
     return this.footAt().y < UPPER ? 1 : -1;
   }
@@ -103,7 +110,7 @@ export class LightOnCanvas {
   /** From the middle of the sheet to the pointer: where the light comes from, and how low. */
   private aim({ x, y }: Spot): void {
     const far = Math.min(Math.hypot(x - 0.5, y - 0.5) / HORIZON, 1);
-    const azimuth = (Math.atan2(y - 0.5, x - 0.5) * 180) / Math.PI;
+    const azimuth = (Math.atan2(y - 0.5, x - 0.5) * 180) / Math.PI + this.round();
     this.put({ az: (Math.round(azimuth) + 360) % 360, el: 90 - far * 90 });
   }
 
@@ -178,7 +185,8 @@ export class LightOnCanvas {
   private placeSun(): void {
     const [az, el] = [this.number('az'), this.number('el')];
     const far = HORIZON * (1 - el / 90);
-    const at = { x: 0.5 + far * Math.cos((az * Math.PI) / 180), y: 0.5 + far * Math.sin((az * Math.PI) / 180) };
+    const way = ((az - this.round()) * Math.PI) / 180;
+    const at = { x: 0.5 + far * Math.cos(way), y: 0.5 + far * Math.sin(way) };
     stand(this.sun, at, az, [0, 360], t('sun_said', { az, el }));
     this.draw(at, { x: 0.5, y: 0.5 });
   }

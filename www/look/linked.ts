@@ -2,7 +2,7 @@
 import { t } from '../words/look';
 import { wantsStill } from '../base/dom';
 import { notice } from '../base/messages';
-import { LIMITS, read, written, type Fault, type Sights } from '../state/asked-view';
+import { CAMERA, LIMITS, read, written, type Fault, type Sights } from '../state/asked-view';
 import type { State } from '../state/store';
 import type { Work } from '../state/work';
 import type { Loop } from '../picture/loop';
@@ -15,13 +15,14 @@ import { Until } from '../picture/until';
 export function show(words: string, work: Work, loop: Loop, change: (asked: Partial<State>) => void): string {
   const { engine } = work;
   const { viewing, faults } = read(words, engine.generator);
-  const { view, overlays, pace, step, zoom } = viewing;
+  const { view, overlays, pace, step, zoom, camera } = viewing;
   change({
     ...(view === undefined ? {} : { view, overlays: overlays ?? [] }),
     // Who asks for less motion keeps the own speed.
     ...(pace === undefined || wantsStill() ? {} : { pace }),
     ...(zoom === undefined ? {} : { zoom }),
     ...(step === undefined ? {} : { paused: false }),
+    ...(camera === undefined ? {} : { turn: true, camera }),
   });
   if (step !== undefined) {
     loop.until = new Until(step, (made) => {
@@ -44,6 +45,7 @@ function sentences(faults: readonly Fault[], { bases, overlays, offers }: Sights
     if (what === 'view') return t('linked_view', { given, known: bases.join(', '), end });
     if (what === 'layer') return t('linked_layer', { given, known: overlays.join(', '), end });
     if (what === 'step' && !offers.includes('forming')) return t('linked_no_steps', { end });
+    if (what === 'camera') return offers.includes('turn') ? t('linked_camera', { given, limits: CAMERA.map(([from, to]) => `${from}–${to}`).join(', '), end }) : t('linked_no_turn', { end });
     const [from, to] = LIMITS[what];
     return t(`linked_${what}`, { given, from, to, end });
   });

@@ -3,6 +3,7 @@ import type { Point, Probe } from '../module/types';
 import { t } from '../words/look';
 import { byId, make, say } from '../base/dom';
 import { ARROWS } from '../late/arrows';
+import { cellNumbers, cellRows } from '../late/cell';
 import { shape } from '../late/svg';
 import type { Engine } from '../state/engine';
 import type { Store } from '../state/store';
@@ -123,7 +124,7 @@ export class CellProbe {
     const d = cell ? ring(cell.outline, tile[0] * side, tile[1] * side) : '';
     for (const path of this.outline) path.setAttribute('d', d);
     if (!cell) return;
-    const rows = this.numbers(cell).map(([name, value]) => make('div', {}, make('span', {}, name), make('b', {}, value)));
+    const rows = cellRows(cell);
     this.card.replaceChildren(...rows);
     this.put();
   }
@@ -145,17 +146,6 @@ export class CellProbe {
     card.style.top = `${along(at.y, box.top, box.height, card.offsetHeight)}px`;
   }
 
-  private numbers(cell: Probe): [string, string][] {
-    const { size, wanted, aspect, angle, off, sides, neighbours, area } = cell;
-    const rows: [string, string][] = [[t('cell_size'), t('cell_size_of', { size: size.toFixed(1), wanted: wanted.toFixed(1) })]];
-    if (aspect > 1.005) rows.push([t('cell_aspect'), aspect.toFixed(2)]);
-    if (angle !== null && off !== null) rows.push([t('cell_angle'), t('cell_angle_of', { angle: angle.toFixed(0), off: off.toFixed(1) })]);
-    if (sides !== null) rows.push([t('cell_sides'), String(sides)]);
-    if (neighbours !== null) rows.push([t('cell_neighbours'), String(neighbours)]);
-    if (area !== null) rows.push([t('cell_area'), area.toFixed(0)]);
-    return rows;
-  }
-
   /** Arrow keys go to the next cell that way; the first one to the cell in the middle. */
   private key(event: KeyboardEvent): void {
     if (event.key === 'Escape') return this.hide();
@@ -171,7 +161,7 @@ export class CellProbe {
     if (!this.cell) return;
     const { repeat } = this.store.state;
     this.sight.reveal({ x: point[0] / side / repeat, y: point[1] / side / repeat });
-    say(byId('cell-said'), this.numbers(this.cell).map((row) => row.join(' ')).join(', '));
+    say(byId('cell-said'), cellNumbers(this.cell).map((row) => row.join(' ')).join(', '));
   }
 
   /** The next cell straight on; where there is none, one to either side of the way. */

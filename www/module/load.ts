@@ -8,6 +8,7 @@ import * as pavements from '../../pkg/bubblestone.js';
 import packed from '../../pkg/bubblestone.lzma?url';
 import { placeOf } from './generators';
 import { Unpacker } from './lzma';
+import type { Whole } from './scene';
 
 /** A module that is ready, for calls. */
 export type Module = typeof pavements;
@@ -47,6 +48,12 @@ export function moduleFor(link: string): Module | undefined {
 /** The same, once it is ready. Throws what a browser without a fitting WebAssembly or a broken connection throws. */
 export async function loadModule(link: string): Promise<Module> {
   return moduleFor(link) ?? (coming[placeOf(link)] ??= arriving(placeOf(link)));
+}
+
+/** The last module, which has all there is, once it is ready, whatever a link makes. Throws the same. */
+export async function loadWhole(): Promise<Whole> {
+  const last = SOURCES.length - 1;
+  return (ready[last] ?? (await (coming[last] ??= arriving(last)))) as Whole;
 }
 
 async function arriving(place: number): Promise<Module> {

@@ -9,7 +9,7 @@ import type { State, Store } from '../state/store';
 const SMALL = 0.9;
 
 /** What is done on the picture itself, and wants it large. */
-const ON_PICTURE = ['editing', 'light', 'compare'] as const satisfies readonly (keyof State)[];
+const ON_PICTURE = ['editing', 'light', 'compare', 'turn'] as const satisfies readonly (keyof State)[];
 
 export function keepInSight(store: Store): void {
   const frame = byId('frame');

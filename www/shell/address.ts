@@ -28,7 +28,7 @@ export class Address {
     this.undo = undo;
     const { store } = work;
     this.link = new Link((fragment, ours) => this.open(fragment, ours));
-    store.on(['recipe', 'view', 'overlays', 'pace', 'zoom', 'paused'], () => this.leave());
+    store.on(['recipe', 'view', 'overlays', 'pace', 'zoom', 'paused', 'turn', 'camera'], () => this.leave());
     store.on(['recipe'], () => {
       loop.until = undefined;
       this.write();

@@ -49,6 +49,7 @@ const OFFERED = [
   ['layers', 'layers-button'],
   ['tiles', 'tile-button'],
   ['compare', 'compare-button'],
+  ['turn', 'turn-button'],
   ['plots', 'plots-button'],
 ] as const;
 
@@ -83,7 +84,7 @@ export class App {
     const newcomer = isFirstVisit() && asked === '' && !this.still;
     this.finished = new Promise((resolve) => (this.finish = resolve));
     this.engine = new Engine(openedFirst(asked, last), (error, link) => this.crashed(error, link));
-    this.face = scriptFace(this.engine, () => this.loop.rests, () => this.forming.ahead);
+    this.face = scriptFace(this.engine, () => this.loop.rests, () => this.store.state.camera, () => this.forming.ahead);
     this.store = new Store(firstState(this.engine, asked, last));
     this.work = new Work(this.engine, this.store);
     this.scaling = new Scaling(this.work);
@@ -172,7 +173,7 @@ export class App {
     document.documentElement.dataset['offers'] = offers.join(' ');
     for (const [part, id] of OFFERED) byId(id).hidden = !offers.includes(part);
     this.leaveEditor();
-    this.store.update({ layers: false, compare: false, plots: false, repeat: 1 });
+    this.store.update({ layers: false, compare: false, plots: false, turn: false, repeat: 1 });
   }
 
   /** Whether cells were shown, or never will be. */

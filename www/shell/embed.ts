@@ -8,8 +8,9 @@ import { Engine } from '../state/engine';
 import { fragment, pageAddress } from '../state/link';
 import { read, written } from '../state/asked-view';
 import { isPicture, wantsFine } from '../state/fine';
-import { joined, parted, WHOLE } from '../state/viewing';
+import { joined, parted, WHOLE, type Camera } from '../state/viewing';
 import type { Fine } from '../look/fine';
+import type { Turntable } from '../turn/turntable';
 import { layInFrame } from '../picture/frame';
 import { Loop } from '../picture/loop';
 import { Until } from '../picture/until';
@@ -32,6 +33,9 @@ export class Embed {
   /** What makes the finished picture finer; it comes when there is time, and without it there is the picture. */
   private fine: Fine | undefined;
   private refining = !wantsFine();
+  /** Where the bodies are seen from; undefined while the picture is. */
+  private camera: Camera | undefined;
+  private turntable: Turntable | undefined;
 
   constructor() {
     const { recipe, words } = parted(fragment());
@@ -40,7 +44,7 @@ export class Embed {
       tellCrash(error, link);
     }));
     const loop = (this.loop = new Loop(engine, (stage) => this.shownAt(stage), (stage, changed) => this.drawn(stage, changed)));
-    this.scripts = scriptFace(engine, () => loop.rests);
+    this.scripts = scriptFace(engine, () => loop.rests, () => this.camera);
     byId('sheet').append(make('h1', { class: 'said' }, 'Bubblestone'), this.button, this.home);
     this.button.addEventListener('click', () => this.toggle());
     const arrivals = new Arrivals();
@@ -87,7 +91,7 @@ export class Embed {
     import('../look/fine').then(
       ({ Fine }) =>
         (this.fine = new Fine(canvas, () => {
-          const isPlain = isPicture(this.view) && engine.stage() === 'done';
+          const isPlain = isPicture(this.view) && engine.stage() === 'done' && !this.camera;
           return isPlain ? { link: engine.link(), side: engine.side(), zoom: this.zoom.scale } : undefined;
         })),
       () => undefined,
@@ -113,13 +117,40 @@ export class Embed {
     this.button.setAttribute('aria-label', word);
   }
 
+  /** Shows the bodies from a slant, or the picture again. What makes them comes later; without it there is the picture. */
+  private turn(camera: Camera | undefined): void {
+    this.camera = camera;
+    const show = (): void => {
+      this.button.hidden = this.camera !== undefined;
+      this.turntable?.toggle(this.camera !== undefined);
+      this.turntable?.follow();
+    };
+    if (!camera || this.turntable) return show();
+    import('../turn/turntable').then(
+      ({ Turntable }) => {
+        const { engine } = this;
+        this.turntable ??= new Turntable({
+          link: () => engine.link(),
+          held: () => false,
+          get: (key) => engine.get(key),
+          camera: () => this.camera,
+          take: (now) => (this.camera = now),
+          ended: () => this.turn(undefined),
+        });
+        show();
+      },
+      () => undefined,
+    );
+  }
+
   private opened(words: string): void {
     const { engine, loop } = this;
     const { viewing } = read(words, engine.generator);
-    const { view = 'auto', overlays = [], pace = 1, step, zoom = WHOLE } = viewing;
+    const { view = 'auto', overlays = [], pace = 1, step, zoom = WHOLE, camera } = viewing;
     this.view = [view, ...overlays].join('+');
     this.home.href = pageAddress(joined(engine.link(), written(viewing)));
     layInFrame(byId('sheet'), (this.zoom = zoom));
+    this.turn(camera);
     this.fine?.follow();
     loop.stepsPerFrame = this.still ? Number.MAX_SAFE_INTEGER : pace;
     if (step !== undefined) {

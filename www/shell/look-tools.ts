@@ -7,7 +7,7 @@ import type { Store } from '../state/store';
 import type { Parts } from './parts';
 
 /** What may stand beside or over the picture. */
-type Tool = 'light' | 'layers' | 'compare' | 'plots';
+type Tool = 'light' | 'layers' | 'compare' | 'plots' | 'turn';
 
 interface Shown {
   /** Is called whenever the tool is shown or goes. */
@@ -18,16 +18,22 @@ const REPEATS = 3;
 
 /** `leave` ends the editing on the picture. */
 export function makeLookTools(store: Store, parts: Parts, leave: () => void): void {
-  forward(parts.pointer);
+  forward(parts, store);
   store.on(['zoom'], () => void parts.pointer.load());
   tool(store, 'light', parts.light);
   tool(store, 'layers', parts.layers);
   tool(store, 'compare', parts.compare);
   tool(store, 'plots', parts.plots);
+  tool(store, 'turn', parts.turn);
+  store.on(['turn'], ({ turn }) => {
+    if (!turn) return;
+    leave();
+    store.update({ compare: false, repeat: 1 });
+  });
   byId('tile-button').addEventListener('click', () => {
     // To edit and to compare there is one picture: what was asked for last ends the others.
     leave();
-    store.update({ compare: false, repeat: (store.state.repeat % REPEATS) + 1 });
+    store.update({ compare: false, turn: false, repeat: (store.state.repeat % REPEATS) + 1 });
   });
   store.on(['repeat'], ({ repeat }) => {
     say(byId('tile-word'), t('repeat_now', { n: repeat }));
@@ -38,8 +44,8 @@ export function makeLookTools(store: Store, parts: Parts, leave: () => void): vo
 }
 
 /** What is done on the picture may come before what answers it, and is kept for that. */
-function forward(pointer: Parts['pointer']): void {
-  const zoom = (by: number) => () => pointer.ask((it) => it.zoom.step(by));
+function forward({ pointer, turn }: Parts, store: Store): void {
+  const zoom = (by: number) => () => (store.state.turn ? turn.ask((it) => it.step(by)) : pointer.ask((it) => it.zoom.step(by)));
   byId('zoom-in').addEventListener('click', zoom(1));
   byId('zoom-out').addEventListener('click', zoom(-1));
   byId('zoom-fit').addEventListener('click', zoom(0));
@@ -63,11 +69,17 @@ function forward(pointer: Parts['pointer']): void {
 
 function bind(): void {
   const press = (id: string) => () => byId(id).click();
+  const turn = (): void => {
+    // From where the focus is, the keys go on.
+    byId('turn-button').focus();
+    byId('turn-button').click();
+  };
   bindKeys(
     { keys: ['+', '=', '-'], shown: ['+', '-'], word: 'key_zoom', act: (key) => byId(key === '-' ? 'zoom-out' : 'zoom-in').click(), repeats: true },
     { keys: ['f'], word: 'key_fit', act: press('zoom-fit') },
     { keys: ['l'], word: 'key_light', act: press('light-button') },
     { keys: ['o'], word: 'key_layers', part: 'layers', act: press('layers-button') },
+    { keys: ['g'], word: 'key_slant', part: 'turn', act: turn },
     { keys: ['t'], word: 'key_repeat', part: 'tiles', act: press('tile-button') },
     { keys: ['v'], word: 'key_compare', part: 'compare', act: press('compare-button') },
     { keys: ['p'], word: 'key_plots', part: 'plots', act: press('plots-button') },

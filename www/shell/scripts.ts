@@ -1,6 +1,7 @@
 /** `window.bubblestone`: what scripts may ask the page. */
 import type { Parameter, Preset, Probe, Status } from '../module/types';
 import type { Engine } from '../state/engine';
+import type { Camera } from '../state/viewing';
 import type { Ahead } from '../picture/ahead';
 
 export interface Bubblestone {
@@ -12,6 +13,8 @@ export interface Bubblestone {
   status(): Status;
   /** The cell at a place in picture units. */
   probe(x: number, y: number): Probe | undefined;
+  /** The hash of a frame of all bodies, as large as the picture: seen from here, or from where the turntable is. */
+  frame(camera?: string): Promise<string>;
   /** Those of the generator at work. */
   readonly schema: Parameter[];
   readonly presets: Preset[];
@@ -31,8 +34,8 @@ export interface ScriptFace {
   failed(sentence?: string): void;
 }
 
-/** `rests` tells that all that was done is drawn; `ahead` is where the recipe was worked out before. */
-export function scriptFace(engine: Engine, rests: () => boolean, ahead: () => Ahead | undefined = () => undefined): ScriptFace {
+/** `rests` tells that all that was done is drawn, `camera` where bodies are seen from; `ahead` is where the recipe was worked out before. */
+export function scriptFace(engine: Engine, rests: () => boolean, camera: () => Camera | undefined, ahead: () => Ahead | undefined = () => undefined): ScriptFace {
   const waiting: { resolve: (digest: string) => void; reject: (error: Error) => void }[] = [];
   const digest = (): string => ahead()?.planes?.digest ?? engine.digest();
   const broken = (): Error => new Error('Bubblestone has stopped after an error; load the page again.');
@@ -49,6 +52,7 @@ export function scriptFace(engine: Engine, rests: () => boolean, ahead: () => Ah
       get: (key) => engine.get(key),
       status: () => ahead()?.status ?? engine.status(),
       probe: (x, y) => engine.probe([x, y]),
+      frame: async (from) => (await import('../turn/hash')).hashOf(engine.link(), from ?? camera()),
       get schema() {
         return engine.schema;
       },

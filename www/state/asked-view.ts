@@ -1,17 +1,17 @@
 /** What the words of the view in a link ask for (viewing.ts), checked, and the words for what is shown. */
-import type { Viewing, Zoomed } from './viewing';
+import type { Camera, Viewing, Zoomed } from './viewing';
 
 /** What there is to look at, of a generator. */
 export interface Sights {
   readonly bases: readonly string[];
   readonly overlays: readonly string[];
-  /** Only what is offered as a forming goes in steps. */
+  /** Only what is offered as a forming goes in steps, and only what is offered to be turned is seen from a slant. */
   readonly offers: readonly string[];
 }
 
 /** Something in a link that cannot be used as it is. */
 export interface Fault {
-  readonly what: 'view' | 'layer' | 'pace' | 'step' | 'zoom';
+  readonly what: 'view' | 'layer' | 'pace' | 'step' | 'zoom' | 'camera';
   readonly given: string;
   /** What is taken instead; without it the word is left out. */
   readonly kept?: string;
@@ -19,6 +19,15 @@ export interface Fault {
 
 /** From and to. */
 export const LIMITS = { pace: [0.01, 100_000], step: [0, 100_000], zoom: [1, 16] } as const;
+
+/** The same of each number of a camera; angles go round. */
+export const CAMERA = [[0, 360], [5, 90], [0.05, 20], [5, 100], [-2, 2], [-2, 2], [-2, 2]] as const;
+
+/** Where the viewer stands at first, and in links that do not say so. */
+export const HOME: Camera = [330, 38, 1.6, 35, 0, 0, 0];
+
+/** Decimals that a link has of each number. */
+const DIGITS = [1, 1, 3, 1, 4, 4, 4];
 
 /** What the words ask for, and what of it is mended or left out. */
 export function read(words: string, sights: Sights): { viewing: Viewing; faults: Fault[] } {
@@ -30,19 +39,29 @@ export function read(words: string, sights: Sights): { viewing: Viewing; faults:
     if (key === 'pace') viewing.pace = within(given, key, faults);
     if (key === 'step' && sights.offers.includes('forming')) viewing.step = within(given, key, faults);
     else if (key === 'step') faults.push({ what: 'step', given });
+    if (key === 'camera' && sights.offers.includes('turn')) readCamera(given, viewing, faults);
+    else if (key === 'camera') faults.push({ what: 'camera', given });
   }
   return { viewing, faults };
 }
 
 /** The words that ask for this; '' for what all see. */
-export function written({ view = 'auto', overlays = [], pace, step, zoom }: Viewing): string {
+export function written({ view = 'auto', overlays = [], pace, step, zoom, camera }: Viewing): string {
   const drawn = [view, ...overlays].join('+');
   return [
     ...(drawn === 'auto' ? [] : [`view=${drawn}`]),
     ...(pace === undefined ? [] : [`pace=${pace}`]),
     ...(step === undefined ? [] : [`step=${step}`]),
     ...(zoom && zoom.scale > 1 ? [`zoom=${[zoom.scale, zoom.x, zoom.y].map((value) => Number(value.toFixed(4))).join()}`] : []),
+    ...(camera ? [`camera=${cameraWords(camera)}`] : []),
   ].join('&');
+}
+
+/** A camera as links have it, without the last numbers where those are usual. */
+export function cameraWords(camera: Camera): string {
+  const numbers = camera.map((value, k) => Number(value.toFixed(DIGITS[k])));
+  const last = numbers.findLastIndex((value, k) => value !== HOME[k]);
+  return numbers.slice(0, Math.max(1, last + 1)).join();
 }
 
 /** The same with no place beyond the picture in the frame. */
@@ -86,6 +105,16 @@ function readZoom(given: string, viewing: Viewing, faults: Fault[]): void {
   const asked = { scale, x, y };
   if (Math.min(x, y) < 0 || Math.max(x, y) > 1) faults.push({ what: 'zoom', given, kept: written({ zoom: inFrame(asked) }).slice(5) || '1' });
   viewing.zoom = inFrame(asked);
+}
+
+/** Up to seven numbers; what is missing is usual. */
+function readCamera(given: string, viewing: Viewing, faults: Fault[]): void {
+  const numbers = given === '' ? [] : given.split(',').map(numberIn);
+  if (numbers.length > HOME.length || numbers.includes(undefined)) return void faults.push({ what: 'camera', given });
+  const asked = HOME.map((value, k) => numbers[k] ?? value);
+  const kept = CAMERA.map(([least, most], k) => Math.min(most, Math.max(least, asked[k] ?? 0))) as unknown as Camera;
+  if (kept.some((value, k) => value !== asked[k])) faults.push({ what: 'camera', given, kept: cameraWords(kept) });
+  viewing.camera = kept;
 }
 
 /** A number within the limits of its word, steps whole; undefined where it is none. */

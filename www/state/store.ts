@@ -7,7 +7,7 @@
  */
 
 import type { Preset } from '../module/types';
-import type { Zoomed } from './viewing';
+import type { Camera, Zoomed } from './viewing';
 
 export interface State {
   /** The recipe's link, without '#', as the engine writes it. */
@@ -49,6 +49,11 @@ export interface State {
   /** The stage of what stands beside the picture; 'done' while nothing does. */
   readonly other: string;
   readonly plots: boolean;
+  /** The picture's bodies are seen from a slant, and where from; undefined until that was chosen. */
+  readonly turn: boolean;
+  readonly camera: Camera | undefined;
+  /** One body alone, while it is shown how that is made: the number and the step (`ID:STEP`), and where it is seen from. */
+  readonly body: { readonly subject: string; readonly camera: Camera } | undefined;
   /** What chance and presets leave alone: groups of parameters, and the seed. */
   readonly locks: readonly string[];
   /** The sort of figures whose points are shown; undefined while nothing is edited. */

@@ -11,6 +11,9 @@ export interface Zoomed {
   readonly y: number;
 }
 
+/** Where the bodies of a picture are seen from: degrees clockwise and above the ground, sides of the picture, the lens in degrees, the target. */
+export type Camera = readonly [angle: number, height: number, distance: number, lens: number, x: number, y: number, z: number];
+
 /** How a link shows its picture; what it does not name is left as it is. */
 export interface Viewing {
   view?: string | undefined;
@@ -20,6 +23,8 @@ export interface Viewing {
   /** The packing step that is held. */
   step?: number | undefined;
   zoom?: Zoomed | undefined;
+  /** The picture is seen from a slant. */
+  camera?: Camera | undefined;
 }
 
 /** All of the picture. */
@@ -28,7 +33,7 @@ export const WHOLE: Zoomed = { scale: 1, x: 0.5, y: 0.5 };
 /** The page's own speed, and that of visitors who ask for less motion. */
 export const PACE = { usual: 3, still: 100_000 } as const;
 
-const KEYS = ['view', 'pace', 'step', 'zoom'];
+const KEYS = ['view', 'pace', 'step', 'zoom', 'camera'];
 
 /** The recipe of a fragment, and its words of the view. With such words there is always a recipe: the default one is said. */
 export function parted(fragment: string): { recipe: string; words: string } {

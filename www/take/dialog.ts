@@ -10,3 +10,23 @@ export function takeDialog(id: string, title: string, ...body: HTMLElement[]): H
   close.addEventListener('click', () => dialog.close());
   return dialog;
 }
+
+/** A choice with a name that is only read out. */
+export function select(id: string, name: string, options: Record<string, string>, value: string): HTMLSelectElement {
+  const element = make('select', { id, 'aria-label': name }, ...Object.entries(options).map(([word, text]) => make('option', { value: word }, text)));
+  element.value = value;
+  return element;
+}
+
+/** What can be taken away, what it is, and the ways to take it. */
+export function row(what: string, note: string, ...ways: HTMLElement[]): HTMLElement {
+  const count = (tag: string): number => ways.filter(({ tagName }) => tagName === tag).length;
+  // The words keep a column beside a few ways only.
+  const wide = ways.length > 3 || count('SELECT') > 1 || count('OUTPUT') > 0;
+  return make(
+    'section',
+    { class: wide ? 'take-save take-wide' : 'take-save', role: 'group', 'aria-label': what },
+    make('div', {}, make('h3', {}, what), make('p', { class: 'take-note' }, note)),
+    make('div', { class: 'take-ways' }, ...ways),
+  );
+}

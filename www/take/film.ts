@@ -8,21 +8,23 @@ import type { Store } from '../state/store';
 import type { Codec, Shape } from './files/codecs';
 import { fileOf } from './job';
 import { nameOf } from './name';
+import { seenNow } from './seen';
 import { working } from './working';
 
 /** Films as files are called by people. */
 export const FILES = { mp4: 'MP4', webm: 'WebM' };
 
-/** Makes a film of the finished picture, and hands it over. */
+/** Makes a film of the finished picture, or of a turn of the turntable, and hands it over. */
 export function makeFilm(engine: Engine, store: Store, shape: Shape, codecs: Codec[]): Promise<void> {
   const { preset, recipe } = store.state;
   const style = getComputedStyle(document.body);
   const words = { title: preset?.recipe === recipe ? preset.shown.title : '', font: style.getPropertyValue('--serif'), latin: style.getPropertyValue('--latin') };
   const work = async (task: Parameters<typeof fileOf>[2]): Promise<Blob> => {
-    if (engine.stage() !== 'done') throw new Error(engine.problem() || t('wait'));
+    if (shape !== 'turn' && engine.stage() !== 'done') throw new Error(engine.problem() || t('wait'));
+    if (shape === 'turn') return fileOf(engine.link(), { file: 'turn-film', codecs, ...seenNow(store) }, task);
     return fileOf(engine.link(), { file: 'film', codecs, shape, words }, task);
   };
-  return working(nameOf(engine, store, `-${shape}.${codecs[0]?.file ?? ''}`), work, handOver);
+  return working(nameOf(engine, store, `-${shape}.${codecs[0]?.file ?? 'gif'}`), work, handOver);
 }
 
 /** Where the system shares files, this is asked for: its sheet opens only right after a click. */

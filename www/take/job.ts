@@ -12,7 +12,7 @@ import type { Answer, Job, Order } from './files/job.worker';
 
 /** Throws a sentence where the file cannot be made. */
 export async function fileOf(link: string, job: Job, task: Task): Promise<Blob> {
-  const packs = job.file === 'picture' || job.file === 'maps' || (job.file === 'glb' && job.images);
+  const packs = job.file === 'picture' || job.file === 'turn' || job.file === 'maps' || (job.file === 'glb' && job.images);
   if (packs && typeof CompressionStream !== 'function') throw new Error(t('old'));
   const worker = new Worker(new URL('./files/job.worker.ts', import.meta.url), { type: 'module' });
   const answer = await answerOf<Answer>(worker, [link, job] satisfies Order, task);

@@ -5,15 +5,16 @@ import { notice } from '../base/messages';
 import type { Task } from '../late/task';
 import { pageAddress } from '../state/link';
 import type { Work } from '../state/work';
-import { takeDialog } from './dialog';
+import { row, select, takeDialog } from './dialog';
 import { FILES, makeFilm } from './film';
-import { codecsFor, SHAPES, type Codec, type Shape } from './files/codecs';
+import { codecsFor, type Codec, type FormingShape } from './files/codecs';
 import type { Job } from './files/job.worker';
 import { slabSize, type Slab } from './files/slab';
 import { fileOf } from './job';
 import { nameOf } from './name';
 import { signed, signedPng } from './origin';
 import { openRecipe, recipeFile } from './recipe-file';
+import { turned } from './turned';
 import { working } from './working';
 
 /** Times the picture's side, of pictures and of maps. */
@@ -24,7 +25,7 @@ const MAP_SCALES = [1, 2, 4, 8];
 const MOST = 8192;
 
 /** What was chosen last: of maps the program or the normals, and times the picture's side; of meshes the degree of detail, of films the shape. */
-const chosen: { program: string; scale: number; detail: string; shape: Shape } = { program: 'normal-opengl', scale: 1, detail: 'middle', shape: 'square' };
+const chosen: { program: string; scale: number; detail: string; shape: FormingShape } = { program: 'normal-opengl', scale: 1, detail: 'middle', shape: 'square' };
 
 /** Programs that maps are for; the first two keep the maps' own names. */
 const PROGRAMS = { 'normal-opengl': 'OpenGL (+Y)', 'normal-directx': 'DirectX (−Y)', blender: 'Blender', godot: 'Godot', unity: 'Unity', unreal: 'Unreal' };
@@ -40,6 +41,9 @@ const measures: Slab = { side: 100, base: 3, relief: 4, squares: 256 };
 const LIMITS = { side: [1, 10_000], base: [0.1, 1000], relief: [0.1, 1000] } as const;
 const GRIDS = [128, 256, 512, 1024];
 
+/** Pictures and drawings carry their link. */
+const SIGNED: readonly Job['file'][] = ['picture', 'turn', 'svg'];
+
 type Making = (task: Task) => Promise<Blob>;
 
 export class SaveDialog {
@@ -54,6 +58,7 @@ export class SaveDialog {
       'save-dialog',
       t('save'),
       row(t('picture'), t('picture_note'), ...this.pictures()),
+      ...(this.work.store.state.turn ? [turned(work, (id, word, ending, job) => this.button(id, word, ending, this.made(job, false)), () => this.dialog.close())] : []),
       ...this.offered('svg', t('cells'), t('cells_note'), this.button('save-svg', 'SVG', '.svg', this.made(() => ({ file: 'svg' }), false))),
       ...this.offered('forming', t('forming'), t('forming_note'), ...this.films()),
       row(t('maps'), t('maps_note'), ...this.maps()),
@@ -84,7 +89,7 @@ export class SaveDialog {
       if (finished && engine.stage() !== 'done') throw new Error(engine.problem() || t('wait'));
       const [link, order] = [engine.link(), job()];
       const file = await fileOf(link, order, task);
-      return order.file === 'picture' || order.file === 'svg' ? signed(file, pageAddress(link)) : file;
+      return SIGNED.includes(order.file) ? signed(file, pageAddress(link)) : file;
     };
   }
 
@@ -109,7 +114,7 @@ export class SaveDialog {
     const film = make('button', { type: 'button', class: 'key', id: 'save-film', disabled: '' }, FILES.mp4);
     const can = new Map<string, Codec[]>();
     const tell = (): void => {
-      chosen.shape = shape.value as Shape;
+      chosen.shape = shape.value as FormingShape;
       const [codec] = can.get(shape.value) ?? [];
       film.disabled = !codec;
       film.textContent = FILES[codec?.file ?? 'mp4'];
@@ -119,7 +124,7 @@ export class SaveDialog {
       this.dialog.close();
       void makeFilm(engine, store, chosen.shape, can.get(chosen.shape) ?? []);
     });
-    void Promise.all((Object.keys(SHAPES) as Shape[]).map(async (word) => [word, await codecsFor(word)] as const)).then((found) => {
+    void Promise.all((['square', 'upright'] as const).map(async (word) => [word, await codecsFor(word)] as const)).then((found) => {
       for (const [word, codecs] of found) if (codecs.length) can.set(word, codecs);
       tell();
       if (can.size) return;
@@ -204,13 +209,6 @@ export class SaveDialog {
   }
 }
 
-/** A choice with a name that is only read out. */
-function select(id: string, name: string, options: Record<string, string>, value: string): HTMLSelectElement {
-  const element = make('select', { id, 'aria-label': name }, ...Object.entries(options).map(([word, text]) => make('option', { value: word }, text)));
-  element.value = value;
-  return element;
-}
-
 function shown(count: number): string {
   return count.toLocaleString(document.documentElement.lang);
 }
@@ -222,18 +220,6 @@ function rounded(count: number): number {
 
 function megabytes(bytes: number): string {
   return `${shown(Number((bytes / 1e6).toPrecision(2)))} MB`;
-}
-
-function row(what: string, note: string, ...ways: HTMLElement[]): HTMLElement {
-  const count = (tag: string): number => ways.filter(({ tagName }) => tagName === tag).length;
-  // The words keep a column beside a few ways only.
-  const wide = ways.length > 3 || count('SELECT') > 1 || count('OUTPUT') > 0;
-  return make(
-    'section',
-    { class: wide ? 'take-save take-wide' : 'take-save', role: 'group', 'aria-label': what },
-    make('div', {}, make('h3', {}, what), make('p', { class: 'take-note' }, note)),
-    make('div', { class: 'take-ways' }, ...ways),
-  );
 }
 
 async function shownPng(canvas: HTMLCanvasElement, link: string): Promise<Blob> {

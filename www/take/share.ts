@@ -6,7 +6,7 @@ import { viewIn } from '../words/words';
 import { make, say, wantsStill } from '../base/dom';
 import type { Engine } from '../state/engine';
 import { address, embedAddress, valuesIn } from '../state/link';
-import { written } from '../state/asked-view';
+import { HOME, written } from '../state/asked-view';
 import { joined, PACE, WHOLE, type Viewing } from '../state/viewing';
 import type { Store } from '../state/store';
 import { takeDialog } from './dialog';
@@ -30,7 +30,7 @@ export function share(engine: Engine, store: Store, canvas: HTMLCanvasElement): 
   const name = store.state.preset?.recipe === recipe ? store.state.preset.shown.title : t('own');
   const title = t('title', { name });
   const told = make('p', { class: 'take-told', role: 'status' });
-  const picture = 'share' in navigator ? pictureOf(canvas, address(recipe)) : undefined;
+  const picture = 'share' in navigator ? pictureOf(store.state.turn ? (document.querySelector<HTMLCanvasElement>('#turn canvas') ?? canvas) : canvas, address(recipe)) : undefined;
   const parts = [linkOf(engine, picture, title, told), codeOf(), embedding(title, told)];
   const viewing = seen(engine, store);
   const words = written(viewing);
@@ -41,7 +41,9 @@ export function share(engine: Engine, store: Store, canvas: HTMLCanvasElement): 
     dialog.close();
     void makeFilm(engine, store, shape, codecs);
   };
-  const alone = picture ? [filesAlone(picture, engine.generator.offers.includes('forming') ? film : undefined)] : [];
+  // On the turntable a film is a turn of it.
+  const shapes: Shape[] = store.state.turn ? ['turn'] : engine.generator.offers.includes('forming') ? ['square', 'upright'] : [];
+  const alone = picture ? [filesAlone(picture, shapes, film)] : [];
   const dialog = takeDialog('share-dialog', t('share'), ...(first ? [first] : []), ...alone, ...others);
   follow('');
   dialog.querySelector<HTMLElement>('#copy')?.focus();
@@ -54,13 +56,14 @@ async function pictureOf(canvas: HTMLCanvasElement, recipe: string): Promise<Fil
 
 /** How the picture is shown now, but for what all see of it. */
 function seen(engine: Engine, store: Store): Viewing {
-  const { view, overlays, pace, paused, stage, zoom } = store.state;
+  const { view, overlays, pace, paused, stage, zoom, turn, camera } = store.state;
   return {
     view,
     overlays,
     pace: pace === (wantsStill() ? PACE.still : PACE.usual) ? undefined : pace,
     step: paused && !isEnd(stage) && engine.generator.offers.includes('forming') ? engine.status().steps : undefined,
     zoom,
+    camera: turn ? (camera ?? HOME) : undefined,
   };
 }
 
@@ -73,12 +76,13 @@ function asSeen(viewing: Viewing, words: string, follow: (words: string) => void
   return make('div', { class: 'take-choice' }, check, make('label', { for: 'share-seen' }, t('as_seen')), note);
 }
 
-function described({ view = 'auto', overlays = [], pace, step, zoom = WHOLE }: Viewing): string {
+function described({ view = 'auto', overlays = [], pace, step, zoom = WHOLE, camera }: Viewing): string {
   const speed = document.querySelector('#speed :checked + span')?.textContent;
   return [
     ...(view === 'auto' && !overlays.length ? [] : [[viewIn(view), ...overlays.map((word) => overlayIn(word)[0])].join(' + ')]),
     ...(pace === undefined ? [] : [speed ? t('sees_speed', { speed }) : t('sees_pace', { n: pace })]),
     ...(step === undefined ? [] : [t('sees_step', { n: step })]),
+    ...(camera ? [t('sees_slant')] : []),
     ...(zoom.scale > 1 ? [`${Number(zoom.scale.toFixed(1))}×`] : []),
   ].join(t('listed'));
 }
@@ -163,7 +167,7 @@ function systemButton(urlNow: () => string, title: string, picture: Promise<File
 }
 
 /** The picture and its film by themselves, where the system's sheet takes files. */
-function filesAlone(picture: Promise<File | undefined>, film?: (shape: Shape, codecs: Codec[]) => void): HTMLElement {
+function filesAlone(picture: Promise<File | undefined>, shapes: readonly Shape[], film: (shape: Shape, codecs: Codec[]) => void): HTMLElement {
   const told = make('p', { class: 'take-told', role: 'status' });
   const row = make('div', { class: 'take-row' });
   const element = make('section', { hidden: '', id: 'share-alone' }, make('h3', {}, t('alone')), make('p', { class: 'take-note' }, t('alone_note')), row, told);
@@ -176,10 +180,10 @@ function filesAlone(picture: Promise<File | undefined>, film?: (shape: Shape, co
   const fill = async (): Promise<void> => {
     const file = await picture;
     if (file && sharesFile(file)) add('share-picture', t('picture'), () => void shareFile(file).then((failed) => say(told, failed)));
-    for (const shape of film ? (['square', 'upright'] as const) : []) {
+    for (const shape of shapes) {
       const codecs = await codecsFor(shape);
       const file = codecs[0]?.file;
-      if (file && sharesFile(new File([], `film.${file}`, { type: `video/${file}` }))) add(`share-${shape}`, t(`film_${shape}`), () => film?.(shape, codecs));
+      if (file && sharesFile(new File([], `film.${file}`, { type: `video/${file}` }))) add(`share-${shape}`, t(`film_${shape}`), () => film(shape, codecs));
     }
   };
   void fill();

@@ -69,7 +69,7 @@ pub static PAVEMENT: Generator = Generator {
         overlays: &Overlay::WORDS,
     },
     offers: &[
-        "outline", "probe", "plots", "layers", "tiles", "compare", "svg", "mesh", "forming", "turn",
+        "outline", "probe", "plots", "layers", "tiles", "compare", "turn", "svg", "mesh", "forming",
     ],
     engine: |recipe| Box::new(Pavement::new(recipe)),
 };

@@ -1,11 +1,14 @@
 //! A pavement or a hide seen from a slant: its stones as bodies on their ground.
 
 use super::Pavement;
+use crate::cells::Cell;
 use crate::generators::turntable::{Stand, Turntable};
 use crate::generators::{Clock, FrameSlice, SeenBody, TurnOrder};
-use crate::heightfield::Cutout;
+use crate::heightfield::{Cutout, Surfaces};
 use crate::notice::{Code, Notice};
-use crate::scene::{Frame, Scene};
+use crate::scene::{Body, Frame, Instance, Place, Scene};
+use crate::solid::{Making, Solids, Step, Surface};
+use glam::Vec3;
 
 /// What is on the turntable.
 #[derive(Default)]
@@ -14,8 +17,11 @@ pub(super) struct Slant {
     revision: u64,
     making: Option<Cutout>,
     scene: Option<Scene>,
-    /// Of the scenes made so far.
+    /// The step that was asked for last, of those planes, its number and its scene.
+    step: Option<(u64, (u32, usize), u64, Scene)>,
+    /// Of the scene, and of all made so far.
     number: u64,
+    count: u64,
     table: Turntable,
 }
 
@@ -74,7 +80,8 @@ impl Pavement {
             }
         }
         slant.scene = Some(making.finish());
-        slant.number += 1;
+        slant.count += 1;
+        slant.number = slant.count;
         None
     }
 
@@ -89,9 +96,22 @@ impl Pavement {
         let (Some(scene), Some(planes)) = (&slant.scene, self.planes()) else {
             return Err(Code::NotYet.into());
         };
+        let mut shown = (scene, slant.number);
+        if let Some(step) = order.step() {
+            let is_kept =
+                |kept: &(u64, (u32, usize), u64, Scene)| kept.0 == slant.revision && kept.1 == step;
+            if !slant.step.as_ref().is_some_and(is_kept) {
+                let made = self.step_scene(step).ok_or(Code::NoSuchFile)?;
+                slant.count += 1;
+                slant.step = Some((slant.revision, step, slant.count, made));
+            }
+            if let Some((_, _, number, scene)) = &slant.step {
+                shown = (scene, *number);
+            }
+        }
         let stand = Stand {
-            scene,
-            number: slant.number,
+            scene: shown.0,
+            number: shown.1,
             light: &self.working.params.finish.light,
             ground: planes.ground * planes.pixel_scale as f32 / planes.side as f32,
         };
@@ -114,7 +134,68 @@ impl Pavement {
     }
 
     /// The words of the steps in which a stone is made.
-    pub(super) fn steps_of(&self, _id: u32) -> Vec<String> {
-        Vec::new()
+    pub(super) fn steps_of(&self, id: u32) -> Vec<String> {
+        let cell = (id as usize)
+            .checked_sub(1)
+            .and_then(|k| self.scales().get(k));
+        let steps = cell.map_or(Vec::new(), |cell| self.surfaces().making(cell));
+        let word = |step: &Making| match step {
+            Making::Loop(level) => format!("loop{level}"),
+            other => other.word().to_owned(),
+        };
+        steps.iter().map(word).collect()
+    }
+
+    fn surfaces(&self) -> Surfaces {
+        let texture = self.working.params.finish.planes.texture;
+        Surfaces::new(texture, usize::MAX)
+    }
+
+    /// A step in the making of a stone, alone, with the mean distance of its cell's corners from the middle as the unit.
+    fn step_scene(&self, (id, step): (u32, usize)) -> Option<Scene> {
+        let index = (id as usize).checked_sub(1)?;
+        let (cell, planes) = (self.scales().get(index)?, self.planes()?);
+        let surfaces = self.surfaces();
+        let making = *surfaces.making(cell).get(step)?;
+        let made = surfaces.step(&mut Solids::new(), (cell, index), planes, making)?;
+        Some(alone(&made, cell))
+    }
+}
+
+/// A surface alone on the turntable, in the scale of its cell, with the lines over it.
+fn alone(step: &Step, cell: &Cell) -> Scene {
+    let far: f64 = cell.ring.iter().map(|&p| (p - cell.centre).length()).sum();
+    let unit = (cell.ring.len() as f64 / far.max(f64::MIN_POSITIVE)) as f32;
+    let middle = cell.centre.as_vec2();
+    let at = |p: &Vec3| Vec3::new(p.x - middle.x, p.z, p.y - middle.y) * unit;
+    let surface = &step.surface;
+    let upright = Surface {
+        positions: surface.positions.iter().map(at).collect(),
+        normals: surface
+            .normals
+            .iter()
+            .map(|n| Vec3::new(n.x, n.z, n.y))
+            .collect(),
+        colours: surface.colours.clone(),
+        triangles: surface
+            .triangles
+            .iter()
+            .map(|&[a, b, c]| [a, c, b])
+            .collect(),
+    };
+    Scene {
+        bodies: vec![Body::new(vec![upright], 1)],
+        instances: vec![Instance {
+            body: 0,
+            place: Place::default(),
+            id: cell.id,
+        }],
+        lines: step
+            .edges
+            .iter()
+            .map(|edge| edge.each_ref().map(at))
+            .collect(),
+        reach: 0.5,
+        ..Scene::default()
     }
 }

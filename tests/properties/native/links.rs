@@ -13,7 +13,7 @@ use proptest::prelude::*;
 #[test]
 fn the_view_of_a_link_is_nothing_to_the_recipe() {
     for view in [
-        "view=mesh+forces&pace=0.25&step=12&zoom=2.5,0.31,0.62",
+        "view=mesh+forces&pace=0.25&step=12&zoom=2.5,0.31,0.62&camera=330,38",
         "VIEW=nonsense&Step=&zoom&%70ace=-1&step=12&step=13",
     ] {
         for link in [

@@ -3,8 +3,11 @@
 import type { Matrix } from './planes';
 
 /** The shapes of a film, in pixels: even, as codecs have it. */
-export const SHAPES = { square: { width: 1080, height: 1080 }, upright: { width: 1080, height: 1920 } };
+export const SHAPES = { square: { width: 1080, height: 1080 }, upright: { width: 1080, height: 1920 }, turn: { width: 720, height: 720 } };
 export type Shape = keyof typeof SHAPES;
+
+/** Those of the film of the forming. */
+export type FormingShape = Exclude<Shape, 'turn'>;
 
 /** Frames a second. */
 export const RATE = 30;

@@ -6,7 +6,7 @@
  */
 import type { Bubblestone } from '../../../pkg/bubblestone.js';
 import type { PixelMap } from '../../module/types';
-import type { Codec, Shape } from './codecs';
+import type { Codec, FormingShape } from './codecs';
 import { bigger } from './bigger';
 import { FilmEncoder, quickest } from './encoder';
 import { framesOf, showForming, type Show } from './frames';
@@ -16,7 +16,7 @@ import { contextOf, Sheet, type Words } from './sheet';
 export interface FilmJob {
   file: 'film';
   codecs: Codec[];
-  shape: Shape;
+  shape: FormingShape;
   words: Words;
 }
 

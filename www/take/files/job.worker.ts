@@ -10,12 +10,16 @@ import { pavement, type Progress } from './pavement';
 import { pictureFile } from './picture';
 import { given, Refusal } from './refusal';
 import { slabFile, type Slab } from './slab';
+import { turnFile, type TurnJob } from './turn';
+import type { TurnFilmJob } from './turn-film';
 
 /** What is to be made; `scale` is times the picture's side. */
 export type Job =
   | { file: 'svg' }
   | { file: 'gif' }
   | FilmJob
+  | TurnJob
+  | TurnFilmJob
   | MeshJob
   | { file: 'stl'; slab: Slab }
   | { file: 'picture'; scale: number }
@@ -37,6 +41,11 @@ serve(async ([link, job]: Order, progress): Promise<Answer> => {
 });
 
 async function made(link: string, job: Job, progress: Progress): Promise<Blob> {
+  if (job.file === 'turn') return turnFile(link, job, progress);
+  if (job.file === 'turn-film') {
+    const { turnFilm } = await import('./turn-film');
+    return turnFilm(link, job, progress);
+  }
   const module = await loadModule(link);
   const studio = new module.Bubblestone(link);
   const { stages = [] } = module.generators().find(({ word }) => word === studio.generator()) ?? {};

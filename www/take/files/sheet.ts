@@ -2,7 +2,7 @@
  * What a film's frames are drawn on. On a square one the picture is all there is. On an upright one it lies over itself,
  * enlarged, out of focus and darkened, with its title below.
  */
-import { SHAPES, type Shape } from './codecs';
+import { SHAPES, type FormingShape } from './codecs';
 
 /** Where the picture lies. */
 const BOXES = { square: { x: 0, y: 0, side: 1080 }, upright: { x: 28, y: 356, side: 1024 } };
@@ -34,7 +34,7 @@ export class Sheet {
   private ground: OffscreenCanvas | undefined;
 
   constructor(
-    private readonly shape: Shape,
+    private readonly shape: FormingShape,
     private readonly words: Words,
   ) {
     this.context = contextOf(SHAPES[shape].width, SHAPES[shape].height);

@@ -1,0 +1,267 @@
+// The turntable: a picture's bodies seen from a slant.
+import assert from 'node:assert/strict';
+import { cpSync, mkdtempSync, readdirSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { after, before, test } from 'node:test';
+import { sameEverywhere } from './browsers.mjs';
+import { open } from './harness.mjs';
+import { click, digest, frames, link, message, phone, reloading, set, SMALL } from './page.mjs';
+import { opened, saved } from './saved.mjs';
+import { box, drag, spot } from './sheet.mjs';
+
+/** @typedef {import('puppeteer-core').Page} Page */
+
+/** @type {Awaited<ReturnType<typeof open>>} */
+let site;
+
+before(async () => {
+  site = await open();
+});
+
+after(() => site?.close());
+
+/** Waits until what is wished for is shown as smoothly as it can be, or as the word says. @param {Page} page */
+const turned = (page, word = 'fine') => page.waitForSelector(`#sheet[data-turn="${word}"]`);
+
+/** A frame, and how many colours it has. @param {Page} page */
+const frame = (page) =>
+  page.$eval('#turn canvas', (canvas) => {
+    const { width, height } = /** @type {HTMLCanvasElement} */ (canvas);
+    const context = /** @type {OffscreenCanvasRenderingContext2D} */ (new OffscreenCanvas(width, height).getContext('2d'));
+    context.drawImage(/** @type {HTMLCanvasElement} */ (canvas), 0, 0);
+    const pixels = new Uint32Array(context.getImageData(0, 0, width, height).data.buffer);
+    let hash = 2166136261;
+    for (const pixel of pixels) hash = Math.imul(hash ^ pixel, 16777619) >>> 0;
+    return { hash, colours: new Set(pixels).size, width, height };
+  });
+
+/** What is told of it. @param {Page} page */
+const told = (page) => page.$eval('#turn-seen', (text) => text.textContent);
+
+test('it is turned by keys, tells where it is seen from, and is no step of the recipe', async () => {
+  const { page, problems, external, close } = await site.newPage(SMALL);
+  const planes = await digest(page);
+  const recipe = await link(page);
+  await page.keyboard.press('g');
+  await turned(page);
+  const first = await frame(page);
+  assert.ok(first.colours > 100, `${first.colours} colours`);
+  const sheet = await box(page, '#sheet');
+  assert.deepEqual([first.width, first.height], [Math.round(sheet.width), Math.round(sheet.height)]);
+  assert.match(await told(page), /^\d+ stones, seen from the lower right, 38 degrees above the ground, from near\.$/);
+  assert.equal(await page.evaluate(() => document.activeElement?.id), 'turn');
+  for (const key of ['ArrowLeft', 'ArrowLeft', 'ArrowLeft', 'ArrowLeft', 'ArrowUp']) await page.keyboard.press(key);
+  await page.waitForFunction(() => /from the right, 43 degrees/.test(document.querySelector('#turn-seen')?.textContent ?? ''));
+  await turned(page);
+  const other = await frame(page);
+  assert.notEqual(other.hash, first.hash);
+  for (const key of ['+', '+', '+', '+', '+']) await page.keyboard.press(key);
+  await page.waitForFunction(() => /from close by/.test(document.querySelector('#turn-seen')?.textContent ?? ''));
+  await page.keyboard.press('Home');
+  await turned(page);
+  assert.equal((await frame(page)).hash, first.hash);
+  assert.deepEqual([await link(page), await digest(page)], [recipe, planes]);
+  assert.equal(await page.$eval('#undo', (undo) => /** @type {HTMLButtonElement} */ (undo).disabled), true);
+  // Another light is other frames.
+  await set(page, 'az', '45');
+  await turned(page);
+  assert.notEqual((await frame(page)).hash, first.hash);
+  await page.focus('#turn');
+  await page.keyboard.press('Escape');
+  assert.deepEqual(await page.evaluate(() => [document.activeElement?.id, document.querySelector('#turn')]), ['turn-button', null]);
+  assert.deepEqual([problems, external], [[], []]);
+  await close();
+});
+
+test('a link with a camera opens on the slant, and shows the same when it is loaded anew', sameEverywhere, async () => {
+  const { page, problems, close } = await site.newPage(`${SMALL}&camera=20,50,1.2`);
+  await turned(page);
+  const first = await frame(page);
+  assert.ok(await page.evaluate(() => document.activeElement === document.body), 'the focus was moved');
+  await click(page, '#share');
+  await page.waitForSelector('#share-seen');
+  await click(page, '#share-seen');
+  const shared = await page.$eval('#share-link', (field) => /** @type {HTMLInputElement} */ (field).value);
+  assert.match(shared, /&camera=20,50,1\.2$/);
+  await page.keyboard.press('Escape');
+  await reloading(page, () => page.reload());
+  await turned(page);
+  assert.deepEqual(await frame(page), first);
+  // Scripts are told the hash of the still: from there, and from elsewhere.
+  const [here, same, there] = await page.evaluate(() => Promise.all([undefined, '20,50,1.2', '200'].map((from) => /** @type {any} */ (window).bubblestone.frame(from))));
+  assert.match(here, /^[0-9a-f]{16}$/);
+  assert.deepEqual([same === here, there === here], [true, false]);
+  await click(page, '#tile-button');
+  assert.equal(await page.$('#turn'), null, 'the tile is covered');
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('the page is scrolled over it, by one finger and by the wheel', async () => {
+  const { page, problems, close } = await site.newPage(SMALL, { viewport: phone });
+  await digest(page);
+  await page.$eval('#turn-button', (button) => /** @type {HTMLElement} */ (button).click());
+  await turned(page);
+  const action = await page.$eval('#turn', (stand) => getComputedStyle(stand).touchAction);
+  assert.equal(action, 'pan-y');
+  const before = await told(page);
+  const wheel = (deltaY) =>
+    page.$eval(
+      '#turn',
+      (stand, delta) => {
+        const { left, top } = stand.getBoundingClientRect();
+        return stand.dispatchEvent(new WheelEvent('wheel', { deltaY: delta, clientX: left + 100, clientY: top + 100, bubbles: true, cancelable: true }));
+      },
+      deltaY,
+    );
+  assert.equal(await wheel(100), true, 'the wheel is kept from the page');
+  const at = await spot(page, 0.5, 0.5);
+  const stroke = async (dx, dy) => {
+    const finger = await page.touchscreen.touchStart(at.x, at.y);
+    for (let k = 1; k <= 5; k += 1) await finger.move(at.x + (k * dx) / 5, at.y + (k * dy) / 5);
+    await finger.end();
+    await frames(page, 3);
+  };
+  await stroke(0, -60);
+  assert.equal(await told(page), before);
+  await page.evaluate(() => scrollTo(0, 0));
+  await stroke(120, 0);
+  await page.waitForFunction((was) => document.querySelector('#turn-seen')?.textContent !== was, {}, before);
+  assert.equal(await wheel(-100), false, 'the first turn of the wheel comes no closer');
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('a mouse turns it, moves its ground with Shift, and comes closer to what it points at', async () => {
+  const { page, problems, close } = await site.newPage(`${SMALL}&outline=square&camera=330,45`, { still: true });
+  await turned(page);
+  /** The body that is told at a place. */
+  const body = async ({ x, y }) => {
+    await page.mouse.move(2, 2);
+    await page.waitForSelector('.turn-card[hidden]');
+    await turned(page);
+    await page.mouse.move(x, y);
+    await page.waitForSelector('.turn-card:not([hidden]) strong');
+    return page.$eval('.turn-card strong', (name) => name.textContent);
+  };
+  const { x, y } = await spot(page, 0.35, 0.6);
+  const at = { x: Math.round(x), y: Math.round(y) };
+  // Well inside of a stone: a pixel more or less is no other one.
+  const near = (off) => body({ x: at.x + off, y: at.y + off });
+  while ((await near(-6)) !== (await near(6))) at.x += 4;
+  const stone = await body(at);
+  assert.match(stone, /^Stone \d+$/);
+  for (let k = 0; k < 3; k += 1) await page.mouse.wheel({ deltaY: -100 });
+  assert.equal(await body(at), stone);
+  const to = { x: at.x + 80, y: at.y - 40 };
+  await page.keyboard.down('Shift');
+  await drag(page, at, to);
+  await page.mouse.up();
+  await page.keyboard.up('Shift');
+  assert.equal(await body(to), stone);
+  const { width } = await box(page, '#sheet');
+  await drag(page, to, { x: to.x + (40 / 220) * width, y: to.y + (10 / 130) * width });
+  await page.mouse.up();
+  await page.waitForFunction(() => /seen from the lower edge, 55 degrees/.test(document.querySelector('#turn-seen')?.textContent ?? ''));
+  await page.mouse.click(to.x, to.y, { count: 2 });
+  await page.waitForFunction(() => /seen from the lower right, 38 degrees/.test(document.querySelector('#turn-seen')?.textContent ?? ''));
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('how a stone is made goes forward and back', sameEverywhere, async () => {
+  const { page, problems, close } = await site.newPage(`${SMALL}&outline=square&camera=330,60`);
+  await turned(page);
+  const all = await frame(page);
+  await page.focus('#turn');
+  await page.keyboard.press('Enter');
+  await page.waitForSelector('#turn-how');
+  assert.match(await page.$eval('#cell-said', (text) => text.textContent), /^Stone \d+, Size [\d.]+, asked [\d.]+.*how it is made\.$/);
+  await page.keyboard.press('Enter');
+  await page.waitForSelector('.turn-making', { visible: true });
+  await turned(page);
+  const seen = [];
+  const step = async (key) => {
+    if (key) await page.keyboard.press(key);
+    await turned(page);
+    seen.push([await page.$eval('.turn-step strong', (name) => name.textContent), (await frame(page)).hash]);
+  };
+  for (const key of [undefined, '.', 'ArrowRight', 'ArrowLeft', ',']) await step(key);
+  assert.deepEqual(seen.map(([name]) => name), ['Base', 'Sweep', 'Distortion', 'Sweep', 'Base']);
+  assert.deepEqual([seen[3]?.[1], seen[4]?.[1]], [seen[1]?.[1], seen[0]?.[1]]);
+  assert.equal(new Set(seen.map(([, hash]) => hash)).size, 3);
+  const count = (await page.$$('.turn-dot')).length;
+  for (let k = 0; k < count + 2; k += 1) await page.keyboard.press('.');
+  await turned(page);
+  assert.match(await told(page), new RegExp(`^Stone \\d+, step ${count} of ${count}: Colour and light\\.$`));
+  const sentences = await page.$$eval('.turn-dot', async (dots) => {
+    const notes = [];
+    for (const dot of dots) {
+      /** @type {HTMLElement} */ (dot).click();
+      notes.push(document.querySelector('.turn-note')?.textContent ?? '');
+    }
+    return notes;
+  });
+  for (const sentence of sentences) assert.match(sentence, /\w{3}.*\. Miyata, Itoh, Shimada 2000\.$/);
+  await page.keyboard.press('Escape');
+  await turned(page);
+  assert.equal((await frame(page)).hash, all.hash);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('pictures are saved with nothing behind the bodies, and their planes', sameEverywhere, async () => {
+  const { page, problems, close } = await opened(site, `${SMALL}&camera=330`);
+  await turned(page);
+  const { name, bytes } = await saved(page, '#save-turn', { 'turn-backdrop': 'nothing' });
+  assert.equal(name, 'bubblestone-annulus-1-turn.png');
+  const { side, clear, full } = await page.evaluate(async (text) => {
+    const picture = new Image();
+    picture.src = `data:image/png;base64,${text}`;
+    await picture.decode();
+    const context = /** @type {OffscreenCanvasRenderingContext2D} */ (new OffscreenCanvas(picture.width, picture.height).getContext('2d'));
+    context.drawImage(picture, 0, 0);
+    const { data } = context.getImageData(0, 0, picture.width, picture.height);
+    const alpha = data.filter((_, k) => k % 4 === 3);
+    return { side: picture.width, clear: alpha.filter((value) => value === 0).length, full: alpha.filter((value) => value === 255).length };
+  }, Buffer.from(bytes).toString('base64'));
+  assert.equal(side, 1024);
+  assert.ok(clear > 10_000 && full > 10_000, `${clear} clear, ${full} full`);
+  const { bytes: depth } = await saved(page, '#save-turn-depth');
+  // Sides, bits, and the sort of pixels: grey.
+  const head = new DataView(depth.buffer, depth.byteOffset);
+  assert.deepEqual([head.getUint32(16), depth[24], depth[25]], [1024, 16, 0]);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('in another page it opens from its link, and lets go of the wheel', sameEverywhere, async () => {
+  const { page, problems, close } = await site.newPage(`?embed${SMALL}&camera=100,30`, { viewport: { width: 480, height: 480 } });
+  await turned(page);
+  assert.match(await told(page), /^\d+ stones, seen from the left, 30 degrees/);
+  const free = await page.$eval('#turn', (stand) => [100, -100].map((deltaY) => stand.dispatchEvent(new WheelEvent('wheel', { deltaY, bubbles: true, cancelable: true }))));
+  assert.deepEqual(free, [true, true]);
+  await page.evaluate((fragment) => (location.hash = fragment), SMALL);
+  await page.waitForFunction(() => !document.querySelector('#turn'));
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('where the module does not come, a sentence says so, and the picture stays', sameEverywhere, async () => {
+  const folder = mkdtempSync(join(tmpdir(), 'bubblestone-site-'));
+  cpSync(fileURLToPath(new URL('../../dist/', import.meta.url)), folder, { recursive: true });
+  const assets = join(folder, 'assets');
+  for (const name of readdirSync(assets).filter((each) => /^house-.*\.lzma$/.test(each))) rmSync(join(assets, name));
+  const cut = await open({ files: folder, beside: site });
+  const { page, close } = await cut.newPage(SMALL);
+  const planes = await digest(page);
+  await click(page, '#turn-button');
+  await message(page, 'alert', /could not be loaded/);
+  assert.deepEqual(await page.evaluate(() => [document.querySelector('#turn'), document.querySelector('#turn-button')?.getAttribute('aria-pressed')]), [null, 'false']);
+  assert.equal(await digest(page), planes);
+  await close();
+  await cut.close();
+  rmSync(folder, { recursive: true });
+});

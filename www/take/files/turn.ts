@@ -1,0 +1,66 @@
+/** Pictures of the turntable: a frame of its bodies, or a plane of it. */
+import { loadWhole } from '../../module/load';
+import type { SceneStudio } from '../../module/scene';
+import { BUDGET, pavement, type Progress } from './pavement';
+import { png } from './png';
+import { given } from './refusal';
+
+/** What is to be seen, all of it ('') or a step in the making of a body (`ID:STEP`), and the words of where from. */
+export interface Seen {
+  subject: string;
+  camera: string;
+}
+
+/** What is behind the bodies. */
+export type Backdrop = 'floor' | 'sky' | 'nothing';
+
+/** A square frame, or one of its planes; `scale` is times the usual side. */
+export interface TurnJob extends Seen {
+  file: 'turn';
+  plane: 'depth' | 'normal' | 'id' | undefined;
+  side: number;
+  scale: number;
+  backdrop: Backdrop;
+}
+
+/** The share of the work before the first frame. */
+export const WORKED = 0.15;
+
+/** Throws a Refusal where there is nothing to be seen. */
+export async function turnFile(link: string, { plane, side, backdrop, subject, camera }: TurnJob, progress: Progress): Promise<Blob> {
+  const studio = await studioOf(link, progress);
+  const rest = (done: number): void => progress(WORKED + (1 - WORKED) * done);
+  // Planes have no smooth edges.
+  const pixels = frameOf(studio, { subject, camera }, side, `${plane ? 'still' : 'fine'}+${backdrop}`, rest);
+  if (plane) return png(given(studio.frameMap(plane)));
+  return png(backdrop === 'nothing' ? { side, channels: 4, bits: 8, bytes: pixels } : { side, channels: 3, bits: 8, bytes: opaque(pixels) });
+}
+
+/** A recipe worked out, with its scene. Throws a Refusal where there is no picture. */
+export async function studioOf(link: string, progress: Progress): Promise<SceneStudio> {
+  const module = await loadWhole();
+  const studio = new module.Bubblestone(link);
+  const { stages = [] } = module.generators().find(({ word }) => word === studio.generator()) ?? {};
+  pavement(studio, stages, (done) => progress(WORKED * done));
+  return studio;
+}
+
+/** The pixels of a square frame. Throws a Refusal where there is nothing to be seen. */
+export function frameOf(studio: SceneStudio, { subject, camera }: Seen, side: number, how: string, progress: Progress): Uint8Array<ArrayBuffer> {
+  for (;;) {
+    const slice = given(studio.turn(subject, camera, side, side, how, BUDGET));
+    progress(slice.progress);
+    if (slice.done) return slice.pixels ?? new Uint8Array(4 * side * side);
+  }
+}
+
+/** Red, green, blue of pixels that hide all. */
+function opaque(pixels: Uint8Array): Uint8Array<ArrayBuffer> {
+  const out = new Uint8Array((pixels.length / 4) * 3);
+  for (let from = 0, to = 0; from < pixels.length; from += 4) {
+    out[to++] = pixels[from] ?? 0;
+    out[to++] = pixels[from + 1] ?? 0;
+    out[to++] = pixels[from + 2] ?? 0;
+  }
+  return out;
+}

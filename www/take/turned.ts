@@ -1,0 +1,57 @@
+/** What is taken away of the turntable: pictures of its bodies, the planes of these, and a film of one turn. */
+import { t } from '../words/take';
+import { make } from '../base/dom';
+import type { Work } from '../state/work';
+import { row, select } from './dialog';
+import { FILES, makeFilm } from './film';
+import { codecsFor, type Codec } from './files/codecs';
+import type { Job } from './files/job.worker';
+import type { Backdrop } from './files/turn';
+import { seenNow } from './seen';
+
+/** Pixels along the side of a picture, and times as many. */
+const SIDE = 1024;
+const SCALES = [1, 2, 3, 4];
+
+const PLANES = ['depth', 'normal', 'id'] as const;
+
+/** What was chosen last. */
+const chosen: { scale: string; backdrop: string } = { scale: '1', backdrop: 'floor' };
+
+type Offer = (id: string, word: string, ending: string, job: () => Job) => HTMLElement;
+
+/** The row of the dialog; `offer` makes a button for a file, `close` closes the dialog. */
+export function turned({ engine, store }: Work, offer: Offer, close: () => void): HTMLElement {
+  const sizes = Object.fromEntries(SCALES.map((scale) => [scale, t('turned_scale', { scale, n: SIDE * scale })]));
+  const size = select('turn-size', t('turned_size'), sizes, chosen.scale);
+  const behind = select('turn-backdrop', t('backdrop'), { floor: t('floor'), sky: t('sky'), nothing: t('nothing') }, chosen.backdrop);
+  size.addEventListener('change', () => (chosen.scale = size.value));
+  behind.addEventListener('change', () => (chosen.backdrop = behind.value));
+  const job = (plane: (typeof PLANES)[number] | undefined) => (): Job => {
+    const scale = Number(size.value);
+    return { file: 'turn', plane, side: SIDE * scale, scale, backdrop: behind.value as Backdrop, ...seenNow(store) };
+  };
+  return row(
+    t('turned'),
+    t('turned_note'),
+    size,
+    behind,
+    offer('save-turn', 'PNG', '-turn.png', job(undefined)),
+    ...PLANES.map((plane) => offer(`save-turn-${plane}`, t(plane), `-turn-${plane}.png`, job(plane))),
+    film((codecs) => {
+      close();
+      void makeFilm(engine, store, 'turn', codecs);
+    }),
+  );
+}
+
+/** The button of the film: in the best file that the browser makes, or as an animation, which all can make. */
+function film(makeIt: (codecs: Codec[]) => void): HTMLElement {
+  const key = make('button', { type: 'button', class: 'key', id: 'save-turn-film', disabled: '' }, t('turned_film', { file: FILES.mp4 }));
+  void codecsFor('turn').then((codecs) => {
+    key.textContent = t('turned_film', { file: codecs[0] ? FILES[codecs[0].file] : 'GIF' });
+    key.disabled = false;
+    key.addEventListener('click', () => makeIt(codecs));
+  });
+  return key;
+}

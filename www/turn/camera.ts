@@ -1,0 +1,70 @@
+/**
+ * How the viewer of the turntable moves. In the world y is up, and a picture lies in the plane of x and z with its side
+ * for a unit; the viewer looks at a target from an angle, clockwise from the picture's lower edge, and a height.
+ */
+import { CAMERA } from '../state/asked-view';
+import type { Camera } from '../state/viewing';
+
+type Vector = readonly [x: number, y: number, z: number];
+
+/** A place of the frame: from its middle to the right and down, in its shorter sides. */
+export type Spot = readonly [u: number, v: number];
+
+/** How low and how high the viewer stands, in degrees: over the ground, or about one body. */
+export type Heights = readonly [least: number, most: number];
+export const OVER_GROUND: Heights = CAMERA[1];
+export const ALL_AROUND: Heights = [-85, 90];
+
+/** What is pointed at counts up to so many distances of the target. */
+const FAR = 3;
+
+/** Seen from low, much ground is in few pixels: it does not run away from the pointer all the same. */
+const LOW = 0.3;
+
+/** Goes round by so many degrees, and up. */
+export function turned([angle, height, ...rest]: Camera, round: number, up: number, [least, most]: Heights): Camera {
+  return [(((angle + round) % 360) + 360) % 360, Math.min(most, Math.max(least, height + up)), ...rest];
+}
+
+/** So many times as far from the target; the place of the ground that is seen at a spot stays there. */
+export function nearer(camera: Camera, times: number, at?: Spot): Camera {
+  const [angle, height, distance, lens, ...target] = camera;
+  const [least, most] = CAMERA[2];
+  const next = Math.min(most, Math.max(least, distance * times));
+  const fixed = (at && ground(camera, at)) ?? target;
+  const moved = target.map((value, k) => (fixed[k] ?? 0) + ((value - (fixed[k] ?? 0)) * next) / distance) as [number, number, number];
+  return inReach([angle, height, next, lens, ...moved]);
+}
+
+/** The ground is moved under the viewer, from one spot of the frame to another; where there is sky, as if both were in the middle. */
+export function dragged(camera: Camera, from: Spot, to: Spot): Camera {
+  const [angle, height, distance, lens, x, y, z] = camera;
+  const [before, now] = [ground(camera, from), ground(camera, to)];
+  if (before && now) return inReach([angle, height, distance, lens, x + before[0] - now[0], y, z + before[2] - now[2]]);
+  const [sin, cos] = [Math.sin(radians(angle)), Math.cos(radians(angle))];
+  const unit = 2 * distance * Math.tan(radians(lens) / 2);
+  const [right, away] = [(to[0] - from[0]) * unit, ((to[1] - from[1]) * unit) / Math.max(Math.sin(radians(height)), LOW)];
+  return inReach([angle, height, distance, lens, x - cos * right + sin * away, y, z - sin * right - cos * away]);
+}
+
+/** The place of the ground at a spot; undefined where that is too far, or sky. */
+function ground(camera: Camera, [u, v]: Spot): Vector | undefined {
+  const [angle, height, distance, lens, x, y, z] = camera;
+  const [sin, cos] = [Math.sin(radians(angle)), Math.cos(radians(angle))];
+  const [rise, run] = [Math.sin(radians(height)), Math.cos(radians(height))];
+  const wide = 2 * Math.tan(radians(lens) / 2);
+  // Forward, to the right and up, as the viewer has them.
+  const ray = [sin * run + u * wide * cos - v * wide * sin * rise, -rise - v * wide * run, -cos * run + u * wide * sin + v * wide * cos * rise];
+  const [dx = 0, dy = 0, dz = 0] = ray;
+  const far = dy < 0 ? (distance * rise) / -dy : Infinity;
+  if (far > FAR * distance) return undefined;
+  return [x - sin * run * distance + far * dx, y, z + cos * run * distance + far * dz];
+}
+
+function inReach(camera: Camera): Camera {
+  return camera.map((value, k) => (k < 4 ? value : Math.min(CAMERA[k]?.[1] ?? 0, Math.max(CAMERA[k]?.[0] ?? 0, value)))) as unknown as Camera;
+}
+
+function radians(degrees: number): number {
+  return (degrees * Math.PI) / 180;
+}

@@ -1,0 +1,59 @@
+/** What is told of a body, on a card beside where it was pointed at. */
+import { t } from '../words/turn';
+import { make } from '../base/dom';
+import { cellNumbers, cellRows } from '../late/cell';
+import type { Told } from './turn.worker';
+
+/** From the pointer to the card, in pixels. */
+const GAP = 18;
+
+export class Card {
+  readonly element = make('div', { class: 'cell-card turn-card' });
+  private readonly how: (body: Told) => void;
+  /** The body that was clicked, or come to by a key: its card stays. */
+  picked: Told | undefined;
+
+  /** `how` shows how a body is made. */
+  constructor(how: (body: Told) => void) {
+    this.how = how;
+    this.element.hidden = true;
+    for (const sign of ['click', 'dblclick', 'pointerdown', 'pointermove', 'touchstart']) this.element.addEventListener(sign, (event) => event.stopPropagation());
+  }
+
+  /** Shows a body at a place, in parts of the sides; what is `picked` may be asked for more. */
+  show(body: Told, skin: boolean, x: number, y: number, picked: boolean): void {
+    const { element } = this;
+    this.picked = picked ? body : undefined;
+    element.toggleAttribute('data-picked', picked);
+    const rows = body.probe ? cellRows(body.probe) : [];
+    element.replaceChildren(make('strong', {}, called(body, skin)), ...rows);
+    if (picked && body.steps.length) {
+      const button = make('button', { type: 'button', class: 'key wordy', id: 'turn-how' }, t('how'));
+      button.addEventListener('click', () => this.how(body));
+      element.append(button);
+    }
+    element.hidden = false;
+    const box = element.parentElement?.getBoundingClientRect();
+    const along = (part: number, room: number, own: number): number => {
+      const after = part * room + GAP;
+      return Math.max(0, after + own <= room ? after : Math.max(part * room - GAP - own, 0));
+    };
+    element.style.left = `${along(x, box?.width ?? 0, element.offsetWidth)}px`;
+    element.style.top = `${along(y, box?.height ?? 0, element.offsetHeight)}px`;
+  }
+
+  hide(): void {
+    this.picked = undefined;
+    this.element.hidden = true;
+  }
+}
+
+/** The same in a sentence. */
+export function sentence(body: Told, skin: boolean): string {
+  const numbers = body.probe ? cellNumbers(body.probe).map((row) => row.join(' ')) : [];
+  return [[called(body, skin), ...numbers].join(', '), ...(body.steps.length ? [t('how_key')] : [])].join('. ');
+}
+
+function called({ id }: Told, skin: boolean): string {
+  return t(skin ? 'scale' : 'stone', { id });
+}

@@ -1,0 +1,83 @@
+/** The worker that makes the frames, as the page sees it: the latest wish goes there, frames come back. */
+import type { Notice } from '../module/types';
+import type { Bodies, Quality, Question, Said, Told, Wish } from './turn.worker';
+
+/** Gets what the worker says. */
+export interface Heard {
+  /** `latest` says that it is what was wished for last. */
+  frame(frame: ImageBitmap, quality: Quality, bodies: Bodies, latest: boolean): void;
+  working(done: number): void;
+  refused(why: Notice): void;
+  /** It could not be loaded, or it broke; there are no frames any more. */
+  ended(how: 'lost' | 'broken', why: string): void;
+}
+
+export class Frames {
+  private readonly heard: Heard;
+  private worker: Worker | undefined;
+  private last: Wish | undefined;
+  private readonly asked = new Map<number, (body: Told | undefined) => void>();
+  private questions = 0;
+
+  constructor(heard: Heard) {
+    this.heard = heard;
+  }
+
+  /** Asks for frames; true where they are other ones than before. */
+  want(wish: Omit<Wish, 'n'>): boolean {
+    const { last } = this;
+    const isSame = last && (Object.keys(wish) as (keyof typeof wish)[]).every((key) => wish[key] === last[key]);
+    if (isSame && this.worker) return false;
+    this.last = { ...wish, n: (last?.n ?? 0) + 1 };
+    this.worker ??= this.begin();
+    this.worker.postMessage(this.last satisfies Wish);
+    return true;
+  }
+
+  /** The body at a place of the last frame, in parts of its sides. */
+  bodyAt(x: number, y: number): Promise<Told | undefined> {
+    const { worker } = this;
+    if (!worker) return Promise.resolve(undefined);
+    const ask = (this.questions += 1);
+    return new Promise((resolve) => {
+      this.asked.set(ask, resolve);
+      worker.postMessage({ ask, x, y } satisfies Question);
+    });
+  }
+
+  /** Ends the worker, with all its memory. */
+  end(): void {
+    this.worker?.terminate();
+    this.worker = this.last = undefined;
+    for (const resolve of this.asked.values()) resolve(undefined);
+    this.asked.clear();
+  }
+
+  private begin(): Worker {
+    const worker = new Worker(new URL('./turn.worker.ts', import.meta.url), { type: 'module' });
+    worker.addEventListener('error', (event) => {
+      event.preventDefault();
+      this.stop('lost', event.message);
+    });
+    worker.addEventListener('message', ({ data }: MessageEvent<Said>) => this.hear(data));
+    return worker;
+  }
+
+  private hear(said: Said): void {
+    const { heard } = this;
+    if ('frame' in said) heard.frame(said.frame, said.quality, said.bodies, said.n === this.last?.n);
+    else if ('working' in said) heard.working(said.working);
+    else if ('ask' in said) {
+      this.asked.get(said.ask)?.(said.body);
+      this.asked.delete(said.ask);
+    } else if ('refused' in said) {
+      if (said.n === this.last?.n) heard.refused(said.refused);
+    } else if ('lost' in said) this.stop('lost', said.lost);
+    else this.stop('broken', said.broken);
+  }
+
+  private stop(how: 'lost' | 'broken', why: string): void {
+    this.end();
+    this.heard.ended(how, why);
+  }
+}

@@ -1,0 +1,271 @@
+/**
+ * What pointers, wheel and keys do on the turntable. It never keeps the page from being scrolled: one finger up or down
+ * and the wheel are the page's, until a finger goes sideways, or the wheel comes closer or has the focus.
+ */
+import { wantsStill } from '../base/dom';
+import { ARROWS } from '../late/arrows';
+import type { Camera } from '../state/viewing';
+import { dragged, nearer, turned, type Heights, type Spot } from './camera';
+
+/** What is done is told to these. */
+export interface Hands {
+  readonly camera: () => Camera;
+  readonly heights: () => Heights;
+  /** `moving` says that more is about to come. */
+  take(camera: Camera, moving: boolean): void;
+  home(): void;
+  leave(): void;
+  /** A click, or a finger's tap; places are in parts of the sides. */
+  tap(x: number, y: number): void;
+  /** A mouse rests there; nowhere, once it goes. */
+  over(x?: number, y?: number): void;
+  /** Enter: what is in the middle. */
+  enter(): void;
+}
+
+/** A place on the screen, in pixels. */
+interface Point {
+  readonly x: number;
+  readonly y: number;
+}
+
+/** A pointer that came down alone: where, whether it moves by now, and whether the ground rather than the viewer. */
+interface Begun extends Point {
+  readonly ground: boolean;
+  moves: boolean;
+}
+
+/** Degrees from one edge of the frame to the other. */
+const ROUND = 220;
+const UP = 130;
+
+/** Of a key: degrees, and parts of the frame; of a press of a button, times as far. */
+const KEY = { round: 10, up: 5, drag: 0.08 };
+export const CLOSER = 1 / 1.3;
+
+/** A pointer that moves less than so many pixels has clicked; fingers are less steady. */
+const SLACK = { mouse: 4, touch: 9 };
+
+/** Milliseconds: a mouse rests before a body is told; the wheel and keys have stopped; a throw is as fast as its last part, in degrees each, and dies down. */
+const REST = 120;
+const STOPPED = 220;
+const THROW = { last: 90, dies: 260, least: 0.01, most: 0.2 };
+
+export class Gestures {
+  private readonly stand: HTMLElement;
+  private readonly hands: Hands;
+  /** In a page of somebody else. */
+  private readonly alone: boolean;
+  private readonly down = new Map<number, Point>();
+  private begun: Begun | undefined;
+  /** The last moves of a turn: when, and by how many degrees. */
+  private trail: { at: number; round: number; up: number }[] = [];
+  private flying = 0;
+  private stopping = 0;
+  private resting = 0;
+  private telling = false;
+  /** The wheel came closer since the pointer came. */
+  private wheeled = false;
+
+  constructor(stand: HTMLElement, hands: Hands, alone: boolean) {
+    this.stand = stand;
+    this.hands = hands;
+    this.alone = alone;
+    this.listen('pointerdown', (event) => this.press(event));
+    this.listen('pointermove', (event) => this.move(event));
+    this.listen('pointerup', (event) => this.release(event, true));
+    this.listen('pointercancel', (event) => this.release(event, false));
+    this.listen('pointerleave', () => {
+      this.wheeled = false;
+      this.rest();
+    });
+    this.listen('wheel', (event) => this.wheel(event));
+    this.listen('keydown', (event) => this.key(event));
+    this.listen('dblclick', (event) => {
+      event.preventDefault();
+      this.hands.home();
+    });
+    this.listen('contextmenu', (event) => event.preventDefault());
+    // Two fingers move the viewer, not the page.
+    this.listen('touchstart', (event) => event.touches.length > 1 && event.cancelable && event.preventDefault());
+    // A tap is told by its pointer.
+    this.listen('click', () => undefined);
+  }
+
+  /** No motion of its own goes on. */
+  stop(): void {
+    cancelAnimationFrame(this.flying);
+    clearTimeout(this.stopping);
+    this.flying = this.stopping = 0;
+    this.rest();
+  }
+
+  /** What is done here is not for the picture below. */
+  private listen<K extends keyof HTMLElementEventMap>(sign: K, act: (event: HTMLElementEventMap[K]) => void): void {
+    this.stand.addEventListener(
+      sign,
+      (event) => {
+        if (sign !== 'keydown') event.stopPropagation();
+        act(event);
+      },
+      { passive: false },
+    );
+  }
+
+  private get box(): DOMRect {
+    return this.stand.getBoundingClientRect();
+  }
+
+  /** From the middle, in shorter sides. */
+  private spot({ x, y }: Point): Spot {
+    const { left, top, width, height } = this.box;
+    const short = Math.min(width, height);
+    return [(x - left - width / 2) / short, (y - top - height / 2) / short];
+  }
+
+  private press(event: PointerEvent): void {
+    const { pointerId, button, pointerType, shiftKey, clientX: x, clientY: y } = event;
+    // What still moved is caught.
+    if (this.flying || this.stopping) this.hands.take(this.hands.camera(), false);
+    this.stop();
+    if (pointerType !== 'touch' && button > 2) return;
+    this.down.set(pointerId, { x, y });
+    this.begun = this.down.size === 1 ? { x, y, moves: false, ground: shiftKey || button > 0 } : undefined;
+    this.trail = [];
+  }
+
+  private move(event: PointerEvent): void {
+    const { pointerId, pointerType, clientX: x, clientY: y } = event;
+    const before = this.down.get(pointerId);
+    if (!before) {
+      if (pointerType === 'mouse') this.hover(event);
+      return;
+    }
+    const other = [...this.down].find(([id]) => id !== pointerId)?.[1];
+    if (other) this.pinch(before, { x, y }, other);
+    else if (this.begun) this.drag(before, { x, y }, this.begun, event);
+    if (other || this.begun?.moves) this.down.set(pointerId, { x, y });
+  }
+
+  private drag(before: Point, now: Point, begun: Begun, event: PointerEvent): void {
+    const [dx, dy] = [now.x - begun.x, now.y - begun.y];
+    const { timeStamp: at, pointerType } = event;
+    const touch = pointerType === 'touch';
+    if (!begun.moves && Math.hypot(dx, dy) < (touch ? SLACK.touch : SLACK.mouse)) return;
+    // Up and down is the page's.
+    if (!begun.moves && touch && Math.abs(dy) > Math.abs(dx)) return;
+    if (!begun.moves) this.stand.setPointerCapture(event.pointerId);
+    this.stand.toggleAttribute('data-held', true);
+    begun.moves = true;
+    const [from, to] = [this.spot(before), this.spot(now)];
+    const [right, down] = [to[0] - from[0], to[1] - from[1]];
+    if (begun.ground) return this.hands.take(dragged(this.hands.camera(), from, to), true);
+    const [round, up] = [right * ROUND, down * UP];
+    this.trail = [...this.trail.filter((one) => one.at > at - THROW.last), { at, round, up }];
+    this.hands.take(turned(this.hands.camera(), round, up, this.hands.heights()), true);
+  }
+
+  /** One of two fingers moved: apart and together comes closer and goes, about each other and sideways turns, both up and down is height. */
+  private pinch(before: Point, now: Point, other: Point): void {
+    const apart = (p: Point): number => Math.max(20, Math.hypot(p.x - other.x, p.y - other.y));
+    const way = (p: Point): number => (Math.atan2(p.y - other.y, p.x - other.x) * 180) / Math.PI;
+    const twist = ((way(now) - way(before) + 540) % 360) - 180;
+    const [from, to, still] = [this.spot(before), this.spot(now), this.spot(other)];
+    const middle: Spot = [(to[0] + still[0]) / 2, (to[1] + still[1]) / 2];
+    const [right, down] = [(to[0] - from[0]) / 2, (to[1] - from[1]) / 2];
+    const closer = nearer(this.hands.camera(), apart(before) / apart(now), middle);
+    this.stand.toggleAttribute('data-held', true);
+    this.hands.take(turned(closer, right * ROUND + twist, down * UP, this.hands.heights()), true);
+  }
+
+  private release(event: PointerEvent, up: boolean): void {
+    if (!this.down.delete(event.pointerId)) return;
+    const { begun } = this;
+    this.begun = undefined;
+    if (this.down.size) return;
+    const held = this.stand.hasAttribute('data-held');
+    this.stand.toggleAttribute('data-held', false);
+    if (held) return this.fly(event.timeStamp);
+    if (!up || !begun || begun.ground) return;
+    const { left, top, width, height } = this.box;
+    this.hands.tap((event.clientX - left) / width, (event.clientY - top) / height);
+  }
+
+  /** A turn goes on as it was let go of, and dies down. */
+  private fly(at: number): void {
+    const last = this.trail.filter((one) => one.at > at - THROW.last);
+    const time = Math.max(16, at - (last[0]?.at ?? at));
+    let round = last.reduce((sum, one) => sum + one.round, 0) / time;
+    let up = last.reduce((sum, one) => sum + one.up, 0) / time;
+    if (last.length < 2 || wantsStill()) return this.hands.take(this.hands.camera(), false);
+    const limit = Math.min(1, THROW.most / Math.max(THROW.least, Math.hypot(round, up)));
+    [round, up] = [round * limit, up * limit];
+    let before = performance.now();
+    const on = (now: number): void => {
+      const span = Math.min(64, Math.max(0, now - before));
+      before = now;
+      const less = Math.exp(-span / THROW.dies);
+      [round, up] = [round * less, up * less];
+      const goes = Math.hypot(round, up) > THROW.least;
+      this.flying = goes ? requestAnimationFrame(on) : 0;
+      this.hands.take(turned(this.hands.camera(), round * span, up * span, this.hands.heights()), goes);
+    };
+    this.flying = requestAnimationFrame(on);
+  }
+
+  /** All the way out, and until one comes closer, the wheel scrolls the page. */
+  private wheel(event: WheelEvent): void {
+    const { deltaY, deltaMode, ctrlKey } = event;
+    const focused = this.stand.contains(document.activeElement);
+    if (!ctrlKey && !focused && !(this.wheeled || (deltaY < 0 && !this.alone))) return;
+    const lines = deltaMode === WheelEvent.DOM_DELTA_LINE ? 30 : 1;
+    const camera = this.hands.camera();
+    const next = nearer(camera, Math.exp(deltaY * lines * (ctrlKey ? 0.01 : 0.0015)), this.spot(event));
+    if (next[2] === camera[2] && !ctrlKey) return;
+    event.preventDefault();
+    this.wheeled = true;
+    this.soon(next);
+  }
+
+  private key(event: KeyboardEvent): void {
+    const { key, shiftKey, ctrlKey, metaKey, altKey } = event;
+    if (ctrlKey || metaKey || altKey) return;
+    const { hands } = this;
+    const camera = hands.camera();
+    const way = ARROWS[key];
+    if (way && shiftKey) this.soon(dragged(camera, [0, 0], [-way[0] * KEY.drag, -way[1] * KEY.drag]));
+    else if (way) this.soon(turned(camera, way[0] * KEY.round, -way[1] * KEY.up, hands.heights()));
+    else if (key === '+' || key === '=') this.soon(nearer(camera, CLOSER));
+    else if (key === '-') this.soon(nearer(camera, 1 / CLOSER));
+    else if (key === '0' || key === 'Home') hands.home();
+    else if (key === 'Escape') hands.leave();
+    else if (key === 'Enter') hands.enter();
+    else return;
+    event.preventDefault();
+  }
+
+  /** The camera moves, and perhaps on; it has stopped when nothing comes for a while. */
+  soon(camera: Camera): void {
+    this.stop();
+    this.hands.take(camera, true);
+    this.stopping = window.setTimeout(() => this.hands.take(this.hands.camera(), false), STOPPED);
+  }
+
+  private hover({ clientX, clientY }: PointerEvent): void {
+    clearTimeout(this.resting);
+    const tell = (): void => {
+      const { left, top, width, height } = this.box;
+      this.telling = true;
+      this.hands.over((clientX - left) / width, (clientY - top) / height);
+    };
+    // Once one body is told, others follow the pointer.
+    if (this.telling) tell();
+    else this.resting = window.setTimeout(tell, REST);
+  }
+
+  private rest(): void {
+    clearTimeout(this.resting);
+    this.telling = false;
+    this.hands.over();
+  }
+}

@@ -1,0 +1,37 @@
+/** What is seen on the turntable, in sentences. */
+import { isWord, t } from '../words/turn';
+import type { Camera } from '../state/viewing';
+import type { Bodies } from './turn.worker';
+
+/** From here on, in degrees, one looks from above. */
+const ABOVE = 80;
+
+/** Nearer and farther than so many sides of the picture. */
+const FAR = { near: 0.7, far: 2.6 };
+
+const SIDES = ['side_0', 'side_1', 'side_2', 'side_3', 'side_4', 'side_5', 'side_6', 'side_7'] as const;
+
+/** All bodies, and where they are seen from. */
+export function seen({ count, skin }: Bodies, [angle, height, distance]: Camera): string {
+  const what = t(skin ? 'scales' : 'stones', { n: count });
+  const far = t(distance < FAR.near ? 'near' : distance > FAR.far ? 'far' : 'middle');
+  if (height >= ABOVE) return t('seen_above', { what, far });
+  const side = t(SIDES[Math.round(angle / 45) % 8] ?? 'side_0');
+  return t('seen', { what, side, height: Math.round(height), far });
+}
+
+/** The name of a step in the making of a body; its own word where there is none. */
+export function stepName(step: string): string {
+  const [, word = step, n = ''] = /^([a-z]+?)(\d*)$/.exec(step) ?? [];
+  const key = `step_${word}`;
+  return isWord(key) ? t(key, { n }) : step;
+}
+
+/** What is done in it, with the recipe's own numbers; '' where there is no sentence. */
+export function stepNote(step: string, get: (key: string) => string): string {
+  const form = get('stone');
+  const word = step.replace(/\d+$/, '');
+  const key = [`${form}_${word}`, `${form === 'skin' ? 'skin' : 'stone'}_${word}`].find(isWord);
+  const values = ['sv', 'hs', 'sr', 'sc', 'tc', 'dr', 'bh', 'bv', 'af', 'fd'].map((name) => [name, get(name)]);
+  return key === undefined ? '' : t(key, Object.fromEntries(values) as Record<string, string>);
+}

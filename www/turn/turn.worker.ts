@@ -1,0 +1,235 @@
+/**
+ * Works a recipe out once more, with the module that has all there is, and makes frames of its bodies as the page wishes.
+ *
+ * Only the latest wish counts. While something moves there are coarse frames of few pixels, each of which is finished:
+ * else none ever would be. What rests gets a coarse frame, then one of all pixels, then one that is smooth; a newer wish
+ * ends these.
+ */
+import { reasonOf } from '../base/errors';
+import { keepModules, loadWhole } from '../module/load';
+import type { SceneStudio } from '../module/scene';
+import { isEnd, progressOf } from '../module/stages';
+import type { Notice, Probe } from '../module/types';
+
+/** What is to be seen. */
+export interface Wish {
+  /** Counts them. */
+  n: number;
+  link: string;
+  /** All of the picture (''), or a step in the making of a body (`ID:STEP`). */
+  subject: string;
+  camera: string;
+  width: number;
+  height: number;
+  /** The next wish will come soon. */
+  moving: boolean;
+}
+
+/** Which body is at a place of the frame, in parts of its sides. */
+export interface Question {
+  ask: number;
+  x: number;
+  y: number;
+}
+
+/** A body: its number, what is told of its cell, and the words of the steps in its making. */
+export interface Told {
+  id: number;
+  probe: Probe | undefined;
+  steps: string[];
+}
+
+/** How many bodies there are, and of what sort. */
+export interface Bodies {
+  count: number;
+  skin: boolean;
+}
+
+export type Quality = 'moving' | 'still' | 'fine';
+
+export type Said =
+  | { frame: ImageBitmap; n: number; quality: Quality; bodies: Bodies }
+  /** How far the recipe is worked out, 0..1. */
+  | { working: number }
+  | { ask: number; body: Told | undefined }
+  /** There is no picture, or no such subject. */
+  | { refused: Notice; n: number }
+  | { lost: string }
+  | { broken: string };
+
+/** Milliseconds of work in one call, and more packing steps than fit into that. */
+const BUDGET = 12;
+const STEPS = 100_000;
+
+/** So long a recipe is worked on, in milliseconds, before a newer one ends that. */
+const PATIENCE = 400;
+
+/** Pixels for one of a moving frame, along a side, and the milliseconds that such a frame may take. */
+const COARSE = { least: 2, most: 5, slow: 140, quick: 45 };
+
+const LADDER: readonly Quality[] = ['moving', 'still', 'fine'];
+
+const { port1, port2 } = new MessageChannel();
+
+/** Lets messages come in. */
+function pause(): Promise<void> {
+  return new Promise((resolve) => {
+    port2.onmessage = () => resolve();
+    port1.postMessage(0);
+  });
+}
+
+class Turner {
+  /** The latest that is not fulfilled. */
+  wish: Wish | undefined;
+  private readonly studio: SceneStudio;
+  private readonly stages: readonly string[];
+  private link: string;
+  private coarse = COARSE.least;
+  /** What the last frame is of, how many of the ladder's rungs it has, and its sides. */
+  private made = { view: '', rungs: 0, subject: '', width: 0, height: 0 };
+  private kept = false;
+
+  constructor(studio: SceneStudio, stages: readonly string[], link: string) {
+    this.studio = studio;
+    this.stages = stages;
+    this.link = link;
+  }
+
+  /** Works until nothing is wished for. */
+  async work(): Promise<void> {
+    for (let wish = this.wish; wish; wish = this.wish) {
+      if (!(await this.ready(wish))) continue;
+      const rung = this.rungFor(wish);
+      const quality = LADDER[rung];
+      if (quality && (rung === 0 || !wish.moving)) await this.frame(wish, quality);
+      else if (this.wish === wish) this.wish = undefined;
+      await pause();
+    }
+  }
+
+  /** The body at a place of the last frame. */
+  told(x: number, y: number): Told | undefined {
+    const { width, height, subject } = this.made;
+    const body = width && subject === '' ? this.studio.bodyAt(Math.floor(x * width), Math.floor(y * height)) : undefined;
+    return body && { id: body.id, probe: this.studio.probe(body.x, body.y), steps: this.studio.making(body.id) };
+  }
+
+  /** Works the wish's recipe out; false where a newer wish came, or there is no picture. */
+  private async ready(wish: Wish): Promise<boolean> {
+    const { studio } = this;
+    if (wish.link !== this.link) {
+      studio.open(wish.link);
+      this.link = wish.link;
+    }
+    const begun = performance.now();
+    while (!isEnd(studio.stage())) {
+      studio.tick(BUDGET, STEPS);
+      say({ working: progressOf(this.stages, studio.stage(), studio.status()) });
+      await pause();
+      if (this.wish?.link !== wish.link && performance.now() - begun > PATIENCE) return false;
+    }
+    const refused = studio.problem();
+    if (refused) this.refuse(wish, refused);
+    return !refused;
+  }
+
+  private refuse(wish: Wish, refused: Notice): void {
+    say({ refused, n: wish.n });
+    if (this.wish === wish) this.wish = undefined;
+  }
+
+  /** The first rung that the wish has not got. */
+  private rungFor(wish: Wish): number {
+    return viewOf(wish) === this.made.view ? this.made.rungs : 0;
+  }
+
+  private async frame(wish: Wish, quality: Quality): Promise<void> {
+    const { studio } = this;
+    const part = quality === 'moving' ? this.coarse : 1;
+    const [width, height] = [wish.width, wish.height].map((side) => Math.max(1, Math.round(side / part))) as [number, number];
+    const begun = performance.now();
+    for (;;) {
+      const slice = studio.turn(wish.subject, wish.camera, width, height, quality, BUDGET);
+      if ('code' in slice) {
+        if (slice.code !== 'not_yet') this.refuse(wish, slice);
+        return;
+      }
+      if (slice.done) {
+        this.made = { view: viewOf(wish), rungs: LADDER.indexOf(quality) + 1, subject: wish.subject, width, height };
+        await this.show(wish, quality, slice.pixels ?? new Uint8Array(4 * width * height));
+        break;
+      }
+      await pause();
+      if (this.wish !== wish && (quality !== 'moving' || !this.wish?.moving)) return;
+    }
+    if (quality === 'moving') this.suit(performance.now() - begun);
+  }
+
+  private async show({ n }: Wish, quality: Quality, pixels: Uint8Array<ArrayBuffer>): Promise<void> {
+    const { width, height } = this.made;
+    const frame = await createImageBitmap(new ImageData(new Uint8ClampedArray(pixels.buffer, pixels.byteOffset, pixels.length), width, height));
+    const bodies: Bodies = { count: this.studio.status().stones, skin: this.studio.get('stone') === 'skin' };
+    say({ frame, n, quality, bodies }, [frame]);
+    // There is time by now; without a storage the next visit unpacks the module again.
+    if (quality === 'fine' && !this.kept) keepModules().catch(() => undefined);
+    this.kept ||= quality === 'fine';
+  }
+
+  /** Moving frames have as many pixels as there is time for. */
+  private suit(time: number): void {
+    const { least, most, slow, quick } = COARSE;
+    if (time > slow) this.coarse = Math.min(most, this.coarse + 1);
+    else if (time < quick) this.coarse = Math.max(least, this.coarse - 1);
+  }
+}
+
+/** Two wishes of one view ask for the same frames. */
+function viewOf({ link, subject, camera, width, height }: Wish): string {
+  return [link, subject, camera, width, height].join(' ');
+}
+
+function say(said: Said, moved: Transferable[] = []): void {
+  postMessage(said, { transfer: moved });
+}
+
+let turner: Turner | undefined;
+let latest: Wish | undefined;
+let running = false;
+
+async function begin(link: string): Promise<Turner | undefined> {
+  try {
+    const module = await loadWhole();
+    const studio = new module.Bubblestone(link);
+    const { stages = [] } = module.generators().find(({ word }) => word === studio.generator()) ?? {};
+    return new Turner(studio, stages, link);
+  } catch (error) {
+    say({ lost: reasonOf(error) });
+    return undefined;
+  }
+}
+
+async function run(): Promise<void> {
+  if (running || !latest) return;
+  running = true;
+  try {
+    turner ??= await begin(latest.link);
+    if (!turner) return;
+    turner.wish = latest;
+    await turner.work();
+  } catch (error) {
+    say({ broken: reasonOf(error) });
+    return;
+  }
+  running = false;
+}
+
+addEventListener('message', ({ data }: MessageEvent<Wish | Question>) => {
+  if ('ask' in data) {
+    say({ ask: data.ask, body: turner?.told(data.x, data.y) });
+    return;
+  }
+  latest = data;
+  if (turner) turner.wish = latest;
+  void run();
+});

@@ -1,0 +1,245 @@
+/**
+ * The turntable: the bodies of the picture, seen from a slant, over the sheet. All of it is worked out in a worker; the page
+ * shows its frames. For scripts the sheet tells as `data-turn` what it shows of the latest wish: nothing yet (`coming`), a
+ * frame that is `moving`, `still` or `fine`, or that there is none (`refused`).
+ */
+import { t } from '../words/turn';
+import { byId, make, say } from '../base/dom';
+import { cameraWords, HOME } from '../state/asked-view';
+import type { Camera } from '../state/viewing';
+import { ALL_AROUND, OVER_GROUND, nearer } from './camera';
+import { Card, sentence } from './card';
+import { Frames } from './frames';
+import { CLOSER, Gestures } from './gestures';
+import { Making } from './making';
+import { seen } from './told';
+import type { Bodies, Quality, Told } from './turn.worker';
+import '../styles/late/look.css';
+import '../styles/late/turn.css';
+
+/** What the turntable stands in. */
+export interface Place {
+  /** The recipe, whether it is in somebody's hand, and its values. */
+  link(): string;
+  held(): boolean;
+  get(key: string): string;
+  /** Where the viewer stands; undefined where that is usual. */
+  camera(): Camera | undefined;
+  take(camera: Camera): void;
+  /** One body alone is shown, a step in its making (`ID:STEP`), or all again. */
+  alone?(subject: string, camera: Camera): void;
+  /** Ends it; in somebody else's page nothing does. */
+  leave?: () => void;
+  /** There are no frames. */
+  ended(how: 'lost' | 'broken', why: string): void;
+}
+
+/** Where the viewer of one body stands at first: its own size is the unit there. */
+const BODY: Camera = [330, 30, 3, 35, 0, 0, 0];
+
+/** Milliseconds for which the worker is kept for the way back. */
+const KEPT = 60_000;
+
+/** The most pixels along a side. */
+const MOST = 1600;
+
+export class Turntable {
+  private readonly place: Place;
+  private readonly sheet = byId('sheet');
+  private readonly canvas = make('canvas', { 'aria-hidden': 'true' });
+  private readonly stand = make('div', { class: 'turn-stand', id: 'turn', role: 'application', tabindex: '0', 'aria-label': `${t('name')}. ${t('keys')}`, 'aria-describedby': 'turn-seen' }, this.canvas);
+  private readonly told = make('p', { class: 'said', id: 'turn-seen', role: 'status' });
+  private readonly bar = make('progress', { max: '1', 'aria-label': t('working') });
+  private readonly working = make('div', { class: 'turn-working' }, make('span', { role: 'status' }, t('working')), this.bar);
+  private readonly making: Making;
+  private readonly card: Card;
+  private readonly root: HTMLElement;
+  private readonly frames: Frames;
+  private readonly gestures: Gestures;
+  private bodies: Bodies = { count: 0, skin: false };
+  private on = false;
+  private moving = false;
+  /** What is shown of the latest wish, and the recipe that the frame is of. */
+  private reached: Quality | 'coming' | 'refused' = 'coming';
+  private shown = '';
+  /** Ends the worker once the turntable is off for long. */
+  private ending = 0;
+  /** Where one body is seen from. */
+  private beside: Camera = BODY;
+  /** Counts what was pointed at: an answer that comes late is let be. */
+  private pointed = 0;
+
+  constructor(place: Place) {
+    this.place = place;
+    this.making = new Making({ get: (key) => place.get(key), show: () => this.follow(), end: () => this.all() });
+    this.card = new Card((body) => this.how(body));
+    this.frames = new Frames({
+      frame: (frame, quality, bodies, latest) => this.show(frame, quality, bodies, latest),
+      working: (done) => (this.bar.value = done),
+      refused: () => (this.making.subject === '' ? this.state('refused') : this.all()),
+      ended: (how, why) => {
+        this.shown = '';
+        place.ended(how, why);
+      },
+    });
+    this.gestures = new Gestures(
+      this.stand,
+      {
+        camera: () => this.camera,
+        heights: () => (this.making.subject === '' ? OVER_GROUND : ALL_AROUND),
+        take: (camera, moving) => this.take(camera, moving),
+        home: () => this.home(),
+        leave: () => this.leave(),
+        tap: (x, y) => void this.point(x, y, true),
+        over: (x, y) => (x === undefined || y === undefined ? this.unpoint() : void this.point(x, y, false)),
+        enter: () => void this.enter(),
+      },
+      place.leave === undefined,
+    );
+    this.root = make('div', { class: 'turn' }, make('div', { class: 'turn-frame' }, this.stand, this.card.element), this.making.strip, this.working, this.told);
+    if (place.leave) this.root.append(this.wayOut());
+    // The keys of the steps, and the way back, are there while the frame has the focus, too.
+    this.stand.addEventListener('keydown', (event) => !event.defaultPrevented && this.making.step(event.key) && event.preventDefault());
+    new ResizeObserver(() => this.follow()).observe(this.stand);
+  }
+
+  toggle(on: boolean): void {
+    if (on === this.on) return;
+    this.on = on;
+    // Readers and keys do not come to what is covered.
+    byId('pane').inert = on;
+    clearTimeout(this.ending);
+    if (on) {
+      this.sheet.append(this.root);
+      this.root.toggleAttribute('data-shown', this.shown === this.place.link());
+      this.follow();
+      return;
+    }
+    this.gestures.stop();
+    this.making.end();
+    this.card.hide();
+    this.moving = false;
+    this.root.remove();
+    delete this.sheet.dataset['turn'];
+    this.ending = window.setTimeout(() => this.frames.end(), KEPT);
+  }
+
+  focus(): void {
+    this.stand.focus({ preventScroll: true });
+  }
+
+  /** Whether it has the focus. */
+  get focused(): boolean {
+    return this.root.contains(document.activeElement);
+  }
+
+  /** Closer (1), farther (-1), or the first look again (0). */
+  step(by: number): void {
+    if (by) this.gestures.soon(nearer(this.camera, by > 0 ? CLOSER : 1 / CLOSER));
+    else this.home();
+  }
+
+  /** Is to be called after whatever may change what is to be seen. */
+  follow(): void {
+    const { clientWidth, clientHeight } = this.stand;
+    if (!this.on || !clientWidth || !clientHeight) return;
+    const fine = Math.min(devicePixelRatio, MOST / Math.max(clientWidth, clientHeight));
+    const [width, height] = [clientWidth, clientHeight].map((side) => Math.round(side * fine)) as [number, number];
+    const { making, place } = this;
+    const wish = { link: place.link(), subject: making.subject, camera: cameraWords(this.camera), width, height, moving: this.moving || place.held() };
+    place.alone?.(making.subject, this.camera);
+    this.state(this.frames.want(wish) ? 'coming' : this.reached);
+  }
+
+  private get camera(): Camera {
+    return this.making.subject === '' ? (this.place.camera() ?? HOME) : this.beside;
+  }
+
+  private take(camera: Camera, moving: boolean): void {
+    this.moving = moving;
+    this.card.hide();
+    if (this.making.subject !== '') this.beside = camera;
+    else this.place.take(camera);
+    this.follow();
+  }
+
+  private home(): void {
+    this.gestures.stop();
+    this.take(this.making.subject === '' ? HOME : BODY, false);
+  }
+
+  private leave(): void {
+    if (this.making.subject !== '') this.all();
+    else if (this.card.picked) this.card.hide();
+    else this.place.leave?.();
+  }
+
+  private wayOut(): HTMLElement {
+    const end = make('button', { type: 'button', class: 'key', id: 'turn-end', 'aria-label': t('end'), title: t('end') }, '×');
+    end.addEventListener('click', (event) => {
+      event.stopPropagation();
+      this.place.leave?.();
+    });
+    return end;
+  }
+
+  private show(frame: ImageBitmap, quality: Quality, bodies: Bodies, latest: boolean): void {
+    const { canvas } = this;
+    this.bodies = bodies;
+    [canvas.width, canvas.height] = [frame.width, frame.height];
+    canvas.getContext('bitmaprenderer')?.transferFromImageBitmap(frame);
+    this.root.toggleAttribute('data-shown', true);
+    if (!latest) return;
+    this.shown = this.place.link();
+    this.state(quality);
+    if (quality !== 'moving' && !this.moving) say(this.told, this.making.subject === '' ? seen(bodies, this.camera) : this.making.seen);
+  }
+
+  private state(word: Quality | 'coming' | 'refused'): void {
+    this.reached = word;
+    if (this.on) this.sheet.dataset['turn'] = word;
+  }
+
+  /** Tells the body at a place of the frame; one that is picked may be asked for more. */
+  private async point(x: number, y: number, picked: boolean): Promise<Told | undefined> {
+    if (this.making.subject !== '' || this.moving || (this.card.picked && !picked)) return undefined;
+    const turn = (this.pointed += 1);
+    const body = await this.frames.bodyAt(x, y);
+    if (turn !== this.pointed || !this.on) return undefined;
+    if (body) this.card.show(body, this.bodies.skin, x, y, picked);
+    else this.card.hide();
+    return body;
+  }
+
+  private unpoint(): void {
+    this.pointed += 1;
+    if (!this.card.picked) this.card.hide();
+  }
+
+  /** The body in the middle; once more: how it is made. */
+  private async enter(): Promise<void> {
+    if (this.making.subject !== '') return;
+    const { picked } = this.card;
+    if (picked?.steps.length) {
+      this.how(picked);
+      return;
+    }
+    const body = await this.point(0.5, 0.5, true);
+    say(byId('cell-said'), body ? sentence(body, this.bodies.skin) : t('nothing'));
+  }
+
+  private how(body: Told): void {
+    this.gestures.stop();
+    this.card.hide();
+    this.beside = BODY;
+    this.moving = false;
+    this.making.begin(body);
+  }
+
+  private all(): void {
+    const focused = this.focused;
+    this.making.end();
+    if (focused) this.focus();
+    this.follow();
+  }
+}
