@@ -3,6 +3,7 @@
 use super::scene_rays::*;
 use bubblestone::heightfield::{Planes, Shader};
 use bubblestone::light::{Light, ShadeParams};
+use bubblestone::material::Material;
 use bubblestone::scene::{Body, Instance, Lamp, Lighting, Order, Place, Scene};
 use glam::{DVec3, Vec3};
 
@@ -299,13 +300,17 @@ fn highlights_lie_towards_the_mirrored_sun() {
         diffuse: 0.2,
         ..PARAMS
     };
-    let mut scene = scene(vec![(ball(48), Place::default())]);
-    scene.materials[0].specular = 1.0;
-    scene.materials[0].shininess = 60.0;
+    let scene = scene(vec![(ball(48), Place::default())]);
+    let shiny = Material {
+        specular: 1.0,
+        shininess: 60.0,
+        ..MATT
+    };
     let lamp = Lamp::over_picture(light, 0.0);
     let Lamp::Sun(to) = lamp else { panic!() };
     assert!(to.x > 0.8 && to.y > 0.5 && to.z.abs() < 1e-6);
-    let lighting = lighting(&scene, lamp, &params, 100_000);
+    let mut lighting = Lighting::new(&scene, lamp, (&params, &[shiny]), false);
+    while !lighting.advance(&scene, 100_000) {}
     let order = order(camera(0.0, 20.0, 6.0, 25.0), [120, 120]);
     let frame = frame(&scene, &lighting, order, 100_000);
     let brightest = (0..120 * 120)
@@ -350,7 +355,7 @@ fn occlusion_is_at_the_foot_of_bodies_only() {
         let order = order(camera(angle, height, 2.5, 40.0), [120, 90]);
         let shades = |scene: &Scene| {
             [&sky, &open].map(|params| {
-                let light = Lighting::new(scene, sun(0.2, 1.0, 0.3), params, false);
+                let light = Lighting::new(scene, sun(0.2, 1.0, 0.3), (params, &[MATT]), false);
                 frame(scene, &light, order, 100_000)
             })
         };

@@ -69,7 +69,7 @@ fn planes_say_where_bodies_are() {
         shadow: 0.0,
         ..PARAMS
     };
-    let light = Lighting::new(&ball, sun(0.0, 1.0, 0.0), &params, false);
+    let light = Lighting::new(&ball, sun(0.0, 1.0, 0.0), (&params, &[MATT]), false);
     let above = order(camera(0.0, 90.0, 4.0, 35.0), SIZE);
     let [one, four] =
         [false, true].map(|is_fine| frame(&ball, &light, Order { is_fine, ..above }, 9_999));

@@ -259,7 +259,6 @@ pub(super) fn place(axis: [f32; 3], degrees: f64, scale: f32, origin: [f32; 3]) 
 /// A scene of surfaces, each once; ids count from 1.
 pub(super) fn scene(parts: Vec<(Surface, Place)>) -> Scene {
     let mut scene = Scene {
-        materials: vec![MATT],
         reach: 0.3,
         ..Scene::default()
     };
@@ -343,7 +342,7 @@ pub(super) fn order(camera: Camera, size: [usize; 2]) -> Order {
 
 /// The light of a scene, ready.
 pub(super) fn lighting(scene: &Scene, lamp: Lamp, params: &ShadeParams, amount: usize) -> Lighting {
-    let mut light = Lighting::new(scene, lamp, params, false);
+    let mut light = Lighting::new(scene, lamp, (params, &[MATT]), false);
     while !light.advance(scene, amount) {}
     light
 }
