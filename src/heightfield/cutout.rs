@@ -23,8 +23,8 @@ const LEAST: usize = 28;
 const SQUARES: [usize; 3] = [192, 96, 48];
 /// How far the block reaches below the base of the stones, of the picture's side.
 const THICK: f32 = 0.035;
-/// Colour of the cut, of the colour of the ground at its edge, at the top and at the bottom.
-const CUT: [f32; 2] = [0.8, 0.42];
+/// Colour of the cut, of the mean colour of the ground along its edges, at the top and at the bottom.
+const CUT: [f32; 2] = [1.0, 0.75];
 /// How far a stone holds light off others, of the size of stones.
 const REACH: f64 = 0.5;
 
@@ -35,13 +35,21 @@ pub struct Cutout {
     surfaces: Surfaces,
     /// Triangles of a stone at its finest.
     most: usize,
+    /// Whether any of a stone is in the picture.
+    is_seen: Vec<bool>,
     scene: Scene,
     cell: usize,
 }
 
 impl Cutout {
     /// Of planes that were made by these parameters from so many cells.
-    pub fn new(params: TextureParams, cells: usize) -> Self {
+    pub fn new(params: TextureParams, cells: usize, planes: &Planes) -> Self {
+        let mut is_seen = vec![false; cells];
+        for &id in &planes.id {
+            if let Some(is_seen) = is_seen.get_mut((id as usize).wrapping_sub(1)) {
+                *is_seen = true;
+            }
+        }
         let most = (ALL / cells.max(1)).clamp(EACH[0], EACH[1]);
         let side = params.side as f64;
         let deep = joint_depth(&params.stone, params.size);
@@ -50,6 +58,7 @@ impl Cutout {
             solids: Solids::to_simplify(most),
             surfaces: Surfaces::new(params, most),
             most,
+            is_seen,
             scene: Scene {
                 reach: reach as f32,
                 ..Scene::default()
@@ -68,7 +77,9 @@ impl Cutout {
     /// it is of.
     pub fn advance(&mut self, cells: &[Cell], planes: &Planes) -> bool {
         match cells.get(self.cell) {
-            Some(cell) => self.add(cell, planes),
+            // Beyond the picture's edge a stone has no colours, and no ground.
+            Some(cell) if self.is_seen[self.cell] || self.is_within(cell) => self.add(cell, planes),
+            Some(_) => {}
             None => {
                 self.add_ground(planes);
                 self.scene.detail = Some(Box::new(Relief::new(planes)));
@@ -81,6 +92,11 @@ impl Cutout {
     /// The scene, once it is there.
     pub fn finish(self) -> Scene {
         self.scene
+    }
+
+    fn is_within(&self, cell: &Cell) -> bool {
+        let within = 0.0..self.params.side as f64;
+        within.contains(&cell.centre.x) && within.contains(&cell.centre.y)
     }
 
     fn add(&mut self, cell: &Cell, planes: &Planes) {
@@ -180,15 +196,21 @@ fn cut_off(sheet: &mut Surface, n: usize, thick: f32) {
         (Vec3::Y, &|k| n * row + n - k),
         (Vec3::NEG_X, &|k| (n - k) * row),
     ];
-    let shade = |colour: [u8; 3], part: f32| colour.map(|v| (f32::from(v) * part) as u8);
+    // Of one colour each: grains of sand would be streaks on the way down.
+    let mut mean = Vec3::ZERO;
+    for (_, place) in &sides {
+        let colours = (0..n).map(|k| sheet.colours[place(k)]);
+        mean += colours.map(|c| Vec3::from(c.map(f32::from))).sum::<Vec3>() / (4 * n) as f32;
+    }
+    let cut = CUT.map(|part| (mean * part).to_array().map(|v| v as u8));
     for (normal, place) in sides {
         let first = sheet.positions.len() as u32;
         for k in 0..=n {
-            let (p, colour) = (sheet.positions[place(k)], sheet.colours[place(k)]);
-            for (z, part) in [(p.z, CUT[0]), (-thick, CUT[1])] {
+            let p = sheet.positions[place(k)];
+            for (z, colour) in [(p.z, cut[0]), (-thick, cut[1])] {
                 sheet.positions.push(Vec3::new(p.x, p.y, lesser(z, p.z)));
                 sheet.normals.push(normal);
-                sheet.colours.push(shade(colour, part));
+                sheet.colours.push(colour);
             }
         }
         for k in 0..n as u32 {
@@ -198,10 +220,10 @@ fn cut_off(sheet: &mut Surface, n: usize, thick: f32) {
     }
     let first = sheet.positions.len() as u32;
     for place in [0, n, n * row, n * row + n] {
-        let (p, colour) = (sheet.positions[place], sheet.colours[place]);
+        let p = sheet.positions[place];
         sheet.positions.push(Vec3::new(p.x, p.y, -thick));
         sheet.normals.push(Vec3::NEG_Z);
-        sheet.colours.push(shade(colour, CUT[1]));
+        sheet.colours.push(cut[1]);
     }
     let [a, b, c, d] = [0, 1, 2, 3].map(|v| first + v);
     sheet.triangles.extend([[a, c, b], [b, c, d]]);

@@ -144,6 +144,11 @@ fn colours(positions: &[Vec3], triangles: &[[u32; 3]], id: u32, planes: &Planes)
             }
         }
     }
-    // A stone of which nothing is to be seen is grey.
-    seen.iter().map(|c| c.unwrap_or([128; 3])).collect()
+    // A stone of which nothing is to be seen has the colours of what covers it.
+    let nearest = |p: &Vec3| {
+        let [x, y] = [p.x, p.y].map(|v| floor(v * pixels).clamp(0, side - 1));
+        planes.colour[(y * side + x) as usize]
+    };
+    let all = seen.iter().zip(positions);
+    all.map(|(c, p)| c.unwrap_or_else(|| nearest(p))).collect()
 }

@@ -3,7 +3,7 @@
 use crate::notice::{Code, Notice};
 use crate::order::{greater, lesser};
 use crate::scene::Detail;
-use crate::solid::{LARGEST, Surface};
+use crate::solid::Surface;
 use glam::Vec3;
 
 /// Something solid, at several degrees of detail.
@@ -137,7 +137,7 @@ impl Scene {
                 let body = self.bodies.get(instance.body as usize);
                 let (place, has_surface) = (&instance.place, |body: &Body| !body.levels.is_empty());
                 let numbers = [place.axes[0], place.axes[1], place.axes[2], place.origin];
-                let is_good = |v: &Vec3| v.abs().max_element() <= LARGEST && v.is_finite();
+                let is_good = |v: &Vec3| v.abs().max_element() <= Surface::LARGEST && v.is_finite();
                 !body.is_some_and(has_surface) || !numbers.iter().all(is_good)
             };
             let bad = self.instances.iter().position(is_bad)?;

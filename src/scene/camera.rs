@@ -41,9 +41,9 @@ impl Default for Camera {
     fn default() -> Self {
         Self {
             angle: 330.0,
-            height: 38.0,
-            distance: 2.15,
-            lens: 35.0,
+            height: 40.0,
+            distance: 2.95,
+            lens: 28.0,
             target: [0.0; 3],
         }
     }

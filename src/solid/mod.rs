@@ -53,7 +53,7 @@ pub(crate) use simplify::simplify;
 pub use solids::{Solid, Solids, control_mesh};
 pub use stencil_cache::MOST_LEVELS;
 pub use subdivide::{Stencil, TriangleMesh, beta, loop_subdivide};
-pub(crate) use surface::{LARGEST, boundary_edges};
+pub(crate) use surface::boundary_edges;
 pub use surface::{Surface, normals};
 
 /// The control mesh a stone begins with.

@@ -19,10 +19,10 @@ pub struct Surface {
     pub triangles: Vec<[u32; 3]>,
 }
 
-/// No coordinate may be larger: sums of products stay finite.
-pub(crate) const LARGEST: f32 = 1e9;
-
 impl Surface {
+    /// No coordinate may be larger: sums of products stay finite.
+    pub const LARGEST: f32 = 1e9;
+
     /// What is wrong with it, if anything is: lists of different lengths, a coordinate that is not a number, a
     /// corner that is not there. One without a fault can be drawn.
     pub fn fault(&self) -> Option<Notice> {
@@ -31,7 +31,7 @@ impl Surface {
         if self.normals.len() != count || self.colours.len() != count {
             return fault(Code::SurfaceLists.into());
         }
-        let is_good = |v: &Vec3| v.is_finite() && v.abs().max_element() <= LARGEST;
+        let is_good = |v: &Vec3| v.is_finite() && v.abs().max_element() <= Self::LARGEST;
         let pairs = self.positions.iter().zip(&self.normals);
         let mut good = pairs.map(|(p, n)| is_good(p) && is_good(n));
         if let Some(n) = good.position(|good| !good) {

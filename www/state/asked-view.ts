@@ -24,7 +24,7 @@ export const LIMITS = { pace: [0.01, 100_000], step: [0, 100_000], zoom: [1, 16]
 export const CAMERA = [[0, 360], [5, 90], [0.05, 20], [5, 100], [-2, 2], [-2, 2], [-2, 2]] as const;
 
 /** Where the viewer stands at first, and in links that do not say so. */
-export const HOME: Camera = [330, 38, 1.6, 35, 0, 0, 0];
+export const HOME: Camera = [330, 40, 2.95, 28, 0, 0, 0];
 
 /** Decimals that a link has of each number. */
 const DIGITS = [1, 1, 3, 1, 4, 4, 4];

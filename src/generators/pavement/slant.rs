@@ -63,7 +63,7 @@ impl Pavement {
         }
         let (cells, planes) = (self.scales(), self.planes()?);
         let texture = self.working.params.finish.planes.texture;
-        let new = || Cutout::new(texture, cells.len());
+        let new = || Cutout::new(texture, cells.len(), planes);
         let mut making = slant.making.take().unwrap_or_else(new);
         let begin = clock();
         while !making.advance(cells, planes) {
