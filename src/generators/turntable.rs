@@ -2,7 +2,7 @@
 
 use super::Clock;
 use super::height_field::LightParams;
-use crate::notice::{Code, Notice};
+use crate::notice::{Code, Notice, quote};
 use crate::scene::{Backdrop, Camera, Frame, Lamp, Lighting, Order, Scene};
 
 /// The work of one slice, in triangles drawn or pixels shaded.
@@ -26,15 +26,25 @@ pub struct TurnOrder {
 
 impl TurnOrder {
     /// The body and the step that are asked for; none where it is all.
-    pub(super) fn step(&self) -> Option<(u32, usize)> {
-        let (id, step) = self.subject.split_once(':')?;
-        Some((id.parse().ok()?, step.parse().ok()?))
+    pub(super) fn step(&self) -> Result<Option<(u32, usize)>, Notice> {
+        if self.subject.is_empty() {
+            return Ok(None);
+        }
+        let pair = self.subject.split_once(':');
+        let step = pair.and_then(|(id, step)| Some((id.parse().ok()?, step.parse().ok()?)));
+        step.map(Some).ok_or_else(|| self.no_such_body())
+    }
+
+    pub(super) fn no_such_body(&self) -> Notice {
+        Notice::new(Code::NoSuchBody).with("given", quote(&self.subject))
     }
 
     fn order(&self) -> Result<Order, Notice> {
         let fits = |n: &usize| (1..=MOST_PIXELS).contains(n);
         if !self.size.iter().all(fits) {
-            return Err(Code::NoSuchFile.into());
+            let [width, height] = self.size;
+            let notice = Notice::new(Code::FrameSize).with("width", width);
+            return Err(notice.with("height", height).with("most", MOST_PIXELS));
         }
         let has = |word: &str| self.how.split('+').any(|given| given == word);
         let backdrop = Backdrop::ALL.iter().find(|(_, word)| has(word));
@@ -111,6 +121,10 @@ impl Turntable {
             order: order.order()?,
         };
         let is_new = self.key.as_ref() != Some(&key);
+        if self.frame.as_ref().map(|frame| frame.order().size) != Some(key.order.size) {
+            self.frame = None;
+            check_room(key.order.size)?;
+        }
         let frame = match &mut self.frame {
             Some(frame) => {
                 if is_new || frame.is_done() {
@@ -146,6 +160,15 @@ impl Turntable {
     /// The frame last finished.
     pub fn frame(&self) -> Option<&Frame> {
         self.frame.as_ref().filter(|frame| frame.is_done())
+    }
+}
+
+/// Whether there is memory for a frame, and for the picture that is handed over.
+fn check_room([width, height]: [usize; 2]) -> Result<(), Notice> {
+    let bytes = (Frame::BYTES + 4) * width * height;
+    match Vec::<u8>::new().try_reserve_exact(bytes) {
+        Ok(()) => Ok(()),
+        Err(_) => Err(Notice::new(Code::NoMemory).with("side", width.max(height))),
     }
 }
 

@@ -1,7 +1,6 @@
 //! One picture of a scene, in slices: what is seen, how much of the sky each place sees, and its light.
 
 use super::backdrop::{FLOOR_COLOUR, behind, floor_part};
-use super::kept::Kept;
 use super::met::Met;
 use super::occlusion::Occlusion;
 use super::sight::{FLOOR, NOTHING, Sight};
@@ -9,6 +8,7 @@ use super::{Backdrop, Camera, Lighting, Scene, Surfel, lines};
 use crate::hash::Hash;
 use crate::order::lesser;
 use glam::Vec3;
+use std::ops::Range;
 
 /// Pixels that are shaded with about the work of one triangle that is drawn: their inverse.
 const PIXEL_WORK: usize = 1;
@@ -35,14 +35,13 @@ pub struct Frame {
     order: Order,
     sight: Sight,
     occlusion: Occlusion,
-    /// By pixel: the normal of the triangles there.
+    /// By pixel: the normal of the triangles there; zero in the end where none is.
     normals: Vec<Vec3>,
     phase: Phase,
     sample: usize,
     /// Sums over samples of red, green, blue and alpha.
     sums: Vec<[u16; 4]>,
     rgba: Vec<u8>,
-    kept: Kept,
     /// Middle and radius of the ball around all bodies, and the floor's height.
     ground: ((Vec3, f32), f32),
 }
@@ -57,12 +56,15 @@ enum Phase {
     Occlusion,
     Shade(usize),
     Lines(usize),
-    Keep(usize),
     Sum(usize),
+    Planes(usize),
     Done,
 }
 
 impl Frame {
+    /// Bytes that a frame has for each pixel, at most.
+    pub const BYTES: usize = 38;
+
     /// A frame to be made.
     pub fn new(order: Order) -> Self {
         let view = order.camera.view(order.size[0], order.size[1]);
@@ -74,7 +76,6 @@ impl Frame {
             sample: 0,
             sums: Vec::new(),
             rgba: Vec::new(),
-            kept: Kept::default(),
             ground: ((Vec3::ZERO, 0.0), 0.0),
             order,
         };
@@ -94,7 +95,6 @@ impl Frame {
             .reserve_exact(if order.is_fine { pixels } else { 0 });
         self.rgba.clear();
         self.rgba.reserve_exact(4 * pixels);
-        self.kept.begin(pixels);
     }
 
     /// What frame it is.
@@ -116,7 +116,7 @@ impl Frame {
             Phase::Normals(row) => 0.3 + 0.1 * row as f64 / rows,
             Phase::Occlusion => 0.4,
             Phase::Shade(row) => 0.6 + 0.35 * row as f64 / rows,
-            Phase::Lines(_) | Phase::Keep(_) | Phase::Sum(_) => 0.95,
+            Phase::Lines(_) | Phase::Sum(_) | Phase::Planes(_) => 0.95,
             Phase::Done => return 1.0,
         };
         (self.sample as f64 + part) / self.samples() as f64
@@ -166,21 +166,19 @@ impl Frame {
                 let (sight, rgba) = (&self.sight, &mut self.rgba);
                 match lines::draw(sight, &scene.lines, line, amount, rgba) {
                     next if next < scene.lines.len() => Phase::Lines(next),
-                    _ if self.sample == 0 => Phase::Keep(0),
-                    _ => Phase::Sum(0),
-                }
-            }
-            Phase::Keep(row) => {
-                let end = height.min(row.saturating_add(4 * rows));
-                let pixels = row * width..end * width;
-                self.kept.add(scene, &self.sight, &self.normals, pixels);
-                match end == height {
-                    true if self.order.is_fine => Phase::Sum(0),
-                    true => Phase::Done,
-                    false => Phase::Keep(end),
+                    _ if self.order.is_fine => Phase::Sum(0),
+                    _ => Phase::Planes(0),
                 }
             }
             Phase::Sum(row) => self.sum(row, height.min(row.saturating_add(4 * rows))),
+            Phase::Planes(row) => {
+                let end = height.min(row.saturating_add(4 * rows));
+                self.make_planes(scene, row * width..end * width);
+                match end == height {
+                    true => Phase::Done,
+                    false => Phase::Planes(end),
+                }
+            }
             Phase::Done => Phase::Done,
         };
         self.is_done()
@@ -357,11 +355,32 @@ impl Frame {
             return Phase::Sum(to);
         }
         if last {
-            return Phase::Done;
+            return Phase::Planes(0);
         }
         self.sample += 1;
         self.begin_sample();
         Phase::Room(0)
+    }
+
+    /// What was seen last becomes the planes, in the same memory: inverse depths those of depth, triangles those of ids.
+    fn make_planes(&mut self, scene: &Scene, pixels: Range<usize>) {
+        let Sight {
+            owner,
+            inverse,
+            triangle,
+            ..
+        } = &mut self.sight;
+        for at in pixels {
+            match scene.instances.get(owner[at] as usize) {
+                Some(instance) => {
+                    (inverse[at], triangle[at]) = (1.0 / inverse[at], instance.id);
+                }
+                None => {
+                    (inverse[at], triangle[at]) = (0.0, 0);
+                    self.normals[at] = Vec3::ZERO;
+                }
+            }
+        }
     }
 
     /// The finished picture: red, green, blue and alpha (not multiplied in), row after row from the top.
@@ -374,7 +393,7 @@ impl Frame {
         let mut hash = Hash::new();
         hash.add(self.order.size[0] as u64);
         let pixels = self.rgba.as_chunks().0.iter();
-        let planes = self.kept.depths.iter().zip(&self.kept.ids);
+        let planes = self.depths().iter().zip(self.ids());
         for (&pixel, (depth, &id)) in pixels.zip(planes) {
             hash.add(u64::from(depth.to_bits()) << 32 | u64::from(u32::from_le_bytes(pixel)));
             hash.add(id.into());
@@ -382,25 +401,26 @@ impl Frame {
         hash.text()
     }
 
-    /// Of each pixel the depth of the body there, in units of the scene; 0 where none is.
+    /// Of each pixel the depth of the body there, in units of the scene; 0 where none is. Of a finished frame, as the
+    /// other planes are: its only sample, or the last one.
     pub fn depths(&self) -> &[f32] {
-        &self.kept.depths
+        &self.sight.inverse
     }
 
     /// Of each pixel the id of the body there; 0 where none is.
     pub fn ids(&self) -> &[u32] {
-        &self.kept.ids
+        &self.sight.triangle
     }
 
     /// Of each pixel the unit normal of the body there, in the world; zero where none is.
     pub fn normals(&self) -> &[Vec3] {
-        &self.kept.normals
+        &self.normals
     }
 
     /// The place in the scene's list of the body at a pixel.
     pub fn instance_at(&self, x: usize, y: usize) -> Option<usize> {
         let [width, height] = self.order.size;
-        let owner = *self.kept.instances.get(y * width + x)?;
+        let owner = *self.sight.owner.get(y * width + x)?;
         (x < width && y < height && owner < FLOOR).then_some(owner as usize)
     }
 }

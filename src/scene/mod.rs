@@ -14,7 +14,6 @@ mod camera;
 mod clip;
 mod fill;
 mod frame;
-mod kept;
 mod lamp;
 mod lines;
 mod met;

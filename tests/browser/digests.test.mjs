@@ -33,3 +33,16 @@ test('every preset has the same planes in the browser as natively', async () => 
   assert.deepEqual(problems, []);
   await close();
 });
+
+test('frames from a slant are those that are made natively', async () => {
+  const frames = readFileSync(new URL('../frames.txt', import.meta.url), 'utf8').trim().split('\n');
+  for (const line of frames) {
+    const [hash, camera, link] = /** @type {[string, string, string]} */ (line.split(' '));
+    const { page, problems, close } = await site.newPage(`#${link}`);
+    await digest(page);
+    const found = await page.evaluate((from) => /** @type {any} */ (window).bubblestone.frame(from), camera === '-' ? '' : camera);
+    assert.equal(found, hash, line);
+    assert.deepEqual(problems, []);
+    await close();
+  }
+});

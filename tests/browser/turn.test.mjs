@@ -50,10 +50,10 @@ test('it is turned by keys, tells where it is seen from, and is no step of the r
   assert.ok(first.colours > 100, `${first.colours} colours`);
   const sheet = await box(page, '#sheet');
   assert.deepEqual([first.width, first.height], [Math.round(sheet.width), Math.round(sheet.height)]);
-  assert.match(await told(page), /^\d+ stones, seen from the lower right, 38 degrees above the ground, from near\.$/);
+  assert.match(await told(page), /^\d+ stones, seen from the lower right, 40 degrees above the ground, from near\.$/);
   assert.equal(await page.evaluate(() => document.activeElement?.id), 'turn');
   for (const key of ['ArrowLeft', 'ArrowLeft', 'ArrowLeft', 'ArrowLeft', 'ArrowUp']) await page.keyboard.press(key);
-  await page.waitForFunction(() => /from the right, 43 degrees/.test(document.querySelector('#turn-seen')?.textContent ?? ''));
+  await page.waitForFunction(() => /from the right, 45 degrees/.test(document.querySelector('#turn-seen')?.textContent ?? ''));
   await turned(page);
   const other = await frame(page);
   assert.notEqual(other.hash, first.hash);
@@ -137,22 +137,27 @@ test('the page is scrolled over it, by one finger and by the wheel', async () =>
 test('a mouse turns it, moves its ground with Shift, and comes closer to what it points at', async () => {
   const { page, problems, close } = await site.newPage(`${SMALL}&outline=square&camera=330,45`, { still: true });
   await turned(page);
-  /** The body that is told at a place. */
+  /** The body that is told at a place; 'none' where there is none. */
   const body = async ({ x, y }) => {
     await page.mouse.move(2, 2);
-    await page.waitForSelector('.turn-card[hidden]');
+    await page.waitForSelector('#turn:not([data-body])');
     await turned(page);
     await page.mouse.move(x, y);
-    await page.waitForSelector('.turn-card:not([hidden]) strong');
-    return page.$eval('.turn-card strong', (name) => name.textContent);
+    await page.waitForSelector('#turn[data-body]');
+    return page.$eval('#turn', (stand) => stand.getAttribute('data-body'));
   };
   const { x, y } = await spot(page, 0.35, 0.6);
   const at = { x: Math.round(x), y: Math.round(y) };
   // Well inside of a stone: a pixel more or less is no other one.
   const near = (off) => body({ x: at.x + off, y: at.y + off });
-  while ((await near(-6)) !== (await near(6))) at.x += 4;
+  const inside = async () => {
+    const first = await near(-6);
+    return first !== 'none' && first === (await near(6));
+  };
+  while (!(await inside())) at.x += 4;
   const stone = await body(at);
-  assert.match(stone, /^Stone \d+$/);
+  assert.match(stone ?? '', /^\d+$/);
+  assert.equal(await page.$eval('.turn-card', (card) => card.querySelector('strong')?.textContent), `Stone ${stone}`);
   for (let k = 0; k < 3; k += 1) await page.mouse.wheel({ deltaY: -100 });
   assert.equal(await body(at), stone);
   const to = { x: at.x + 80, y: at.y - 40 };
@@ -166,7 +171,7 @@ test('a mouse turns it, moves its ground with Shift, and comes closer to what it
   await page.mouse.up();
   await page.waitForFunction(() => /seen from the lower edge, 55 degrees/.test(document.querySelector('#turn-seen')?.textContent ?? ''));
   await page.mouse.click(to.x, to.y, { count: 2 });
-  await page.waitForFunction(() => /seen from the lower right, 38 degrees/.test(document.querySelector('#turn-seen')?.textContent ?? ''));
+  await page.waitForFunction(() => /seen from the lower right, 40 degrees/.test(document.querySelector('#turn-seen')?.textContent ?? ''));
   assert.deepEqual(problems, []);
   await close();
 });
@@ -208,6 +213,25 @@ test('how a stone is made goes forward and back', sameEverywhere, async () => {
   await page.keyboard.press('Escape');
   await turned(page);
   assert.equal((await frame(page)).hash, all.hash);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('depth, normals, numbers and coverage are looked at instead of light', sameEverywhere, async () => {
+  const { page, problems, close } = await site.newPage(`${SMALL}&camera=330,60`);
+  await turned(page);
+  const light = await frame(page);
+  const seen = new Map();
+  for (const [plane, last] of [['depth', 'still'], ['normal', 'still'], ['id', 'still'], ['alpha', 'fine'], ['light', 'fine']]) {
+    await page.select('#turn-plane', plane);
+    await turned(page, last);
+    seen.set(plane, await frame(page));
+  }
+  assert.equal(new Set([...seen.values()].map(({ hash }) => hash)).size, 5);
+  assert.equal(seen.get('light').hash, light.hash);
+  // Each stone has a number of its own; what covers a pixel covers it whole, but for edges.
+  assert.ok(seen.get('id').colours > 50, `${seen.get('id').colours} colours`);
+  assert.ok(seen.get('alpha').colours <= 5, `${seen.get('alpha').colours} greys`);
   assert.deepEqual(problems, []);
   await close();
 });

@@ -242,8 +242,48 @@ test('cells flow while an outline is held, step by step, and begin again', () =>
   studio.free();
 });
 
-/** Notices of what cannot come about from here: too little memory, lines beside rings, an outline without any cell. */
-const NEVER_SAID = ['no_memory', 'stage_missing', 'no_outline', 'lines_refused', 'line_points', 'line_short', 'line', 'no_cells'];
+test('bodies are turned, told and made step by step, and each step has its words', async () => {
+  const all = await moduleIn(houseModule, unpacked(packedHouse));
+  const words = JSON.parse(text('../www/strings/turn.json'));
+  for (const form of ['cobble', 'flag', 'skin']) {
+    const studio = finished(new all.Bubblestone(`${SMALL}&outline=square&stone=${form}`));
+    const size = [96, 64];
+    /** @param {string} subject @param {string} camera @param {string} how @returns {Uint8Array} */
+    const frame = (subject, camera, how) => {
+      for (;;) {
+        const slice = studio.turn(subject, camera, ...size, how, 4);
+        assert.equal(slice.code, undefined, slice.text);
+        if (slice.done) return slice.pixels;
+      }
+    };
+    for (const how of ['moving', 'still', 'fine+sky', 'fine+nothing']) assert.equal(frame('', '20,60', how).length, 4 * 96 * 64);
+    for (const word of ['depth', 'normal', 'id']) assert.equal(studio.frameMap(word).side, 96, word);
+    const body = studio.bodyAt(48, 32);
+    assert.ok(body.id > 0 && studio.probe(body.x, body.y), form);
+    assert.deepEqual(
+      ['nothing', ':', '1:99'].map((subject) => studio.turn(subject, '', ...size, 'still', 4).code),
+      Array(3).fill('no_such_body'),
+    );
+    assert.equal(studio.turn('', '', 0, 9, 'still', 4).code, 'frame_size');
+    for (const [k, step] of studio.making(body.id).entries()) {
+      frame(`${body.id}:${k}`, '330,30,3', 'still');
+      const word = step.replace(/\d+$/, '');
+      for (const language of ['en', 'ja']) {
+        const said = words[language];
+        const own = said[`${form}_${word}`] ?? said[`${form === 'skin' ? 'skin' : 'stone'}_${word}`];
+        assert.ok(said[`step_${word}`] && own, `${language}: ${form}, ${step}`);
+      }
+    }
+    assert.match(studio.frameHash(), /^[0-9a-f]{16}$/);
+    studio.free();
+  }
+});
+
+/**
+ * Notices of what cannot come about from here: too little memory, lines beside rings, an outline without any cell, surfaces that
+ * are not made here. The page itself says what is wrong with a camera in a link.
+ */
+const NEVER_SAID = ['camera_number', 'camera_numbers', 'frame_size', 'no_such_body', 'surface_fault', 'surface_number', 'surface_corner', 'surface_lists', 'surface_missing', 'no_memory', 'stage_missing', 'no_outline', 'lines_refused', 'line_points', 'line_short', 'line', 'no_cells'];
 
 /** Some 540,000 cells, as the outline goes far beyond the picture. */
 const TOO_MANY = 'size=2048&cs=5&poly=-0.4,-0.4,1.4,-0.4,1.4,1.4,-0.4,1.4';

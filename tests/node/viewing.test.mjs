@@ -109,9 +109,9 @@ test('a zoom shows nothing beside the picture, and of two words of one key the l
 });
 
 test('a camera stands where it is said, else as usual', () => {
-  assert.deepEqual(read('camera').viewing.camera, [330, 38, 1.6, 35, 0, 0, 0]);
-  assert.deepEqual(read('camera=90,10,0.5').viewing.camera, [90, 10, 0.5, 35, 0, 0, 0]);
-  assert.equal(viewing.written({ camera: [330.04, 38.26, 1.60049, 35, 0.000049, 0, 0] }), 'camera=330,38.3');
+  assert.deepEqual(read('camera').viewing.camera, [330, 40, 2.95, 28, 0, 0, 0]);
+  assert.deepEqual(read('camera=90,10,0.5').viewing.camera, [90, 10, 0.5, 28, 0, 0, 0]);
+  assert.equal(viewing.written({ camera: [330.04, 38.26, 2.95049, 28, 0.000049, 0, 0] }), 'camera=330,38.3');
 });
 
 test('what has no bodies is not seen from a slant', () => {

@@ -6,15 +6,16 @@ import type { Bodies } from './turn.worker';
 /** From here on, in degrees, one looks from above. */
 const ABOVE = 80;
 
-/** Nearer and farther than so many sides of the picture. */
-const FAR = { near: 0.7, far: 2.6 };
+/** Less and more of the ground is in the frame than so many sides of the picture. */
+const FAR = { near: 0.6, far: 2.4 };
 
 const SIDES = ['side_0', 'side_1', 'side_2', 'side_3', 'side_4', 'side_5', 'side_6', 'side_7'] as const;
 
 /** All bodies, and where they are seen from. */
-export function seen({ count, skin }: Bodies, [angle, height, distance]: Camera): string {
+export function seen({ count, skin }: Bodies, [angle, height, distance, lens]: Camera): string {
   const what = t(skin ? 'scales' : 'stones', { n: count });
-  const far = t(distance < FAR.near ? 'near' : distance > FAR.far ? 'far' : 'middle');
+  const wide = 2 * distance * Math.tan((lens * Math.PI) / 360);
+  const far = t(wide < FAR.near ? 'near' : wide > FAR.far ? 'far' : 'middle');
   if (height >= ABOVE) return t('seen_above', { what, far });
   const side = t(SIDES[Math.round(angle / 45) % 8] ?? 'side_0');
   return t('seen', { what, side, height: Math.round(height), far });

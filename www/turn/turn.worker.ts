@@ -10,6 +10,8 @@ import { keepModules, loadWhole } from '../module/load';
 import type { SceneStudio } from '../module/scene';
 import { isEnd, progressOf } from '../module/stages';
 import type { Notice, Probe } from '../module/types';
+import { coverage, pixelsOf } from './pixels';
+import type { Plane } from './planes';
 
 /** What is to be seen. */
 export interface Wish {
@@ -21,6 +23,7 @@ export interface Wish {
   camera: string;
   width: number;
   height: number;
+  plane: Plane;
   /** The next wish will come soon. */
   moving: boolean;
 }
@@ -101,7 +104,7 @@ class Turner {
     for (let wish = this.wish; wish; wish = this.wish) {
       if (!(await this.ready(wish))) continue;
       const rung = this.rungFor(wish);
-      const quality = LADDER[rung];
+      const quality = ladderOf(wish)[rung];
       if (quality && (rung === 0 || !wish.moving)) await this.frame(wish, quality);
       else if (this.wish === wish) this.wish = undefined;
       await pause();
@@ -150,7 +153,8 @@ class Turner {
     const [width, height] = [wish.width, wish.height].map((side) => Math.max(1, Math.round(side / part))) as [number, number];
     const begun = performance.now();
     for (;;) {
-      const slice = studio.turn(wish.subject, wish.camera, width, height, quality, BUDGET);
+      const how = wish.plane === 'alpha' ? `${quality}+nothing` : quality;
+      const slice = studio.turn(wish.subject, wish.camera, width, height, how, BUDGET);
       if ('code' in slice) {
         if (slice.code !== 'not_yet') this.refuse(wish, slice);
         return;
@@ -166,14 +170,20 @@ class Turner {
     if (quality === 'moving') this.suit(performance.now() - begun);
   }
 
-  private async show({ n }: Wish, quality: Quality, pixels: Uint8Array<ArrayBuffer>): Promise<void> {
+  private async show({ n, plane }: Wish, quality: Quality, pixels: Uint8Array<ArrayBuffer>): Promise<void> {
     const { width, height } = this.made;
-    const frame = await createImageBitmap(new ImageData(new Uint8ClampedArray(pixels.buffer, pixels.byteOffset, pixels.length), width, height));
+    const frame = await createImageBitmap(new ImageData(this.shown(plane, pixels), width, height));
     const bodies: Bodies = { count: this.studio.status().stones, skin: this.studio.get('stone') === 'skin' };
     say({ frame, n, quality, bodies }, [frame]);
     // There is time by now; without a storage the next visit unpacks the module again.
     if (quality === 'fine' && !this.kept) keepModules().catch(() => undefined);
     this.kept ||= quality === 'fine';
+  }
+
+  private shown(plane: Plane, pixels: Uint8Array<ArrayBuffer>): Uint8ClampedArray<ArrayBuffer> {
+    if (plane === 'alpha') return coverage(pixels);
+    const map = plane === 'light' ? undefined : this.studio.frameMap(plane);
+    return map && 'bytes' in map ? pixelsOf(map) : new Uint8ClampedArray(pixels.buffer, pixels.byteOffset, pixels.length);
   }
 
   /** Moving frames have as many pixels as there is time for. */
@@ -184,9 +194,14 @@ class Turner {
   }
 }
 
+/** Planes of depth, normals and numbers are of one sample. */
+function ladderOf({ plane }: Wish): readonly Quality[] {
+  return plane === 'light' || plane === 'alpha' ? LADDER : LADDER.slice(0, 2);
+}
+
 /** Two wishes of one view ask for the same frames. */
-function viewOf({ link, subject, camera, width, height }: Wish): string {
-  return [link, subject, camera, width, height].join(' ');
+function viewOf({ link, subject, camera, width, height, plane }: Wish): string {
+  return [link, subject, camera, width, height, plane].join(' ');
 }
 
 function say(said: Said, moved: Transferable[] = []): void {

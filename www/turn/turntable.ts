@@ -1,7 +1,8 @@
 /**
  * The turntable: the bodies of the picture, seen from a slant, over the sheet. All of it is worked out in a worker; the page
  * shows its frames. For scripts the sheet tells as `data-turn` what it shows of the latest wish: nothing yet (`coming`), a
- * frame that is `moving`, `still` or `fine`, or that there is none (`refused`).
+ * frame that is `moving`, `still` or `fine`, or that there is none (`refused`); the frame tells as `data-body` the number of
+ * the body last pointed at, or `none`.
  */
 import { t } from '../words/turn';
 import { byId, make, say } from '../base/dom';
@@ -12,6 +13,7 @@ import { Card, sentence } from './card';
 import { Frames } from './frames';
 import { CLOSER, Gestures } from './gestures';
 import { Making } from './making';
+import { planes, type Plane } from './planes';
 import { seen } from './told';
 import type { Bodies, Quality, Told } from './turn.worker';
 import '../styles/late/look.css';
@@ -57,6 +59,7 @@ export class Turntable {
   private readonly frames: Frames;
   private readonly gestures: Gestures;
   private bodies: Bodies = { count: 0, skin: false };
+  private plane: Plane = 'light';
   private on = false;
   private moving = false;
   /** What is shown of the latest wish, and the recipe that the frame is of. */
@@ -96,7 +99,7 @@ export class Turntable {
       },
       place.leave === undefined,
     );
-    this.root = make('div', { class: 'turn' }, make('div', { class: 'turn-frame' }, this.stand, this.card.element), this.making.strip, this.working, this.told);
+    this.root = make('div', { class: 'turn' }, make('div', { class: 'turn-frame' }, this.stand, this.card.element, planes((plane) => this.choose(plane))), this.making.strip, this.working, this.told);
     if (place.leave) this.root.append(this.wayOut());
     // The keys of the steps, and the way back, are there while the frame has the focus, too.
     this.stand.addEventListener('keydown', (event) => !event.defaultPrevented && this.making.step(event.key) && event.preventDefault());
@@ -146,9 +149,14 @@ export class Turntable {
     const fine = Math.min(devicePixelRatio, MOST / Math.max(clientWidth, clientHeight));
     const [width, height] = [clientWidth, clientHeight].map((side) => Math.round(side * fine)) as [number, number];
     const { making, place } = this;
-    const wish = { link: place.link(), subject: making.subject, camera: cameraWords(this.camera), width, height, moving: this.moving || place.held() };
+    const wish = { link: place.link(), subject: making.subject, camera: cameraWords(this.camera), width, height, plane: this.plane, moving: this.moving || place.held() };
     place.alone?.(making.subject, this.camera);
     this.state(this.frames.want(wish) ? 'coming' : this.reached);
+  }
+
+  private choose(plane: Plane): void {
+    this.plane = plane;
+    this.follow();
   }
 
   private get camera(): Camera {
@@ -206,6 +214,7 @@ export class Turntable {
     const turn = (this.pointed += 1);
     const body = await this.frames.bodyAt(x, y);
     if (turn !== this.pointed || !this.on) return undefined;
+    this.stand.dataset['body'] = String(body?.id ?? 'none');
     if (body) this.card.show(body, this.bodies.skin, x, y, picked);
     else this.card.hide();
     return body;
@@ -213,6 +222,7 @@ export class Turntable {
 
   private unpoint(): void {
     this.pointed += 1;
+    delete this.stand.dataset['body'];
     if (!this.card.picked) this.card.hide();
   }
 

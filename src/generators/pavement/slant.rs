@@ -7,7 +7,7 @@ use crate::generators::{Clock, FrameSlice, SeenBody, TurnOrder};
 use crate::heightfield::{Cutout, Surfaces};
 use crate::notice::{Code, Notice};
 use crate::scene::{Body, Frame, Instance, Place, Scene};
-use crate::solid::{Making, Solids, Step, Surface};
+use crate::solid::{Solids, Step, Surface};
 use glam::Vec3;
 
 /// What is on the turntable.
@@ -97,11 +97,12 @@ impl Pavement {
             return Err(Code::NotYet.into());
         };
         let mut shown = (scene, slant.number);
-        if let Some(step) = order.step() {
+        if let Some(step) = order.step()? {
             let is_kept =
                 |kept: &(u64, (u32, usize), u64, Scene)| kept.0 == slant.revision && kept.1 == step;
             if !slant.step.as_ref().is_some_and(is_kept) {
-                let made = self.step_scene(step).ok_or(Code::NoSuchFile)?;
+                let made = self.step_scene(step);
+                let made = made.ok_or_else(|| order.no_such_body())?;
                 slant.count += 1;
                 slant.step = Some((slant.revision, step, slant.count, made));
             }
@@ -116,7 +117,12 @@ impl Pavement {
             ground: planes.ground * planes.pixel_scale as f32 / planes.side as f32,
         };
         let left = budget - (clock() - begin);
-        slant.table.advance(&stand, order, clock, left)
+        let slice = slant.table.advance(&stand, order, clock, left)?;
+        // The first half was the making of the bodies.
+        Ok(FrameSlice {
+            progress: 0.5 + 0.5 * slice.progress,
+            ..slice
+        })
     }
 
     /// The stone at a pixel of the frame last finished.
@@ -139,11 +145,7 @@ impl Pavement {
             .checked_sub(1)
             .and_then(|k| self.scales().get(k));
         let steps = cell.map_or(Vec::new(), |cell| self.surfaces().making(cell));
-        let word = |step: &Making| match step {
-            Making::Loop(level) => format!("loop{level}"),
-            other => other.word().to_owned(),
-        };
-        steps.iter().map(word).collect()
+        steps.iter().map(|step| step.word().to_owned()).collect()
     }
 
     fn surfaces(&self) -> Surfaces {
