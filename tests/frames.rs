@@ -103,7 +103,10 @@ fn what_was_made_before_changes_no_frame() {
     let _ = studio.finish(&mut || 0.0);
     assert_eq!(in_slices(&mut studio, &order), first);
     // The same bodies from the picture made anew.
-    assert_eq!(at_once(&mut finished(&studio.recipe().link()), &order), first);
+    assert_eq!(
+        at_once(&mut finished(&studio.recipe().link()), &order),
+        first
+    );
 }
 
 /// Each step in the making of a stone is seen, and they differ.
@@ -116,13 +119,13 @@ fn steps_are_frames_of_their_own() {
         assert!(steps.len() >= least, "{form}: {steps:?}");
         assert_eq!(studio.engine().making(0).len(), 0);
         let mut hashes = Vec::new();
-        for step in 0..steps.len() {
-            let mut order = still(128, "330,30,3,35");
+        for (step, word) in steps.iter().enumerate() {
+            let mut order = still(128, "80,30,4.4,35");
             order.subject = format!("{}:{step}", cells / 2);
             hashes.push(at_once(&mut studio, &order));
             let frame = studio.engine().frame().expect("a frame");
             let seen = frame.ids().iter().filter(|&&id| id > 0).count();
-            assert!(seen > 500, "{form}, {}: {seen} pixels", steps[step]);
+            assert!(seen > 500, "{form}, {word}: {seen} pixels");
         }
         let mut different = hashes.clone();
         different.sort();
@@ -149,9 +152,14 @@ fn what_is_no_frame_gets_a_sentence() {
         let why = refused(&|order| order.size = size);
         assert!(why.contains("1 to 8192 pixels"), "{why}");
     }
-    for subject in ["nonsense", "1", "1:", ":1", "0:0", "999999:0", "1:99", "-1:0"] {
+    for subject in [
+        "nonsense", "1", "1:", ":1", "0:0", "999999:0", "1:99", "-1:0",
+    ] {
         let why = refused(&|order| order.subject = subject.into());
-        assert!(why.contains("no such body") && why.contains(subject), "{why}");
+        assert!(
+            why.contains("no such body") && why.contains(subject),
+            "{why}"
+        );
     }
     // Words that are none are passed over, and nothing of it is kept.
     let mut order = order;

@@ -36,8 +36,8 @@ export interface Place {
   ended(how: 'lost' | 'broken', why: string): void;
 }
 
-/** Where the viewer of one body stands at first: its own size is the unit there. */
-const BODY: Camera = [330, 30, 3, 35, 0, 0, 0];
+/** Where the viewer of one body stands at first, with the usual light from the front; its corners are a unit from its middle. */
+const BODY: Camera = [80, 30, 3.8, 35, 0, 0, 0];
 
 /** Milliseconds for which the worker is kept for the way back. */
 const KEPT = 60_000;

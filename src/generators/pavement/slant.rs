@@ -2,12 +2,14 @@
 
 use super::Pavement;
 use crate::cells::Cell;
+use crate::generators::height_field::LightParams;
 use crate::generators::turntable::{Stand, Turntable};
 use crate::generators::{Clock, FrameSlice, SeenBody, TurnOrder};
 use crate::heightfield::{Cutout, Surfaces};
+use crate::light::Light;
 use crate::notice::{Code, Notice};
 use crate::scene::{Body, Frame, Instance, Place, Scene};
-use crate::solid::{Solids, Step, Surface};
+use crate::solid::{Solids, Step, Surface, top};
 use glam::Vec3;
 
 /// What is on the turntable.
@@ -17,12 +19,19 @@ pub(super) struct Slant {
     revision: u64,
     making: Option<Cutout>,
     scene: Option<Scene>,
-    /// The step that was asked for last, of those planes, its number and its scene.
-    step: Option<(u64, (u32, usize), u64, Scene)>,
+    step: Option<Shown>,
     /// Of the scene, and of all made so far.
     number: u64,
     count: u64,
     table: Turntable,
+}
+
+/// The step in the making of a stone that was asked for last.
+struct Shown {
+    /// Of which planes, which stone, and which step of it.
+    of: (u64, (u32, usize)),
+    number: u64,
+    scene: Scene,
 }
 
 impl Slant {
@@ -96,26 +105,27 @@ impl Pavement {
         let (Some(scene), Some(planes)) = (&slant.scene, self.planes()) else {
             return Err(Code::NotYet.into());
         };
-        let mut shown = (scene, slant.number);
-        if let Some(step) = order.step()? {
-            let is_kept =
-                |kept: &(u64, (u32, usize), u64, Scene)| kept.0 == slant.revision && kept.1 == step;
-            if !slant.step.as_ref().is_some_and(is_kept) {
-                let made = self.step_scene(step);
-                let made = made.ok_or_else(|| order.no_such_body())?;
-                slant.count += 1;
-                slant.step = Some((slant.revision, step, slant.count, made));
-            }
-            if let Some((_, _, number, scene)) = &slant.step {
-                shown = (scene, *number);
-            }
-        }
-        let stand = Stand {
-            scene: shown.0,
-            number: shown.1,
+        let mut stand = Stand {
+            scene,
+            number: slant.number,
             light: &self.working.params.finish.light,
             ground: planes.ground * planes.pixel_scale as f32 / planes.side as f32,
         };
+        let beside: LightParams;
+        if let Some(step) = order.step()? {
+            let of = (slant.revision, step);
+            if slant.step.as_ref().is_none_or(|shown| shown.of != of) {
+                let scene = self.step_scene(step);
+                let scene = scene.ok_or_else(|| order.no_such_body())?;
+                slant.count += 1;
+                let number = slant.count;
+                slant.step = Some(Shown { of, number, scene });
+            }
+            beside = self.light_of(step.0);
+            if let Some(Shown { number, scene, .. }) = &slant.step {
+                (stand.scene, stand.number, stand.light) = (scene, *number, &beside);
+            }
+        }
         let left = budget - (clock() - begin);
         let slice = slant.table.advance(&stand, order, clock, left)?;
         // The first half was the making of the bodies.
@@ -153,23 +163,41 @@ impl Pavement {
         Surfaces::new(texture, usize::MAX)
     }
 
-    /// A step in the making of a stone, alone, with the mean distance of its cell's corners from the middle as the unit.
+    /// The light on a stone that stands alone, large: it comes from where the lamp is seen from the stone's place.
+    fn light_of(&self, id: u32) -> LightParams {
+        let mut light = self.working.params.finish.light.clone();
+        let cell = self.scales().get((id as usize).wrapping_sub(1));
+        if let (Light::Point { x, y, z }, Some(cell)) = (light.shade.light, cell) {
+            let place = cell.centre / self.working.params.finish.planes.texture.side as f64;
+            let (x, y) = (x - place.x, y - place.y);
+            light.shade.light = Light::Parallel {
+                azimuth: libm::atan2(y, x),
+                elevation: libm::atan2(z, libm::hypot(x, y)),
+            };
+        }
+        light
+    }
+
+    /// A step in the making of a stone, alone.
     fn step_scene(&self, (id, step): (u32, usize)) -> Option<Scene> {
         let index = (id as usize).checked_sub(1)?;
         let (cell, planes) = (self.scales().get(index)?, self.planes()?);
         let surfaces = self.surfaces();
         let making = *surfaces.making(cell).get(step)?;
         let made = surfaces.step(&mut Solids::new(), (cell, index), planes, making)?;
-        Some(alone(&made, cell))
+        let high = top(&self.working.params.finish.planes.texture.stone, cell.size);
+        Some(alone(&made, cell, high))
     }
 }
 
-/// A surface alone on the turntable, in the scale of its cell, with the lines over it.
-fn alone(step: &Step, cell: &Cell) -> Scene {
+/// A surface alone on the turntable, with the lines over it. The middle of a stone of this height is the origin, and the
+/// corners of its cell are a unit away from there, at the top and at the base, by the mean of the cell's corners.
+fn alone(step: &Step, cell: &Cell, high: f64) -> Scene {
     let far: f64 = cell.ring.iter().map(|&p| (p - cell.centre).length()).sum();
-    let unit = (cell.ring.len() as f64 / far.max(f64::MIN_POSITIVE)) as f32;
-    let middle = cell.centre.as_vec2();
-    let at = |p: &Vec3| Vec3::new(p.x - middle.x, p.z, p.y - middle.y) * unit;
+    let mean = far / cell.ring.len().max(1) as f64;
+    let unit = (1.0 / libm::hypot(mean, 0.5 * high).max(f64::MIN_POSITIVE)) as f32;
+    let (middle, half) = (cell.centre.as_vec2(), 0.5 * high as f32);
+    let at = |p: &Vec3| Vec3::new(p.x - middle.x, p.z - half, p.y - middle.y) * unit;
     let surface = &step.surface;
     let upright = Surface {
         positions: surface.positions.iter().map(at).collect(),
