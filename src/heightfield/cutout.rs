@@ -4,7 +4,8 @@
 //! finish. The ground is a block with the picture's top, cut off at its edges like a cake.
 
 use super::relief::Relief;
-use super::{GROUND, Planes, Surfaces, TextureParams, ground};
+use super::sheet::GroundSheet;
+use super::{GROUND, Planes, Surfaces, TextureParams};
 use crate::cells::Cell;
 use crate::order::lesser;
 use crate::scene::{Body, Instance, Place, Scene};
@@ -21,6 +22,8 @@ const FINER: usize = 4;
 const LEAST: usize = 28;
 /// Squares along a side of the ground, from the finest level on.
 const SQUARES: [usize; 3] = [192, 96, 48];
+/// Pixels of the planes that are taken over in one go.
+const PIXELS: usize = 65_536;
 /// How far the block reaches below the base of the stones, of the picture's side.
 const THICK: f32 = 0.035;
 /// Colour of the cut, of the mean colour of the ground along its edges, at the top and at the bottom.
@@ -39,6 +42,10 @@ pub struct Cutout {
     is_seen: Vec<bool>,
     scene: Scene,
     cell: usize,
+    /// Of the ground, the levels that are there and the next one.
+    ground: Vec<Surface>,
+    sheet: Option<GroundSheet>,
+    relief: Option<Relief>,
 }
 
 impl Cutout {
@@ -64,6 +71,9 @@ impl Cutout {
                 ..Scene::default()
             },
             cell: 0,
+            ground: Vec::new(),
+            sheet: None,
+            relief: None,
             params,
         }
     }
@@ -73,20 +83,27 @@ impl Cutout {
         self.cell as f64 / (cells.len() + 1) as f64
     }
 
-    /// Adds the next stone, or after the last one the ground; true when all is there. Cells and planes are those that
-    /// it is of.
+    /// Adds the next stone, or after the last one some of the ground, and then some of the planes; true when all is
+    /// there. Cells and planes are those that it is of.
     pub fn advance(&mut self, cells: &[Cell], planes: &Planes) -> bool {
-        match cells.get(self.cell) {
+        if let Some(cell) = cells.get(self.cell) {
             // Beyond the picture's edge a stone has no colours, and no ground.
-            Some(cell) if self.is_seen[self.cell] || self.is_within(cell) => self.add(cell, planes),
-            Some(_) => {}
-            None => {
-                self.add_ground(planes);
-                self.scene.detail = Some(Box::new(Relief::new(planes)));
+            if self.is_seen[self.cell] || self.is_within(cell) {
+                self.add(cell, planes);
             }
+            self.cell += 1;
+            return false;
         }
-        self.cell += 1;
-        self.cell > cells.len()
+        if let Some(&squares) = SQUARES.get(self.ground.len()) {
+            self.advance_ground(planes, squares.min(planes.side));
+            return false;
+        }
+        let relief = self.relief.get_or_insert_with(|| Relief::new(planes));
+        let is_there = relief.add(planes, PIXELS);
+        if is_there && let Some(relief) = self.relief.take() {
+            self.scene.detail = Some(Box::new(relief));
+        }
+        is_there
     }
 
     /// The scene, once it is there.
@@ -136,19 +153,27 @@ impl Cutout {
         planes.material[at(cell.centre.y) * planes.side + at(cell.centre.x)]
     }
 
-    fn add_ground(&mut self, planes: &Planes) {
-        let levels = SQUARES.map(|squares| {
-            let squares = squares.min(planes.side);
-            let mut sheet = ground(planes, squares);
-            cut_off(&mut sheet, squares, THICK * self.params.side as f32);
-            self.upright(&sheet)
-        });
+    /// Makes a row of the next level of the ground; with the last one it stands.
+    fn advance_ground(&mut self, planes: &Planes, squares: usize) {
+        let sheet = self.sheet.get_or_insert_with(|| GroundSheet::new(squares));
+        if !sheet.advance(planes) {
+            return;
+        }
+        let Some(sheet) = self.sheet.take() else {
+            return;
+        };
+        let mut sheet = sheet.finish(planes);
+        cut_off(&mut sheet, squares, THICK * self.params.side as f32);
+        self.ground.push(self.upright(&sheet));
+        if self.ground.len() < SQUARES.len() {
+            return;
+        }
         self.scene.instances.push(Instance {
             body: self.scene.bodies.len() as u32,
             place: Place::default(),
             id: GROUND,
         });
-        let body = Body::new(levels.to_vec(), crate::material::GROUND_ROW);
+        let body = Body::new(self.ground.clone(), crate::material::GROUND_ROW);
         self.scene.bodies.push(body);
     }
 
@@ -231,6 +256,7 @@ fn cut_off(sheet: &mut Surface, n: usize, thick: f32) {
 
 #[cfg(test)]
 mod tests {
+    use super::super::ground;
     use super::*;
     use glam::DVec3;
 

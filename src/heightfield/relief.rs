@@ -19,25 +19,49 @@ const STEEPEST: f32 = 1.6;
 
 /// The planes of a picture that bodies stand in as [`crate::scene`] has it: the side is 1.
 pub struct Relief {
-    planes: Planes,
+    side: usize,
+    tile: bool,
+    id: Vec<u32>,
+    colour: Vec<[u8; 3]>,
+    material: Vec<u8>,
+    occlusion: Vec<u8>,
     /// Rise to the right and down, of each pixel, by pixels of its own id.
     slopes: Vec<[f32; 2]>,
 }
 
 impl Relief {
-    /// Of finished planes.
+    /// Of such planes, once all rows are added.
     pub fn new(planes: &Planes) -> Self {
-        let slopes = slopes(planes);
+        let pixels = planes.side * planes.side;
         Self {
-            planes: planes.clone(),
-            slopes,
+            side: planes.side,
+            tile: planes.tile,
+            id: Vec::with_capacity(pixels),
+            colour: Vec::with_capacity(pixels),
+            material: Vec::with_capacity(pixels),
+            occlusion: Vec::with_capacity(pixels),
+            slopes: Vec::with_capacity(pixels),
         }
+    }
+
+    /// Adds about so many pixels of these finished planes; true after the last ones.
+    pub fn add(&mut self, planes: &Planes, pixels: usize) -> bool {
+        let from = self.id.len();
+        let span = from..planes.id.len().min(from.saturating_add(pixels));
+        self.id.extend_from_slice(&planes.id[span.clone()]);
+        self.colour.extend_from_slice(&planes.colour[span.clone()]);
+        self.material
+            .extend_from_slice(&planes.material[span.clone()]);
+        self.occlusion
+            .extend_from_slice(&planes.occlusion[span.clone()]);
+        self.slopes.extend(span.map(|at| slope(planes, at)));
+        self.id.len() == planes.id.len()
     }
 
     /// The pixel at a column and row, if there is one.
     fn pixel(&self, x: i32, y: i32) -> Option<usize> {
-        let side = self.planes.side as i32;
-        let (x, y) = match self.planes.tile {
+        let side = self.side as i32;
+        let (x, y) = match self.tile {
             true => (x.rem_euclid(side), y.rem_euclid(side)),
             false => (x, y),
         };
@@ -52,7 +76,7 @@ impl Detail for Relief {
         if upright <= 0.0 {
             return;
         }
-        let side = self.planes.side as f32;
+        let side = self.side as f32;
         let x = (surfel.position.x + 0.5) * side - 0.5;
         let y = (surfel.position.z + 0.5) * side - 0.5;
         let (fx, fy) = (x.floor(), y.floor());
@@ -64,21 +88,21 @@ impl Detail for Relief {
             let Some(at) = self.pixel(fx as i32 + right, fy as i32 + down) else {
                 continue;
             };
-            if self.planes.id[at] != id {
+            if self.id[at] != id {
                 continue;
             }
             let across = if right == 1 { tx } else { 1.0 - tx };
             let weight = across * if down == 1 { ty } else { 1.0 - ty };
             sum += weight;
-            for (sum, part) in colour.iter_mut().zip(self.planes.colour[at]) {
+            for (sum, part) in colour.iter_mut().zip(self.colour[at]) {
                 *sum += weight * f32::from(part);
             }
             for (sum, part) in slope.iter_mut().zip(self.slopes[at]) {
                 *sum += weight * part;
             }
-            open += weight * f32::from(self.planes.occlusion[at]);
+            open += weight * f32::from(self.occlusion[at]);
             if weight > best {
-                (best, surfel.material) = (weight, self.planes.material[at]);
+                (best, surfel.material) = (weight, self.material[at]);
             }
         }
         if sum < 0.05 {
@@ -99,10 +123,10 @@ impl Detail for Relief {
 }
 
 /// By differences between pixels of one id: across its rim a stone has no slope.
-fn slopes(planes: &Planes) -> Vec<[f32; 2]> {
+fn slope(planes: &Planes, at: usize) -> [f32; 2] {
     let (side, tile) = (planes.side, planes.tile);
     let unit = planes.pixel_scale as f32;
-    let rise = |at: usize, [before, after]: [usize; 2]| {
+    let rise = |[before, after]: [usize; 2]| {
         let own = |there: &usize| planes.id[*there] == planes.id[at];
         let [low, high] = [before, after].map(|there| if own(&there) { there } else { at });
         let apart = f32::from(u8::from(low != at) + u8::from(high != at));
@@ -111,11 +135,8 @@ fn slopes(planes: &Planes) -> Vec<[f32; 2]> {
             false => 0.0,
         }
     };
-    let pixel = |at: usize| {
-        let (x, y) = (at % side, at / side);
-        let across = beside(x, side, tile).map(|x| y * side + x);
-        let down = beside(y, side, tile).map(|y| y * side + x);
-        [rise(at, across), rise(at, down)]
-    };
-    (0..side * side).map(pixel).collect()
+    let (x, y) = (at % side, at / side);
+    let across = beside(x, side, tile).map(|x| y * side + x);
+    let down = beside(y, side, tile).map(|y| y * side + x);
+    [rise(across), rise(down)]
 }

@@ -51,39 +51,70 @@ pub fn means(planes: &Planes, n: usize, row: usize) -> Vec<f32> {
 /// The ground as a sheet of `n` by `n` squares over the whole picture. Under stones it is flat, where their
 /// base is deeper, and has the colour beside them.
 pub fn ground(planes: &Planes, n: usize) -> Surface {
-    let half = greater(0.5 * planes.side as f32 / n as f32, AROUND);
-    let unit = planes.side as f32 / (n * planes.pixel_scale) as f32;
-    let spans: Vec<Range<i32>> = (0..=n).map(|k| around(planes, n, k, half)).collect();
-    // The colour of the ground met last.
-    let mut colour = [128; 3];
-    let mut sheet = Surface::default();
-    for j in 0..=n {
+    let mut sheet = GroundSheet::new(n);
+    while !sheet.advance(planes) {}
+    sheet.finish(planes)
+}
+
+/// The sheet of [`ground`] in the making, row by row.
+pub(super) struct GroundSheet {
+    n: usize,
+    row: usize,
+    /// The colour of the ground met last.
+    colour: [u8; 3],
+    sheet: Surface,
+}
+
+impl GroundSheet {
+    /// Of so many squares along a side.
+    pub fn new(n: usize) -> Self {
+        Self {
+            n,
+            row: 0,
+            colour: [128; 3],
+            sheet: Surface::default(),
+        }
+    }
+
+    /// Makes the next row of crossings; true after the last one.
+    pub fn advance(&mut self, planes: &Planes) -> bool {
+        let (n, j, sheet) = (self.n, self.row, &mut self.sheet);
+        let half = greater(0.5 * planes.side as f32 / n as f32, AROUND);
+        let unit = planes.side as f32 / (n * planes.pixel_scale) as f32;
+        let rows = around(planes, n, j, half);
         for i in 0..=n {
             let mut height = planes.ground;
-            if let Some(bare) = bare(planes, spans[i].clone(), spans[j].clone()) {
-                (height, colour) = bare;
+            if let Some(bare) = bare(planes, around(planes, n, i, half), rows.clone()) {
+                (height, self.colour) = bare;
             }
             let place = Vec3::new(i as f32 * unit, j as f32 * unit, height);
             sheet.positions.push(place);
-            sheet.colours.push(colour);
+            sheet.colours.push(self.colour);
             if i < n && j < n {
                 let a = (j * (n + 1) + i) as u32;
                 let c = a + n as u32 + 1;
                 sheet.triangles.extend([[a, a + 1, c + 1], [a, c + 1, c]]);
             }
         }
+        self.row += 1;
+        self.row > n
     }
-    sheet.normals = normals(&sheet.positions, &sheet.triangles);
-    if planes.tile {
-        // Both ends of all columns, and then of all rows.
-        for (apart, step) in [(n * (n + 1), 1), (n, n + 1)] {
-            for a in (0..=n).map(|k| k * step) {
-                let mean = (sheet.normals[a] + sheet.normals[a + apart]).normalize_or(Vec3::Z);
-                (sheet.normals[a], sheet.normals[a + apart]) = (mean, mean);
+
+    /// The sheet, once all rows are made.
+    pub fn finish(self, planes: &Planes) -> Surface {
+        let (n, mut sheet) = (self.n, self.sheet);
+        sheet.normals = normals(&sheet.positions, &sheet.triangles);
+        if planes.tile {
+            // Both ends of all columns, and then of all rows.
+            for (apart, step) in [(n * (n + 1), 1), (n, n + 1)] {
+                for a in (0..=n).map(|k| k * step) {
+                    let mean = (sheet.normals[a] + sheet.normals[a + apart]).normalize_or(Vec3::Z);
+                    (sheet.normals[a], sheet.normals[a + apart]) = (mean, mean);
+                }
             }
         }
+        sheet
     }
-    sheet
 }
 
 /// The height of the lowest pixel of the ground there and the colour of one, if there are any. The lowest may be

@@ -52,7 +52,7 @@ export type Quality = 'moving' | 'still' | 'fine';
 
 export type Said =
   | { frame: ImageBitmap; n: number; quality: Quality; bodies: Bodies }
-  /** How far the recipe is worked out, 0..1. */
+  /** How far the work is, 0..1: the recipe's, and then a frame's. */
   | { working: number }
   | { ask: number; body: Told | undefined }
   /** There is no picture, or no such subject. */
@@ -66,6 +66,9 @@ const STEPS = 100_000;
 
 /** So long a recipe is worked on, in milliseconds, before a newer one ends that. */
 const PATIENCE = 400;
+
+/** The share of a recipe's own stages in the work before the first frame. */
+const WORKED = 0.5;
 
 /** Pixels for one of a moving frame, along a side, and the milliseconds that such a frame may take. */
 const COARSE = { least: 2, most: 5, slow: 140, quick: 45 };
@@ -128,7 +131,7 @@ class Turner {
     const begun = performance.now();
     while (!isEnd(studio.stage())) {
       studio.tick(BUDGET, STEPS);
-      say({ working: progressOf(this.stages, studio.stage(), studio.status()) });
+      say({ working: WORKED * progressOf(this.stages, studio.stage(), studio.status()) });
       await pause();
       if (this.wish?.link !== wish.link && performance.now() - begun > PATIENCE) return false;
     }
@@ -164,6 +167,7 @@ class Turner {
         await this.show(wish, quality, slice.pixels ?? new Uint8Array(4 * width * height));
         break;
       }
+      say({ working: WORKED + (1 - WORKED) * slice.progress });
       await pause();
       if (this.wish !== wish && (quality !== 'moving' || !this.wish?.moving)) return;
     }
