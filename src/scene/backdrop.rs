@@ -32,7 +32,8 @@ const FADES: [f32; 2] = [1.1, 3.2];
 type Gradient = [[f32; 3]; 2];
 const STUDIO: Gradient = [[203.0, 199.0, 192.0], [226.0, 224.0, 220.0]];
 const AIR: Gradient = [[214.0, 224.0, 233.0], [104.0, 146.0, 198.0]];
-const LAND: Gradient = [[196.0, 200.0, 196.0], [118.0, 116.0, 108.0]];
+/// Air and land meet in haze.
+const LAND: Gradient = [AIR[0], [126.0, 123.0, 114.0]];
 
 /// The colour on the screen in a direction (a unit vector); black for [`Backdrop::Nothing`].
 pub(super) fn behind(backdrop: Backdrop, way: Vec3) -> [f32; 3] {
@@ -40,7 +41,7 @@ pub(super) fn behind(backdrop: Backdrop, way: Vec3) -> [f32; 3] {
     match backdrop {
         Backdrop::Floor => between(STUDIO, high),
         Backdrop::Sky if way.y >= 0.0 => between(AIR, lesser(1.6 * high, 1.0).sqrt()),
-        Backdrop::Sky => between(LAND, lesser(-2.0 * way.y, 1.0)),
+        Backdrop::Sky => between(LAND, lesser(-2.0 * way.y, 1.0).sqrt()),
         Backdrop::Nothing => [0.0; 3],
     }
 }

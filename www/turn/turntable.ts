@@ -37,7 +37,7 @@ export interface Place {
 }
 
 /** Where the viewer of one body stands at first, with the usual light from the front; its corners are a unit from its middle. */
-const BODY: Camera = [80, 30, 3.8, 35, 0, 0, 0];
+const BODY: Camera = [80, 30, 4.2, 35, 0, 0, 0];
 
 /** Milliseconds for which the worker is kept for the way back. */
 const KEPT = 60_000;
@@ -99,8 +99,8 @@ export class Turntable {
       },
       place.leave === undefined,
     );
-    this.root = make('div', { class: 'turn' }, make('div', { class: 'turn-frame' }, this.stand, this.card.element, planes((plane) => this.choose(plane))), this.making.strip, this.working, this.told);
-    if (place.leave) this.root.append(this.wayOut());
+    this.root = make('div', { class: 'turn' }, make('div', { class: 'turn-frame' }, this.stand, this.card.element), this.making.strip, this.working, this.told);
+    if (place.leave) this.root.append(planes((plane) => this.choose(plane)), this.wayOut());
     // The keys of the steps, and the way back, are there while the frame has the focus, too.
     this.stand.addEventListener('keydown', (event) => !event.defaultPrevented && this.making.step(event.key) && event.preventDefault());
     new ResizeObserver(() => this.follow()).observe(this.stand);
