@@ -4,7 +4,6 @@ import { defineConfig } from 'vite';
 import { buildIcons } from './scripts/lib/icons.mjs';
 import { offline } from './scripts/lib/offline.mjs';
 import { buildThumbs, generatorsOf, thumbsOfMore } from './scripts/lib/thumbs.mjs';
-import { hasHouse } from './scripts/lib/wasm.mjs';
 
 const here = (/** @type {string} */ path) => fileURLToPath(new URL(path, import.meta.url));
 
@@ -65,26 +64,24 @@ function japanese() {
   return words;
 }
 
-/** The folder of the second module, which is loaded at first need; none while all generators are in the first. */
-const second = process.env['BUBBLESTONE_HOUSE'] ?? (hasHouse ? 'house' : undefined);
-const house = second && here(`pkg-${second}`);
+/** The folder of the second module, which is loaded at first need. */
+const house = here(`pkg-${process.env['BUBBLESTONE_HOUSE'] ?? 'house'}`);
 
-/** What each module makes, for the page to offer it before it is here; and the second module, if there is one. */
+/** What each module makes, for the page to offer it before it is here; and the second module. */
 const made = {
   name: 'made',
   /** @param {string} id */
   resolveId: (id) => (['virtual:generators', 'virtual:house'].includes(id) ? `\0${id}` : undefined),
   /** @param {string} id */
   load: async (id) => {
-    if (id === '\0virtual:generators') return `export default ${JSON.stringify(await generatorsOf([here('pkg'), ...(house ? [house] : [])]))}`;
+    if (id === '\0virtual:generators') return `export default ${JSON.stringify(await generatorsOf([here('pkg'), house]))}`;
     if (id !== '\0virtual:house') return undefined;
-    if (!house) return 'export default undefined';
     const [script, packed] = ['bubblestone.js', 'house.lzma'].map((name) => JSON.stringify(`${house}/${name}?url`));
     return `import packed from ${packed}; import script from ${script}; export default { packed, script }`;
   },
   /** @this {import('rolldown').PluginContext} */
   async generateBundle() {
-    for (const { name, bytes } of house ? await thumbsOfMore(house) : []) {
+    for (const { name, bytes } of await thumbsOfMore(house)) {
       this.emitFile({ type: 'asset', fileName: `thumbs/${name}.avif`, source: bytes });
     }
   },

@@ -14,25 +14,18 @@ export const houseModule = join(root, 'pkg-specimen');
 export const packedHouse = join(houseModule, 'house.lzma');
 export const nodeModule = join(targetDir, 'pkg-node');
 
-/**
- * Whether the site has a second module, with all generators: a feature of Cargo.toml, `house`, adds those to the crate
- * that a first visit does without.
- */
-export const hasHouse = /^house = /m.test(readFileSync(join(root, 'Cargo.toml'), 'utf8'));
-const house = hasHouse ? ['house'] : [];
-
-/** Where the module is that makes all there is. */
-export const wholeModule = hasHouse ? join(root, 'pkg-house') : pageModule;
+/** Where the module is that makes all there is: a feature of Cargo.toml, `house`, adds what a first visit does without. */
+export const wholeModule = join(root, 'pkg-house');
 
 /** All builds: where they are put, for whom, and the cargo features of each. */
 const BUILDS = {
   /** What a first visit gets. */
   web: { folder: pageModule, target: 'web', features: [] },
-  house: { folder: wholeModule, target: 'web', features: house },
+  house: { folder: wholeModule, target: 'web', features: ['house'] },
   specimen: { folder: houseModule, target: 'web', features: ['specimen'] },
-  nodejs: { folder: nodeModule, target: 'nodejs', features: house },
+  nodejs: { folder: nodeModule, target: 'nodejs', features: ['house'] },
   /** With the measurements. */
-  bench: { folder: join(targetDir, 'pkg-bench'), target: 'nodejs', features: ['bench', ...house] },
+  bench: { folder: join(targetDir, 'pkg-bench'), target: 'nodejs', features: ['bench', 'house'] },
 };
 
 // What decides the module beside the code that cargo compiled.
@@ -41,7 +34,7 @@ const recipe = ['Cargo.toml', 'Cargo.lock', 'package-lock.json', 'scripts/lib/wa
 /** Builds what the site is made of. @param {NodeJS.ProcessEnv} env of the Rust for WebAssembly */
 export async function buildModules(env) {
   await buildWasm('web', env);
-  if (hasHouse) await buildWasm('house', env);
+  await buildWasm('house', env);
 }
 
 /**

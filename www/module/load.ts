@@ -1,6 +1,6 @@
 /**
- * The WebAssembly modules: one that makes pavements, which a first visit gets, and where there are more generators one
- * that makes all, which comes when it is first needed. Each is fetched packed, compiled while it is unpacked, and for
+ * The WebAssembly modules: one that makes pavements, which a first visit gets, and one that makes all there is, bodies in
+ * light among it, which comes when it is first needed. Each is fetched packed, compiled while it is unpacked, and for
  * later visits kept unpacked.
  */
 import house from 'virtual:house';
@@ -20,7 +20,7 @@ interface Source {
 
 /** By their places. */
 const FIRST: Source = { packed, bring: () => Promise.resolve(pavements) };
-const SOURCES: readonly Source[] = house ? [FIRST, { packed: house.packed, bring: () => script(house?.script ?? '') }] : [FIRST];
+const SOURCES: readonly Source[] = [FIRST, { packed: house.packed, bring: () => script(house.script) }];
 
 /** Bytes that are unpacked at a time: a few milliseconds of work, after which the page may do other things. */
 const PIECE = 32_768;
