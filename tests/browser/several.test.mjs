@@ -39,17 +39,17 @@ test('a generator without a part of the page has no keys of it, and what was ope
   await page.waitForSelector('.make[data-make=specimen][aria-current]');
   await digest(page);
   await page.waitForSelector('#layers', { hidden: true });
-  for (const key of ['e', 'o', 't', 'v', 'p']) await page.keyboard.press(key);
+  for (const key of ['e', 'o', 'g', 't', 'v', 'p']) await page.keyboard.press(key);
   // A key that there is comes after them.
   await page.keyboard.press('l');
   await page.waitForSelector('#light-sun', { visible: true });
   await frames(page, 5);
   assert.equal(await page.$('.handle, #divider'), null);
-  assert.deepEqual(await page.$$eval('#editor, #layers, .tiles, #plots', (parts) => parts.filter((part) => part.checkVisibility()).map(({ id }) => id)), []);
+  assert.deepEqual(await page.$$eval('#editor, #layers, #turn, .tiles, #plots', (parts) => parts.filter((part) => part.checkVisibility()).map(({ id }) => id)), []);
   assert.equal(await page.$eval('#cells', (cells) => cells.checkVisibility()), false, 'a stop for Tab where there are no cells');
   const few = await listed(page);
   const gone = all.filter((row) => !few.includes(row));
-  assert.equal(gone.length, 15, String(gone));
+  assert.equal(gone.length, 17, String(gone));
   for (const row of few) assert.ok(all.includes(row), row);
   await click(page, '.make[data-make=pavement]');
   await page.waitForSelector('.make[data-make=pavement][aria-current]');
