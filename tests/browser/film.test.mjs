@@ -173,6 +173,37 @@ test('a film of the forming loops from the finished picture to the finished pict
   await close();
 });
 
+test('a film of the turntable goes round once, and loops', sameEverywhere, async () => {
+  // As an animation, which has a third of the frames.
+  const { page, problems, close } = await opened('#size=128&cs=26&camera=20,50', { films: false });
+  await digest(page);
+  await page.waitForSelector('#sheet[data-turn=fine]');
+  await click(page, '#save');
+  await page.waitForSelector('#save-turn-film:enabled');
+  await click(page, '#save-turn-film');
+  await page.waitForFunction(() => window.saved);
+  assert.equal(await page.evaluate(() => window.saved.name), 'bubblestone-annulus-1-turn.gif');
+  await page.evaluate(meaning);
+  const { count, loops, size, coarse } = await page.evaluate(async () => {
+    const decoder = new ImageDecoder({ data: await window.saved.blob.arrayBuffer(), type: 'image/gif' });
+    await Promise.all([decoder.tracks.ready, decoder.completed]);
+    const { frameCount, repetitionCount } = decoder.tracks.selectedTrack;
+    const found = { count: frameCount, loops: repetitionCount === Infinity, size: [0, 0], coarse: [] };
+    for (const frameIndex of [0, frameCount / 2, frameCount - 1]) {
+      const { image } = await decoder.decode({ frameIndex });
+      found.size = [image.displayWidth, image.displayHeight];
+      found.coarse.push(window.coarse(image, 0, 0, image.displayWidth));
+    }
+    return found;
+  });
+  assert.deepEqual([count, loops, size], [60, true, [360, 360]]);
+  const [first, half, last] = coarse;
+  // From the last frame to the first one it is a step like all others.
+  assert.ok(apart(first, last) < apart(first, half) / 3, `the last frame is ${apart(first, last)} off the first one, that half round ${apart(first, half)}`);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
 test('phones share the picture alone, and a film that is made first, or stopped', sameEverywhere, async () => {
   const { page, problems, close } = await opened(SMALL, { shares: true, viewport: phone });
   await digest(page);
