@@ -177,21 +177,10 @@ impl Cutout {
         self.scene.bodies.push(body);
     }
 
-    /// From picture units with the height pointing out of the picture to a scene, which is right-handed.
+    /// In the scene, in which the picture's side is 1 and its middle the origin.
     fn upright(&self, surface: &Surface) -> Surface {
         let side = self.params.side as f32;
-        let swapped = |v: &Vec3| Vec3::new(v.x, v.z, v.y);
-        let place = |p: &Vec3| swapped(p) / side - Vec3::new(0.5, 0.0, 0.5);
-        Surface {
-            positions: surface.positions.iter().map(place).collect(),
-            normals: surface.normals.iter().map(swapped).collect(),
-            colours: surface.colours.clone(),
-            triangles: surface
-                .triangles
-                .iter()
-                .map(|&[a, b, c]| [a, c, b])
-                .collect(),
-        }
+        surface.upright(|p| p / side - Vec3::new(0.5, 0.0, 0.5))
     }
 }
 

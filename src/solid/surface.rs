@@ -44,6 +44,19 @@ impl Surface {
 }
 
 impl Surface {
+    /// The same in a scene, which is right-handed with y up, where pictures have x, y down and the height: each point
+    /// is placed by a function of where it lies in these axes.
+    pub fn upright(&self, place: impl Fn(Vec3) -> Vec3) -> Self {
+        let swapped = |v: &Vec3| Vec3::new(v.x, v.z, v.y);
+        let turned = |&[a, b, c]: &[u32; 3]| [a, c, b];
+        Self {
+            positions: self.positions.iter().map(swapped).map(place).collect(),
+            normals: self.normals.iter().map(swapped).collect(),
+            colours: self.colours.clone(),
+            triangles: self.triangles.iter().map(turned).collect(),
+        }
+    }
+
     /// The same with at most so many triangles, as far as it can be simplified to so few; what lies below `floor`
     /// may be coarser. Vertices that stay have the normals and colours that they had.
     pub fn coarser(&self, most: usize, floor: f32) -> Self {

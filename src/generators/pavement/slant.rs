@@ -9,7 +9,7 @@ use crate::heightfield::{Cutout, Surfaces};
 use crate::light::Light;
 use crate::notice::{Code, Notice};
 use crate::scene::{Body, Frame, Instance, Place, Scene};
-use crate::solid::{Solids, Step, Surface, top};
+use crate::solid::{Solids, Step, top};
 use glam::Vec3;
 
 /// What is on the turntable.
@@ -197,24 +197,10 @@ fn alone(step: &Step, cell: &Cell, high: f64) -> Scene {
     let mean = far / cell.ring.len().max(1) as f64;
     let unit = (1.0 / libm::hypot(mean, 0.5 * high).max(f64::MIN_POSITIVE)) as f32;
     let (middle, half) = (cell.centre.as_vec2(), 0.5 * high as f32);
-    let at = |p: &Vec3| Vec3::new(p.x - middle.x, p.z - half, p.y - middle.y) * unit;
-    let surface = &step.surface;
-    let upright = Surface {
-        positions: surface.positions.iter().map(at).collect(),
-        normals: surface
-            .normals
-            .iter()
-            .map(|n| Vec3::new(n.x, n.z, n.y))
-            .collect(),
-        colours: surface.colours.clone(),
-        triangles: surface
-            .triangles
-            .iter()
-            .map(|&[a, b, c]| [a, c, b])
-            .collect(),
-    };
+    let at = |p: Vec3| (p - Vec3::new(middle.x, half, middle.y)) * unit;
+    let line = |p: &Vec3| at(Vec3::new(p.x, p.z, p.y));
     Scene {
-        bodies: vec![Body::new(vec![upright], 1)],
+        bodies: vec![Body::new(vec![step.surface.upright(at)], 1)],
         instances: vec![Instance {
             body: 0,
             place: Place::default(),
@@ -223,7 +209,7 @@ fn alone(step: &Step, cell: &Cell, high: f64) -> Scene {
         lines: step
             .edges
             .iter()
-            .map(|edge| edge.each_ref().map(at))
+            .map(|edge| edge.each_ref().map(line))
             .collect(),
         reach: 0.5,
         ..Scene::default()
