@@ -99,7 +99,7 @@ test('a link with a camera opens on the slant, and shows the same when it is loa
   await close();
 });
 
-test('the page is scrolled over it, by one finger and by the wheel', async () => {
+test('the page is scrolled over it, by one finger and by the wheel, and two fingers come closer', async () => {
   const { page, problems, close } = await site.newPage(SMALL, { viewport: phone });
   await digest(page);
   await page.$eval('#turn-button', (button) => /** @type {HTMLElement} */ (button).click());
@@ -130,6 +130,11 @@ test('the page is scrolled over it, by one finger and by the wheel', async () =>
   await stroke(120, 0);
   await page.waitForFunction((was) => document.querySelector('#turn-seen')?.textContent !== was, {}, before);
   assert.equal(await wheel(-100), false, 'the first turn of the wheel comes no closer');
+  const fingers = [await page.touchscreen.touchStart(at.x - 20, at.y), await page.touchscreen.touchStart(at.x + 20, at.y)];
+  for (let k = 1; k <= 5; k += 1) for (const [which, finger] of fingers.entries()) await finger.move(at.x + (which ? 1 : -1) * (20 + 22 * k), at.y);
+  for (const finger of fingers) await finger.end();
+  await page.waitForFunction(() => /from close by/.test(document.querySelector('#turn-seen')?.textContent ?? ''));
+  assert.equal(await page.evaluate(() => visualViewport?.scale), 1, 'the page itself was zoomed');
   assert.deepEqual(problems, []);
   await close();
 });
