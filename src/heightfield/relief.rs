@@ -5,6 +5,7 @@
 
 use super::Planes;
 use super::slopes::beside;
+use crate::material::floor;
 use crate::order::{greater, lesser};
 use crate::scene::{Detail, Surfel};
 use glam::Vec3;
@@ -19,32 +20,64 @@ const STEEPEST: f32 = 1.6;
 
 /// The planes of a picture that bodies stand in as [`crate::scene`] has it: the side is 1.
 pub struct Relief {
-    planes: Planes,
-    /// Rise to the right and down, of each pixel, by pixels of its own id.
-    slopes: Vec<[f32; 2]>,
+    side: i32,
+    tile: bool,
+    pixels: Vec<Pixel>,
+}
+
+/// All that the planes have at a pixel, so that it lies together in memory.
+#[derive(Clone, Copy)]
+struct Pixel {
+    id: u32,
+    /// Rise to the right and down, by pixels of its own id.
+    slope: [f32; 2],
+    colour: [u8; 3],
+    material: u8,
+    occlusion: u8,
 }
 
 impl Relief {
     /// Of finished planes.
     pub fn new(planes: &Planes) -> Self {
-        let slopes = slopes(planes);
+        let slope = slopes(planes);
+        let pixel = |at: usize| Pixel {
+            id: planes.id[at],
+            slope: slope(at),
+            colour: planes.colour[at],
+            material: planes.material[at],
+            occlusion: planes.occlusion[at],
+        };
         Self {
-            planes: planes.clone(),
-            slopes,
+            side: planes.side as i32,
+            tile: planes.tile,
+            pixels: (0..planes.side * planes.side).map(pixel).collect(),
         }
     }
 
-    /// The pixel at a column and row, if there is one.
-    fn pixel(&self, x: i32, y: i32) -> Option<usize> {
-        let side = self.planes.side as i32;
-        let (x, y) = match self.planes.tile {
+    /// The pixel at a column and row; beyond the picture one that is of nothing.
+    #[inline(always)]
+    fn pixel(&self, x: i32, y: i32) -> &Pixel {
+        let side = self.side;
+        let is_inside = |x: i32, y: i32| x >= 0 && y >= 0 && x < side && y < side;
+        let (x, y) = match self.tile && !is_inside(x, y) {
             true => (x.rem_euclid(side), y.rem_euclid(side)),
             false => (x, y),
         };
-        let inside = x >= 0 && y >= 0 && x < side && y < side;
-        inside.then_some((y * side + x) as usize)
+        match is_inside(x, y) {
+            true => &self.pixels[(y * side + x) as usize],
+            false => &NOTHING,
+        }
     }
 }
+
+/// No body has such an id.
+const NOTHING: Pixel = Pixel {
+    id: u32::MAX,
+    slope: [0.0; 2],
+    colour: [0; 3],
+    material: 0,
+    occlusion: 255,
+};
 
 impl Detail for Relief {
     fn refine(&self, surfel: &mut Surfel, id: u32, spread: f32) {
@@ -52,33 +85,33 @@ impl Detail for Relief {
         if upright <= 0.0 {
             return;
         }
-        let side = self.planes.side as f32;
+        let side = self.side as f32;
         let x = (surfel.position.x + 0.5) * side - 0.5;
         let y = (surfel.position.z + 0.5) * side - 0.5;
-        let (fx, fy) = (x.floor(), y.floor());
-        let (tx, ty) = (x - fx, y - fy);
-        let (mut sum, mut best) = (0.0, 0.0);
-        let (mut colour, mut slope, mut open) = ([0.0; 3], [0.0; 2], 0.0);
-        for k in 0..4 {
+        let (fx, fy) = (floor(x), floor(y));
+        let (tx, ty) = (x - fx as f32, y - fy as f32);
+        // All four without a branch: of pixels that are not its own, nothing.
+        let own: [(f32, &Pixel); 4] = std::array::from_fn(|k| {
             let (right, down) = (k & 1, k >> 1);
-            let Some(at) = self.pixel(fx as i32 + right, fy as i32 + down) else {
-                continue;
-            };
-            if self.planes.id[at] != id {
-                continue;
-            }
+            let pixel = self.pixel(fx + right as i32, fy + down as i32);
             let across = if right == 1 { tx } else { 1.0 - tx };
             let weight = across * if down == 1 { ty } else { 1.0 - ty };
+            let is_own = pixel.id == id;
+            (if is_own { weight } else { 0.0 }, pixel)
+        });
+        let (mut sum, mut best) = (0.0, 0.0);
+        let (mut colour, mut slope, mut open) = ([0.0; 3], [0.0; 2], 0.0);
+        for (weight, pixel) in own {
             sum += weight;
-            for (sum, part) in colour.iter_mut().zip(self.planes.colour[at]) {
+            for (sum, part) in colour.iter_mut().zip(pixel.colour) {
                 *sum += weight * f32::from(part);
             }
-            for (sum, part) in slope.iter_mut().zip(self.slopes[at]) {
+            for (sum, part) in slope.iter_mut().zip(pixel.slope) {
                 *sum += weight * part;
             }
-            open += weight * f32::from(self.planes.occlusion[at]);
+            open += weight * f32::from(pixel.occlusion);
             if weight > best {
-                (best, surfel.material) = (weight, self.planes.material[at]);
+                (best, surfel.material) = (weight, pixel.material);
             }
         }
         if sum < 0.05 {
@@ -99,10 +132,10 @@ impl Detail for Relief {
 }
 
 /// By differences between pixels of one id: across its rim a stone has no slope.
-fn slopes(planes: &Planes) -> Vec<[f32; 2]> {
+fn slopes(planes: &Planes) -> impl Fn(usize) -> [f32; 2] {
     let (side, tile) = (planes.side, planes.tile);
     let unit = planes.pixel_scale as f32;
-    let rise = |at: usize, [before, after]: [usize; 2]| {
+    let rise = move |at: usize, [before, after]: [usize; 2]| {
         let own = |there: &usize| planes.id[*there] == planes.id[at];
         let [low, high] = [before, after].map(|there| if own(&there) { there } else { at });
         let apart = f32::from(u8::from(low != at) + u8::from(high != at));
@@ -111,11 +144,10 @@ fn slopes(planes: &Planes) -> Vec<[f32; 2]> {
             false => 0.0,
         }
     };
-    let pixel = |at: usize| {
+    move |at: usize| {
         let (x, y) = (at % side, at / side);
         let across = beside(x, side, tile).map(|x| y * side + x);
         let down = beside(y, side, tile).map(|y| y * side + x);
         [rise(at, across), rise(at, down)]
-    };
-    (0..side * side).map(pixel).collect()
+    }
 }
