@@ -31,19 +31,21 @@ impl Kept {
         self.normals.reserve_exact(pixels);
     }
 
-    /// Keeps the next pixels.
-    pub fn add(&mut self, scene: &Scene, sight: &Sight, normals: &[Vec3], pixels: Range<usize>) {
+    /// Makes room for normals of pixels up to this one.
+    pub fn make_room(&mut self, pixels: usize) {
+        self.normals.resize(pixels, Vec3::ZERO);
+    }
+
+    /// Keeps all but the normals of the next pixels.
+    pub fn add(&mut self, scene: &Scene, sight: &Sight, pixels: Range<usize>) {
         for at in pixels {
             let owner = sight.owner[at];
-            let (id, depth, normal) = match scene.instances.get(owner as usize) {
-                Some(instance) if owner < FLOOR => {
-                    (instance.id, 1.0 / sight.inverse[at], normals[at])
-                }
-                _ => (0, 0.0, Vec3::ZERO),
+            let (id, depth) = match scene.instances.get(owner as usize) {
+                Some(instance) if owner < FLOOR => (instance.id, 1.0 / sight.inverse[at]),
+                _ => (0, 0.0),
             };
             self.ids.push(id);
             self.depths.push(depth);
-            self.normals.push(normal);
             self.instances.push(owner);
         }
     }
