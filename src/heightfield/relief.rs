@@ -5,6 +5,7 @@
 
 use super::Planes;
 use super::slopes::beside;
+use crate::material::floor;
 use crate::order::{greater, lesser};
 use crate::scene::{Detail, Surfel};
 use glam::Vec3;
@@ -19,56 +20,71 @@ const STEEPEST: f32 = 1.6;
 
 /// The planes of a picture that bodies stand in as [`crate::scene`] has it: the side is 1.
 pub struct Relief {
-    side: usize,
+    side: i32,
     tile: bool,
-    id: Vec<u32>,
-    colour: Vec<[u8; 3]>,
-    material: Vec<u8>,
-    occlusion: Vec<u8>,
-    /// Rise to the right and down, of each pixel, by pixels of its own id.
-    slopes: Vec<[f32; 2]>,
+    pixels: Vec<Pixel>,
+}
+
+/// All that the planes have at a pixel, so that it lies together in memory.
+#[derive(Clone, Copy)]
+struct Pixel {
+    id: u32,
+    /// Rise to the right and down, by pixels of its own id.
+    slope: [f32; 2],
+    colour: [u8; 3],
+    material: u8,
+    occlusion: u8,
 }
 
 impl Relief {
-    /// Of such planes, once all rows are added.
+    /// Of such planes, once all their pixels are added.
     pub fn new(planes: &Planes) -> Self {
-        let pixels = planes.side * planes.side;
         Self {
-            side: planes.side,
+            side: planes.side as i32,
             tile: planes.tile,
-            id: Vec::with_capacity(pixels),
-            colour: Vec::with_capacity(pixels),
-            material: Vec::with_capacity(pixels),
-            occlusion: Vec::with_capacity(pixels),
-            slopes: Vec::with_capacity(pixels),
+            pixels: Vec::with_capacity(planes.id.len()),
         }
     }
 
-    /// Adds about so many pixels of these finished planes; true after the last ones.
-    pub fn add(&mut self, planes: &Planes, pixels: usize) -> bool {
-        let from = self.id.len();
-        let span = from..planes.id.len().min(from.saturating_add(pixels));
-        self.id.extend_from_slice(&planes.id[span.clone()]);
-        self.colour.extend_from_slice(&planes.colour[span.clone()]);
-        self.material
-            .extend_from_slice(&planes.material[span.clone()]);
-        self.occlusion
-            .extend_from_slice(&planes.occlusion[span.clone()]);
-        self.slopes.extend(span.map(|at| slope(planes, at)));
-        self.id.len() == planes.id.len()
+    /// Adds the next pixels of these finished planes, at most so many; true after the last ones.
+    pub fn add(&mut self, planes: &Planes, most: usize) -> bool {
+        let (from, all) = (self.pixels.len(), planes.id.len());
+        let pixel = |at: usize| Pixel {
+            id: planes.id[at],
+            slope: slope(planes, at),
+            colour: planes.colour[at],
+            material: planes.material[at],
+            occlusion: planes.occlusion[at],
+        };
+        let next = from..all.min(from.saturating_add(most));
+        self.pixels.extend(next.map(pixel));
+        self.pixels.len() == all
     }
 
-    /// The pixel at a column and row, if there is one.
-    fn pixel(&self, x: i32, y: i32) -> Option<usize> {
-        let side = self.side as i32;
-        let (x, y) = match self.tile {
+    /// The pixel at a column and row; beyond the picture one that is of nothing.
+    #[inline(always)]
+    fn pixel(&self, x: i32, y: i32) -> &Pixel {
+        let side = self.side;
+        let is_inside = |x: i32, y: i32| x >= 0 && y >= 0 && x < side && y < side;
+        let (x, y) = match self.tile && !is_inside(x, y) {
             true => (x.rem_euclid(side), y.rem_euclid(side)),
             false => (x, y),
         };
-        let inside = x >= 0 && y >= 0 && x < side && y < side;
-        inside.then_some((y * side + x) as usize)
+        match is_inside(x, y) {
+            true => &self.pixels[(y * side + x) as usize],
+            false => &NOTHING,
+        }
     }
 }
+
+/// No body has such an id.
+const NOTHING: Pixel = Pixel {
+    id: u32::MAX,
+    slope: [0.0; 2],
+    colour: [0; 3],
+    material: 0,
+    occlusion: 255,
+};
 
 impl Detail for Relief {
     fn refine(&self, surfel: &mut Surfel, id: u32, spread: f32) {
@@ -79,30 +95,30 @@ impl Detail for Relief {
         let side = self.side as f32;
         let x = (surfel.position.x + 0.5) * side - 0.5;
         let y = (surfel.position.z + 0.5) * side - 0.5;
-        let (fx, fy) = (x.floor(), y.floor());
-        let (tx, ty) = (x - fx, y - fy);
-        let (mut sum, mut best) = (0.0, 0.0);
-        let (mut colour, mut slope, mut open) = ([0.0; 3], [0.0; 2], 0.0);
-        for k in 0..4 {
+        let (fx, fy) = (floor(x), floor(y));
+        let (tx, ty) = (x - fx as f32, y - fy as f32);
+        // All four without a branch: of pixels that are not its own, nothing.
+        let own: [(f32, &Pixel); 4] = std::array::from_fn(|k| {
             let (right, down) = (k & 1, k >> 1);
-            let Some(at) = self.pixel(fx as i32 + right, fy as i32 + down) else {
-                continue;
-            };
-            if self.id[at] != id {
-                continue;
-            }
+            let pixel = self.pixel(fx + right as i32, fy + down as i32);
             let across = if right == 1 { tx } else { 1.0 - tx };
             let weight = across * if down == 1 { ty } else { 1.0 - ty };
+            let is_own = pixel.id == id;
+            (if is_own { weight } else { 0.0 }, pixel)
+        });
+        let (mut sum, mut best) = (0.0, 0.0);
+        let (mut colour, mut slope, mut open) = ([0.0; 3], [0.0; 2], 0.0);
+        for (weight, pixel) in own {
             sum += weight;
-            for (sum, part) in colour.iter_mut().zip(self.colour[at]) {
+            for (sum, part) in colour.iter_mut().zip(pixel.colour) {
                 *sum += weight * f32::from(part);
             }
-            for (sum, part) in slope.iter_mut().zip(self.slopes[at]) {
+            for (sum, part) in slope.iter_mut().zip(pixel.slope) {
                 *sum += weight * part;
             }
-            open += weight * f32::from(self.occlusion[at]);
+            open += weight * f32::from(pixel.occlusion);
             if weight > best {
-                (best, surfel.material) = (weight, self.material[at]);
+                (best, surfel.material) = (weight, pixel.material);
             }
         }
         if sum < 0.05 {

@@ -20,6 +20,8 @@ pub struct Body {
     pub radius: f32,
     /// Seen at less than a pixel it is a dot of this colour.
     pub colour: [u8; 3],
+    /// No vertex has a smaller y.
+    pub lowest: f32,
 }
 
 impl Body {
@@ -42,6 +44,7 @@ impl Body {
             material,
             middle,
             radius: far.sqrt(),
+            lowest: low.y,
             colour: finest.map_or([128; 3], |surface| mean(&surface.colours)),
             levels,
         }
@@ -181,9 +184,13 @@ impl Scene {
 
     /// The lowest point of a body, and how many there were to look at.
     pub(super) fn lowest_of(&self, instance: &Instance) -> (f32, usize) {
-        let body = &self.bodies[instance.body as usize];
+        let (body, place) = (&self.bodies[instance.body as usize], &instance.place);
+        // To the bit what all points would give: rounding keeps their order.
+        if place.axes.map(|axis| axis.y) == [0.0, 1.0, 0.0] {
+            return (place.origin.y + body.lowest, 1);
+        }
         let points = body.levels.first().map_or(&[][..], |l| &l.positions);
-        let heights = points.iter().map(|&p| instance.place.of(p).y);
+        let heights = points.iter().map(|&p| place.of(p).y);
         (heights.fold(f32::MAX, lesser), points.len())
     }
 }

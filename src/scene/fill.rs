@@ -2,7 +2,7 @@
 
 use super::View;
 use super::clip::Planes;
-use super::raster::{Corner, Grid};
+use super::raster::{Corner, Four, Grid};
 use glam::Vec3;
 
 /// So many pixels are about the work of one triangle.
@@ -45,7 +45,7 @@ impl Fill {
         let seen = self.view.of(p);
         Vertex {
             seen,
-            screen: self.view.on_screen(seen),
+            screen: Corner::new(self.view.on_screen(seen)),
             beyond: self.planes.beyond(seen),
         }
     }
@@ -57,7 +57,7 @@ impl Fill {
 
     /// Draws a triangle (see [`Grid::triangle`]); answers with the work that it was.
     #[inline(always)]
-    pub fn triangle(&self, [a, b, c]: [Vertex; 3], mut put: impl FnMut(usize, f32)) -> usize {
+    pub fn triangle(&self, [a, b, c]: [Vertex; 3], mut put: impl FnMut(Four)) -> usize {
         if a.beyond & b.beyond & c.beyond != 0 {
             return 1;
         }
@@ -68,7 +68,7 @@ impl Fill {
             return 1 + grid.triangle([a.screen, b.screen, c.screen], &mut put) / PIXELS;
         }
         let cut = self.planes.cut([a.seen, b.seen, c.seen], beyond);
-        let screen = |k: usize| self.view.on_screen(cut.corners[k]);
+        let screen = |k: usize| Corner::new(self.view.on_screen(cut.corners[k]));
         let pieces = 2..cut.count;
         let pixels = pieces.map(|k| grid.triangle([screen(0), screen(k - 1), screen(k)], &mut put));
         1 + pixels.sum::<usize>() / PIXELS

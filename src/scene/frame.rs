@@ -1,10 +1,8 @@
 //! One picture of a scene, in slices: what is seen, how much of the sky each place sees, and its light.
 
-use super::backdrop::{FLOOR_COLOUR, behind, floor_part};
-use super::met::Met;
-use super::occlusion::Occlusion;
-use super::sight::{FLOOR, NOTHING, Sight};
-use super::{Backdrop, Camera, Lighting, Scene, Surfel, lines};
+use super::shade::{Ground, Shading, Studio, find_floor};
+use super::sight::{FLOOR, Sight};
+use super::{Backdrop, Camera, Lighting, Scene, lines};
 use crate::hash::Hash;
 use crate::order::lesser;
 use glam::Vec3;
@@ -34,16 +32,15 @@ pub struct Order {
 pub struct Frame {
     order: Order,
     sight: Sight,
-    occlusion: Occlusion,
-    /// By pixel: the normal of the triangles there; zero in the end where none is.
-    normals: Vec<Vec3>,
+    shading: Shading,
     phase: Phase,
     sample: usize,
     /// Sums over samples of red, green, blue and alpha.
     sums: Vec<[u16; 4]>,
     rgba: Vec<u8>,
-    /// Middle and radius of the ball around all bodies, and the floor's height.
-    ground: ((Vec3, f32), f32),
+    /// By pixel: the normal of the surface there; zero where no body is.
+    normals: Vec<Vec3>,
+    ground: Ground,
 }
 
 /// What comes next; instances, rows or lines that are done.
@@ -52,8 +49,7 @@ enum Phase {
     Ground(usize),
     Room(usize),
     Sight,
-    Normals(usize),
-    Occlusion,
+    Floor(usize),
     Shade(usize),
     Lines(usize),
     Sum(usize),
@@ -70,13 +66,13 @@ impl Frame {
         let view = order.camera.view(order.size[0], order.size[1]);
         let mut frame = Self {
             sight: Sight::new(view),
-            occlusion: Occlusion::new(),
-            normals: Vec::new(),
+            shading: Shading::new(),
             phase: Phase::Ground(0),
             sample: 0,
             sums: Vec::new(),
             rgba: Vec::new(),
-            ground: ((Vec3::ZERO, 0.0), 0.0),
+            normals: Vec::new(),
+            ground: Ground::default(),
             order,
         };
         frame.begin(order);
@@ -88,7 +84,7 @@ impl Frame {
         self.order = order;
         self.phase = Phase::Ground(0);
         self.sample = 0;
-        self.ground = ((Vec3::ZERO, 0.0), 0.0);
+        self.ground = Ground::default();
         let pixels = order.size[0] * order.size[1];
         self.sums.clear();
         self.sums
@@ -113,9 +109,8 @@ impl Frame {
         let part = match self.phase {
             Phase::Ground(_) | Phase::Room(_) => 0.0,
             Phase::Sight => 0.3 * self.sight.progress(),
-            Phase::Normals(row) => 0.3 + 0.1 * row as f64 / rows,
-            Phase::Occlusion => 0.4,
-            Phase::Shade(row) => 0.6 + 0.35 * row as f64 / rows,
+            Phase::Floor(_) => 0.3,
+            Phase::Shade(row) => 0.3 + 0.65 * row as f64 / rows,
             Phase::Lines(_) | Phase::Sum(_) | Phase::Planes(_) => 0.95,
             Phase::Done => return 1.0,
         };
@@ -135,33 +130,22 @@ impl Frame {
             Phase::Ground(place) => self.find_ground(scene, place, amount),
             Phase::Room(row) => self.make_room(height.min(row.saturating_add(8 * rows))),
             Phase::Sight => match self.sight.advance(scene, amount) {
-                true => Phase::Normals(0),
+                true if self.order.backdrop == Backdrop::Floor => Phase::Floor(0),
+                true => Phase::Shade(0),
                 false => Phase::Sight,
             },
-            Phase::Normals(row) => {
-                let end = height.min(row.saturating_add(2 * rows));
-                (row..end).for_each(|y| self.find_normals(scene, y));
+            Phase::Floor(row) => {
+                let end = height.min(row.saturating_add(4 * rows));
+                (row..end).for_each(|y| find_floor(&mut self.sight, self.ground, y));
                 match end == height {
-                    true if self.order.is_moving => Phase::Shade(0),
-                    true => Phase::Occlusion,
-                    false => Phase::Normals(end),
-                }
-            }
-            Phase::Occlusion => {
-                let (sight, normals) = (&self.sight, &self.normals);
-                match self.occlusion.advance(sight, normals, scene.reach, rows) {
                     true => Phase::Shade(0),
-                    false => Phase::Occlusion,
+                    false => Phase::Floor(end),
                 }
             }
-            Phase::Shade(row) => {
-                let end = height.min(row.saturating_add(rows));
-                (row..end).for_each(|y| self.shade(scene, light, y));
-                match end == height {
-                    true => Phase::Lines(0),
-                    false => Phase::Shade(end),
-                }
-            }
+            Phase::Shade(row) => match self.shade(scene, light, row, rows) {
+                end if end == height => Phase::Lines(0),
+                end => Phase::Shade(end),
+            },
             Phase::Lines(line) => {
                 let (sight, rgba) = (&self.sight, &mut self.rgba);
                 match lines::draw(sight, &scene.lines, line, amount, rgba) {
@@ -188,19 +172,25 @@ impl Frame {
     fn find_ground(&mut self, scene: &Scene, from: usize, amount: usize) -> Phase {
         if self.order.backdrop == Backdrop::Floor {
             if from == 0 {
-                self.ground = (scene.ball(), f32::MAX);
+                let (middle, radius) = scene.ball();
+                let height = f32::MAX;
+                self.ground = Ground {
+                    middle,
+                    radius,
+                    height,
+                };
             }
             let (mut at, mut work) = (from, 0);
             while at < scene.instances.len() && work < amount {
                 let (low, points) = scene.lowest_of(&scene.instances[at]);
-                self.ground.1 = lesser(self.ground.1, low);
+                self.ground.height = lesser(self.ground.height, low);
                 (at, work) = (at + 1, work + 1 + points / 8);
             }
             if at < scene.instances.len() {
                 return Phase::Ground(at);
             }
             if at == 0 {
-                self.ground.1 = 0.0;
+                self.ground.height = 0.0;
             }
         }
         self.begin_sample();
@@ -215,7 +205,8 @@ impl Frame {
             false => view,
         };
         self.sight.begin(view, self.order.is_moving);
-        self.occlusion.begin(width * height);
+        let has_occlusion = !self.order.is_moving;
+        self.shading.begin(width, width * height, has_occlusion);
         self.normals.clear();
         self.normals.reserve_exact(width * height);
     }
@@ -225,7 +216,7 @@ impl Frame {
         let [width, height] = self.order.size;
         let pixels = to * width;
         self.sight.make_room(pixels);
-        self.occlusion.make_room(pixels);
+        self.shading.make_room(pixels);
         self.normals.resize(pixels, Vec3::ZERO);
         if self.sample == 0 {
             self.rgba.resize(4 * pixels, 0);
@@ -239,95 +230,18 @@ impl Frame {
         }
     }
 
-    /// Finds the normals of a row, and where the floor is seen.
-    fn find_normals(&mut self, scene: &Scene, y: usize) {
-        let view = *self.sight.view();
-        let width = view.size[0];
-        let has_floor = self.order.backdrop == Backdrop::Floor;
-        let ((middle, radius), floor) = self.ground;
-        for x in 0..width {
-            let at = y * width + x;
-            let ray = view.ray(x as f32 + 0.5, y as f32 + 0.5);
-            if self.sight.owner[at] == NOTHING {
-                let depth = (floor - view.eye.y) / ray.y;
-                let met = view.eye + ray * depth;
-                let is_near = || floor_part((met - middle).length(), radius) > 0.0;
-                // Seen from below there is no floor.
-                if has_floor && ray.y < 0.0 && depth > view.near && is_near() {
-                    self.sight.owner[at] = FLOOR;
-                    self.sight.inverse[at] = 1.0 / depth;
-                    self.normals[at] = Vec3::Y;
-                }
-                continue;
-            }
-            self.normals[at] = Met::new(&self.sight, scene, at, ray).normal;
-        }
-    }
-
-    fn shade(&mut self, scene: &Scene, light: &Lighting, y: usize) {
-        let view = *self.sight.view();
-        let width = view.size[0];
-        let ((middle, radius), _) = self.ground;
-        for x in 0..width {
-            let at = y * width + x;
-            let ray = view.ray(x as f32 + 0.5, y as f32 + 0.5);
-            let way = ray.normalize_or(Vec3::NEG_Y);
-            let owner = self.sight.owner[at];
-            let pixel = &mut self.rgba[4 * at..][..4];
-            if owner == NOTHING {
-                let colour = behind(self.order.backdrop, way);
-                for k in 0..3 {
-                    pixel[k] = (colour[k] + 0.5) as u8;
-                }
-                pixel[3] = if self.order.backdrop == Backdrop::Nothing {
-                    0
-                } else {
-                    255
-                };
-                continue;
-            }
-            let depth = 1.0 / self.sight.inverse[at];
-            let position = view.eye + ray * depth;
-            let open = f32::from(self.occlusion.open[at]) * (1.0 / 255.0);
-            let mut surfel = Surfel {
-                position,
-                normal: self.normals[at],
-                colour: FLOOR_COLOUR,
-                material: 0,
-                open: 1.0,
-            };
-            if owner == FLOOR {
-                let met = Met::floor(surfel.colour);
-                let lit = light.light(&surfel, &met, -way, open);
-                let part = floor_part((position - middle).length(), radius);
-                let back = behind(Backdrop::Floor, way);
-                let pixel = &mut self.rgba[4 * at..][..4];
-                for k in 0..3 {
-                    let floor = f32::from(light.tone().screen(lit[k]));
-                    pixel[k] = (back[k] + (floor - back[k]) * part + 0.5) as u8;
-                }
-                pixel[3] = 255;
-                continue;
-            }
-            let instance = &scene.instances[owner as usize];
-            let met = Met::new(&self.sight, scene, at, ray);
-            surfel.colour = met.colour;
-            surfel.material = scene.bodies[instance.body as usize].material;
-            if let Some(detail) = &scene.detail {
-                detail.refine(&mut surfel, instance.id, depth / view.focal);
-            }
-            let open = if surfel.open < open {
-                surfel.open
-            } else {
-                open
-            };
-            let lit = light.light(&surfel, &met, -way, open);
-            let pixel = &mut self.rgba[4 * at..][..4];
-            for k in 0..3 {
-                pixel[k] = light.tone().screen(lit[k]);
-            }
-            pixel[3] = 255;
-        }
+    /// Shades about so many rows; answers with the one that comes next.
+    fn shade(&mut self, scene: &Scene, light: &Lighting, from: usize, rows: usize) -> usize {
+        let studio = Studio {
+            scene,
+            light,
+            sight: &self.sight,
+            backdrop: self.order.backdrop,
+            ground: self.ground,
+        };
+        let (rgba, normals) = (&mut self.rgba, &mut self.normals);
+        let keep = |at: usize, normal| normals[at] = normal;
+        self.shading.advance(studio, from, rows, rgba, keep)
     }
 
     /// Adds rows of this sample to the others; after the last one, what comes next.
@@ -371,15 +285,10 @@ impl Frame {
             ..
         } = &mut self.sight;
         for at in pixels {
-            match scene.instances.get(owner[at] as usize) {
-                Some(instance) => {
-                    (inverse[at], triangle[at]) = (1.0 / inverse[at], instance.id);
-                }
-                None => {
-                    (inverse[at], triangle[at]) = (0.0, 0);
-                    self.normals[at] = Vec3::ZERO;
-                }
-            }
+            (inverse[at], triangle[at]) = match scene.instances.get(owner[at] as usize) {
+                Some(instance) => (1.0 / inverse[at], instance.id),
+                None => (0.0, 0),
+            };
         }
     }
 

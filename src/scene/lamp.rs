@@ -1,7 +1,7 @@
 //! The light of a scene: the lamp of a recipe in space, its shadows, and Phong's shading of a place.
 
 use super::met::Met;
-use super::shadow::Shadows;
+use super::shadow::{Shadows, Spot};
 use super::{Scene, Surfel};
 use crate::light::{Finish, GAP, LAMP, Light, SHINE, SKY, STEEP, ShadeParams, Tone, lamp_from};
 use crate::material::Material;
@@ -113,17 +113,9 @@ impl Lighting {
     pub fn visible(&self, point: Vec3, normal: Vec3) -> f32 {
         let (to, _) = self.lamp.from(point);
         match normal.dot(to) > 0.0 {
-            true => self.lit(point, normal, 0.0),
+            true => self.seen(&self.spot_of(point, normal, 0.0)),
             false if self.params.shadow <= 0.0 => 1.0,
             false => 0.0,
-        }
-    }
-
-    /// The same of a surface that faces the lamp and may be off by so much.
-    fn lit(&self, point: Vec3, normal: Vec3, spread: f32) -> f32 {
-        match self.params.shadow <= 0.0 {
-            true => 1.0,
-            false => self.shadows.visible(point, normal, spread),
         }
     }
 
@@ -131,26 +123,41 @@ impl Lighting {
         &self.tone
     }
 
-    /// The light that a place gives off towards the eye, linear. `met` is the place as
-    /// its triangles have it, `to_eye` the unit vector to the eye, `open` the part of the sky that is seen from
-    /// there.
-    pub(super) fn light(&self, surfel: &Surfel, met: &Met, to_eye: Vec3, open: f32) -> [f32; 3] {
+    /// Where to look up how much of the lamp is seen from a place, as its triangles have it; none where they face
+    /// away.
+    #[inline(always)]
+    pub(super) fn spot(&self, position: Vec3, met: &Met) -> Option<Spot> {
+        let (to, _) = self.lamp.from(position);
+        // Triangles that do not face the lamp may be part of a round surface that does.
+        let is_flat = met.flat.dot(to) > TURNED;
+        let normal = if is_flat { met.flat } else { met.normal };
+        let faces = normal.dot(to) > 0.0;
+        faces.then(|| self.spot_of(position, normal, met.spread))
+    }
+
+    /// The same of a surface that faces the lamp and may be off by so much.
+    #[inline(always)]
+    fn spot_of(&self, point: Vec3, normal: Vec3, spread: f32) -> Spot {
+        match self.params.shadow <= 0.0 {
+            true => Spot::BESIDE,
+            false => self.shadows.spot(point, normal, spread),
+        }
+    }
+
+    /// How much of the lamp is seen there, 0..1.
+    #[inline(always)]
+    pub(super) fn seen(&self, spot: &Spot) -> f32 {
+        self.shadows.visible(spot)
+    }
+
+    /// The light that a place gives off towards the eye, linear. `seen` is what [`Lighting::seen`] gave, `to_eye` the
+    /// unit vector to the eye, `open` the part of the sky that is seen from there.
+    pub(super) fn light(&self, surfel: &Surfel, seen: f32, to_eye: Vec3, open: f32) -> [f32; 3] {
         let normal = surfel.normal;
         let (to, strength) = self.lamp.from(surfel.position);
         let facing = greater(normal.dot(to), 0.0);
         let open = 1.0 - self.params.occlusion as f32 * (1.0 - open);
-        let seen = match facing > 0.0 {
-            true => {
-                // Triangles that do not face the lamp may be part of a round surface that does.
-                let is_flat = met.flat.dot(to) > TURNED;
-                let normal = if is_flat { met.flat } else { met.normal };
-                match normal.dot(to) > 0.0 {
-                    true => self.lit(surfel.position, normal, met.spread),
-                    false => 0.0,
-                }
-            }
-            false => 1.0,
-        };
+        let seen = if facing > 0.0 { seen } else { 1.0 };
         let seen = 1.0 - self.params.shadow as f32 * (1.0 - seen);
         let arrives = seen * strength * (1.0 - GAP * (1.0 - open));
         let upright = normal.y;

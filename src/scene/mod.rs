@@ -19,6 +19,7 @@ mod lines;
 mod met;
 mod occlusion;
 mod raster;
+mod shade;
 mod shadow;
 mod sight;
 mod surfel;

@@ -29,8 +29,6 @@ pub(super) struct Occlusion {
     raw: Vec<u8>,
     /// Part of the sky that is seen, 255 all of it.
     pub open: Vec<u8>,
-    row: usize,
-    means: usize,
 }
 
 impl Occlusion {
@@ -50,8 +48,6 @@ impl Occlusion {
             pattern: pattern.collect(),
             raw: Vec::new(),
             open: Vec::new(),
-            row: 0,
-            means: 0,
         }
     }
 
@@ -60,36 +56,17 @@ impl Occlusion {
             list.clear();
             list.reserve_exact(pixels);
         }
-        (self.row, self.means) = (0, 0);
     }
 
-    /// Makes room for pixels up to this one: for all of them before [`Occlusion::advance`].
+    /// Makes room for pixels up to this one: for all of them before [`Occlusion::look`].
     pub fn make_room(&mut self, pixels: usize) {
         self.raw.resize(pixels, 255);
         self.open.resize(pixels, 255);
     }
 
-    /// Goes on for so many rows; true when done. `normals` are those of the surfaces seen, `reach` how far
-    /// surfaces are looked for, in the world.
-    pub fn advance(&mut self, sight: &Sight, normals: &[Vec3], reach: f32, rows: usize) -> bool {
-        let height = sight.view().size[1];
-        if self.row < height {
-            let end = height.min(self.row.saturating_add(rows));
-            for y in self.row..end {
-                self.look(sight, normals, reach, y);
-            }
-            self.row = end;
-            return false;
-        }
-        let end = height.min(self.means.saturating_add(4 * rows));
-        for y in self.means..end {
-            self.average(sight, y);
-        }
-        self.means = end;
-        end == height
-    }
-
-    fn look(&mut self, sight: &Sight, normals: &[Vec3], reach: f32, y: usize) {
+    /// Looks around from the pixels of a row, whose surfaces have these normals. `reach` is how far surfaces are looked for, in
+    /// the world.
+    pub fn look(&mut self, sight: &Sight, normal: impl Fn(usize) -> Vec3, reach: f32, y: usize) {
         let view = sight.view();
         let [width, height] = view.size;
         let [wide, high] = [width as f32, height as f32];
@@ -110,7 +87,7 @@ impl Occlusion {
                 continue;
             }
             let point = at_depth(x as f32, y as f32, 1.0 / inverse);
-            let normal = normals[at];
+            let normal = normal(x);
             let normal = Vec3::new(
                 normal.dot(view.right),
                 -normal.dot(view.up),
@@ -144,7 +121,8 @@ impl Occlusion {
         }
     }
 
-    fn average(&mut self, sight: &Sight, y: usize) {
+    /// The means of a row: those beside it are looked around from, up to [`PATTERN`] - 2 rows below.
+    pub fn average(&mut self, sight: &Sight, y: usize) {
         let [width, height] = sight.view().size;
         let span = |v: usize, size: usize| v.saturating_sub(1)..size.min(v + PATTERN - 1);
         let rows = span(y, height);

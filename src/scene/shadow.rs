@@ -4,9 +4,10 @@
 //! while the camera moves it is kept.
 
 use super::fill::{Fill, Vertex, some_of};
-use super::raster::Corner;
+use super::raster::{Corner, LANES, four_of};
 use super::sight::level_of;
 use super::{Camera, Lamp, Scene};
+use crate::material::floor;
 use crate::order::greater;
 use glam::Vec3;
 
@@ -77,7 +78,7 @@ impl Shadows {
             let Some(map) = self.maps.get_mut(map) else {
                 return true;
             };
-            if map.near.len() < map.side * map.side {
+            if map.near.len() < map.room() {
                 left = left.saturating_sub(map.make_room(left));
                 continue;
             }
@@ -101,16 +102,53 @@ impl Shadows {
         false
     }
 
-    /// How much of the lamp is seen from a point of a surface, 0..1. `normal` is that of the surface, which must
-    /// face the lamp; `spread` is how far, in the world, surfaces drawn there may be off, beside what the map is.
-    pub fn visible(&self, point: Vec3, normal: Vec3, spread: f32) -> f32 {
-        let map = self.maps.iter().find(|map| map.is_towards(point));
-        map.map_or(1.0, |map| {
-            let levels = if self.is_coarse { 2.0 } else { 1.0 };
-            let off = OFF * (levels * map.texel(point) + spread);
-            map.visible(point + normal * off, normal)
+    /// Where to look up how much of the lamp is seen from a point of a surface. `normal` is that of the surface, which
+    /// must face the lamp; `spread` is how far, in the world, surfaces drawn there may be off, beside what the map is.
+    pub fn spot(&self, point: Vec3, normal: Vec3, spread: f32) -> Spot {
+        let mut maps = self.maps.iter().enumerate();
+        let Some((number, map)) = maps.find(|(_, map)| map.is_towards(point)) else {
+            return Spot::BESIDE;
+        };
+        let levels = if self.is_coarse { 2.0 } else { 1.0 };
+        let off = OFF * (levels * map.texel(point) + spread);
+        let spot = map.spot(point + normal * off, normal);
+        spot.map_or(Spot::BESIDE, |spot| Spot {
+            map: number,
+            ..spot
         })
     }
+
+    /// How much of the lamp is seen there, 0..1.
+    #[inline(always)]
+    pub fn visible(&self, spot: &Spot) -> f32 {
+        let map = self.maps.get(spot.map);
+        map.map_or(1.0, |map| map.visible(spot))
+    }
+}
+
+/// A place on a map.
+#[derive(Clone, Copy)]
+pub(super) struct Spot {
+    /// The map's number; where there is none all of the lamp is seen.
+    map: usize,
+    /// The first of four by four texels.
+    texel: usize,
+    /// Where the place is from there on, 0..1.
+    part: [f32; 2],
+    /// How near to the lamp, and what that grows by for each texel to the right, and down.
+    near: f32,
+    slopes: [f32; 2],
+}
+
+impl Spot {
+    /// On no map.
+    pub const BESIDE: Self = Self {
+        map: usize::MAX,
+        texel: 0,
+        part: [0.0; 2],
+        near: 0.0,
+        slopes: [0.0; 2],
+    };
 }
 
 /// The maps that a lamp needs to light a ball.
@@ -157,13 +195,18 @@ impl Map {
         Self {
             side,
             way,
-            near: Vec::with_capacity(side * side),
+            near: Vec::with_capacity(side * side + LANES - 1),
         }
+    }
+
+    /// Texels, and a little more.
+    fn room(&self) -> usize {
+        self.side * self.side + LANES - 1
     }
 
     /// Makes room for some more texels; answers with the work that it was.
     fn make_room(&mut self, most: usize) -> usize {
-        let all = self.side * self.side;
+        let all = self.room();
         let end = all.min(self.near.len() + most.saturating_mul(ROOM));
         let work = (end - self.near.len()).div_ceil(ROOM);
         self.near.resize(end, f32::MIN);
@@ -194,7 +237,7 @@ impl Map {
 
     /// A point in texels, with how near it is to the lamp.
     #[inline(always)]
-    fn on_map(&self, p: Vec3) -> Corner {
+    fn on_map(&self, p: Vec3) -> [f32; 3] {
         match &self.way {
             Way::Along {
                 middle,
@@ -234,28 +277,39 @@ impl Map {
         }
     }
 
-    fn visible(&self, p: Vec3, normal: Vec3) -> f32 {
+    /// None where the map ends.
+    #[inline(always)]
+    fn spot(&self, p: Vec3, normal: Vec3) -> Option<Spot> {
         let [u, v, near] = self.on_map(p);
         // Three by three texels, each weighted by how much of it lies under a square of that size.
         let (u, v) = (u - 1.5, v - 1.5);
-        let (fu, fv) = (u.floor(), v.floor());
         let last = self.side as i32 - 4;
-        let (i, j) = (fu as i32, fv as i32);
+        let (i, j) = (floor(u), floor(v));
         if i < 0 || j < 0 || i > last || j > last {
-            return 1.0;
+            return None;
         }
-        let (tu, tv) = (u - fu, v - fv);
+        Some(Spot {
+            map: 0,
+            texel: j as usize * self.side + i as usize,
+            part: [u - i as f32, v - j as f32],
+            near,
+            slopes: self.slopes(p, normal),
+        })
+    }
+
+    #[inline(always)]
+    fn visible(&self, spot: &Spot) -> f32 {
+        let [tu, tv] = spot.part;
         let across = [1.0 - tu, 1.0, 1.0, tu];
         let down = [1.0 - tv, 1.0, 1.0, tv];
         // Each texel is compared with the surface's plane there, so that it does not meet the surface itself,
         // and shadows end where they do.
-        let [right, below] = self.slopes(p, normal);
+        let [right, below] = spot.slopes;
         let steps = [-1.0, 0.0, 1.0, 2.0];
         let mut sum = 0.0;
         for (row, weight) in down.into_iter().enumerate() {
-            let first = (j as usize + row) * self.side + i as usize;
-            let texels = &self.near[first..][..4];
-            let start = near + below * (steps[row] - tv);
+            let texels = &self.near[spot.texel + row * self.side..][..4];
+            let start = spot.near + below * (steps[row] - tv);
             let mut lit = 0.0;
             for k in 0..4 {
                 let plane = start + right * (steps[k] - tu);
@@ -299,7 +353,7 @@ impl Map {
             corners.clear();
             match &self.way {
                 Way::Along { .. } => {
-                    corners.extend(points.map(|p| Vertex::on_screen(self.on_map(p))));
+                    corners.extend(points.map(|p| Vertex::on_screen(Corner::new(self.on_map(p)))));
                 }
                 Way::From(fill) => corners.extend(points.map(|p| fill.vertex(p))),
             }
@@ -310,9 +364,13 @@ impl Map {
         let most = most.saturating_sub(work).max(1);
         let (end, drawn) = some_of(&surface.triangles, next, most, |_, triangle| {
             let corners = triangle.map(|v| corners[v as usize]);
-            fill.triangle(corners, |at, here| {
-                if here > near[at] {
-                    near[at] = here;
+            fill.triangle(corners, |four| {
+                let Some(near) = four_of(near, four.at) else {
+                    return;
+                };
+                let wins = four.wins(near);
+                for k in 0..LANES {
+                    near[k] = if wins[k] { four.near[k] } else { near[k] };
                 }
             })
         });

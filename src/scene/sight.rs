@@ -5,6 +5,7 @@
 //! here when they are shaded, so nothing is worked out for what is hidden.
 
 use super::fill::{Fill, Vertex, some_of};
+use super::raster::{LANES, four_of};
 use super::{Scene, View};
 use crate::order::{self, pair};
 use glam::Vec3;
@@ -76,7 +77,7 @@ impl Sight {
     /// Begins anew, with bodies a level coarser or not.
     pub fn begin(&mut self, view: View, is_coarse: bool) {
         (self.fill, self.is_coarse) = (Fill::new(view), is_coarse);
-        let pixels = view.size[0] * view.size[1];
+        let pixels = view.size[0] * view.size[1] + LANES - 1;
         for list in [&mut self.owner, &mut self.triangle] {
             list.clear();
             list.reserve_exact(pixels);
@@ -90,6 +91,7 @@ impl Sight {
 
     /// Makes room for pixels up to this one: for all of them before [`Sight::advance`].
     pub fn make_room(&mut self, pixels: usize) {
+        let pixels = pixels + LANES - 1;
         self.owner.resize(pixels, NOTHING);
         self.triangle.resize(pixels, AS_DOT);
         self.inverse.resize(pixels, 0.0);
@@ -190,9 +192,23 @@ impl Sight {
         let most = most.saturating_sub(work).max(1);
         let (next, drawn) = some_of(&surface.triangles, self.next, most, |number, triangle| {
             let corners = triangle.map(|v| corners[v as usize]);
-            fill.triangle(corners, |at, near| {
-                if near > inverse[at] {
-                    (inverse[at], owner[at], triangles[at]) = (near, place, number as u32);
+            fill.triangle(corners, |four| {
+                let Some(inverse) = four_of(inverse, four.at) else {
+                    return;
+                };
+                let wins = four.wins(inverse);
+                if !(wins[0] | wins[1] | wins[2] | wins[3]) {
+                    return;
+                }
+                let (Some(owner), Some(triangles)) =
+                    (four_of(owner, four.at), four_of(triangles, four.at))
+                else {
+                    return;
+                };
+                for k in 0..LANES {
+                    inverse[k] = if wins[k] { four.near[k] } else { inverse[k] };
+                    owner[k] = if wins[k] { place } else { owner[k] };
+                    triangles[k] = if wins[k] { number as u32 } else { triangles[k] };
                 }
             })
         });
