@@ -117,6 +117,11 @@ impl Frame {
         (self.sample as f64 + part) / self.samples() as f64
     }
 
+    /// Lists of what is seen go on beyond them.
+    fn pixels(&self) -> usize {
+        self.order.size[0] * self.order.size[1]
+    }
+
     fn samples(&self) -> usize {
         if self.order.is_fine { SAMPLES.len() } else { 1 }
     }
@@ -313,12 +318,12 @@ impl Frame {
     /// Of each pixel the depth of the body there, in units of the scene; 0 where none is. Of a finished frame, as the
     /// other planes are: its only sample, or the last one.
     pub fn depths(&self) -> &[f32] {
-        &self.sight.inverse
+        &self.sight.inverse[..self.pixels()]
     }
 
     /// Of each pixel the id of the body there; 0 where none is.
     pub fn ids(&self) -> &[u32] {
-        &self.sight.triangle
+        &self.sight.triangle[..self.pixels()]
     }
 
     /// Of each pixel the unit normal of the body there, in the world; zero where none is.
