@@ -28,18 +28,25 @@ impl Backdrop {
 pub(super) const FLOOR_COLOUR: [f32; 3] = [172.0, 168.0, 161.0];
 /// The floor fades from here to there, in radii of the ball around all bodies.
 const FADES: [f32; 2] = [1.1, 3.2];
+/// Straight up a studio is so much nearer to white than the floor is where it fades; from where one looks down so much,
+/// as the sine of the angle, it begins to.
+const LIGHTER: f32 = 0.5;
+const BEGINS: f32 = -0.7;
 /// Colours on the screen by how high one looks, as the sine of the angle: low and high.
 type Gradient = [[f32; 3]; 2];
-const STUDIO: Gradient = [[203.0, 199.0, 192.0], [226.0, 224.0, 220.0]];
 const AIR: Gradient = [[214.0, 224.0, 233.0], [104.0, 146.0, 198.0]];
 /// Air and land meet in haze.
 const LAND: Gradient = [AIR[0], [126.0, 123.0, 114.0]];
 
-/// The colour on the screen in a direction (a unit vector); black for [`Backdrop::Nothing`].
-pub(super) fn behind(backdrop: Backdrop, way: Vec3) -> [f32; 3] {
+/// The colour on the screen in a direction (a unit vector); black for [`Backdrop::Nothing`]. `far` is that of the floor
+/// where it fades.
+pub(super) fn behind(backdrop: Backdrop, way: Vec3, far: [f32; 3]) -> [f32; 3] {
     let high = greater(way.y, 0.0);
     match backdrop {
-        Backdrop::Floor => between(STUDIO, high),
+        Backdrop::Floor => {
+            let part = LIGHTER * greater(way.y - BEGINS, 0.0) / (1.0 - BEGINS);
+            far.map(|v| v + (255.0 - v) * part)
+        }
         Backdrop::Sky if way.y >= 0.0 => between(AIR, lesser(1.6 * high, 1.0).sqrt()),
         Backdrop::Sky => between(LAND, lesser(-2.0 * way.y, 1.0).sqrt()),
         Backdrop::Nothing => [0.0; 3],
@@ -48,6 +55,11 @@ pub(super) fn behind(backdrop: Backdrop, way: Vec3) -> [f32; 3] {
 
 fn between([low, high]: Gradient, part: f32) -> [f32; 3] {
     std::array::from_fn(|k| low[k] + (high[k] - low[k]) * part)
+}
+
+/// So far from the middle of a ball of this radius the floor is gone.
+pub(super) fn end_of_floor(radius: f32) -> f32 {
+    FADES[1] * radius
 }
 
 /// How much of the floor is seen at a place so far from the middle of a ball of this radius, 0..1.

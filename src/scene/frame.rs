@@ -1,6 +1,6 @@
 //! One picture of a scene, in slices: what is seen, how much of the sky each place sees, and its light.
 
-use super::shade::{Ground, Shading, Studio, find_floor};
+use super::shade::{Ground, Shading, Studio, far_floor, find_floor};
 use super::sight::{FLOOR, Sight};
 use super::{Backdrop, Camera, Lighting, Scene, lines};
 use crate::hash::Hash;
@@ -243,6 +243,7 @@ impl Frame {
             sight: &self.sight,
             backdrop: self.order.backdrop,
             ground: self.ground,
+            far: far_floor(light, self.sight.view(), &self.ground),
         };
         let (rgba, normals) = (&mut self.rgba, &mut self.normals);
         let keep = |at: usize, normal| normals[at] = normal;

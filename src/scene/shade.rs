@@ -1,12 +1,12 @@
 //! The colours of what is seen. Pixels are worked on in squares, whose surfaces, texels of shadow maps and pixels of
 //! planes lie near each other in memory, too.
 
-use super::backdrop::{FLOOR_COLOUR, behind, floor_part};
+use super::backdrop::{FLOOR_COLOUR, behind, end_of_floor, floor_part};
 use super::met::{Corners, Met, Part};
 use super::occlusion::Occlusion;
 use super::shadow::Spot;
 use super::sight::{FLOOR, NOTHING, Sight};
-use super::{Backdrop, Lighting, Scene, Surfel};
+use super::{Backdrop, Lighting, Scene, Surfel, View};
 use glam::Vec3;
 use std::ops::Range;
 
@@ -29,6 +29,8 @@ pub(super) struct Studio<'a> {
     pub sight: &'a Sight,
     pub backdrop: Backdrop,
     pub ground: Ground,
+    /// The colour on the screen of the floor where it fades.
+    pub far: [f32; 3],
 }
 
 /// Colours in the making, from the top.
@@ -220,7 +222,7 @@ impl Studio<'_> {
         let way = ray.normalize_or(Vec3::NEG_Y);
         let owner = self.sight.owner[at];
         if owner == NOTHING {
-            let [r, g, b] = behind(self.backdrop, way).map(|v| (v + 0.5) as u8);
+            let [r, g, b] = behind(self.backdrop, way, self.far).map(|v| (v + 0.5) as u8);
             let alpha = if self.backdrop == Backdrop::Nothing {
                 0
             } else {
@@ -240,7 +242,7 @@ impl Studio<'_> {
         if owner == FLOOR {
             let lit = self.light.light(&surfel, found.seen, -way, open);
             let part = self.floor_part(surfel.position);
-            let back = behind(Backdrop::Floor, way);
+            let back = behind(Backdrop::Floor, way, self.far);
             let [r, g, b] = std::array::from_fn(|k| {
                 let floor = f32::from(tone.screen(lit[k]));
                 (back[k] + (floor - back[k]) * part + 0.5) as u8
@@ -267,6 +269,23 @@ impl Studio<'_> {
     fn floor_part(&self, at: Vec3) -> f32 {
         floor_part((at - self.ground.middle).length(), self.ground.radius)
     }
+}
+
+/// The colour on the screen of the floor where it fades, straight ahead, as the lamp lights it there.
+pub(super) fn far_floor(light: &Lighting, view: &View, ground: &Ground) -> [f32; 3] {
+    let flat = |v: Vec3, y: f32| Vec3::new(v.x, y, v.z);
+    let away = flat(view.ahead, 0.0).normalize_or(Vec3::NEG_Z);
+    let position = flat(ground.middle, ground.height) + away * end_of_floor(ground.radius);
+    let surfel = Surfel {
+        position,
+        normal: Vec3::Y,
+        colour: FLOOR_COLOUR,
+        material: 0,
+        open: 1.0,
+    };
+    let to_eye = (view.eye - position).normalize_or(Vec3::Y);
+    let lit = light.light(&surfel, 1.0, to_eye, 1.0);
+    lit.map(|v| f32::from(light.tone().screen(v)))
 }
 
 /// Finds where in a row the floor is seen.
