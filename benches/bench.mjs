@@ -1,20 +1,23 @@
 // The measurements in WebAssembly under Node, and other people's programs for the same work beside them.
 import { d3Delaunay, matterJs, threeSubdivide } from './peers.mjs';
+import { threeFrames } from './three.mjs';
 
 /** @typedef {{ name: string, ms: number }} Timing */
 /** @typedef {{ points: Float32Array, triangles: Uint32Array, stones: number, levels: number }} Mesh */
 
 /**
- * @param {{ bench?: () => Timing[], bench_mesh?: () => Mesh, bench_skin?: () => Mesh }} module
+ * @param {{ bench?: () => Timing[], bench_mesh?: () => Mesh, bench_skin?: () => Mesh, bench_hide?: () => import('./three.mjs').Hide }} module
  *   built with the feature `bench`
  * @returns {Promise<Timing[]>}
  */
 export async function run(module) {
-  if (!module.bench || !module.bench_mesh || !module.bench_skin) throw new Error('The module has no benchmarks: build it with --features bench.');
+  if (!module.bench || !module.bench_mesh || !module.bench_skin || !module.bench_hide) throw new Error('The module has no benchmarks: build it with --features bench.');
   const timings = module.bench();
   /** @type {{ ours: string, theirs: string, most: number }[]} */
   const bars = [
     { ours: 'Runge-Kutta step, a thousand of 50000 cells', theirs: 'Runge-Kutta step, a thousand of 500 cells', most: 1.3 },
+    { ours: '2000 scales of 200 triangles, still with its shadows', theirs: 'light moved, parallel', most: 25 },
+    { ours: '2000 scales of 200 triangles, turning', theirs: 'light moved, parallel', most: 5 },
   ];
   /** @param {string} ours @param {Timing | undefined} peer @param {number} most */
   const beside = (ours, peer, most) => {
@@ -33,6 +36,7 @@ export async function run(module) {
   beside('Runge-Kutta step, 500 cells', await matterJs(500), 0.4);
   beside('subdivision, 500 stones, 3 times', await threeSubdivide(module.bench_mesh()), 1);
   beside('skin of fig. 14 (a)', await threeSubdivide(module.bench_skin()), 1 / 80);
+  timings.push(...(await threeFrames(module.bench_hide())));
   const ms = (/** @type {string} */ wanted) => timings.find(({ name }) => name === wanted)?.ms ?? NaN;
   console.log('\nAs parts of each other in WebAssembly, and the most that is wanted:');
   for (const { ours, theirs, most } of bars) {

@@ -1,6 +1,9 @@
 //! The measurements, the same natively and in WebAssembly. Times are milliseconds by the caller's
 //! clock; each is the shortest of several runs, which other programs have disturbed least.
 
+#[cfg(house)]
+pub mod scene;
+
 use bubblestone::domain::{Domain, Outline};
 use bubblestone::export::StageTime;
 use bubblestone::field::{FieldBuilder, FieldParams, Fields};
@@ -54,6 +57,8 @@ pub fn run(clock: Clock) -> Vec<Timing> {
     for light in ["parallel", "point"] {
         timings.push(moved_light(light, clock));
     }
+    #[cfg(house)]
+    timings.extend(scene::timings(clock));
     timings
 }
 

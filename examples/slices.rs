@@ -1,52 +1,92 @@
 //! `cargo run --release --example slices [-- LINK...]`: the longest slice of each stage, of all
-//! presets or of these links, as the best of three runs.
+//! presets or of these links, as the best of three runs; then those of the turntable: bodies and the
+//! first frame, while something moves, still, and fine as a phone's or a desktop's screen has it.
 
-use bubblestone::generators::ALL;
 use bubblestone::generators::pavement::{self, PAVEMENT};
+use bubblestone::generators::{ALL, TurnOrder};
+use bubblestone::scene::Camera;
 use bubblestone::studio::Studio;
 use std::collections::BTreeMap;
 use std::time::Instant;
 
-#[allow(clippy::disallowed_methods)] // The library has no clock: this measures it.
+/// Frames of the turntable, each with its words and its side in pixels.
+const FRAMES: [(&str, &str, usize); 3] = [
+    ("turn moving", "moving", 800),
+    ("turn still", "still", 1600),
+    ("turn fine", "fine", 1600),
+];
+
+/// The shortest time of each slice, by its stage and its number there.
+type Best = BTreeMap<(&'static str, u32), f64>;
+
 fn main() {
     let mut links: Vec<String> = std::env::args().skip(1).collect();
     if links.is_empty() {
         links = PAVEMENT.presets.iter().map(|p| p.link.to_owned()).collect();
     }
     for link in links {
-        let mut best: BTreeMap<(&str, u32), f64> = BTreeMap::new();
+        let mut best = Best::new();
         for _ in 0..3 {
             let (recipe, _) = pavement::recipe(&link);
             let mut studio = Studio::new(ALL, recipe);
-            let begin = Instant::now();
-            let mut clock = || begin.elapsed().as_secs_f64() * 1e3;
             let mut count = BTreeMap::new();
-            while !studio.done() && studio.problem().is_none() {
-                let stage = studio.stage();
-                let before = Instant::now();
-                studio.tick(&mut clock, 0.0, u32::MAX);
-                let ms = before.elapsed().as_secs_f64() * 1e3;
+            let mut timed = |stage: &'static str, slice: &mut dyn FnMut() -> bool| {
+                let (goes_on, ms) = timed(slice);
                 let k = count.entry(stage).or_insert(0);
                 let entry = best.entry((stage, *k)).or_insert(f64::INFINITY);
                 *entry = entry.min(ms);
                 *k += 1;
+                goes_on
+            };
+            while !studio.done() && studio.problem().is_none() {
+                timed(studio.stage(), &mut || {
+                    studio.tick(&mut || 0.0, 0.0, u32::MAX);
+                    true
+                });
             }
-        }
-        let mut worst: BTreeMap<&str, (f64, u32, f64, u32)> = BTreeMap::new();
-        for ((stage, k), ms) in best {
-            let w = worst.entry(stage).or_insert((0.0, 0, 0.0, 0));
-            if ms > w.0 {
-                (w.0, w.1) = (ms, k);
+            for (stage, how, side) in FRAMES {
+                let order = TurnOrder {
+                    subject: String::new(),
+                    camera: Camera::default(),
+                    size: [side; 2],
+                    how: how.to_owned(),
+                };
+                let engine = studio.engine_mut();
+                let mut turn = || {
+                    let slice = engine.turn(&order, &mut || 0.0, 0.0);
+                    slice.is_ok_and(|slice| !slice.done)
+                };
+                while timed(stage, &mut turn) {}
             }
-            w.2 += ms;
-            w.3 += 1;
         }
         println!("{link}");
-        for &stage in PAVEMENT.stages {
-            if let Some((ms, k, total, n)) = worst.get(stage) {
-                print!("  {stage} {ms:.1} (#{k}/{n}, {total:.0})");
-            }
-        }
-        println!();
+        tell(&best);
     }
+}
+
+/// What a slice answers with, and its milliseconds.
+#[allow(clippy::disallowed_methods)] // The library has no clock: this measures it.
+fn timed(slice: &mut dyn FnMut() -> bool) -> (bool, f64) {
+    let before = Instant::now();
+    let goes_on = slice();
+    (goes_on, before.elapsed().as_secs_f64() * 1e3)
+}
+
+fn tell(best: &Best) {
+    let mut worst: BTreeMap<&str, (f64, u32, f64, u32)> = BTreeMap::new();
+    for (&(stage, k), &ms) in best {
+        let w = worst.entry(stage).or_insert((0.0, 0, 0.0, 0));
+        if ms > w.0 {
+            (w.0, w.1) = (ms, k);
+        }
+        w.2 += ms;
+        w.3 += 1;
+    }
+    let frames = FRAMES.map(|(stage, ..)| stage);
+    for stage in PAVEMENT.stages.iter().chain(&frames) {
+        if let Some((ms, k, total, n)) = worst.get(stage) {
+            print!("  {stage} {ms:.1} (#{k}/{n}, {total:.0})");
+        }
+    }
+    println!();
 }

@@ -1,0 +1,180 @@
+//! Bodies in light: a hide of many scales, as one sees it on the turntable.
+
+use super::{Clock, Timing, shortest};
+use bubblestone::generators::ALL;
+use bubblestone::generators::pavement::{self, Pavement};
+use bubblestone::heightfield::{Cutout, GROUND, TextureParams};
+use bubblestone::light::ShadeParams;
+use bubblestone::material::{Gloss, Material, material_table};
+use bubblestone::scene::{
+    Backdrop, Body, Camera, Frame, Instance, Lamp, Lighting, Order, Place, Scene,
+};
+use bubblestone::solid::Surface;
+use bubblestone::studio::Studio;
+
+/// Scales of the hide.
+const SCALES: usize = 2_000;
+/// Triangles of each at its finest.
+const EACH: usize = 200;
+/// One level has so many times the triangles of the next one, as in the turntable's scenes.
+const FINER: usize = 4;
+/// A fish with a few scales more than are wanted.
+const HIDE: &str = "tile=1&kind=ellipse&ca=1.3&cs=12.3&dir=constant&angle=90&stone=skin&sv=1.8\
+    &sr=0.8&sc=1.8&tilt=0.15&sa=-90&tc=0.5&palette=fish&ground=hide";
+/// Width and height of the still frame in pixels; one that turns has half of them.
+pub const SIZE: [usize; 2] = [640, 480];
+/// All of the hide is seen from here, and it fills most of the frame.
+pub const CAMERA: Camera = Camera {
+    angle: 0.0,
+    height: 56.0,
+    distance: 1.85,
+    lens: 28.0,
+    target: [0.0, 0.0, 0.03],
+};
+/// The work of a slice, as on the turntable.
+const SLICE: usize = 20_000;
+
+/// A hide, and what it is lit by.
+pub struct Hide {
+    /// Scales of one level, which is drawn whatever their size, on the coarsest of their grounds.
+    still: Scene,
+    /// The same with a coarser level.
+    turning: Scene,
+    lamp: Lamp,
+    params: ShadeParams,
+    materials: Vec<Material>,
+}
+
+impl Hide {
+    /// None where the recipe fails.
+    pub fn new() -> Option<Self> {
+        let mut studio = Studio::new(ALL, pavement::recipe(HIDE).0);
+        studio.finish(&mut || 0.0).ok()?;
+        let pavement = studio.engine_as::<Pavement>()?;
+        let (cells, planes) = (pavement.scales(), pavement.planes()?);
+        let texture = TextureParams {
+            side: planes.side,
+            stone: pavement.stone_params(),
+            ..TextureParams::default()
+        };
+        let cut_out = || {
+            let mut cutout = Cutout::new(texture, cells.len(), planes);
+            while !cutout.advance(cells, planes) {}
+            cutout.finish()
+        };
+        let (mut still, mut turning) = (cut_out(), cut_out());
+        let instances = still.instances.iter().copied();
+        let (ground, mut scales): (Vec<_>, Vec<_>) = instances.partition(is_ground);
+        scales.truncate(SCALES);
+        for instance in &ground {
+            let body = &mut still.bodies[instance.body as usize];
+            body.levels.drain(..body.levels.len() - 1);
+            turning.bodies[instance.body as usize] = body.clone();
+        }
+        for instance in &scales {
+            let body = &mut still.bodies[instance.body as usize];
+            let finest = body.levels[0].coarser(EACH, f32::MIN);
+            let coarser = finest.coarser(EACH / FINER, f32::MIN);
+            let material = body.material;
+            *body = Body::new(vec![finest.clone()], material);
+            turning.bodies[instance.body as usize] = Body::new(vec![finest, coarser], material);
+        }
+        still.instances = [scales, ground].concat();
+        turning.instances.clone_from(&still.instances);
+        let params = ShadeParams::default();
+        Some(Self {
+            lamp: Lamp::over_picture(params.light, planes.ground / planes.side as f32),
+            still,
+            turning,
+            params,
+            materials: material_table("fish", "hide", Gloss::Own),
+        })
+    }
+
+    /// The finest surfaces and where they stand, the ground's last.
+    pub fn surfaces(&self) -> impl Iterator<Item = (&Surface, &Place)> {
+        self.still.instances.iter().map(|instance| {
+            let body = &self.still.bodies[instance.body as usize];
+            (&body.levels[0], &instance.place)
+        })
+    }
+
+    /// The unit vector to the lamp, and the middle and radius of the ball that it lights.
+    #[cfg(target_arch = "wasm32")]
+    pub fn lit(&self) -> ([f32; 3], [f32; 3], f32) {
+        let to = match self.lamp {
+            Lamp::Sun(to) => to.to_array(),
+            Lamp::Bulb { at, .. } => at.to_array(),
+        };
+        let (middle, radius) = self.still.ball();
+        (to, middle.to_array(), radius)
+    }
+
+    fn light(&self, scene: &Scene) -> Lighting {
+        let made_of = (&self.params, &self.materials[..]);
+        let mut light = Lighting::new(scene, self.lamp, made_of, false);
+        while !light.advance(scene, SLICE) {}
+        light
+    }
+}
+
+fn is_ground(instance: &Instance) -> bool {
+    instance.id == GROUND
+}
+
+/// The whole still frame with its shadows made anew, and one while the hide turns.
+pub fn timings(clock: Clock) -> Vec<Timing> {
+    let Some(hide) = Hide::new() else {
+        return Vec::new();
+    };
+    let scales = hide.surfaces().take(SCALES);
+    let triangles: usize = scales.map(|(surface, _)| surface.triangles.len()).sum();
+    assert!(hide.surfaces().count() == SCALES + 1 && triangles == SCALES * EACH);
+    let still = Order {
+        camera: CAMERA,
+        size: SIZE,
+        is_fine: false,
+        is_moving: false,
+        backdrop: Backdrop::Floor,
+    };
+    let mut frame = Frame::new(still);
+    let mut make = |scene: &Scene, light: &Lighting, order: Order| {
+        frame.begin(order);
+        while !frame.advance(scene, light, SLICE) {}
+        // Looked at, so that no compiler leaves the work out.
+        let scales = frame.ids().iter().filter(|&&id| id != GROUND).count();
+        assert!(3 * scales > 2 * frame.ids().len());
+    };
+    let stills = (0..7).map(|_| {
+        let start = clock();
+        let light = hide.light(&hide.still);
+        make(&hide.still, &light, still);
+        clock() - start
+    });
+    let stills = shortest(stills);
+    let light = hide.light(&hide.turning);
+    let turns = (0..15).map(|k| {
+        let camera = Camera {
+            angle: f64::from(k),
+            ..CAMERA
+        };
+        let order = Order {
+            camera,
+            size: SIZE.map(|n| n / 2),
+            is_moving: true,
+            ..still
+        };
+        let start = clock();
+        make(&hide.turning, &light, order);
+        clock() - start
+    });
+    let turns = shortest(turns);
+    let timing = |what: &str, ms| Timing {
+        name: format!("{SCALES} scales of {EACH} triangles, {what}"),
+        ms,
+    };
+    vec![
+        timing("still with its shadows", stills),
+        timing("turning", turns),
+    ]
+}
