@@ -65,8 +65,8 @@ impl Shading {
         self.occlusion.make_room(pixels);
     }
 
-    /// Shades at least so many rows from one on, which is the first or that which was answered before; answers with
-    /// the next one. `keep` is told the normal of each pixel where a body is.
+    /// Goes on from a row, which is the first or that which was answered before, for about the work of so many;
+    /// answers with the next one. `keep` is told the normal of each pixel where a body is.
     pub fn advance(
         &mut self,
         studio: Studio,
@@ -76,19 +76,20 @@ impl Shading {
         mut keep: impl FnMut(usize, Vec3),
     ) -> usize {
         let height = studio.sight.view().size[1];
-        let to = height.min(from.saturating_add(rows));
-        let mut row = from;
-        while row < to {
+        // Finding what is met and shading it are half of the work each.
+        let (mut row, mut left) = (from, 2 * rows);
+        while row < height && left > 0 {
             let end = height.min(row + BAND);
-            let ahead = height.min(end + BAND);
-            while self.found_rows < ahead {
+            if self.found_rows < height.min(end + BAND) {
                 self.find(studio, &mut keep);
+            } else {
+                if self.has_occlusion {
+                    (row..end).for_each(|y| self.occlusion.average(studio.sight, y));
+                }
+                self.shade(studio, row..end, rgba);
+                row = end;
             }
-            if self.has_occlusion {
-                (row..end).for_each(|y| self.occlusion.average(studio.sight, y));
-            }
-            self.shade(studio, row..end, rgba);
-            row = end;
+            left = left.saturating_sub(BAND);
         }
         row
     }
