@@ -7,7 +7,7 @@ use bubblestone::heightfield::{Cutout, GROUND, TextureParams};
 use bubblestone::light::ShadeParams;
 use bubblestone::material::{Gloss, Material, material_table};
 use bubblestone::scene::{
-    Backdrop, Body, Camera, Frame, Instance, Lamp, Lighting, Order, Place, Scene,
+    Backdrop, Body, Camera, Frame, Instance, Lamp, Lighting, Order, Place, Scene, Sharpness,
 };
 use bubblestone::solid::Surface;
 use bubblestone::studio::Studio;
@@ -30,6 +30,13 @@ pub const CAMERA: Camera = Camera {
     distance: 1.85,
     lens: 28.0,
     target: [0.0, 0.0, 0.03],
+};
+const STILL: Order = Order {
+    camera: CAMERA,
+    size: SIZE,
+    is_fine: false,
+    is_moving: false,
+    backdrop: Backdrop::Floor,
 };
 /// The work of a slice, as on the turntable.
 const SLICE: usize = 20_000;
@@ -112,7 +119,7 @@ impl Hide {
 
     fn light(&self, scene: &Scene) -> Lighting {
         let made_of = (&self.params, &self.materials[..]);
-        let mut light = Lighting::new(scene, self.lamp, made_of, false);
+        let mut light = Lighting::new(scene, self.lamp, made_of, Sharpness::of(&STILL));
         while !light.advance(scene, SLICE) {}
         light
     }
@@ -122,59 +129,63 @@ fn is_ground(instance: &Instance) -> bool {
     instance.id == GROUND
 }
 
-/// The whole still frame with its shadows made anew, and one while the hide turns.
+/// The whole still frame with its shadows made anew, and one while the hide turns: of the triangles alone, and then with
+/// the relief of the picture's planes.
 pub fn timings(clock: Clock) -> Vec<Timing> {
-    let Some(hide) = Hide::new() else {
+    let Some(mut hide) = Hide::new() else {
         return Vec::new();
     };
     let scales = hide.surfaces().take(SCALES);
     let triangles: usize = scales.map(|(surface, _)| surface.triangles.len()).sum();
     assert!(hide.surfaces().count() == SCALES + 1 && triangles == SCALES * EACH);
-    let still = Order {
-        camera: CAMERA,
-        size: SIZE,
-        is_fine: false,
-        is_moving: false,
-        backdrop: Backdrop::Floor,
-    };
-    let mut frame = Frame::new(still);
-    let mut make = |scene: &Scene, light: &Lighting, order: Order| {
-        frame.begin(order);
-        while !frame.advance(scene, light, SLICE) {}
-        // Looked at, so that no compiler leaves the work out.
-        let scales = frame.ids().iter().filter(|&&id| id != GROUND).count();
-        assert!(3 * scales > 2 * frame.ids().len());
-    };
-    let stills = (0..7).map(|_| {
-        let start = clock();
-        let light = hide.light(&hide.still);
-        make(&hide.still, &light, still);
-        clock() - start
-    });
-    let stills = shortest(stills);
-    let light = hide.light(&hide.turning);
-    let turns = (0..15).map(|k| {
-        let camera = Camera {
-            angle: f64::from(k),
-            ..CAMERA
+    let relief = [hide.still.detail.take(), hide.turning.detail.take()];
+    let mut timings = hide.timings("", clock);
+    [hide.still.detail, hide.turning.detail] = relief;
+    timings.extend(hide.timings(", with the picture's relief", clock));
+    timings
+}
+
+impl Hide {
+    fn timings(&self, with: &str, clock: Clock) -> Vec<Timing> {
+        let mut frame = Frame::new(STILL);
+        let mut make = |scene: &Scene, light: &Lighting, order: Order| {
+            frame.begin(order);
+            while !frame.advance(scene, light, SLICE) {}
+            // Looked at, so that no compiler leaves the work out.
+            let scales = frame.ids().iter().filter(|&&id| id != GROUND).count();
+            assert!(3 * scales > 2 * frame.ids().len());
         };
-        let order = Order {
-            camera,
-            size: SIZE.map(|n| n / 2),
-            is_moving: true,
-            ..still
+        let stills = (0..7).map(|_| {
+            let start = clock();
+            let light = self.light(&self.still);
+            make(&self.still, &light, STILL);
+            clock() - start
+        });
+        let stills = shortest(stills);
+        let light = self.light(&self.turning);
+        let turns = (0..15).map(|k| {
+            let camera = Camera {
+                angle: f64::from(k),
+                ..CAMERA
+            };
+            let order = Order {
+                camera,
+                size: SIZE.map(|n| n / 2),
+                is_moving: true,
+                ..STILL
+            };
+            let start = clock();
+            make(&self.turning, &light, order);
+            clock() - start
+        });
+        let turns = shortest(turns);
+        let timing = |what: &str, ms| Timing {
+            name: format!("{SCALES} scales of {EACH} triangles, {what}{with}"),
+            ms,
         };
-        let start = clock();
-        make(&hide.turning, &light, order);
-        clock() - start
-    });
-    let turns = shortest(turns);
-    let timing = |what: &str, ms| Timing {
-        name: format!("{SCALES} scales of {EACH} triangles, {what}"),
-        ms,
-    };
-    vec![
-        timing("still with its shadows", stills),
-        timing("turning", turns),
-    ]
+        vec![
+            timing("still with its shadows", stills),
+            timing("turning", turns),
+        ]
+    }
 }

@@ -3,7 +3,7 @@
 use super::Clock;
 use super::height_field::LightParams;
 use crate::notice::{Code, Notice, quote};
-use crate::scene::{Backdrop, Camera, Frame, Lamp, Lighting, Order, Scene};
+use crate::scene::{Backdrop, Camera, Frame, Lamp, Lighting, Order, Scene, Sharpness};
 
 /// The work of one slice, in triangles drawn or pixels shaded.
 const SLICE: usize = 20_000;
@@ -134,11 +134,10 @@ impl Turntable {
             }
             none => none.insert(Frame::new(key.order)),
         };
-        let is_moving = key.order.is_moving;
+        let wanted = Sharpness::of(&key.order);
         self.key = Some(key);
         let begin = clock();
-        let which = which_light(&self.lights, stand, is_moving);
-        let light = light_for(&mut self.lights[which], stand, which == 1);
+        let light = light_for(&mut self.lights, stand, wanted);
         let inside = |now: f64| now - begin < budget;
         let mut done = false;
         // Not `>=`: a clock that fails must not make this endless.
@@ -172,29 +171,26 @@ fn check_room([width, height]: [usize; 2]) -> Result<(), Notice> {
     }
 }
 
-type Lights = [Option<(u64, LightParams, Lighting)>; 2];
-
-/// While something moves the fine light does where it is there; else the coarse one is made sooner.
-fn which_light(lights: &Lights, stand: &Stand, is_moving: bool) -> usize {
-    let [fine, _] = lights;
-    let is_there = fine.as_ref().is_some_and(|kept| is_of(kept, stand));
-    usize::from(is_moving && !is_there)
-}
-
-fn is_of((number, params, _): &(u64, LightParams, Lighting), stand: &Stand) -> bool {
-    *number == stand.number && params == stand.light
-}
-
+/// While something moves the fine light does where it is there, whatever it is for; else the coarse one is made sooner.
 fn light_for<'a>(
-    kept: &'a mut Option<(u64, LightParams, Lighting)>,
+    [fine, coarse]: &'a mut [Option<(u64, LightParams, Lighting)>; 2],
     stand: &Stand,
-    is_coarse: bool,
+    wanted: Sharpness,
 ) -> &'a mut Lighting {
-    let fits = kept.take().filter(|kept| is_of(kept, stand));
+    let is_of = |(number, params, _): &(u64, LightParams, Lighting)| {
+        *number == stand.number && params == stand.light
+    };
+    let is_coarse = wanted == Sharpness::Coarse;
+    let kept = match is_coarse && !fine.as_ref().is_some_and(is_of) {
+        true => coarse,
+        false => fine,
+    };
+    let does = |light: &Lighting| is_coarse || light.sharpness() == wanted;
+    let fits = kept.take().filter(|kept| is_of(kept) && does(&kept.2));
     let new = || {
         let lamp = Lamp::over_picture(stand.light.shade.light, stand.ground);
         let (params, materials) = (&stand.light.shade, &stand.light.materials);
-        let light = Lighting::new(stand.scene, lamp, (params, materials), is_coarse);
+        let light = Lighting::new(stand.scene, lamp, (params, materials), wanted);
         (stand.number, stand.light.clone(), light)
     };
     &mut kept.insert(fits.unwrap_or_else(new)).2

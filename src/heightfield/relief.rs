@@ -31,9 +31,9 @@ struct Pixel {
     id: u32,
     /// Rise to the right and down, by pixels of its own id.
     slope: [f32; 2],
-    colour: [u8; 3],
+    /// Red, green, blue, and the part of the sky that is seen.
+    look: [u8; 4],
     material: u8,
-    occlusion: u8,
 }
 
 impl Relief {
@@ -49,12 +49,14 @@ impl Relief {
     /// Adds the next pixels of these finished planes, at most so many; true after the last ones.
     pub fn add(&mut self, planes: &Planes, most: usize) -> bool {
         let (from, all) = (self.pixels.len(), planes.id.len());
-        let pixel = |at: usize| Pixel {
-            id: planes.id[at],
-            slope: slope(planes, at),
-            colour: planes.colour[at],
-            material: planes.material[at],
-            occlusion: planes.occlusion[at],
+        let pixel = |at: usize| {
+            let ([r, g, b], open) = (planes.colour[at], planes.occlusion[at]);
+            Pixel {
+                id: planes.id[at],
+                slope: slope(planes, at),
+                look: [r, g, b, open],
+                material: planes.material[at],
+            }
         };
         let next = from..all.min(from.saturating_add(most));
         self.pixels.extend(next.map(pixel));
@@ -81,9 +83,8 @@ impl Relief {
 const NOTHING: Pixel = Pixel {
     id: u32::MAX,
     slope: [0.0; 2],
-    colour: [0; 3],
+    look: [0; 4],
     material: 0,
-    occlusion: 255,
 };
 
 impl Detail for Relief {
@@ -107,16 +108,12 @@ impl Detail for Relief {
             (if is_own { weight } else { 0.0 }, pixel)
         });
         let (mut sum, mut best) = (0.0, 0.0);
-        let (mut colour, mut slope, mut open) = ([0.0; 3], [0.0; 2], 0.0);
+        let (mut look, mut slope) = ([0.0; 4], [0.0; 2]);
         for (weight, pixel) in own {
             sum += weight;
-            for (sum, part) in colour.iter_mut().zip(pixel.colour) {
-                *sum += weight * f32::from(part);
-            }
-            for (sum, part) in slope.iter_mut().zip(pixel.slope) {
-                *sum += weight * part;
-            }
-            open += weight * f32::from(pixel.occlusion);
+            let parts = pixel.look.map(f32::from);
+            look = std::array::from_fn(|k| look[k] + weight * parts[k]);
+            slope = std::array::from_fn(|k| slope[k] + weight * pixel.slope[k]);
             if weight > best {
                 (best, surfel.material) = (weight, pixel.material);
             }
@@ -125,13 +122,15 @@ impl Detail for Relief {
             return;
         }
         let part = lesser(upright, 1.0);
-        for (own, plane) in surfel.colour.iter_mut().zip(colour) {
-            *own += (plane / sum - *own) * part;
+        let one = 1.0 / sum;
+        let [r, g, b, open] = look.map(|sum| sum * one);
+        for (own, plane) in surfel.colour.iter_mut().zip([r, g, b]) {
+            *own += (plane - *own) * part;
         }
-        surfel.open = 1.0 + (open / (255.0 * sum) - 1.0) * part;
+        surfel.open = 1.0 + (open * (1.0 / 255.0) - 1.0) * part;
         let covered = spread * side;
         let near = ((FADES[1] - covered) / (FADES[1] - FADES[0])).clamp(0.0, 1.0);
-        let limit = |v: f32| lesser(greater(v / sum, -STEEPEST), STEEPEST);
+        let limit = |v: f32| lesser(greater(v * one, -STEEPEST), STEEPEST);
         let fine = Vec3::new(-limit(slope[0]), 1.0, -limit(slope[1])).normalize();
         let mixed = surfel.normal + (fine - surfel.normal) * (part * near);
         surfel.normal = mixed.normalize_or(surfel.normal);

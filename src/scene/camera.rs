@@ -120,6 +120,7 @@ impl Camera {
             up: back.cross(right).as_vec3(),
             ahead: (-back).as_vec3(),
             focal: focal as f32,
+            slope: (1.0 / focal) as f32,
             near: (NEAR * self.distance) as f32,
             middle: [0.5 * width as f32, 0.5 * height as f32],
             size: [width, height],
@@ -151,6 +152,8 @@ pub struct View {
     pub ahead: Vec3,
     /// Pixels for a unit at a depth of a unit.
     pub focal: f32,
+    /// Units for a pixel at a depth of a unit.
+    pub slope: f32,
     /// What is less deep is not seen.
     pub near: f32,
     /// The pixel coordinates of what is straight ahead.
@@ -183,8 +186,8 @@ impl View {
     /// The direction from the eye through a place of the frame; of depth 1, so not a unit vector.
     #[inline(always)]
     pub fn ray(&self, x: f32, y: f32) -> Vec3 {
-        let across = (x - self.middle[0]) / self.focal;
-        let down = (y - self.middle[1]) / self.focal;
+        let across = (x - self.middle[0]) * self.slope;
+        let down = (y - self.middle[1]) * self.slope;
         self.ahead + self.right * across - self.up * down
     }
 

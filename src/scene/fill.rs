@@ -2,7 +2,8 @@
 
 use super::View;
 use super::clip::Planes;
-use super::raster::{Corner, Four, Grid};
+use super::four::Four;
+use super::raster::{Corner, Grid};
 use glam::Vec3;
 
 /// So many pixels are about the work of one triangle.

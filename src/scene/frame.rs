@@ -211,7 +211,7 @@ impl Frame {
         };
         self.sight.begin(view, self.order.is_moving);
         let has_occlusion = !self.order.is_moving;
-        self.shading.begin(width, width * height, has_occlusion);
+        self.shading.begin([width, height], has_occlusion);
         self.normals.clear();
         self.normals.reserve_exact(width * height);
     }
@@ -221,7 +221,7 @@ impl Frame {
         let [width, height] = self.order.size;
         let pixels = to * width;
         self.sight.make_room(pixels);
-        self.shading.make_room(pixels);
+        self.shading.make_room(width, to);
         self.normals.resize(pixels, Vec3::ZERO);
         if self.sample == 0 {
             self.rgba.resize(4 * pixels, 0);

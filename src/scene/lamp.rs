@@ -1,15 +1,12 @@
 //! The light of a scene: the lamp of a recipe in space, its shadows, and Phong's shading of a place.
 
-use super::met::Met;
 use super::shadow::{Shadows, Spot};
-use super::{Scene, Surfel};
+use super::{Order, Scene};
 use crate::light::{Finish, GAP, LAMP, Light, SHINE, SKY, STEEP, ShadeParams, Tone, lamp_from};
 use crate::material::Material;
-use crate::order::greater;
+use crate::order::{greater, lesser};
 use glam::Vec3;
 
-/// Texels along a side of the shadow map, and of the one while something moves.
-const SIDES: [usize; 2] = [2048, 768];
 /// The sides of the cube around a lamp have so many parts of that.
 const LAMP_SIDE: usize = 2;
 /// The sky's light from below, mirrored by what lies there, of that on a vertical face.
@@ -67,6 +64,40 @@ impl Lamp {
     }
 }
 
+/// How finely shadows are drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sharpness {
+    /// While something moves: softer, and of coarser bodies.
+    Coarse,
+    /// For frames whose larger side has at most [`Sharpness::SMALL`] pixels.
+    Small,
+    /// For larger ones.
+    Large,
+}
+
+impl Sharpness {
+    /// What [`Sharpness::Small`] is for: a texel is no larger than a pixel where all bodies fill the frame.
+    pub const SMALL: usize = 720;
+
+    /// What a frame needs.
+    pub fn of(order: &Order) -> Self {
+        match order.size[0].max(order.size[1]) {
+            _ if order.is_moving => Self::Coarse,
+            0..=Self::SMALL => Self::Small,
+            _ => Self::Large,
+        }
+    }
+
+    /// Texels along a side of the shadow map.
+    fn texels(self) -> usize {
+        match self {
+            Self::Coarse => 768,
+            Self::Small => 1024,
+            Self::Large => 2048,
+        }
+    }
+}
+
 /// What lights a scene, for all frames of it: it is kept while the camera moves.
 pub struct Lighting {
     lamp: Lamp,
@@ -74,22 +105,35 @@ pub struct Lighting {
     finishes: Vec<Finish>,
     tone: Tone,
     shadows: Shadows,
+    sharpness: Sharpness,
     is_ready: bool,
 }
 
+/// Light that arrives at a place.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Arriving {
+    /// Of the sky.
+    sky: f32,
+    /// Of the lamp, straight on, and as the surface is turned to it.
+    lamp: f32,
+    facing: f32,
+    /// The cosine between mirrored light and the way to the eye, 0..1.
+    mirrored: f32,
+}
+
 impl Lighting {
-    /// The light of a scene whose surfaces are of these materials. Coarse, its shadows are softer, and of coarser bodies.
+    /// The light of a scene whose surfaces are of these materials.
     pub fn new(
         scene: &Scene,
         lamp: Lamp,
         (params, materials): (&ShadeParams, &[Material]),
-        is_coarse: bool,
+        sharpness: Sharpness,
     ) -> Self {
         let finish = |material| Finish::new(material, params);
-        let side = SIDES[usize::from(is_coarse)];
+        let is_coarse = sharpness == Sharpness::Coarse;
         let side = match lamp {
-            Lamp::Sun(_) => side,
-            Lamp::Bulb { .. } => side / LAMP_SIDE,
+            Lamp::Sun(_) => sharpness.texels(),
+            Lamp::Bulb { .. } => sharpness.texels() / LAMP_SIDE,
         };
         Self {
             lamp,
@@ -97,8 +141,14 @@ impl Lighting {
             finishes: materials.iter().map(finish).collect(),
             tone: Tone::new(),
             shadows: Shadows::new(scene, lamp, side, is_coarse),
+            sharpness,
             is_ready: params.shadow <= 0.0,
         }
+    }
+
+    /// How finely its shadows are drawn.
+    pub fn sharpness(&self) -> Sharpness {
+        self.sharpness
     }
 
     /// Goes on with the shadows, for about the work of so many triangles; true when they are there.
@@ -119,20 +169,21 @@ impl Lighting {
         }
     }
 
-    pub(super) fn tone(&self) -> &Tone {
-        &self.tone
-    }
-
-    /// Where to look up how much of the lamp is seen from a place, as its triangles have it; none where they face
-    /// away.
+    /// Where to look up how much of the lamp is seen from a place; none where it faces away. `flat` is the normal of its
+    /// triangle, and `spread` how far off it may be.
     #[inline(always)]
-    pub(super) fn spot(&self, position: Vec3, met: &Met) -> Option<Spot> {
+    pub(super) fn spot(
+        &self,
+        position: Vec3,
+        [normal, flat]: [Vec3; 2],
+        spread: f32,
+    ) -> Option<Spot> {
         let (to, _) = self.lamp.from(position);
         // Triangles that do not face the lamp may be part of a round surface that does.
-        let is_flat = met.flat.dot(to) > TURNED;
-        let normal = if is_flat { met.flat } else { met.normal };
+        let is_flat = flat.dot(to) > TURNED;
+        let normal = if is_flat { flat } else { normal };
         let faces = normal.dot(to) > 0.0;
-        faces.then(|| self.spot_of(position, normal, met.spread))
+        faces.then(|| self.spot_of(position, normal, spread))
     }
 
     /// The same of a surface that faces the lamp and may be off by so much.
@@ -150,36 +201,54 @@ impl Lighting {
         self.shadows.visible(spot)
     }
 
-    /// The light that a place gives off towards the eye, linear. `seen` is what [`Lighting::seen`] gave, `to_eye` the
-    /// unit vector to the eye, `open` the part of the sky that is seen from there.
-    pub(super) fn light(&self, surfel: &Surfel, seen: f32, to_eye: Vec3, open: f32) -> [f32; 3] {
-        let normal = surfel.normal;
-        let (to, strength) = self.lamp.from(surfel.position);
+    /// What light arrives at a place. `seen` is what [`Lighting::seen`] gave, `to_eye` the unit vector to the eye, `open`
+    /// the part of the sky that is seen from there.
+    #[inline(always)]
+    pub(super) fn arriving(
+        &self,
+        [position, normal, to_eye]: [Vec3; 3],
+        [seen, open]: [f32; 2],
+    ) -> Arriving {
+        let (to, strength) = self.lamp.from(position);
         let facing = greater(normal.dot(to), 0.0);
         let open = 1.0 - self.params.occlusion as f32 * (1.0 - open);
         let seen = if facing > 0.0 { seen } else { 1.0 };
         let seen = 1.0 - self.params.shadow as f32 * (1.0 - seen);
-        let arrives = seen * strength * (1.0 - GAP * (1.0 - open));
-        let upright = normal.y;
-        let from_sky = match upright > 0.0 {
-            true => STEEP + (1.0 - STEEP) * upright,
-            false => STEEP * (1.0 + (1.0 - BELOW) * upright),
-        };
+        let lamp = seen * strength * (1.0 - GAP * (1.0 - open));
+        let up = normal.y;
+        let above = STEEP + (1.0 - STEEP) * up;
+        let below = STEEP * (1.0 + (1.0 - BELOW) * up);
+        let mirrored = 2.0 * facing * normal.dot(to_eye) - to.dot(to_eye);
         // Where the lamp is behind the surface there is no light to be mirrored.
-        let mirrored = match facing > 0.0 {
-            true => (2.0 * facing * normal.dot(to_eye) - to.dot(to_eye)).clamp(0.0, 1.0),
-            false => 0.0,
-        };
+        let mirrored = if facing > 0.0 { mirrored } else { 0.0 };
+        Arriving {
+            sky: open * if up > 0.0 { above } else { below },
+            lamp,
+            facing: facing * lamp,
+            mirrored: lesser(greater(mirrored, 0.0), 1.0),
+        }
+    }
+
+    /// The colour on the screen of a surface of this colour and material.
+    #[inline(always)]
+    pub(super) fn reflected(
+        &self,
+        (colour, material): ([f32; 3], u8),
+        arriving: &Arriving,
+    ) -> [u8; 3] {
         let last = self.finishes.len().saturating_sub(1);
-        let Some(finish) = self.finishes.get(usize::from(surfel.material).min(last)) else {
-            return [0.0; 3];
+        let Some(finish) = self.finishes.get(usize::from(material).min(last)) else {
+            return [0; 3];
         };
-        let ambient = finish.ambient * open * from_sky;
-        let diffuse = finish.diffuse * facing * arrives;
-        let shine = finish.shine[(mirrored * SHINE as f32) as usize] * arrives;
+        let ambient = finish.ambient * arriving.sky;
+        let diffuse = finish.diffuse * arriving.facing;
+        // Through i32: the cast to unsigned takes a detour on x86.
+        let shine = finish.shine[(arriving.mirrored * SHINE as f32) as i32 as usize];
+        let shine = shine * arriving.lamp;
         std::array::from_fn(|k| {
-            let albedo = self.linear(surfel.colour[k]);
-            albedo * (ambient * SKY[k] + diffuse * LAMP[k]) + shine * LAMP[k]
+            let albedo = self.linear(colour[k]);
+            let light = albedo * (ambient * SKY[k] + diffuse * LAMP[k]) + shine * LAMP[k];
+            self.tone.screen(light)
         })
     }
 

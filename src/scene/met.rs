@@ -1,7 +1,9 @@
-//! Where a ray from the eye meets what is seen at a pixel.
+//! Where rays from the eye meet what is seen.
 
-use super::sight::{AS_DOT, NOTHING, Sight};
-use super::{Instance, Scene, View};
+use super::Scene;
+use super::backdrop::FLOOR_COLOUR;
+use super::sight::{AS_DOT, FLOOR, NOTHING, Sight};
+use super::square::{BAND, SQUARE, Square, Vectors, get};
 use crate::order::greater;
 use crate::solid::Surface;
 use glam::Vec3;
@@ -9,154 +11,161 @@ use glam::Vec3;
 /// A place of a surface, as its triangles have it.
 #[derive(Clone, Copy)]
 pub(super) struct Met {
-    /// Unit vector outwards, between those of the corners.
+    /// Outwards, between those of the corners; of any length, or none.
     pub normal: Vec3,
-    /// That of the triangle itself.
+    /// The unit vector of the triangle itself.
     pub flat: Vec3,
     /// Red, green, blue, 0..255 (sRGB).
     pub colour: [f32; 3],
-    /// How far off it may be, in the world.
-    pub spread: f32,
 }
 
 impl Met {
     /// On the floor.
-    pub fn floor(colour: [f32; 3]) -> Self {
+    pub const FLOOR: Self = Self {
+        normal: Vec3::Y,
+        flat: Vec3::Y,
+        colour: FLOOR_COLOUR,
+    };
+}
+
+/// What is seen in a square, each triangle once.
+pub(super) struct Facets {
+    raw: Vec<Raw>,
+    corners: Vec<Corners>,
+    /// Of each pixel the place in these lists.
+    of: [Option<u8>; SQUARE],
+}
+
+/// What a surface has at the corners of a triangle, as it lies in memory.
+struct Raw {
+    instance: u32,
+    positions: [Vec3; 3],
+    normals: [Vec3; 3],
+    colours: [[u8; 3]; 3],
+}
+
+impl Facets {
+    pub fn new() -> Self {
         Self {
-            normal: Vec3::Y,
-            flat: Vec3::Y,
-            colour,
-            spread: 0.0,
+            raw: Vec::with_capacity(SQUARE),
+            corners: Vec::with_capacity(SQUARE),
+            of: [None; SQUARE],
         }
     }
 
-    /// On the body that is seen at a pixel, which the ray goes through. `part` is the triangle there, and `last` that
-    /// met before, often the same one.
+    /// Looks up what is seen in a square. First all that lies in memory, then what is worked out of it: the processor
+    /// goes on to the next triangles while it waits, which takes longest of all here.
+    pub fn look_up(&mut self, scene: &Scene, sight: &Sight, square: Square) {
+        self.raw.clear();
+        self.corners.clear();
+        self.of = [None; SQUARE];
+        let view = sight.view();
+        let mut seen = [(NOTHING, AS_DOT); SQUARE];
+        for (k, [_, _, at]) in square.pixels(view) {
+            let this = (sight.owner[at], sight.triangle[at]);
+            if this.0 >= FLOOR || this.1 == AS_DOT {
+                continue;
+            }
+            seen[k] = this;
+            // Most are seen to the left, too, or above.
+            let beside = [1, BAND, BAND - 1].map(|back| k.wrapping_sub(back));
+            let same = beside.into_iter().find(|&k| seen.get(k) == Some(&this));
+            self.of[k] = same.map(|k| self.of[k]).unwrap_or_else(|| {
+                self.raw.push(Raw::new(scene, sight, this));
+                Some(self.raw.len() as u8 - 1)
+            });
+        }
+        let corners = |raw: &Raw| Corners::new(raw, scene, view.eye);
+        self.corners.extend(self.raw.iter().map(corners));
+    }
+
+    /// Where the ray of a pixel of the square, which is one of a body, meets it.
     #[inline(always)]
-    pub fn new(
-        sight: &Sight,
-        scene: &Scene,
-        at: usize,
-        ray: Vec3,
-        part: &Part,
-        last: &mut Corners,
-    ) -> Self {
-        let place = sight.owner[at];
-        let spread = sight.spread() / (sight.view().focal * sight.inverse[at]);
-        let instance = &scene.instances[place as usize];
-        let Some(surface) = part.surface else {
+    pub fn met(&self, scene: &Scene, owner: u32, rays: &Vectors, k: usize) -> Met {
+        let ray = get(rays, k);
+        let Some(corners) = self.of[k].map(|place| &self.corners[usize::from(place)]) else {
             let normal = -ray.normalize_or(Vec3::NEG_Y);
-            let body = &scene.bodies[instance.body as usize];
-            return Self {
+            let body = scene.instances[owner as usize].body;
+            return Met {
                 normal,
                 flat: normal,
-                colour: body.colour.map(f32::from),
-                spread,
+                colour: scene.bodies[body as usize].colour.map(f32::from),
             };
         };
-        if last.of != (place, part.corners) {
-            *last = Corners::new(surface, instance, (place, part.corners));
-        }
-        let weights = weights(sight.view(), ray, last.places);
+        let weights = corners.weights(ray);
         let mut normal = Vec3::ZERO;
         let mut colour = [0.0; 3];
         for (k, weight) in weights.into_iter().enumerate() {
-            normal += last.normals[k] * weight;
-            for (sum, part) in colour.iter_mut().zip(last.colours[k]) {
-                *sum += weight * f32::from(part);
+            normal += corners.normals[k] * weight;
+            for (sum, part) in colour.iter_mut().zip(corners.colours[k]) {
+                *sum += weight * part;
             }
         }
-        Self {
-            normal: instance.place.turned(normal).normalize_or(last.flat),
-            flat: last.flat,
+        Met {
+            normal,
+            flat: corners.flat,
             colour,
-            spread,
         }
     }
 }
 
-/// A triangle that is seen, without anything of its corners.
-#[derive(Clone, Copy)]
-pub(super) struct Part<'a> {
-    /// None where nothing is, or a dot.
-    surface: Option<&'a Surface>,
-    corners: [u32; 3],
-}
-
-impl<'a> Part<'a> {
-    pub const NONE: Self = Self {
-        surface: None,
-        corners: [0; 3],
-    };
-
-    /// Of the body at a pixel.
+impl Raw {
     #[inline(always)]
-    pub fn at(sight: &Sight, scene: &'a Scene, at: usize) -> Self {
-        let (place, triangle) = (sight.owner[at] as usize, sight.triangle[at]);
-        if triangle == AS_DOT {
-            return Self::NONE;
-        }
-        let body = &scene.bodies[scene.instances[place].body as usize];
-        let surface = &body.levels[usize::from(sight.levels[place])];
+    fn new(scene: &Scene, sight: &Sight, (instance, triangle): (u32, u32)) -> Self {
+        let body = &scene.bodies[scene.instances[instance as usize].body as usize];
+        let level = usize::from(sight.levels[instance as usize]);
+        let surface: &Surface = &body.levels[level];
+        let corners = surface.triangles[triangle as usize].map(|v| v as usize);
         Self {
-            surface: Some(surface),
-            corners: surface.triangles[triangle as usize],
+            instance,
+            positions: corners.map(|v| surface.positions[v]),
+            normals: corners.map(|v| surface.normals[v]),
+            colours: corners.map(|v| surface.colours[v]),
         }
     }
 }
 
-/// What a surface has at the corners of a triangle.
-#[derive(Clone, Copy)]
-pub(super) struct Corners {
-    /// The instance and the corners.
-    of: (u32, [u32; 3]),
-    /// In the world.
-    places: [Vec3; 3],
-    /// In the body.
+/// A triangle, in the world.
+struct Corners {
+    /// What a ray from the eye is multiplied with for the parts that the last two corners have, and for what they are
+    /// parts of.
+    parts: [Vec3; 2],
+    whole: Vec3,
     normals: [Vec3; 3],
-    colours: [[u8; 3]; 3],
-    /// The normal of the triangle, in the world.
+    colours: [[f32; 3]; 3],
+    /// The normal of the triangle.
     flat: Vec3,
 }
 
 impl Corners {
-    /// Of no triangle.
-    pub const NONE: Self = Self {
-        of: (NOTHING, [0; 3]),
-        places: [Vec3::ZERO; 3],
-        normals: [Vec3::ZERO; 3],
-        colours: [[0; 3]; 3],
-        flat: Vec3::Y,
-    };
-
     #[inline(always)]
-    fn new(surface: &Surface, instance: &Instance, of: (u32, [u32; 3])) -> Self {
-        let corners = of.1.map(|v| v as usize);
-        let places = corners.map(|v| instance.place.of(surface.positions[v]));
-        let [a, b, c] = places;
+    fn new(raw: &Raw, scene: &Scene, eye: Vec3) -> Self {
+        let place = &scene.instances[raw.instance as usize].place;
+        let [a, b, c] = raw.positions.map(|p| place.of(p));
+        // Differences first: of corners that are far away and near each other little else would be left in f32
+        // (Möller and Trumbore 1997, Fast, Minimum Storage Ray/Triangle Intersection, all that no ray changes).
+        let (ab, ac, from) = (b - a, c - a, eye - a);
+        let whole = ac.cross(ab);
         Self {
-            of,
-            places,
-            normals: corners.map(|v| surface.normals[v]),
-            colours: corners.map(|v| surface.colours[v]),
-            flat: (b - a).cross(c - a).normalize_or(Vec3::Y),
+            parts: [ac.cross(from), from.cross(ab)],
+            whole,
+            normals: raw.normals.map(|normal| place.turned(normal)),
+            colours: raw.colours.map(|colour| colour.map(f32::from)),
+            flat: (-whole).normalize_or(Vec3::Y),
         }
     }
-}
 
-/// The parts that the corners of a triangle have in the place where a ray from the eye meets its plane; they add
-/// up to 1, and none is far outside the triangle.
-fn weights(view: &View, ray: Vec3, [a, b, c]: [Vec3; 3]) -> [f32; 3] {
-    // Differences first: of corners that are far away and near each other little else would be left in f32
-    // (Möller and Trumbore 1997, Fast, Minimum Storage Ray/Triangle Intersection).
-    let (ab, ac, from) = (b - a, c - a, view.eye - a);
-    let across = ray.cross(ac);
-    let twice = ab.dot(across);
-    if twice <= 0.0 {
-        return [1.0 / 3.0; 3];
+    /// The parts that the corners have in the place where a ray from the eye meets the triangle's plane; they add up to
+    /// 1, and none is far outside the triangle.
+    #[inline(always)]
+    fn weights(&self, ray: Vec3) -> [f32; 3] {
+        let whole = ray.dot(self.whole);
+        if whole <= 0.0 {
+            return [1.0 / 3.0; 3];
+        }
+        let [b, c] = self.parts.map(|part| ray.dot(part));
+        let [a, b, c] = [whole - b - c, b, c].map(|part| greater(part, 0.0));
+        let one = 1.0 / (a + b + c);
+        [a * one, b * one, c * one]
     }
-    let (u, v) = (from.dot(across) / twice, ray.dot(from.cross(ab)) / twice);
-    let parts = [1.0 - u - v, u, v].map(|part| greater(part, 0.0));
-    let sum = parts[0] + parts[1] + parts[2];
-    parts.map(|part| part / sum)
 }

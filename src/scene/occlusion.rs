@@ -1,18 +1,23 @@
 //! Ambient occlusion from what is seen: how much of the sky is hidden by surfaces near a place (Mittring 2007,
 //! Finding Next Gen: CryEngine 2; here with the horizon's cosine).
 //!
-//! Twelve places around each pixel are looked at, in a pattern that is turned from pixel to pixel over squares
-//! of four by four; the mean over such a square, as far as it lies on the same surface, has no pattern left.
+//! It is looked for at every other pixel of every other row, at twelve places around each, in a pattern that is turned
+//! from one of them to the next. Each pixel has the mean of those beside it, as far as they lie on the same surface: all
+//! turns have the same weight in it, so that no pattern is left.
 
 use super::sight::Sight;
 use crate::order::{greater, lesser};
 use glam::Vec3;
 use std::f64::consts::TAU;
 
-/// Places looked at for each pixel.
+/// Places looked at around a pixel.
 const TAPS: usize = 12;
-/// Side of the squares of pixels over which the pattern turns.
-const PATTERN: usize = 4;
+/// Pixels from one that is looked around from to the next.
+const STEP: usize = 2;
+/// The pattern turns over squares of so many of them.
+const PATTERN: usize = 2;
+/// What the three of them around a pixel count, from the one before: at a pixel that is one of them, and between two.
+const WEIGHTS: [[u32; 3]; STEP] = [[1, 2, 1], [0, 2, 2]];
 /// On the screen the reach has at most so many parts of the frame's height.
 const MOST_REACH: f32 = 0.15;
 /// Cosine below which a surface beside a place hides nothing: its own curvature.
@@ -26,7 +31,10 @@ const SAME: f32 = 0.04;
 pub(super) struct Occlusion {
     /// The places of the pattern, in parts of the reach, for each pixel of a square.
     pattern: Vec<[[f32; 2]; TAPS]>,
+    /// At the pixels that are looked around from.
     raw: Vec<u8>,
+    /// Of those in a row.
+    wide: usize,
     /// Part of the sky that is seen, 255 all of it.
     pub open: Vec<u8>,
 }
@@ -47,38 +55,43 @@ impl Occlusion {
         Self {
             pattern: pattern.collect(),
             raw: Vec::new(),
+            wide: 0,
             open: Vec::new(),
         }
     }
 
-    pub fn begin(&mut self, pixels: usize) {
-        for list in [&mut self.raw, &mut self.open] {
-            list.clear();
-            list.reserve_exact(pixels);
-        }
+    pub fn begin(&mut self, [width, height]: [usize; 2]) {
+        self.wide = width.div_ceil(STEP);
+        self.raw.clear();
+        self.raw.reserve_exact(self.wide * height.div_ceil(STEP));
+        self.open.clear();
+        self.open.reserve_exact(width * height);
     }
 
-    /// Makes room for pixels up to this one: for all of them before [`Occlusion::look`].
-    pub fn make_room(&mut self, pixels: usize) {
-        self.raw.resize(pixels, 255);
-        self.open.resize(pixels, 255);
+    /// Makes room for rows up to this one of that width: for all of them before [`Occlusion::look`].
+    pub fn make_room(&mut self, width: usize, rows: usize) {
+        self.raw.resize(self.wide * rows.div_ceil(STEP), 255);
+        self.open.resize(width * rows, 255);
     }
 
-    /// Looks around from the pixels of a row, whose surfaces have these normals. `reach` is how far surfaces are looked for, in
-    /// the world.
+    /// Looks around from pixels of a row, whose surfaces have these normals, if it is one of those. `reach` is how far
+    /// surfaces are looked for, in the world.
     pub fn look(&mut self, sight: &Sight, normal: impl Fn(usize) -> Vec3, reach: f32, y: usize) {
+        if !y.is_multiple_of(STEP) {
+            return;
+        }
         let view = sight.view();
         let [width, height] = view.size;
         let [wide, high] = [width as f32, height as f32];
-        let (slope, fading) = (1.0 / view.focal, 0.5 / (reach * reach));
+        let (slope, fading) = (view.slope, 0.5 / (reach * reach));
         // To the right, down and into the frame.
         let at_depth = |x: f32, y: f32, depth: f32| {
             let across = (x + 0.5 - view.middle[0]) * slope;
             let down = (y + 0.5 - view.middle[1]) * slope;
             Vec3::new(across * depth, down * depth, depth)
         };
-        let patterns = &self.pattern[(y % PATTERN) * PATTERN..][..PATTERN];
-        for x in 0..width {
+        let patterns = &self.pattern[(y / STEP % PATTERN) * PATTERN..][..PATTERN];
+        for x in (0..width).step_by(STEP) {
             let at = y * width + x;
             let inverse = sight.inverse[at];
             let across = lesser(reach * view.focal * inverse, MOST_REACH * high);
@@ -95,7 +108,7 @@ impl Occlusion {
             );
             // First what is seen at the places, then what it hides: the second loop does four at a time.
             let (mut there, mut right, mut down) = ([0.0; TAPS], [0.0; TAPS], [0.0; TAPS]);
-            for (k, &[dx, dy]) in patterns[x % PATTERN].iter().enumerate() {
+            for (k, &[dx, dy]) in patterns[x / STEP % PATTERN].iter().enumerate() {
                 let (tx, ty) = (x as f32 + 0.5 + dx * across, y as f32 + 0.5 + dy * across);
                 if tx >= 0.0 && ty >= 0.0 && tx < wide && ty < high {
                     // Through i32: the cast to unsigned takes a detour on x86.
@@ -117,33 +130,45 @@ impl Occlusion {
             }
             let hidden: f32 = parts.iter().sum();
             let open = greater(1.0 - STRENGTH * hidden / TAPS as f32, 0.0);
-            self.raw[at] = (255.0 * open + 0.5) as u8;
+            self.raw[y / STEP * self.wide + x / STEP] = (255.0 * open + 0.5) as u8;
         }
     }
 
-    /// The means of a row: those beside it are looked around from, up to [`PATTERN`] - 2 rows below.
+    /// The means of a row: those beside it are looked around from, up to [`STEP`] rows below.
     pub fn average(&mut self, sight: &Sight, y: usize) {
         let [width, height] = sight.view().size;
-        let span = |v: usize, size: usize| v.saturating_sub(1)..size.min(v + PATTERN - 1);
-        let rows = span(y, height);
+        // Beyond the frame is the last one again.
+        let three = |v: usize, size: usize| {
+            let last = (size - 1) / STEP;
+            [
+                (v / STEP).saturating_sub(1),
+                v / STEP,
+                (v / STEP + 1).min(last),
+            ]
+        };
+        let rows = three(y, height);
         for x in 0..width {
             let at = y * width + x;
             let inverse = sight.inverse[at];
             if inverse == 0.0 {
                 continue;
             }
-            let (near, columns) = (SAME * inverse, span(x, width));
-            let (mut sum, mut count) = (0u32, 0u32);
-            for row in rows.clone().map(|row| row * width) {
-                let beside = row + columns.start..row + columns.end;
-                let inverses = &sight.inverse[beside.clone()];
-                for (there, &open) in inverses.iter().zip(&self.raw[beside]) {
+            let (near, columns) = (SAME * inverse, three(x, width));
+            let (mut sum, mut count) = (0, 0);
+            for (row, down) in rows.into_iter().zip(WEIGHTS[y % STEP]) {
+                for (column, across) in columns.into_iter().zip(WEIGHTS[x % STEP]) {
+                    let there = sight.inverse[STEP * (row * width + column)];
                     let is_same = u32::from((there - inverse).abs() <= near);
-                    sum += is_same * u32::from(open);
-                    count += is_same;
+                    let weight = down * across * is_same;
+                    sum += weight * u32::from(self.raw[row * self.wide + column]);
+                    count += weight;
                 }
             }
-            self.open[at] = (sum / count.max(1)) as u8;
+            self.open[at] = match count > 0 {
+                true => (sum / count) as u8,
+                // Alone on a thing that is thinner than a pixel.
+                false => 255,
+            };
         }
     }
 }

@@ -5,21 +5,24 @@
 //! edge belongs to exactly one of the triangles beside it (the rule of left and upper edges). Depth is the
 //! inverse of the distance into the frame, which changes evenly on the screen.
 //!
-//! Pixels are looked at four at a time, which compilers make one instruction of where they can. The whole numbers
-//! are kept in f64, where they are exact.
+//! Pixels are looked at four at a time. The whole numbers are kept in i32; those of large triangles, of which there are few, in f64, where they are exact, too.
 
+use super::four::{Four, LANES};
 use crate::order::{greater, lesser};
 use std::array::from_fn;
+use std::ops::Range;
+use wide::{f32x4, i32x4};
 
 /// Places of the grid for a pixel, along a side, as a power of two.
 const SUB_BITS: u32 = 8;
 const SUB: f64 = (1 << SUB_BITS) as f64;
 const HALF: i32 = 1 << (SUB_BITS - 1);
-/// Pixels that are looked at together: those from a multiple of this on in a row.
-pub(super) const LANES: usize = 4;
 
-/// Triangles that are no larger, 8 pixels, have edge functions below 2^24, at pixels that fill up the fours, too.
-const SMALL: f64 = 8.0 * SUB;
+/// A sum with it is rounded to a whole number, of two as near to the even one.
+const WHOLE: f64 = 1.5 * (1u64 << 52) as f64;
+
+/// Edge functions of triangles that are no larger, 64 pixels, fit into i32, at pixels that fill up the fours, too.
+const SMALL: u32 = 64 << SUB_BITS;
 
 /// A corner on the screen: x to the right, y down, in places of the grid; the inverse of its depth.
 #[derive(Clone, Copy, Debug)]
@@ -32,37 +35,11 @@ impl Corner {
     /// Of a place in pixels.
     #[inline(always)]
     pub fn new([x, y, near]: [f32; 3]) -> Self {
-        let at = [x, y].map(|v| (v * SUB as f32).round_ties_even() as i32);
+        // The low bits of the sum are those of the whole number, as no place is as large as 2^31: without a call, as
+        // processors have no one instruction for it.
+        let at = [x, y].map(|v| (f64::from(v) * SUB + WHOLE).to_bits() as i32);
         Self { at, near }
     }
-}
-
-/// Pixels beside each other: the place of the first in the grid, which of them are covered, and the inverse depths.
-pub(super) struct Four {
-    pub at: usize,
-    pub covered: [bool; LANES],
-    pub near: [f32; LANES],
-}
-
-impl Four {
-    /// Those beyond the row's end, so many pixels on, are not covered.
-    #[inline(always)]
-    fn within(self, room: i32) -> Self {
-        let covered = from_fn(|k| self.covered[k] & ((k as i32) < room));
-        Self { covered, ..self }
-    }
-
-    /// Whether each is covered, and nearer than what is there.
-    #[inline(always)]
-    pub fn wins(&self, there: &[f32; LANES]) -> [bool; LANES] {
-        from_fn(|k| self.covered[k] & (self.near[k] > there[k]))
-    }
-}
-
-/// The list's places of pixels beside each other. It has [`LANES`] - 1 places more than the grid.
-#[inline(always)]
-pub(super) fn four_of<T>(list: &mut [T], at: usize) -> Option<&mut [T; LANES]> {
-    list.get_mut(at..)?.first_chunk_mut()
 }
 
 /// Where triangles are drawn.
@@ -76,11 +53,10 @@ impl Grid {
     /// counter-clockwise on the screen (seen with y up) are not drawn. Answers with the number of pixels that
     /// were looked at.
     #[inline(always)]
-    pub fn triangle(&self, corners: [Corner; 3], mut put: impl FnMut(Four)) -> usize {
-        let fixed = corners.map(|corner| corner.at.map(f64::from));
-        let [a, b, c] = fixed;
+    pub fn triangle(&self, corners: [Corner; 3], put: impl FnMut(Four)) -> usize {
+        let [a, b, c] = corners.map(|corner| corner.at.map(i64::from));
         let area = (c[0] - a[0]) * (b[1] - a[1]) - (b[0] - a[0]) * (c[1] - a[1]);
-        if area <= 0.0 {
+        if area <= 0 {
             return 0;
         }
         let span = |axis: usize, size: usize| {
@@ -89,13 +65,77 @@ impl Grid {
             // The first pixel whose middle is not before, the one after the last that is not beyond.
             let first = (low + (HALF - 1)) >> SUB_BITS;
             let end = ((high - HALF) >> SUB_BITS) + 1;
-            let is_small = f64::from(high) - f64::from(low) <= SMALL;
-            (first.max(0), end.min(size as i32), is_small)
+            let span = first.max(0)..end.min(size as i32);
+            (span, high.wrapping_sub(low) as u32 <= SMALL)
         };
-        let ((x0, x1, is_narrow), (y0, y1, is_low)) = (span(0, self.width), span(1, self.height));
-        if x0 >= x1 || y0 >= y1 {
+        let ((columns, is_narrow), (rows, is_low)) = (span(0, self.width), span(1, self.height));
+        if columns.is_empty() || rows.is_empty() {
             return 0;
         }
+        let looked_at = columns.len() * rows.len();
+        let columns = columns.start - columns.start % LANES as i32..columns.end;
+        match is_narrow & is_low {
+            true => self.small(corners, area, [columns, rows], put),
+            false => self.large(corners, area, [columns, rows], put),
+        }
+        looked_at
+    }
+
+    /// A triangle whose edge functions are whole numbers in i32.
+    #[inline(always)]
+    fn small(
+        &self,
+        corners: [Corner; 3],
+        area: i64,
+        [columns, rows]: [Range<i32>; 2],
+        mut put: impl FnMut(Four),
+    ) {
+        let depth = Parts::new(&corners, area as f32);
+        let [a, b, c] = corners.map(|corner| corner.at);
+        let middle = [columns.start, rows.start].map(|pixel| (pixel << SUB_BITS) + HALF);
+        let edges = [[a, b], [b, c], [c, a]].map(|[a, b]| {
+            let [dx, dy] = [b[0] - a[0], b[1] - a[1]];
+            let start = dy * (middle[0] - a[0]) - dx * (middle[1] - a[1]) - less(dx, dy);
+            [start, dy << SUB_BITS, -(dx << SUB_BITS)]
+        });
+        let steps = edges.map(|[_, right, _]| i32x4::splat(right << 2));
+        let downs = edges.map(|[.., down]| i32x4::splat(down));
+        let mut starts = edges.map(|[start, right, _]| {
+            i32x4::new([
+                start,
+                start + right,
+                start + (right << 1),
+                start + (right << 1) + right,
+            ])
+        });
+        for y in rows {
+            let row = y as usize * self.width;
+            let mut at = starts;
+            for x in columns.clone().step_by(LANES) {
+                let [a, b, c] = at;
+                let four = Four {
+                    at: row + x as usize,
+                    covered: !(a | b | c).simd_lt(i32x4::ZERO),
+                    near: depth.at(a.round_float(), c.round_float()),
+                };
+                put(four.within(self.width as i32 - x));
+                at = from_fn(|e| at[e] + steps[e]);
+            }
+            starts = from_fn(|e| starts[e] + downs[e]);
+        }
+    }
+
+    #[inline(never)]
+    fn large(
+        &self,
+        corners: [Corner; 3],
+        area: i64,
+        [columns, rows]: [Range<i32>; 2],
+        mut put: impl FnMut(Four),
+    ) {
+        let area = area as f64;
+        let fixed = corners.map(|corner| corner.at.map(f64::from));
+        let [a, b, c] = fixed;
         let edges = [
             Edge::new(a, b, 0.0),
             Edge::new(b, c, area),
@@ -103,51 +143,28 @@ impl Grid {
         ];
         let depth = Depth::new(fixed, corners.map(|corner| corner.near), area);
         let from = |axis: usize, pixel: i32| f64::from(pixel) + 0.5 - a[axis] / SUB;
-        let x0 = x0 - x0 % LANES as i32;
-        let first: [f64; LANES] = from_fn(|k| from(0, x0 + k as i32));
-        // The edge functions of small triangles are exact in f32, too.
-        let is_small = is_narrow & is_low;
-        let short = edges.map(|edge| edge.right as f32);
-        for y in y0..y1 {
+        let first: [f64; LANES] = from_fn(|k| from(0, columns.start + k as i32));
+        for y in rows {
             let down = from(1, y);
             let starts = edges.map(|edge| edge.start + down * edge.down);
             let deep = down * depth.down;
             let row = y as usize * self.width;
-            let mut right = first;
-            if is_small {
-                let starts = starts.map(|start| start as f32);
-                let mut near = first.map(|right| right as f32);
-                for x in (x0..x1).step_by(LANES) {
-                    let covered = from_fn(|k| {
-                        let at = |e: usize| starts[e] + near[k] * short[e];
-                        lesser(at(0), lesser(at(1), at(2))) >= 0.0
-                    });
-                    let four = Four {
-                        at: row + x as usize,
-                        covered,
-                        near: right.map(|right| depth.at(right, deep)),
-                    };
-                    put(four.within(self.width as i32 - x));
-                    right = right.map(|right| right + LANES as f64);
-                    near = near.map(|near| near + LANES as f32);
-                }
-                continue;
-            }
-            for x in (x0..x1).step_by(LANES) {
-                let covered = from_fn(|k| {
-                    let at = |e: usize| starts[e] + right[k] * edges[e].right;
-                    lesser(at(0), lesser(at(1), at(2))) >= 0.0
-                });
+            let mut across = first;
+            for x in columns.clone().step_by(LANES) {
+                let at: [[f64; LANES]; 3] =
+                    from_fn(|e| from_fn(|k| starts[e] + across[k] * edges[e].right));
                 let four = Four {
                     at: row + x as usize,
-                    covered,
-                    near: right.map(|right| depth.at(right, deep)),
+                    covered: i32x4::new(from_fn(|k| {
+                        let least = lesser(at[0][k], lesser(at[1][k], at[2][k]));
+                        -i32::from(least >= 0.0)
+                    })),
+                    near: f32x4::new(across.map(|across| depth.at(across, deep))),
                 };
                 put(four.within(self.width as i32 - x));
-                right = right.map(|right| right + LANES as f64);
+                across = across.map(|across| across + LANES as f64);
             }
         }
-        ((x1 - x0) * (y1 - y0)) as usize
     }
 }
 
@@ -166,13 +183,53 @@ impl Edge {
     #[inline(always)]
     fn new([ax, ay]: [f64; 2], [bx, by]: [f64; 2], start: f64) -> Self {
         let (dx, dy) = (bx - ax, by - ay);
-        // Left and upper edges own their pixels.
-        let owns = (dy > 0.0) | ((dy == 0.0) & (dx < 0.0));
         Self {
-            start: start - if owns { 0.0 } else { 1.0 },
+            start: start - f64::from(less(dx, dy)),
             right: dy * SUB,
             down: -dx * SUB,
         }
+    }
+}
+
+/// How much less than the area beside it an edge function is: left and upper edges own their pixels.
+#[inline(always)]
+fn less<T: PartialOrd + From<i8>>(dx: T, dy: T) -> i32 {
+    let zero = T::from(0);
+    let owns = (dy > zero) | ((dy == zero) & (dx < zero));
+    i32::from(!owns)
+}
+
+/// The inverse depth over a small triangle, from its edge functions: the parts that its corners have.
+struct Parts {
+    start: f32,
+    first: f32,
+    last: f32,
+    low: f32,
+    high: f32,
+}
+
+impl Parts {
+    #[inline(always)]
+    fn new([a, b, c]: &[Corner; 3], area: f32) -> Self {
+        let less = |a: &Corner, b: &Corner| less(b.at[0] - a.at[0], b.at[1] - a.at[1]) as f32;
+        // The first edge is opposite to the third corner, the last one to the second.
+        let one = 1.0 / area;
+        let (first, last) = ((c.near - a.near) * one, (b.near - a.near) * one);
+        Self {
+            start: a.near + (first * less(a, b) + last * less(c, a)),
+            first,
+            last,
+            low: lesser(a.near, lesser(b.near, c.near)),
+            high: greater(a.near, greater(b.near, c.near)),
+        }
+    }
+
+    #[inline(always)]
+    fn at(&self, first: f32x4, last: f32x4) -> f32x4 {
+        let s = f32x4::splat;
+        let z = s(self.start) + (first * s(self.first) + last * s(self.last));
+        // No pixel is nearer or farther than the corners.
+        z.fast_max(s(self.low)).fast_min(s(self.high))
     }
 }
 
@@ -224,8 +281,8 @@ mod tests {
         let mut counts = vec![0; grid.width * grid.height];
         for &triangle in triangles {
             grid.triangle(triangle.map(Corner::new), |four| {
-                for (k, &covered) in four.covered.iter().enumerate() {
-                    if covered {
+                for (k, covered) in four.covered.to_array().into_iter().enumerate() {
+                    if covered != 0 {
                         counts[four.at + k] += 1;
                     }
                 }
@@ -267,10 +324,10 @@ mod tests {
         let corners = [[0.0, 0.0, 1.0], [0.0, 8.0, 1.0], [8.0, 0.0, 3.0]];
         let mut met = 0;
         grid.triangle(corners.map(Corner::new), |four| {
-            for k in (0..LANES).filter(|&k| four.covered[k]) {
+            for k in (0..LANES).filter(|&k| four.covered.to_array()[k] != 0) {
                 met += 1;
                 let x = ((four.at + k) % 8) as f32 + 0.5;
-                assert!((four.near[k] - (1.0 + x / 4.0)).abs() < 1e-5);
+                assert!((four.near.to_array()[k] - (1.0 + x / 4.0)).abs() < 1e-5);
             }
         });
         assert!(met > 20);

@@ -1,17 +1,15 @@
-//! The colours of what is seen. Pixels are worked on in squares, whose surfaces, texels of shadow maps and pixels of
-//! planes lie near each other in memory, too.
+//! The colours of what is seen.
 
 use super::backdrop::{FLOOR_COLOUR, behind, end_of_floor, floor_part};
-use super::met::{Corners, Met, Part};
+use super::lamp::Arriving;
+use super::met::{Facets, Met};
 use super::occlusion::Occlusion;
 use super::shadow::Spot;
 use super::sight::{FLOOR, NOTHING, Sight};
+use super::square::{BAND, NO_VECTORS, SQUARE, Square, get, set, units};
 use super::{Backdrop, Lighting, Scene, Surfel, View};
+use crate::order::lesser;
 use glam::Vec3;
-use std::ops::Range;
-
-/// Rows that are worked on together, and columns.
-const BAND: usize = 8;
 
 /// Where the floor is and how it ends: it lies under all bodies, around the middle of the ball that they are in.
 #[derive(Clone, Copy, Default)]
@@ -37,6 +35,7 @@ pub(super) struct Studio<'a> {
 pub(super) struct Shading {
     occlusion: Occlusion,
     has_occlusion: bool,
+    facets: Facets,
     /// What is met in the rows of the band that is shaded and of the next one, which its occlusion reaches into.
     found: Vec<Found>,
     found_rows: usize,
@@ -47,22 +46,23 @@ impl Shading {
         Self {
             occlusion: Occlusion::new(),
             has_occlusion: false,
+            facets: Facets::new(),
             found: Vec::new(),
             found_rows: 0,
         }
     }
 
-    /// Begins a frame of so many pixels.
-    pub fn begin(&mut self, width: usize, pixels: usize, has_occlusion: bool) {
+    /// Begins a frame.
+    pub fn begin(&mut self, size: [usize; 2], has_occlusion: bool) {
         self.has_occlusion = has_occlusion;
-        self.occlusion.begin(pixels);
-        self.found.resize(2 * BAND * width, Found::NOTHING);
+        self.occlusion.begin(size);
+        self.found.resize(2 * BAND * size[0], Found::NOTHING);
         self.found_rows = 0;
     }
 
-    /// Makes room for pixels up to this one: for all of them before [`Shading::advance`].
-    pub fn make_room(&mut self, pixels: usize) {
-        self.occlusion.make_room(pixels);
+    /// Makes room for rows up to this one of that width: for all of them before [`Shading::advance`].
+    pub fn make_room(&mut self, width: usize, rows: usize) {
+        self.occlusion.make_room(width, rows);
     }
 
     /// Goes on from a row, which is the first or that which was answered before, for about the work of so many;
@@ -86,7 +86,10 @@ impl Shading {
                 if self.has_occlusion {
                     (row..end).for_each(|y| self.occlusion.average(studio.sight, y));
                 }
-                self.shade(studio, row..end, rgba);
+                let width = studio.sight.view().size[0];
+                for from in (0..width).step_by(BAND) {
+                    self.shade_square(studio, Square([from, row]), rgba);
+                }
                 row = end;
             }
             left = left.saturating_sub(BAND);
@@ -99,8 +102,7 @@ impl Shading {
         let [width, height] = studio.sight.view().size;
         let rows = self.found_rows..height.min(self.found_rows + BAND);
         for from in (0..width).step_by(BAND) {
-            let columns = from..width.min(from + BAND);
-            self.find_square(studio, [&columns, &rows], keep);
+            self.find_square(studio, Square([from, rows.start]), keep);
         }
         self.found_rows = rows.end;
         if self.has_occlusion {
@@ -112,64 +114,79 @@ impl Shading {
         }
     }
 
-    /// Each loop looks up what the next one works with: the processor goes on to the next pixels while it waits for
-    /// memory, which takes longest of all here.
-    fn find_square(
-        &mut self,
-        studio: Studio,
-        [columns, rows]: [&Range<usize>; 2],
-        keep: &mut impl FnMut(usize, Vec3),
-    ) {
+    /// Loops that look things up are apart from those that reckon, so that the latter wait for nothing.
+    fn find_square(&mut self, studio: Studio, square: Square, keep: &mut impl FnMut(usize, Vec3)) {
         let Studio {
             scene,
             sight,
             light,
             ..
         } = studio;
-        let width = sight.view().size[0];
-        let pixels = || square(columns, rows).map(|[x, y]| ([x, y], y * width + x));
-        let mut parts = [Part::NONE; BAND * BAND];
-        for ((_, at), part) in pixels().zip(&mut parts) {
-            if sight.owner[at] < FLOOR {
-                *part = Part::at(sight, scene, at);
-            }
+        let view = sight.view();
+        let width = view.size[0];
+        self.facets.look_up(scene, sight, square);
+        let rays = square.rays(view);
+        let points = square.points(sight, &rays);
+        let (mut normals, mut flats) = (NO_VECTORS, NO_VECTORS);
+        for (k, [x, y, at]) in square.pixels(view) {
+            let met = match sight.owner[at] {
+                owner if owner < FLOOR => self.facets.met(scene, owner, &rays, k),
+                _ => Met::FLOOR,
+            };
+            self.found[slot(width, x, y)].colour = met.colour;
+            set(&mut normals, k, met.normal);
+            set(&mut flats, k, met.flat);
         }
-        let mut spots = [Spot::BESIDE; BAND * BAND];
-        let mut last = Corners::NONE;
-        for ((([x, y], at), part), spot) in pixels().zip(&parts).zip(&mut spots) {
+        let normals = units(&normals, &flats);
+        let mut spots = [Spot::BESIDE; SQUARE];
+        for (k, [x, y, at]) in square.pixels(view) {
+            let (owner, normal) = (sight.owner[at], get(&normals, k));
+            let is_body = owner < FLOOR;
+            keep(at, if is_body { normal } else { Vec3::ZERO });
             let found = &mut self.found[slot(width, x, y)];
-            *found = Found::NOTHING;
-            if sight.owner[at] == NOTHING {
+            (found.normal, found.seen) = (normal, 1.0);
+            if owner == NOTHING {
                 continue;
             }
-            let ray = studio.ray(x, y);
-            let mut met = Met::floor(FLOOR_COLOUR);
-            if sight.owner[at] < FLOOR {
-                met = Met::new(sight, scene, at, ray, part, &mut last);
-                keep(at, met.normal);
-            }
-            (found.normal, found.colour) = (met.normal, met.colour);
-            match light.spot(studio.position(at, ray), &met) {
-                Some(there) => *spot = there,
+            let spread = if is_body { sight.spread(at) } else { 0.0 };
+            match light.spot(get(&points, k), [normal, get(&flats, k)], spread) {
+                Some(there) => spots[k] = there,
                 None => found.seen = 0.0,
             }
         }
-        for (([x, y], _), spot) in pixels().zip(&spots) {
-            let found = &mut self.found[slot(width, x, y)];
+        for (k, [x, y, _]) in square.pixels(view) {
             // What faces away has no place to be looked up.
-            found.seen *= light.seen(spot);
+            self.found[slot(width, x, y)].seen *= light.seen(&spots[k]);
         }
     }
 
-    fn shade(&self, studio: Studio, rows: Range<usize>, rgba: &mut [u8]) {
-        let width = studio.sight.view().size[0];
-        for from in (0..width).step_by(BAND) {
-            for [x, y] in square(&(from..width.min(from + BAND)), &rows) {
-                let at = y * width + x;
-                let open = f32::from(self.occlusion.open[at]) * (1.0 / 255.0);
-                let found = &self.found[slot(width, x, y)];
-                rgba[4 * at..][..4].copy_from_slice(&studio.pixel([x, y], found, open));
-            }
+    fn shade_square(&self, studio: Studio, square: Square, rgba: &mut [u8]) {
+        let (sight, view) = (studio.sight, studio.sight.view());
+        let rays = square.rays(view);
+        let points = square.points(sight, &rays);
+        let ways = units(&rays, &rays);
+        let mut normals = NO_VECTORS;
+        let (mut seen, mut open) = ([1.0; SQUARE], [1.0; SQUARE]);
+        let mut made_of = [(FLOOR_COLOUR, 0); SQUARE];
+        for (k, [x, y, at]) in square.pixels(view) {
+            let found = &self.found[slot(view.size[0], x, y)];
+            let surfel = studio.surfel(at, get(&points, k), found);
+            let from_there = f32::from(self.occlusion.open[at]) * (1.0 / 255.0);
+            (seen[k], open[k]) = (found.seen, lesser(from_there, surfel.open));
+            made_of[k] = (surfel.colour, surfel.material);
+            set(&mut normals, k, surfel.normal);
+        }
+        let mut arriving = [Arriving::default(); SQUARE];
+        for k in 0..SQUARE {
+            let [point, normal, way] = [&points, &normals, &ways].map(|list| get(list, k));
+            arriving[k] = studio
+                .light
+                .arriving([point, normal, -way], [seen[k], open[k]]);
+        }
+        for (k, [_, _, at]) in square.pixels(view) {
+            let lit = || studio.light.reflected(made_of[k], &arriving[k]);
+            let pixel = studio.pixel(at, [get(&points, k), get(&ways, k)], lit);
+            rgba[4 * at..][..4].copy_from_slice(&pixel);
         }
     }
 }
@@ -196,75 +213,47 @@ fn slot(width: usize, x: usize, y: usize) -> usize {
     y % (2 * BAND) * width + x
 }
 
-/// The pixels of a square.
-#[inline(always)]
-fn square(columns: &Range<usize>, rows: &Range<usize>) -> impl Iterator<Item = [usize; 2]> {
-    rows.clone()
-        .flat_map(|y| columns.clone().map(move |x| [x, y]))
-}
-
 impl Studio<'_> {
+    /// What is seen at a pixel, before light.
     #[inline(always)]
-    fn ray(&self, x: usize, y: usize) -> Vec3 {
-        self.sight.view().ray(x as f32 + 0.5, y as f32 + 0.5)
-    }
-
-    /// Where what is seen at a pixel is.
-    #[inline(always)]
-    fn position(&self, at: usize, ray: Vec3) -> Vec3 {
-        self.sight.view().eye + ray * (1.0 / self.sight.inverse[at])
-    }
-
-    #[inline(always)]
-    fn pixel(&self, [x, y]: [usize; 2], found: &Found, open: f32) -> [u8; 4] {
-        let view = self.sight.view();
-        let at = y * view.size[0] + x;
-        let ray = self.ray(x, y);
-        let way = ray.normalize_or(Vec3::NEG_Y);
-        let owner = self.sight.owner[at];
-        if owner == NOTHING {
-            let [r, g, b] = behind(self.backdrop, way, self.far).map(|v| (v + 0.5) as u8);
-            let alpha = if self.backdrop == Backdrop::Nothing {
-                0
-            } else {
-                255
-            };
-            return [r, g, b, alpha];
-        }
-        let depth = 1.0 / self.sight.inverse[at];
+    fn surfel(&self, at: usize, position: Vec3, found: &Found) -> Surfel {
         let mut surfel = Surfel {
-            position: self.position(at, ray),
+            position,
             normal: found.normal,
             colour: found.colour,
             material: 0,
             open: 1.0,
         };
-        let tone = self.light.tone();
-        if owner == FLOOR {
-            let lit = self.light.light(&surfel, found.seen, -way, open);
-            let part = self.floor_part(surfel.position);
-            let back = behind(Backdrop::Floor, way, self.far);
-            let [r, g, b] = std::array::from_fn(|k| {
-                let floor = f32::from(tone.screen(lit[k]));
-                (back[k] + (floor - back[k]) * part + 0.5) as u8
-            });
-            return [r, g, b, 255];
+        let sight = self.sight;
+        if let Some(instance) = self.scene.instances.get(sight.owner[at] as usize) {
+            surfel.material = self.scene.bodies[instance.body as usize].material;
+            if let Some(detail) = &self.scene.detail {
+                let spread = sight.view().slope / sight.inverse[at];
+                detail.refine(&mut surfel, instance.id, spread);
+            }
         }
-        let instance = &self.scene.instances[owner as usize];
-        surfel.material = self.scene.bodies[instance.body as usize].material;
-        if let Some(detail) = &self.scene.detail {
-            detail.refine(&mut surfel, instance.id, depth / view.focal);
-        }
-        let open = if surfel.open < open {
-            surfel.open
-        } else {
-            open
+        surfel
+    }
+
+    /// The colour of a pixel: what is seen there is at a point in this direction, and is lit so.
+    #[inline(always)]
+    fn pixel(&self, at: usize, [point, way]: [Vec3; 2], lit: impl Fn() -> [u8; 3]) -> [u8; 4] {
+        let round = |v: f32| (v + 0.5) as u8;
+        let ([r, g, b], alpha) = match self.sight.owner[at] {
+            NOTHING => {
+                let is_clear = self.backdrop == Backdrop::Nothing;
+                let colour = behind(self.backdrop, way, self.far).map(round);
+                (colour, if is_clear { 0 } else { 255 })
+            }
+            FLOOR => {
+                let (floor, part) = (lit().map(f32::from), self.floor_part(point));
+                let back = behind(Backdrop::Floor, way, self.far);
+                let mixed = |k: usize| back[k] + (floor[k] - back[k]) * part;
+                ([mixed(0), mixed(1), mixed(2)].map(round), 255)
+            }
+            _ => (lit(), 255),
         };
-        let [r, g, b] = self
-            .light
-            .light(&surfel, found.seen, -way, open)
-            .map(|v| tone.screen(v));
-        [r, g, b, 255]
+        [r, g, b, alpha]
     }
 
     fn floor_part(&self, at: Vec3) -> f32 {
@@ -277,16 +266,9 @@ pub(super) fn far_floor(light: &Lighting, view: &View, ground: &Ground) -> [f32;
     let flat = |v: Vec3, y: f32| Vec3::new(v.x, y, v.z);
     let away = flat(view.ahead, 0.0).normalize_or(Vec3::NEG_Z);
     let position = flat(ground.middle, ground.height) + away * end_of_floor(ground.radius);
-    let surfel = Surfel {
-        position,
-        normal: Vec3::Y,
-        colour: FLOOR_COLOUR,
-        material: 0,
-        open: 1.0,
-    };
     let to_eye = (view.eye - position).normalize_or(Vec3::Y);
-    let lit = light.light(&surfel, 1.0, to_eye, 1.0);
-    lit.map(|v| f32::from(light.tone().screen(v)))
+    let arriving = light.arriving([position, Vec3::Y, to_eye], [1.0; 2]);
+    light.reflected((FLOOR_COLOUR, 0), &arriving).map(f32::from)
 }
 
 /// Finds where in a row the floor is seen.

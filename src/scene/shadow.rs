@@ -4,12 +4,13 @@
 //! while the camera moves it is kept.
 
 use super::fill::{Fill, Vertex, some_of};
-use super::raster::{Corner, LANES, four_of};
+use super::four::{LANES, four_of};
+use super::raster::Corner;
 use super::sight::level_of;
 use super::{Camera, Lamp, Scene};
-use crate::material::floor;
 use crate::order::greater;
 use glam::Vec3;
+use wide::f32x4;
 
 /// The map ends so many parts of the ball's radius beyond it.
 const MARGIN: f32 = 1.02;
@@ -219,7 +220,7 @@ impl Map {
             Way::Along { scale, .. } => 1.0 / scale,
             Way::From(fill) => {
                 let view = &fill.view;
-                greater(view.of(point).z, view.near) / view.focal
+                greater(view.of(point).z, view.near) * view.slope
             }
         }
     }
@@ -283,11 +284,11 @@ impl Map {
         let [u, v, near] = self.on_map(p);
         // Three by three texels, each weighted by how much of it lies under a square of that size.
         let (u, v) = (u - 1.5, v - 1.5);
-        let last = self.side as i32 - 4;
-        let (i, j) = (floor(u), floor(v));
-        if i < 0 || j < 0 || i > last || j > last {
+        let end = (self.side - 3) as f32;
+        if !(u >= 0.0 && v >= 0.0 && u < end && v < end) {
             return None;
         }
+        let (i, j) = (u as i32, v as i32);
         Some(Spot {
             map: 0,
             texel: j as usize * self.side + i as usize,
@@ -300,24 +301,23 @@ impl Map {
     #[inline(always)]
     fn visible(&self, spot: &Spot) -> f32 {
         let [tu, tv] = spot.part;
-        let across = [1.0 - tu, 1.0, 1.0, tu];
+        let across = f32x4::new([1.0 - tu, 1.0, 1.0, tu]);
         let down = [1.0 - tv, 1.0, 1.0, tv];
         // Each texel is compared with the surface's plane there, so that it does not meet the surface itself,
         // and shadows end where they do.
         let [right, below] = spot.slopes;
-        let steps = [-1.0, 0.0, 1.0, 2.0];
-        let mut sum = 0.0;
+        let rights = (f32x4::new([-1.0, 0.0, 1.0, 2.0]) - f32x4::splat(tu)) * f32x4::splat(right);
+        let mut lit = f32x4::ZERO;
         for (row, weight) in down.into_iter().enumerate() {
-            let texels = &self.near[spot.texel + row * self.side..][..4];
-            let start = spot.near + below * (steps[row] - tv);
-            let mut lit = 0.0;
-            for k in 0..4 {
-                let plane = start + right * (steps[k] - tu);
-                lit += if texels[k] > plane { 0.0 } else { across[k] };
-            }
-            sum += weight * lit;
+            let Some(texels) = self.near[spot.texel + row * self.side..].first_chunk() else {
+                break;
+            };
+            let start = spot.near + below * (row as f32 - 1.0 - tv);
+            let is_lit = f32x4::from(*texels).simd_le(f32x4::splat(start) + rights);
+            lit += is_lit & (across * f32x4::splat(weight));
         }
-        sum / 9.0
+        let [a, b, c, d] = lit.to_array();
+        ((a + b) + (c + d)) * (1.0 / 9.0)
     }
 
     /// Draws an instance from one of its triangles on; answers with the work that it was, and the triangle that
@@ -365,12 +365,8 @@ impl Map {
         let (end, drawn) = some_of(&surface.triangles, next, most, |_, triangle| {
             let corners = triangle.map(|v| corners[v as usize]);
             fill.triangle(corners, |four| {
-                let Some(near) = four_of(near, four.at) else {
-                    return;
-                };
-                let wins = four.wins(near);
-                for k in 0..LANES {
-                    near[k] = if wins[k] { four.near[k] } else { near[k] };
+                if let Some(near) = four_of(near, four.at) {
+                    four.wins(near).near(near);
                 }
             })
         });

@@ -5,7 +5,7 @@
 //! here when they are shaded, so nothing is worked out for what is hidden.
 
 use super::fill::{Fill, Vertex, some_of};
-use super::raster::{LANES, four_of};
+use super::four::{LANES, four_of};
 use super::{Scene, View};
 use crate::order::{self, pair};
 use glam::Vec3;
@@ -101,9 +101,11 @@ impl Sight {
         &self.fill.view
     }
 
-    /// By how many pixels what is drawn may be off.
-    pub fn spread(&self) -> f32 {
-        if self.is_coarse { 2.0 } else { 1.0 }
+    /// How far off what is drawn at a pixel may be, in the world.
+    #[inline(always)]
+    pub fn spread(&self, at: usize) -> f32 {
+        let pixels = if self.is_coarse { 2.0 } else { 1.0 };
+        pixels * self.view().slope / self.inverse[at]
     }
 
     pub fn fill(&self) -> &Fill {
@@ -197,7 +199,7 @@ impl Sight {
                     return;
                 };
                 let wins = four.wins(inverse);
-                if !(wins[0] | wins[1] | wins[2] | wins[3]) {
+                if !wins.any() {
                     return;
                 }
                 let (Some(owner), Some(triangles)) =
@@ -205,11 +207,9 @@ impl Sight {
                 else {
                     return;
                 };
-                for k in 0..LANES {
-                    inverse[k] = if wins[k] { four.near[k] } else { inverse[k] };
-                    owner[k] = if wins[k] { place } else { owner[k] };
-                    triangles[k] = if wins[k] { number as u32 } else { triangles[k] };
-                }
+                wins.near(inverse);
+                wins.put(place, owner);
+                wins.put(number as u32, triangles);
             })
         });
         let is_drawn = next == surface.triangles.len();

@@ -2,7 +2,7 @@
 
 use super::scene::around;
 use super::scene_rays::*;
-use bubblestone::scene::{Backdrop, Body, Frame, Lighting, Order, Place, Scene};
+use bubblestone::scene::{Backdrop, Body, Frame, Lighting, Order, Place, Scene, Sharpness};
 use bubblestone::solid::Surface;
 use glam::Vec3;
 
@@ -174,7 +174,7 @@ fn large_bodies_and_frames_are_cut_into_slices() {
     let scene = scene(vec![(ball(100), Place::default())]);
     let triangles = scene.bodies[0].levels[0].triangles.len();
     for lamp in [sun(0.5, 0.8, -0.3), bulb([0.2, 3.0, 0.4])] {
-        let mut light = Lighting::new(&scene, lamp, (&PARAMS, &[MATT]), false);
+        let mut light = Lighting::new(&scene, lamp, (&PARAMS, &[MATT]), Sharpness::Large);
         let mut calls = 1;
         while !light.advance(&scene, AMOUNT) {
             calls += 1;

@@ -4,12 +4,11 @@ use super::scene_rays::*;
 use bubblestone::heightfield::{Planes, Shader};
 use bubblestone::light::{Light, ShadeParams};
 use bubblestone::material::Material;
-use bubblestone::scene::{Body, Instance, Lamp, Lighting, Order, Place, Scene};
+use bubblestone::scene::{Body, Instance, Lamp, Lighting, Order, Place, Scene, Sharpness};
 use glam::{DVec3, Vec3};
 
-/// Texels of the sun's map along its side, and of each side of the cube around a lamp.
-const SUN_SIDE: f64 = 2048.0;
-const LAMP_SIDE: f64 = 1024.0;
+/// Texels of the sun's map along its side; each side of the cube around a lamp has half of them.
+const SIDES: [(Sharpness, f64); 2] = [(Sharpness::Small, 1024.0), (Sharpness::Large, 2048.0)];
 /// No shadow is softer than so many texels to each side.
 const BAND: f64 = 2.0;
 
@@ -54,11 +53,11 @@ fn spots(scene: &Scene, count: usize) -> Vec<Spot> {
 
 /// The places of the plane around a spot that are so many texels away on the lamp's map, with the ways to the
 /// lamp; none where that plane is seen along it.
-fn near_spots(lamp: Lamp, radius: f64, spot: &Spot) -> Vec<(DVec3, DVec3)> {
+fn near_spots(lamp: Lamp, [radius, side]: [f64; 2], spot: &Spot) -> Vec<(DVec3, DVec3)> {
     let offsets = (0..9).map(|k| [f64::from(k % 3 - 1), f64::from(k / 3 - 1)].map(|v| v * BAND));
     match lamp {
         Lamp::Sun(to) => {
-            let texel = 2.0 * 1.02 * radius / SUN_SIDE;
+            let texel = 2.0 * 1.02 * radius / side;
             let (u, to) = (to.any_orthonormal_vector().as_dvec3(), to.as_dvec3());
             let beside = offsets.map(|[x, y]| (u * x + to.cross(u) * y) * texel);
             let on_plane = |d: DVec3| d - to * (d.dot(spot.normal) / to.dot(spot.normal));
@@ -66,7 +65,7 @@ fn near_spots(lamp: Lamp, radius: f64, spot: &Spot) -> Vec<(DVec3, DVec3)> {
         }
         Lamp::Bulb { at, .. } => {
             let (at, from) = (at.as_dvec3(), spot.point - at.as_dvec3());
-            let texel = 2.0 * libm::tan(45.5f64.to_radians()) / LAMP_SIDE;
+            let texel = 2.0 * libm::tan(45.5f64.to_radians()) / (0.5 * side);
             // The cube's side is the one of the largest part.
             let size = from.abs();
             let (axis, u, v) = match size.max_element() {
@@ -86,7 +85,14 @@ fn near_spots(lamp: Lamp, radius: f64, spot: &Spot) -> Vec<(DVec3, DVec3)> {
 
 /// Compares shadows with rays wherever the rays from around a place, two texels away, say the same.
 fn compare(scene: &Scene, lamp: Lamp) {
-    let light = lighting(scene, lamp, &PARAMS, 100_000);
+    for (sharpness, side) in SIDES {
+        let mut light = Lighting::new(scene, lamp, (&PARAMS, &[MATT]), sharpness);
+        while !light.advance(scene, 100_000) {}
+        compare_with(&light, scene, lamp, side);
+    }
+}
+
+fn compare_with(light: &Lighting, scene: &Scene, lamp: Lamp, side: f64) {
     let (rays, (_, radius)) = (Rays::new(scene), scene.ball());
     let mut counts = [0; 3];
     for spot in spots(scene, 3000) {
@@ -108,7 +114,7 @@ fn compare(scene: &Scene, lamp: Lamp) {
             let hit = rays.nearest(*from + spot.normal * 1e-7, *way);
             hit.is_some_and(|hit| matches!(lamp, Lamp::Sun(_)) || hit.away < 1.0)
         };
-        let near = near_spots(lamp, f64::from(radius), &spot);
+        let near = near_spots(lamp, [radius.into(), side], &spot);
         // In a crease the plane of one side lies under the other.
         let is_inside =
             |(from, way): &(DVec3, DVec3)| rays.leaves(*from + spot.normal * 1e-7, *way);
@@ -309,7 +315,7 @@ fn highlights_lie_towards_the_mirrored_sun() {
     let lamp = Lamp::over_picture(light, 0.0);
     let Lamp::Sun(to) = lamp else { panic!() };
     assert!(to.x > 0.8 && to.y > 0.5 && to.z.abs() < 1e-6);
-    let mut lighting = Lighting::new(&scene, lamp, (&params, &[shiny]), false);
+    let mut lighting = Lighting::new(&scene, lamp, (&params, &[shiny]), Sharpness::Small);
     while !lighting.advance(&scene, 100_000) {}
     let order = order(camera(0.0, 20.0, 6.0, 25.0), [120, 120]);
     let frame = frame(&scene, &lighting, order, 100_000);
@@ -355,7 +361,12 @@ fn occlusion_is_at_the_foot_of_bodies_only() {
         let order = order(camera(angle, height, 2.5, 40.0), [120, 90]);
         let shades = |scene: &Scene| {
             [&sky, &open].map(|params| {
-                let light = Lighting::new(scene, sun(0.2, 1.0, 0.3), (params, &[MATT]), false);
+                let light = Lighting::new(
+                    scene,
+                    sun(0.2, 1.0, 0.3),
+                    (params, &[MATT]),
+                    Sharpness::Small,
+                );
                 frame(scene, &light, order, 100_000)
             })
         };

@@ -2,7 +2,7 @@
 
 use super::scene_rays::*;
 use bubblestone::light::ShadeParams;
-use bubblestone::scene::{Frame, Lighting, Order, Place, Scene};
+use bubblestone::scene::{Frame, Lighting, Order, Place, Scene, Sharpness};
 use glam::Vec3;
 use std::collections::BTreeSet;
 
@@ -69,7 +69,12 @@ fn planes_say_where_bodies_are() {
         shadow: 0.0,
         ..PARAMS
     };
-    let light = Lighting::new(&ball, sun(0.0, 1.0, 0.0), (&params, &[MATT]), false);
+    let light = Lighting::new(
+        &ball,
+        sun(0.0, 1.0, 0.0),
+        (&params, &[MATT]),
+        Sharpness::Large,
+    );
     let above = order(camera(0.0, 90.0, 4.0, 35.0), SIZE);
     let [one, four] =
         [false, true].map(|is_fine| frame(&ball, &light, Order { is_fine, ..above }, 9_999));

@@ -4,7 +4,7 @@ use bubblestone::light::{Light, ShadeParams};
 use bubblestone::material::Material;
 use bubblestone::scene::Backdrop;
 use bubblestone::scene::{
-    Body, Camera, Frame, Instance, Lamp, Lighting, Order, Place, Scene, View,
+    Body, Camera, Frame, Instance, Lamp, Lighting, Order, Place, Scene, Sharpness, View,
 };
 use bubblestone::solid::Surface;
 use glam::{DVec3, Vec3};
@@ -342,7 +342,7 @@ pub(super) fn order(camera: Camera, size: [usize; 2]) -> Order {
 
 /// The light of a scene, ready.
 pub(super) fn lighting(scene: &Scene, lamp: Lamp, params: &ShadeParams, amount: usize) -> Lighting {
-    let mut light = Lighting::new(scene, lamp, (params, &[MATT]), false);
+    let mut light = Lighting::new(scene, lamp, (params, &[MATT]), Sharpness::Large);
     while !light.advance(scene, amount) {}
     light
 }
