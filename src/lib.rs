@@ -75,6 +75,8 @@ pub mod recipe;
 pub mod scene;
 pub mod solid;
 pub mod studio;
+#[cfg(house)]
+pub mod surface;
 #[cfg(target_arch = "wasm32")]
 pub mod web;
 

@@ -1,0 +1,185 @@
+//! Tangent frames, and what one point of a surface sees of another.
+
+use super::SurfacePoint;
+use glam::{DVec2, DVec3};
+
+/// An orthonormal frame of the plane across a normal.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Frame {
+    /// Its x axis.
+    pub x: DVec3,
+    /// Its y axis.
+    pub y: DVec3,
+    /// The unit normal: x cross y.
+    pub normal: DVec3,
+}
+
+impl Frame {
+    /// The one frame that belongs to a unit normal (Duff et al. 2017, Building an Orthonormal Basis, Revisited).
+    pub fn of(normal: DVec3) -> Self {
+        let n = normal;
+        let sign = if n.z < 0.0 { -1.0 } else { 1.0 };
+        let a = -1.0 / (sign + n.z);
+        let b = n.x * n.y * a;
+        Self {
+            x: DVec3::new(1.0 + sign * n.x * n.x * a, sign * b, -sign * n.x),
+            y: DVec3::new(b, sign + n.y * n.y * a, -n.y),
+            normal: n,
+        }
+    }
+
+    /// The part of a vector in space that lies in the plane.
+    pub fn within(&self, v: DVec3) -> DVec2 {
+        DVec2::new(self.x.dot(v), self.y.dot(v))
+    }
+
+    /// A vector of the plane, in space.
+    pub fn out(&self, v: DVec2) -> DVec3 {
+        self.x * v.x + self.y * v.y
+    }
+
+    /// The turn that carries vectors of another frame into this one, by the smallest rotation between the two
+    /// normals; where those are opposite, none in particular.
+    pub fn turn_from(&self, other: &Frame) -> Turn {
+        let carried = self.within(rotated(other.x, other.normal, self.normal));
+        Turn(carried.normalize_or(DVec2::X))
+    }
+}
+
+/// A vector turned by the smallest rotation that takes one unit normal to another.
+pub(super) fn rotated(v: DVec3, from: DVec3, to: DVec3) -> DVec3 {
+    let cos = from.dot(to);
+    let cross = from.cross(to);
+    v * cos + cross.cross(v) + cross * (cross.dot(v) / (1.0 + cos).max(1e-12))
+}
+
+/// A turn of the plane, from one frame into another: where it takes the x axis to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Turn(pub DVec2);
+
+impl Turn {
+    /// No turn.
+    pub const NONE: Self = Self(DVec2::X);
+
+    /// A vector of the first frame in the second one.
+    #[inline(always)]
+    pub fn apply(self, v: DVec2) -> DVec2 {
+        self.0.rotate(v)
+    }
+
+    /// A vector of the second frame in the first one.
+    #[inline(always)]
+    pub fn undo(self, v: DVec2) -> DVec2 {
+        DVec2::new(self.0.x, -self.0.y).rotate(v)
+    }
+}
+
+/// What one point of a surface sees of another.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Way {
+    /// Direction and distance to the other point, in the frame of the first one.
+    pub to: DVec2,
+    /// Carries vectors of the other point's frame into that of the first one.
+    pub turn: Turn,
+}
+
+/// Points whose normals are farther apart than this (their dot product) do not see each other ...
+const SEES: f64 = -0.2;
+/// ... nor do those whose difference points this far out of the surface (share of it that lies in the plane).
+const LIES: f64 = 0.3;
+
+/// The way from one point to another: the logarithmic map, in the plane of the mean of the two normals, with the
+/// length of the circular arc that has these normals at its ends. The way back is its reverse. Nothing where the two
+/// lie on different sides of a thin sheet. Points at one place see each other, at no distance.
+pub fn way(a: &SurfacePoint, b: &SurfacePoint) -> Option<Way> {
+    let cos = a.normal.dot(b.normal);
+    if cos < SEES {
+        return None;
+    }
+    let mean = (a.normal + b.normal).normalize();
+    let r = b.at - a.at;
+    let flat = r - mean * mean.dot(r);
+    let (length, along) = (r.length(), flat.length());
+    if along < LIES * length {
+        return None;
+    }
+    let own = Frame::of(a.normal);
+    let turn = own.turn_from(&Frame::of(b.normal));
+    if along == 0.0 {
+        return Some(Way {
+            to: DVec2::ZERO,
+            turn,
+        });
+    }
+    let in_plane = flat * (length * arc_over_chord(cos) / along);
+    let to = own.within(rotated(in_plane, mean, a.normal));
+    Some(Way { to, turn })
+}
+
+/// (a / 2) / sin(a / 2) of the angle a between two normals, of its cosine: an arc's length over its chord's.
+fn arc_over_chord(cos: f64) -> f64 {
+    // sin(a/2)^2; its series is exact to a double for small angles, and nearly so up to 100 degrees.
+    let s = ((1.0 - cos) * 0.5).clamp(0.0, 1.0);
+    if s > 0.02 {
+        let sine = s.sqrt();
+        return libm::asin(sine) / sine;
+    }
+    1.0 + s
+        * (1.0 / 6.0
+            + s * (3.0 / 40.0 + s * (15.0 / 336.0 + s * (105.0 / 3456.0 + s * (945.0 / 42240.0)))))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn normals() -> impl Iterator<Item = DVec3> {
+        (0..200).map(|k| {
+            let t = f64::from(k);
+            let z = 1.0 - (t + 0.5) / 100.0;
+            let r = (1.0 - z * z).sqrt();
+            DVec3::new(r * libm::cos(2.4 * t), r * libm::sin(2.4 * t), z)
+        })
+    }
+
+    #[test]
+    fn frames_are_right_handed_and_orthonormal() {
+        for n in normals().chain([DVec3::Z, DVec3::NEG_Z]) {
+            let frame = Frame::of(n);
+            assert!((frame.x.cross(frame.y) - n).length() < 1e-12, "{n}");
+            assert!((frame.x.length() - 1.0).abs() < 1e-12 && frame.x.dot(n).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn the_way_back_is_the_reverse() {
+        let all: Vec<DVec3> = normals().collect();
+        for (k, &a) in all.iter().enumerate() {
+            for &b in &all[..k] {
+                let [p, q] = [a, b].map(|n| SurfacePoint {
+                    triangle: 0,
+                    at: n,
+                    normal: n,
+                });
+                let (Some(there), Some(back)) = (way(&p, &q), way(&q, &p)) else {
+                    assert!(a.dot(b) < SEES + 0.1);
+                    continue;
+                };
+                let reverse = -there.turn.undo(there.to);
+                assert!((reverse - back.to).length() < 1e-9, "{a} {b}");
+                // On the unit ball the way is the great circle's.
+                assert!((there.to.length() - libm::acos(a.dot(b))).abs() < 1e-9);
+            }
+        }
+    }
+
+    #[test]
+    fn points_at_one_place_are_at_no_distance() {
+        let p = SurfacePoint {
+            triangle: 0,
+            at: DVec3::ONE,
+            normal: DVec3::X,
+        };
+        assert_eq!(way(&p, &p).unwrap().to, DVec2::ZERO);
+    }
+}
