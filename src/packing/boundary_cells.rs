@@ -1,9 +1,10 @@
 //! The cells along the boundary.
 
 use super::clearance::is_clear;
+use super::grid::Grid;
 use super::placed::Placed;
+use super::plane::Surroundings;
 use super::shape::Shape;
-use crate::domain::Domain;
 use crate::field::Fields;
 use glam::DVec2;
 
@@ -85,12 +86,12 @@ pub(super) fn line_pieces(line: &[DVec2], fixed: bool) -> Vec<Piece> {
 
 /// Evenly spaced cells along a piece: on it, or half a cell inside with mitred ends.
 pub(super) fn boundary_cells(
-    placed: &mut Placed,
+    placed: &mut Placed<DVec2, Grid>,
     piece: &Piece,
-    fields: &Fields,
-    domain: &Domain,
+    around: Surroundings,
     fixed: bool,
 ) {
+    let Surroundings { domain, fields, .. } = around;
     // Narrow: with a row half a cell in, most of it would not be clear of the other side.
     let is_wide = |depth: &&f64| {
         let line = offset_line(piece, fields, **depth);
@@ -99,7 +100,7 @@ pub(super) fn boundary_cells(
     };
     let wide = DEPTHS.iter().find(is_wide);
     if wide.is_none() && !fixed {
-        return narrow_cells(placed, piece, fields, domain);
+        return narrow_cells(placed, piece, around);
     }
     let depth = *wide.unwrap_or(&DEPTHS[0]);
     let line = if fixed {
@@ -111,19 +112,20 @@ pub(super) fn boundary_cells(
     let spaced = spaced(&line, fields, 0.0);
     for &(p, _) in &spaced[..spaced.len() - usize::from(closed)] {
         let clear = || is_clear(p, BOUNDARY_CLEARANCE * depth, fields, domain);
-        if (fixed || clear()) && placed.is_free(domain, fields, p, BOUNDARY_GAP) {
+        if (fixed || clear()) && placed.is_free(around, p, BOUNDARY_GAP) {
             placed.push(fields, p);
         }
     }
 }
 
 /// Where the outline is narrower than the cells: in its middle, as the wall goes along.
-fn narrow_cells(placed: &mut Placed, piece: &Piece, fields: &Fields, domain: &Domain) {
+fn narrow_cells(placed: &mut Placed<DVec2, Grid>, piece: &Piece, around: Surroundings) {
+    let Surroundings { domain, fields, .. } = around;
     for (p, along) in spaced(&piece.points, fields, 0.5) {
         let inward = along.perp();
         let most = DEPTHS[0] * Shape::metric_at(fields, p).extent(inward);
         let p = p + inward * domain.medial_depth(p, inward, most);
-        if domain.contains(p) && placed.is_free(domain, fields, p, BOUNDARY_GAP) {
+        if domain.contains(p) && placed.is_free(around, p, BOUNDARY_GAP) {
             placed.push(fields, p);
         }
     }

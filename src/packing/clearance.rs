@@ -1,8 +1,9 @@
 //! Whether walls leave room for a cell.
 
+use super::BoundaryCondition;
 use super::placed::FRONT_GAP;
+use super::plane::Surroundings;
 use super::shape::Shape;
-use super::{BoundaryCondition, Surroundings};
 use crate::domain::{Domain, Nearest};
 use crate::field::Fields;
 use glam::DVec2;

@@ -5,6 +5,8 @@
 //! constant k0 of a pair is l0 squared, so that k0 / l0 = l0, the pair's stable distance.
 
 use super::Particle;
+use super::ground::Carry;
+use super::plane::InPlane;
 use super::shape::{CUT, Shape};
 use crate::field::Kind;
 use crate::order::{greater, lesser};
@@ -59,17 +61,24 @@ impl Pair {
     /// The frame of two cells: the mean of the first one's axis and of that turn of the second one's
     /// which looks alike and is nearest to it, so that forces are reciprocal.
     pub fn new(a: &Particle, b: &Particle) -> Self {
+        Self::seen(a, b, InPlane)
+    }
+
+    /// That of two cells on any ground, in the first one's frame.
+    #[inline(always)]
+    pub(super) fn seen<P>(a: &Particle<P>, b: &Particle<P>, turn: impl Carry) -> Self {
         let sizes = (a.size, b.size);
+        let axes = (a.axis, turn.apply(b.axis));
         if a.kind == Kind::Square && b.kind == Kind::Square {
-            return Self::squares((a.axis, b.axis), sizes);
+            return Self::squares(axes, sizes);
         }
         let stretch = (a.kind.is_stretched() || b.kind.is_stretched()).then(|| Stretch {
-            shapes: (Shape::of(a), Shape::of(b)),
+            shapes: (Shape::of(a), Shape::of(b).seen(turn)),
             root: (0.5 * (a.aspect + b.aspect)).sqrt(),
         });
         let corners = (a.kind.has_corners(), b.kind.has_corners());
         let axis = if corners.0 || corners.1 {
-            mean_axis(a.axis, b.axis, if stretch.is_some() { 2 } else { 4 })
+            mean_axis(axes.0, axes.1, if stretch.is_some() { 2 } else { 4 })
         } else {
             DVec2::ZERO
         };
@@ -249,17 +258,25 @@ impl Pair {
     }
 }
 
-/// The force on the second of two cells of any kinds, `r` from the first.
-pub(super) fn force_between(a: &Particle, b: &Particle, r: DVec2) -> DVec2 {
-    Pair::new(a, b).force(r)
+/// The force on the second of two cells of any kinds, `r` from the first, in whose frame it is.
+pub(super) fn force_between<P>(
+    a: &Particle<P>,
+    b: &Particle<P>,
+    (r, turn): (DVec2, impl Carry),
+) -> DVec2 {
+    Pair::seen(a, b, turn).force(r)
 }
 
 /// The potential of two cells of any kinds.
-pub(super) fn potential_between(a: &Particle, b: &Particle, r: DVec2) -> f64 {
-    if !Shape::of(a).may_touch(&Shape::of(b), r, 0.0) {
+pub(super) fn potential_between<P>(
+    a: &Particle<P>,
+    b: &Particle<P>,
+    (r, turn): (DVec2, impl Carry),
+) -> f64 {
+    if !Shape::of(a).may_touch(&Shape::of(b).seen(turn), r, 0.0) {
         return 0.0;
     }
-    Pair::new(a, b).potential(r)
+    Pair::seen(a, b, turn).potential(r)
 }
 
 /// The mean of a vector and of that turn of another by a whole number of `symmetry`-th parts of a

@@ -3,11 +3,11 @@
 //! Time is in units of sqrt(m d^2 / k0), so that one set of constants serves all sizes.
 
 use super::force::{Pair, force_between};
-use super::grid::Grid;
+use super::ground::{Buckets, Carry, Ground, Sees, TurnOf};
+use super::run::Body;
 use super::shape::{SQUARE_REACH, Shape};
-use super::wall::{keep_inside, stays_clear, wall_force};
-use super::{Body, Integrator, Particle, Surroundings};
-use crate::domain::{Domain, Projection};
+use super::wall::{stays_clear, wall_force};
+use super::{Integrator, Particle};
 use crate::field::Kind;
 use crate::order::greater;
 use glam::DVec2;
@@ -44,8 +44,8 @@ const fn least_move(kind: Kind) -> f64 {
 const REST: f64 = 0.002;
 
 /// The neighbour list and the forces.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Motion {
+#[derive(Clone, Debug)]
+pub(super) struct Motion<P> {
     /// For body i the later neighbours are `list[start[i]..start[i + 1]]`.
     start: Vec<u32>,
     list: Vec<u32>,
@@ -55,16 +55,30 @@ pub(super) struct Motion {
     /// How far from the walls they were, at least, when the step began.
     clear: Vec<f64>,
     /// Where the bodies were when the list was made.
-    made_at: Vec<DVec2>,
+    made_at: Vec<P>,
     margin: f64,
-    near_walls: Vec<Projection>,
-    pair_data: Vec<PairData>,
+    pair_data: Vec<PairData<P>>,
+}
+
+impl<P> Default for Motion<P> {
+    fn default() -> Self {
+        Self {
+            start: Vec::new(),
+            list: Vec::new(),
+            awake: Vec::new(),
+            forces: Vec::new(),
+            clear: Vec::new(),
+            made_at: Vec::new(),
+            margin: 0.0,
+            pair_data: Vec::new(),
+        }
+    }
 }
 
 /// What the forces of most pairs depend on, close together in memory.
 #[derive(Clone, Copy, Debug)]
-struct PairData {
-    centre: DVec2,
+struct PairData<P> {
+    centre: P,
     axis: DVec2,
     size: f64,
     /// Two cells farther apart than the sum of this do not touch.
@@ -72,8 +86,8 @@ struct PairData {
     is_square: bool,
 }
 
-impl PairData {
-    fn of(particle: &Particle) -> Self {
+impl<P: Copy> PairData<P> {
+    fn of(particle: &Particle<P>) -> Self {
         let stretched = particle.kind.is_stretched();
         Self {
             centre: particle.centre,
@@ -89,7 +103,7 @@ impl PairData {
     }
 }
 
-impl Motion {
+impl<P: Copy> Motion<P> {
     /// The bodies have changed: make the list again.
     pub fn forget(&mut self) {
         self.made_at.clear();
@@ -97,22 +111,18 @@ impl Motion {
 
     /// Makes the neighbour list again where it may have become wrong. The bodies are put in the
     /// order of the grid's buckets first, so that neighbours lie near in memory too.
-    pub fn refresh(&mut self, bodies: &mut [Body], domain: &Domain) {
+    pub fn refresh<S: Sees<Place = P>>(&mut self, bodies: &mut [Body<P>], sight: S) {
         let limit = 0.25 * self.margin * self.margin;
         let fresh = self.made_at.len() == bodies.len()
             && bodies
                 .iter()
                 .zip(&self.made_at)
-                .all(|(body, &at)| body.particle.centre.distance_squared(at) < limit);
+                .all(|(body, &at)| !sight.has_left(at, body.particle.centre, limit));
         if fresh || bodies.is_empty() {
             return;
         }
-        let first = bodies[0].particle.centre;
-        let (mut lo, mut hi) = (first, first);
         let (mut largest, mut longest, mut root) = (0.0_f64, 0.0_f64, 1.0_f64);
         for body in bodies.iter() {
-            lo = lo.min(body.particle.centre);
-            hi = hi.max(body.particle.centre);
             let shape = Shape::of(&body.particle);
             largest = largest.max(shape.size);
             longest = longest.max(shape.length());
@@ -122,39 +132,40 @@ impl Motion {
         // A move counts for more across a stretched cell than along it.
         self.margin = margin / root;
         let reach = SQUARE_REACH * longest + margin;
-        let grid = Grid::new(lo, hi, reach / 2.0);
+        let grid = sight.grid_around(bodies.iter().map(|b| b.particle.centre), reach / 2.0);
         let firsts = sort_by_bucket(bodies, &grid);
         self.made_at = bodies.iter().map(|b| b.particle.centre).collect();
         self.forces.resize(bodies.len(), DVec2::ZERO);
         self.clear.resize(bodies.len(), 0.0);
-        self.collect_pairs(bodies, domain, (&grid, &firsts), (reach, margin));
+        self.collect_pairs(bodies, sight, (&grid, &firsts), (reach, margin));
     }
 
     /// The bodies are in the order of the grid's buckets, so those of a run of buckets are a run of
     /// bodies, and only the ones after the body itself are looked at.
-    fn collect_pairs(
+    fn collect_pairs<S: Sees<Place = P>>(
         &mut self,
-        bodies: &[Body],
-        domain: &Domain,
-        (grid, firsts): (&Grid, &[usize]),
+        bodies: &[Body<P>],
+        sight: S,
+        (grid, firsts): (&S::Grid, &[usize]),
         (reach, margin): (f64, f64),
     ) {
         self.list.clear();
         self.start.clear();
         self.start.push(0);
-        let space = domain.space();
         for (i, body) in bodies.iter().enumerate() {
             let centre = body.particle.centre;
             let shape = Shape::of(&body.particle);
-            for image in space.images(centre, reach) {
+            for image in sight.images(centre, reach) {
                 for run in grid.runs_near(image, reach) {
                     let end = firsts[run.end];
                     let first = firsts[run.start].max(i + 1).min(end);
                     for (other, j) in bodies[first..end].iter().zip(first as u32..) {
-                        let r = other.particle.centre - image;
-                        if shape.may_touch(&Shape::of(&other.particle), r, margin)
-                            && space.is_shortest(r)
-                            && !is_walled_off(body, other, r, domain)
+                        let Some((r, turn)) = sight.way_from(image, other.particle.centre) else {
+                            continue;
+                        };
+                        let seen = Shape::of(&other.particle).seen(turn);
+                        if shape.may_touch(&seen, r, margin)
+                            && !is_walled_off(body, other, r, sight)
                         {
                             self.list.push(j);
                         }
@@ -166,7 +177,7 @@ impl Motion {
     }
 
     /// The pairs that may touch, each once.
-    pub fn pairs<'a>(&'a self, bodies: &'a [Body]) -> impl Iterator<Item = (usize, usize)> + 'a {
+    pub fn pairs<'a>(&'a self, bodies: &'a [Body<P>]) -> impl Iterator<Item = (usize, usize)> + 'a {
         (0..bodies.len()).flat_map(|i| {
             self.list[self.start[i] as usize..self.start[i + 1] as usize]
                 .iter()
@@ -175,7 +186,7 @@ impl Motion {
     }
 
     /// Wakes the bodies that have moved, and their neighbours.
-    fn wake(&mut self, bodies: &[Body]) {
+    fn wake(&mut self, bodies: &[Body<P>]) {
         self.awake.clear();
         self.awake.extend(bodies.iter().map(|b| b.has_moved));
         for (i, body) in bodies.iter().enumerate() {
@@ -190,7 +201,8 @@ impl Motion {
     }
 
     /// The forces on those that are awake.
-    fn evaluate(&mut self, bodies: &[Body], around: Surroundings, first: bool) {
+    fn evaluate<G: Ground<Place = P>>(&mut self, bodies: &[Body<P>], ground: G, first: bool) {
+        let mut near_walls = Vec::new();
         self.forces.fill(DVec2::ZERO);
         self.pair_data.clear();
         self.pair_data
@@ -204,21 +216,23 @@ impl Motion {
                 if !(a_awake || self.awake[j]) {
                     continue;
                 }
-                let r = around.domain.space().shortest(b.centre - a.centre);
+                let Some((r, turn)) = ground.sight().way(a.centre, b.centre) else {
+                    continue;
+                };
                 let reach = a.reach + b.reach;
                 if r.length_squared() >= reach * reach {
                     continue;
                 }
                 let force = if a.is_square && b.is_square {
-                    Pair::squares((a.axis, b.axis), (a.size, b.size)).force(r)
+                    Pair::squares((a.axis, turn.apply(b.axis)), (a.size, b.size)).force(r)
                 } else {
-                    force_between(&body.particle, &bodies[j].particle, r)
+                    force_between(&body.particle, &bodies[j].particle, (r, turn))
                 };
-                self.forces[j] += force;
+                self.forces[j] += turn.undo(force);
                 total -= force;
             }
             if a_awake {
-                let (force, distance) = wall_force(body, around.walls, &mut self.near_walls);
+                let (force, distance) = wall_force(body, ground.walls(), &mut near_walls);
                 total += force;
                 if first {
                     self.clear[i] = distance;
@@ -229,15 +243,15 @@ impl Motion {
     }
 
     /// One step; answers the largest move and the largest force on a free cell, in its size.
-    pub fn step(
+    pub fn step<G: Ground<Place = P>>(
         &mut self,
-        bodies: &mut [Body],
-        around: Surroundings,
+        bodies: &mut [Body<P>],
+        ground: G,
         integrator: Integrator,
         pace: f64,
     ) -> (f64, f64) {
         self.wake(bodies);
-        self.evaluate(bodies, around, true);
+        self.evaluate(bodies, ground, true);
         let mut largest_force = 0.0_f64;
         for (i, body) in bodies.iter().enumerate() {
             if self.awake[i] {
@@ -247,10 +261,8 @@ impl Motion {
         }
         let moves = match integrator {
             Integrator::SemiImplicit => self.semi_implicit(bodies, pace),
-            Integrator::RungeKutta => self.runge_kutta(bodies, around, pace),
+            Integrator::RungeKutta => self.runge_kutta(bodies, ground, pace),
         };
-        let (domain, space) = (around.domain, around.domain.space());
-        let has_lines = !domain.lines().is_empty();
         let mut largest_move = 0.0_f64;
         for (i, (body, by)) in bodies.iter_mut().zip(moves).enumerate() {
             if !self.awake[i] {
@@ -262,19 +274,17 @@ impl Motion {
             let shape = Shape::of(&body.particle);
             let by = by.clamp_length_max(LONGEST_MOVE * body.particle.size);
             let is_clear = stays_clear(self.clear[i], by.length(), shape.length());
-            let centre = match is_clear && !has_lines {
-                true => space.wrap(before + by),
-                false => keep_inside(before, before + by, shape, around),
-            };
-            body.place(centre, around.fields);
-            let moved = space.shortest(centre - before).length() / shape.size;
+            let (centre, turn) = ground.moved(before, by, shape, is_clear);
+            body.place(centre, ground.fields());
+            body.velocity = turn.apply(body.velocity);
+            let moved = ground.sight().distance(before, centre) / shape.size;
             body.has_moved = moved > least_move(body.particle.kind);
             largest_move = greater(largest_move, moved);
         }
         (largest_move, largest_force)
     }
 
-    fn semi_implicit(&self, bodies: &mut [Body], pace: f64) -> Vec<DVec2> {
+    fn semi_implicit(&self, bodies: &mut [Body<P>], pace: f64) -> Vec<DVec2> {
         let h = SEMI_IMPLICIT_STEP;
         let each = bodies.iter_mut().zip(&self.forces);
         each.map(|(body, &force)| {
@@ -284,32 +294,43 @@ impl Motion {
         .collect()
     }
 
-    /// The classical scheme on (x, v); the first evaluation has been made.
-    fn runge_kutta(&mut self, bodies: &mut [Body], around: Surroundings, pace: f64) -> Vec<DVec2> {
+    /// The classical scheme on (x, v); the first evaluation has been made. Velocities and their slopes stay in the
+    /// frames of the places that the cells start from.
+    fn runge_kutta<G: Ground<Place = P>>(
+        &mut self,
+        bodies: &mut [Body<P>],
+        ground: G,
+        pace: f64,
+    ) -> Vec<DVec2> {
         let h = pace * RUNGE_KUTTA_STEP;
-        let start: Vec<(DVec2, DVec2)> = bodies
+        let start: Vec<(P, DVec2)> = bodies
             .iter()
             .map(|b| (b.particle.centre, b.velocity))
             .collect();
         let mut velocity: Vec<DVec2> = start.iter().map(|&(_, v)| v).collect();
+        let mut turns: Vec<Option<TurnOf<G>>> = vec![None; bodies.len()];
         let mut sums = vec![(DVec2::ZERO, DVec2::ZERO); bodies.len()];
         for (stage, weight) in [1.0, 2.0, 2.0, 1.0].into_iter().enumerate() {
             if stage > 0 {
-                self.evaluate(bodies, around, false);
+                self.evaluate(bodies, ground, false);
             }
             let ahead = if stage == 2 { h } else { 0.5 * h };
             for (i, body) in bodies.iter_mut().enumerate() {
                 if !self.awake[i] {
                     continue;
                 }
+                let force = self.forces[i];
+                let force = turns[i].map_or(force, |turn| turn.undo(force));
                 let (slope, pull) = (
                     velocity[i],
-                    self.forces[i] - damping(body.particle.kind) * velocity[i],
+                    force - damping(body.particle.kind) * velocity[i],
                 );
                 sums[i].0 += weight / 6.0 * slope;
                 sums[i].1 += weight / 6.0 * pull;
                 if stage < 3 {
-                    body.place(start[i].0 + ahead * slope, around.fields);
+                    let (there, turn) = ground.sight().beyond(start[i].0, ahead * slope);
+                    body.place(there, ground.fields());
+                    turns[i] = Some(turn);
                     velocity[i] = start[i].1 + ahead * pull;
                 }
             }
@@ -325,16 +346,20 @@ impl Motion {
 }
 
 /// Is there a wall between two cells, `r` apart? Those fixed on a constraint line see both its sides.
-fn is_walled_off(body: &Body, other: &Body, r: DVec2, domain: &Domain) -> bool {
+fn is_walled_off<S: Sees>(
+    body: &Body<S::Place>,
+    other: &Body<S::Place>,
+    r: DVec2,
+    sight: S,
+) -> bool {
     let (a, b) = (&body.particle, &other.particle);
     let sees_over = a.fixed || b.fixed;
-    domain.is_gap_between(a.centre, b.centre)
-        || (!sees_over && domain.crosses_line(a.centre, a.centre + r))
+    sight.is_gap_between(a.centre, b.centre) || (!sees_over && sight.crosses_line(a.centre, r))
 }
 
 /// Puts bodies in the order of the buckets they lie in, in a bucket by their ids. Answers where the
 /// bodies of each bucket begin.
-fn sort_by_bucket(bodies: &mut [Body], grid: &Grid) -> Vec<usize> {
+fn sort_by_bucket<P: Copy>(bodies: &mut [Body<P>], grid: &impl Buckets<P>) -> Vec<usize> {
     let buckets: Vec<usize> = bodies
         .iter()
         .map(|b| grid.bucket(b.particle.centre))

@@ -5,9 +5,11 @@
 //! fourth), whether or not somebody looks on.
 
 use super::force::{force_between, potential_between};
+use super::ground::{Carry, Sees, Walled};
+use super::run::{Body, Run};
 use super::shape::Shape;
 use super::wall::wall_force;
-use super::{Body, Packing, Particle};
+use super::{Packing, Particle};
 use crate::domain::Domain;
 use glam::DVec2;
 
@@ -51,26 +53,21 @@ const STRIDE: u32 = 4;
 /// Neighbours in rows and columns, or the six around, are nearer than so many stable distances.
 const NEAR: f64 = 1.25;
 
-impl Packing {
+impl<P: Copy> Run<P> {
     /// The potential energy of the cells among each other (eq. 4 summed over pairs), in units of
     /// the mean cell's k0, by the last row of the record; of cells just placed, theirs.
-    pub fn energy(&mut self, domain: &Domain) -> f64 {
+    pub fn energy<S: Sees<Place = P>>(&mut self, sight: S) -> f64 {
         match self.samples.last() {
             Some(last) => last.energy,
-            None => self.sum_energy(domain),
+            None => self.sum_energy(sight),
         }
     }
 
-    /// The record of the run, by rising steps.
-    pub fn samples(&self) -> &[Sample] {
-        &self.samples
-    }
-
     /// Writes a row of the record where it is time to: it depends on nothing but the run.
-    pub(super) fn sample(&mut self, domain: &Domain) {
+    pub(super) fn sample<S: Sees<Place = P>>(&mut self, sight: S) {
         let report = self.report;
         if report.cells <= MANY || report.step.is_multiple_of(STRIDE) || report.done {
-            let energy = self.sum_energy(domain);
+            let energy = self.sum_energy(sight);
             self.samples.push(Sample {
                 step: report.step,
                 energy,
@@ -79,10 +76,10 @@ impl Packing {
         }
     }
 
-    fn sum_energy(&mut self, domain: &Domain) -> f64 {
+    fn sum_energy<S: Sees<Place = P>>(&mut self, sight: S) -> f64 {
         let mut sum = 0.0;
-        self.each_pair(domain, &mut |a, b, r, _| {
-            sum += potential_between(&a.particle, &b.particle, r);
+        self.each_pair(sight, |a, b, way, _| {
+            sum += potential_between(&a.particle, &b.particle, way);
         });
         let count = self.bodies.len().max(1) as f64;
         let sizes = self.bodies.iter().map(|b| b.particle.size);
@@ -92,31 +89,39 @@ impl Packing {
 
     /// Calls `visit` with both bodies of each pair that may touch, the way from the first to the
     /// second, and where they are in `bodies`.
-    fn each_pair(&mut self, domain: &Domain, visit: Visit) {
-        self.motion.refresh(&mut self.bodies, domain);
-        let space = domain.space();
+    fn each_pair<S: Sees<Place = P>>(
+        &mut self,
+        sight: S,
+        mut visit: impl FnMut(&Body<P>, &Body<P>, (DVec2, S::Turn), (usize, usize)),
+    ) {
+        self.motion.refresh(&mut self.bodies, sight);
         for (i, j) in self.motion.pairs(&self.bodies) {
             let (a, b) = (&self.bodies[i], &self.bodies[j]);
-            let way = space.shortest(b.particle.centre - a.particle.centre);
-            visit(a, b, way, (i, j));
+            if let Some(way) = sight.way(a.particle.centre, b.particle.centre) {
+                visit(a, b, way, (i, j));
+            }
         }
     }
 
     /// The cells, in no special order, with the net force on each where it is now.
-    pub fn net_forces(&mut self, domain: &Domain) -> Vec<(Particle, NetForce)> {
+    pub fn net_forces<S: Sees<Place = P>, W: Walled<Place = P>>(
+        &mut self,
+        sight: S,
+        walls: W,
+    ) -> Vec<(Particle<P>, NetForce)> {
         let mut all = vec![NetForce::default(); self.bodies.len()];
-        self.each_pair(domain, &mut |a, b, r, (i, j)| {
-            let force = force_between(&a.particle, &b.particle, r);
-            let energy = 0.5 * potential_between(&a.particle, &b.particle, r);
+        self.each_pair(sight, |a, b, (r, turn), (i, j)| {
+            let force = force_between(&a.particle, &b.particle, (r, turn));
+            let energy = 0.5 * potential_between(&a.particle, &b.particle, (r, turn));
             all[i].force -= force;
-            all[j].force += force;
+            all[j].force += turn.undo(force);
             all[i].energy += energy;
             all[j].energy += energy;
         });
         let mut near = Vec::new();
         for (own, body) in all.iter_mut().zip(&self.bodies) {
             let size = body.particle.size;
-            own.force += wall_force(body, &self.walls, &mut near).0;
+            own.force += wall_force(body, walls, &mut near).0;
             own.force /= size;
             own.energy /= size * size;
         }
@@ -124,26 +129,51 @@ impl Packing {
     }
 
     /// The cells, in no special order, with how each is aligned.
-    pub fn alignments(&mut self, domain: &Domain) -> Vec<(Particle, Alignment)> {
+    pub fn alignments<S: Sees<Place = P>>(&mut self, sight: S) -> Vec<(Particle<P>, Alignment)> {
         let mut around = vec![Around::default(); self.bodies.len()];
-        self.each_pair(domain, &mut |a, b, r, (i, j)| {
-            let far = Shape::of(&a.particle).normalised_distance(&Shape::of(&b.particle), r);
+        self.each_pair(sight, |a, b, (r, turn), (i, j)| {
+            let other = Shape::of(&b.particle).seen(turn);
+            let far = Shape::of(&a.particle).normalised_distance(&other, r);
             if far < NEAR {
                 around[i].add(&a.particle, r, far);
-                around[j].add(&b.particle, -r, far);
+                around[j].add(&b.particle, -turn.undo(r), far);
             }
         });
         let bodies = self.bodies.iter().zip(around);
         let aligned =
-            |(body, around): (&Body, Around)| (body.particle, around.aligned(&body.particle));
+            |(body, around): (&Body<P>, Around)| (body.particle, around.aligned(&body.particle));
         bodies.map(aligned).collect()
+    }
+}
+
+impl Packing {
+    /// The potential energy of the cells among each other (eq. 4 summed over pairs), in units of
+    /// the mean cell's k0, by the last row of the record; of cells just placed, theirs.
+    pub fn energy(&mut self, domain: &Domain) -> f64 {
+        self.run.energy(domain)
+    }
+
+    /// The record of the run, by rising steps.
+    pub fn samples(&self) -> &[Sample] {
+        &self.run.samples
+    }
+
+    /// The cells, in no special order, with the net force on each where it is now.
+    pub fn net_forces(&mut self, domain: &Domain) -> Vec<(Particle, NetForce)> {
+        self.run.net_forces(domain, &self.walls)
+    }
+
+    /// The cells, in no special order, with how each is aligned.
+    pub fn alignments(&mut self, domain: &Domain) -> Vec<(Particle, Alignment)> {
+        self.run.alignments(domain)
     }
 
     /// The cell whose shape holds this place, and its place among the ids in rising order; where
     /// several do, the one whose middle is nearest by its own measure.
     pub fn at(&self, domain: &Domain, p: DVec2) -> Option<(usize, Particle)> {
+        let bodies = &self.run.bodies;
         let mut best: Option<(f64, &Particle)> = None;
-        for body in &self.bodies {
+        for body in bodies {
             let particle = &body.particle;
             let far = particle.relative_radius(domain.space().shortest(p - particle.centre));
             if best.map_or(far <= 1.0, |(least, _)| far < least) {
@@ -151,13 +181,10 @@ impl Packing {
             }
         }
         let particle = best?.1;
-        let before = self.bodies.iter().filter(|b| b.particle.id < particle.id);
+        let before = bodies.iter().filter(|b| b.particle.id < particle.id);
         Some((before.count(), *particle))
     }
 }
-
-/// Is told both bodies of a pair, the way from the first to the second, and their places.
-type Visit<'a> = &'a mut dyn FnMut(&Body, &Body, DVec2, (usize, usize));
 
 /// The neighbours of a cell, summed.
 #[derive(Clone, Copy, Debug, Default)]
@@ -170,7 +197,7 @@ struct Around {
 }
 
 impl Around {
-    fn add(&mut self, particle: &Particle, r: DVec2, far: f64) {
+    fn add<P>(&mut self, particle: &Particle<P>, r: DVec2, far: f64) {
         self.count += 1.0;
         self.far += far;
         let axis = particle.axis;
@@ -185,7 +212,7 @@ impl Around {
         };
     }
 
-    fn aligned(&self, particle: &Particle) -> Alignment {
+    fn aligned<P>(&self, particle: &Particle<P>) -> Alignment {
         if self.count == 0.0 {
             return Alignment {
                 spacing: 1.0,

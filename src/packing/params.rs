@@ -56,7 +56,7 @@ pub struct PackingParams {
 }
 
 /// The constants of the relaxation, in cell sizes where they are lengths.
-pub(super) struct Tuning {
+pub(crate) struct Tuning {
     /// A run has ended when no force is larger ...
     pub force_end: f64,
     /// ... nor any move of the last step ...
@@ -77,7 +77,7 @@ pub(super) struct Tuning {
     pub most_cells: f64,
 }
 
-pub(super) const TUNING: Tuning = Tuning {
+pub(crate) const TUNING: Tuning = Tuning {
     force_end: 0.05,
     move_end: 0.02,
     least_steps: 10,

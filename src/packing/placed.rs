@@ -1,56 +1,58 @@
 //! The cells placed so far, none of them in motion yet.
 
-use super::grid::Grid;
+use super::ground::{Asks, Buckets, Ground, Sees};
 use super::shape::Shape;
-use crate::domain::Domain;
-use crate::field::Fields;
-use glam::DVec2;
 
 /// The front takes a place whose nearest cell is at least this far, in stable distances.
-pub(super) const FRONT_GAP: f64 = 0.75;
+pub(crate) const FRONT_GAP: f64 = 0.75;
 
 /// Cells' centres, with the grid to find them.
-pub(super) struct Placed {
-    pub cells: Vec<DVec2>,
+pub(crate) struct Placed<P, B> {
+    pub cells: Vec<P>,
     shapes: Vec<Shape>,
-    grid: Grid,
+    grid: B,
     longest: f64,
 }
 
-impl Placed {
-    pub fn new(domain: &Domain, fields: &Fields) -> Self {
-        let (lo, hi) = domain.bounds();
+impl<P: Copy, B: Buckets<P>> Placed<P, B> {
+    pub fn new<G: Ground<Place = P, Sight: Sees<Grid = B>>>(ground: G) -> Self {
         Self {
             cells: Vec::new(),
             shapes: Vec::new(),
-            grid: Grid::new(lo, hi, fields.params().size),
+            grid: ground.sight().grid(ground.fields().mean_size()),
             longest: 0.0,
         }
     }
 
-    pub fn push(&mut self, fields: &Fields, p: DVec2) {
-        let shape = Shape::metric_at(fields, p);
+    pub fn push<A: Asks<Place = P>>(&mut self, asked: A, p: P) {
+        let shape = Shape::metric_at(asked, p);
         self.cells.push(p);
         self.shapes.push(shape);
         self.grid.push(p);
         self.longest = self.longest.max(shape.length());
     }
 
-    /// Puts a cell into the middle of each island that has none.
-    pub fn fill_empty_islands(&mut self, domain: &Domain, fields: &Fields) {
-        for p in domain.empty_middles(&self.cells) {
-            self.push(fields, p);
+    /// Puts a cell into the middle of each part that has none.
+    pub fn fill_empty_parts<G: Ground<Place = P, Sight: Sees<Grid = B>>>(&mut self, ground: G) {
+        for p in ground.empty_parts(&self.cells) {
+            self.push(ground.fields(), p);
         }
     }
 
     /// Is every cell at least `gap` stable distances away from this place?
-    pub fn is_free(&self, domain: &Domain, fields: &Fields, p: DVec2, gap: f64) -> bool {
-        let shape = Shape::metric_at(fields, p);
+    pub fn is_free<G: Ground<Place = P, Sight: Sees<Grid = B>>>(
+        &self,
+        ground: G,
+        p: P,
+        gap: f64,
+    ) -> bool {
+        let shape = Shape::metric_at(ground.fields(), p);
         let reach = gap * 0.5 * (shape.length() + self.longest);
-        let space = domain.space();
-        !self.grid.any_near(space, p, reach, |k| {
-            let r = space.shortest(self.cells[k] - p);
-            shape.is_closer(&self.shapes[k], r, gap) && !domain.is_parted(p, p + r)
+        !ground.sight().any_near(&self.grid, p, reach, |k| {
+            let Some((r, turn)) = ground.sight().way(p, self.cells[k]) else {
+                return false;
+            };
+            shape.is_closer(&self.shapes[k].seen(turn), r, gap) && !ground.sight().is_parted(p, r)
         })
     }
 }

@@ -2,12 +2,13 @@
 
 use super::boundary_cells::{boundary_cells, line_pieces, pieces};
 use super::front::Front;
+use super::grid::Grid;
 use super::placed::Placed;
+use super::plane::Surroundings;
 use super::quadtree::Quadtree;
+use super::run::Run;
 use super::wall::reach;
-use super::{
-    BoundaryCondition, Packing, PackingParams, Start, Surroundings, TUNING, greatest_length,
-};
+use super::{BoundaryCondition, Packing, PackingParams, Start, TUNING, greatest_length};
 use crate::decimal;
 use crate::domain::{Domain, Walls};
 use crate::field::Fields;
@@ -21,7 +22,7 @@ const PLACES: usize = 2000;
 pub struct Placing {
     params: PackingParams,
     walls: Walls,
-    placed: Placed,
+    placed: Placed<DVec2, Grid>,
     /// So many of them stand along the boundary.
     along: usize,
     inside: Inside,
@@ -47,10 +48,16 @@ impl Placing {
             return Err(notice.with("most", decimal::text(TUNING.most_cells)));
         }
         let walls = Walls::new(domain, reach(greatest_length(domain, fields, &params)));
-        let mut placed = along_boundary(domain, fields, params.boundary == BoundaryCondition::On);
+        let around = Surroundings {
+            domain,
+            fields,
+            walls: &walls,
+            boundary: params.boundary,
+        };
+        let mut placed = along_boundary(around);
         let along = placed.cells.len();
         let inside = match params.start {
-            Start::Stream => Inside::Front(Front::new(&mut placed, domain, fields, params.seed)),
+            Start::Stream => Inside::Front(Front::new(&mut placed, around, params.seed)),
             Start::Quadtree => Inside::Quadtree(Quadtree::new(domain, fields)),
         };
         Ok(Self {
@@ -79,32 +86,45 @@ impl Placing {
 
     /// The packing of the cells so far.
     pub fn finish(mut self, domain: &Domain, fields: &Fields) -> Packing {
-        self.placed.fill_empty_islands(domain, fields);
+        let around = Surroundings {
+            domain,
+            fields,
+            walls: &self.walls,
+            boundary: self.params.boundary,
+        };
+        self.placed.fill_empty_parts(around);
         let fixed = self.params.boundary == BoundaryCondition::On;
         let cells = self.placed.cells.iter().enumerate();
         let cells = cells.map(|(k, &centre)| (centre, fixed && k < self.along));
-        Packing::of(cells, fields, self.params, self.walls)
+        Packing {
+            run: Run::of(cells, fields, self.params),
+            walls: self.walls,
+        }
     }
 }
 
 /// The cells along the rings and the constraint lines.
-fn along_boundary(domain: &Domain, fields: &Fields, fixed: bool) -> Placed {
-    let mut placed = Placed::new(domain, fields);
-    for island in domain.islands() {
+fn along_boundary(around: Surroundings) -> Placed<DVec2, Grid> {
+    let fixed = around.boundary == BoundaryCondition::On;
+    let mut placed = Placed::new(around);
+    let islands = || around.domain.islands().iter();
+    // Each for itself.
+    let within = |domain| Surroundings { domain, ..around };
+    for island in islands() {
         for piece in island.rings().iter().flat_map(|ring| pieces(ring, true)) {
-            boundary_cells(&mut placed, &piece, fields, island, fixed);
+            boundary_cells(&mut placed, &piece, within(island), fixed);
         }
     }
-    for island in domain.islands() {
+    for island in islands() {
         let lines = island.lines().iter();
         for piece in lines.flat_map(|line| line_pieces(line, fixed)) {
-            boundary_cells(&mut placed, &piece, fields, island, fixed);
+            boundary_cells(&mut placed, &piece, within(island), fixed);
         }
     }
     placed
 }
 
 /// The centres of the cells that are fixed on the boundary.
-pub(super) fn on_boundary(domain: &Domain, fields: &Fields) -> Vec<DVec2> {
-    along_boundary(domain, fields, true).cells
+pub(super) fn on_boundary(around: Surroundings) -> Vec<DVec2> {
+    along_boundary(around).cells
 }

@@ -6,14 +6,12 @@
 //! one instead. Rows and columns hold a whole number of cells: what is left over may lie in several
 //! gaps, none of them as wide as a cell, so rows are measured over some cells, too.
 
-use super::Surroundings;
-use super::clearance::{has_room, middle_of_narrow};
 use super::front::slots;
-use super::grid::Grid;
+use super::ground::{Buckets, Carry, Foot, FootOf, GridOf, Ground, Sees, TurnOf, Walled};
+use super::run::Body;
 use super::shape::Shape;
-use super::{Body, BoundaryCondition, PackingParams, Population};
-use crate::domain::{Domain, Projection};
-use crate::field::{Fields, Kind};
+use super::{BoundaryCondition, PackingParams, Population};
+use crate::field::Kind;
 use crate::order;
 use glam::DVec2;
 
@@ -44,45 +42,47 @@ const ROW: f64 = 0.55;
 const MOST_CHANGED: f64 = 0.1;
 
 /// What to change: `remove[i]` for the body i, and the centres of new cells.
-pub(super) struct Change {
+pub(super) struct Change<P> {
     pub remove: Vec<bool>,
-    pub add: Vec<DVec2>,
+    pub add: Vec<P>,
 }
 
 /// A place for one more cell.
-struct Site {
-    place: DVec2,
+struct Site<P> {
+    place: P,
     /// The shape of a cell there.
     shape: Shape,
     /// All cells have to be this far from it, in stable distances.
     room: f64,
 }
 
-impl Site {
-    fn new(place: DVec2, shape: Shape) -> Self {
+impl<P> Site<P> {
+    fn new(place: P, shape: Shape) -> Self {
         let room = limits(shape.kind()).1;
         Self { place, shape, room }
     }
 }
 
-struct Census<'a> {
-    domain: &'a Domain,
-    bodies: &'a [Body],
+struct Census<'a, G: Ground> {
+    ground: G,
+    bodies: &'a [Body<G::Place>],
     shapes: Vec<Shape>,
-    grid: Grid,
+    grid: GridOf<G>,
     longest: f64,
 }
 
-pub(super) fn change(around: Surroundings, bodies: &[Body], params: &PackingParams) -> Change {
-    let Surroundings { domain, fields, .. } = around;
+pub(super) fn change<G: Ground>(
+    ground: G,
+    bodies: &[Body<G::Place>],
+    params: &PackingParams,
+) -> Change<G::Place> {
     let shapes: Vec<Shape> = bodies.iter().map(|b| Shape::of(&b.particle)).collect();
     let longest = shapes.iter().fold(0.0_f64, |m, s| m.max(s.length()));
-    let (lo, hi) = domain.bounds();
     let mut census = Census {
-        domain,
+        ground,
         bodies,
         shapes,
-        grid: Grid::new(lo, hi, longest),
+        grid: ground.sight().grid(longest),
         longest,
     };
     for body in bodies {
@@ -91,7 +91,7 @@ pub(super) fn change(around: Surroundings, bodies: &[Body], params: &PackingPara
     let nearest: Vec<f64> = (0..bodies.len()).map(|i| census.nearest(i)).collect();
     let most = (MOST_CHANGED * bodies.len() as f64).ceil() as usize;
     let remove = census.crowded(&nearest, most);
-    let mut add: Vec<DVec2> = Vec::new();
+    let mut add: Vec<G::Place> = Vec::new();
     // In the order of ids, not of memory: the order in memory follows the moves of all.
     let mut order: Vec<usize> = (0..bodies.len()).collect();
     order::sort(&mut order, |&i| (bodies[i].particle.id.into(), 0));
@@ -102,35 +102,45 @@ pub(super) fn change(around: Surroundings, bodies: &[Body], params: &PackingPara
         if params.population == Population::Smallest && nearest[i] < LONELY {
             continue;
         }
-        for site in census.sites(i, fields) {
-            add.extend(census.fitting(site, &add, around));
+        for site in census.sites(i) {
+            add.extend(census.fitting(site, &add));
         }
     }
     Change { remove, add }
 }
 
 /// A new cell may not stand between two walls that are nearer to each other than a cell.
-fn clear_of_walls(place: DVec2, shape: &Shape, around: Surroundings) -> bool {
+fn clear_of_walls<G: Ground>(place: G::Place, shape: &Shape, ground: G) -> bool {
     let mut near = Vec::new();
-    around.walls.project(place, shape.length(), &mut near);
-    let least = match around.boundary {
+    ground.walls().feet(place, shape.length(), &mut near);
+    let least = match ground.boundary() {
         BoundaryCondition::Wall => 0.4,
         BoundaryCondition::On => 0.7,
     };
-    let is_clear = |wall: &Projection| wall.distance >= least * shape.extent(wall.inward);
+    let is_clear = |wall: &FootOf<G>| wall.distance() >= least * shape.extent(wall.inward());
     near.iter().all(is_clear)
 }
 
-impl Census<'_> {
+/// The next body of a row.
+struct Next {
+    body: usize,
+    /// The way to it, and the same way on from it.
+    way: DVec2,
+    onwards: DVec2,
+    /// How far that is, in stable distances.
+    far: f64,
+}
+
+impl<G: Ground> Census<'_, G> {
     /// The places for one more cell beside a body.
-    fn sites(&self, i: usize, fields: &Fields) -> Vec<Site> {
+    fn sites(&self, i: usize) -> Vec<Site<G::Place>> {
         let centre = self.bodies[i].particle.centre;
-        let at = |p: DVec2| {
-            let place = self.domain.space().wrap(p);
-            Site::new(place, Shape::metric_at(fields, place))
+        let at = |p: G::Place| {
+            let place = self.ground.sight().home(p);
+            Site::new(place, Shape::metric_at(self.ground.fields(), place))
         };
         let mut sites = Vec::with_capacity(8);
-        for place in slots(centre, self.shapes[i], fields) {
+        for place in slots(centre, self.shapes[i], self.ground) {
             let site = at(place);
             let has_corners = site.shape.kind().has_corners();
             sites.push(site);
@@ -148,81 +158,101 @@ impl Census<'_> {
     /// middle there.
     fn fitting(
         &self,
-        Site { place, shape, room }: Site,
-        add: &[DVec2],
-        around: Surroundings,
-    ) -> Option<DVec2> {
-        let is_free = |place: DVec2, shape: &Shape| {
-            let is_near = |&other: &DVec2| {
-                let way = around.domain.space().shortest(other - place);
-                shape.is_closer(shape, way, room)
+        Site { place, shape, room }: Site<G::Place>,
+        add: &[G::Place],
+    ) -> Option<G::Place> {
+        let ground = self.ground;
+        let is_free = |place: G::Place, shape: &Shape| {
+            let is_near = |&other: &G::Place| {
+                let way = ground.sight().way(place, other);
+                way.is_some_and(|(r, _)| shape.is_closer(shape, r, room))
             };
             self.is_free(place, shape, room) && !add.iter().any(is_near)
         };
         if !is_free(place, &shape) {
             return None;
         }
-        if has_room(place, around) && clear_of_walls(place, &shape, around) {
+        if ground.has_room(place) && clear_of_walls(place, &shape, ground) {
             return Some(place);
         }
-        middle_of_narrow(place, around)
-            .filter(|&middle| is_free(middle, &Shape::metric_at(around.fields, middle)))
+        ground
+            .middle_of_narrow(place)
+            .filter(|&middle| is_free(middle, &Shape::metric_at(ground.fields(), middle)))
     }
 
     /// The middle of the gap between a body and the next one of its row at `to`, where the row
     /// around is loose and has no wider gap.
-    fn in_loose_row(&self, i: usize, to: DVec2) -> Option<DVec2> {
+    fn in_loose_row(&self, i: usize, to: G::Place) -> Option<G::Place> {
         if !self.shapes[i].kind().has_corners() {
             return None;
         }
-        let (next, way, gap) = self.next(i, to)?;
+        let Next {
+            body: next,
+            way,
+            onwards,
+            far: gap,
+        } = self.next(i, to)?;
         if gap < GAP {
             return None;
         }
         let mut slack = gap - 1.0;
-        for (mut at, mut along) in [(next, way), (i, -way)] {
+        for (mut at, mut along) in [(next, onwards), (i, -way)] {
             for _ in 0..WINDOW {
                 let touching = along / self.shapes[at].cells_along(along);
-                let to = self.bodies[at].particle.centre + touching;
-                let Some((beyond, further, width)) = self.next(at, to) else {
+                let (to, _) = self
+                    .ground
+                    .sight()
+                    .beyond(self.bodies[at].particle.centre, touching);
+                let Some(next) = self.next(at, to) else {
                     break;
                 };
-                if width > gap {
+                if next.far > gap {
                     return None;
                 }
-                slack += width - 1.0;
-                (at, along) = (beyond, further);
+                slack += next.far - 1.0;
+                (at, along) = (next.body, next.onwards);
             }
         }
-        (slack > LOOSE).then(|| self.bodies[i].particle.centre + 0.5 * way)
+        let middle = || {
+            self.ground
+                .sight()
+                .beyond(self.bodies[i].particle.centre, 0.5 * way)
+        };
+        (slack > LOOSE).then(|| middle().0)
     }
 
-    /// The next body of a row, that at the place where it would touch this one: with the way to it,
-    /// and how far that is in stable distances.
-    fn next(&self, i: usize, to: DVec2) -> Option<(usize, DVec2, f64)> {
+    /// The next body of a row, that at the place where it would touch this one.
+    fn next(&self, i: usize, to: G::Place) -> Option<Next> {
         let (centre, shape) = (self.bodies[i].particle.centre, &self.shapes[i]);
         let mut best = None;
         let mut least = ROW;
-        self.any_near(to, shape, ROW, |k, r| {
-            let far = shape.normalised_distance(&self.shapes[k], r);
-            if k != i && far < least && !self.domain.is_parted(to, to + r) {
+        self.any_near(to, shape, ROW, |k, r, turn| {
+            let far = shape.normalised_distance(&self.shapes[k].seen(turn), r);
+            if k != i && far < least && !self.ground.sight().is_parted(to, r) {
                 (least, best) = (far, Some(k));
             }
             false
         });
-        let k = best?;
-        let way = self.bodies[k].particle.centre - centre;
-        let way = self.domain.space().shortest(way);
-        Some((k, way, shape.normalised_distance(&self.shapes[k], way)))
+        let body = best?;
+        let (way, turn) = self
+            .ground
+            .sight()
+            .way(centre, self.bodies[body].particle.centre)?;
+        Some(Next {
+            body,
+            way,
+            onwards: turn.undo(way),
+            far: shape.normalised_distance(&self.shapes[body].seen(turn), way),
+        })
     }
 
     /// The smallest w between a body and the others (2 where none is near).
     fn nearest(&self, i: usize) -> f64 {
         let (at, shape) = (self.bodies[i].particle.centre, &self.shapes[i]);
         let mut least = 2.0_f64;
-        self.any_near(at, shape, 1.0, |k, r| {
-            let far = shape.normalised_distance(&self.shapes[k], r);
-            if k != i && far < least && !self.domain.is_parted(at, at + r) {
+        self.any_near(at, shape, 1.0, |k, r, turn| {
+            let far = shape.normalised_distance(&self.shapes[k].seen(turn), r);
+            if k != i && far < least && !self.ground.sight().is_parted(at, r) {
                 least = far;
             }
             false
@@ -231,25 +261,26 @@ impl Census<'_> {
     }
 
     /// Is every body at least `room` stable distances away from this place?
-    fn is_free(&self, at: DVec2, shape: &Shape, room: f64) -> bool {
-        !self.any_near(at, shape, room, |k, r| {
-            shape.is_closer(&self.shapes[k], r, room) && !self.domain.is_parted(at, at + r)
+    fn is_free(&self, at: G::Place, shape: &Shape, room: f64) -> bool {
+        !self.any_near(at, shape, room, |k, r, turn| {
+            shape.is_closer(&self.shapes[k].seen(turn), r, room)
+                && !self.ground.sight().is_parted(at, r)
         })
     }
 
     /// Does it hold for any body that may be nearer than `w` stable distances? It is told the body's
-    /// number and the way to it, which walls may cut.
+    /// number and the way to it, which walls may cut, with what carries vectors from there.
     fn any_near(
         &self,
-        at: DVec2,
+        at: G::Place,
         shape: &Shape,
         w: f64,
-        mut test: impl FnMut(usize, DVec2) -> bool,
+        mut test: impl FnMut(usize, DVec2, TurnOf<G>) -> bool,
     ) -> bool {
-        let space = self.domain.space();
         let reach = w * 0.5 * (shape.length() + self.longest);
-        self.grid.any_near(space, at, reach, |k| {
-            test(k, space.shortest(self.bodies[k].particle.centre - at))
+        self.ground.sight().any_near(&self.grid, at, reach, |k| {
+            let way = self.ground.sight().way(at, self.bodies[k].particle.centre);
+            way.is_some_and(|(r, turn)| test(k, r, turn))
         })
     }
 
@@ -267,11 +298,18 @@ impl Census<'_> {
         let mut count = 0;
         for i in tight {
             let (centre, shape) = (self.bodies[i].particle.centre, &self.shapes[i]);
-            let (space, reach) = (self.domain.space(), 1.5 * self.longest);
-            let beside = self.grid.any_near(space, centre, reach, |k| {
-                let r = self.bodies[k].particle.centre - centre;
-                remove[k] && shape.is_closer(shape, space.shortest(r), 1.5)
-            });
+            let reach = 1.5 * self.longest;
+            let beside = self
+                .ground
+                .sight()
+                .any_near(&self.grid, centre, reach, |k| {
+                    let way = || {
+                        self.ground
+                            .sight()
+                            .way(centre, self.bodies[k].particle.centre)
+                    };
+                    remove[k] && way().is_some_and(|(r, _)| shape.is_closer(shape, r, 1.5))
+                });
             if !beside && count < most {
                 remove[i] = true;
                 count += 1;

@@ -1,8 +1,9 @@
 //! One cell in every leaf of a quadtree: the papers' way to fill the inside at first.
 
-use super::Surroundings;
 use super::clearance::has_room;
+use super::grid::Grid;
 use super::placed::Placed;
+use super::plane::Surroundings;
 use crate::domain::Domain;
 use crate::field::Fields;
 use glam::DVec2;
@@ -31,8 +32,8 @@ impl Quadtree {
     }
 
     /// Looks at the next square; true when there is none.
-    pub fn grow(&mut self, placed: &mut Placed, around: Surroundings) -> bool {
-        let Surroundings { domain, fields, .. } = around;
+    pub fn grow(&mut self, placed: &mut Placed<DVec2, Grid>, around: Surroundings) -> bool {
+        let fields = around.fields;
         let Some((corner, side)) = self.open.pop() else {
             return true;
         };
@@ -42,7 +43,7 @@ impl Quadtree {
             for (x, y) in [(half, half), (0.0, half), (half, 0.0), (0.0, 0.0)] {
                 self.open.push((corner + DVec2::new(x, y), half));
             }
-        } else if placed.is_free(domain, fields, middle, LEAF_GAP) && has_room(middle, around) {
+        } else if placed.is_free(around, middle, LEAF_GAP) && has_room(middle, around) {
             placed.push(fields, middle);
         }
         false

@@ -6,7 +6,8 @@
 //! itself.
 
 use super::Particle;
-use crate::field::{Fields, Kind};
+use super::ground::{Asks, Carry};
+use crate::field::Kind;
 use glam::DVec2;
 
 /// Where the bubble force ends, in stable distances.
@@ -18,7 +19,7 @@ pub(super) const SQUARE_REACH: f64 = std::f64::consts::FRAC_1_SQRT_2 * (1.0 + CU
 
 /// A cell's kind, direction, size and aspect ratio, without its place.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Shape {
+pub(crate) struct Shape {
     kind: Kind,
     axis: DVec2,
     pub size: f64,
@@ -102,18 +103,27 @@ impl Particle {
 
 impl Shape {
     /// What a cell at this point should be.
-    pub fn at(fields: &Fields, p: DVec2) -> Self {
-        let kind = fields.kind(p);
-        Self::new(kind, fields.direction(p), fields.size(p), fields.aspect(p))
+    pub fn at<A: Asks>(asked: A, p: A::Place) -> Self {
+        let kind = asked.kind(p);
+        Self::new(kind, asked.direction(p), asked.size(p), asked.aspect(p))
     }
 
     /// Its metric only: without the axis where the cell is not stretched, which is quicker.
-    pub fn metric_at(fields: &Fields, p: DVec2) -> Self {
-        let kind = fields.kind(p);
+    pub fn metric_at<A: Asks>(asked: A, p: A::Place) -> Self {
+        let kind = asked.kind(p);
         if kind.is_stretched() {
-            Self::at(fields, p)
+            Self::at(asked, p)
         } else {
-            Self::new(kind, DVec2::ZERO, fields.size(p), 1.0)
+            Self::new(kind, DVec2::ZERO, asked.size(p), 1.0)
+        }
+    }
+
+    /// As it is seen from another place.
+    #[inline(always)]
+    pub fn seen(self, turn: impl Carry) -> Self {
+        Self {
+            axis: turn.apply(self.axis),
+            ..self
         }
     }
 
@@ -127,7 +137,7 @@ impl Shape {
         }
     }
 
-    pub fn of(particle: &Particle) -> Self {
+    pub fn of<P>(particle: &Particle<P>) -> Self {
         let &Particle {
             kind,
             axis,

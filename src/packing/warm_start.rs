@@ -2,10 +2,12 @@
 //! is dragged, the cells flow after it. Nothing of this ever reaches a finished picture.
 
 use super::placement::on_boundary;
+use super::plane::Surroundings;
+use super::run::Body;
 use super::shape::Shape;
 use super::wall::{CLOSEST, reach};
 use super::{
-    Body, BoundaryCondition, Packing, PackingParams, Particle, Population, TUNING, greatest_length,
+    BoundaryCondition, Packing, PackingParams, Particle, Population, TUNING, greatest_length,
 };
 use crate::domain::{Domain, Walls};
 use crate::field::Fields;
@@ -24,43 +26,50 @@ impl Packing {
         if params.population == Population::Off {
             params.population = Population::Slots;
         }
-        self.params = params;
         self.walls = Walls::new(domain, reach(greatest_length(domain, fields, &params)));
-        let (mut held, mut free): (Vec<Body>, Vec<Body>) =
-            self.bodies.iter().partition(|body| body.particle.fixed);
+        let run = &mut self.run;
+        run.params = params;
+        let (mut held, mut free): (Vec<Body<DVec2>>, Vec<Body<DVec2>>) =
+            run.bodies.iter().partition(|body| body.particle.fixed);
         order::sort(&mut held, |body| (body.particle.id.into(), 0));
         free.retain_mut(|body| move_in(body, domain, fields));
-        self.bodies = free;
+        run.bodies = free;
         if params.boundary == BoundaryCondition::On {
             // Cells that stood there before keep their names, and so their colours.
             let mut names = held.iter().map(|body| body.particle.id);
-            for centre in on_boundary(domain, fields) {
+            let around = Surroundings {
+                domain,
+                fields,
+                walls: &self.walls,
+                boundary: params.boundary,
+            };
+            for centre in on_boundary(around) {
                 let name = names.next();
-                self.add(fields, centre, true);
-                if let (Some(id), Some(body)) = (name, self.bodies.last_mut()) {
+                run.add(fields, centre, true);
+                if let (Some(id), Some(body)) = (name, run.bodies.last_mut()) {
                     body.particle.id = id;
-                    self.next_id -= 1;
+                    run.next_id -= 1;
                 }
             }
         }
         if domain.islands().len() > 1 {
-            let centres: Vec<DVec2> = self.bodies.iter().map(|b| b.particle.centre).collect();
+            let centres: Vec<DVec2> = run.bodies.iter().map(|b| b.particle.centre).collect();
             for centre in domain.empty_middles(&centres) {
-                self.add(fields, centre, false);
+                run.add(fields, centre, false);
             }
         }
-        self.assign_sizes(fields);
-        self.motion.forget();
-        self.controlled = 0;
-        self.report.step = TUNING.population_every;
-        self.report.cells = self.bodies.len();
-        self.report.done = self.bodies.is_empty();
-        self.report.converged = false;
+        run.assign_sizes(fields);
+        run.motion.forget();
+        run.controlled = 0;
+        run.report.step = TUNING.population_every;
+        run.report.cells = run.bodies.len();
+        run.report.done = run.bodies.is_empty();
+        run.report.converged = false;
     }
 }
 
 /// Puts a free cell where it may stand; false where it is too far from there.
-fn move_in(body: &mut Body, domain: &Domain, fields: &Fields) -> bool {
+fn move_in(body: &mut Body<DVec2>, domain: &Domain, fields: &Fields) -> bool {
     let mut centre = domain.space().wrap(body.particle.centre);
     let near = domain.nearest(centre);
     if near.distance < -FAR * body.particle.size {

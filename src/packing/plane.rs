@@ -1,0 +1,301 @@
+//! The plane within an outline, as the ground of a packing.
+
+use super::BoundaryCondition;
+use super::clearance::{has_room, middle_of_narrow};
+use super::grid::Grid;
+use super::ground::{Asks, Buckets, Carry, Foot, Ground, Sees, Walled};
+use super::shape::Shape;
+use super::wall::CLOSEST;
+use crate::domain::{Domain, Projection, Walls};
+use crate::field::{Fields, Kind};
+use crate::random::Random;
+use glam::DVec2;
+use std::ops::Range;
+
+/// An outline, with the fields and the walls in it.
+#[derive(Clone, Copy)]
+pub(super) struct Surroundings<'a> {
+    pub domain: &'a Domain,
+    pub fields: &'a Fields,
+    pub walls: &'a Walls,
+    pub boundary: BoundaryCondition,
+}
+
+/// All frames are one.
+#[derive(Clone, Copy)]
+pub(crate) struct InPlane;
+
+impl Carry for InPlane {
+    #[inline(always)]
+    fn apply(self, v: DVec2) -> DVec2 {
+        v
+    }
+
+    #[inline(always)]
+    fn undo(self, v: DVec2) -> DVec2 {
+        v
+    }
+}
+
+impl Foot for Projection {
+    fn distance(&self) -> f64 {
+        self.distance
+    }
+
+    fn inward(&self) -> DVec2 {
+        self.inward
+    }
+}
+
+impl Asks for &Fields {
+    type Place = DVec2;
+
+    fn kind(self, p: DVec2) -> Kind {
+        Fields::kind(self, p)
+    }
+
+    fn size(self, p: DVec2) -> f64 {
+        Fields::size(self, p)
+    }
+
+    fn aspect(self, p: DVec2) -> f64 {
+        Fields::aspect(self, p)
+    }
+
+    fn direction(self, p: DVec2) -> DVec2 {
+        Fields::direction(self, p)
+    }
+
+    fn mean_size(self) -> f64 {
+        self.params().size
+    }
+}
+
+impl Buckets<DVec2> for Grid {
+    fn bucket(&self, p: DVec2) -> usize {
+        Grid::bucket(self, p)
+    }
+
+    fn buckets(&self) -> usize {
+        Grid::buckets(self)
+    }
+
+    fn runs_near(&self, p: DVec2, radius: f64) -> impl Iterator<Item = Range<usize>> {
+        Grid::runs_near(self, p, radius)
+    }
+
+    fn push(&mut self, p: DVec2) {
+        Grid::push(self, p);
+    }
+}
+
+impl Sees for &Domain {
+    type Place = DVec2;
+    type Turn = InPlane;
+    type Grid = Grid;
+
+    fn area(self) -> f64 {
+        Domain::area(self)
+    }
+
+    #[inline(always)]
+    fn way(self, from: DVec2, to: DVec2) -> Option<(DVec2, InPlane)> {
+        Some((self.space().shortest(to - from), InPlane))
+    }
+
+    fn images(self, p: DVec2, reach: f64) -> impl Iterator<Item = DVec2> {
+        self.space().images(p, reach)
+    }
+
+    #[inline(always)]
+    fn way_from(self, image: DVec2, to: DVec2) -> Option<(DVec2, InPlane)> {
+        let r = to - image;
+        self.space().is_shortest(r).then_some((r, InPlane))
+    }
+
+    fn beyond(self, from: DVec2, by: DVec2) -> (DVec2, InPlane) {
+        (from + by, InPlane)
+    }
+
+    fn home(self, p: DVec2) -> DVec2 {
+        self.space().wrap(p)
+    }
+
+    fn distance(self, from: DVec2, to: DVec2) -> f64 {
+        self.space().shortest(to - from).length()
+    }
+
+    fn has_left(self, from: DVec2, to: DVec2, square: f64) -> bool {
+        to.distance_squared(from) >= square
+    }
+
+    fn is_parted(self, p: DVec2, r: DVec2) -> bool {
+        Domain::is_parted(self, p, p + r)
+    }
+
+    fn crosses_line(self, p: DVec2, r: DVec2) -> bool {
+        Domain::crosses_line(self, p, p + r)
+    }
+
+    fn is_gap_between(self, p: DVec2, q: DVec2) -> bool {
+        Domain::is_gap_between(self, p, q)
+    }
+
+    fn grid(self, step: f64) -> Grid {
+        let (lo, hi) = self.bounds();
+        Grid::new(lo, hi, step)
+    }
+
+    fn grid_around(self, mut places: impl Iterator<Item = DVec2>, step: f64) -> Grid {
+        let first = places.next().unwrap_or_default();
+        let (lo, hi) = places.fold((first, first), |(lo, hi), p| (lo.min(p), hi.max(p)));
+        Grid::new(lo, hi, step)
+    }
+
+    fn any_near(
+        self,
+        grid: &Grid,
+        p: DVec2,
+        radius: f64,
+        visit: impl FnMut(usize) -> bool,
+    ) -> bool {
+        grid.any_near(self.space(), p, radius, visit)
+    }
+}
+
+impl Walled for &Walls {
+    type Place = DVec2;
+    type Foot = Projection;
+
+    fn is_near(self, p: DVec2) -> bool {
+        Walls::is_near(self, p)
+    }
+
+    fn reach(self) -> f64 {
+        Walls::reach(self)
+    }
+
+    fn feet(self, p: DVec2, reach: f64, feet: &mut Vec<Projection>) {
+        self.project(p, reach, feet);
+    }
+}
+
+impl<'a> Ground for Surroundings<'a> {
+    type Place = DVec2;
+    type Fields = &'a Fields;
+    type Sight = &'a Domain;
+    type Walls = &'a Walls;
+
+    fn fields(self) -> &'a Fields {
+        self.fields
+    }
+
+    fn sight(self) -> &'a Domain {
+        self.domain
+    }
+
+    fn walls(self) -> &'a Walls {
+        self.walls
+    }
+
+    fn boundary(self) -> BoundaryCondition {
+        self.boundary
+    }
+
+    fn moved(self, from: DVec2, by: DVec2, shape: Shape, is_clear: bool) -> (DVec2, InPlane) {
+        let has_lines = !self.domain.lines().is_empty();
+        let to = match is_clear && !has_lines {
+            true => self.domain.space().wrap(from + by),
+            false => keep_inside(from, from + by, shape, self),
+        };
+        (to, InPlane)
+    }
+
+    fn has_room(self, p: DVec2) -> bool {
+        has_room(p, self)
+    }
+
+    fn middle_of_narrow(self, p: DVec2) -> Option<DVec2> {
+        middle_of_narrow(p, self)
+    }
+
+    fn empty_parts(self, cells: &[DVec2]) -> Vec<DVec2> {
+        self.domain.empty_middles(cells)
+    }
+
+    fn has_parts(self) -> bool {
+        self.domain.islands().len() > 1
+    }
+
+    fn hearts(self) -> Vec<DVec2> {
+        let islands = self.domain.islands().iter();
+        islands.filter_map(Domain::deepest).collect()
+    }
+
+    fn honeycombs(self) -> Vec<DVec2> {
+        let islands = self.domain.islands().iter();
+        islands.map(|i| along_most(i, self.fields)).collect()
+    }
+
+    fn honeycomb(self, p: DVec2) -> Option<usize> {
+        Some(self.domain.island(p))
+    }
+
+    fn anywhere(self, random: &mut Random) -> DVec2 {
+        let (lo, hi) = self.domain.bounds();
+        lo + (hi - lo) * DVec2::new(random.unit(), random.unit())
+    }
+}
+
+/// Puts a centre that has moved too near to the boundary or a constraint line, or beyond it, back to
+/// its own side; on a torus, back into the picture.
+pub(super) fn keep_inside(from: DVec2, to: DVec2, shape: Shape, around: Surroundings) -> DVec2 {
+    let domain = around.domain;
+    // After a move shorter than the reach of the walls, a cell beyond them is near them.
+    let is_short = from.distance(to) < around.walls.reach();
+    if is_short && domain.is_in_box(to) && !around.walls.is_near(to) {
+        return to;
+    }
+    let near = domain.nearest(to);
+    let mut centre = to;
+    let least = CLOSEST * shape.extent(near.inward);
+    if near.distance < least {
+        // Where the outline is narrower than that, in its middle.
+        let depth = domain.medial_depth(near.point, near.inward, least);
+        centre = if depth > 0.0 {
+            near.point + near.inward * depth
+        } else {
+            from
+        };
+    }
+    if domain.is_parted(from, centre) {
+        centre = from;
+    }
+    if let Some(line) = domain.nearest_line(centre) {
+        let least = CLOSEST * shape.extent(line.inward);
+        let away = line.point + line.inward * least;
+        if line.distance < least
+            && domain.nearest(away).distance > 0.0
+            && !domain.is_parted(centre, away)
+        {
+            centre = away;
+        }
+    }
+    domain.space().wrap(centre)
+}
+
+/// The direction in which a honeycomb's rows lie along as much of the boundary as can be: six turns
+/// of it look alike, so it is a sixth of the angle of the mean of the six-fold vectors. Without a
+/// boundary, that of the fields.
+fn along_most(domain: &Domain, fields: &Fields) -> DVec2 {
+    if domain.segments().is_empty() {
+        return fields.direction(DVec2::ZERO);
+    }
+    let mut sum = DVec2::ZERO;
+    for [a, b] in domain.segments() {
+        let (length, angle) = (a.distance(*b), libm::atan2(b.y - a.y, b.x - a.x));
+        sum += length * DVec2::new(libm::cos(6.0 * angle), libm::sin(6.0 * angle));
+    }
+    let angle = libm::atan2(sum.y, sum.x) / 6.0;
+    DVec2::new(libm::cos(angle), libm::sin(angle))
+}
