@@ -10,11 +10,11 @@ use glam::DVec2;
 const STIFFNESS: f64 = 2.0;
 
 /// A centre is never left nearer to the boundary than this share of its cell's extent.
-pub(super) const CLOSEST: f64 = 0.2;
+pub(crate) const CLOSEST: f64 = 0.2;
 
 /// How far from the boundary a cell of this length can feel it: a square's half diagonal times the
 /// cut.
-pub(super) fn reach(length: f64) -> f64 {
+pub(crate) fn reach(length: f64) -> f64 {
     0.5 * std::f64::consts::SQRT_2 * length * CUT
 }
 

@@ -1,6 +1,7 @@
 //! Tangent frames, and what one point of a surface sees of another.
 
 use super::SurfacePoint;
+use crate::packing::ground::Carry;
 use glam::{DVec2, DVec3};
 
 /// An orthonormal frame of the plane across a normal.
@@ -61,6 +62,11 @@ impl Turn {
     /// No turn.
     pub const NONE: Self = Self(DVec2::X);
 
+    /// This turn and then another one.
+    pub fn then(self, other: Self) -> Self {
+        Self(self.0.rotate(other.0))
+    }
+
     /// A vector of the first frame in the second one.
     #[inline(always)]
     pub fn apply(self, v: DVec2) -> DVec2 {
@@ -71,6 +77,18 @@ impl Turn {
     #[inline(always)]
     pub fn undo(self, v: DVec2) -> DVec2 {
         DVec2::new(self.0.x, -self.0.y).rotate(v)
+    }
+}
+
+impl Carry for Turn {
+    #[inline(always)]
+    fn apply(self, v: DVec2) -> DVec2 {
+        Turn::apply(self, v)
+    }
+
+    #[inline(always)]
+    fn undo(self, v: DVec2) -> DVec2 {
+        Turn::undo(self, v)
     }
 }
 

@@ -12,6 +12,7 @@
 mod cell;
 mod frame;
 mod mesh;
+pub mod packing;
 mod point;
 mod walk;
 

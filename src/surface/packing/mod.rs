@@ -1,0 +1,121 @@
+//! Packs cells on a surface: the packing of the plane, with a surface as its ground.
+//!
+//! Miyata, Itoh, Shimada (2001), section 4; Itoh, Miyata, Shimada (2003), section 5. Places are points of the mesh's
+//! triangles, moves are walks, and what is between two cells is seen in the plane of their mean normal. Forces, motion and
+//! population control are those of [`crate::packing`], compiled for this ground.
+
+mod border;
+mod buckets;
+mod ground;
+mod site;
+#[cfg(test)]
+mod tests;
+mod walls;
+
+pub use site::Site;
+
+use super::SurfacePoint;
+use crate::packing::ground::Asks;
+use crate::packing::placed::Placed;
+use crate::packing::{PackingParams, Particle, Sample, StepReport, front::Front, run::Run};
+use buckets::Boxes;
+use ground::OnSurface;
+
+/// A packed cell of a surface: its centre is a point of the mesh, its axis in the frame of that.
+pub type SurfaceParticle = Particle<SurfacePoint>;
+
+/// Places that are looked at in one slice of the work.
+const PLACES: usize = 200;
+
+/// The first cells of a packing in the making.
+pub struct SurfacePlacing {
+    params: PackingParams,
+    placed: Placed<SurfacePoint, Boxes>,
+    border: border::Border,
+    front: Option<Front>,
+}
+
+impl SurfacePlacing {
+    /// Nothing placed yet.
+    pub(crate) fn new<F: Asks<Place = SurfacePoint>>(
+        site: &Site,
+        fields: F,
+        params: PackingParams,
+    ) -> Self {
+        Self {
+            params,
+            placed: Placed::new(OnSurface { site, fields }),
+            border: border::Border::new(site),
+            front: None,
+        }
+    }
+
+    /// One slice of the work; true when all places are filled.
+    pub(crate) fn advance<F: Asks<Place = SurfacePoint>>(
+        &mut self,
+        site: &Site,
+        fields: F,
+    ) -> bool {
+        let ground = OnSurface { site, fields };
+        let placed = &mut self.placed;
+        (0..PLACES).any(|_| {
+            if let Some(front) = &mut self.front {
+                return front.grow(placed, ground);
+            }
+            if self.border.grow(placed, ground) {
+                self.front = Some(Front::new(placed, ground, self.params.seed));
+            }
+            false
+        })
+    }
+
+    /// The packing of the cells so far.
+    pub(crate) fn finish<F: Asks<Place = SurfacePoint>>(
+        mut self,
+        site: &Site,
+        fields: F,
+    ) -> SurfacePacking {
+        self.placed.fill_empty_parts(OnSurface { site, fields });
+        let cells = self.placed.cells.iter().map(|&centre| (centre, false));
+        SurfacePacking {
+            run: Run::of(cells, fields, self.params),
+        }
+    }
+}
+
+/// A packing on a surface, on its way.
+#[derive(Clone, Debug)]
+pub struct SurfacePacking {
+    run: Run<SurfacePoint>,
+}
+
+impl SurfacePacking {
+    /// The cells in the order of their ids.
+    pub fn particles(&self) -> Vec<SurfaceParticle> {
+        self.run.particles()
+    }
+
+    /// What the last step did.
+    pub fn report(&self) -> StepReport {
+        self.run.report()
+    }
+
+    /// The record of the run, by rising steps.
+    pub fn samples(&self) -> &[Sample] {
+        &self.run.samples
+    }
+
+    /// The potential energy of the cells among each other, in units of the mean cell's k0.
+    pub fn energy(&mut self, site: &Site) -> f64 {
+        self.run.energy(site)
+    }
+
+    /// One step of the equation of motion and, now and then, population control.
+    pub(crate) fn step<F: Asks<Place = SurfacePoint>>(
+        &mut self,
+        site: &Site,
+        fields: F,
+    ) -> StepReport {
+        self.run.step(OnSurface { site, fields })
+    }
+}
