@@ -67,8 +67,20 @@ pub(crate) trait Sees: Copy {
     fn way(self, from: Self::Place, to: Self::Place) -> Option<(DVec2, Self::Turn)>;
     /// The images of a place that may be within reach of others at home.
     fn images(self, p: Self::Place, reach: f64) -> impl Iterator<Item = Self::Place>;
-    /// The way from an image, where no other image is nearer.
-    fn way_from(self, image: Self::Place, to: Self::Place) -> Option<(DVec2, Self::Turn)>;
+    /// The way from an image, where no other image is nearer; nothing where it is certainly longer than `reach`.
+    fn way_from(
+        self,
+        image: Self::Place,
+        to: Self::Place,
+        reach: f64,
+    ) -> Option<(DVec2, Self::Turn)>;
+    /// The same from a place itself, to that image which is nearest.
+    fn way_within(
+        self,
+        from: Self::Place,
+        to: Self::Place,
+        reach: f64,
+    ) -> Option<(DVec2, Self::Turn)>;
     /// Where a way leads that goes straight on, past walls, and what carries vectors there.
     fn beyond(self, from: Self::Place, by: DVec2) -> (Self::Place, Self::Turn);
     /// At home, where places repeat.

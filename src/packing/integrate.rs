@@ -160,7 +160,8 @@ impl<P: Copy> Motion<P> {
                     let end = firsts[run.end];
                     let first = firsts[run.start].max(i + 1).min(end);
                     for (other, j) in bodies[first..end].iter().zip(first as u32..) {
-                        let Some((r, turn)) = sight.way_from(image, other.particle.centre) else {
+                        let Some((r, turn)) = sight.way_from(image, other.particle.centre, reach)
+                        else {
                             continue;
                         };
                         let seen = Shape::of(&other.particle).seen(turn);
@@ -216,10 +217,11 @@ impl<P: Copy> Motion<P> {
                 if !(a_awake || self.awake[j]) {
                     continue;
                 }
-                let Some((r, turn)) = ground.sight().way(a.centre, b.centre) else {
+                let reach = a.reach + b.reach;
+                let way = ground.sight().way_within(a.centre, b.centre, reach);
+                let Some((r, turn)) = way else {
                     continue;
                 };
-                let reach = a.reach + b.reach;
                 if r.length_squared() >= reach * reach {
                     continue;
                 }

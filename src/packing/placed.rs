@@ -49,7 +49,7 @@ impl<P: Copy, B: Buckets<P>> Placed<P, B> {
         let shape = Shape::metric_at(ground.fields(), p);
         let reach = gap * 0.5 * (shape.length() + self.longest);
         !ground.sight().any_near(&self.grid, p, reach, |k| {
-            let Some((r, turn)) = ground.sight().way(p, self.cells[k]) else {
+            let Some((r, turn)) = ground.sight().way_within(p, self.cells[k], reach) else {
                 return false;
             };
             shape.is_closer(&self.shapes[k].seen(turn), r, gap) && !ground.sight().is_parted(p, r)

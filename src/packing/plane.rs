@@ -108,9 +108,14 @@ impl Sees for &Domain {
     }
 
     #[inline(always)]
-    fn way_from(self, image: DVec2, to: DVec2) -> Option<(DVec2, InPlane)> {
+    fn way_from(self, image: DVec2, to: DVec2, _: f64) -> Option<(DVec2, InPlane)> {
         let r = to - image;
         self.space().is_shortest(r).then_some((r, InPlane))
+    }
+
+    #[inline(always)]
+    fn way_within(self, from: DVec2, to: DVec2, _: f64) -> Option<(DVec2, InPlane)> {
+        self.way(from, to)
     }
 
     fn beyond(self, from: DVec2, by: DVec2) -> (DVec2, InPlane) {

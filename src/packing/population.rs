@@ -279,7 +279,8 @@ impl<G: Ground> Census<'_, G> {
     ) -> bool {
         let reach = w * 0.5 * (shape.length() + self.longest);
         self.ground.sight().any_near(&self.grid, at, reach, |k| {
-            let way = self.ground.sight().way(at, self.bodies[k].particle.centre);
+            let other = self.bodies[k].particle.centre;
+            let way = self.ground.sight().way_within(at, other, reach);
             way.is_some_and(|(r, turn)| test(k, r, turn))
         })
     }

@@ -42,16 +42,15 @@ impl Frame {
     /// The turn that carries vectors of another frame into this one, by the smallest rotation between the two
     /// normals; where those are opposite, none in particular.
     pub fn turn_from(&self, other: &Frame) -> Turn {
-        let carried = self.within(rotated(other.x, other.normal, self.normal));
-        Turn(carried.normalize_or(DVec2::X))
+        Turn(self.within(rotated(other.x, other.normal, self.normal)))
     }
 }
 
-/// A vector turned by the smallest rotation that takes one unit normal to another.
+/// A vector across a unit normal, turned by the smallest rotation that takes this normal to another.
+#[inline(always)]
 pub(super) fn rotated(v: DVec3, from: DVec3, to: DVec3) -> DVec3 {
     let cos = from.dot(to);
-    let cross = from.cross(to);
-    v * cos + cross.cross(v) + cross * (cross.dot(v) / (1.0 + cos).max(1e-12))
+    v - (from + to) * (v.dot(to) / (1.0 + cos).max(1e-12))
 }
 
 /// A turn of the plane, from one frame into another: where it takes the x axis to.
@@ -114,38 +113,57 @@ pub fn way(a: &SurfacePoint, b: &SurfacePoint) -> Option<Way> {
     if cos < SEES {
         return None;
     }
-    let mean = (a.normal + b.normal).normalize();
+    // The sum of the normals, instead of their mean: its square is 2 + 2 cos.
+    let sum = a.normal + b.normal;
+    let square = 2.0 + 2.0 * cos;
     let r = b.at - a.at;
-    let flat = r - mean * mean.dot(r);
-    let (length, along) = (r.length(), flat.length());
-    if along < LIES * length {
+    let out = sum.dot(r) / square;
+    let (length, along) = (r.length_squared(), r.length_squared() - out * out * square);
+    if along < LIES * LIES * length {
         return None;
     }
     let own = Frame::of(a.normal);
     let turn = own.turn_from(&Frame::of(b.normal));
-    if along == 0.0 {
+    if along <= 0.0 {
         return Some(Way {
             to: DVec2::ZERO,
             turn,
         });
     }
-    let in_plane = flat * (length * arc_over_chord(cos) / along);
+    let in_plane = (r - sum * out) * (arc_over_chord(cos) * (length / along).sqrt());
+    let mean = sum / square.sqrt();
     let to = own.within(rotated(in_plane, mean, a.normal));
     Some(Way { to, turn })
 }
 
 /// (a / 2) / sin(a / 2) of the angle a between two normals, of its cosine: an arc's length over its chord's.
+#[inline(always)]
 fn arc_over_chord(cos: f64) -> f64 {
-    // sin(a/2)^2; its series is exact to a double for small angles, and nearly so up to 100 degrees.
+    // The square of sin(a / 2).
     let s = ((1.0 - cos) * 0.5).clamp(0.0, 1.0);
-    if s > 0.02 {
+    if s > SERIES {
         let sine = s.sqrt();
         return libm::asin(sine) / sine;
     }
-    1.0 + s
-        * (1.0 / 6.0
-            + s * (3.0 / 40.0 + s * (15.0 / 336.0 + s * (105.0 / 3456.0 + s * (945.0 / 42240.0)))))
+    ARC.iter().rev().fold(0.0, |sum, term| sum * s + term)
 }
+
+/// Up to here the first terms of the series of asin(sqrt s) / sqrt s are exact to the last digits.
+const SERIES: f64 = 0.06;
+/// These terms: 1, 1/2 / 3, (1 3)/(2 4) / 5, ...
+const ARC: [f64; 11] = [
+    1.0,
+    1.0 / 6.0,
+    3.0 / 40.0,
+    15.0 / 336.0,
+    105.0 / 3456.0,
+    945.0 / 42240.0,
+    10395.0 / 599_040.0,
+    135_135.0 / 9_676_800.0,
+    2_027_025.0 / 175_472_640.0,
+    34_459_425.0 / 3_530_096_640.0,
+    654_729_075.0 / 78_033_715_200.0,
+];
 
 #[cfg(test)]
 mod tests {

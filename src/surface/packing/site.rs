@@ -104,8 +104,15 @@ impl Sees for &Site {
         std::iter::once(p)
     }
 
-    fn way_from(self, image: SurfacePoint, to: SurfacePoint) -> Option<(DVec2, Turn)> {
-        self.way(image, to)
+    fn way_from(self, image: SurfacePoint, to: SurfacePoint, reach: f64) -> Option<(DVec2, Turn)> {
+        self.way_within(image, to, reach)
+    }
+
+    #[inline]
+    fn way_within(self, from: SurfacePoint, to: SurfacePoint, reach: f64) -> Option<(DVec2, Turn)> {
+        // A way is never shorter than the straight one.
+        let is_near = from.at.distance_squared(to.at) <= reach * reach;
+        if is_near { self.way(from, to) } else { None }
     }
 
     fn beyond(self, from: SurfacePoint, by: DVec2) -> (SurfacePoint, Turn) {

@@ -148,3 +148,78 @@ fn a_strip_narrower_than_a_cell_has_one_row() {
         assert!((p.centre.at.z + 3.0).abs() < 0.3, "{}", p.centre.at);
     }
 }
+
+#[test]
+#[ignore]
+fn timing() {
+    for kind in [Kind::Square, Kind::Circle] {
+        let size = 0.243;
+        let fields = Along {
+            kind,
+            size,
+            axis: DVec3::Y,
+            aspect: 1.0,
+        };
+        let torus = sheet([260, 84], [true; 2], |u, v| {
+            let (u, v) = (TAU * u, -TAU * v);
+            let r = 3.0 + libm::cos(v);
+            DVec3::new(r * libm::cos(u), libm::sin(v), r * libm::sin(u))
+        });
+        let t0 = std::time::Instant::now();
+        let site = Site::new(torus, size);
+        let t1 = std::time::Instant::now();
+        let mut placing = SurfacePlacing::new(&site, fields, PARAMS);
+        while !placing.advance(&site, fields) {}
+        let mut packing = placing.finish(&site, fields);
+        let t2 = std::time::Instant::now();
+        while !packing.step(&site, fields).done {}
+        let t3 = std::time::Instant::now();
+        let r = packing.report();
+        eprintln!(
+            "{kind:?} {} cells {} steps, site {:?} place {:?} run {:?}",
+            r.cells,
+            r.step,
+            t1 - t0,
+            t2 - t1,
+            t3 - t2
+        );
+    }
+    for kind in [Kind::Square, Kind::Circle] {
+        use crate::domain::{Domain, Outline};
+        use crate::field::{FieldBuilder, FieldParams};
+        let ring = |r: f64, n: usize, s: f64| {
+            (0..n)
+                .map(|k| {
+                    let t = s * TAU * k as f64 / n as f64;
+                    DVec2::new(256.0 + r * libm::cos(t), 256.0 + r * libm::sin(t))
+                })
+                .collect::<Vec<_>>()
+        };
+        let rings = vec![ring(240.0, 200, 1.0), ring(100.0, 120, -1.0)];
+        let domain = Domain::from_checked(&Outline {
+            rings,
+            ..Outline::default()
+        });
+        let fields = FieldBuilder::build(
+            &domain,
+            FieldParams {
+                size: 8.65,
+                kind,
+                ..FieldParams::default()
+            },
+        );
+        let t1 = std::time::Instant::now();
+        let mut packing = crate::packing::Packing::new(&domain, &fields, PARAMS).unwrap();
+        let t2 = std::time::Instant::now();
+        while !packing.step(&domain, &fields).done {}
+        let t3 = std::time::Instant::now();
+        let r = packing.report();
+        eprintln!(
+            "flat {kind:?} {} cells {} steps, place {:?} run {:?}",
+            r.cells,
+            r.step,
+            t2 - t1,
+            t3 - t2
+        );
+    }
+}
