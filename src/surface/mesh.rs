@@ -1,6 +1,6 @@
 //! A triangle mesh whose edges join two triangles, or end one.
 
-use crate::order;
+use super::building::MeshBuilding;
 use glam::DVec3;
 
 /// No triangle: what is across an edge of the border.
@@ -25,13 +25,16 @@ pub enum MeshFault {
 /// (see [`TriMesh::fan`]); whoever makes a mesh sees to that.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TriMesh {
-    positions: Vec<DVec3>,
-    triangles: Vec<[u32; 3]>,
-    across: Vec<[u32; 3]>,
-    normals: Vec<DVec3>,
+    pub(super) positions: Vec<DVec3>,
+    pub(super) triangles: Vec<[u32; 3]>,
+    /// Of each edge the same one of the triangle beyond it, `3 * triangle + edge`.
+    pub(super) across: Vec<[u32; 3]>,
+    pub(super) normals: Vec<DVec3>,
+    /// The unit normals of the triangles.
+    pub(super) faces: Vec<DVec3>,
     /// Of each vertex one corner, `3 * triangle + corner`; where it is on the border, the first one counter-clockwise.
-    first: Vec<u32>,
-    area: f64,
+    pub(super) first: Vec<u32>,
+    pub(super) area: f64,
 }
 
 impl TriMesh {
@@ -40,66 +43,12 @@ impl TriMesh {
     /// # Errors
     /// What is wrong with them.
     pub fn new(positions: Vec<DVec3>, triangles: Vec<[u32; 3]>) -> Result<Self, MeshFault> {
-        if triangles.is_empty() {
-            return Err(MeshFault::Empty);
-        }
-        if !positions.iter().all(|p| p.is_finite()) {
-            return Err(MeshFault::NotFinite);
-        }
-        let count = positions.len() as u32;
-        let is_bad = |t: &[u32; 3]| {
-            t.iter().any(|&v| v >= count) || t[0] == t[1] || t[1] == t[2] || t[2] == t[0]
-        };
-        if triangles.iter().any(is_bad) {
-            return Err(MeshFault::BadTriangle);
-        }
-        let across = across(&triangles)?;
-        let mut mesh = Self {
-            first: vec![NONE; positions.len()],
-            normals: Vec::new(),
-            area: 0.0,
-            positions,
-            triangles,
-            across,
-        };
-        mesh.find_firsts();
-        mesh.find_normals();
-        mesh.area = (0..mesh.triangles.len() as u32)
-            .map(|t| mesh.area_of(t))
-            .sum();
-        Ok(mesh)
-    }
-
-    fn find_firsts(&mut self) {
-        for t in 0..self.triangles.len() {
-            for k in 0..3 {
-                let v = self.triangles[t][k] as usize;
-                // Going round counter-clockwise begins where there is nothing before.
-                let is_start = self.across[t][k] == NONE;
-                if self.first[v] == NONE || is_start {
-                    self.first[v] = (3 * t + k) as u32;
-                }
+        let mut building = MeshBuilding::new(positions, triangles);
+        loop {
+            if let Some(mesh) = building.advance() {
+                return mesh;
             }
         }
-    }
-
-    /// Weighted with the angles at the vertex (Thurmer, Wuthrich 1998, Computing Vertex Normals from Polygonal Facets).
-    fn find_normals(&mut self) {
-        let mut normals = vec![DVec3::ZERO; self.positions.len()];
-        for t in 0..self.triangles.len() as u32 {
-            let corners = self.corners(t);
-            let normal = self.face_normal(t);
-            for k in 0..3 {
-                let e = (corners[(k + 1) % 3] - corners[k]).normalize_or_zero();
-                let f = (corners[(k + 2) % 3] - corners[k]).normalize_or_zero();
-                let angle = libm::acos(e.dot(f).clamp(-1.0, 1.0));
-                normals[self.triangles[t as usize][k] as usize] += angle * normal;
-            }
-        }
-        self.normals = normals
-            .into_iter()
-            .map(|n| n.normalize_or(DVec3::Y))
-            .collect();
     }
 
     /// The vertices, in the mesh's units.
@@ -133,21 +82,13 @@ impl TriMesh {
     #[inline]
     pub fn across(&self, triangle: u32, k: usize) -> Option<(u32, usize)> {
         let other = self.across[triangle as usize][k];
-        if other == NONE {
-            return None;
-        }
-        let end = self.triangles[triangle as usize][(k + 1) % 3];
-        let corners = &self.triangles[other as usize];
-        let edge = (0..3).find(|&j| {
-            corners[j] == end && corners[(j + 1) % 3] == self.triangles[triangle as usize][k]
-        })?;
-        Some((other, edge))
+        (other != NONE).then(|| (other / 3, (other % 3) as usize))
     }
 
     /// The unit normal of a triangle's plane; zero where it has no area.
+    #[inline]
     pub fn face_normal(&self, triangle: u32) -> DVec3 {
-        let [a, b, c] = self.corners(triangle);
-        (b - a).cross(c - a).normalize_or_zero()
+        self.faces[triangle as usize]
     }
 
     /// The area of a triangle.
@@ -232,8 +173,9 @@ impl TriMesh {
             let mut open = vec![start as u32];
             part[start] = count;
             while let Some(t) = open.pop() {
-                for &other in &self.across[t as usize] {
-                    if other != NONE && part[other as usize] == NONE {
+                for &edge in &self.across[t as usize] {
+                    let other = edge / 3;
+                    if edge != NONE && part[other as usize] == NONE {
                         part[other as usize] = count;
                         open.push(other);
                     }
@@ -264,39 +206,4 @@ impl TriMesh {
         let (lo, hi) = self.bounds();
         (hi - lo).length()
     }
-}
-
-/// For each edge of each triangle the triangle on its other side.
-fn across(triangles: &[[u32; 3]]) -> Result<Vec<[u32; 3]>, MeshFault> {
-    // Edges with the lesser vertex first, and which edge of which triangle it is.
-    let mut edges: Vec<(u64, u32)> = Vec::with_capacity(3 * triangles.len());
-    for (t, corners) in triangles.iter().enumerate() {
-        for k in 0..3 {
-            let (a, b) = (corners[k], corners[(k + 1) % 3]);
-            edges.push((order::pair(a.min(b), a.max(b)), (3 * t + k) as u32));
-        }
-    }
-    edges.sort_unstable();
-    let mut across = vec![[NONE; 3]; triangles.len()];
-    let mut at = 0;
-    while at < edges.len() {
-        let same = edges[at..]
-            .iter()
-            .take_while(|e| e.0 == edges[at].0)
-            .count();
-        if same > 2 {
-            return Err(MeshFault::BadEdge);
-        }
-        if same == 2 {
-            let [a, b] =
-                [edges[at].1, edges[at + 1].1].map(|c| ((c / 3) as usize, (c % 3) as usize));
-            if triangles[a.0][a.1] == triangles[b.0][b.1] {
-                return Err(MeshFault::BadEdge);
-            }
-            across[a.0][a.1] = b.0 as u32;
-            across[b.0][b.1] = a.0 as u32;
-        }
-        at += same;
-    }
-    Ok(across)
 }

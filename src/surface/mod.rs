@@ -9,15 +9,27 @@
 //! a point is a [`glam::DVec2`] in the [`Frame`] of the point's normal: its x axis, its y axis and the normal are
 //! right-handed, so a positive turn is counter-clockwise seen from outside.
 
+mod building;
 mod cell;
 mod frame;
 mod mesh;
+#[cfg(test)]
+mod mesh_tests;
 pub mod packing;
 mod point;
+pub mod refine;
+mod sorting;
+mod soup;
+#[cfg(test)]
+mod testing;
 mod walk;
+#[cfg(test)]
+mod walk_tests;
 
+pub use building::MeshBuilding;
 pub use cell::SurfaceCell;
 pub use frame::{Frame, Turn, Way, way};
 pub use mesh::{MeshFault, NONE, TriMesh};
 pub use point::SurfacePoint;
+pub use soup::{MOST_TRIANGLES, Soup};
 pub use walk::Walked;

@@ -1,0 +1,443 @@
+//! Meshes with shorter edges.
+//!
+//! Cells are told apart by the vertices between them, so edges may be at most [`SHARE`] of a cell long. Rounds of
+//! splits, the longest edges first (after Rivara 1984, Algorithms for refining triangular grids): in each round all
+//! edges get a new vertex in their middle that are nearly as long as the longest, each compared with what it may be;
+//! and each triangle with one, two or three of these becomes two, three or four. What is done to an edge hangs on the
+//! edge alone, so the mesh stays without gaps, the order of triangles decides nothing, and borders that were one edge
+//! before a cut are split alike. New vertices lie in the old triangles: nothing is smoothed.
+
+use super::{MeshBuilding, NONE, TriMesh};
+use crate::notice::{Code, Notice};
+use glam::DVec3;
+
+/// Edges may be so long, as a part of the size of the cells there.
+pub const SHARE: f64 = 0.4;
+/// The most triangles that are made.
+pub const MOST_REFINED: usize = 1_500_000;
+/// Edges of a round: those of at least this share of the greatest excess.
+const NEARLY: f64 = 0.6;
+/// Triangles of a slice.
+const SLICE: usize = 1 << 15;
+
+/// A mesh with edges short enough.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Refined {
+    /// The mesh: first the old vertices, then the new ones.
+    pub mesh: TriMesh,
+    /// Of each new vertex the two between which it is, in the order they were made: new ones may be between new ones.
+    pub parents: Vec<[u32; 2]>,
+    /// Of each triangle the old one that it lies in.
+    pub origin: Vec<u32>,
+}
+
+/// A mesh whose edges are being split.
+pub struct Refining {
+    mesh: TriMesh,
+    /// Of each vertex the length that edges there may have.
+    targets: Vec<f64>,
+    parents: Vec<[u32; 2]>,
+    origin: Vec<u32>,
+    stage: Stage,
+    at: usize,
+    /// The greatest of the edges' lengths over what they may be, squared.
+    excess: f64,
+    /// The same length everywhere, so that the count of triangles can be told.
+    is_even: bool,
+    /// Triangles there would be at the end at least.
+    least: f64,
+    /// Of each edge of each triangle its new vertex.
+    middles: Vec<[u32; 3]>,
+    /// The positions and triangles of the next mesh.
+    positions: Vec<DVec3>,
+    triangles: Vec<[u32; 3]>,
+    origins: Vec<u32>,
+    building: Option<MeshBuilding>,
+}
+
+#[derive(Clone, Copy, PartialEq)]
+enum Stage {
+    Measure,
+    Mark,
+    Split,
+    Join,
+}
+
+impl Refining {
+    /// Of a mesh and the length that edges may have at each of its vertices, greater than 0. See [`SHARE`].
+    pub fn new(mesh: TriMesh, targets: Vec<f64>) -> Self {
+        Self {
+            origin: (0..mesh.triangles().len() as u32).collect(),
+            targets,
+            mesh,
+            parents: Vec::new(),
+            stage: Stage::Measure,
+            at: 0,
+            excess: 0.0,
+            is_even: false,
+            least: 0.0,
+            middles: Vec::new(),
+            positions: Vec::new(),
+            triangles: Vec::new(),
+            origins: Vec::new(),
+            building: None,
+        }
+    }
+
+    /// With the same length everywhere.
+    pub fn evenly(mesh: TriMesh, target: f64) -> Self {
+        let targets = vec![target; mesh.positions().len()];
+        let mut new = Self::new(mesh, targets);
+        new.is_even = true;
+        new
+    }
+
+    /// Works on some more. `target` tells the length for a new vertex of its place, and of the mean of those that it
+    /// is between. The mesh when it is done, or a sentence where it would be too large.
+    pub fn advance(
+        &mut self,
+        target: &dyn Fn(DVec3, f64) -> f64,
+    ) -> Option<Result<Refined, Notice>> {
+        if let Stage::Join = self.stage {
+            let building = self.building.as_mut()?;
+            let mesh = building.advance()?;
+            // Of a mesh comes a mesh.
+            self.mesh = mesh.ok()?;
+            (self.stage, self.building) = (Stage::Measure, None);
+            return None;
+        }
+        let count = self.mesh.triangles().len();
+        let end = count.min(self.at + SLICE);
+        for t in self.at..end {
+            match self.stage {
+                Stage::Measure => self.measure(t),
+                Stage::Mark => self.mark(t, target),
+                _ => self.split(t),
+            }
+        }
+        self.at = end;
+        let made = self.triangles.len();
+        if self.least.max(made as f64) > MOST_REFINED as f64 {
+            return Some(Err(too_many(self.least.max(made as f64))));
+        }
+        if end < count {
+            return None;
+        }
+        self.at = 0;
+        match self.stage {
+            Stage::Measure if self.excess <= 1.0 => return Some(Ok(self.finish())),
+            Stage::Measure => {
+                self.middles = vec![[NONE; 3]; count];
+                self.positions = self.mesh.positions().to_vec();
+                self.stage = Stage::Mark;
+            }
+            Stage::Mark => {
+                self.triangles = Vec::with_capacity(2 * count);
+                self.origins = Vec::with_capacity(2 * count);
+                self.stage = Stage::Split;
+            }
+            _ => {
+                self.origin = std::mem::take(&mut self.origins);
+                let positions = std::mem::take(&mut self.positions);
+                let triangles = std::mem::take(&mut self.triangles);
+                self.building = Some(MeshBuilding::new(positions, triangles));
+                (self.excess, self.least) = (0.0, 0.0);
+                self.stage = Stage::Join;
+            }
+        }
+        None
+    }
+
+    /// Splits with the same lengths in between, until it is done.
+    ///
+    /// # Errors
+    /// Where it would be too large.
+    pub fn finish_all(mut self) -> Result<Refined, Notice> {
+        loop {
+            if let Some(done) = self.advance(&|_, mean| mean) {
+                return done;
+            }
+        }
+    }
+
+    fn finish(&mut self) -> Refined {
+        let spent = Self::new(TriMesh::none(), Vec::new());
+        let done = std::mem::replace(self, spent);
+        Refined {
+            mesh: done.mesh,
+            parents: done.parents,
+            origin: done.origin,
+        }
+    }
+
+    /// The square of an edge's length over what it may be.
+    fn ratio(&self, t: usize, k: usize) -> f64 {
+        let [a, b] = self.ends(t, k).map(|v| v as usize);
+        let positions = self.mesh.positions();
+        let target = self.targets[a].min(self.targets[b]);
+        (positions[a] - positions[b]).length_squared() / (target * target)
+    }
+
+    fn ends(&self, t: usize, k: usize) -> [u32; 2] {
+        let corners = &self.mesh.triangles()[t];
+        [corners[k], corners[(k + 1) % 3]]
+    }
+
+    fn measure(&mut self, t: usize) {
+        for k in 0..3 {
+            self.excess = self.excess.max(self.ratio(t, k));
+        }
+        if self.is_even {
+            // No triangle has more area than the equilateral one.
+            let most = 0.4330127018922193 * self.targets[0] * self.targets[0];
+            self.least += (self.mesh.area_of(t as u32) / most).max(1.0);
+        }
+    }
+
+    fn mark(&mut self, t: usize, target: &dyn Fn(DVec3, f64) -> f64) {
+        let limit = (NEARLY * NEARLY * self.excess).max(1.0);
+        for k in 0..3 {
+            if self.middles[t][k] != NONE || self.ratio(t, k) <= limit {
+                continue;
+            }
+            let middle = self.positions.len() as u32;
+            let parents = self.ends(t, k);
+            let [a, b] = parents.map(|v| v as usize);
+            let place = 0.5 * (self.positions[a] + self.positions[b]);
+            let mean = 0.5 * (self.targets[a] + self.targets[b]);
+            // A target of 0 would never be met.
+            let wanted = target(place, mean);
+            let wanted = if wanted > 1e-3 * mean {
+                wanted
+            } else {
+                1e-3 * mean
+            };
+            self.positions.push(place);
+            self.targets.push(wanted);
+            self.parents.push(parents);
+            self.middles[t][k] = middle;
+            if let Some((other, edge)) = self.mesh.across(t as u32, k) {
+                self.middles[other as usize][edge] = middle;
+            }
+        }
+    }
+
+    fn split(&mut self, t: usize) {
+        let corners = self.mesh.triangles()[t];
+        let middles = self.middles[t];
+        let marked = middles.iter().filter(|&&m| m != NONE).count();
+        // Turned so that the one marked edge is the first, or the one that is not is the last.
+        let first = match marked {
+            1 => (0..3).find(|&k| middles[k] != NONE),
+            2 => (0..3).find(|&k| middles[(k + 2) % 3] == NONE),
+            _ => None,
+        };
+        let first = first.unwrap_or(0);
+        let [a, b, c] = [0, 1, 2].map(|k| corners[(first + k) % 3]);
+        let [ab, bc, ca] = [0, 1, 2].map(|k| middles[(first + k) % 3]);
+        match marked {
+            0 => self.push(t, [a, b, c]),
+            1 => {
+                self.push(t, [a, ab, c]);
+                self.push(t, [ab, b, c]);
+            }
+            2 => {
+                self.push(t, [ab, b, bc]);
+                self.quad(t, [a, ab, bc, c]);
+            }
+            _ => self.four(t, [a, b, c], [ab, bc, ca]),
+        }
+    }
+
+    fn push(&mut self, t: usize, triangle: [u32; 3]) {
+        self.triangles.push(triangle);
+        self.origins.push(self.origin[t]);
+    }
+
+    fn between(&self, a: u32, b: u32) -> f64 {
+        (self.positions[a as usize] - self.positions[b as usize]).length_squared()
+    }
+
+    /// Cuts along the shorter diagonal; where they are as long, through the least vertex.
+    fn quad(&mut self, t: usize, [a, b, c, d]: [u32; 4]) {
+        let (one, other) = (self.between(a, c), self.between(b, d));
+        let alike = (one - other).abs() <= 1e-12 * one;
+        let through_a = if alike {
+            a.min(c) < b.min(d)
+        } else {
+            one < other
+        };
+        if through_a {
+            self.push(t, [a, b, c]);
+            self.push(t, [a, c, d]);
+        } else {
+            self.push(t, [a, b, d]);
+            self.push(t, [b, c, d]);
+        }
+    }
+
+    /// Four alike; but an obtuse corner keeps its line to the middle across, which makes the angles less obtuse.
+    fn four(&mut self, t: usize, [a, b, c]: [u32; 3], [ab, bc, ca]: [u32; 3]) {
+        for (corner, opposite, [x, y], [beside_y, beside_x]) in [
+            (c, ab, [a, b], [bc, ca]),
+            (a, bc, [b, c], [ca, ab]),
+            (b, ca, [c, a], [ab, bc]),
+        ] {
+            // The median of an obtuse corner is shorter than half of the side across.
+            let median = self.between(corner, opposite);
+            if median < 0.25 * self.between(x, y) * (1.0 - 1e-9) {
+                self.push(t, [x, opposite, beside_x]);
+                self.push(t, [opposite, y, beside_y]);
+                self.push(t, [corner, beside_x, opposite]);
+                self.push(t, [corner, opposite, beside_y]);
+                return;
+            }
+        }
+        self.push(t, [a, ab, ca]);
+        self.push(t, [ab, b, bc]);
+        self.push(t, [ca, bc, c]);
+        self.push(t, [ab, bc, ca]);
+    }
+}
+
+fn too_many(count: f64) -> Notice {
+    // Two digits say enough.
+    let mut unit = 1000.0;
+    while count > 100.0 * unit {
+        unit *= 10.0;
+    }
+    let about = if count < 1e15 {
+        ((count / unit).ceil() * unit) as usize
+    } else {
+        1_000_000_000_000_000
+    };
+    Notice::new(Code::RefinedTooMany)
+        .with("n", about)
+        .with("most", MOST_REFINED)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::testing::{self, mesh};
+    use super::*;
+
+    fn longest(mesh: &TriMesh, allowed: impl Fn(DVec3) -> f64) -> f64 {
+        let edge = |t: u32, k: usize| {
+            let corners = mesh.corners(t);
+            let (a, b) = (corners[k], corners[(k + 1) % 3]);
+            (a - b).length() / allowed(a).min(allowed(b))
+        };
+        let all = (0..mesh.triangles().len() as u32).flat_map(|t| [0, 1, 2].map(|k| edge(t, k)));
+        all.fold(0.0, f64::max)
+    }
+
+    fn least_angle(mesh: &TriMesh) -> f64 {
+        let angle = |t: u32, k: usize| {
+            let p = mesh.corners(t);
+            let (e, f) = (p[(k + 1) % 3] - p[k], p[(k + 2) % 3] - p[k]);
+            libm::atan2(e.cross(f).length(), e.dot(f)).to_degrees()
+        };
+        let all = (0..mesh.triangles().len() as u32).flat_map(|t| [0, 1, 2].map(|k| angle(t, k)));
+        all.fold(180.0, f64::min)
+    }
+
+    #[test]
+    fn edges_become_short_enough_and_the_surface_stays() {
+        for (soup, target) in [
+            (testing::blob(2), 0.05),
+            (testing::cube(1), 0.07),
+            (testing::torus(24, 10, 0.4), 0.04),
+            (testing::two_holes(1), 0.11),
+            (testing::tube(5, 1), 0.1),
+            (testing::flat(4), 0.021),
+        ] {
+            let old = mesh(soup);
+            let new = Refining::evenly(old.clone(), target).finish_all().unwrap();
+            assert!(longest(&new.mesh, |_| target) <= 1.0);
+            assert_eq!(new.mesh.euler(), old.euler());
+            assert_eq!(new.mesh.parts().1, old.parts().1);
+            assert_eq!(new.mesh.borders().len(), old.borders().len());
+            assert!((new.mesh.area() - old.area()).abs() < 1e-9 * old.area());
+            // No angle gets much smaller than it was, and there are not many more triangles than need be.
+            assert!(least_angle(&new.mesh) > 0.45 * least_angle(&old).min(40.0));
+            let least = old.area() / (0.433 * target * target);
+            assert!(
+                (new.mesh.triangles().len() as f64)
+                    < 7.0 * least + 4.0 * old.triangles().len() as f64
+            );
+            for (t, &from) in new.origin.iter().enumerate() {
+                let dot = new.mesh.face_normal(t as u32).dot(old.face_normal(from));
+                assert!(dot > 1.0 - 1e-9);
+            }
+            let count = old.positions().len();
+            for (k, parents) in new.parents.iter().enumerate() {
+                let [a, b] = parents.map(|v| new.mesh.positions()[v as usize]);
+                assert_eq!(new.mesh.positions()[count + k], 0.5 * (a + b));
+            }
+        }
+    }
+
+    #[test]
+    fn lengths_may_vary() {
+        let allowed = |p: DVec3| 0.02 + 0.2 * p.x;
+        let old = mesh(testing::flat(3));
+        let targets = old.positions().iter().map(|&p| allowed(p)).collect();
+        let mut refining = Refining::new(old.clone(), targets);
+        let new = loop {
+            if let Some(new) = refining.advance(&|p, _| allowed(p)) {
+                break new.unwrap().mesh;
+            }
+        };
+        assert!(longest(&new, allowed) <= 1.0 && longest(&new, |_| 0.1) > 1.0);
+        let evenly = Refining::evenly(old, 0.02).finish_all().unwrap().mesh;
+        assert!(3 * new.triangles().len() < evenly.triangles().len());
+    }
+
+    #[test]
+    fn short_edges_stay() {
+        let old = mesh(testing::blob(3));
+        let new = Refining::evenly(old.clone(), 1.0).finish_all().unwrap();
+        assert_eq!(new.mesh, old);
+        assert!(new.parents.is_empty());
+    }
+
+    /// All triangles by their corners' places.
+    fn places(mesh: &TriMesh) -> Vec<[[u64; 3]; 3]> {
+        let bits = |p: DVec3| p.to_array().map(f64::to_bits);
+        let count = mesh.triangles().len() as u32;
+        let mut all: Vec<[[u64; 3]; 3]> = (0..count)
+            .map(|t| {
+                let mut corners = mesh.corners(t).map(bits);
+                corners.sort_unstable();
+                corners
+            })
+            .collect();
+        all.sort_unstable();
+        all
+    }
+
+    #[test]
+    fn the_order_of_triangles_does_not_matter() {
+        let (positions, mut triangles) = testing::noisy(testing::blob(3), 0.02);
+        let refined = |triangles: &[[u32; 3]]| {
+            let mesh = mesh((positions.clone(), triangles.to_vec()));
+            places(&Refining::evenly(mesh, 0.06).finish_all().unwrap().mesh)
+        };
+        let one = refined(&triangles);
+        triangles.reverse();
+        for t in &mut triangles {
+            t.rotate_left(1);
+        }
+        assert!(one == refined(&triangles));
+    }
+
+    #[test]
+    fn too_many_triangles_are_a_sentence_before_they_are_made() {
+        let refused = Refining::evenly(mesh(testing::cube(1)), 1e-3).finish_all();
+        let sentence = refused.unwrap_err();
+        assert_eq!(sentence.code, Code::RefinedTooMany);
+        assert!(sentence.to_string().contains("14000000"), "{sentence}");
+        let refused = Refining::evenly(mesh(testing::cube(1)), 1e-300).finish_all();
+        assert!(refused.is_err());
+    }
+}
