@@ -207,3 +207,6 @@ impl TriMesh {
         (hi - lo).length()
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -11,24 +11,27 @@
 
 mod building;
 mod cell;
+pub mod files;
 mod frame;
 mod mesh;
-#[cfg(test)]
-mod mesh_tests;
 mod point;
+mod polygon;
+mod projector;
 pub mod refine;
+pub mod repair;
+mod simplify;
 mod sorting;
 mod soup;
 #[cfg(test)]
 mod testing;
 mod walk;
-#[cfg(test)]
-mod walk_tests;
 
 pub use building::MeshBuilding;
 pub use cell::SurfaceCell;
 pub use frame::{Frame, Turn, Way, way};
 pub use mesh::{MeshFault, NONE, TriMesh};
 pub use point::SurfacePoint;
+pub use projector::Projector;
+pub use simplify::Simplifying;
 pub use soup::{MOST_TRIANGLES, Soup};
 pub use walk::Walked;

@@ -185,3 +185,6 @@ impl<'a> Walker<'a> {
         true
     }
 }
+
+#[cfg(test)]
+mod tests;
