@@ -171,9 +171,29 @@ impl Projector {
         SurfacePoint::new(mesh, best.triangle, best.weights)
     }
 
+    /// The point of a triangle that is closest to one in space.
+    pub(super) fn on_triangle(mesh: &TriMesh, triangle: u32, p: DVec3) -> DVec3 {
+        let corners = mesh.corners(triangle);
+        let weights = closest(corners, p);
+        corners[0] * weights.x + corners[1] * weights.y + corners[2] * weights.z
+    }
+
     /// The point of the surface for one of a simpler surface.
     pub fn carry(&self, mesh: &TriMesh, point: &SurfacePoint) -> SurfacePoint {
         self.closest(mesh, point.at, point.normal)
+    }
+
+    /// All triangles that come closer to a point than a radius, and some others; some of them more than once.
+    pub fn within(&self, p: DVec3, radius: f64, mut with: impl FnMut(u32)) {
+        let [low, high] = [-radius, radius].map(|by| self.cube_at(p + DVec3::splat(by)));
+        for z in low[2]..=high[2] {
+            for y in low[1]..=high[1] {
+                let [first, last] = [low[0], high[0]].map(|x| self.number([x, y, z]));
+                // Cubes of a row lie one after the other.
+                let members = self.starts[first] as usize..self.starts[last + 1] as usize;
+                self.members[members].iter().for_each(|&t| with(t));
+            }
+        }
     }
 
     /// All triangles in cubes that are so many cubes away, along the axis on which that is most.

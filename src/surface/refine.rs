@@ -18,7 +18,7 @@ pub const MOST_REFINED: usize = 1_500_000;
 /// Edges of a round: those of at least this share of the greatest excess.
 const NEARLY: f64 = 0.6;
 /// Triangles of a slice.
-const SLICE: usize = 1 << 15;
+const SLICE: usize = 1 << 14;
 
 /// A mesh with edges short enough.
 #[derive(Clone, Debug, PartialEq)]
@@ -48,7 +48,7 @@ pub struct Refining {
     least: f64,
     /// Of each edge of each triangle its new vertex.
     middles: Vec<[u32; 3]>,
-    /// The positions and triangles of the next mesh.
+    /// The positions, once edges are marked, and triangles of the next mesh.
     positions: Vec<DVec3>,
     triangles: Vec<[u32; 3]>,
     origins: Vec<u32>,
@@ -99,7 +99,11 @@ impl Refining {
         target: &dyn Fn(DVec3, f64) -> f64,
     ) -> Option<Result<Refined, Notice>> {
         if let Stage::Join = self.stage {
-            let building = self.building.as_mut()?;
+            let positions = &mut self.positions;
+            let triangles = &mut self.triangles;
+            let building = self.building.get_or_insert_with(|| {
+                MeshBuilding::new(std::mem::take(positions), std::mem::take(triangles))
+            });
             let mesh = building.advance()?;
             // Of a mesh comes a mesh.
             self.mesh = mesh.ok()?;
@@ -128,7 +132,8 @@ impl Refining {
             Stage::Measure if self.excess <= 1.0 => return Some(Ok(self.finish())),
             Stage::Measure => {
                 self.middles = vec![[NONE; 3]; count];
-                self.positions = self.mesh.positions().to_vec();
+                // The old vertices come first.
+                self.positions = std::mem::take(&mut self.mesh.positions);
                 self.stage = Stage::Mark;
             }
             Stage::Mark => {
@@ -138,9 +143,7 @@ impl Refining {
             }
             _ => {
                 self.origin = std::mem::take(&mut self.origins);
-                let positions = std::mem::take(&mut self.positions);
-                let triangles = std::mem::take(&mut self.triangles);
-                self.building = Some(MeshBuilding::new(positions, triangles));
+                (self.mesh, self.middles) = (TriMesh::none(), Vec::new());
                 (self.excess, self.least) = (0.0, 0.0);
                 self.stage = Stage::Join;
             }
@@ -173,7 +176,10 @@ impl Refining {
     /// The square of an edge's length over what it may be.
     fn ratio(&self, t: usize, k: usize) -> f64 {
         let [a, b] = self.ends(t, k).map(|v| v as usize);
-        let positions = self.mesh.positions();
+        let positions = match self.stage {
+            Stage::Measure => self.mesh.positions(),
+            _ => &self.positions,
+        };
         let target = self.targets[a].min(self.targets[b]);
         (positions[a] - positions[b]).length_squared() / (target * target)
     }
@@ -303,16 +309,12 @@ impl Refining {
 fn too_many(count: f64) -> Notice {
     // Two digits say enough.
     let mut unit = 1000.0;
-    while count > 100.0 * unit {
+    while count > 100.0 * unit && unit < 1e15 {
         unit *= 10.0;
     }
-    let about = if count < 1e15 {
-        ((count / unit).ceil() * unit) as usize
-    } else {
-        1_000_000_000_000_000
-    };
+    let about = ((count.min(1e15) / unit).ceil() * unit) as u64;
     Notice::new(Code::RefinedTooMany)
-        .with("n", about)
+        .with("n", about.to_string())
         .with("most", MOST_REFINED)
 }
 

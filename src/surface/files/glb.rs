@@ -66,7 +66,7 @@ impl Glb {
         let mut at = 12;
         while let (Some(count), Some(kind)) = (u32_at(bytes, at), bytes.get(at + 4..at + 8)) {
             let start = at + 8;
-            let end = start + count as usize;
+            let end = start.saturating_add(count as usize);
             let chunk = bytes.get(start..end).ok_or_else(|| ends("GLB"))?;
             if kind == JSON && json.is_none() {
                 json = Some(Json::parse(chunk).ok_or_else(bad)?);
@@ -82,8 +82,10 @@ impl Glb {
             Mode::Triangles => count(draw) / 3,
             _ => count(draw).saturating_sub(2),
         };
-        let all: usize = draws.iter().map(triangles).sum();
-        let vertices: usize = draws.iter().map(|draw| draw.places.count).sum();
+        // The same numbers may be drawn many times.
+        let add = |sum: usize, n: usize| sum.saturating_add(n);
+        let all = draws.iter().map(triangles).fold(0, add);
+        let vertices = draws.iter().map(|draw| draw.places.count).fold(0, add);
         if all > MOST_TRIANGLES || vertices > 9 * MOST_TRIANGLES {
             return Err(too_large(all.max(vertices / 3)));
         }

@@ -117,7 +117,7 @@ impl Text {
         }
         soup.positions.push(place.into());
         let n = soup.positions.len();
-        if n % 3 == 0 {
+        if n.is_multiple_of(3) {
             soup.triangles.push([n - 3, n - 2, n - 1].map(|v| v as u32));
         }
         if n > 3 * MOST_TRIANGLES + 3 {

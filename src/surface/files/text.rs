@@ -121,7 +121,7 @@ fn quickly(digits: u64, power: i32) -> Option<f64> {
     let zeros = digits.leading_zeros();
     let over = u128::from(digits << zeros) << 63;
     let under = 10u128.pow(power.unsigned_abs());
-    let quotient = over / under | u128::from(!over.is_multiple_of(under));
+    let quotient = (over / under) | u128::from(!over.is_multiple_of(under));
     let two_to = f64::from_bits(u64::from(1023 - 63 - zeros) << 52);
     Some(quotient as f64 * two_to)
 }
