@@ -11,6 +11,8 @@ mod glb;
 mod json;
 pub mod maps;
 mod metrics;
+#[cfg(house)]
+mod model;
 mod obj;
 mod order;
 mod programs;
@@ -25,6 +27,8 @@ pub use frame_maps::{FramePlane, frame_map};
 pub use json::{cells_json, mesh_json, text};
 pub use maps::{Map, MapKind};
 pub use metrics::metrics_json;
+#[cfg(house)]
+pub use model::model_obj;
 pub use order::{DETAILS, MeshFormat, MeshOrder, MeshSize};
 pub use programs::maps_for;
 pub use report::{Report, StageTime};

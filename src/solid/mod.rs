@@ -38,6 +38,7 @@ mod footprint;
 mod making;
 mod orientation;
 mod prism;
+mod quadric;
 mod simplify;
 mod solids;
 mod sparse;
@@ -49,6 +50,8 @@ pub use footprint::{Footprint, MOST_CORNERS};
 pub use making::{Making, PLAIN, Step, step, steps};
 pub use orientation::oriented;
 pub use prism::{Prism, lean};
+#[cfg(house)]
+pub(crate) use quadric::Quadric;
 pub(crate) use simplify::simplify;
 pub use solids::{Solid, Solids, control_mesh};
 pub use stencil_cache::MOST_LEVELS;

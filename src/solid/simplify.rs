@@ -6,6 +6,7 @@
 //! have. An edge goes only where the surface stays closed (its ends have two neighbours in common: Dey,
 //! Edelsbrunner, Guha, Nekhayev 1999) and no triangle turns over.
 
+use super::quadric::Quadric;
 use crate::order::{greater, rank};
 use glam::{DVec3, Vec3};
 use std::cmp::Reverse;
@@ -18,48 +19,6 @@ const LENGTH: f64 = 1e-5;
 const TURN: f64 = 0.2;
 /// A triangle of less area, in square units, may turn as it will.
 const NO_AREA: f64 = 1e-9;
-
-/// The sum of the squared distances to some planes, weighted by areas: a symmetric matrix, row after row.
-#[derive(Clone, Copy, Default)]
-struct Quadric([f64; 10]);
-
-impl Quadric {
-    fn of_plane(n: DVec3, d: f64, weight: f64) -> Self {
-        let p = [n.x, n.y, n.z, d];
-        let [x, y, z, one] = p.map(|v| weight * v);
-        let [rx, ry, rz] = [x * n, y * n, z * n];
-        Self([
-            rx.x,
-            rx.y,
-            rx.z,
-            x * d,
-            ry.y,
-            ry.z,
-            y * d,
-            rz.z,
-            z * d,
-            one * d,
-        ])
-    }
-
-    fn add(&mut self, other: &Self) {
-        for (sum, more) in self.0.iter_mut().zip(other.0) {
-            *sum += more;
-        }
-    }
-
-    /// The weights of all planes: their normals are unit vectors.
-    fn weight(&self) -> f64 {
-        self.0[0] + self.0[4] + self.0[7]
-    }
-
-    fn at(&self, p: DVec3) -> f64 {
-        let [xx, xy, xz, x, yy, yz, y, zz, z, one] = self.0;
-        let squares = xx * p.x * p.x + yy * p.y * p.y + zz * p.z * p.z;
-        let mixed = xy * p.x * p.y + xz * p.x * p.z + yz * p.y * p.z;
-        squares + 2.0 * (mixed + x * p.x + y * p.y + z * p.z) + one
-    }
-}
 
 /// An edge that may go: the rank of its cost, the end that goes and the one that stays, and how often both
 /// had changed when the cost was worked out.

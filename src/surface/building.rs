@@ -5,7 +5,7 @@ use crate::order;
 use glam::DVec3;
 
 /// Triangles, or vertices, of a slice.
-const SLICE: usize = 1 << 15;
+const SLICE: usize = 1 << 14;
 /// More edges than so many of one vertex are sorted to find those that belong together.
 const MANY: usize = 24;
 
@@ -38,7 +38,7 @@ impl MeshBuilding {
                 first: vec![NONE; positions.len()],
                 normals: vec![DVec3::ZERO; positions.len()],
                 faces: Vec::new(),
-                across: vec![[NONE; 3]; triangles.len()],
+                across: Vec::new(),
                 area: 0.0,
                 positions,
                 triangles,
@@ -107,7 +107,10 @@ impl MeshBuilding {
                 self.edges = vec![0; 3 * self.mesh.triangles.len()];
                 Stage::Sort
             }
-            Stage::Sort => Stage::Link,
+            Stage::Sort => {
+                self.mesh.across = vec![[NONE; 3]; self.mesh.triangles.len()];
+                Stage::Link
+            }
             Stage::Link => {
                 (self.starts, self.edges) = (Vec::new(), Vec::new());
                 self.mesh.faces.reserve_exact(self.mesh.triangles.len());

@@ -82,7 +82,7 @@ impl TriMesh {
     #[inline]
     pub fn across(&self, triangle: u32, k: usize) -> Option<(u32, usize)> {
         let other = self.across[triangle as usize][k];
-        (other != NONE).then(|| (other / 3, (other % 3) as usize))
+        (other != NONE).then_some((other / 3, (other % 3) as usize))
     }
 
     /// The unit normal of a triangle's plane; zero where it has no area.
@@ -121,7 +121,7 @@ impl TriMesh {
     /// to the other.
     pub fn fan(&self, vertex: u32) -> impl Iterator<Item = (u32, usize)> + '_ {
         let first = self.first[vertex as usize];
-        let mut next = (first != NONE).then(|| (first / 3, (first % 3) as usize));
+        let mut next = (first != NONE).then_some((first / 3, (first % 3) as usize));
         let start = next;
         std::iter::from_fn(move || {
             let (t, k) = next?;
@@ -207,3 +207,6 @@ impl TriMesh {
         (hi - lo).length()
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -134,9 +134,9 @@ impl<'a> Walker<'a> {
         // Slower is along the edge.
         let least = -1e-14 * (at_b.abs() + at_c.abs());
         let mut exit: Option<(usize, f64)> = None;
-        for k in 0..3 {
-            if rates[k] < least && k != self.behind {
-                let far = (self.weights[k] / -rates[k]).max(0.0);
+        for (k, &rate) in rates.iter().enumerate() {
+            if rate < least && k != self.behind {
+                let far = (self.weights[k] / -rate).max(0.0);
                 if exit.is_none_or(|(_, first)| far < first) {
                     exit = Some((k, far));
                 }
@@ -185,3 +185,6 @@ impl<'a> Walker<'a> {
         true
     }
 }
+
+#[cfg(test)]
+mod tests;

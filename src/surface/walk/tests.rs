@@ -1,5 +1,5 @@
-use super::testing::{self, mesh};
-use super::*;
+use super::super::testing::{self, mesh};
+use super::super::*;
 use glam::{DVec2, DVec3};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 

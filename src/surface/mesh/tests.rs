@@ -1,5 +1,5 @@
-use super::testing::{self, mesh};
-use super::*;
+use super::super::testing::{self, mesh};
+use super::super::*;
 use glam::DVec3;
 
 #[test]

@@ -1,0 +1,108 @@
+//! What no surface can be made of.
+
+use super::super::MOST_TRIANGLES;
+use super::{NONE, Step, Work, slice};
+use crate::notice::{Code, Notice};
+use glam::DVec3;
+
+/// Squares of larger numbers, or of smaller ones, are none.
+const SIZES: std::ops::Range<f64> = 1e-100..1e100;
+
+/// Checks all numbers, and leaves out vertices that no triangle has.
+#[derive(Default)]
+pub(super) struct Checking {
+    at: usize,
+    /// Of each vertex whether a triangle has it, and then its new number.
+    number: Vec<u32>,
+    checked: bool,
+}
+
+impl Step for Checking {
+    fn advance(&mut self, work: &mut Work) -> Result<bool, Notice> {
+        let count = work.triangles.len();
+        if self.number.is_empty() {
+            check_counts(work)?;
+            self.number = vec![NONE; work.positions.len()];
+            (work.low, work.high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+        }
+        for t in slice(&mut self.at, count) {
+            if self.checked {
+                work.triangles[t] = work.triangles[t].map(|v| self.number[v as usize]);
+            } else {
+                self.check(work, t)?;
+            }
+        }
+        if self.at < count {
+            return Ok(false);
+        }
+        if self.checked {
+            return Ok(true);
+        }
+        check_extent(work)?;
+        (self.at, self.checked) = (0, true);
+        Ok(!self.leave_out(work))
+    }
+}
+
+impl Checking {
+    fn check(&mut self, work: &mut Work, t: usize) -> Result<(), Notice> {
+        for v in work.triangles[t] {
+            let Some(&p) = work.positions.get(v as usize) else {
+                return Err(Notice::new(Code::ModelCorner).with("n", t + 1));
+            };
+            if !p.is_finite() {
+                return Err(Notice::new(Code::ModelNotFinite).with("n", v as usize + 1));
+            }
+            self.number[v as usize] = 0;
+            (work.low, work.high) = (work.low.min(p), work.high.max(p));
+        }
+        Ok(())
+    }
+
+    /// True where there is a vertex that no triangle has.
+    fn leave_out(&mut self, work: &mut Work) -> bool {
+        if !self.number.contains(&NONE) {
+            return false;
+        }
+        let mut kept = 0;
+        for (v, number) in self.number.iter_mut().enumerate() {
+            if *number != NONE {
+                work.positions[kept] = work.positions[v];
+                *number = kept as u32;
+                kept += 1;
+            }
+        }
+        work.positions.truncate(kept);
+        true
+    }
+}
+
+fn check_extent(work: &Work) -> Result<(), Notice> {
+    let most = work.low.abs().max(work.high.abs()).max_element();
+    let diagonal = (work.high - work.low).length();
+    if diagonal == 0.0 {
+        return Err(Code::ModelNoArea.into());
+    }
+    if !(most < SIZES.end && diagonal > SIZES.start) {
+        return Err(Code::ModelExtent.into());
+    }
+    // The last digits of such numbers are as large as the model's details.
+    if most > 1e9 * diagonal {
+        return Err(Code::ModelFar.into());
+    }
+    Ok(())
+}
+
+fn check_counts(work: &Work) -> Result<(), Notice> {
+    let (vertices, triangles) = (work.positions.len(), work.triangles.len());
+    if triangles == 0 {
+        return Err(Code::ModelEmpty.into());
+    }
+    // Not one of three vertices is used where there are more of them.
+    if triangles > MOST_TRIANGLES || vertices > 9 * MOST_TRIANGLES {
+        let too_large = Notice::new(Code::ModelTooLarge);
+        let n = triangles.max(vertices / 3);
+        return Err(too_large.with("n", n).with("most", MOST_TRIANGLES));
+    }
+    Ok(())
+}

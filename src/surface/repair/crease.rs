@@ -1,0 +1,107 @@
+//! Surfaces cut along their creases.
+
+use super::super::{MeshBuilding, NONE, TriMesh};
+use super::slice;
+use super::split::Splitter;
+use glam::DVec3;
+
+/// A surface with borders along its creases.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Cut {
+    /// The surface: vertices along creases are there once for each side.
+    pub mesh: TriMesh,
+    /// Of each vertex the one that it was before. Those with the same one are at the same place and stay there.
+    pub origin: Vec<u32>,
+    /// Edges cut.
+    pub count: usize,
+}
+
+/// Cuts all edges where the surface turns by more than an angle. Best after refining: what is between creases is cut
+/// apart then even where two creases do not meet at a vertex of the file.
+pub struct Cutting {
+    at: usize,
+    cos: f64,
+    normals: Vec<DVec3>,
+    positions: Vec<DVec3>,
+    triangles: Vec<[u32; 3]>,
+    across: Vec<[u32; 3]>,
+    count: usize,
+    splitter: Option<Splitter>,
+    building: Option<MeshBuilding>,
+}
+
+impl Cutting {
+    /// Along creases sharper than an angle in radians, 0 to pi.
+    pub fn new(mesh: TriMesh, angle: f64) -> Self {
+        Self {
+            at: 0,
+            cos: libm::cos(angle),
+            normals: mesh.faces,
+            positions: mesh.positions,
+            triangles: mesh.triangles,
+            across: mesh.across,
+            count: 0,
+            splitter: None,
+            building: None,
+        }
+    }
+
+    /// Works on some more; the surface when it is done.
+    pub fn advance(&mut self) -> Option<Cut> {
+        if let Some(building) = &mut self.building {
+            // Of a mesh comes a mesh.
+            let mesh = building.advance()?.ok()?;
+            let all = 0..(mesh.positions.len() as u32);
+            let splitter = self.splitter.take()?;
+            let old = all.end as usize - splitter.origin.len();
+            let origin = all.take(old).chain(splitter.origin).collect();
+            let count = self.count;
+            return Some(Cut {
+                mesh,
+                origin,
+                count,
+            });
+        }
+        let count = self.triangles.len();
+        if let Some(splitter) = &mut self.splitter {
+            if splitter.advance(&mut self.positions, &mut self.triangles, &self.across) {
+                let positions = std::mem::take(&mut self.positions);
+                let triangles = std::mem::take(&mut self.triangles);
+                self.across = Vec::new();
+                self.building = Some(MeshBuilding::new(positions, triangles));
+            }
+            return None;
+        }
+        for t in slice(&mut self.at, count) {
+            for k in 0..3 {
+                self.cut(t, k);
+            }
+        }
+        if self.at == count {
+            self.splitter = Some(Splitter::new(self.positions.len(), count));
+        }
+        None
+    }
+
+    fn cut(&mut self, t: usize, k: usize) {
+        let edge = self.across[t][k];
+        if edge == NONE {
+            return;
+        }
+        let other = edge as usize / 3;
+        if self.normals[t].dot(self.normals[other]) < self.cos {
+            self.across[t][k] = NONE;
+            self.across[other][edge as usize % 3] = NONE;
+            self.count += 1;
+        }
+    }
+
+    /// All of it at once.
+    pub fn finish(mut self) -> Cut {
+        loop {
+            if let Some(cut) = self.advance() {
+                return cut;
+            }
+        }
+    }
+}

@@ -1,0 +1,148 @@
+//! Which triangles hang together over which edges.
+
+use super::super::sorting::Sorting;
+use super::{NONE, Step, Work, slice};
+use crate::notice::{Code, Notice};
+use crate::order::{self, pair};
+
+/// Drops triangles that are there already, and joins those that share an edge two by two.
+#[derive(Default)]
+pub(super) struct Linking {
+    stage: Stage,
+    at: usize,
+    edges: Vec<(u64, u32)>,
+    sorting: Option<Sorting>,
+    /// Triangles that are there already.
+    doubled: Vec<bool>,
+    /// Edges that more than two triangles have.
+    crowded: usize,
+    /// Triangles once these are dropped.
+    kept: usize,
+}
+
+#[derive(Clone, Copy, Default)]
+enum Stage {
+    #[default]
+    List,
+    Sort,
+    Doubled,
+    Link,
+    Drop,
+}
+
+impl Step for Linking {
+    fn advance(&mut self, work: &mut Work) -> Result<bool, Notice> {
+        let triangles = work.triangles.len();
+        let count = match self.stage {
+            Stage::List | Stage::Drop => triangles,
+            Stage::Sort => 0,
+            _ => self.edges.len(),
+        };
+        let range = slice(&mut self.at, count);
+        match self.stage {
+            Stage::List => range.for_each(|t| self.list(work, t)),
+            Stage::Sort => match self.sorting.as_mut().map(Sorting::advance) {
+                Some(None) => return Ok(false),
+                sorted => self.edges = sorted.flatten().unwrap_or_default(),
+            },
+            Stage::Doubled | Stage::Link => {
+                let mut at = range.start;
+                while at < range.end {
+                    at = self.group(work, at);
+                }
+                self.at = at;
+            }
+            Stage::Drop => range.for_each(|t| self.keep(work, t)),
+        }
+        if self.at < count {
+            return Ok(false);
+        }
+        self.at = 0;
+        self.stage = match self.stage {
+            Stage::List => {
+                self.sorting = Some(Sorting::new(std::mem::take(&mut self.edges)));
+                Stage::Sort
+            }
+            Stage::Sort => {
+                self.sorting = None;
+                self.doubled = vec![false; triangles];
+                Stage::Doubled
+            }
+            Stage::Doubled => Stage::Drop,
+            // Without them the edges are other ones: once more from the start.
+            Stage::Drop if self.kept < triangles => {
+                work.tell(Code::MendedDoubled, triangles - self.kept);
+                work.triangles.truncate(self.kept);
+                self.edges.clear();
+                self.kept = 0;
+                Stage::List
+            }
+            Stage::Drop => {
+                work.across = vec![[NONE; 3]; triangles];
+                Stage::Link
+            }
+            Stage::Link => {
+                work.tell(Code::MendedEdges, self.crowded);
+                return Ok(true);
+            }
+        };
+        Ok(false)
+    }
+}
+
+/// The corner across an edge.
+fn opposite(work: &Work, edge: u32) -> u32 {
+    work.triangles[edge as usize / 3][(edge as usize + 2) % 3]
+}
+
+impl Linking {
+    fn list(&mut self, work: &Work, t: usize) {
+        let [a, b, c] = work.triangles[t];
+        for (k, [a, b]) in [[a, b], [b, c], [c, a]].into_iter().enumerate() {
+            let key = pair(a.min(b), a.max(b));
+            self.edges.push((key, (3 * t + k) as u32));
+        }
+    }
+
+    /// Sees to the edges that begin at a place of the list and have the same ends; where the next ones begin.
+    fn group(&mut self, work: &mut Work, at: usize) -> usize {
+        let key = self.edges[at].0;
+        let same = self.edges[at..].iter().take_while(|e| e.0 == key).count();
+        let edges = at..at + same;
+        match self.stage {
+            Stage::Doubled => self.find_doubled(work, edges),
+            _ => {
+                if let [(_, a), (_, b)] = self.edges[edges] {
+                    work.across[a as usize / 3][a as usize % 3] = b;
+                    work.across[b as usize / 3][b as usize % 3] = a;
+                } else if same > 2 {
+                    self.crowded += 1;
+                }
+            }
+        }
+        at + same
+    }
+
+    fn find_doubled(&mut self, work: &Work, edges: std::ops::Range<usize>) {
+        if edges.len() < 2 {
+            return;
+        }
+        let mut thirds: Vec<(u32, u32)> = self.edges[edges]
+            .iter()
+            .map(|&(_, edge)| (opposite(work, edge), edge / 3))
+            .collect();
+        order::sort(&mut thirds, |&(v, t)| (v.into(), t.into()));
+        for two in thirds.windows(2) {
+            if two[0].0 == two[1].0 {
+                self.doubled[two[1].1 as usize] = true;
+            }
+        }
+    }
+
+    fn keep(&mut self, work: &mut Work, t: usize) {
+        if !self.doubled[t] {
+            work.triangles[self.kept] = work.triangles[t];
+            self.kept += 1;
+        }
+    }
+}

@@ -1,0 +1,157 @@
+//! All triangles of a part run round the same way, seen from outside.
+
+use super::{NONE, SLICE, Step, Work, slice};
+use crate::notice::{Code, Notice};
+
+/// A part whose volume is less than this, as a part of its area to the power of 3/2, has no outside.
+const NO_VOLUME: f64 = 1e-9;
+
+/// Goes from triangle to triangle over edges: both that have an edge run along it in opposite directions. Closed parts
+/// are then turned outwards; of open ones as few triangles are turned as can be.
+#[derive(Default)]
+pub(super) struct Orienting {
+    stage: Stage,
+    at: usize,
+    /// Of each triangle its part.
+    part: Vec<u32>,
+    /// Is it turned, seen from the first of its part?
+    turned: Vec<bool>,
+    open: Vec<u32>,
+    parts: Vec<Part>,
+    count: usize,
+}
+
+#[derive(Clone, Copy, Default)]
+enum Stage {
+    #[default]
+    Spread,
+    Measure,
+    Turn,
+}
+
+#[derive(Default)]
+struct Part {
+    /// A place on it.
+    about: glam::DVec3,
+    is_open: bool,
+    triangles: usize,
+    turned: usize,
+    /// Six times the volume, and twice the area.
+    volume: f64,
+    area: f64,
+}
+
+impl Part {
+    fn is_inside_out(&self) -> bool {
+        let least = NO_VOLUME * self.area * self.area.sqrt();
+        if self.is_open || self.volume.abs() < least {
+            2 * self.turned > self.triangles
+        } else {
+            self.volume < 0.0
+        }
+    }
+}
+
+impl Step for Orienting {
+    fn advance(&mut self, work: &mut Work) -> Result<bool, Notice> {
+        let count = work.triangles.len();
+        match self.stage {
+            Stage::Spread => {
+                if self.part.is_empty() {
+                    self.part = vec![NONE; count];
+                    self.turned = vec![false; count];
+                }
+                if self.spread(work)? {
+                    (self.stage, self.at) = (Stage::Measure, 0);
+                }
+                Ok(false)
+            }
+            Stage::Measure => {
+                let range = slice(&mut self.at, count);
+                range.for_each(|t| self.measure(work, t));
+                if self.at == count {
+                    (self.stage, self.at) = (Stage::Turn, 0);
+                }
+                Ok(false)
+            }
+            Stage::Turn => {
+                let range = slice(&mut self.at, count);
+                range.for_each(|t| self.turn(work, t));
+                if self.at < count {
+                    return Ok(false);
+                }
+                work.tell(Code::MendedTurned, self.count);
+                Ok(true)
+            }
+        }
+    }
+}
+
+impl Orienting {
+    /// True when all triangles have been come to.
+    fn spread(&mut self, work: &Work) -> Result<bool, Notice> {
+        for _ in 0..SLICE {
+            let Some(t) = self.open.pop() else {
+                let Some(next) = self.part[self.at..].iter().position(|&p| p == NONE) else {
+                    return Ok(true);
+                };
+                self.at += next;
+                self.part[self.at] = self.parts.len() as u32;
+                self.open.push(self.at as u32);
+                self.parts.push(Part {
+                    about: work.corners(self.at)[0],
+                    ..Part::default()
+                });
+                continue;
+            };
+            self.neighbours(work, t as usize)?;
+        }
+        Ok(false)
+    }
+
+    fn neighbours(&mut self, work: &Work, t: usize) -> Result<(), Notice> {
+        for (k, &edge) in work.across[t].iter().enumerate() {
+            if edge == NONE {
+                self.parts[self.part[t] as usize].is_open = true;
+                continue;
+            }
+            let (other, j) = (edge as usize / 3, edge as usize % 3);
+            let alike = work.triangles[t][k] == work.triangles[other][j];
+            let turned = self.turned[t] != alike;
+            if self.part[other] == NONE {
+                self.part[other] = self.part[t];
+                self.turned[other] = turned;
+                self.open.push(other as u32);
+            } else if self.turned[other] != turned {
+                return Err(Code::ModelOneSided.into());
+            }
+        }
+        Ok(())
+    }
+
+    fn measure(&mut self, work: &Work, t: usize) {
+        let part = &mut self.parts[self.part[t] as usize];
+        let [a, b, c] = work.corners(t).map(|p| p - part.about);
+        let sign = if self.turned[t] { -1.0 } else { 1.0 };
+        part.triangles += 1;
+        part.turned += usize::from(self.turned[t]);
+        part.volume += sign * a.dot(b.cross(c));
+        part.area += (b - a).cross(c - a).length();
+    }
+
+    fn turn(&mut self, work: &mut Work, t: usize) {
+        let is_turned =
+            |t: usize| self.turned[t] != self.parts[self.part[t] as usize].is_inside_out();
+        let across = work.across[t].map(|edge| match edge {
+            // The other one is turned with it, or not: its edges then run in the opposite order.
+            edge if edge != NONE && is_turned(edge as usize / 3) => edge / 3 * 3 + 2 - edge % 3,
+            edge => edge,
+        });
+        work.across[t] = across;
+        if is_turned(t) {
+            work.triangles[t].swap(1, 2);
+            work.across[t].swap(0, 2);
+            self.count += 1;
+        }
+    }
+}

@@ -1,0 +1,99 @@
+//! A vertex for each of the corners around it that hang together.
+
+use super::{NONE, Step, Work, slice};
+use crate::notice::{Code, Notice};
+use glam::DVec3;
+
+/// Goes round all vertices; where not all of its corners are come to, the vertex is split.
+pub(super) struct Splitter {
+    at: usize,
+    /// Corners that have been come to.
+    seen: Vec<[bool; 3]>,
+    /// Vertices that have corners already.
+    taken: Vec<bool>,
+    /// Of each new vertex the one that it was.
+    pub origin: Vec<u32>,
+}
+
+impl Splitter {
+    pub fn new(vertices: usize, triangles: usize) -> Self {
+        Self {
+            at: 0,
+            seen: vec![[false; 3]; triangles],
+            taken: vec![false; vertices],
+            origin: Vec::new(),
+        }
+    }
+
+    /// Works on some more, with what is across each edge (`3 * triangle + edge`); true when it is done.
+    pub fn advance(
+        &mut self,
+        positions: &mut Vec<DVec3>,
+        triangles: &mut [[u32; 3]],
+        across: &[[u32; 3]],
+    ) -> bool {
+        for t in slice(&mut self.at, triangles.len()) {
+            for k in 0..3 {
+                if !self.seen[t][k] {
+                    self.go_round(positions, triangles, across, (t, k));
+                }
+            }
+        }
+        self.at == triangles.len()
+    }
+
+    fn go_round(
+        &mut self,
+        positions: &mut Vec<DVec3>,
+        triangles: &mut [[u32; 3]],
+        across: &[[u32; 3]],
+        first: (usize, usize),
+    ) {
+        let old = triangles[first.0][first.1];
+        let vertex = if self.taken[old as usize] {
+            positions.push(positions[old as usize]);
+            self.origin.push(old);
+            positions.len() as u32 - 1
+        } else {
+            self.taken[old as usize] = true;
+            old
+        };
+        // Counter-clockwise, and where that ends, the other way.
+        for step in [2, 0] {
+            let (mut t, mut corner) = first;
+            loop {
+                self.seen[t][corner] = true;
+                triangles[t][corner] = vertex;
+                let edge = across[t][(corner + step) % 3];
+                if edge == NONE {
+                    break;
+                }
+                let on = if step == 2 { 0 } else { 1 };
+                (t, corner) = (edge as usize / 3, (edge as usize + on) % 3);
+                if self.seen[t][corner] {
+                    break;
+                }
+            }
+        }
+    }
+}
+
+#[derive(Default)]
+pub(super) struct Splitting {
+    splitter: Option<Splitter>,
+}
+
+impl Step for Splitting {
+    fn advance(&mut self, work: &mut Work) -> Result<bool, Notice> {
+        let (vertices, triangles) = (work.positions.len(), work.triangles.len());
+        let splitter = self
+            .splitter
+            .get_or_insert_with(|| Splitter::new(vertices, triangles));
+        if !splitter.advance(&mut work.positions, &mut work.triangles, &work.across) {
+            return Ok(false);
+        }
+        let count = splitter.origin.len();
+        work.tell(Code::MendedVertices, count);
+        Ok(true)
+    }
+}

@@ -1,0 +1,221 @@
+//! Vertices at one place become one.
+//!
+//! A grid of cubes whose diagonal counts as nothing: what is in one cube is at one place, and so is what is close to it
+//! in a cube beside it. Cubes are sorted by row, so that each of the rows beside is gone through once.
+
+use super::super::sorting::Sorting;
+use super::{NONE, Step, Work, slice};
+use crate::notice::{Code, Notice};
+use crate::order::rank;
+use glam::DVec3;
+
+/// Bits of a cube's place along an axis.
+const BITS: u32 = 21;
+/// What is close is at most so many cubes on.
+const REACH: i64 = 2;
+/// The rows of cubes beside one, and its own: places along z and y.
+const ROWS: [[i64; 2]; 13] = [
+    [0, 0],
+    [0, 1],
+    [0, 2],
+    [1, -2],
+    [1, -1],
+    [1, 0],
+    [1, 1],
+    [1, 2],
+    [2, -2],
+    [2, -1],
+    [2, 0],
+    [2, 1],
+    [2, 2],
+];
+
+#[derive(Default)]
+pub(super) struct Welding {
+    stage: Stage,
+    at: usize,
+    keys: Vec<(u64, u32)>,
+    sorting: Option<Sorting>,
+    /// Cubes with something in them, sorted, with the first vertex of each (the least along x, y, z).
+    cubes: Vec<(u64, u32)>,
+    /// Of each vertex its cube.
+    cube_of: Vec<u32>,
+    /// Of each cube one that is at the same place, with a lesser number; at last itself.
+    joined: Vec<u32>,
+    /// Where each of the rows has been gone through to.
+    rows: [usize; ROWS.len()],
+    /// Of each cube that all at its place are joined to, the number of the vertex that is left.
+    number: Vec<u32>,
+    kept: Vec<DVec3>,
+    /// How many triangles have been kept.
+    triangles: usize,
+}
+
+#[derive(Clone, Copy, Default)]
+enum Stage {
+    #[default]
+    Keys,
+    Sort,
+    Cubes,
+    Join,
+    Choose,
+    Number,
+    Rename,
+}
+
+impl Step for Welding {
+    fn advance(&mut self, work: &mut Work) -> Result<bool, Notice> {
+        let vertices = work.positions.len();
+        let count = match self.stage {
+            Stage::Keys | Stage::Cubes | Stage::Number => vertices,
+            Stage::Join | Stage::Choose => self.cubes.len(),
+            Stage::Sort => 0,
+            Stage::Rename => work.triangles.len(),
+        };
+        let range = slice(&mut self.at, count);
+        match self.stage {
+            Stage::Keys => self.keys.extend(range.map(|v| (key(work, v), v as u32))),
+            Stage::Sort => {
+                let sorting = self.sorting.as_mut().map(Sorting::advance);
+                match sorting {
+                    Some(None) => return Ok(false),
+                    sorted => self.keys = sorted.flatten().unwrap_or_default(),
+                }
+            }
+            Stage::Cubes => range.for_each(|k| self.cube(work, k)),
+            Stage::Join => range.for_each(|cube| self.join(work, cube)),
+            Stage::Choose => range.for_each(|cube| self.choose(work, cube)),
+            Stage::Number => range.for_each(|v| self.count(work, v)),
+            Stage::Rename => range.for_each(|t| self.rename(work, t)),
+        }
+        if self.at < count {
+            return Ok(false);
+        }
+        self.at = 0;
+        self.stage = match self.stage {
+            Stage::Keys => {
+                self.sorting = Some(Sorting::new(std::mem::take(&mut self.keys)));
+                Stage::Sort
+            }
+            Stage::Sort => {
+                self.sorting = None;
+                self.cube_of = vec![0; vertices];
+                Stage::Cubes
+            }
+            Stage::Cubes => {
+                self.keys = Vec::new();
+                self.joined = (0..self.cubes.len() as u32).collect();
+                Stage::Join
+            }
+            Stage::Join => Stage::Choose,
+            Stage::Choose => {
+                self.number = vec![NONE; self.cubes.len()];
+                Stage::Number
+            }
+            Stage::Number => Stage::Rename,
+            Stage::Rename => {
+                self.finish(work);
+                return Ok(true);
+            }
+        };
+        Ok(false)
+    }
+}
+
+/// The cube that a vertex is in, its rows along x one after the other.
+fn key(work: &Work, v: usize) -> u64 {
+    let side = work.near() / 3f64.sqrt();
+    let [x, y, z] = ((work.positions[v] - work.low) / side)
+        .to_array()
+        .map(|c| c as u64);
+    z << (2 * BITS) | y << BITS | x
+}
+
+impl Welding {
+    fn cube(&mut self, work: &Work, k: usize) {
+        let (key, v) = self.keys[k];
+        let place = |v: u32| work.positions[v as usize].to_array().map(rank);
+        match self.cubes.last_mut() {
+            Some((last, first)) if *last == key => {
+                if place(v) < place(*first) {
+                    *first = v;
+                }
+            }
+            _ => self.cubes.push((key, v)),
+        }
+        self.cube_of[v as usize] = self.cubes.len() as u32 - 1;
+    }
+
+    fn root(&mut self, mut cube: u32) -> u32 {
+        while self.joined[cube as usize] != cube {
+            let next = self.joined[cube as usize];
+            self.joined[cube as usize] = self.joined[next as usize];
+            cube = self.joined[cube as usize];
+        }
+        cube
+    }
+
+    fn join(&mut self, work: &Work, cube: usize) {
+        let (key, first) = self.cubes[cube];
+        let (p, near) = (work.positions[first as usize], work.near());
+        for (row, [z, y]) in ROWS.into_iter().enumerate() {
+            let middle = key as i64 + (z << (2 * BITS)) + (y << BITS);
+            let from = if row == 0 { middle + 1 } else { middle - REACH };
+            let pointer = &mut self.rows[row];
+            while self
+                .cubes
+                .get(*pointer)
+                .is_some_and(|c| (c.0 as i64) < from)
+            {
+                *pointer += 1;
+            }
+            let mut other = *pointer;
+            while let Some(&(key, v)) = self.cubes.get(other)
+                && key as i64 <= middle + REACH
+            {
+                if (work.positions[v as usize] - p).length_squared() <= near * near {
+                    let [a, b] = [cube, other].map(|c| self.root(c as u32));
+                    self.joined[a.max(b) as usize] = a.min(b);
+                }
+                other += 1;
+            }
+        }
+    }
+
+    /// Of all cubes at a place, the least vertex is kept.
+    fn choose(&mut self, work: &Work, cube: usize) {
+        let root = self.root(cube as u32) as usize;
+        let place = |v: u32| work.positions[v as usize].to_array().map(rank);
+        let (own, kept) = (self.cubes[cube].1, self.cubes[root].1);
+        if place(own) < place(kept) {
+            self.cubes[root].1 = own;
+        }
+    }
+
+    /// Numbers places in the order in which vertices come to them.
+    fn count(&mut self, work: &Work, v: usize) {
+        let root = self.root(self.cube_of[v]) as usize;
+        if self.number[root] == NONE {
+            self.number[root] = self.kept.len() as u32;
+            self.kept.push(work.positions[self.cubes[root].1 as usize]);
+        }
+        self.cube_of[v] = self.number[root];
+    }
+
+    /// Renames the corners of a triangle; it stays where these are three.
+    fn rename(&mut self, work: &mut Work, t: usize) {
+        let [a, b, c] = work.triangles[t].map(|v| self.cube_of[v as usize]);
+        if a != b && b != c && c != a {
+            work.triangles[self.triangles] = [a, b, c];
+            self.triangles += 1;
+        }
+    }
+
+    fn finish(&mut self, work: &mut Work) {
+        let (vertices, triangles) = (work.positions.len(), work.triangles.len());
+        work.positions = std::mem::take(&mut self.kept);
+        work.triangles.truncate(self.triangles);
+        work.tell(Code::MendedWelded, vertices - work.positions.len());
+        work.tell(Code::MendedThin, triangles - self.triangles);
+    }
+}
