@@ -13,10 +13,12 @@ mod cell;
 mod frame;
 mod mesh;
 mod point;
+mod shapes;
 mod walk;
 
 pub use cell::SurfaceCell;
 pub use frame::{Frame, Turn, Way, way};
 pub use mesh::{MeshFault, NONE, TriMesh};
 pub use point::SurfacePoint;
+pub use shapes::{Bone, OnBone, Shape, ShapeMaking, ShapeMesh, ShapeNumber};
 pub use walk::Walked;
