@@ -12,12 +12,14 @@ pub(super) struct Canal {
     /// By how much point and radius change from sample to sample.
     slopes: Vec<(DVec3, f64)>,
     closed: bool,
+    /// The box around all balls.
+    bounds: (DVec3, DVec3),
 }
 
 /// Every so many samples are looked at to find the nearest.
 const STRIDE: usize = 4;
 /// Steps to the exact foot.
-const STEPS: usize = 4;
+const STEPS: usize = 3;
 /// The curve comes back to itself where it is so many times as long as the straight way.
 const RETURNS: f64 = 2.2;
 /// Greatest part of the curve's own radius that balls may have, so that the inside of a bend stays smooth.
@@ -49,6 +51,7 @@ impl Canal {
         });
         Self {
             slopes: slopes.collect(),
+            bounds: bounds(&points, &radii),
             points,
             radii,
             closed,
@@ -166,13 +169,33 @@ impl Canal {
 
     /// How many times as large the radii may be so that no part of it meets another, nor the inside of a bend.
     pub fn room(&self) -> f64 {
+        let mut room = f64::INFINITY;
+        self.narrows(|width, radii, is_bend| {
+            let share = if is_bend { BEND } else { 1.0 };
+            room = room.min(share * width / radii);
+        });
+        room
+    }
+
+    /// The narrowest place between two of its parts, or across the inside of a bend.
+    pub fn gap(&self) -> f64 {
+        let mut gap = f64::INFINITY;
+        self.narrows(|width, radii, is_bend| {
+            let times = if is_bend { 2.0 } else { 1.0 };
+            gap = gap.min(times * (width - radii));
+        });
+        gap
+    }
+
+    /// Tells where the curve is near itself: the distance of two places, and the sum of the radii there; and how it
+    /// bends: its own radius, and that of the ball there.
+    fn narrows(&self, mut tell: impl FnMut(f64, f64, bool)) {
         let n = self.points.len();
         let mut along = vec![0.0; n + 1];
         for i in 0..n {
             let step = self.points[(i + 1) % n] - self.points[i];
             along[i + 1] = along[i] + step.length();
         }
-        let mut room = f64::INFINITY;
         for i in 0..n {
             for j in 0..i {
                 let mut way = along[i] - along[j];
@@ -181,7 +204,7 @@ impl Canal {
                 }
                 let far = (self.points[i] - self.points[j]).length();
                 if way > RETURNS * far {
-                    room = room.min(far / (self.radii[i] + self.radii[j]));
+                    tell(far, self.radii[i] + self.radii[j], false);
                 }
             }
             let (a, b) = match self.closed {
@@ -196,11 +219,13 @@ impl Canal {
             let chord = self.points[b] - self.points[a];
             let area = u.cross(v).length();
             if area > 0.0 {
-                let bend = u.length() * v.length() * chord.length() / (2.0 * area);
-                room = room.min(BEND * bend / self.radii[i]);
+                tell(
+                    u.length() * v.length() * chord.length() / (2.0 * area),
+                    self.radii[i],
+                    true,
+                );
             }
         }
-        room
     }
 
     /// The same curve with radii so many times as large.
@@ -218,9 +243,21 @@ impl Canal {
 
     /// The box around all balls.
     pub fn bounds(&self) -> (DVec3, DVec3) {
-        let balls = self.points.iter().zip(&self.radii);
-        let none = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-        balls.fold(none, |(lo, hi), (&p, &r)| (lo.min(p - r), hi.max(p + r)))
+        self.bounds
+    }
+
+    /// No point is nearer to its surface than this.
+    pub fn far(&self, p: DVec3) -> f64 {
+        let (lo, hi) = self.bounds;
+        (lo - p).max(p - hi).max(DVec3::ZERO).length()
+    }
+
+    /// Joined to something else, which is left as it is where it is too far away to change it.
+    pub fn join_to(&self, other: Jet, p: &Spot, k: f64) -> Jet {
+        if self.far(p.place()) >= other.value + k {
+            return other;
+        }
+        other.join(self.at(p), k)
     }
 
     /// The least and the greatest radius.
@@ -264,4 +301,10 @@ where
         da + (second * 2.0 + third * (3.0 * t)) * t,
         second * 2.0 + third * (6.0 * t),
     )
+}
+
+fn bounds(points: &[DVec3], radii: &[f64]) -> (DVec3, DVec3) {
+    let none = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+    let balls = points.iter().zip(radii);
+    balls.fold(none, |(lo, hi), (&p, &r)| (lo.min(p - r), hi.max(p + r)))
 }

@@ -108,7 +108,8 @@ impl Form for Curled {
     }
 
     fn coarsest(&self) -> f64 {
-        (1.1 * self.canal.radii().0 * self.stretch.min(1.0)).min(0.06)
+        let narrow = (0.85 * self.canal.radii().0).min(0.65 * self.canal.gap());
+        (narrow * self.stretch.min(1.0)).min(0.06)
     }
 
     fn steepest(&self) -> f64 {

@@ -17,6 +17,8 @@ pub(super) struct Fish {
     /// Those at the sides.
     side: Canal,
     eye: (DVec3, f64),
+    /// Radii of the body at even steps along x.
+    radii: Vec<f64>,
     swim: f64,
     /// The lowest point.
     low: f64,
@@ -28,9 +30,11 @@ const LENS: f64 = 0.32;
 /// Roundness of the lens's edges.
 const EDGE: f64 = 0.016;
 /// Fins are so many times as thin as they are broad.
-const THIN: f64 = 2.1;
-const SIDE_THIN: f64 = 1.7;
+const THIN: f64 = 2.2;
+const SIDE_THIN: f64 = 2.0;
 const BEND: f64 = 0.55;
+/// Steps of the table of radii.
+const SAMPLES: usize = 128;
 /// Where the bend to the side begins.
 const NECK: f64 = -0.15;
 
@@ -56,42 +60,35 @@ impl Fish {
         let lobe = |up: f64| {
             let (s, u) = (tail, tail * up);
             [
-                ball(0.31, 0.01 * up, 0.045),
-                ball(0.31 + 0.065 * s, 0.065 * u, 0.055 * s),
-                ball(0.31 + 0.12 * s, 0.135 * u, 0.047 * s),
-                ball(0.31 + 0.165 * s, 0.205 * u, 0.031 * s),
+                ball(0.30, 0.012 * up, 0.045),
+                ball(0.31 + 0.055 * s, 0.060 * u, 0.066 * s),
+                ball(0.31 + 0.090 * s, 0.130 * u, 0.064 * s),
+                ball(0.31 + 0.150 * s, 0.220 * u, 0.040 * s),
             ]
         };
         let web = [
             ball(0.3, 0.0, 0.05),
-            ball(0.31 + 0.085 * tail, 0.0, 0.045 * tail),
+            ball(0.31 + 0.055 * tail, 0.0, 0.05 * tail),
         ];
         let back = [
-            ball(-0.17, 0.90 * half, 0.05),
-            ball(-0.10, half + 0.030 * fins, 0.055 * fins),
-            ball(0.0, 0.96 * half + 0.055 * fins, 0.052 * fins),
-            ball(0.09, 0.80 * half + 0.060 * fins, 0.042 * fins),
-            ball(0.155, 0.62 * half + 0.066 * fins, 0.030 * fins),
+            ball(-0.16, 0.84 * half, 0.075),
+            ball(-0.085, half + 0.025 * fins, 0.080 * fins),
+            ball(0.005, 0.96 * half + 0.036 * fins, 0.068 * fins),
+            ball(0.085, 0.80 * half + 0.042 * fins, 0.054 * fins),
+            ball(0.155, 0.60 * half + 0.055 * fins, 0.040 * fins),
         ];
         let behind = [
-            ball(0.09, -0.72 * half, 0.045),
-            ball(0.145, -0.66 * half - 0.045 * fins, 0.042 * fins),
-            ball(0.195, -0.5 * half - 0.080 * fins, 0.030 * fins),
+            ball(0.09, -0.72 * half, 0.055),
+            ball(0.140, -0.66 * half - 0.035 * fins, 0.05 * fins),
+            ball(0.195, -0.5 * half - 0.080 * fins, 0.040 * fins),
         ];
         let below = [
-            ball(-0.11, -0.9 * half, 0.045),
-            ball(-0.06, -half - 0.035 * fins, 0.040 * fins),
-            ball(-0.012, -0.98 * half - 0.075 * fins, 0.030 * fins),
-        ];
-        let w = width * half;
-        let side = |x: f64, y: f64, z: f64, r: f64| (DVec3::new(x, y * half, z), r);
-        let side = [
-            side(-0.215, -0.22, 0.72 * w, 0.034),
-            side(-0.16, -0.33, 0.98 * w + 0.014, 0.04 * fins),
-            side(-0.16 + 0.075 * fins, -0.46, w + 0.036 * fins, 0.036 * fins),
+            ball(-0.11, -0.9 * half, 0.055),
+            ball(-0.065, -half - 0.025 * fins, 0.048 * fins),
+            ball(-0.01, -0.98 * half - 0.07 * fins, 0.040 * fins),
         ];
         let through = |balls: &[(DVec3, f64)]| Canal::through(balls, 6);
-        let fins = vec![
+        let through_fins = vec![
             (through(&lobe(1.0)), 0.03),
             (through(&lobe(-0.94)), 0.03),
             (through(&web), 0.03),
@@ -101,24 +98,41 @@ impl Fish {
         ];
         let narrow = ((1.0 - LENS) / (1.0 + LENS)).sqrt() / width;
         let (mut low, mut high) = (-half, half);
-        for (fin, _) in &fins {
+        for (fin, _) in &through_fins {
             let (a, b) = fin.bounds();
             (low, high) = (low.min(a.y), high.max(b.y));
         }
-        Self {
-            body: Canal::through(&body, 6),
+        let body = Canal::through(&body, 6);
+        let middle = 0.01 * half * DVec3::Y;
+        let radius = |k: usize| {
+            body.foot(middle + DVec3::X * (k as f64 / SAMPLES as f64 - 0.5))
+                .radius
+        };
+        let mut fish = Self {
+            radii: (0..=SAMPLES).map(radius).collect(),
+            side: body.clone(),
+            body,
             half,
             narrow,
-            fins,
-            side: through(&side),
-            eye: (
-                DVec3::new(-0.385, 0.14 * half, 0.49 * w),
-                0.12 * half + 0.006,
-            ),
+            fins: through_fins,
+            eye: (DVec3::ZERO, 0.0),
             swim: libm::tan(n[4].to_radians()) * BEND,
             low,
             high,
-        }
+        };
+        let eye = DVec3::new(-0.375, 0.17 * half, fish.skin(-0.375, 0.17 * half) - 0.004);
+        fish.eye = (eye, 0.013 + 0.05 * half);
+        let root = DVec3::new(-0.225, -0.2 * half, fish.skin(-0.225, -0.2 * half) - 0.012);
+        let side = [
+            (root, 0.042),
+            (root + DVec3::new(0.05, -0.1 * half, 0.035), 0.048 * fins),
+            (
+                root + DVec3::new(0.05 + 0.09 * fins, -0.28 * half, 0.06 + 0.05 * fins),
+                0.038 * fins,
+            ),
+        ];
+        fish.side = Canal::through(&side, 6);
+        fish
     }
 
     /// How far the fish bends to the side.
@@ -133,17 +147,36 @@ impl Fish {
     }
 
     fn body(&self, p: &Spot) -> Jet {
-        // The radius at the foot tells how far the two arcs are apart; the foot moves with the point along the body.
         let round = p.z.soft_abs(EDGE) - EDGE;
-        let high = |radius: f64| Spot {
-            z: round * self.narrow + LENS * radius,
-            ..*p
+        let z = round * self.narrow + self.radius(p.x) * LENS;
+        self.body.at(&Spot { z, ..*p })
+    }
+
+    /// The radius of the body.
+    fn radius(&self, x: Jet) -> Jet {
+        let last = self.radii.len() - 1;
+        let at = ((x.value + 0.5) * last as f64).clamp(0.0, last as f64);
+        let k = (at as usize).min(last - 1);
+        let rise = self.radii[k + 1] - self.radii[k];
+        let slope = if at > 0.0 && at < last as f64 {
+            rise * last as f64
+        } else {
+            0.0
         };
-        let mut radius = 0.8 * self.half;
-        for _ in 0..3 {
-            radius = self.body.foot(high(radius).place()).radius;
+        x.map(self.radii[k] + rise * (at - k as f64), slope)
+    }
+
+    /// How far the skin is to the side of a point of the middle plane.
+    fn skin(&self, x: f64, y: f64) -> f64 {
+        let (mut inside, mut outside) = (0.0, self.half);
+        for _ in 0..40 {
+            let z = 0.5 * (inside + outside);
+            match self.body(&Spot::new(DVec3::new(x, y, z))).value < 0.0 {
+                true => inside = z,
+                false => outside = z,
+            }
         }
-        self.body.at(&high(radius))
+        inside
     }
 }
 
@@ -157,14 +190,14 @@ impl Form for Fish {
         let mut fish = self.body(&p);
         let thin = Spot { z: p.z * THIN, ..p };
         for (fin, k) in &self.fins {
-            fish = fish.join(fin.at(&thin), *k);
+            fish = fin.join_to(fish, &thin, *k);
         }
         let beside = p.z.abs();
         let flap = Spot {
             z: (beside - self.side.start().0.z) * SIDE_THIN + self.side.start().0.z,
             ..p
         };
-        fish = fish.join(self.side.at(&flap), 0.02);
+        fish = self.side.join_to(fish, &flap, 0.02);
         let eye = Spot { z: beside, ..p }.distance(self.eye.0) - self.eye.1;
         fish.join(eye, 0.012)
     }
@@ -186,7 +219,7 @@ impl Form for Fish {
 
     fn coarsest(&self) -> f64 {
         let least = self.fins.iter().map(|(fin, _)| fin.radii().0);
-        1.6 * least.fold(f64::INFINITY, f64::min) / THIN
+        0.9 * least.fold(f64::INFINITY, f64::min) / THIN
     }
 
     fn steepest(&self) -> f64 {

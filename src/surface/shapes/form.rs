@@ -25,23 +25,32 @@ pub(super) trait Form {
 
 /// Newton's steps onto the surface at most.
 const STEPS: usize = 4;
+/// A point is on it where the next step would be this part of the longest one.
+const NEAR: f64 = 1e-4;
 
-/// A point brought onto the surface along the gradient, no farther than `most` in a step, and the unit normal there.
-pub(super) fn onto(form: &dyn Form, p: DVec3, most: f64) -> (DVec3, DVec3) {
+/// A point brought onto the surface along the gradient, no farther than `most` in a step.
+pub(super) fn onto(form: &dyn Form, p: DVec3, most: f64) -> DVec3 {
     let mut at = p;
-    let mut normal = DVec3::Y;
     for _ in 0..STEPS {
-        let jet = form.at(Spot::new(at));
-        let square = jet.slope.length_squared();
-        if square < 1e-12 {
+        let Some(step) = step(form, at, most) else {
             break;
-        }
-        normal = jet.slope / square.sqrt();
-        let step = -jet.value / square.sqrt();
-        at += normal * step.clamp(-most, most);
-        if step.abs() < 1e-3 * most {
+        };
+        at += step;
+        if step.length_squared() < NEAR * NEAR * most * most {
             break;
         }
     }
-    (at, normal)
+    at
+}
+
+/// A point brought nearer to the surface, by one step: enough for one that has been on it and is moved a little.
+pub(super) fn near(form: &dyn Form, p: DVec3, most: f64) -> DVec3 {
+    p + step(form, p, most).unwrap_or(DVec3::ZERO)
+}
+
+fn step(form: &dyn Form, at: DVec3, most: f64) -> Option<DVec3> {
+    let jet = form.at(Spot::new(at));
+    let length = jet.slope.length();
+    let normal = jet.slope / length;
+    (length > 1e-6).then(|| normal * (-jet.value / length).clamp(-most, most))
 }

@@ -16,14 +16,14 @@ use Part::{Arc, To};
 type Glyph = &'static [&'static [Part]];
 
 /// Straight pieces of a whole turn.
-const PIECES: f64 = 56.0;
+const PIECES: f64 = 96.0;
 
 const GLYPHS: [Glyph; 26] = [
     // A
     &[
-        &[To(0.0, 0.0), To(0.37, 1.0)],
-        &[To(0.74, 0.0), To(0.37, 1.0)],
-        &[To(0.126, 0.34), To(0.614, 0.34)],
+        &[To(0.0, 0.0), To(0.41, 1.0)],
+        &[To(0.82, 0.0), To(0.41, 1.0)],
+        &[To(0.1148, 0.28), To(0.7052, 0.28)],
     ],
     // B
     &[

@@ -73,6 +73,14 @@ impl Jet {
         )
     }
 
+    /// The smaller of two, rounded only where they face different ways: nothing swells where one ends in the other.
+    pub fn weld(self, other: Self, k: f64) -> Self {
+        let alike = self.slope.dot(other.slope);
+        let lengths = self.slope.length() * other.slope.length();
+        let apart = 1.0 - alike / lengths.max(1e-9);
+        self.join(other, k * apart.clamp(1e-6, 1.0))
+    }
+
     /// The greater of two, rounded in the same way.
     pub fn cut(self, other: Self, k: f64) -> Self {
         -(-self).join(-other, k)

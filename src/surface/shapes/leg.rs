@@ -19,15 +19,14 @@ struct Toe {
     canal: Canal,
     /// Balls on top of the joints.
     knuckles: Vec<(DVec3, f64)>,
-    box_of: (DVec3, DVec3),
 }
 
 /// The limb is this much deeper than it is wide.
 const DEEPER: f64 = 1.14;
 /// How smoothly parts go into each other.
 const JOIN: f64 = 0.07;
-const WEB: f64 = 0.02;
-const KNUCKLE: f64 = 0.022;
+const WEB: f64 = 0.03;
+const KNUCKLE: f64 = 0.018;
 /// The toes' middles come together so far behind the ball of the foot.
 const BEHIND: f64 = 0.045;
 
@@ -54,25 +53,25 @@ impl Leg {
         let between = |a: DVec3, b: DVec3, t: f64| a + (b - a) * t;
         let back = |p: DVec3, by: f64| p - DVec3::Z * by;
         let limb = [
-            (hip, 0.196),
-            (between(hip, knee, 0.5), 0.162),
-            (knee, 0.112),
-            (between(knee, ankle, 0.33), 0.096),
-            (between(knee, ankle, 0.7), 0.066),
-            (ankle, 0.06),
-            (between(ankle, ball, 0.55), 0.062),
-            (ball, 0.068),
+            (hip, 0.172),
+            (between(hip, knee, 0.45), 0.146),
+            (between(hip, knee, 0.82), 0.104),
+            (between(knee, ankle, 0.14), 0.1),
+            (between(knee, ankle, 0.48), 0.085),
+            (between(knee, ankle, 0.85), 0.068),
+            (between(ankle, ball, 0.3), 0.068),
+            (ball, 0.076),
         ];
         let haunch = [
-            (back(hip, 0.05), 0.17),
-            (back(between(hip, knee, 0.5), 0.07), 0.13),
-            (back(between(hip, knee, 0.95), 0.055), 0.06),
+            (back(hip, 0.05), 0.15),
+            (back(between(hip, knee, 0.5), 0.062), 0.112),
+            (back(between(hip, knee, 0.92), 0.04), 0.06),
         ];
         let calf = [
-            (back(between(knee, ankle, 0.02), 0.035), 0.06),
-            (back(between(knee, ankle, 0.3), 0.052), 0.08),
-            (back(between(knee, ankle, 0.65), 0.036), 0.042),
-            (back(between(knee, ankle, 0.98), 0.022), 0.038),
+            (back(between(knee, ankle, 0.08), 0.03), 0.062),
+            (back(between(knee, ankle, 0.33), 0.045), 0.07),
+            (back(between(knee, ankle, 0.66), 0.036), 0.042),
+            (back(between(knee, ankle, 0.95), 0.026), 0.036),
         ];
         let thick = |balls: &[(DVec3, f64)]| {
             let thick: Vec<_> = balls.iter().map(|&(p, r)| (p, r * girth)).collect();
@@ -91,7 +90,7 @@ impl Leg {
         Self {
             limb: thick(&limb),
             muscles: [thick(&haunch), thick(&calf)],
-            knee: (knee + DVec3::new(0.0, 0.005, 0.045), 0.075 * girth),
+            knee: (knee + DVec3::new(0.0, 0.0, 0.035), 0.068 * girth),
             toes: (0..count).map(toe).collect(),
         }
     }
@@ -103,34 +102,30 @@ impl Leg {
 
 /// A toe at an angle to the foot; those farther from the middle are shorter.
 fn toe(ball: DVec3, angle: f64, aside: f64, reach: f64, girth: f64) -> Toe {
-    let length = reach * (0.315 - 0.028 * aside);
+    let length = reach * (0.395 - 0.032 * aside);
     let out = DVec3::new(libm::sin(angle), 0.0, libm::cos(angle));
     let start = DVec3::new(ball.x, 0.0, ball.z - BEHIND);
-    let thick = (0.55 + 0.45 * girth) * (1.0 - 0.04 * aside);
+    let thick = (0.8 + 0.2 * girth) * (1.0 - 0.04 * aside);
     // How far along, how high, how thick.
     let along = [
-        (0.0, 0.074, 0.054),
-        (0.26, 0.070, 0.050),
-        (0.50, 0.056, 0.0465),
-        (0.72, 0.044, 0.0405),
-        (0.88, 0.035, 0.032),
-        (1.0, 0.0205, 0.0205),
+        (0.0, 0.078, 0.060),
+        (0.25, 0.077, 0.053),
+        (0.48, 0.063, 0.0485),
+        (0.70, 0.050, 0.0435),
+        (0.86, 0.039, 0.035),
+        (1.0, 0.022, 0.023),
     ];
     let balls = along.map(|(t, y, r)| (start + out * (t * length) + DVec3::Y * y, r * thick));
     let canal = Canal::through(&balls, 6);
     let knuckles = [
-        (0.40, 0.086, 0.030),
-        (0.61, 0.066, 0.0275),
-        (0.80, 0.050, 0.0215),
+        (0.36, 0.092, 0.037),
+        (0.575, 0.075, 0.0345),
+        (0.775, 0.060, 0.030),
     ];
     let knuckles = knuckles
         .map(|(t, y, r)| (start + out * (t * length) + DVec3::Y * y * thick, r * thick))
         .to_vec();
-    Toe {
-        box_of: canal.bounds(),
-        canal,
-        knuckles,
-    }
+    Toe { canal, knuckles }
 }
 
 impl Toe {
@@ -144,9 +139,7 @@ impl Toe {
 
     /// No less far from it than this.
     fn far(&self, p: DVec3) -> f64 {
-        let (lo, hi) = self.box_of;
-        let d = (lo - p).max(p - hi).max(DVec3::ZERO);
-        d.length() - KNUCKLE
+        self.canal.far(p) - KNUCKLE
     }
 }
 
@@ -161,10 +154,9 @@ impl Form for Leg {
         let mut leg = self.limb.at(&slim);
         // What is above the ankle has no toes, and what is far below it no muscles.
         if place.y > 0.1 {
-            leg = leg
-                .join(haunch.at(&slim), JOIN)
-                .join(calf.at(&slim), 0.5 * JOIN)
-                .join(self.knee(&slim), JOIN);
+            leg = leg.join(self.knee(&slim), JOIN);
+            leg = haunch.join_to(leg, &slim, JOIN);
+            leg = calf.join_to(leg, &slim, JOIN);
         }
         let mut toes: Option<Jet> = None;
         for toe in &self.toes {
@@ -190,14 +182,14 @@ impl Form for Leg {
             (lo, hi) = (lo.min(a * slim), hi.max(b * slim));
         }
         for toe in &self.toes {
-            (lo, hi) = (lo.min(toe.box_of.0), hi.max(toe.box_of.1));
+            (lo, hi) = (lo.min(toe.canal.bounds().0), hi.max(toe.canal.bounds().1));
         }
         (DVec3::new(lo.x, 0.0, lo.z), DVec3::new(hi.x, 1.0, hi.z))
     }
 
     fn coarsest(&self) -> f64 {
         let tips = self.toes.iter().map(|toe| toe.canal.radii().0);
-        1.3 * tips.fold(0.025, f64::min)
+        0.85 * tips.fold(0.025, f64::min)
     }
 
     fn steepest(&self) -> f64 {

@@ -18,7 +18,7 @@ pub(super) struct Letter {
 }
 
 /// How smoothly strokes go into each other, as part of their half width.
-const JOIN: f64 = 0.5;
+const JOIN: f64 = 0.7;
 
 impl Letter {
     /// Of `[letter, weight, depth, round, lean]`.
@@ -26,24 +26,25 @@ impl Letter {
         let (half, deep) = (0.5 * n[1], 0.5 * n[2]);
         let mut strokes = strokes(n[0] as usize - 1);
         let scale = 1.0 - 2.0 * half;
+        let lean = libm::tan(n[4].to_radians());
         let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
         for p in strokes.iter_mut().flatten() {
             *p *= scale;
             p.y += half;
-            (least, most) = (least.min(p.x), most.max(p.x));
+            let x = p.x + lean * (p.y - 0.5);
+            (least, most) = (least.min(x), most.max(x));
         }
         for p in strokes.iter_mut().flatten() {
             p.x -= 0.5 * (least + most);
         }
-        let wide = 0.5 * (most - least) + half;
-        let lean = libm::tan(n[4].to_radians());
+        let wide = 0.5 * (most - least) + half * (1.0 + lean * lean).sqrt();
         Self {
             strokes,
             half,
             deep,
             round: n[3] * half.min(deep),
             lean,
-            scale: 1.0 / (2.0 * wide + lean.abs()).max(1.0),
+            scale: 1.0 / (2.0 * wide).max(1.0),
             wide,
         }
     }
@@ -78,7 +79,7 @@ impl Form for Letter {
         let mut flat: Option<Jet> = None;
         for line in &self.strokes {
             let d = distance(line, x, y) - self.half;
-            flat = Some(flat.map_or(d, |flat| flat.join(d, k)));
+            flat = Some(flat.map_or(d, |flat| flat.weld(d, k)));
         }
         let Some(flat) = flat else {
             return Jet::new(1.0, DVec3::ZERO);
@@ -95,7 +96,7 @@ impl Form for Letter {
     }
 
     fn bounds(&self) -> (DVec3, DVec3) {
-        let x = (self.wide + 0.5 * self.lean.abs() * (1.0 - 2.0 * self.half)) * self.scale;
+        let x = self.wide * self.scale;
         let z = self.deep * self.scale;
         (DVec3::new(-x, 0.0, -z), DVec3::new(x, self.scale, z))
     }

@@ -7,31 +7,43 @@ use super::surgery::Surgery;
 use super::{Shape, ShapeMesh, plain, solid};
 use crate::surface::NONE;
 
-/// Rounds of splitting, collapsing, flipping and sliding.
-const ROUNDS: usize = 7;
-/// Vertices that are moved at a time.
-const PIECE: usize = 2_000;
+/// What is done to all edges or vertices, one after another.
+#[derive(Clone, Copy, PartialEq)]
+enum Pass {
+    Split,
+    Collapse,
+    EvenOut,
+    Slide,
+    Delaunay,
+    /// Exactly onto the form.
+    Onto,
+}
+
+use Pass::{Collapse, Delaunay, EvenOut, Onto, Slide, Split};
+
+/// The first triangles are made even by these, ...
+const ROUND: [Pass; 4] = [Split, Collapse, EvenOut, Slide];
+const ROUNDS: usize = 5;
+/// ... and then by these; ...
+const LAST: [Pass; 4] = [Slide, Delaunay, Slide, Onto];
+/// ... what comes of a division by these.
+const DIVIDED: [Pass; 8] = [Onto, Slide, Split, Collapse, EvenOut, Slide, Delaunay, Onto];
+
+/// Vertices that are moved, or half edges that are looked at, at a time.
+const PIECE: usize = 1_500;
 /// How far a vertex slides towards the middle of its neighbours.
 const SLIDE: f64 = 0.6;
-/// Rounds of sliding after each division.
-const SLIDES: usize = 2;
-
-enum Work {
-    /// The first triangles.
-    March(March),
-    /// Round and part of it.
-    Rounds(Surgery, usize, usize),
-    /// Vertices brought onto the form, from this one on.
-    Onto(Surgery, usize),
-    /// Rounds of sliding left, and the vertex to go on with.
-    Slide(Surgery, usize, usize),
-    Done,
-}
 
 /// A [`Shape`] in the making.
 pub struct ShapeMaking {
     form: Option<Box<dyn Form>>,
-    work: Work,
+    march: Option<March>,
+    mesh: Option<Surgery>,
+    /// What is still to be done to the mesh, the next one last.
+    passes: Vec<Pass>,
+    /// How far the first of these has come, and where it ends.
+    at: usize,
+    end: usize,
     /// The length of edges wanted now, and how many times it is halved yet.
     edge: f64,
     halvings: usize,
@@ -40,110 +52,105 @@ pub struct ShapeMaking {
 
 impl ShapeMaking {
     pub(super) fn new(shape: Shape, numbers: &[f64], edge: f64) -> Self {
-        let Some(form) = solid(shape, numbers) else {
-            return Self {
-                form: None,
-                work: Work::Done,
-                edge,
-                halvings: 0,
-                made: plain(shape, numbers, edge),
-            };
-        };
-        let (lo, hi) = form.bounds();
-        let (mut edge, mut halvings) = (edge * (hi - lo).length(), 0);
-        let coarsest = form.coarsest();
-        if edge > coarsest {
-            edge = coarsest;
-        }
-        while 2.0 * edge <= coarsest {
-            edge *= 2.0;
-            halvings += 1;
-        }
-        let work = Work::March(March::new(&*form, edge));
-        Self {
-            form: Some(form),
-            work,
+        let mut making = Self {
+            form: solid(shape, numbers),
+            march: None,
+            mesh: None,
+            passes: Vec::new(),
+            at: 0,
+            end: 0,
             edge,
-            halvings,
+            halvings: 0,
             made: ShapeMesh::default(),
+        };
+        match &making.form {
+            None => making.made = plain(shape, numbers, edge),
+            Some(form) => {
+                let (lo, hi) = form.bounds();
+                let coarsest = form.coarsest();
+                making.edge = (edge * (hi - lo).length()).min(coarsest);
+                while 2.0 * making.edge <= coarsest {
+                    making.edge *= 2.0;
+                    making.halvings += 1;
+                }
+                making.march = Some(March::new(&**form, making.edge, false));
+            }
         }
+        making
     }
 
-    /// Does a piece of the work, of about two milliseconds; true when all is done.
+    /// Does a piece of the work, of a few milliseconds at most; true when all is done.
     pub fn advance(&mut self) -> bool {
-        let Some(form) = &self.form else {
+        let Some(form) = self.form.as_deref() else {
             return true;
         };
-        let form = &**form;
-        let edge = self.edge;
-        self.work = match std::mem::replace(&mut self.work, Work::Done) {
-            Work::March(mut march) => {
-                if march.advance(form) {
-                    let mesh = Surgery::new(march.positions, &march.triangles);
-                    Work::Rounds(mesh, 0, 0)
-                } else {
-                    Work::March(march)
+        if let Some(march) = &mut self.march {
+            if march.advance(form) {
+                let (positions, triangles) = march.take();
+                self.mesh = Surgery::new(positions, &triangles);
+                if self.mesh.is_none() && !march.is_whole() {
+                    // The form is steeper than it says, and something was passed over.
+                    *march = March::new(form, self.edge, true);
+                    return false;
                 }
+                self.march = None;
+                let rounds = (0..ROUNDS).flat_map(|_| ROUND).chain(LAST);
+                self.passes = rounds.collect();
+                self.passes.reverse();
+                self.begin();
             }
-            Work::Rounds(mut mesh, round, part) => {
-                match part {
-                    0 => remesh::split(&mut mesh, form, edge),
-                    1 => remesh::collapse(&mut mesh, form, edge),
-                    2 if round + 1 < ROUNDS => remesh::even_out(&mut mesh),
-                    2 => remesh::make_delaunay(&mut mesh),
-                    _ => {}
-                }
-                let from = PIECE * part.saturating_sub(3);
-                if part < 3 {
-                    Work::Rounds(mesh, round, part + 1)
-                } else if slide(&mut mesh, form, from, edge) {
-                    match round + 1 {
-                        ROUNDS => self.divide(mesh),
-                        next => Work::Rounds(mesh, next, 0),
-                    }
-                } else {
-                    Work::Rounds(mesh, round, part + 1)
-                }
-            }
-            Work::Onto(mut mesh, from) => {
-                let to = (from + PIECE).min(mesh.positions.len());
-                for v in from..to {
-                    mesh.positions[v] = onto(form, mesh.positions[v], edge).0;
-                }
-                match to == mesh.positions.len() {
-                    true => Work::Slide(mesh, SLIDES, 0),
-                    false => Work::Onto(mesh, to),
-                }
-            }
-            Work::Slide(mut mesh, rounds, from) => match slide(&mut mesh, form, from, edge) {
-                false => Work::Slide(mesh, rounds, from + PIECE),
-                true if rounds == 1 => {
-                    remesh::make_delaunay(&mut mesh);
-                    self.divide(mesh)
-                }
-                true => Work::Slide(mesh, rounds - 1, 0),
-            },
-            Work::Done => Work::Done,
+            return false;
+        }
+        let Some(mesh) = &mut self.mesh else {
+            return true;
         };
-        matches!(self.work, Work::Done)
+        let to = (self.at + PIECE).min(self.end);
+        if let Some(&pass) = self.passes.last() {
+            work(mesh, form, pass, self.edge, self.at..to);
+        }
+        self.at = to;
+        if to < self.end {
+            return false;
+        }
+        self.passes.pop();
+        if self.passes.is_empty() && !self.divide() {
+            return true;
+        }
+        self.begin();
+        false
     }
 
-    /// On to half the length of edges, or to the end.
-    fn divide(&mut self, mesh: Surgery) -> Work {
-        let (positions, triangles) = mesh.finish();
-        if self.halvings == 0 {
-            self.made = ShapeMesh {
-                positions,
-                triangles,
-                creases: Vec::new(),
-            };
-            return Work::Done;
+    /// Begins with the next pass.
+    fn begin(&mut self) {
+        let Some(mesh) = &self.mesh else {
+            return;
+        };
+        self.at = 0;
+        self.end = match self.passes.last() {
+            Some(Slide | Onto) => mesh.positions.len(),
+            _ => mesh.from.len(),
+        };
+    }
+
+    /// On to half the length of edges; false where that was the last time.
+    fn divide(&mut self) -> bool {
+        let Some(mesh) = self.mesh.take() else {
+            return false;
+        };
+        if self.halvings > 0 {
+            self.mesh = Some(mesh.compact().divided());
+            self.halvings -= 1;
+            self.edge *= 0.5;
+            self.passes.extend(DIVIDED.into_iter().rev());
+            return true;
         }
-        let from = positions.len();
-        let (positions, triangles) = Surgery::new(positions, &triangles).divided();
-        self.halvings -= 1;
-        self.edge *= 0.5;
-        Work::Onto(Surgery::new(positions, &triangles), from)
+        let (positions, triangles) = mesh.finish();
+        self.made = ShapeMesh {
+            positions,
+            triangles,
+            creases: Vec::new(),
+        };
+        false
     }
 
     /// What has been made: all of it once [`Self::advance`] has said so, else nothing.
@@ -152,13 +159,21 @@ impl ShapeMaking {
     }
 }
 
-/// Slides a piece of the vertices; true where it was the last one.
-fn slide(mesh: &mut Surgery, form: &dyn Form, from: usize, edge: f64) -> bool {
-    let to = (from + PIECE).min(mesh.positions.len());
-    for v in from..to {
-        if mesh.out[v] != NONE {
-            mesh.positions[v] = remesh::slid(mesh, form, v as u32, SLIDE, edge);
+/// A piece of a pass: vertices, or half edges.
+fn work(mesh: &mut Surgery, form: &dyn Form, pass: Pass, edge: f64, piece: std::ops::Range<usize>) {
+    let edges = piece.start as u32..piece.end as u32;
+    match pass {
+        Split => remesh::split(mesh, form, edge, edges),
+        Collapse => remesh::collapse(mesh, form, edge, edges),
+        EvenOut => remesh::even_out(mesh, edges),
+        Delaunay => remesh::make_delaunay(mesh, edges),
+        Slide | Onto => {
+            for v in piece.filter(|&v| mesh.out[v] != NONE).collect::<Vec<_>>() {
+                mesh.positions[v] = match pass {
+                    Onto => onto(form, mesh.positions[v], edge),
+                    _ => remesh::slid(mesh, form, v as u32, SLIDE, edge),
+                };
+            }
         }
     }
-    to == mesh.positions.len()
 }

@@ -30,18 +30,20 @@ pub(super) struct March {
     /// Cubes along each axis, whole blocks.
     cubes: [usize; 3],
     layer: usize,
+    /// Nothing is passed over.
+    whole: bool,
     /// Of two layers of nodes: the function there; where no block near is met by the surface, what a block has.
     values: [Vec<f64>; 2],
     /// Of each edge that begins in them its vertex.
     edges: [Vec<u32>; 2],
     /// Of each block of the row of blocks whether the surface may be in it.
     open: Vec<bool>,
-    pub positions: Vec<DVec3>,
-    pub triangles: Vec<[u32; 3]>,
+    positions: Vec<DVec3>,
+    triangles: Vec<[u32; 3]>,
 }
 
 impl March {
-    pub fn new(form: &dyn Form, step: f64) -> Self {
+    pub fn new(form: &dyn Form, step: f64, whole: bool) -> Self {
         let (lo, hi) = form.bounds();
         let cubes = ((hi - lo) / step + 2.0 * MARGIN).to_array();
         let cubes = cubes.map(|n| (n / BLOCK as f64).ceil().max(1.0) as usize * BLOCK);
@@ -52,6 +54,7 @@ impl March {
             step,
             cubes,
             layer: 0,
+            whole,
             values: std::array::from_fn(|_| vec![1.0; nodes]),
             edges: std::array::from_fn(|_| vec![NONE; 7 * nodes]),
             open: Vec::new(),
@@ -96,6 +99,18 @@ impl March {
         self.layer == self.cubes[2]
     }
 
+    pub fn is_whole(&self) -> bool {
+        self.whole
+    }
+
+    /// What has been made.
+    pub fn take(&mut self) -> (Vec<DVec3>, Vec<[u32; 3]>) {
+        (
+            std::mem::take(&mut self.positions),
+            std::mem::take(&mut self.triangles),
+        )
+    }
+
     fn open_blocks(&mut self, form: &dyn Form) {
         let half = 0.5 * BLOCK as f64;
         let reach = form.steepest() * half * self.step * 3.0_f64.sqrt();
@@ -106,7 +121,7 @@ impl March {
                 let corner = self.node(x * BLOCK, y * BLOCK, self.layer);
                 let middle = corner + DVec3::splat(half * self.step);
                 self.open
-                    .push(form.at(Spot::new(middle)).value.abs() <= reach);
+                    .push(self.whole || form.at(Spot::new(middle)).value.abs() <= reach);
             }
         }
     }

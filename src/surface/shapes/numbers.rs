@@ -138,8 +138,8 @@ const KNOT: &[ShapeNumber] = &[
     number(["lobes", "Lobes", ""], 3.0, [3.0, 9.0, 1.0]),
     number(
         ["tube", "Thickness, of the room there is", ""],
-        0.75,
-        [0.35, 0.9, 0.05],
+        0.7,
+        [0.35, 0.85, 0.05],
     ),
     number(
         ["swing", "How far lobes swing in and out", ""],
@@ -153,29 +153,29 @@ const KNOT: &[ShapeNumber] = &[
     ),
 ];
 const HORN: &[ShapeNumber] = &[
-    number(["turns", "Turns", ""], 1.5, [0.25, 3.0, 0.05]),
+    number(["turns", "Turns", ""], 2.0, [0.25, 3.0, 0.05]),
     number(
         ["rise", "How far it winds out of its plane", ""],
-        0.5,
+        1.0,
         [0.0, 2.0, 0.05],
     ),
     number(
         ["taper", "Width of the tip over that of the root", ""],
-        0.12,
+        0.14,
         [0.08, 0.6, 0.01],
     ),
     number(
         ["girth", "Thickness, of the room there is", ""],
-        0.8,
-        [0.35, 0.95, 0.05],
+        0.7,
+        [0.35, 0.85, 0.05],
     ),
 ];
 const LEG: &[ShapeNumber] = &[
     number(["toes", "Toes", ""], 4.0, [3.0, 5.0, 1.0]),
     number(
         ["spread", "Angle between toes", "°"],
-        24.0,
-        [17.0, 34.0, 1.0],
+        27.0,
+        [21.0, 34.0, 1.0],
     ),
     number(["bend", "Bend of the knee", "°"], 34.0, [0.0, 55.0, 1.0]),
     number(["girth", "Thickness", ""], 1.0, [0.75, 1.25, 0.05]),
@@ -185,8 +185,8 @@ const TAIL: &[ShapeNumber] = &[
     number(["curl", "Curl", "°"], 290.0, [0.0, 450.0, 5.0]),
     number(
         ["taper", "Width of the tip over that of the root", ""],
-        0.15,
-        [0.08, 0.6, 0.01],
+        0.2,
+        [0.1, 0.6, 0.01],
     ),
     number(
         ["girth", "Width of the root over the length", ""],
@@ -222,7 +222,7 @@ const TURTLE: &[ShapeNumber] = &[
         [0.18, 0.55, 0.01],
     ),
     number(["rim", "Rim", ""], 0.5, [0.0, 1.0, 0.05]),
-    number(["keel", "Keels along the back", ""], 0.3, [0.0, 1.0, 0.05]),
+    number(["keel", "Keels along the back", ""], 0.4, [0.0, 1.0, 0.05]),
 ];
 const EGG: &[ShapeNumber] = &[
     number(["height", "Height over width", ""], 1.35, [0.8, 1.9, 0.05]),
@@ -260,8 +260,8 @@ const LETTER: &[ShapeNumber] = &[
     number(["letter", "Letter, A is 1", ""], 1.0, [1.0, 26.0, 1.0]),
     number(
         ["weight", "Width of strokes over height", ""],
-        0.2,
-        [0.14, 0.25, 0.01],
+        0.18,
+        [0.13, 0.22, 0.01],
     ),
     number(["depth", "Depth over height", ""], 0.26, [0.14, 0.5, 0.02]),
     number(["round", "Roundness of edges", ""], 0.6, [0.35, 1.0, 0.05]),

@@ -2,9 +2,10 @@
 //! split, short ones collapsed, others flipped until about six meet at each vertex, and vertices slide over the form
 //! to the middle of their neighbours.
 
-use super::form::{Form, onto};
+use super::form::{Form, near};
 use super::surgery::{Surgery, next};
 use glam::DVec3;
+use std::ops::Range;
 
 /// Longer and shorter edges than so many times the wanted one are split and collapsed.
 const LONG: f64 = 4.0 / 3.0;
@@ -19,20 +20,20 @@ fn normal(a: DVec3, b: DVec3, c: DVec3) -> DVec3 {
 }
 
 /// Splits what is too long.
-pub(super) fn split(mesh: &mut Surgery, form: &dyn Form, edge: f64) {
+pub(super) fn split(mesh: &mut Surgery, form: &dyn Form, edge: f64, edges: Range<u32>) {
     let limit = LONG * edge * LONG * edge;
-    for h in 0..mesh.from.len() as u32 {
+    for h in edges {
         if h < mesh.across(h) && mesh.is_alive(h) && mesh.vector(h).length_squared() > limit {
             let middle = 0.5 * (mesh.at(mesh.start(h)) + mesh.at(mesh.end(h)));
-            mesh.split(h, onto(form, middle, edge).0);
+            mesh.split(h, near(form, middle, edge));
         }
     }
 }
 
 /// Collapses what is too short.
-pub(super) fn collapse(mesh: &mut Surgery, form: &dyn Form, edge: f64) {
+pub(super) fn collapse(mesh: &mut Surgery, form: &dyn Form, edge: f64, edges: Range<u32>) {
     let limit = SHORT * edge * SHORT * edge;
-    for h in 0..mesh.from.len() as u32 {
+    for h in edges {
         if !mesh.is_alive(h) || h > mesh.across(h) || mesh.vector(h).length_squared() > limit {
             continue;
         }
@@ -40,7 +41,7 @@ pub(super) fn collapse(mesh: &mut Surgery, form: &dyn Form, edge: f64) {
             continue;
         }
         let (a, b) = (mesh.start(h), mesh.end(h));
-        let p = onto(form, 0.5 * (mesh.at(a) + mesh.at(b)), edge).0;
+        let p = 0.5 * (mesh.at(a) + mesh.at(b));
         let fits = [(a, b), (b, a)].iter().all(|&(v, other)| {
             mesh.around(v).all(|e| {
                 let (q, r) = (mesh.end(e), mesh.apex(e));
@@ -54,7 +55,7 @@ pub(super) fn collapse(mesh: &mut Surgery, form: &dyn Form, edge: f64) {
         });
         if fits {
             mesh.collapse(h);
-            mesh.positions[b as usize] = p;
+            mesh.positions[b as usize] = near(form, p, edge);
         }
     }
 }
@@ -71,8 +72,8 @@ fn stays_on(mesh: &Surgery, h: u32) -> bool {
 }
 
 /// Flips edges where the numbers of edges at their vertices come nearer to six.
-pub(super) fn even_out(mesh: &mut Surgery) {
-    for h in 0..mesh.from.len() as u32 {
+pub(super) fn even_out(mesh: &mut Surgery, edges: Range<u32>) {
+    for h in edges {
         if !mesh.is_alive(h) || h > mesh.across(h) {
             continue;
         }
@@ -90,8 +91,8 @@ pub(super) fn even_out(mesh: &mut Surgery) {
 }
 
 /// Flips edges that see more than half a turn from their two sides (Delaunay).
-pub(super) fn make_delaunay(mesh: &mut Surgery) {
-    for h in 0..mesh.from.len() as u32 {
+pub(super) fn make_delaunay(mesh: &mut Surgery, edges: Range<u32>) {
+    for h in edges {
         if !mesh.is_alive(h) || h > mesh.across(h) {
             continue;
         }
@@ -124,5 +125,5 @@ pub(super) fn slid(mesh: &Surgery, form: &dyn Form, v: u32, share: f64, edge: f6
     }
     let n = across.normalize_or_zero();
     let by = (sum / weight - p) * share;
-    onto(form, p + by - n * n.dot(by), edge).0
+    near(form, p + by - n * n.dot(by), edge)
 }

@@ -81,7 +81,7 @@ pub(super) struct Egg {
 impl Egg {
     /// Of `[height, point, base]`.
     pub fn new(n: &[f64]) -> Self {
-        let scale = 1.0 / n[0].max(1.0);
+        let scale = 1.0 / (n[0] * (1.0 - n[2])).max(1.0);
         Self {
             half: 0.5 * n[0] * scale,
             radius: 0.5 * scale,

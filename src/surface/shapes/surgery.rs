@@ -28,8 +28,8 @@ pub(super) fn before(h: u32) -> u32 {
 }
 
 impl Surgery {
-    /// Of triangles that close, each directed edge once.
-    pub fn new(positions: Vec<DVec3>, triangles: &[[u32; 3]]) -> Self {
+    /// Of triangles; nothing where they do not close, with each directed edge once.
+    pub fn new(positions: Vec<DVec3>, triangles: &[[u32; 3]]) -> Option<Self> {
         let mut surgery = Self {
             out: vec![NONE; positions.len()],
             from: triangles.iter().flatten().copied().collect(),
@@ -44,14 +44,18 @@ impl Surgery {
             .collect();
         edges.sort_unstable();
         for pair in edges.chunks_exact(2) {
-            debug_assert_eq!(pair[0].0, pair[1].0, "an edge of one triangle");
-            surgery.join(pair[0].1, pair[1].1);
+            let (g, h) = (pair[0].1, pair[1].1);
+            if pair[0].0 != pair[1].0 || surgery.start(g) == surgery.start(h) {
+                return None;
+            }
+            surgery.join(g, h);
         }
         for h in 0..surgery.from.len() as u32 {
             let v = surgery.start(h);
             surgery.out[v as usize] = h;
         }
-        surgery
+        let is_even = edges.len().is_multiple_of(2) && !edges.is_empty();
+        is_even.then_some(surgery)
     }
 
     pub fn start(&self, h: u32) -> u32 {
@@ -201,27 +205,40 @@ impl Surgery {
         self.join(gp, x);
     }
 
-    /// The triangles that there are, and the vertices that they use.
-    pub fn finish(&self) -> (Vec<DVec3>, Vec<[u32; 3]>) {
-        let mut number = vec![NONE; self.positions.len()];
-        let mut positions = Vec::new();
-        let alive = self.from.chunks_exact(3).filter(|t| t[0] != NONE);
-        let triangles = alive.map(|t| {
-            [0, 1, 2].map(|k| {
-                let v = t[k] as usize;
-                if number[v] == NONE {
-                    number[v] = positions.len() as u32;
-                    positions.push(self.positions[v]);
-                }
-                number[v]
-            })
-        });
+    /// Without what is no more.
+    pub fn compact(&self) -> Self {
+        let numbers = |alive: &mut dyn Iterator<Item = bool>| {
+            let mut count = 0;
+            let number = alive.map(|is_alive| {
+                let own = if is_alive { count } else { NONE };
+                count += u32::from(is_alive);
+                own
+            });
+            number.collect::<Vec<u32>>()
+        };
+        let vertex = numbers(&mut self.out.iter().map(|&h| h != NONE));
+        let triangle = numbers(&mut self.from.iter().step_by(3).map(|&v| v != NONE));
+        let edge = |h: u32| 3 * triangle[(h / 3) as usize] + h % 3;
+        let kept = || (0..self.from.len()).filter(|&h| self.from[h] != NONE);
+        let vertices = || (0..self.out.len()).filter(|&v| self.out[v] != NONE);
+        Self {
+            positions: vertices().map(|v| self.positions[v]).collect(),
+            from: kept().map(|h| vertex[self.from[h] as usize]).collect(),
+            twin: kept().map(|h| edge(self.twin[h])).collect(),
+            out: vertices().map(|v| edge(self.out[v])).collect(),
+        }
+    }
+
+    /// The vertices and the triangles that there are.
+    pub fn finish(self) -> (Vec<DVec3>, Vec<[u32; 3]>) {
+        let compact = self.compact();
+        let triangles = compact.from.chunks_exact(3).map(|t| [t[0], t[1], t[2]]);
         let triangles = triangles.collect();
-        (positions, triangles)
+        (compact.positions, triangles)
     }
 
     /// Each triangle in four, with a vertex in the middle of each edge; no triangle may be gone.
-    pub fn divided(&self) -> (Vec<DVec3>, Vec<[u32; 3]>) {
+    pub fn divided(&self) -> Self {
         let mut positions = self.positions.clone();
         let mut middle = vec![NONE; self.from.len()];
         for h in 0..self.from.len() as u32 {
@@ -233,16 +250,40 @@ impl Surgery {
                 middle[g as usize] = made;
             }
         }
-        let parts = self.from.chunks_exact(3).zip(middle.chunks_exact(3));
-        let triangles = parts.flat_map(|(v, m)| {
-            [
-                [v[0], m[0], m[2]],
-                [v[1], m[1], m[0]],
-                [v[2], m[2], m[1]],
-                [m[0], m[1], m[2]],
-            ]
-        });
-        let triangles = triangles.collect();
-        (positions, triangles)
+        // Of triangle t, 4 t + k is the part at corner k, and 4 t + 3 the one in the middle.
+        let count = 4 * self.from.len();
+        let (mut from, mut twin) = (Vec::with_capacity(count), Vec::with_capacity(count));
+        for (t, (v, m)) in self
+            .from
+            .chunks_exact(3)
+            .zip(middle.chunks_exact(3))
+            .enumerate()
+        {
+            let t = t as u32;
+            let edge = |part: u32, k: u32| 3 * (4 * t + part) + k;
+            for k in 0..3 {
+                let last = (k + 2) % 3;
+                from.extend([v[k], m[k], m[last]]);
+                let [own, before] = [k, last].map(|k| self.across(3 * t + k as u32));
+                twin.extend([
+                    3 * (4 * (own / 3) + (own + 1) % 3) + 2,
+                    edge(3, last as u32),
+                    3 * (4 * (before / 3) + before % 3),
+                ]);
+            }
+            from.extend([m[0], m[1], m[2]]);
+            twin.extend([edge(1, 1), edge(2, 1), edge(0, 1)]);
+        }
+        let mut divided = Self {
+            out: vec![NONE; positions.len()],
+            positions,
+            from,
+            twin,
+        };
+        for h in 0..divided.from.len() as u32 {
+            let v = divided.start(h);
+            divided.out[v as usize] = h;
+        }
+        divided
     }
 }

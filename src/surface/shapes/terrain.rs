@@ -14,11 +14,15 @@ pub(super) struct Terrain {
     lane: f64,
     wind: f64,
     phase: f64,
+    /// What is taken off all heights.
+    low: f64,
 }
 
 /// Waves in all, those of half the length among them.
 const WAVES: u64 = 18;
 const SHORT: u64 = 6;
+/// Steps of the grid on which the lowest place is looked for.
+const LOWEST: u32 = 40;
 /// Half the width of the lane.
 const LANE: f64 = 0.15;
 
@@ -40,18 +44,24 @@ impl Terrain {
         for wave in &mut waves {
             wave.2 *= (2.0 / power).sqrt();
         }
-        Self {
+        let mut terrain = Self {
+            low: 0.0,
             waves,
-            height: n[1] / hills * 0.5,
+            height: 0.6 * n[1] / (hills + 1.0),
             lane: n[2],
             wind: n[3],
             phase: Random::new(seed, Purpose::Ground, WAVES).unit() * TAU,
-        }
+        };
+        // The lowest place of a grid that is fine enough to come near it.
+        let side = || (0..=LOWEST).map(|k| f64::from(k) / f64::from(LOWEST) - 0.5);
+        let heights = side().flat_map(|z| side().map(move |x| (x, z)));
+        terrain.low = heights.fold(f64::INFINITY, |low, (x, z)| low.min(terrain.height(x, z)));
+        terrain
     }
 
     /// The middle of the lane.
     fn lane(&self, z: f64) -> f64 {
-        0.2 * self.wind * libm::sin(5.2 * z + self.phase)
+        0.22 * self.wind * libm::sin(5.2 * z + self.phase)
     }
 
     /// The height at a place of the square of the side 1 around the origin.
@@ -65,8 +75,8 @@ impl Terrain {
         let lifted = sum + 1.2;
         let hill = 0.5 * (lifted + (lifted * lifted + 0.25).sqrt());
         let off = (x - self.lane(z)) / LANE;
-        let fall = libm::exp(-off * off * off * off * 0.25 - off * off * 0.5);
-        self.height * hill * (1.0 - 0.94 * self.lane * fall)
+        let fall = 1.0 / (1.0 + off * off * off * off);
+        self.height * hill * (1.0 - 0.94 * self.lane * fall) - self.low
     }
 
     fn at(&self, x: f64, z: f64) -> DVec3 {

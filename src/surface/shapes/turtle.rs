@@ -16,6 +16,8 @@ pub(super) struct Turtle {
 
 /// The head is at -x.
 const HALF: f64 = 0.44;
+/// Less than the belly's depth.
+const DEEP: f64 = 0.05;
 
 impl Turtle {
     /// Of `[width, height, rim, keel]`.
@@ -24,7 +26,7 @@ impl Turtle {
             half: HALF,
             width: HALF * n[0],
             height: 0.9 * n[1],
-            belly: 0.075,
+            belly: 0.06,
             rim: 0.026 + 0.03 * n[2],
             keel: n[3],
         }
@@ -63,9 +65,10 @@ impl Form for Turtle {
         // The rim: an ellipse around, raised over the neck and a little over the tail.
         let raised = ((along + 1.0) * 2.2).bell() * 0.05 + ((along - 1.0) * 2.6).bell() * 0.02;
         let out = ellipsoid(plan, plan_square);
-        let up = y - raised - 0.012;
+        let up = y - raised - 0.004;
         let rim = length(out - 0.3 * self.rim, (up - out * 0.25) * 1.45) - self.rim;
-        dome.join(rim, 0.035)
+        // Deep inside it is of no use, and steep.
+        dome.max(-DEEP).join(rim, 0.08)
     }
 
     fn bounds(&self) -> (DVec3, DVec3) {

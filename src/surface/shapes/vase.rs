@@ -59,13 +59,39 @@ impl Vase {
     fn side(&self, round: Jet, y: Jet) -> Jet {
         let p = DVec2::new(round.value, y.value);
         let mut best = (f64::INFINITY, 0, 0.0);
-        for (k, pair) in self.profile.windows(2).enumerate() {
-            let way = pair[1] - pair[0];
-            let t = ((p - pair[0]).dot(way) / way.length_squared()).clamp(0.0, 1.0);
-            let far = (p - pair[0] - way * t).length_squared();
+        let mut look = |k: usize| {
+            let (a, b) = (self.profile[k], self.profile[k + 1]);
+            let way = b - a;
+            let t = ((p - a).dot(way) / way.length_squared()).clamp(0.0, 1.0);
+            let far = (p - a - way * t).length_squared();
             if far < best.0 {
                 best = (far, k, t);
             }
+            best.0
+        };
+        // Heights only rise along it: from the piece at the point's own height on, up and down.
+        let last = self.profile.len() - 2;
+        let at = self
+            .profile
+            .partition_point(|q| q.y <= p.y)
+            .saturating_sub(1)
+            .min(last);
+        let mut least = look(at);
+        let beyond = |k: usize, least: f64| {
+            let off = self.profile[k].y - p.y;
+            off * off > least
+        };
+        for k in at + 1..=last {
+            if beyond(k, least) {
+                break;
+            }
+            least = look(k);
+        }
+        for k in (0..at).rev() {
+            if beyond(k + 1, least) {
+                break;
+            }
+            least = look(k);
         }
         let (_, k, t) = best;
         let (a, b) = (self.profile[k], self.profile[k + 1]);
@@ -97,7 +123,7 @@ impl Form for Vase {
     }
 
     fn coarsest(&self) -> f64 {
-        0.8 * self.wall
+        0.45 * self.wall
     }
 
     fn bones(&self) -> Vec<Bone> {
