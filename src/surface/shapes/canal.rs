@@ -14,6 +14,8 @@ pub(super) struct Canal {
     closed: bool,
     /// The box around all balls.
     bounds: (DVec3, DVec3),
+    /// By how much samples that are not looked at may be nearer than those that are.
+    reach: f64,
 }
 
 /// Every so many samples are looked at to find the nearest.
@@ -52,6 +54,7 @@ impl Canal {
         Self {
             slopes: slopes.collect(),
             bounds: bounds(&points, &radii),
+            reach: reach(&points, &radii, closed),
             points,
             radii,
             closed,
@@ -87,33 +90,50 @@ impl Canal {
 
     /// The ball that a point is deepest in, or nearest to.
     pub fn foot(&self, p: DVec3) -> Foot {
-        let n = self.points.len();
         let far = |i: usize| (p - self.points[i]).length() - self.radii[i];
-        let mut best = (far(n - 1), n - 1);
-        for i in (0..n - 1).step_by(STRIDE) {
-            let d = far(i);
-            if d < best.0 {
-                best = (d, i);
-            }
-        }
-        for _ in 0..n {
-            let i = best.1;
-            let (a, b) = if self.closed {
-                ((i + n - 1) % n, (i + 1) % n)
-            } else {
-                (i.saturating_sub(1), (i + 1).min(n - 1))
-            };
-            for k in [a, b] {
-                let d = far(k);
-                if d < best.0 {
-                    best = (d, k);
+        let rough = || (0..self.points.len()).step_by(STRIDE).map(|i| (far(i), i));
+        let first = rough().fold(
+            (f64::INFINITY, 0),
+            |best, one| if one.0 < best.0 { one } else { best },
+        );
+        let mut best = self.descend(first, far);
+        // Others may be nearer between the samples that were looked at.
+        for one in rough() {
+            if one.0 - self.reach < best.0 && one.1.abs_diff(best.1) > STRIDE {
+                let other = self.descend(one, far);
+                if other.0 < best.0 {
+                    best = other;
                 }
-            }
-            if best.1 == i {
-                break;
             }
         }
         self.refine(p, best.1 as f64)
+    }
+
+    /// On from a sample to its neighbours as long as these are nearer.
+    fn descend(&self, mut best: (f64, usize), far: impl Fn(usize) -> f64) -> (f64, usize) {
+        let n = self.points.len();
+        let after = |i: usize| {
+            if self.closed {
+                (i + 1) % n
+            } else {
+                (i + 1).min(n - 1)
+            }
+        };
+        let before = |i: usize| match i {
+            0 if self.closed => n - 1,
+            i => i.saturating_sub(1),
+        };
+        for next in [&after as &dyn Fn(usize) -> usize, &before] {
+            for _ in 0..n {
+                let i = next(best.1);
+                let d = far(i);
+                if d >= best.0 {
+                    break;
+                }
+                best = (d, i);
+            }
+        }
+        best
     }
 
     /// Newton's steps from a sample to where the distance is least.
@@ -307,4 +327,16 @@ fn bounds(points: &[DVec3], radii: &[f64]) -> (DVec3, DVec3) {
     let none = (DVec3::INFINITY, DVec3::NEG_INFINITY);
     let balls = points.iter().zip(radii);
     balls.fold(none, |(lo, hi), (&p, &r)| (lo.min(p - r), hi.max(p + r)))
+}
+
+fn reach(points: &[DVec3], radii: &[f64], closed: bool) -> f64 {
+    let n = points.len();
+    let last = if closed { n } else { n - 1 };
+    let step = |i: usize| {
+        let j = (i + 1) % n;
+        (points[j] - points[i]).length() + (radii[j] - radii[i]).abs()
+    };
+    // The last samples of an open curve may be farther from one that is looked at.
+    let steps = if closed { STRIDE / 2 } else { STRIDE - 1 };
+    (0..last).map(step).fold(0.0, f64::max) * steps as f64
 }

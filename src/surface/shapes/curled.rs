@@ -58,30 +58,27 @@ impl Curled {
     }
 }
 
-/// The box around a canal, whose first ball is cut in half where it is open.
+/// The box around a canal; where it is open, without what is cut off at its root.
 fn box_of(canal: &Canal, closed: bool) -> (DVec3, DVec3) {
-    let (mut lo, mut hi) = canal.bounds();
-    if !closed {
-        let bone = canal.bone();
-        (lo, hi) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-        let (_, inward) = canal.start();
-        for (k, (&p, &r)) in bone.points.iter().zip(&bone.radii).enumerate() {
-            // A disc; from there on balls, as far as they reach over its plane.
-            let flat = DVec3::new(
-                (1.0 - inward.x * inward.x).max(0.0).sqrt(),
-                (1.0 - inward.y * inward.y).max(0.0).sqrt(),
-                (1.0 - inward.z * inward.z).max(0.0).sqrt(),
-            );
-            let near = (p - bone.points[0]).length() < r;
-            let reach = if k == 0 || near {
-                flat * r
-            } else {
-                DVec3::splat(r)
-            };
-            (lo, hi) = (lo.min(p - reach), hi.max(p + reach));
-        }
+    if closed {
+        return canal.bounds();
     }
-    (lo, hi)
+    let bone = canal.bone();
+    let last = bone.points.len() - 1;
+    let tip = (bone.points[last], bone.radii[last]);
+    let mut bounds = (tip.0 - tip.1, tip.0 + tip.1);
+    for k in 0..last {
+        // Each ball touches the surface along a circle, which lies the farther back the faster radii grow.
+        let way = bone.points[k + 1] - bone.points[k];
+        let growth = (bone.radii[k + 1] - bone.radii[k]) / way.length();
+        let along = way.normalize_or(DVec3::Y);
+        let radius = bone.radii[k] * (1.0 - growth * growth).max(0.0).sqrt();
+        let middle = bone.points[k] - along * (bone.radii[k] * growth);
+        let flat = (DVec3::ONE - along * along).max(DVec3::ZERO);
+        let reach = DVec3::new(flat.x.sqrt(), flat.y.sqrt(), flat.z.sqrt()) * radius;
+        bounds = (bounds.0.min(middle - reach), bounds.1.max(middle + reach));
+    }
+    bounds
 }
 
 impl Form for Curled {
@@ -108,7 +105,7 @@ impl Form for Curled {
     }
 
     fn coarsest(&self) -> f64 {
-        let narrow = (0.85 * self.canal.radii().0).min(0.65 * self.canal.gap());
+        let narrow = (0.85 * self.canal.radii().0).min(0.55 * self.canal.gap());
         (narrow * self.stretch.min(1.0)).min(0.06)
     }
 
@@ -129,7 +126,12 @@ impl Form for Curled {
 pub(super) fn torus(n: &[f64]) -> Curled {
     let (tube, height, waves, swell) = (n[0], n[1], n[2], n[3]);
     let samples = 64 + 16 * waves as usize;
-    let swell = if waves == 0.0 { 0.0 } else { swell };
+    // As deep as they may be before they bend more than twice as sharply as the ring.
+    let swell = if waves == 0.0 {
+        0.0
+    } else {
+        (2.0 * swell / (waves * waves)).min(0.3 * swell)
+    };
     let points = (0..samples).map(|k| {
         let angle = TAU * k as f64 / samples as f64;
         let r = 1.0 + swell * libm::cos(waves * angle);
@@ -144,7 +146,7 @@ pub(super) fn torus(n: &[f64]) -> Curled {
 /// Of `[turns, lobes, tube, swing, height]`. Where turns and lobes have a common divisor, there is one lobe more.
 pub(super) fn knot(n: &[f64]) -> Curled {
     let (turns, mut lobes, tube, swing, height) = (n[0], n[1], n[2], n[3], n[4]);
-    if (2..=4).any(|d| turns % f64::from(d) == 0.0 && lobes % f64::from(d) == 0.0) {
+    if (2..=3).any(|d| turns % f64::from(d) == 0.0 && lobes % f64::from(d) == 0.0) {
         lobes += 1.0;
     }
     let samples = 24 * (turns as usize + lobes as usize) + 32;
@@ -203,5 +205,5 @@ pub(super) fn tail(n: &[f64]) -> Curled {
         p += DVec3::new(flat * libm::cos(angle), flat * libm::sin(angle), out) * step;
     }
     let canal = Canal::new(points, radii, false);
-    Curled::new(canal.thicker((0.95 * canal.room()).min(1.0)), 1.0, false)
+    Curled::new(canal.thicker((0.8 * canal.room()).min(1.0)), 1.0, false)
 }

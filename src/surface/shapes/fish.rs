@@ -122,12 +122,19 @@ impl Fish {
         };
         let eye = DVec3::new(-0.375, 0.17 * half, fish.skin(-0.375, 0.17 * half) - 0.004);
         fish.eye = (eye, 0.013 + 0.05 * half);
-        let root = DVec3::new(-0.225, -0.2 * half, fish.skin(-0.225, -0.2 * half) - 0.012);
+        // Farther and farther out of the skin, in a space in which what is flat is thick.
+        let root = fish.skin(-0.225, -0.2 * half) - 0.012;
+        let on_side = |x: f64, y: f64, out: f64, r: f64| {
+            let z = fish.skin(x, y) + out;
+            (DVec3::new(x, y, root + (z - root) * SIDE_THIN), r)
+        };
         let side = [
-            (root, 0.042),
-            (root + DVec3::new(0.05, -0.1 * half, 0.035), 0.048 * fins),
-            (
-                root + DVec3::new(0.05 + 0.09 * fins, -0.28 * half, 0.06 + 0.05 * fins),
+            on_side(-0.225, -0.2 * half, -0.012, 0.042),
+            on_side(-0.175, -0.3 * half, 0.012, 0.048 * fins),
+            on_side(
+                -0.175 + 0.09 * fins,
+                -0.48 * half,
+                0.03 + 0.032 * fins,
                 0.038 * fins,
             ),
         ];

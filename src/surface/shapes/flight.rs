@@ -35,6 +35,11 @@ pub(super) fn grid(
 /// Points from the back to the front, `(z, y)`, and whether the line has a corner there.
 type Line = Vec<(DVec2, bool)>;
 
+/// Straight pieces of a bend.
+const PIECES: u32 = 24;
+/// Bends of more than this are creases, in radians.
+const CREASE: f64 = 0.3;
+
 /// Draws a line across, after scaling all to the largest side 1.
 fn drawn(line: Line, width: f64, edge: f64) -> ShapeMesh {
     let (mut lo, mut hi) = (line[0].0, line[0].0);
@@ -44,14 +49,13 @@ fn drawn(line: Line, width: f64, edge: f64) -> ShapeMesh {
     let size = DVec3::new(width, hi.y - lo.y, hi.x - lo.x);
     let scale = 1.0 / size.max_element();
     let step = edge * size.length();
-    // In even steps between its corners.
+    // In even steps between its corners, of which the steps are told apart.
     let mut rows: Line = vec![line[0]];
-    for pair in line.windows(2) {
-        let (a, b) = (pair[0].0, pair[1].0);
-        let count = ((b - a).length() / step).round().max(1.0) as usize;
-        for k in 1..=count {
-            let p = a + (b - a) * (k as f64 / count as f64);
-            rows.push((p, k == count && pair[1].1));
+    let mut first = 0;
+    for last in 1..line.len() {
+        if line[last].1 || last + 1 == line.len() {
+            even_steps(&line[first..=last], step, &mut rows);
+            first = last;
         }
     }
     let across = (width / step).round().max(2.0) as usize;
@@ -70,6 +74,26 @@ fn drawn(line: Line, width: f64, edge: f64) -> ShapeMesh {
         triangles,
         creases,
     }
+}
+
+/// Adds the points of a line without corners, in even steps, but for its first.
+fn even_steps(line: &[(DVec2, bool)], step: f64, rows: &mut Line) {
+    let lengths = || line.windows(2).map(|pair| (pair[1].0 - pair[0].0).length());
+    let length: f64 = lengths().sum();
+    let count = (length / step).round().max(1.0);
+    let (mut k, mut before) = (0, 0.0);
+    for row in 1..count as usize {
+        let wanted = length * row as f64 / count;
+        let mut own = (line[k + 1].0 - line[k].0).length();
+        while k + 2 < line.len() && before + own < wanted {
+            before += own;
+            k += 1;
+            own = (line[k + 1].0 - line[k].0).length();
+        }
+        let share = ((wanted - before) / own.max(f64::MIN_POSITIVE)).min(1.0);
+        rows.push((line[k].0 + (line[k + 1].0 - line[k].0) * share, false));
+    }
+    rows.extend(line.last());
 }
 
 /// Of `[rise, landing, width, round]`: it goes down to the front.
@@ -98,17 +122,14 @@ pub(super) fn slope(n: &[f64], edge: f64) -> ShapeMesh {
             (down, DVec2::X)
         };
         let radius = reach / libm::tan(0.5 * rise);
-        let size = (radius * rise).max(0.0);
-        let diagonal = (1.0 + width * width + fall * fall).sqrt();
-        let pieces = (size / (edge * diagonal)).round() as usize;
-        if pieces < 2 {
-            line.push((corner, rise > 0.3 && reach == 0.0));
+        if reach == 0.0 {
+            line.push((corner, rise > CREASE));
             continue;
         }
         let side = if k == 0 { -1.0 } else { 1.0 };
         let middle = corner - into * reach + into.perp() * (side * radius);
-        for j in 0..=pieces {
-            let angle = side * rise * j as f64 / pieces as f64;
+        for j in 0..=PIECES {
+            let angle = side * rise * f64::from(j) / f64::from(PIECES);
             let spoke = DVec2::new(libm::cos(angle), libm::sin(angle)).rotate(-into.perp() * side);
             line.push((middle + spoke * radius, false));
         }

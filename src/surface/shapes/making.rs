@@ -30,7 +30,7 @@ const LAST: [Pass; 4] = [Slide, Delaunay, Slide, Onto];
 const DIVIDED: [Pass; 8] = [Onto, Slide, Split, Collapse, EvenOut, Slide, Delaunay, Onto];
 
 /// Vertices that are moved, or half edges that are looked at, at a time.
-const PIECE: usize = 1_500;
+const PIECE: usize = 1_000;
 /// How far a vertex slides towards the middle of its neighbours.
 const SLIDE: f64 = 0.6;
 

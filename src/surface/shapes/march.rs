@@ -23,6 +23,20 @@ const BLOCK: usize = 4;
 const AWAY: f64 = 0.08;
 /// Cubes around the box of the form.
 const MARGIN: f64 = 2.5;
+/// Room around it at least, as a share of its diagonal: boxes are not exact.
+const ROOM: f64 = 0.02;
+
+/// Parts of the work on a layer.
+#[derive(Clone, Copy)]
+enum Part {
+    /// Where the surface may be.
+    Open,
+    /// The function at the nodes below and above.
+    Below,
+    Above,
+    /// The triangles.
+    Cubes,
+}
 
 pub(super) struct March {
     origin: DVec3,
@@ -30,6 +44,8 @@ pub(super) struct March {
     /// Cubes along each axis, whole blocks.
     cubes: [usize; 3],
     layer: usize,
+    /// What is done next in the layer.
+    part: Part,
     /// Nothing is passed over.
     whole: bool,
     /// Of two layers of nodes: the function there; where no block near is met by the surface, what a block has.
@@ -45,7 +61,8 @@ pub(super) struct March {
 impl March {
     pub fn new(form: &dyn Form, step: f64, whole: bool) -> Self {
         let (lo, hi) = form.bounds();
-        let cubes = ((hi - lo) / step + 2.0 * MARGIN).to_array();
+        let margin = MARGIN.max(ROOM * (hi - lo).length() / step);
+        let cubes = ((hi - lo) / step + 2.0 * margin).to_array();
         let cubes = cubes.map(|n| (n / BLOCK as f64).ceil().max(1.0) as usize * BLOCK);
         let size = DVec3::from_array(cubes.map(|n| n as f64 * step));
         let nodes = (cubes[0] + 1) * (cubes[1] + 1);
@@ -54,6 +71,7 @@ impl March {
             step,
             cubes,
             layer: 0,
+            part: Part::Open,
             whole,
             values: std::array::from_fn(|_| vec![1.0; nodes]),
             edges: std::array::from_fn(|_| vec![NONE; 7 * nodes]),
@@ -67,23 +85,37 @@ impl March {
         self.origin + DVec3::new(x as f64, y as f64, z as f64) * self.step
     }
 
-    /// Works out a layer of cubes; true when all are done.
+    /// Works out a part of a layer of cubes; true when all are done.
     pub fn advance(&mut self, form: &dyn Form) -> bool {
-        if self.layer == 0 {
-            self.open_blocks(form);
-            self.fill(form, 0, 0);
-        }
-        if self.layer == self.cubes[2] {
-            return true;
-        }
-        if self.layer > 0 {
-            if self.layer.is_multiple_of(BLOCK) {
-                self.open_blocks(form);
-                // What the row of blocks before had no need of.
-                self.fill(form, 0, self.layer);
+        let is_first = self.layer.is_multiple_of(BLOCK);
+        self.part = match self.part {
+            Part::Open => {
+                if is_first {
+                    self.open_blocks(form);
+                }
+                Part::Below
             }
-        }
-        self.fill(form, 1, self.layer + 1);
+            Part::Below => {
+                if is_first {
+                    // What the row of blocks before had no need of, too.
+                    self.fill(form, 0, self.layer);
+                }
+                Part::Above
+            }
+            Part::Above => {
+                self.fill(form, 1, self.layer + 1);
+                Part::Cubes
+            }
+            Part::Cubes => {
+                self.cubes();
+                Part::Open
+            }
+        };
+        self.layer == self.cubes[2]
+    }
+
+    /// The triangles of the layer.
+    fn cubes(&mut self) {
         let [nx, ny, _] = self.cubes;
         for y in 0..ny {
             for x in 0..nx {
@@ -96,7 +128,6 @@ impl March {
         self.edges.swap(0, 1);
         self.edges[1].fill(NONE);
         self.layer += 1;
-        self.layer == self.cubes[2]
     }
 
     pub fn is_whole(&self) -> bool {

@@ -127,15 +127,19 @@ const TORUS: &[ShapeNumber] = &[
         [0.5, 2.0, 0.05],
     ),
     number(["waves", "Waves around", ""], 0.0, [0.0, 8.0, 1.0]),
-    number(["swell", "Depth of the waves", ""], 0.15, [0.0, 0.3, 0.01]),
+    number(
+        ["swell", "Depth of the waves, of what they may have", ""],
+        0.5,
+        [0.0, 1.0, 0.05],
+    ),
 ];
 const KNOT: &[ShapeNumber] = &[
     number(
         ["turns", "Turns around the middle", ""],
         2.0,
-        [2.0, 4.0, 1.0],
+        [2.0, 3.0, 1.0],
     ),
-    number(["lobes", "Lobes", ""], 3.0, [3.0, 9.0, 1.0]),
+    number(["lobes", "Lobes", ""], 3.0, [3.0, 8.0, 1.0]),
     number(
         ["tube", "Thickness, of the room there is", ""],
         0.7,
@@ -144,7 +148,7 @@ const KNOT: &[ShapeNumber] = &[
     number(
         ["swing", "How far lobes swing in and out", ""],
         0.42,
-        [0.25, 0.6, 0.01],
+        [0.25, 0.52, 0.01],
     ),
     number(
         ["height", "Height over depth of the swing", ""],
