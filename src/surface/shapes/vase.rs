@@ -16,7 +16,7 @@ pub(super) struct Vase {
 }
 
 /// Samples of each piece of the profile.
-const SAMPLES: usize = 16;
+const SAMPLES: usize = 40;
 
 impl Vase {
     /// Of `[height, shoulder, neck, lip, hollow]`.
