@@ -32,6 +32,7 @@ mod sorting;
 mod soup;
 #[cfg(test)]
 mod testing;
+mod shapes;
 mod walk;
 
 pub use building::MeshBuilding;
@@ -42,4 +43,5 @@ pub use point::SurfacePoint;
 pub use projector::Projector;
 pub use simplify::Simplifying;
 pub use soup::{MOST_TRIANGLES, Soup};
+pub use shapes::{Bone, OnBone, Shape, ShapeMaking, ShapeMesh, ShapeNumber};
 pub use walk::Walked;

@@ -1,0 +1,204 @@
+//! A round wall, with or without its ends: rings of vertices, sewn together.
+
+use super::ShapeMesh;
+use super::bone::Bone;
+use glam::{DVec2, DVec3};
+use std::f64::consts::TAU;
+
+pub(super) struct Drum {
+    height: f64,
+    top: f64,
+    belly: f64,
+    caps: bool,
+    scale: f64,
+}
+
+/// Samples of the wall's outline.
+const SAMPLES: usize = 256;
+/// Rings stand so far apart that triangles have equal sides.
+const ROW: f64 = 0.866_025_403_784_438_6;
+
+struct Ring {
+    first: usize,
+    count: usize,
+    /// Angle of the first vertex.
+    turn: f64,
+}
+
+impl Drum {
+    /// Of `[height, top, belly, caps]`.
+    pub fn new(n: &[f64]) -> Self {
+        let mut drum = Self {
+            height: 2.0 * n[0],
+            top: n[1],
+            belly: n[2],
+            caps: n[3] != 0.0,
+            scale: 1.0,
+        };
+        let radii = (0..=SAMPLES).map(|k| drum.radius(k as f64 / SAMPLES as f64));
+        let most = radii.fold(0.0, f64::max);
+        drum.scale = 1.0 / drum.height.max(2.0 * most);
+        drum
+    }
+
+    /// The radius at a share of the height.
+    fn radius(&self, t: f64) -> f64 {
+        (1.0 + (self.top - 1.0) * t + 4.0 * self.belly * t * (1.0 - t)) * self.scale
+    }
+
+    pub fn bones(&self) -> Vec<Bone> {
+        let at = (0..=16).map(|k| f64::from(k) / 16.0);
+        let (points, radii) = at
+            .map(|t| (DVec3::Y * (t * self.height * self.scale), self.radius(t)))
+            .unzip();
+        vec![Bone {
+            points,
+            radii,
+            closed: false,
+        }]
+    }
+
+    /// The wall's outline in so many even steps: distance from the axis, and height.
+    fn outline(&self, step: f64) -> Vec<DVec2> {
+        let at = |t: f64| DVec2::new(self.radius(t), t * self.height * self.scale);
+        let fine: Vec<DVec2> = (0..=SAMPLES)
+            .map(|k| at(k as f64 / SAMPLES as f64))
+            .collect();
+        let mut along = vec![0.0];
+        for pair in fine.windows(2) {
+            along.push(along[along.len() - 1] + (pair[1] - pair[0]).length());
+        }
+        let length = along[SAMPLES];
+        let count = (length / step).round().max(1.0);
+        let mut k = 0;
+        (0..=count as usize)
+            .map(|row| {
+                let wanted = length * row as f64 / count;
+                while k + 2 < along.len() && along[k + 1] < wanted {
+                    k += 1;
+                }
+                let share = (wanted - along[k]) / (along[k + 1] - along[k]);
+                fine[k] + (fine[k + 1] - fine[k]) * share.clamp(0.0, 1.0)
+            })
+            .collect()
+    }
+
+    pub fn build(&self, edge: f64) -> ShapeMesh {
+        let height = self.height * self.scale;
+        let wide = 2.0 * self.outline(0.01).iter().fold(0.0, |most, p| p.x.max(most));
+        let step = edge * (2.0 * wide * wide + height * height).sqrt();
+        let wall = self.outline(ROW * step);
+        let mut sewing = Sewing::new(step);
+        let cap = |radius: f64| {
+            let count = (radius / (ROW * step)).round().max(1.0);
+            move |k: usize| radius * k as f64 / count
+        };
+        let count = |radius: f64| (radius / (ROW * step)).round().max(1.0) as usize;
+        let (below, above) = (wall[0], wall[wall.len() - 1]);
+        if self.caps {
+            let at = cap(below.x);
+            for k in 0..count(below.x) {
+                sewing.ring(DVec2::new(at(k), below.y));
+            }
+        }
+        let mut rims = Vec::new();
+        for (k, &p) in wall.iter().enumerate() {
+            sewing.ring(p);
+            if k == 0 || k + 1 == wall.len() {
+                rims.push(sewing.rings.len() - 1);
+            }
+        }
+        if self.caps {
+            let at = cap(above.x);
+            for k in (0..count(above.x)).rev() {
+                sewing.ring(DVec2::new(at(k), above.y));
+            }
+        }
+        let mut creases = Vec::new();
+        for ring in rims.iter().filter(|_| self.caps).map(|&k| &sewing.rings[k]) {
+            for k in 0..ring.count {
+                let [a, b] = [k, (k + 1) % ring.count].map(|k| (ring.first + k) as u32);
+                creases.push([a.min(b), a.max(b)]);
+            }
+        }
+        ShapeMesh {
+            positions: sewing.positions,
+            triangles: sewing.triangles,
+            creases,
+        }
+    }
+}
+
+/// Rings of vertices about the y axis, each sewn to the one before.
+struct Sewing {
+    step: f64,
+    positions: Vec<DVec3>,
+    triangles: Vec<[u32; 3]>,
+    rings: Vec<Ring>,
+}
+
+impl Sewing {
+    fn new(step: f64) -> Self {
+        Self {
+            step,
+            positions: Vec::new(),
+            triangles: Vec::new(),
+            rings: Vec::new(),
+        }
+    }
+
+    /// Adds a ring of this radius and height; one of no radius is a single vertex.
+    fn ring(&mut self, at: DVec2) {
+        let mut count = match at.x {
+            0.0 => 1,
+            r => ((TAU * r / self.step).round() as usize).max(6),
+        };
+        let mut turn = 0.0;
+        if let Some(last) = self.rings.last() {
+            // As many as before where that is near: no irregular vertices.
+            if last.count > 1 && count > 1 && last.count.abs_diff(count) * 20 <= count {
+                count = last.count;
+            }
+            turn = last.turn + 0.5 * TAU / last.count.max(count) as f64;
+        }
+        let ring = Ring {
+            first: self.positions.len(),
+            count,
+            turn,
+        };
+        for k in 0..count {
+            let angle = turn + TAU * k as f64 / count as f64;
+            self.positions.push(DVec3::new(
+                at.x * libm::cos(angle),
+                at.y,
+                at.x * libm::sin(angle),
+            ));
+        }
+        if let Some(last) = self.rings.len().checked_sub(1) {
+            self.sew(last, &ring);
+        }
+        self.rings.push(ring);
+    }
+
+    /// Goes round both, always on to the vertex that makes the shorter edge.
+    fn sew(&mut self, last: usize, upper: &Ring) {
+        let lower = &self.rings[last];
+        let name = |ring: &Ring, k: usize| (ring.first + k % ring.count) as u32;
+        let steps = |ring: &Ring| if ring.count > 1 { ring.count } else { 0 };
+        let (mut i, mut j) = (0, 0);
+        while i < steps(lower) || j < steps(upper) {
+            let (a, b) = (name(lower, i), name(upper, j));
+            let far =
+                |p: u32, q: u32| (self.positions[p as usize] - self.positions[q as usize]).length();
+            let below = i < steps(lower)
+                && (j == steps(upper) || far(name(lower, i + 1), b) <= far(a, name(upper, j + 1)));
+            if below {
+                self.triangles.push([a, b, name(lower, i + 1)]);
+                i += 1;
+            } else {
+                self.triangles.push([a, b, name(upper, j + 1)]);
+                j += 1;
+            }
+        }
+    }
+}

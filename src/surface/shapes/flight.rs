@@ -1,0 +1,167 @@
+//! Slopes and stairs: a line from the back to the front, drawn across.
+
+use super::ShapeMesh;
+use glam::{DVec2, DVec3};
+
+/// A grid of vertices, `i` to the right and `j` to the front, each square in two triangles along its shorter diagonal.
+pub(super) fn grid(
+    across: usize,
+    along: usize,
+    at: impl Fn(usize, usize) -> DVec3,
+) -> (Vec<DVec3>, Vec<[u32; 3]>) {
+    let row = across + 1;
+    let each = (0..=along).flat_map(|j| (0..=across).map(move |i| (i, j)));
+    let positions: Vec<DVec3> = each.map(|(i, j)| at(i, j)).collect();
+    let mut triangles = Vec::with_capacity(2 * across * along);
+    for j in 0..along {
+        for i in 0..across {
+            let a = i + j * row;
+            let [a, b, c, d] = [a, a + 1, a + row + 1, a + row];
+            let far = |p: usize, q: usize| (positions[p] - positions[q]).length();
+            let (one, other) = (far(a, c), far(b, d));
+            let by_turns = (i + j) % 2 == 0;
+            let near = (one - other).abs() < 1e-9 * one;
+            let [a, b, c, d] = [a, b, c, d].map(|v| v as u32);
+            if (near && by_turns) || (!near && one < other) {
+                triangles.extend([[a, d, c], [a, c, b]]);
+            } else {
+                triangles.extend([[a, d, b], [b, d, c]]);
+            }
+        }
+    }
+    (positions, triangles)
+}
+
+/// Points from the back to the front, `(z, y)`, and whether the line has a corner there.
+type Line = Vec<(DVec2, bool)>;
+
+/// Straight pieces of a bend.
+const PIECES: u32 = 24;
+/// Bends of more than this are creases, in radians.
+const CREASE: f64 = 0.3;
+
+/// Draws a line across, after scaling all to the largest side 1.
+fn drawn(line: Line, width: f64, edge: f64) -> ShapeMesh {
+    let (mut lo, mut hi) = (line[0].0, line[0].0);
+    for &(p, _) in &line {
+        (lo, hi) = (lo.min(p), hi.max(p));
+    }
+    let size = DVec3::new(width, hi.y - lo.y, hi.x - lo.x);
+    let scale = 1.0 / size.max_element();
+    let step = edge * size.length();
+    // In even steps between its corners, of which the steps are told apart.
+    let mut rows: Line = vec![line[0]];
+    let mut first = 0;
+    for last in 1..line.len() {
+        if line[last].1 || last + 1 == line.len() {
+            even_steps(&line[first..=last], step, &mut rows);
+            first = last;
+        }
+    }
+    let across = (width / step).round().max(2.0) as usize;
+    let (positions, triangles) = grid(across, rows.len() - 1, |i, j| {
+        let p = rows[j].0;
+        let x = (i as f64 / across as f64 - 0.5) * width;
+        DVec3::new(x, p.y - lo.y, p.x - 0.5 * (lo.x + hi.x)) * scale
+    });
+    let mut creases = Vec::new();
+    for (j, _) in rows.iter().enumerate().filter(|(_, row)| row.1) {
+        let first = (j * (across + 1)) as u32;
+        creases.extend((first..first + across as u32).map(|v| [v, v + 1]));
+    }
+    ShapeMesh {
+        positions,
+        triangles,
+        creases,
+    }
+}
+
+/// Adds the points of a line without corners, in even steps, but for its first.
+fn even_steps(line: &[(DVec2, bool)], step: f64, rows: &mut Line) {
+    let lengths = || line.windows(2).map(|pair| (pair[1].0 - pair[0].0).length());
+    let length: f64 = lengths().sum();
+    let count = (length / step).round().max(1.0);
+    let (mut k, mut before) = (0, 0.0);
+    for row in 1..count as usize {
+        let wanted = length * row as f64 / count;
+        let mut own = (line[k + 1].0 - line[k].0).length();
+        while k + 2 < line.len() && before + own < wanted {
+            before += own;
+            k += 1;
+            own = (line[k + 1].0 - line[k].0).length();
+        }
+        let share = ((wanted - before) / own.max(f64::MIN_POSITIVE)).min(1.0);
+        rows.push((line[k].0 + (line[k + 1].0 - line[k].0) * share, false));
+    }
+    rows.extend(line.last());
+}
+
+/// Of `[rise, landing, width, round]`: it goes down to the front.
+pub(super) fn slope(n: &[f64], edge: f64) -> ShapeMesh {
+    let (rise, landing, width, round) = (n[0].to_radians(), n[1], n[2], n[3]);
+    let down = DVec2::new(libm::cos(rise), -libm::sin(rise));
+    let run = 1.0 - 2.0 * landing;
+    let fall = run * libm::tan(rise);
+    let top = DVec2::new(-0.5, fall);
+    let bends = [top + DVec2::X * landing, DVec2::new(0.5 - landing, 0.0)];
+    let end = DVec2::new(0.5, 0.0);
+    if landing == 0.0 || rise == 0.0 {
+        return drawn(
+            vec![(DVec2::new(-0.5, fall), false), (end, false)],
+            width,
+            edge,
+        );
+    }
+    // A bend is an arc that begins so far before the corner.
+    let reach = round * 0.9 * landing.min(0.5 * (bends[1] - bends[0]).length());
+    let mut line: Line = vec![(top, false)];
+    for (k, corner) in bends.into_iter().enumerate() {
+        let (into, out) = if k == 0 {
+            (DVec2::X, down)
+        } else {
+            (down, DVec2::X)
+        };
+        let radius = reach / libm::tan(0.5 * rise);
+        if reach == 0.0 {
+            line.push((corner, rise > CREASE));
+            continue;
+        }
+        let side = if k == 0 { -1.0 } else { 1.0 };
+        let middle = corner - into * reach + into.perp() * (side * radius);
+        for j in 0..=PIECES {
+            let angle = side * rise * f64::from(j) / f64::from(PIECES);
+            let spoke = DVec2::new(libm::cos(angle), libm::sin(angle)).rotate(-into.perp() * side);
+            line.push((middle + spoke * radius, false));
+        }
+        debug_assert!((line[line.len() - 1].0 - corner - out * reach).length() < 1e-9);
+    }
+    line.push((end, false));
+    drawn(line, width, edge)
+}
+
+/// Of `[steps, pitch, width, landing]`: they go down to the front, to one more tread.
+pub(super) fn stairs(n: &[f64], edge: f64) -> ShapeMesh {
+    let (steps, pitch, landing) = (n[0] as usize, n[1], n[3]);
+    let mut at = DVec2::new(0.0, steps as f64 * pitch);
+    let mut line: Line = vec![(at, false)];
+    at.x += landing;
+    line.push((at, true));
+    for _ in 0..steps {
+        at.y -= pitch;
+        line.push((at, true));
+        at.x += 1.0;
+        line.push((at, true));
+    }
+    if let Some(last) = line.last_mut() {
+        last.1 = false;
+    }
+    let width = n[2] * at.x;
+    drawn(line, width, edge.min(stairs_coarsest(n)))
+}
+
+/// Edges of stairs are not much longer than risers are high.
+pub(super) fn stairs_coarsest(n: &[f64]) -> f64 {
+    let (length, height) = (n[0] + n[3], n[0] * n[1]);
+    let diagonal = (length * length * (1.0 + n[2] * n[2]) + height * height).sqrt();
+    (1.4 * n[1].min(1.0) / diagonal).min(super::PLAIN_COARSEST)
+}

@@ -1,0 +1,208 @@
+//! A saurian's leg, which stands on its toes: thigh, knee, shin, ankle, and toes with knuckles and tapered tips.
+
+use super::bone::Bone;
+use super::canal::Canal;
+use super::form::Form;
+use super::jet::{Jet, Spot};
+use glam::DVec3;
+
+pub(super) struct Leg {
+    /// From the hip to the ball of the foot.
+    limb: Canal,
+    /// Thigh and calf.
+    muscles: [Canal; 2],
+    knee: (DVec3, f64),
+    toes: Vec<Toe>,
+}
+
+struct Toe {
+    canal: Canal,
+    /// Balls on top of the joints.
+    knuckles: Vec<(DVec3, f64)>,
+}
+
+/// The limb is this much deeper than it is wide.
+const DEEPER: f64 = 1.14;
+/// How smoothly parts go into each other.
+const JOIN: f64 = 0.07;
+const WEB: f64 = 0.03;
+const KNUCKLE: f64 = 0.018;
+/// The toes' middles come together so far behind the ball of the foot.
+const BEHIND: f64 = 0.045;
+
+impl Leg {
+    /// Of `[toes, spread, bend, girth, reach]`; the toes point to z.
+    pub fn new(n: &[f64]) -> Self {
+        let (count, spread, bend, girth, reach) = (
+            n[0] as usize,
+            n[1].to_radians(),
+            n[2].to_radians(),
+            n[3],
+            n[4],
+        );
+        // Thigh forward, shin back, and forward again from the ankle.
+        let lean = |angle: f64| DVec3::new(0.0, libm::cos(angle), libm::sin(angle));
+        let thigh = lean(-0.6 * bend) * 0.40;
+        let shin = lean(0.75 * bend + 0.04) * 0.37;
+        let foot = lean(-(0.8 * bend + 0.22)) * 0.17;
+        let ball = DVec3::new(0.0, 0.072, 0.03);
+        let longer = (1.03 - ball.y) / (thigh + shin + foot).y;
+        let ankle = ball + foot * longer;
+        let knee = ankle + shin * longer;
+        let hip = knee + thigh * longer;
+        let between = |a: DVec3, b: DVec3, t: f64| a + (b - a) * t;
+        let back = |p: DVec3, by: f64| p - DVec3::Z * by;
+        let limb = [
+            (hip, 0.172),
+            (between(hip, knee, 0.45), 0.146),
+            (between(hip, knee, 0.82), 0.104),
+            (between(knee, ankle, 0.14), 0.1),
+            (between(knee, ankle, 0.48), 0.085),
+            (between(knee, ankle, 0.85), 0.068),
+            (between(ankle, ball, 0.3), 0.068),
+            (ball, 0.076),
+        ];
+        let haunch = [
+            (back(hip, 0.05), 0.15),
+            (back(between(hip, knee, 0.5), 0.062), 0.112),
+            (back(between(hip, knee, 0.92), 0.04), 0.06),
+        ];
+        let calf = [
+            (back(between(knee, ankle, 0.08), 0.03), 0.062),
+            (back(between(knee, ankle, 0.33), 0.045), 0.07),
+            (back(between(knee, ankle, 0.66), 0.036), 0.042),
+            (back(between(knee, ankle, 0.95), 0.026), 0.036),
+        ];
+        let thick = |balls: &[(DVec3, f64)]| {
+            let thick: Vec<_> = balls.iter().map(|&(p, r)| (p, r * girth)).collect();
+            Canal::through(&thick, 6)
+        };
+        let middle = 0.5 * (count as f64 - 1.0);
+        let toe = |k: usize| {
+            toe(
+                ball,
+                (k as f64 - middle) * spread,
+                (k as f64 - middle).abs(),
+                reach,
+                girth,
+            )
+        };
+        Self {
+            limb: thick(&limb),
+            muscles: [thick(&haunch), thick(&calf)],
+            knee: (knee + DVec3::new(0.0, 0.0, 0.035), 0.068 * girth),
+            toes: (0..count).map(toe).collect(),
+        }
+    }
+
+    fn knee(&self, p: &Spot) -> Jet {
+        p.distance(self.knee.0) - self.knee.1
+    }
+}
+
+/// A toe at an angle to the foot; those farther from the middle are shorter.
+fn toe(ball: DVec3, angle: f64, aside: f64, reach: f64, girth: f64) -> Toe {
+    let length = reach * (0.395 - 0.032 * aside);
+    let out = DVec3::new(libm::sin(angle), 0.0, libm::cos(angle));
+    let start = DVec3::new(ball.x, 0.0, ball.z - BEHIND);
+    let thick = (0.8 + 0.2 * girth) * (1.0 - 0.04 * aside);
+    // How far along, how high, how thick.
+    let along = [
+        (0.0, 0.078, 0.060),
+        (0.25, 0.077, 0.053),
+        (0.48, 0.063, 0.0485),
+        (0.70, 0.050, 0.0435),
+        (0.86, 0.039, 0.035),
+        (1.0, 0.022, 0.023),
+    ];
+    let balls = along.map(|(t, y, r)| (start + out * (t * length) + DVec3::Y * y, r * thick));
+    let canal = Canal::through(&balls, 6);
+    let knuckles = [
+        (0.36, 0.092, 0.037),
+        (0.575, 0.075, 0.0345),
+        (0.775, 0.060, 0.030),
+    ];
+    let knuckles = knuckles
+        .map(|(t, y, r)| (start + out * (t * length) + DVec3::Y * y * thick, r * thick))
+        .to_vec();
+    Toe { canal, knuckles }
+}
+
+impl Toe {
+    fn at(&self, p: &Spot) -> Jet {
+        let mut toe = self.canal.at(p);
+        for &(middle, radius) in &self.knuckles {
+            toe = toe.join(p.distance(middle) - radius, KNUCKLE);
+        }
+        toe
+    }
+
+    /// No less far from it than this.
+    fn far(&self, p: DVec3) -> f64 {
+        self.canal.far(p) - KNUCKLE
+    }
+}
+
+impl Form for Leg {
+    fn at(&self, p: Spot) -> Jet {
+        let place = p.place();
+        let slim = Spot {
+            x: p.x * DEEPER,
+            ..p
+        };
+        let [haunch, calf] = &self.muscles;
+        let mut leg = self.limb.at(&slim);
+        // What is above the ankle has no toes, and what is far below it no muscles.
+        if place.y > 0.1 {
+            leg = leg.join(self.knee(&slim), JOIN);
+            leg = haunch.join_to(leg, &slim, JOIN);
+            leg = calf.join_to(leg, &slim, JOIN);
+        }
+        let mut toes: Option<Jet> = None;
+        for toe in &self.toes {
+            let far = toe.far(place);
+            // Too far away to be felt, or to be the nearest.
+            if far > leg.value + JOIN || toes.is_some_and(|toes| far > toes.value + WEB) {
+                continue;
+            }
+            let at = toe.at(&p);
+            toes = Some(toes.map_or(at, |toes| toes.join(at, WEB)));
+        }
+        if let Some(toes) = toes {
+            leg = leg.join(toes, JOIN);
+        }
+        leg.cut(-p.y, 0.03).cut(p.y - 1.0, 0.07)
+    }
+
+    fn bounds(&self) -> (DVec3, DVec3) {
+        let slim = DVec3::new(1.0 / DEEPER, 1.0, 1.0);
+        let (mut lo, mut hi) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+        for canal in [&self.limb].into_iter().chain(&self.muscles) {
+            let (a, b) = canal.bounds();
+            (lo, hi) = (lo.min(a * slim), hi.max(b * slim));
+        }
+        for toe in &self.toes {
+            (lo, hi) = (lo.min(toe.canal.bounds().0), hi.max(toe.canal.bounds().1));
+        }
+        (DVec3::new(lo.x, 0.0, lo.z), DVec3::new(hi.x, 1.0, hi.z))
+    }
+
+    fn coarsest(&self) -> f64 {
+        let tips = self.toes.iter().map(|toe| toe.canal.radii().0);
+        0.85 * tips.fold(0.025, f64::min)
+    }
+
+    fn steepest(&self) -> f64 {
+        DEEPER
+    }
+
+    fn bones(&self) -> Vec<Bone> {
+        let mut limb = self.limb.bone();
+        let kept = limb.points.iter().filter(|p| p.y <= 1.0).count();
+        let above = limb.points.len() - kept;
+        limb.points.drain(..above);
+        limb.radii.drain(..above);
+        let toes = self.toes.iter().map(|toe| toe.canal.bone());
+        std::iter::once(limb).chain(toes).collect()
+    }
+}

@@ -1,0 +1,194 @@
+//! Surfaces by rule: fifteen shapes of three to five numbers each.
+//!
+//! Closed ones are solid [`form`]s: functions that are negative inside. Their first triangles are [`march`]ed on a
+//! coarse grid, made even by [`remesh`], and then divided and brought onto the form until their edges are as short as
+//! asked, so that the cost is in proportion to the triangles. Ground, stairs and cylinders are laid out row by row.
+//!
+//! y is up; a shape stands on y = 0, with its middle over the origin, and its largest side is about 1. What runs along
+//! a shape runs along its bones ([`Bone`]), from head to tail.
+
+mod bone;
+mod canal;
+mod curled;
+mod drum;
+mod fish;
+mod flight;
+mod form;
+mod glyphs;
+mod jet;
+mod leg;
+mod letter;
+mod making;
+mod march;
+mod numbers;
+mod remesh;
+mod round;
+mod surgery;
+mod terrain;
+#[cfg(test)]
+mod tests;
+mod turtle;
+mod vase;
+
+pub use bone::{Bone, OnBone};
+pub use making::ShapeMaking;
+pub use numbers::ShapeNumber;
+
+use form::Form;
+use glam::DVec3;
+
+/// A surface by rule.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shape {
+    /// Hills, with a lane between them.
+    Terrain,
+    /// Level ground, a slope, level ground.
+    Slope,
+    /// Steps up to a landing.
+    Stairs,
+    /// A round wall, with its ends or without.
+    Cylinder,
+    /// A ball, an ellipsoid, a round cube.
+    Sphere,
+    /// A ring, plain or in waves.
+    Torus,
+    /// A torus knot.
+    Knot,
+    /// A spiral of growing radius with a closed tip.
+    Horn,
+    /// A saurian's leg with toes.
+    Leg,
+    /// Curled and tapered.
+    Tail,
+    /// A fish with its fins.
+    Fish,
+    /// The shell of a turtle.
+    Turtle,
+    /// Standing on its blunt end.
+    Egg,
+    /// With a neck, a lip, and an inside.
+    Vase,
+    /// A thick letter of the alphabet.
+    Letter,
+}
+
+/// The triangles of a shape.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ShapeMesh {
+    /// The vertices.
+    pub positions: Vec<DVec3>,
+    /// Their triangles, counter-clockwise seen from outside.
+    pub triangles: Vec<[u32; 3]>,
+    /// Edges where the surface has a sharp bend, as pairs of vertices; the first one is the smaller.
+    pub creases: Vec<[u32; 2]>,
+}
+
+/// The shortest edges that are made, as a share of the diagonal.
+const FINEST: f64 = 0.002;
+
+impl Shape {
+    /// All of them.
+    pub const ALL: [Self; 15] = [
+        Self::Terrain,
+        Self::Slope,
+        Self::Stairs,
+        Self::Cylinder,
+        Self::Sphere,
+        Self::Torus,
+        Self::Knot,
+        Self::Horn,
+        Self::Leg,
+        Self::Tail,
+        Self::Fish,
+        Self::Turtle,
+        Self::Egg,
+        Self::Vase,
+        Self::Letter,
+    ];
+
+    /// Begins to make its triangles. Numbers are those of [`Self::numbers`], brought into their ranges; `edge` is the
+    /// wanted length of edges as a share of the diagonal of the box around the shape. Edges are shorter than that where
+    /// parts of the shape would be lost otherwise ([`Self::coarsest`]).
+    pub fn making(self, numbers: &[f64], edge: f64) -> ShapeMaking {
+        let edge = if edge.is_finite() { edge } else { 1.0 };
+        ShapeMaking::new(self, &self.fitted(numbers), edge.clamp(FINEST, 1.0))
+    }
+
+    /// Its vertices and triangles, at once; see [`Self::making`].
+    pub fn build(self, numbers: &[f64], edge: f64) -> (Vec<DVec3>, Vec<[u32; 3]>) {
+        let mut making = self.making(numbers, edge);
+        while !making.advance() {}
+        let made = making.finish();
+        (made.positions, made.triangles)
+    }
+
+    /// The longest edges, as a share of the diagonal, that still show all its parts.
+    pub fn coarsest(self, numbers: &[f64]) -> f64 {
+        match solid(self, &self.fitted(numbers)) {
+            Some(form) => {
+                let (lo, hi) = form.bounds();
+                form.coarsest() / (hi - lo).length()
+            }
+            None => PLAIN_COARSEST,
+        }
+    }
+
+    /// The lines that run through it from head to tail: down the leg and out along each toe, along the fish, up the
+    /// vase, along the strokes of the letter, along the lane. None where there is no such line, see [`Self::main`].
+    pub fn bones(self, numbers: &[f64]) -> Vec<Bone> {
+        let numbers = self.fitted(numbers);
+        match (solid(self, &numbers), self) {
+            (Some(form), _) => form.bones(),
+            (None, Self::Terrain) => terrain::Terrain::new(&numbers).bones(),
+            (None, Self::Cylinder) => drum::Drum::new(&numbers).bones(),
+            (None, _) => Vec::new(),
+        }
+    }
+
+    /// Unit vector of its main direction, from head to tail.
+    pub fn main(self) -> DVec3 {
+        match self {
+            Self::Fish | Self::Turtle => DVec3::X,
+            Self::Leg => DVec3::NEG_Y,
+            Self::Slope | Self::Stairs | Self::Terrain => DVec3::Z,
+            _ => DVec3::Y,
+        }
+    }
+
+    /// The height of the ground at a place, where the shape is ground: terrain.
+    pub fn height(self, numbers: &[f64], x: f64, z: f64) -> Option<f64> {
+        (self == Self::Terrain).then(|| terrain::Terrain::new(&self.fitted(numbers)).height(x, z))
+    }
+}
+
+/// Edges of ground, stairs and cylinders are no longer.
+const PLAIN_COARSEST: f64 = 0.1;
+
+/// The solid form of a shape, of numbers in their ranges.
+fn solid(shape: Shape, n: &[f64]) -> Option<Box<dyn Form>> {
+    Some(match shape {
+        Shape::Terrain | Shape::Slope | Shape::Stairs | Shape::Cylinder => return None,
+        Shape::Sphere => Box::new(round::Ball::new(n)),
+        Shape::Egg => Box::new(round::Egg::new(n)),
+        Shape::Torus => Box::new(curled::torus(n)),
+        Shape::Knot => Box::new(curled::knot(n)),
+        Shape::Horn => Box::new(curled::horn(n)),
+        Shape::Tail => Box::new(curled::tail(n)),
+        Shape::Leg => Box::new(leg::Leg::new(n)),
+        Shape::Fish => Box::new(fish::Fish::new(n)),
+        Shape::Turtle => Box::new(turtle::Turtle::new(n)),
+        Shape::Vase => Box::new(vase::Vase::new(n)),
+        Shape::Letter => Box::new(letter::Letter::new(n)),
+    })
+}
+
+/// The triangles of a shape that has no solid form.
+fn plain(shape: Shape, n: &[f64], edge: f64) -> ShapeMesh {
+    let edge = edge.min(PLAIN_COARSEST);
+    match shape {
+        Shape::Slope => flight::slope(n, edge),
+        Shape::Stairs => flight::stairs(n, edge),
+        Shape::Cylinder => drum::Drum::new(n).build(edge),
+        _ => terrain::Terrain::new(n).build(edge),
+    }
+}
