@@ -10,13 +10,20 @@
 //! right-handed, so a positive turn is counter-clockwise seen from outside.
 
 mod cell;
+pub mod curvature;
+pub mod field;
 mod frame;
+mod links;
 mod mesh;
 mod point;
+mod search;
+#[cfg(test)]
+mod testing;
 mod walk;
 
 pub use cell::SurfaceCell;
 pub use frame::{Frame, Turn, Way, way};
 pub use mesh::{MeshFault, NONE, TriMesh};
 pub use point::SurfacePoint;
+pub use search::{Hit, Search};
 pub use walk::Walked;
