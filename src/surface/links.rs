@@ -26,6 +26,8 @@ pub(super) struct Links {
     /// A third of the area of the triangles around each vertex.
     pub mass: Vec<f64>,
     pub frames: Vec<Frame>,
+    /// The sum of the squared lengths of all triangles' edges.
+    squares: f64,
 }
 
 impl Links {
@@ -40,16 +42,9 @@ impl Links {
         self.mass.len()
     }
 
-    /// The mean of the squared lengths of all edges.
+    /// The mean of the squared lengths of the edges.
     pub fn mean_square(&self, mesh: &TriMesh) -> f64 {
-        let at = mesh.positions();
-        let mut sum = 0.0;
-        for i in 0..self.len() {
-            for &j in &self.to[self.of(i)] {
-                sum += at[i].distance_squared(at[j as usize]);
-            }
-        }
-        sum / self.to.len().max(1) as f64
+        self.squares / (3 * mesh.triangles().len()) as f64
     }
 
     /// All at once.
@@ -130,6 +125,9 @@ impl LinksBuilder {
             if !cots[k].is_finite() {
                 cots[k] = 0.0;
             }
+        }
+        for k in 0..3 {
+            self.links.squares += p[k].distance_squared(p[(k + 1) % 3]);
         }
         for v in mesh.triangles()[t as usize] {
             self.links.mass[v as usize] += double / 6.0;

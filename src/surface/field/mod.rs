@@ -32,6 +32,7 @@
 
 mod bones;
 mod builder;
+mod cycle;
 mod gradients;
 mod paint;
 mod params;
@@ -230,11 +231,6 @@ impl SurfaceFields {
 
     /// The area that dense cells of these sizes cover says how many there will be.
     pub fn about_cells(&self) -> f64 {
-        let area = if self.kind.has_corners() {
-            1.0
-        } else {
-            0.866_025_403_784_438_6
-        };
         let mut sum = 0.0;
         for (t, corners) in self.mesh.triangles().iter().enumerate() {
             let third = self.mesh.area_of(t as u32) / 3.0;
@@ -243,7 +239,7 @@ impl SurfaceFields {
                 sum += third / (size * size);
             }
         }
-        sum / area
+        sum / sizes::cell_area(self.kind)
     }
 
     fn mixed(&self, values: &[f64], plain: f64, p: &SurfacePoint, weights: DVec3) -> f64 {

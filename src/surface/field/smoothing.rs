@@ -8,170 +8,187 @@
 //! move far in each round.
 
 use super::gradients::Gradients;
-use super::system::{Coarsening, System};
+use super::system::{Coarsening, Holding, Level, System};
 use glam::DVec2;
 
 /// The coarsest system has at most so many rows.
 const COARSEST: usize = 400;
-/// What solving may leave on the mesh itself ...
-const FINE: (f64, usize) = (1e-8, 3000);
-/// ... and before that.
-const ROUGH: (f64, usize) = (1e-4, 400);
+/// What solving may leave on the mesh itself, and the most iterations ...
+const FINE: (f64, usize) = (1e-8, 500);
+/// ... where it is done in rounds ...
+const ROUNDED: (f64, usize) = (1e-5, 100);
+/// ... and on coarser ones.
+const ROUGH: (f64, usize) = (1e-4, 100);
 /// Rounds of smoothing parts without sources: on the coarsest system, on those between, on the mesh.
-const ROUNDS: [usize; 3] = [40, 8, 3];
+const ROUNDS: [usize; 3] = [40, 6, 2];
 /// How far smoothing goes in a round, as an area in rows' own.
 const SPREAD: f64 = 20.0;
-
-#[derive(Clone, Debug)]
-struct Level {
-    system: System,
-    /// To the next coarser one.
-    group: Vec<u32>,
-    carry: Vec<DVec2>,
-}
 
 /// Solves a [`System`] in slices.
 #[derive(Clone, Debug)]
 pub(super) struct Smoothing {
     levels: Vec<Level>,
-    coarsening: Option<Coarsening>,
-    work: Option<Gradients>,
+    work: Work,
     /// Vectors at the rows of the level at work, of length 1 in parts without sources.
     now: Vec<DVec2>,
-    /// Of each part: has it sources?
-    sourced: Vec<bool>,
+    holding: Holding,
     level: usize,
     round: usize,
-    done: bool,
     /// Iterations on the mesh itself.
     pub iterations: usize,
+}
+
+#[derive(Clone, Debug)]
+enum Work {
+    Coarsen(Box<Coarsening>),
+    Solve(Box<Gradients>),
+    /// Makes unit vectors of what was solved for.
+    Unit(Vec<DVec2>),
+    /// Brings them to the next finer level.
+    Carry(Vec<DVec2>),
+    Done,
 }
 
 impl Smoothing {
     /// `sourced` tells of each part whether sources hold it; in others the loads are the guess to begin with.
     pub fn begin(system: System, sourced: Vec<bool>) -> Self {
         Self {
+            work: Work::Coarsen(Box::new(Coarsening::begin(&system))),
             levels: vec![Level {
                 system,
-                group: Vec::new(),
-                carry: Vec::new(),
+                ..Level::default()
             }],
-            coarsening: None,
-            work: None,
             now: Vec::new(),
-            sourced,
+            holding: Holding { sourced, pull: 0.0 },
             level: 0,
             round: 0,
-            done: false,
             iterations: 0,
         }
     }
 
     /// Works on so many rows; true when done.
     pub fn advance(&mut self, amount: usize) -> bool {
-        if self.done {
-            return true;
-        }
-        if self.now.is_empty() {
-            self.coarsen(amount);
-            return false;
-        }
-        let system = &self.levels[self.level].system;
-        let Some(work) = &mut self.work else {
-            self.begin_round();
-            return false;
-        };
-        if work.advance(system, amount) {
-            let work = self.work.take().expect("it is at work");
-            if self.level == 0 {
-                self.iterations += work.iterations;
+        self.work = match std::mem::replace(&mut self.work, Work::Done) {
+            Work::Coarsen(work) => self.coarsen(work, amount),
+            Work::Solve(mut work) => {
+                if work.advance(&self.levels[self.level..], amount) {
+                    if self.level == 0 {
+                        self.iterations += work.iterations;
+                    }
+                    self.now = Vec::with_capacity(work.x.len());
+                    Work::Unit(work.x)
+                } else {
+                    Work::Solve(work)
+                }
             }
-            self.end_round(work.x);
-        }
-        self.done
+            Work::Unit(x) => self.unit(x, amount),
+            Work::Carry(coarse) => self.carry(coarse, amount),
+            Work::Done => Work::Done,
+        };
+        matches!(self.work, Work::Done)
     }
 
-    /// Unit vectors at the vertices; zero where nothing can be told.
+    /// Unit vectors at the vertices: some direction even where sources cancel each other, so that the turns around
+    /// triangles are whole ones.
     pub fn finish(self) -> Vec<DVec2> {
         self.now
     }
 
-    fn coarsen(&mut self, amount: usize) {
+    fn coarsen(&mut self, mut work: Box<Coarsening>, amount: usize) -> Work {
         let last = self.levels.last_mut().expect("a level");
         let fine = &last.system;
-        let work = self
-            .coarsening
-            .get_or_insert_with(|| Coarsening::begin(fine));
-        let small = fine.len() <= COARSEST;
-        if !small && !work.advance(fine, amount) {
-            return;
-        }
-        let work = self.coarsening.take().expect("it is at work");
-        if !small && 3 * work.coarse.len() < 2 * fine.len() {
-            (last.group, last.carry) = (work.group, work.carry);
-            self.levels.push(Level {
-                system: work.coarse,
-                group: Vec::new(),
-                carry: Vec::new(),
-            });
-            return;
+        if fine.len() > COARSEST {
+            if !work.advance(fine, amount) {
+                return Work::Coarsen(work);
+            }
+            if 3 * work.coarse.len() < 2 * fine.len() {
+                (last.group, last.carry) = (work.group, work.carry);
+                let next = Coarsening::begin(&work.coarse);
+                self.levels.push(Level {
+                    system: work.coarse,
+                    ..Level::default()
+                });
+                return Work::Coarsen(Box::new(next));
+            }
         }
         self.now = fine.load.iter().map(|z| z.normalize_or(DVec2::X)).collect();
         self.level = self.levels.len() - 1;
+        self.solve()
     }
 
-    fn begin_round(&mut self) {
+    fn has_free(&self) -> bool {
+        self.holding.sourced.contains(&false)
+    }
+
+    /// From the vectors there are.
+    fn solve(&mut self) -> Work {
         let system = &self.levels[self.level].system;
-        let (mut area, mut rows) = (0.0, 0.0);
-        for (&mass, &part) in system.mass.iter().zip(&system.part) {
-            if !self.sourced[part as usize] {
-                area += mass;
-                rows += 1.0;
+        if self.has_free() && self.round == 0 {
+            let (mut area, mut rows) = (0.0, 0.0);
+            for (v, &mass) in system.mass.iter().enumerate() {
+                if !self.holding.is_sourced(system, v) {
+                    area += mass;
+                    rows += 1.0;
+                }
             }
+            self.holding.pull = if area > 0.0 {
+                rows / (SPREAD * area)
+            } else {
+                0.0
+            };
         }
-        let pull = if area > 0.0 {
-            rows / (SPREAD * area)
-        } else {
-            0.0
+        let how = match self.level {
+            0 if self.has_free() => ROUNDED,
+            0 => FINE,
+            _ => ROUGH,
         };
-        let row = |v: usize| {
-            if self.sourced[system.part[v] as usize] {
-                return (system.held[v], system.load[v]);
-            }
-            let held = pull * system.mass[v];
-            (held, held * self.now[v])
-        };
-        let how = if self.level == 0 { FINE } else { ROUGH };
-        self.work = Some(Gradients::begin(system, self.now.clone(), how, row));
+        let now = std::mem::take(&mut self.now);
+        Work::Solve(Box::new(Gradients::begin(now, self.holding.clone(), how)))
     }
 
-    fn end_round(&mut self, x: Vec<DVec2>) {
-        // Where sources hold them, lengths tell how much the sources agree: the guess for the next level.
-        let parts = &self.levels[self.level].system.part;
-        let is_held = |v: usize| self.level > 0 && self.sourced[parts[v] as usize];
-        let all = x.into_iter().enumerate();
-        self.now = all
-            .map(|(v, z)| if is_held(v) { z } else { z.normalize_or_zero() })
-            .collect();
+    fn unit(&mut self, x: Vec<DVec2>, amount: usize) -> Work {
+        let system = &self.levels[self.level].system;
+        let begin = self.now.len();
+        let end = x.len().min(begin.saturating_add(amount.max(1)));
+        for (v, &z) in x.iter().enumerate().take(end).skip(begin) {
+            // Where sources hold them, lengths tell how much these agree: the guess for the next level.
+            let is_held = self.level > 0 && self.holding.is_sourced(system, v);
+            self.now
+                .push(if is_held { z } else { z.normalize_or(DVec2::X) });
+        }
+        if end < x.len() {
+            return Work::Unit(x);
+        }
         self.round += 1;
         let coarsest = self.level + 1 == self.levels.len();
-        let rounds = match self.sourced.iter().all(|&s| s) {
-            true => 1,
-            false if coarsest => ROUNDS[0],
-            false => ROUNDS[if self.level == 0 { 2 } else { 1 }],
+        let rounds = match self.level {
+            _ if !self.has_free() => 1,
+            _ if coarsest => ROUNDS[0],
+            0 => ROUNDS[2],
+            _ => ROUNDS[1],
         };
         if self.round < rounds {
-            return;
+            return self.solve();
         }
         self.round = 0;
         if self.level == 0 {
-            self.done = true;
-            self.levels = Vec::new();
-            return;
+            return Work::Done;
         }
         self.level -= 1;
+        let count = self.levels[self.level].system.len();
+        Work::Carry(std::mem::replace(&mut self.now, Vec::with_capacity(count)))
+    }
+
+    fn carry(&mut self, coarse: Vec<DVec2>, amount: usize) -> Work {
         let Level { group, carry, .. } = &self.levels[self.level];
-        let fine = group.iter().zip(carry);
-        self.now = fine.map(|(&g, c)| c.rotate(self.now[g as usize])).collect();
+        let begin = self.now.len();
+        let end = group.len().min(begin.saturating_add(amount.max(1)));
+        let rows = group[begin..end].iter().zip(&carry[begin..end]);
+        self.now
+            .extend(rows.map(|(&g, c)| c.rotate(coarse[g as usize])));
+        if end < group.len() {
+            return Work::Carry(coarse);
+        }
+        self.solve()
     }
 }

@@ -32,6 +32,8 @@ pub(super) struct Sources {
     /// Of each vertex how many edges of borders or creases there are and what they say, and their weight; empty if none.
     rims: Vec<(f64, DVec2, f64)>,
     paint: Paint,
+    /// Triangles among whose edges borders and creases were looked for.
+    looked_at: usize,
 }
 
 impl Sources {
@@ -51,7 +53,7 @@ impl Sources {
             ..Self::default()
         };
         if params.borders > 0.0 || params.creases > 0.0 {
-            sources.find_rims(params, mesh, links);
+            sources.rims = vec![(0.0, DVec2::ZERO, 0.0); links.len()];
         }
         for stroke in &params.strokes {
             paint::add(&mut sources.paint, stroke, symmetry, mesh, links, 0.0);
@@ -85,10 +87,22 @@ impl Sources {
         self.bones > 0.0
     }
 
-    fn find_rims(&mut self, params: &DirectionParams, mesh: &TriMesh, links: &Links) {
+    /// Finds borders and creases among so many triangles; true when it has looked at all.
+    pub fn find_rims(
+        &mut self,
+        params: &DirectionParams,
+        mesh: &TriMesh,
+        links: &Links,
+        amount: usize,
+    ) -> bool {
+        let all = mesh.triangles().len();
+        if self.rims.is_empty() {
+            return true;
+        }
         let sharp = libm::cos(params.crease_angle);
-        self.rims = vec![(0.0, DVec2::ZERO, 0.0); links.len()];
-        for (t, corners) in mesh.triangles().iter().enumerate() {
+        let end = all.min(self.looked_at.saturating_add(amount.max(1)));
+        for t in self.looked_at..end {
+            let corners = mesh.triangles()[t];
             for k in 0..3 {
                 let weight = match mesh.across(t as u32, k) {
                     None => weight(params.borders),
@@ -116,6 +130,8 @@ impl Sources {
                 }
             }
         }
+        self.looked_at = end;
+        end == all
     }
 
     /// All that holds a vertex: as weights of their own, not of the vertex' area.

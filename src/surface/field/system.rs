@@ -77,6 +77,52 @@ impl System {
     }
 }
 
+/// What is added to the diagonal: sources, or, in parts without any, a pull towards the vectors there are.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Holding {
+    /// Of each part: do sources hold it?
+    pub sourced: Vec<bool>,
+    /// By area.
+    pub pull: f64,
+}
+
+impl Holding {
+    #[inline(always)]
+    pub fn is_sourced(&self, system: &System, v: usize) -> bool {
+        self.sourced[system.part[v] as usize]
+    }
+
+    /// What is added to the diagonal of a row.
+    #[inline(always)]
+    pub fn more(&self, system: &System, v: usize) -> f64 {
+        if self.is_sourced(system, v) {
+            system.held[v]
+        } else {
+            self.pull * system.mass[v]
+        }
+    }
+
+    /// The right side of a row, whose vector is `now`.
+    #[inline(always)]
+    pub fn right(&self, system: &System, v: usize, now: DVec2) -> DVec2 {
+        if self.is_sourced(system, v) {
+            system.load[v]
+        } else {
+            self.pull * system.mass[v] * now
+        }
+    }
+}
+
+/// A system and how the vectors of the next coarser one are carried to its rows; the coarsest has none.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Level {
+    pub system: System,
+    /// Of each row its group, which is a row of the coarser system ...
+    pub group: Vec<u32>,
+    /// ... and what carries the group's vector to it.
+    pub carry: Vec<DVec2>,
+}
+
 /// No group yet.
 const FREE: u32 = u32::MAX;
 
