@@ -62,6 +62,8 @@ pub(super) struct LinksBuilder {
     pub links: Links,
     /// Cotangents of the angles at the corners.
     cots: Vec<[f64; 3]>,
+    /// Edges of the border.
+    borders: usize,
     at: usize,
 }
 
@@ -77,6 +79,7 @@ impl LinksBuilder {
         Self {
             links,
             cots: Vec::with_capacity(mesh.triangles().len()),
+            borders: 0,
             at: 0,
         }
     }
@@ -101,6 +104,13 @@ impl LinksBuilder {
             frames.extend(normals.iter().map(|&n| Frame::of(n)));
             self.at = if end == vertices { 0 } else { end };
             return false;
+        }
+        if self.at == 0 {
+            // Growing step by step would copy all there is.
+            let count = 3 * triangles + self.borders;
+            self.links.to.reserve_exact(count);
+            self.links.weight.reserve_exact(count);
+            self.links.turn.reserve_exact(count);
         }
         let end = end.min(vertices);
         for v in self.at..end {
@@ -127,6 +137,7 @@ impl LinksBuilder {
             }
         }
         for k in 0..3 {
+            self.borders += usize::from(mesh.across(t, k).is_none());
             self.links.squares += p[k].distance_squared(p[(k + 1) % 3]);
         }
         for v in mesh.triangles()[t as usize] {

@@ -281,7 +281,11 @@ impl SurfaceFieldBuilder {
         let sourced = self.most.iter().map(|&m| is_flow || m > NO_SOURCE);
         Stage::Smooth(
             is_flow,
-            Box::new(Smoothing::begin(rows.1, sourced.collect())),
+            Box::new(Smoothing::begin(
+                rows.1,
+                sourced.collect(),
+                self.fields.size,
+            )),
         )
     }
 

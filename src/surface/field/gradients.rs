@@ -205,6 +205,7 @@ mod tests {
             let holding = Holding {
                 sourced: vec![true],
                 pull: 0.0,
+                polish: 0.0,
             };
             let mut work = Gradients::begin(zero, holding, (1e-10, 500));
             while !work.advance(levels, amount) {}

@@ -21,6 +21,9 @@ const ROUNDED: (f64, usize) = (1e-5, 100);
 const ROUGH: (f64, usize) = (1e-4, 100);
 /// Rounds of smoothing parts without sources: on the coarsest system, on those between, on the mesh.
 const ROUNDS: [usize; 3] = [40, 6, 2];
+/// Then parts with sources are smoothed once more, as unit vectors, over so many sizes of a cell: where sources say
+/// little or speak against each other vectors are short, and their turns within a cell are no more than chance.
+const POLISH: f64 = 1.0;
 /// How far smoothing goes in a round, as an area in rows' own.
 const SPREAD: f64 = 20.0;
 
@@ -32,6 +35,8 @@ pub(super) struct Smoothing {
     /// Vectors at the rows of the level at work, of length 1 in parts without sources.
     now: Vec<DVec2>,
     holding: Holding,
+    /// See [`POLISH`].
+    polish: f64,
     level: usize,
     round: usize,
     /// Iterations on the mesh itself.
@@ -51,7 +56,8 @@ enum Work {
 
 impl Smoothing {
     /// `sourced` tells of each part whether sources hold it; in others the loads are the guess to begin with.
-    pub fn begin(system: System, sourced: Vec<bool>) -> Self {
+    /// `size` is about that of a cell.
+    pub fn begin(system: System, sourced: Vec<bool>, size: f64) -> Self {
         Self {
             work: Work::Coarsen(Box::new(Coarsening::begin(&system))),
             levels: vec![Level {
@@ -59,7 +65,11 @@ impl Smoothing {
                 ..Level::default()
             }],
             now: Vec::new(),
-            holding: Holding { sourced, pull: 0.0 },
+            holding: Holding {
+                sourced,
+                ..Holding::default()
+            },
+            polish: 1.0 / (POLISH * POLISH * size * size),
             level: 0,
             round: 0,
             iterations: 0,
@@ -137,9 +147,10 @@ impl Smoothing {
                 0.0
             };
         }
-        let how = match self.level {
-            0 if self.has_free() => ROUNDED,
-            0 => FINE,
+        self.holding.polish = if self.round == 0 { 0.0 } else { self.polish };
+        let how = match (self.level, self.round) {
+            (0, 0) if !self.has_free() => FINE,
+            (0, _) => ROUNDED,
             _ => ROUGH,
         };
         let now = std::mem::take(&mut self.now);
@@ -162,9 +173,9 @@ impl Smoothing {
         self.round += 1;
         let coarsest = self.level + 1 == self.levels.len();
         let rounds = match self.level {
+            0 => ROUNDS[2],
             _ if !self.has_free() => 1,
             _ if coarsest => ROUNDS[0],
-            0 => ROUNDS[2],
             _ => ROUNDS[1],
         };
         if self.round < rounds {

@@ -84,6 +84,8 @@ pub(super) struct Holding {
     pub sourced: Vec<bool>,
     /// By area.
     pub pull: f64,
+    /// The same in parts with sources, beside these.
+    pub polish: f64,
 }
 
 impl Holding {
@@ -96,7 +98,7 @@ impl Holding {
     #[inline(always)]
     pub fn more(&self, system: &System, v: usize) -> f64 {
         if self.is_sourced(system, v) {
-            system.held[v]
+            system.held[v] + self.polish * system.mass[v]
         } else {
             self.pull * system.mass[v]
         }
@@ -106,7 +108,7 @@ impl Holding {
     #[inline(always)]
     pub fn right(&self, system: &System, v: usize, now: DVec2) -> DVec2 {
         if self.is_sourced(system, v) {
-            system.load[v]
+            system.load[v] + self.polish * system.mass[v] * now
         } else {
             self.pull * system.mass[v] * now
         }

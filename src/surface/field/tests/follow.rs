@@ -240,3 +240,40 @@ fn strokes_lead_and_give_the_sense() {
     let far = place(4.0, 4.0);
     assert!((without.axis(&far) - fields.axis(&far)).length() < 1e-3);
 }
+
+#[test]
+fn poles_of_an_axis_are_as_few_singular_places_as_can_be() {
+    let mesh = testing::ball(6);
+    for (kind, count) in [(Kind::Square, 8), (Kind::Rectangle, 4), (Kind::Circle, 12)] {
+        let direction = DirectionParams {
+            axis: 1.0,
+            towards: DVec3::new(0.2, 1.0, 0.1),
+            ..DirectionParams::default()
+        };
+        let params = SurfaceFieldParams {
+            direction,
+            ..of_size(kind, 0.08)
+        };
+        let points = build(&mesh, params).singular_points();
+        assert_eq!(points.len(), count, "{kind:?}");
+    }
+}
+#[test]
+fn where_sources_say_little_there_are_no_singular_places_by_chance() {
+    // Flat sides between creases have no curvature: 36 singular places where vectors as short as rounding were taken as
+    // they are.
+    let mesh = testing::double_ring(8);
+    let size = (16.0 * mesh.area() / mesh.positions().len() as f64).sqrt();
+    let direction = DirectionParams {
+        curvature: 1.0,
+        ..DirectionParams::default()
+    };
+    let params = SurfaceFieldParams {
+        direction,
+        ..of_size(Kind::Rectangle, size)
+    };
+    let fields = build(&mesh, params);
+    assert_eq!(fields.index_sum(), -2.0);
+    let count = fields.singular_points().len();
+    assert!(count <= 8, "{count}");
+}
