@@ -41,7 +41,7 @@ mod params;
 mod scalar;
 mod singular;
 mod sources;
-mod symmetry;
+pub(crate) mod symmetry;
 
 pub use builder::FieldBuilder;
 pub use kind::Kind;

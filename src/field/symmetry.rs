@@ -5,9 +5,11 @@
 
 use glam::DVec2;
 
-/// The representation vector (cos N t, sin N t) of a unit vector at angle t; N is 1, 2 or 4.
-pub(super) fn representation(e: DVec2, symmetry: u32) -> DVec2 {
+/// The representation vector (cos N t, sin N t) of a unit vector at angle t; N is 1, 2 or 4, on surfaces 6 as well.
+pub(crate) fn representation(e: DVec2, symmetry: u32) -> DVec2 {
     match symmetry {
+        #[cfg(house)]
+        6 => twice(twice(e).rotate(e)),
         4 => twice(twice(e)),
         2 => twice(e),
         _ => e,
@@ -16,11 +18,13 @@ pub(super) fn representation(e: DVec2, symmetry: u32) -> DVec2 {
 
 /// The unit vector whose representation this unit vector is, of all that are alike the one with the
 /// smallest angle to +x; zero stays zero.
-pub(super) fn direction_of(r: DVec2, symmetry: u32) -> DVec2 {
+pub(crate) fn direction_of(r: DVec2, symmetry: u32) -> DVec2 {
     if r == DVec2::ZERO {
         return r;
     }
     match symmetry {
+        #[cfg(house)]
+        6 => third(half(r)),
         4 => half(half(r)),
         2 => half(r),
         _ => r,
@@ -43,13 +47,26 @@ fn half(r: DVec2) -> DVec2 {
     }
 }
 
+/// A third of an angle of at most a quarter turn: the chord's thirds as a guess, then Newton's steps on the circle,
+/// each of which leaves a part of the third power of the error.
+#[cfg(house)]
+fn third(r: DVec2) -> DVec2 {
+    let mut e = DVec2::new(2.0 + r.x, r.y).normalize();
+    for _ in 0..3 {
+        let back = DVec2::new(e.x, -e.y);
+        let off = twice(back).rotate(back).rotate(r);
+        e = e.rotate(DVec2::new(2.0 + off.x, off.y)).normalize();
+    }
+    e
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
     fn directions_come_back_from_their_representations() {
-        for symmetry in [1, 2, 4] {
+        for symmetry in [1, 2, 4, 6] {
             let sector = 180.0 / f64::from(symmetry);
             for k in 0..360 {
                 let t = f64::from(k).to_radians();

@@ -19,7 +19,10 @@ mod building;
 mod cell;
 pub mod files;
 pub mod fit;
+pub mod curvature;
+pub mod field;
 mod frame;
+mod links;
 mod mesh;
 pub mod packing;
 mod point;
@@ -30,9 +33,12 @@ pub mod repair;
 mod simplify;
 mod sorting;
 mod soup;
+mod shapes;
+mod search;
+#[cfg(test)]
+mod samples;
 #[cfg(test)]
 mod testing;
-mod shapes;
 mod walk;
 
 pub use building::MeshBuilding;
@@ -44,4 +50,5 @@ pub use projector::Projector;
 pub use simplify::Simplifying;
 pub use soup::{MOST_TRIANGLES, Soup};
 pub use shapes::{Bone, OnBone, Shape, ShapeMaking, ShapeMesh, ShapeNumber};
+pub use search::{Hit, Search};
 pub use walk::Walked;

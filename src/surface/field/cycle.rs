@@ -1,0 +1,189 @@
+//! One round over all coarser systems and back, as a preconditioner.
+
+use super::system::{Holding, Level, seen};
+use glam::DVec2;
+
+/// Sweeps there and back on the coarsest system.
+const SWEEPS: usize = 6;
+
+/// A symmetric V-cycle (Brandt 1977, Multi-Level Adaptive Solutions): Gauss-Seidel forwards on the way down, backwards
+/// on the way up, in slices.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Cycle {
+    /// By level: what is solved for, the answer, the diagonal and 1 / it, 0 for rows of nothing.
+    right: Vec<Vec<DVec2>>,
+    answer: Vec<Vec<DVec2>>,
+    diagonal: Vec<Vec<f64>>,
+    inverse: Vec<Vec<f64>>,
+    level: usize,
+    step: Step,
+    at: usize,
+}
+
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+enum Step {
+    #[default]
+    Forward,
+    /// What is left, to the next coarser level.
+    Restrict,
+    /// The answer from the next coarser level.
+    Correct,
+    Backward,
+    Coarsest,
+}
+
+impl Cycle {
+    /// Makes room for these levels, at most so many rows; true when that is done.
+    pub fn prepare(&mut self, levels: &[Level], holding: &Holding, amount: &mut usize) -> bool {
+        while *amount > 0 && self.level < levels.len() {
+            let (l, system) = (self.level, &levels[self.level].system);
+            if self.at == 0 {
+                let count = system.len();
+                self.right.push(Vec::with_capacity(count));
+                self.answer.push(Vec::with_capacity(count));
+                self.diagonal.push(Vec::with_capacity(count));
+                self.inverse.push(Vec::with_capacity(count));
+            }
+            let end = system.len().min(self.at.saturating_add(*amount));
+            *amount -= end - self.at;
+            for v in self.at..end {
+                let d = system.diagonal[v] + holding.more(system, v);
+                self.diagonal[l].push(d);
+                self.inverse[l].push(if d > 0.0 { 1.0 / d } else { 0.0 });
+                self.right[l].push(DVec2::ZERO);
+                self.answer[l].push(DVec2::ZERO);
+            }
+            self.at = end;
+            if end == system.len() {
+                (self.level, self.at) = (l + 1, 0);
+            }
+        }
+        let done = self.level == levels.len();
+        if done {
+            self.level = 0;
+        }
+        done
+    }
+
+    /// The diagonal of the finest level, and 1 / it.
+    pub fn diagonal(&self) -> (&[f64], &[f64]) {
+        (&self.diagonal[0], &self.inverse[0])
+    }
+
+    /// The answer on the finest level.
+    pub fn answer(&self) -> &[DVec2] {
+        &self.answer[0]
+    }
+
+    /// Works on at most so many rows, less what it has taken; true when the answer is there.
+    pub fn advance(&mut self, levels: &[Level], right: &[DVec2], amount: &mut usize) -> bool {
+        while *amount > 0 {
+            let l = self.level;
+            let count = levels[l].system.len();
+            if l + 1 == levels.len() {
+                self.step = Step::Coarsest;
+            }
+            let all = if self.step == Step::Coarsest {
+                2 * SWEEPS * count
+            } else {
+                count
+            };
+            let end = all.min(self.at.saturating_add(*amount));
+            *amount -= end - self.at;
+            let right = if l == 0 { right } else { &[] };
+            match self.step {
+                Step::Forward => self.forward(&levels[l], right, end),
+                Step::Restrict => self.restrict(&levels[l], right, end),
+                Step::Correct => self.correct(&levels[l], end),
+                Step::Backward => {
+                    for v in self.at..end {
+                        self.relax(&levels[l], right, count - 1 - v);
+                    }
+                }
+                Step::Coarsest => self.coarsest(&levels[l], right, end),
+            }
+            self.at = end;
+            if end == all {
+                self.at = 0;
+                if self.next() {
+                    return true;
+                }
+            }
+        }
+        false
+    }
+
+    fn next(&mut self) -> bool {
+        match self.step {
+            Step::Forward => self.step = Step::Restrict,
+            Step::Restrict => (self.level, self.step) = (self.level + 1, Step::Forward),
+            Step::Correct => self.step = Step::Backward,
+            Step::Backward | Step::Coarsest => {
+                if self.level == 0 {
+                    self.step = Step::Forward;
+                    return true;
+                }
+                (self.level, self.step) = (self.level - 1, Step::Correct);
+            }
+        }
+        false
+    }
+
+    #[inline(always)]
+    fn right_of(&self, right: &[DVec2], v: usize) -> DVec2 {
+        if right.is_empty() {
+            self.right[self.level][v]
+        } else {
+            right[v]
+        }
+    }
+
+    #[inline(always)]
+    fn relax(&mut self, level: &Level, right: &[DVec2], v: usize) {
+        let around = level.system.around(v, &self.answer[self.level]);
+        let right = self.right_of(right, v);
+        self.answer[self.level][v] = self.inverse[self.level][v] * (right - around);
+    }
+
+    /// From nothing: only rows before count.
+    fn forward(&mut self, level: &Level, right: &[DVec2], end: usize) {
+        if self.at == 0 {
+            self.answer[self.level].fill(DVec2::ZERO);
+        }
+        for v in self.at..end {
+            self.relax(level, right, v);
+        }
+    }
+
+    fn restrict(&mut self, level: &Level, right: &[DVec2], end: usize) {
+        let l = self.level;
+        if self.at == 0 {
+            self.right[l + 1].fill(DVec2::ZERO);
+        }
+        for v in self.at..end {
+            let own = self.diagonal[l][v] * self.answer[l][v];
+            let left = self.right_of(right, v) - own - level.system.around(v, &self.answer[l]);
+            self.right[l + 1][level.group[v] as usize] += seen(level.carry[v], left);
+        }
+    }
+
+    fn correct(&mut self, level: &Level, end: usize) {
+        let (fine, coarse) = self.answer.split_at_mut(self.level + 1);
+        let (fine, coarse) = (&mut fine[self.level], &coarse[0]);
+        for v in self.at..end {
+            fine[v] += level.carry[v].rotate(coarse[level.group[v] as usize]);
+        }
+    }
+
+    fn coarsest(&mut self, level: &Level, right: &[DVec2], end: usize) {
+        let count = level.system.len();
+        if self.at == 0 {
+            self.answer[self.level].fill(DVec2::ZERO);
+        }
+        for k in self.at..end {
+            let (sweep, v) = (k / count, k % count);
+            let v = if sweep % 2 == 0 { v } else { count - 1 - v };
+            self.relax(level, right, v);
+        }
+    }
+}

@@ -1,0 +1,205 @@
+//! The smoothest directions that follow their sources.
+//!
+//! Knoppel, Crane, Pinkall, Schroder (2013), Globally Optimal Direction Fields: representation vectors of neighbours,
+//! carried to each other, differ as little as can be. Coarser systems give the guess from which the mesh's own is
+//! solved. A part of the mesh without sources has no such answer but zero: there vectors are smoothed for a short
+//! time and made unit vectors again, time after time (Viertel, Osting 2019, An Approach to Quad Meshing Based on
+//! Harmonic Cross-Valued Maps and the Ginzburg-Landau Theory), beginning on the coarsest system, where singular points
+//! move far in each round.
+
+use super::gradients::Gradients;
+use super::system::{Coarsening, Holding, Level, System};
+use glam::DVec2;
+
+/// The coarsest system has at most so many rows.
+const COARSEST: usize = 400;
+/// What solving may leave on the mesh itself, and the most iterations ...
+const FINE: (f64, usize) = (1e-8, 500);
+/// ... where it is done in rounds ...
+const ROUNDED: (f64, usize) = (1e-5, 100);
+/// ... and on coarser ones.
+const ROUGH: (f64, usize) = (1e-4, 100);
+/// Rounds of smoothing parts without sources: on the coarsest system, on those between, on the mesh.
+const ROUNDS: [usize; 3] = [40, 6, 2];
+/// Then parts with sources are smoothed once more, as unit vectors, over so many sizes of a cell: where sources say
+/// little or speak against each other vectors are short, and their turns within a cell are no more than chance.
+const POLISH: f64 = 1.0;
+/// How far smoothing goes in a round, as an area in rows' own.
+const SPREAD: f64 = 20.0;
+
+/// Solves a [`System`] in slices.
+#[derive(Clone, Debug)]
+pub(super) struct Smoothing {
+    levels: Vec<Level>,
+    work: Work,
+    /// Vectors at the rows of the level at work, of length 1 in parts without sources.
+    now: Vec<DVec2>,
+    holding: Holding,
+    /// See [`POLISH`].
+    polish: f64,
+    level: usize,
+    round: usize,
+    /// Iterations on the mesh itself.
+    pub iterations: usize,
+}
+
+#[derive(Clone, Debug)]
+enum Work {
+    Coarsen(Box<Coarsening>),
+    Solve(Box<Gradients>),
+    /// Makes unit vectors of what was solved for.
+    Unit(Vec<DVec2>),
+    /// Brings them to the next finer level.
+    Carry(Vec<DVec2>),
+    Done,
+}
+
+impl Smoothing {
+    /// `sourced` tells of each part whether sources hold it; in others the loads are the guess to begin with.
+    /// `size` is about that of a cell.
+    pub fn begin(system: System, sourced: Vec<bool>, size: f64) -> Self {
+        Self {
+            work: Work::Coarsen(Box::new(Coarsening::begin(&system))),
+            levels: vec![Level {
+                system,
+                ..Level::default()
+            }],
+            now: Vec::new(),
+            holding: Holding {
+                sourced,
+                ..Holding::default()
+            },
+            polish: 1.0 / (POLISH * POLISH * size * size),
+            level: 0,
+            round: 0,
+            iterations: 0,
+        }
+    }
+
+    /// Works on so many rows; true when done.
+    pub fn advance(&mut self, amount: usize) -> bool {
+        self.work = match std::mem::replace(&mut self.work, Work::Done) {
+            Work::Coarsen(work) => self.coarsen(work, amount),
+            Work::Solve(mut work) => {
+                if work.advance(&self.levels[self.level..], amount) {
+                    if self.level == 0 {
+                        self.iterations += work.iterations;
+                    }
+                    self.now = Vec::with_capacity(work.x.len());
+                    Work::Unit(work.x)
+                } else {
+                    Work::Solve(work)
+                }
+            }
+            Work::Unit(x) => self.unit(x, amount),
+            Work::Carry(coarse) => self.carry(coarse, amount),
+            Work::Done => Work::Done,
+        };
+        matches!(self.work, Work::Done)
+    }
+
+    /// Unit vectors at the vertices: some direction even where sources cancel each other, so that the turns around
+    /// triangles are whole ones.
+    pub fn finish(self) -> Vec<DVec2> {
+        self.now
+    }
+
+    fn coarsen(&mut self, mut work: Box<Coarsening>, amount: usize) -> Work {
+        let last = self.levels.last_mut().expect("a level");
+        let fine = &last.system;
+        if fine.len() > COARSEST {
+            if !work.advance(fine, amount) {
+                return Work::Coarsen(work);
+            }
+            if 3 * work.coarse.len() < 2 * fine.len() {
+                (last.group, last.carry) = (work.group, work.carry);
+                let next = Coarsening::begin(&work.coarse);
+                self.levels.push(Level {
+                    system: work.coarse,
+                    ..Level::default()
+                });
+                return Work::Coarsen(Box::new(next));
+            }
+        }
+        self.now = fine.load.iter().map(|z| z.normalize_or(DVec2::X)).collect();
+        self.level = self.levels.len() - 1;
+        self.solve()
+    }
+
+    fn has_free(&self) -> bool {
+        self.holding.sourced.contains(&false)
+    }
+
+    /// From the vectors there are.
+    fn solve(&mut self) -> Work {
+        let system = &self.levels[self.level].system;
+        if self.has_free() && self.round == 0 {
+            let (mut area, mut rows) = (0.0, 0.0);
+            for (v, &mass) in system.mass.iter().enumerate() {
+                if !self.holding.is_sourced(system, v) {
+                    area += mass;
+                    rows += 1.0;
+                }
+            }
+            self.holding.pull = if area > 0.0 {
+                rows / (SPREAD * area)
+            } else {
+                0.0
+            };
+        }
+        self.holding.polish = if self.round == 0 { 0.0 } else { self.polish };
+        let how = match (self.level, self.round) {
+            (0, 0) if !self.has_free() => FINE,
+            (0, _) => ROUNDED,
+            _ => ROUGH,
+        };
+        let now = std::mem::take(&mut self.now);
+        Work::Solve(Box::new(Gradients::begin(now, self.holding.clone(), how)))
+    }
+
+    fn unit(&mut self, x: Vec<DVec2>, amount: usize) -> Work {
+        let system = &self.levels[self.level].system;
+        let begin = self.now.len();
+        let end = x.len().min(begin.saturating_add(amount.max(1)));
+        for (v, &z) in x.iter().enumerate().take(end).skip(begin) {
+            // Where sources hold them, lengths tell how much these agree: the guess for the next level.
+            let is_held = self.level > 0 && self.holding.is_sourced(system, v);
+            self.now
+                .push(if is_held { z } else { z.normalize_or(DVec2::X) });
+        }
+        if end < x.len() {
+            return Work::Unit(x);
+        }
+        self.round += 1;
+        let coarsest = self.level + 1 == self.levels.len();
+        let rounds = match self.level {
+            0 => ROUNDS[2],
+            _ if !self.has_free() => 1,
+            _ if coarsest => ROUNDS[0],
+            _ => ROUNDS[1],
+        };
+        if self.round < rounds {
+            return self.solve();
+        }
+        self.round = 0;
+        if self.level == 0 {
+            return Work::Done;
+        }
+        self.level -= 1;
+        let count = self.levels[self.level].system.len();
+        Work::Carry(std::mem::replace(&mut self.now, Vec::with_capacity(count)))
+    }
+
+    fn carry(&mut self, coarse: Vec<DVec2>, amount: usize) -> Work {
+        let Level { group, carry, .. } = &self.levels[self.level];
+        let begin = self.now.len();
+        let end = group.len().min(begin.saturating_add(amount.max(1)));
+        let rows = group[begin..end].iter().zip(&carry[begin..end]);
+        self.now
+            .extend(rows.map(|(&g, c)| c.rotate(coarse[g as usize])));
+        if end < group.len() {
+            return Work::Carry(coarse);
+        }
+        self.solve()
+    }
+}

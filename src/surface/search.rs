@@ -1,0 +1,393 @@
+//! Finds places on a mesh: the nearest to a point in space, and what a ray meets.
+//!
+//! A tree of boxes over the triangles in the order of a Morton curve (Lauterbach et al. 2009, Fast BVH Construction
+//! on GPUs): a radix sort makes it, so that all of it is loops that can be cut anywhere.
+
+use super::{SurfacePoint, TriMesh};
+use glam::DVec3;
+
+/// Triangles in a leaf.
+const LEAF: usize = 8;
+/// Steps of the curve along each axis, as a power of two; three of them fill the sort's three rounds.
+const BITS: u32 = 10;
+const ROUND: usize = 1 << BITS;
+/// What rounding may take away from the distance to a box.
+const SLACK: f64 = 1.0 + 1e-12;
+
+/// What a ray has met.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hit {
+    /// Where.
+    pub point: SurfacePoint,
+    /// How far along the ray, in lengths of its direction.
+    pub along: f64,
+}
+
+/// A tree over the triangles of one mesh.
+#[derive(Clone, Debug)]
+pub struct Search {
+    triangles: Vec<u32>,
+    /// The tree as a heap: the box of node k holds those of 2k and 2k + 1; the last half are the leaves.
+    boxes: Vec<(DVec3, DVec3)>,
+    /// Places along the curve and triangles, while they are sorted.
+    keys: Vec<(u32, u32)>,
+    other: Vec<(u32, u32)>,
+    counts: Vec<u32>,
+    stage: u32,
+    at: usize,
+}
+
+const NOTHING: (DVec3, DVec3) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+
+impl Search {
+    /// All of it at once; [`Search::begin`] and [`Search::advance`] make it in slices.
+    pub fn new(mesh: &TriMesh) -> Self {
+        let mut search = Self::begin(mesh);
+        while !search.advance(mesh, usize::MAX) {}
+        search
+    }
+
+    /// Nothing yet.
+    pub fn begin(mesh: &TriMesh) -> Self {
+        let count = mesh.triangles().len();
+        let leaves = count.div_ceil(LEAF).next_power_of_two();
+        Self {
+            triangles: Vec::with_capacity(count),
+            boxes: vec![NOTHING; 2 * leaves],
+            keys: Vec::with_capacity(count),
+            other: vec![(0, 0); count],
+            counts: vec![0; ROUND],
+            stage: 0,
+            at: 0,
+        }
+    }
+
+    /// Works on so many triangles; true when it can be asked.
+    pub fn advance(&mut self, mesh: &TriMesh, amount: usize) -> bool {
+        let count = mesh.triangles().len();
+        let leaves = self.boxes.len() / 2;
+        // Codes; three rounds of counting and placing; leaves; the tree upwards.
+        let all = match self.stage {
+            8 => leaves - 1,
+            7 => leaves,
+            _ => count,
+        };
+        let end = all.min(self.at.saturating_add(amount.max(1)));
+        match self.stage {
+            0 => self.codes(mesh, end),
+            1 | 3 | 5 => self.count(end),
+            2 | 4 | 6 => self.place(end),
+            7 => self.leaves(mesh, end),
+            8 => self.up(end),
+            _ => return true,
+        }
+        self.at = end;
+        if end == all {
+            self.at = 0;
+            self.stage += 1;
+            match self.stage {
+                2 | 4 | 6 => {
+                    let mut sum = 0;
+                    for count in &mut self.counts {
+                        (sum, *count) = (sum + *count, sum);
+                    }
+                }
+                3 | 5 | 7 => {
+                    std::mem::swap(&mut self.keys, &mut self.other);
+                    self.counts.fill(0);
+                }
+                _ => {}
+            }
+            if self.stage == 7 {
+                self.triangles.extend(self.keys.iter().map(|&(_, t)| t));
+                (self.keys, self.other) = Default::default();
+            }
+        }
+        self.stage > 8
+    }
+
+    fn codes(&mut self, mesh: &TriMesh, end: usize) {
+        let (lo, hi) = mesh.bounds();
+        let side = (hi - lo).max_element().max(f64::MIN_POSITIVE);
+        let most = (ROUND - 1) as f64;
+        for t in self.at..end {
+            let [a, b, c] = mesh.corners(t as u32);
+            let place = ((a + b + c) / 3.0 - lo) / side * most;
+            let [x, y, z] = place.to_array().map(|x| spread(x as u32));
+            self.keys.push((x | y << 1 | z << 2, t as u32));
+        }
+    }
+
+    fn digit(&self, code: u32) -> usize {
+        let round = (self.stage - 1) / 2;
+        (code >> (BITS * round)) as usize & (ROUND - 1)
+    }
+
+    fn count(&mut self, end: usize) {
+        for k in self.at..end {
+            let digit = self.digit(self.keys[k].0);
+            self.counts[digit] += 1;
+        }
+    }
+
+    fn place(&mut self, end: usize) {
+        for k in self.at..end {
+            let key = self.keys[k];
+            let digit = self.digit(key.0);
+            self.other[self.counts[digit] as usize] = key;
+            self.counts[digit] += 1;
+        }
+    }
+
+    fn leaves(&mut self, mesh: &TriMesh, end: usize) {
+        let leaves = self.boxes.len() / 2;
+        for leaf in self.at..end {
+            let mut all = NOTHING;
+            for &t in self.leaf(leaf) {
+                for p in mesh.corners(t) {
+                    all = (all.0.min(p), all.1.max(p));
+                }
+            }
+            self.boxes[leaves + leaf] = all;
+        }
+    }
+
+    fn up(&mut self, end: usize) {
+        let leaves = self.boxes.len() / 2;
+        for node in self.at..end {
+            let node = leaves - 1 - node;
+            let [a, b] = [self.boxes[2 * node], self.boxes[2 * node + 1]];
+            self.boxes[node] = (a.0.min(b.0), a.1.max(b.1));
+        }
+    }
+
+    fn leaf(&self, leaf: usize) -> &[u32] {
+        let count = self.triangles.len();
+        &self.triangles[(leaf * LEAF).min(count)..((leaf + 1) * LEAF).min(count)]
+    }
+
+    /// The place on the mesh nearest to a point in space; of equally near ones that of the first triangle.
+    pub fn closest(&self, mesh: &TriMesh, p: DVec3) -> SurfacePoint {
+        let mut best = (f64::INFINITY, u32::MAX, DVec3::X);
+        let mut open = vec![(0.0, 1)];
+        let leaves = self.boxes.len() / 2;
+        while let Some((near, node)) = open.pop() {
+            if near > best.0 * SLACK {
+                continue;
+            }
+            if node < leaves {
+                let [a, b] = [2 * node, 2 * node + 1].map(|k| (self.square(k, p), k));
+                // The nearer one is looked at first.
+                let (far, near) = if a.0 < b.0 { (b, a) } else { (a, b) };
+                open.extend([far, near].into_iter().filter(|n| n.0 < f64::INFINITY));
+                continue;
+            }
+            for &t in self.leaf(node - leaves) {
+                let corners = mesh.corners(t);
+                let w = nearest_weights(corners, p);
+                let at = corners[0] * w.x + corners[1] * w.y + corners[2] * w.z;
+                let square = at.distance_squared(p);
+                if square < best.0 || (square == best.0 && t < best.1) {
+                    best = (square, t, w);
+                }
+            }
+        }
+        let triangle = if best.1 == u32::MAX { 0 } else { best.1 };
+        SurfacePoint::new(mesh, triangle, best.2)
+    }
+
+    fn square(&self, node: usize, p: DVec3) -> f64 {
+        let (lo, hi) = self.boxes[node];
+        if lo.x > hi.x {
+            return f64::INFINITY;
+        }
+        p.distance_squared(p.max(lo).min(hi))
+    }
+
+    /// The first place where a ray meets a triangle that is wanted, from either side.
+    pub fn ray(
+        &self,
+        mesh: &TriMesh,
+        from: DVec3,
+        along: DVec3,
+        wanted: impl Fn(u32) -> bool,
+    ) -> Option<Hit> {
+        let inverse = along.recip();
+        let mut best = (f64::INFINITY, u32::MAX, DVec3::ZERO);
+        let mut open = vec![(0.0, 1)];
+        let leaves = self.boxes.len() / 2;
+        while let Some((near, node)) = open.pop() {
+            if near > best.0 {
+                continue;
+            }
+            if node < leaves {
+                let [a, b] = [2 * node, 2 * node + 1].map(|k| (self.entry(k, from, inverse), k));
+                let (far, near) = if a.0 < b.0 { (b, a) } else { (a, b) };
+                open.extend([far, near].into_iter().filter(|n| n.0 < f64::INFINITY));
+                continue;
+            }
+            for &t in self.leaf(node - leaves) {
+                if let Some((far, w)) = meets(mesh.corners(t), from, along)
+                    && (far < best.0 || (far == best.0 && t < best.1))
+                    && wanted(t)
+                {
+                    best = (far, t, w);
+                }
+            }
+        }
+        (best.1 != u32::MAX).then(|| Hit {
+            point: SurfacePoint::new(mesh, best.1, best.2),
+            along: best.0,
+        })
+    }
+
+    /// Where a ray comes into a box; infinity where it does not.
+    fn entry(&self, node: usize, from: DVec3, inverse: DVec3) -> f64 {
+        let (lo, hi) = self.boxes[node];
+        let (mut first, mut last) = (0.0_f64, f64::INFINITY);
+        for k in 0..3 {
+            if inverse[k].is_finite() {
+                let (a, b) = (
+                    (lo[k] - from[k]) * inverse[k],
+                    (hi[k] - from[k]) * inverse[k],
+                );
+                first = first.max(a.min(b) / SLACK);
+                last = last.min(a.max(b) * SLACK);
+            } else if from[k] < lo[k] || from[k] > hi[k] {
+                return f64::INFINITY;
+            }
+        }
+        if first <= last { first } else { f64::INFINITY }
+    }
+}
+
+/// Puts two empty bits between each two.
+fn spread(x: u32) -> u32 {
+    let mut spread = 0;
+    for bit in 0..BITS {
+        spread |= (x >> bit & 1) << (3 * bit);
+    }
+    spread
+}
+
+/// The weights of the place in a triangle nearest to a point (Ericson 2005, Real-Time Collision Detection, 5.1.5).
+fn nearest_weights([a, b, c]: [DVec3; 3], p: DVec3) -> DVec3 {
+    let (ab, ac) = (b - a, c - a);
+    let (d1, d2) = (ab.dot(p - a), ac.dot(p - a));
+    if d1 <= 0.0 && d2 <= 0.0 {
+        return DVec3::X;
+    }
+    let (d3, d4) = (ab.dot(p - b), ac.dot(p - b));
+    if d3 >= 0.0 && d4 <= d3 {
+        return DVec3::Y;
+    }
+    let vc = d1 * d4 - d3 * d2;
+    if vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0 {
+        let v = d1 / (d1 - d3);
+        return DVec3::new(1.0 - v, v, 0.0);
+    }
+    let (d5, d6) = (ab.dot(p - c), ac.dot(p - c));
+    if d6 >= 0.0 && d5 <= d6 {
+        return DVec3::Z;
+    }
+    let vb = d5 * d2 - d1 * d6;
+    if vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0 {
+        let w = d2 / (d2 - d6);
+        return DVec3::new(1.0 - w, 0.0, w);
+    }
+    let va = d3 * d6 - d5 * d4;
+    if va <= 0.0 && d4 >= d3 && d5 >= d6 {
+        let w = (d4 - d3) / ((d4 - d3) + (d5 - d6));
+        return DVec3::new(0.0, 1.0 - w, w);
+    }
+    let sum = va + vb + vc;
+    DVec3::new(va, vb, vc) / sum
+}
+
+/// How far along a ray it meets a triangle, and the weights there (Moller, Trumbore 1997, Fast, Minimum Storage
+/// Ray-Triangle Intersection).
+fn meets([a, b, c]: [DVec3; 3], from: DVec3, along: DVec3) -> Option<(f64, DVec3)> {
+    let (e, f) = (b - a, c - a);
+    let across = along.cross(f);
+    let volume = e.dot(across);
+    if volume == 0.0 {
+        return None;
+    }
+    let off = from - a;
+    let u = off.dot(across) / volume;
+    let q = off.cross(e);
+    let v = along.dot(q) / volume;
+    let far = f.dot(q) / volume;
+    // A ray through an edge meets one of its triangles, at least.
+    let within = u >= -1e-12 && v >= -1e-12 && u + v <= 1.0 + 1e-12 && far >= 0.0;
+    within.then(|| {
+        let w = DVec3::new(1.0 - u - v, u, v).max(DVec3::ZERO);
+        (far, w / (w.x + w.y + w.z))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::samples;
+    use super::*;
+
+    fn probes() -> impl Iterator<Item = DVec3> {
+        (0..300).map(|k| {
+            let t = f64::from(k);
+            let r = 0.1 + 1.7 * t / 300.0;
+            r * DVec3::new(libm::sin(t), libm::sin(1.7 * t), libm::cos(2.3 * t))
+        })
+    }
+
+    #[test]
+    fn the_closest_place_is_that_of_all_triangles() {
+        for mesh in [samples::blob(3), samples::torus(30, 12), samples::ball(0)] {
+            let mut search = Search::begin(&mesh);
+            while !search.advance(&mesh, 7) {}
+            assert_eq!(search.triangles, Search::new(&mesh).triangles);
+            for p in probes() {
+                let found = search.closest(&mesh, p);
+                let least = (0..mesh.triangles().len() as u32)
+                    .map(|t| {
+                        let c = mesh.corners(t);
+                        let w = nearest_weights(c, p);
+                        (c[0] * w.x + c[1] * w.y + c[2] * w.z).distance(p)
+                    })
+                    .fold(f64::INFINITY, f64::min);
+                assert!((found.at.distance(p) - least).abs() < 1e-12, "{p}");
+                let weights = found.weights(&mesh);
+                assert!(weights.min_element() > -1e-9);
+            }
+            // At a vertex all its triangles are as near.
+            for (v, &p) in mesh.positions().iter().enumerate() {
+                let first = mesh.fan(v as u32).map(|(t, _)| t).min().unwrap();
+                assert_eq!(search.closest(&mesh, p).triangle, first);
+            }
+        }
+    }
+
+    #[test]
+    fn rays_meet_what_all_triangles_say() {
+        let mesh = samples::torus(30, 12);
+        let search = Search::new(&mesh);
+        let mut met = 0;
+        for p in probes() {
+            let along = DVec3::new(0.3, 0.2, 0.1) - p;
+            let hit = search.ray(&mesh, p, along, |_| true);
+            let least = (0..mesh.triangles().len() as u32)
+                .filter_map(|t| meets(mesh.corners(t), p, along))
+                .map(|(far, _)| far)
+                .fold(f64::INFINITY, f64::min);
+            assert_eq!(hit.map_or(f64::INFINITY, |h| h.along), least);
+            if let Some(hit) = hit {
+                met += 1;
+                assert!((hit.point.at - (p + along * hit.along)).length() < 1e-9);
+            }
+        }
+        assert!(met > 100, "{met}");
+        let down = search.ray(&mesh, DVec3::new(1.0, 2.0, 0.0), DVec3::NEG_Y, |t| {
+            mesh.face_normal(t).y < 0.0
+        });
+        assert!((down.unwrap().along - 2.4).abs() < 0.02);
+    }
+}
