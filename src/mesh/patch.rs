@@ -86,6 +86,7 @@ impl Search {
     /// The cost that dividing a patch anew would save.
     pub(super) fn gain<N: Nodes + ?Sized, K>(&mut self, on: &On<N, K>, patch: &Patch) -> f64 {
         let n = patch.corners.len();
+        self.work += n * n;
         let cost = self.division.of(on.nodes, &patch.corners, self.goal.worst);
         if cost >= patch.cost + SLACK {
             return 0.0;

@@ -54,7 +54,7 @@ pub(super) fn pair<N: Nodes + ?Sized>(
 ) -> Faces {
     let mut pairing = Pairing::default();
     while !pairing.advance(nodes, triangles, &keep, usize::MAX) {}
-    pairing.finish(nodes.count(), triangles, least)
+    pairing.finish(nodes.count(), triangles, |_| least)
 }
 
 /// Triangles that are being paired.
@@ -82,8 +82,13 @@ impl Pairing {
         end == triangles.nodes.len()
     }
 
-    /// The elements.
-    pub fn finish(mut self, nodes: usize, triangles: &Triangles, least: u32) -> Faces {
+    /// The elements; a pair of a score leaves the `least` edges at each inner node that go with it.
+    pub fn finish(
+        mut self,
+        nodes: usize,
+        triangles: &Triangles,
+        least: impl Fn(f64) -> u32,
+    ) -> Faces {
         order::sort(&mut self.candidates, |c| {
             let [a, b] = c.triangles;
             (!order::rank(c.score), order::pair(a, b))
@@ -95,6 +100,7 @@ impl Pairing {
         for candidate in self.candidates {
             let [a, b] = candidate.triangles.map(|t| t as usize);
             let ends = [candidate.nodes[1], candidate.nodes[3]].map(|k| k as usize);
+            let least = least(candidate.score);
             let to_spare = ends.iter().all(|&k| valence[k] > least);
             if into[a] == NONE && into[b] == NONE && to_spare {
                 ends.into_iter().for_each(|k| valence[k] -= 1);

@@ -84,6 +84,8 @@ pub(crate) struct Search {
     pub(super) depth: Vec<u8>,
     pub(super) reached: Vec<u32>,
     pub(super) division: Box<Division>,
+    /// Corners of the patches that divisions have been looked for, squared.
+    pub(super) work: usize,
     /// The round, the element that is tried next in it, and whether one has gained in it.
     pub(super) round: usize,
     pub(super) next: usize,
@@ -119,28 +121,28 @@ impl Search {
             reached: Vec::new(),
             faces,
             division: Box::new(Division::new()),
+            work: 0,
             round: 0,
             next: 0,
             again: false,
         }
     }
 
-    /// Tries the next `count` elements; true when the search has ended.
+    /// Tries elements until about `count` divisions have been looked for; true when the search has ended.
     pub fn advance<N: Nodes + ?Sized, K: Fn([u32; 2]) -> bool>(
         &mut self,
         on: &On<N, K>,
         count: usize,
     ) -> bool {
-        let mut left = count;
+        let until = self.work.saturating_add(count);
         while self.round < ROUNDS {
             while self.next < self.faces.faces.len() {
                 if self.triangles <= self.goal.few {
                     return true;
                 }
-                if left == 0 {
+                if self.work >= until {
                     return false;
                 }
-                left -= 1;
                 self.next += 1;
                 self.again |= self.try_from(on, self.next as u32 - 1);
             }
