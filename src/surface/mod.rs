@@ -11,10 +11,12 @@
 
 mod building;
 mod cell;
+pub mod cells;
 mod frame;
 mod mesh;
 #[cfg(test)]
 mod mesh_tests;
+pub mod metrics;
 pub mod packing;
 mod point;
 pub mod refine;
