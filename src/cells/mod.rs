@@ -45,6 +45,8 @@ mod voronoi;
 pub use fitted::{Fitting, fitted};
 pub use graph::{Graph, graph};
 pub use packed::packed;
+#[cfg(house)]
+pub(crate) use straighten::rectangle;
 pub use voronoi::{Scatter, ScatterParams};
 
 use crate::field::Kind;

@@ -116,7 +116,7 @@ impl Rings {
         for (cell, corners) in cells.iter().zip(&self.quads) {
             let Some(corners) = corners else { continue };
             let places = corners.map(|k| self.points[k as usize]);
-            let Some(targets) = rectangle(places, cell, mean_area) else {
+            let Some(targets) = rectangle(places, cell.axis, cell.size, mean_area) else {
                 continue;
             };
             for (&k, target) in corners.iter().zip(targets) {
@@ -210,11 +210,16 @@ impl Rings {
     }
 }
 
-/// The corners of the rectangle along the cell's axis that fits four corners best, its area drawn
-/// towards `mean_area` (in squared sizes).
-fn rectangle(corners: [DVec2; 4], cell: &Cell, mean_area: f64) -> Option<[DVec2; 4]> {
+/// The corners of the rectangle along a cell's axis that fits four corners best, its area drawn towards
+/// `mean_area` (in squared sizes).
+pub(crate) fn rectangle(
+    corners: [DVec2; 4],
+    axis: DVec2,
+    size: f64,
+    mean_area: f64,
+) -> Option<[DVec2; 4]> {
     let middle = corners.iter().sum::<DVec2>() / 4.0;
-    let e = cell.axis;
+    let e = axis;
     let local = corners.map(|p| DVec2::new(e.dot(p - middle), e.perp_dot(p - middle)));
     const SIGNS: [DVec2; 4] = [
         DVec2::new(-1.0, -1.0),
@@ -234,11 +239,11 @@ fn rectangle(corners: [DVec2; 4], cell: &Cell, mean_area: f64) -> Option<[DVec2;
         total(a).total_cmp(&total(b)).then(b.cmp(&a))
     })?;
     let mut half = fit(shift);
-    let least = 0.5 * THINNEST * cell.size;
+    let least = 0.5 * THINNEST * size;
     if e == DVec2::ZERO || !half.cmpgt(DVec2::splat(least)).all() {
         return None;
     }
-    let ratio = mean_area * cell.size * cell.size / (4.0 * half.x * half.y);
+    let ratio = mean_area * size * size / (4.0 * half.x * half.y);
     half *= 1.0 + EVEN_AREA * (ratio.clamp(0.25, 4.0).sqrt() - 1.0);
     let mut k = 0;
     Some(corners.map(|_| {

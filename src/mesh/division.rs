@@ -4,7 +4,7 @@
 //! Minimal triangulations of polygonal domains): what lies between two corners is divided in the best
 //! way whatever is done beyond them.
 
-use super::Node;
+use super::Nodes;
 use super::quads::{height, score};
 
 /// The most corners of a polygon.
@@ -34,7 +34,7 @@ impl Division {
 
     /// Finds the cheapest division into quadrilaterals that score at least `worst` and at most one
     /// triangle; answers what it costs.
-    pub fn of(&mut self, nodes: &[Node], corners: &[u32], worst: f64) -> f64 {
+    pub fn of<N: Nodes + ?Sized>(&mut self, nodes: &N, corners: &[u32], worst: f64) -> f64 {
         let n = corners.len();
         for span in 1..n {
             for i in 0..n - span {

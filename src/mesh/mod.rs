@@ -30,14 +30,17 @@ mod division;
 mod island;
 mod meshing;
 mod metric;
-mod quads;
-mod requad;
+mod nodes;
+mod patch;
+pub(crate) mod quads;
+pub(crate) mod requad;
 pub(crate) mod seams;
 mod smooth;
-mod triangles;
+pub(crate) mod triangles;
 
 pub use meshing::Meshing;
 pub use metric::Metric;
+pub(crate) use nodes::Nodes;
 
 use crate::domain::Domain;
 use crate::order;
@@ -101,6 +104,11 @@ impl Face {
         Self { nodes, sides: 4 }
     }
 
+    /// Is it a place where an element has been?
+    pub(crate) fn is_none(&self) -> bool {
+        self.sides == 0
+    }
+
     /// Indices of the vertices, of positive shoelace area (clockwise on screen).
     pub fn nodes(&self) -> &[u32] {
         &self.nodes[..usize::from(self.sides)]
@@ -151,7 +159,7 @@ impl Mesh {
     ) -> Self {
         let (nodes, mut triangles) = delaunay.finish();
         triangles.flip_to_metric(&nodes, &keep);
-        let faces = quads::pair(&nodes, &triangles, &keep, least).faces;
+        let faces = quads::pair(&nodes[..], &triangles, &keep, least).faces;
         Self {
             vertices: nodes.iter().map(|n| n.at).collect(),
             faces,

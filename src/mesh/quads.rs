@@ -1,16 +1,16 @@
 //! Pairs triangles to quadrilaterals (Itoh, Miyata, Shimada 2003, section 5.2).
 
 use super::triangles::{NONE, Triangles};
-use super::{Face, Metric, Node};
+use super::{Face, Metric, Nodes};
 use crate::domain::cross;
 use crate::order;
 
 /// A pair scores the least sine of its four corners; worse ones stay two triangles.
-pub(super) const WORST_SCORE: f64 = 0.5;
+pub(crate) const WORST_SCORE: f64 = 0.5;
 
 /// Elements and what is adjacent to them.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Faces {
+pub(crate) struct Faces {
     pub faces: Vec<Face>,
     /// The element across the side from each node to the next; [`NONE`] at the border.
     pub adjacent: Vec<[u32; 4]>,
@@ -46,47 +46,124 @@ struct Candidate {
 
 /// The best pairs first; ties by the triangles' order. Edges for which `keep` holds stay, and so do
 /// triangles with a node that has no corners, and `least` edges around each inner node.
-pub(super) fn pair(
-    nodes: &[Node],
+pub(super) fn pair<N: Nodes + ?Sized>(
+    nodes: &N,
     triangles: &Triangles,
     keep: impl Fn([u32; 2]) -> bool,
     least: u32,
 ) -> Faces {
-    let mut candidates = candidates(nodes, triangles, keep);
-    order::sort(&mut candidates, |c| {
-        let [a, b] = c.triangles;
-        (!order::rank(c.score), order::pair(a, b))
-    });
-    // The element that each triangle has become.
-    let mut into = vec![NONE; triangles.nodes.len()];
-    let mut made = Faces::default();
-    let mut valence = valences(nodes.len(), triangles);
-    for candidate in candidates {
-        let [a, b] = candidate.triangles.map(|t| t as usize);
-        let ends = [candidate.nodes[1], candidate.nodes[3]].map(|k| k as usize);
-        let to_spare = ends.iter().all(|&k| valence[k] > least);
-        if into[a] == NONE && into[b] == NONE && to_spare {
-            ends.into_iter().for_each(|k| valence[k] -= 1);
-            into[a] = made.faces.len() as u32;
-            into[b] = into[a];
-            made.faces.push(Face::quad(candidate.nodes));
-            made.adjacent.push(candidate.adjacent);
+    let mut pairing = Pairing::default();
+    while !pairing.advance(nodes, triangles, &keep, usize::MAX) {}
+    pairing.finish(nodes.count(), triangles, |_| least)
+}
+
+/// Triangles that are being paired.
+#[derive(Default)]
+pub(crate) struct Pairing {
+    candidates: Vec<Candidate>,
+    /// Triangles looked at so far.
+    done: usize,
+}
+
+impl Pairing {
+    /// Looks at the pairs that the next `count` triangles are in; true when all have been.
+    pub fn advance<N: Nodes + ?Sized>(
+        &mut self,
+        nodes: &N,
+        triangles: &Triangles,
+        keep: impl Fn([u32; 2]) -> bool,
+        count: usize,
+    ) -> bool {
+        let end = triangles.nodes.len().min(self.done.saturating_add(count));
+        for t in self.done..end {
+            self.look(nodes, triangles, &keep, t);
+        }
+        self.done = end;
+        end == triangles.nodes.len()
+    }
+
+    /// The elements; a pair of a score leaves the `least` edges at each inner node that go with it.
+    pub fn finish(
+        mut self,
+        nodes: usize,
+        triangles: &Triangles,
+        least: impl Fn(f64) -> u32,
+    ) -> Faces {
+        order::sort(&mut self.candidates, |c| {
+            let [a, b] = c.triangles;
+            (!order::rank(c.score), order::pair(a, b))
+        });
+        // The element that each triangle has become.
+        let mut into = vec![NONE; triangles.nodes.len()];
+        let mut made = Faces::default();
+        let mut valence = valences(nodes, triangles);
+        for candidate in self.candidates {
+            let [a, b] = candidate.triangles.map(|t| t as usize);
+            let ends = [candidate.nodes[1], candidate.nodes[3]].map(|k| k as usize);
+            let least = least(candidate.score);
+            let to_spare = ends.iter().all(|&k| valence[k] > least);
+            if into[a] == NONE && into[b] == NONE && to_spare {
+                ends.into_iter().for_each(|k| valence[k] -= 1);
+                into[a] = made.faces.len() as u32;
+                into[b] = into[a];
+                made.faces.push(Face::quad(candidate.nodes));
+                made.adjacent.push(candidate.adjacent);
+            }
+        }
+        for (t, (&[a, b, c], &[x, y, z])) in
+            triangles.nodes.iter().zip(&triangles.adjacent).enumerate()
+        {
+            if into[t] == NONE {
+                into[t] = made.faces.len() as u32;
+                made.faces.push(Face::triangle([a, b, c]));
+                made.adjacent.push([z, x, y, NONE]);
+            }
+        }
+        for t in made.adjacent.iter_mut().flatten() {
+            if *t != NONE {
+                *t = into[*t as usize];
+            }
+        }
+        made
+    }
+
+    fn look<N: Nodes + ?Sized>(
+        &mut self,
+        nodes: &N,
+        triangles: &Triangles,
+        keep: impl Fn([u32; 2]) -> bool,
+        t: usize,
+    ) {
+        let (corners, sides) = (&triangles.nodes[t], &triangles.adjacent[t]);
+        for k in 0..3 {
+            let u = sides[k];
+            let [c, a, b] = [0, 1, 2].map(|s| corners[(k + s) % 3]);
+            // Each pair once, from its first triangle.
+            if u == NONE || u < t as u32 || keep([a.min(b), a.max(b)]) {
+                continue;
+            }
+            let j = triangles.side_towards(u, t as u32);
+            let (d, other) = (
+                triangles.nodes[u as usize][j],
+                triangles.adjacent[u as usize],
+            );
+            let quad = [c, a, d, b];
+            let score = score(nodes, quad);
+            if score >= WORST_SCORE {
+                self.candidates.push(Candidate {
+                    score,
+                    triangles: [t as u32, u],
+                    nodes: quad,
+                    adjacent: [
+                        sides[(k + 2) % 3],
+                        other[(j + 1) % 3],
+                        other[(j + 2) % 3],
+                        sides[(k + 1) % 3],
+                    ],
+                });
+            }
         }
     }
-    for (t, (&[a, b, c], &[x, y, z])) in triangles.nodes.iter().zip(&triangles.adjacent).enumerate()
-    {
-        if into[t] == NONE {
-            into[t] = made.faces.len() as u32;
-            made.faces.push(Face::triangle([a, b, c]));
-            made.adjacent.push([z, x, y, NONE]);
-        }
-    }
-    for t in made.adjacent.iter_mut().flatten() {
-        if *t != NONE {
-            *t = into[*t as usize];
-        }
-    }
-    made
 }
 
 /// How many edges meet at each node; without end at the border.
@@ -108,52 +185,13 @@ fn valences(nodes: usize, triangles: &Triangles) -> Vec<u32> {
     valence
 }
 
-fn candidates(
-    nodes: &[Node],
-    triangles: &Triangles,
-    keep: impl Fn([u32; 2]) -> bool,
-) -> Vec<Candidate> {
-    let mut candidates = Vec::new();
-    for (t, (corners, sides)) in triangles.nodes.iter().zip(&triangles.adjacent).enumerate() {
-        for k in 0..3 {
-            let u = sides[k];
-            let [c, a, b] = [0, 1, 2].map(|s| corners[(k + s) % 3]);
-            // Each pair once, from its first triangle.
-            if u == NONE || u < t as u32 || keep([a.min(b), a.max(b)]) {
-                continue;
-            }
-            let j = triangles.side_towards(u, t as u32);
-            let (d, other) = (
-                triangles.nodes[u as usize][j],
-                triangles.adjacent[u as usize],
-            );
-            let quad = [c, a, d, b];
-            let score = score(nodes, quad);
-            if score >= WORST_SCORE {
-                candidates.push(Candidate {
-                    score,
-                    triangles: [t as u32, u],
-                    nodes: quad,
-                    adjacent: [
-                        sides[(k + 2) % 3],
-                        other[(j + 1) % 3],
-                        other[(j + 2) % 3],
-                        sides[(k + 1) % 3],
-                    ],
-                });
-            }
-        }
-    }
-    candidates
-}
-
 /// The least sine of a quadrilateral's angles, in the mean metric of its nodes: 1 for a rectangle,
 /// negative where it is not convex. Negative also where a node has no corners.
-pub(super) fn score(nodes: &[Node], quad: [u32; 4]) -> f64 {
-    let corners = quad.map(|k| &nodes[k as usize]);
-    if corners.iter().any(|node| !node.corners) {
+pub(crate) fn score<N: Nodes + ?Sized>(nodes: &N, quad: [u32; 4]) -> f64 {
+    if quad.iter().any(|&k| !nodes.has_corners(k)) {
         return -1.0;
     }
+    let corners = nodes.laid(quad);
     let metric = Metric::mean(corners.map(|node| node.metric));
     let mut least = 1.0_f64;
     let sides = [0, 1, 2, 3].map(|k| corners[(k + 1) % 4].at - corners[k].at);
@@ -168,8 +206,8 @@ pub(super) fn score(nodes: &[Node], quad: [u32; 4]) -> f64 {
 
 /// A triangle's height over its longest side in the mean metric of its nodes: 0.866 where all sides
 /// are equal, negative where it is turned over.
-pub(super) fn height(nodes: &[Node], triangle: [u32; 3]) -> f64 {
-    let [a, b, c] = triangle.map(|k| &nodes[k as usize]);
+pub(crate) fn height<N: Nodes + ?Sized>(nodes: &N, triangle: [u32; 3]) -> f64 {
+    let [a, b, c] = nodes.laid(triangle);
     let metric = Metric::mean([a.metric, b.metric, c.metric, c.metric]);
     let sides = [b.at - a.at, c.at - b.at, a.at - c.at];
     let longest = sides.map(|side| metric.dot(side, side));
@@ -178,6 +216,6 @@ pub(super) fn height(nodes: &[Node], triangle: [u32; 3]) -> f64 {
 }
 
 /// Is this a triangle that could be a part of a quadrilateral?
-pub(super) fn is_lone(nodes: &[Node], face: &Face) -> bool {
-    face.sides == 3 && face.nodes().iter().all(|&k| nodes[k as usize].corners)
+pub(crate) fn is_lone<N: Nodes + ?Sized>(nodes: &N, face: &Face) -> bool {
+    face.sides == 3 && face.nodes().iter().all(|&k| nodes.has_corners(k))
 }

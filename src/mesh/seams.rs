@@ -214,7 +214,7 @@ impl SeamMeshing {
         let cut = triangles.nodes.iter().filter(|t| is_home(*t) && is_cut(t));
         let mut rings: Vec<Vec<DVec2>> = cut.map(|t| places(t)).collect();
         triangles.retain(|t| !is_cut(t));
-        let mut faces = quads::pair(&nodes, &triangles, keep, 0).faces;
+        let mut faces = quads::pair(&nodes[..], &triangles, keep, 0).faces;
         faces.retain(|face| is_home(face.nodes()));
         rings.extend(faces.iter().map(|face| places(face.nodes())));
         (*begun == STRATEGIES.len() || closes(domain, &rings))

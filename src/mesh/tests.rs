@@ -187,7 +187,7 @@ fn joining_leaves_few_triangles_and_a_valid_mesh() {
         let mut nodes = jittered(24, 0.3, seed);
         let mut triangles = delaunay(&nodes);
         triangles.flip_to_metric(&nodes, |_| false);
-        let mut made = quads::pair(&nodes, &triangles, |_| false, 0);
+        let mut made = quads::pair(&nodes[..], &triangles, |_| false, 0);
         let lone = |made: &Faces| made.faces.iter().filter(|f| f.sides == 3).count();
         let paired = lone(&made);
         let at = |k: usize| (k % 24, k / 24);
@@ -229,8 +229,8 @@ fn sides_to_be_kept_are_not_dissolved() {
     let triangles = delaunay(&nodes);
     let held: Vec<[u32; 2]> = sides(&triangles).into_iter().step_by(5).collect();
     let keep = |side| held.binary_search(&side).is_ok();
-    let mut made = quads::pair(&nodes, &triangles, keep, 0);
-    requad::requadrangulate(&nodes, &mut made, 0.2, 0, keep);
+    let mut made = quads::pair(&nodes[..], &triangles, keep, 0);
+    requad::requadrangulate(&nodes[..], &mut made, 0.2, 0, keep);
     for &[a, b] in &held {
         let has = |face: &Face| {
             let n = face.nodes();

@@ -1,13 +1,13 @@
 //! The triangulation: Delaunay (spade), made Delaunay in the local metric by flips.
 
-use super::Node;
 use super::metric::Metric;
+use super::{Node, Nodes};
 use crate::planar::{Delaunay, insert};
 use glam::DVec2;
 use spade::{Point2, Triangulation as _};
 
 /// No triangle.
-pub(super) const NONE: u32 = u32::MAX;
+pub(crate) const NONE: u32 = u32::MAX;
 /// The most flips, per triangle: where the metric turns within a few cells flips can go in circles.
 const MOST_FLIPS: usize = 4;
 /// An edge is flipped where its opposite angles add up to more than 180 degrees by this (their
@@ -143,7 +143,7 @@ impl Triangles {
             let [c, a, b] = [0, 1, 2].map(|s| self.nodes[t][(k + s) % 3]);
             let j = self.side_towards(u, t as u32);
             let d = self.nodes[u as usize][j];
-            if keep([a.min(b), a.max(b)]) || !wants_flip([c, a, d, b].map(|n| &nodes[n as usize])) {
+            if keep([a.min(b), a.max(b)]) || !wants_flip(&nodes.laid([c, a, d, b])) {
                 continue;
             }
             left -= 1;
@@ -177,7 +177,7 @@ impl Triangles {
 }
 
 /// Would the diagonal from `c` to `d` of the quadrilateral c, a, d, b be better than that from a to b?
-fn wants_flip([c, a, d, b]: [&Node; 4]) -> bool {
+pub(crate) fn wants_flip([c, a, d, b]: &[Node; 4]) -> bool {
     let metric = Metric::mean([c.metric, a.metric, d.metric, b.metric]);
     let (u, v) = (a.at - c.at, b.at - c.at);
     let (p, q) = (b.at - d.at, a.at - d.at);

@@ -109,36 +109,65 @@ const LIES: f64 = 0.3;
 /// length of the circular arc that has these normals at its ends. The way back is its reverse. Nothing where the two
 /// lie on different sides of a thin sheet. Points at one place see each other, at no distance.
 pub fn way(a: &SurfacePoint, b: &SurfacePoint) -> Option<Way> {
-    let cos = a.normal.dot(b.normal);
+    let to = seen(a.at, a.normal, b.at, b.normal)?;
+    let own = Frame::of(a.normal);
+    let turn = own.turn_from(&Frame::of(b.normal));
+    let to = if to == DVec3::ZERO {
+        DVec2::ZERO
+    } else {
+        own.within(to)
+    };
+    Some(Way { to, turn })
+}
+
+/// What [`Way::to`] is, in any frame of the first point's normal.
+pub(super) fn way_in(own: &Frame, from: DVec3, at: DVec3, normal: DVec3) -> Option<DVec2> {
+    Some(own.within(seen(from, own.normal, at, normal)?))
+}
+
+/// The square of how long [`Way::to`] is.
+#[inline(always)]
+pub(super) fn apart(from: DVec3, own: DVec3, at: DVec3, normal: DVec3) -> Option<f64> {
+    let cos = own.dot(normal);
+    if cos < SEES {
+        return None;
+    }
+    let r = at - from;
+    let out = (own + normal).dot(r);
+    let length = r.length_squared();
+    if length - out * out / (2.0 + 2.0 * cos) < LIES * LIES * length {
+        return None;
+    }
+    let arc = arc_over_chord(cos);
+    Some(length * arc * arc)
+}
+
+/// What [`Way::to`] is, in space.
+#[inline(always)]
+fn seen(from: DVec3, own: DVec3, at: DVec3, normal: DVec3) -> Option<DVec3> {
+    let cos = own.dot(normal);
     if cos < SEES {
         return None;
     }
     // The sum of the normals, instead of their mean: its square is 2 + 2 cos.
-    let sum = a.normal + b.normal;
+    let sum = own + normal;
     let square = 2.0 + 2.0 * cos;
-    let r = b.at - a.at;
+    let r = at - from;
     let out = sum.dot(r) / square;
     let (length, along) = (r.length_squared(), r.length_squared() - out * out * square);
     if along < LIES * LIES * length {
         return None;
     }
-    let own = Frame::of(a.normal);
-    let turn = own.turn_from(&Frame::of(b.normal));
     if along <= 0.0 {
-        return Some(Way {
-            to: DVec2::ZERO,
-            turn,
-        });
+        return Some(DVec3::ZERO);
     }
     let in_plane = (r - sum * out) * (arc_over_chord(cos) * (length / along).sqrt());
-    let mean = sum / square.sqrt();
-    let to = own.within(rotated(in_plane, mean, a.normal));
-    Some(Way { to, turn })
+    Some(rotated(in_plane, sum / square.sqrt(), own))
 }
 
 /// (a / 2) / sin(a / 2) of the angle a between two normals, of its cosine: an arc's length over its chord's.
 #[inline(always)]
-fn arc_over_chord(cos: f64) -> f64 {
+pub(super) fn arc_over_chord(cos: f64) -> f64 {
     // The square of sin(a / 2).
     let s = ((1.0 - cos) * 0.5).clamp(0.0, 1.0);
     if s > SERIES {

@@ -1,0 +1,184 @@
+//! Patches of elements: how they grow, what dividing them anew gains, and the new elements in their places.
+
+use super::division::{MOST, TRIANGLE};
+use super::quads::score;
+use super::requad::{On, Search};
+use super::triangles::NONE;
+use super::{Face, Nodes};
+
+/// What an inner node costs for each side that it has more or less than four.
+const IRREGULAR: f64 = 0.12;
+/// Regular nodes make up for no more than this cost.
+const SLACK: f64 = 0.5;
+
+/// A patch: a polygon of elements.
+#[derive(Clone)]
+pub(super) struct Patch {
+    pub corners: Vec<u32>,
+    /// The element outside, across the side from each corner to the next.
+    pub outside: Vec<u32>,
+    /// The elements of the patch.
+    pub members: Vec<u32>,
+    /// What its elements cost.
+    pub cost: f64,
+}
+
+impl Search {
+    pub(super) fn cost<N: Nodes + ?Sized, K>(&self, on: &On<N, K>, face: &Face) -> f64 {
+        match *face.nodes() {
+            [a, b, c, d] => 1.0 - score(on.nodes, [a, b, c, d]),
+            _ => TRIANGLE,
+        }
+    }
+
+    /// The patch with an element added that is adjacent to its last member; none where a node would lie
+    /// inside, or the side between them is to be kept.
+    pub(super) fn grow<N: Nodes + ?Sized, K: Fn([u32; 2]) -> bool>(
+        &self,
+        on: &On<N, K>,
+        patch: &Patch,
+        next: u32,
+    ) -> Option<Patch> {
+        let n = patch.corners.len();
+        let last = *patch.members.last()?;
+        if next == NONE {
+            return None;
+        }
+        let face = self.faces.faces[next as usize];
+        let corners = face.nodes();
+        let m = corners.len();
+        let at = (0..m).find(|&j| self.faces.adjacent[next as usize][j] == last)?;
+        let (b, a) = (corners[at], corners[(at + 1) % m]);
+        if (on.keep)([a.min(b), a.max(b)]) {
+            return None;
+        }
+        let k = (0..n).find(|&k| patch.corners[k] == a && patch.corners[(k + 1) % n] == b)?;
+        let mut grown = Patch {
+            corners: Vec::with_capacity(n + 2),
+            outside: Vec::with_capacity(n + 2),
+            members: patch.members.clone(),
+            cost: patch.cost + self.cost(on, &face),
+        };
+        grown.members.push(next);
+        for s in 0..n {
+            grown.corners.push(patch.corners[s]);
+            if s != k {
+                grown.outside.push(patch.outside[s]);
+                continue;
+            }
+            for j in 1..m {
+                let place = (at + j) % m;
+                grown
+                    .outside
+                    .push(self.faces.adjacent[next as usize][place]);
+                if j + 1 < m {
+                    let node = corners[(place + 1) % m];
+                    if patch.corners.contains(&node) {
+                        return None;
+                    }
+                    grown.corners.push(node);
+                }
+            }
+        }
+        Some(grown)
+    }
+
+    /// The cost that dividing a patch anew would save.
+    pub(super) fn gain<N: Nodes + ?Sized, K>(&mut self, on: &On<N, K>, patch: &Patch) -> f64 {
+        let n = patch.corners.len();
+        self.work += n * n;
+        let cost = self.division.of(on.nodes, &patch.corners, self.goal.worst);
+        if cost >= patch.cost + SLACK {
+            return 0.0;
+        }
+        // Sides at each corner before and after, those within the patch.
+        let mut change = [0; MOST];
+        let before = |node: u32| {
+            let uses = patch
+                .members
+                .iter()
+                .filter(|&&f| self.faces.faces[f as usize].nodes().contains(&node));
+            uses.count() as i32
+        };
+        for (k, &node) in patch.corners.iter().enumerate() {
+            change[k] = 1 - before(node);
+        }
+        self.division.pieces(n, |piece| {
+            for &k in piece {
+                change[k as usize] += 1;
+            }
+        });
+        let mut regular = 0;
+        for (k, &node) in patch.corners.iter().enumerate() {
+            let now = self.valence[node as usize];
+            // `change` is 1 too many: a corner in one element has no side within the patch.
+            let then = now + change[k] - 1;
+            if !self.border[node as usize] {
+                if then < self.goal.least {
+                    return 0.0;
+                }
+                regular += (now - 4).abs() - (then - 4).abs();
+            }
+        }
+        patch.cost - cost + IRREGULAR * f64::from(regular)
+    }
+
+    /// Puts the division that was found in place of the patch's elements.
+    pub(super) fn apply(&mut self, patch: &Patch) {
+        let n = patch.corners.len();
+        for &f in &patch.members {
+            for &node in self.faces.faces[f as usize].nodes() {
+                self.valence[node as usize] -= 1;
+            }
+        }
+        let mut slots = patch.members.iter();
+        // Sides within: (from, to, element, place), to be matched with their other half.
+        let mut sides: Vec<(u8, u8, u32, usize)> = Vec::new();
+        for &f in patch.members.iter().chain(&patch.outside) {
+            if f != NONE {
+                self.fresh[f as usize] = true;
+            }
+        }
+        let faces = &mut self.faces;
+        let valence = &mut self.valence;
+        self.division.pieces(n, |piece| {
+            let Some(&slot) = slots.next() else { return };
+            let node = |k: usize| patch.corners[piece[k] as usize];
+            faces.faces[slot as usize] = match piece.len() {
+                4 => Face::quad([node(0), node(1), node(2), node(3)]),
+                _ => Face::triangle([node(0), node(1), node(2)]),
+            };
+            faces.adjacent[slot as usize] = [NONE; 4];
+            for k in 0..piece.len() {
+                valence[node(k) as usize] += 1;
+                let (from, to) = (piece[k], piece[(k + 1) % piece.len()]);
+                if usize::from(to) == (usize::from(from) + 1) % n {
+                    let outer = patch.outside[usize::from(from)];
+                    faces.adjacent[slot as usize][k] = outer;
+                    if outer != NONE {
+                        let [a, b] = [from, to].map(|k| patch.corners[usize::from(k)]);
+                        let corners = faces.faces[outer as usize];
+                        let corners = corners.nodes();
+                        let m = corners.len();
+                        for j in 0..m {
+                            if corners[j] == b && corners[(j + 1) % m] == a {
+                                faces.adjacent[outer as usize][j] = slot;
+                            }
+                        }
+                    }
+                    continue;
+                }
+                for &(f, t, other, place) in &sides {
+                    if (f, t) == (to, from) {
+                        faces.adjacent[slot as usize][k] = other;
+                        faces.adjacent[other as usize][place] = slot;
+                    }
+                }
+                sides.push((from, to, slot, k));
+            }
+        });
+        for &slot in slots {
+            self.faces.faces[slot as usize].sides = 0;
+        }
+    }
+}
