@@ -180,7 +180,7 @@ impl TriMesh {
     /// to the other.
     pub fn fan(&self, vertex: u32) -> impl Iterator<Item = (u32, usize)> + '_ {
         let first = self.first[vertex as usize];
-        let mut next = (first != NONE).then(|| (first / 3, (first % 3) as usize));
+        let mut next = (first != NONE).then_some((first / 3, (first % 3) as usize));
         let start = next;
         std::iter::from_fn(move || {
             let (t, k) = next?;
