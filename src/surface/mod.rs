@@ -13,6 +13,7 @@ mod cell;
 mod frame;
 mod mesh;
 mod point;
+pub mod stones;
 mod walk;
 
 pub use cell::SurfaceCell;
