@@ -11,6 +11,8 @@ mod glb;
 mod json;
 pub mod maps;
 mod metrics;
+#[cfg(house)]
+mod model;
 mod obj;
 mod order;
 mod programs;
@@ -23,8 +25,12 @@ pub use exr::exr;
 #[cfg(house)]
 pub use frame_maps::{FramePlane, frame_map};
 pub use json::{cells_json, mesh_json, text};
+#[cfg(house)]
+pub use json::{surface_cells_json, surface_mesh_json};
 pub use maps::{Map, MapKind};
 pub use metrics::metrics_json;
+#[cfg(house)]
+pub use model::ModelFile;
 pub use order::{DETAILS, MeshFormat, MeshOrder, MeshSize};
 pub use programs::maps_for;
 pub use report::{Report, StageTime};

@@ -1,0 +1,63 @@
+//! Stones on a surface in one file, cell by cell, and then the ground in parts, in the model's own axes and units.
+
+use super::frame::Frame;
+use super::glb::Glb;
+use super::obj::Obj;
+use super::order::{MeshFormat, MeshOrder};
+use super::surface::{Writer, mean_roughness};
+use crate::material::{Coat, Material};
+use crate::surface::stones::{Piece, Pieces, StonesParams};
+use crate::surface::{SurfaceCell, TriMesh};
+
+/// A file of a model in the making.
+pub struct ModelFile {
+    pieces: Pieces,
+    writer: Writer,
+}
+
+impl ModelFile {
+    /// A file of the stones of these cells; `materials` is the table of all there are. Images are passed over.
+    pub fn new(
+        order: &MeshOrder,
+        params: StonesParams,
+        materials: &[Material],
+        cells: &[SurfaceCell],
+    ) -> Self {
+        let glb = || Glb::of_model(mean_roughness(materials));
+        Self {
+            pieces: Pieces::new(params, cells, order.of_each(cells.len())),
+            writer: match order.format {
+                MeshFormat::Obj => Writer::Obj(Obj::new(&Frame::Model)),
+                MeshFormat::Glb => Writer::Glb(Box::new(glb())),
+            },
+        }
+    }
+
+    /// How much of it is done, 0..1.
+    pub fn progress(&self, cells: &[SurfaceCell]) -> f64 {
+        self.pieces.progress(cells)
+    }
+
+    /// Adds the next stone, or after the last one a part of the ground; true when all is there. Mesh, cells and coats
+    /// are always the same ones.
+    pub fn advance(&mut self, mesh: &TriMesh, cells: &[SurfaceCell], coats: &[Coat]) -> bool {
+        match self.pieces.next(mesh, cells, coats) {
+            Piece::None => false,
+            Piece::Surface(id, surface) => {
+                self.writer.add(&Frame::Model, &surface, id);
+                false
+            }
+            Piece::End => true,
+        }
+    }
+
+    /// The next parts of the file, as far as they are known before all is there.
+    pub fn take(&mut self) -> Vec<Vec<u8>> {
+        self.writer.take()
+    }
+
+    /// The rest of the file in parts, one after the other.
+    pub fn finish(self) -> Vec<Vec<u8>> {
+        self.writer.finish()
+    }
+}
