@@ -5,8 +5,8 @@ use super::glb::Glb;
 use super::obj::Obj;
 use super::order::{MeshFormat, MeshOrder};
 use super::surface::{Writer, mean_roughness};
-use crate::material::{Coat, Material};
-use crate::surface::stones::{Piece, Pieces, StonesParams};
+use crate::material::Material;
+use crate::surface::stones::{Paving, Piece, Pieces, StonesParams};
 use crate::surface::{SurfaceCell, TriMesh};
 
 /// A file of a model in the making.
@@ -38,10 +38,10 @@ impl ModelFile {
         self.pieces.progress(cells)
     }
 
-    /// Adds the next stone, or after the last one a part of the ground; true when all is there. Mesh, cells and coats
-    /// are always the same ones.
-    pub fn advance(&mut self, mesh: &TriMesh, cells: &[SurfaceCell], coats: &[Coat]) -> bool {
-        match self.pieces.next(mesh, cells, coats) {
+    /// Adds the next stone, or after the last one a part of the ground; true when all is there. Mesh and paving are
+    /// always the same ones.
+    pub fn advance(&mut self, mesh: &TriMesh, paving: Paving) -> bool {
+        match self.pieces.next(mesh, paving) {
             Piece::None => false,
             Piece::Surface(id, surface) => {
                 self.writer.add(&Frame::Model, &surface, id);

@@ -1,11 +1,11 @@
 //! A scene of stones on a surface, in slices.
 
-use super::ground::{Bed, Ground};
+use super::ground::{Bed, Ground, Step};
 use super::look::{Look, Own};
 use super::maker::Maker;
-use super::{StonesParams, mean_size};
+use super::{Paving, StonesParams, mean_size};
 use crate::heightfield::GROUND;
-use crate::material::{Coat, GROUND_ROW};
+use crate::material::GROUND_ROW;
 use crate::order::{greater, lesser};
 use crate::scene::{Body, Detail, Instance, Place, Scene, Surfel};
 use crate::solid::Surface;
@@ -92,23 +92,24 @@ impl Stones {
         0.85 * stones + 0.15 * ground
     }
 
-    /// Adds the next stone, or after the last one a part of the ground; true when all is there. Mesh, cells and coats
-    /// are always the same ones; cells without a coat are plain.
-    pub fn advance(&mut self, mesh: &TriMesh, cells: &[SurfaceCell], coats: &[Coat]) -> bool {
+    /// Adds the next stone, or after the last one a part of the ground; true when all is there. Mesh and paving are
+    /// always the same ones.
+    pub fn advance(&mut self, mesh: &TriMesh, paving: Paving) -> bool {
         if !self.maker.look.advance(ROWS) {
             return false;
         }
-        if let Some(cell) = cells.get(self.cell) {
-            let coat = coats.get(self.cell).copied().unwrap_or_default();
-            self.add(cell, coat);
+        if self.cell < paving.cells.len() {
+            self.add(paving);
             self.cell += 1;
             return false;
         }
         let colour = self.maker.look.ground_colour();
         let bed = || Bed::new(&self.params, mesh, self.size, colour);
-        let ground = self.ground.get_or_insert_with(|| Ground::new(mesh, &bed()));
-        let Some(levels) = ground.next() else {
-            return true;
+        let ground = self.ground.get_or_insert_with(Ground::default);
+        let levels = match ground.next(mesh, bed) {
+            Step::More => return false,
+            Step::Part(levels) => levels,
+            Step::End => return true,
         };
         let levels = levels.iter().map(|level| self.on_stand(level)).collect();
         self.push(Body::new(levels, GROUND_ROW), Vec3::ZERO, GROUND);
@@ -129,8 +130,9 @@ impl Stones {
         }
     }
 
-    fn add(&mut self, cell: &SurfaceCell, coat: Coat) {
-        let Some(made) = self.maker.stone(cell, coat) else {
+    fn add(&mut self, paving: Paving) {
+        let cell = &paving.cells[self.cell];
+        let Some(made) = paving.stone(&mut self.maker, self.cell) else {
             self.owns.push(None);
             return;
         };

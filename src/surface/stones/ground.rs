@@ -7,12 +7,12 @@
 use super::maker::{anchor, sunk};
 use super::{Open, StonesParams};
 use crate::order::{greater, lesser};
-use crate::solid::{Surface, normals, simplify_between};
+use crate::solid::{Surface, boundary_edges, normals, simplify_between};
 use crate::surface::{NONE, TriMesh};
 use glam::{DVec3, Vec3};
 
 /// Parts have about so many triangles.
-const PART: usize = 1500;
+const PART: usize = 600;
 /// Triangles of a degree of detail, of those of the mesh.
 const DEGREES: [usize; 3] = [4, 16, 64];
 /// The ground is never sunk farther than this part of a radius of curvature, and the inside of a shell than this.
@@ -28,15 +28,28 @@ const INSIDE: f32 = 0.62;
 const RIM: f32 = 0.85;
 
 /// The ground in the making.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(super) struct Ground {
+    curvatures: Vec<[f64; 2]>,
     surface: Surface,
     /// Of each triangle its part, sorted by parts.
     order: Vec<(u32, u32)>,
     /// How many parts have each vertex, as far as it counts: 2 and more is a border between parts.
     is_shared: Vec<bool>,
+    /// Of each vertex its place in the part at work.
+    places: Vec<u32>,
     next: usize,
     has_fine: bool,
+}
+
+/// What a slice of the work has made of it.
+pub(super) enum Step {
+    /// There is more to do.
+    More,
+    /// A part at all its degrees of detail, in the model's units.
+    Part(Vec<Surface>),
+    /// That was all.
+    End,
 }
 
 /// What it is made by, in the model's units.
@@ -73,55 +86,85 @@ impl Bed {
 }
 
 impl Ground {
-    pub fn new(mesh: &TriMesh, bed: &Bed) -> Self {
-        let surface = sheet(mesh, bed);
-        let order = parts(&surface);
-        let mut part_of = vec![NONE; surface.positions.len()];
-        let mut is_shared = vec![false; surface.positions.len()];
-        for &(part, t) in &order {
-            for v in surface.triangles[t as usize].map(|v| v as usize) {
+    /// Goes on by a slice; always of the same mesh.
+    pub fn next(&mut self, mesh: &TriMesh, bed: impl Fn() -> Bed) -> Step {
+        if self.curvatures.is_empty() {
+            self.curvatures = curvatures(mesh);
+        } else if self.surface.positions.is_empty() {
+            let bed = bed();
+            self.has_fine = !bed.is_fine;
+            self.surface = sheet(mesh, &bed, &self.curvatures);
+        } else if self.order.is_empty() {
+            self.order = parts(&self.surface);
+        } else if self.is_shared.is_empty() {
+            self.is_shared = self.shared();
+            self.places = vec![NONE; self.is_shared.len()];
+        } else {
+            return self.part();
+        }
+        Step::More
+    }
+
+    /// Of each vertex, whether several parts have it.
+    fn shared(&self) -> Vec<bool> {
+        let mut part_of = vec![NONE; self.surface.positions.len()];
+        let mut is_shared = vec![false; part_of.len()];
+        for &(part, t) in &self.order {
+            for v in self.surface.triangles[t as usize].map(|v| v as usize) {
                 is_shared[v] |= part_of[v] != NONE && part_of[v] != part;
                 part_of[v] = part;
             }
         }
-        Self {
-            surface,
-            order,
-            is_shared,
-            next: 0,
-            has_fine: !bed.is_fine,
-        }
+        is_shared
     }
 
-    /// The next part at all its degrees of detail; none after the last one.
-    pub fn next(&mut self) -> Option<Vec<Surface>> {
-        let (part, _) = *self.order.get(self.next)?;
-        let own: Vec<[u32; 3]> = self.order[self.next..]
-            .iter()
-            .take_while(|o| o.0 == part)
-            .map(|&(_, t)| self.surface.triangles[t as usize])
-            .collect();
-        self.next += own.len();
-        // Vertices on the mesh's own border stay, too.
-        let mut stays = vec![false; self.surface.positions.len()];
-        for [a, b] in crate::solid::boundary_edges(&own, stays.len()) {
-            (stays[a as usize], stays[b as usize]) = (true, true);
+    fn part(&mut self) -> Step {
+        let Some(&(part, _)) = self.order.get(self.next) else {
+            return Step::End;
+        };
+        let mut fine = Surface::default();
+        // Those that lie on a border of the part, or of all.
+        let mut stays = Vec::new();
+        let own = self.order[self.next..].iter().take_while(|o| o.0 == part);
+        for &(_, t) in own {
+            let places = &mut self.places;
+            fine.triangles
+                .push(self.surface.triangles[t as usize].map(|v| {
+                    let at = v as usize;
+                    if places[at] == NONE {
+                        places[at] = fine.positions.len() as u32;
+                        fine.positions.push(self.surface.positions[at]);
+                        fine.normals.push(self.surface.normals[at]);
+                        fine.colours.push(self.surface.colours[at]);
+                        stays.push(self.is_shared[at]);
+                    }
+                    places[at]
+                }));
         }
-        let mut triangles = own.clone();
+        let count = fine.triangles.len();
+        for &(_, t) in &self.order[self.next..][..count] {
+            for v in self.surface.triangles[t as usize] {
+                self.places[v as usize] = NONE;
+            }
+        }
+        self.next += count;
+        for v in boundary_edges(&fine.triangles, stays.len()).as_flattened() {
+            stays[*v as usize] = true;
+        }
+        let mut triangles = fine.triangles.clone();
         let mut levels = Vec::new();
-        if self.has_fine {
-            levels.push(self.surface.part(&own));
-        }
         for degree in DEGREES {
-            let most = own.len() / degree;
-            let positions = &self.surface.positions;
+            let (most, positions) = (count / degree, &fine.positions);
             simplify_between(positions, &mut triangles, most, f32::MIN, |v| {
-                stays[v as usize] || self.is_shared[v as usize]
+                stays[v as usize]
             });
             triangles.retain(|t| t[0] != t[1]);
-            levels.push(self.surface.part(&triangles));
+            levels.push(fine.part(&triangles));
         }
-        Some(levels)
+        if self.has_fine {
+            levels.insert(0, fine);
+        }
+        Step::Part(levels)
     }
 
     /// How much of it is done, 0..1.
@@ -131,8 +174,7 @@ impl Ground {
 }
 
 /// The whole ground, in the model's units, triangles counter-clockwise seen from outside.
-fn sheet(mesh: &TriMesh, bed: &Bed) -> Surface {
-    let curvatures = curvatures(mesh);
+fn sheet(mesh: &TriMesh, bed: &Bed, curvatures: &[[f64; 2]]) -> Surface {
     let place = |depth: f64, most_sunk: f64| {
         let sunk = |(k, (&p, &n)): (usize, (&DVec3, &DVec3))| {
             let [least, most] = curvatures[k];

@@ -7,7 +7,7 @@ use crate::heightfield::{Surfaces, TextureParams};
 use crate::material::Coat;
 use crate::order::{greater, lesser};
 use crate::solid::{StoneKind, StoneParams, Surface, normals, top};
-use crate::surface::SurfaceCell;
+use crate::surface::{Frame, SurfaceCell};
 use glam::{DVec3, Vec3};
 
 /// Makes stones on a surface.
@@ -39,13 +39,15 @@ impl Maker {
         }
     }
 
-    /// The stone of a cell that wears a coat; none where the cell has no area to speak of. [`Look::advance`] has to be
+    /// The stone of a cell that wears a coat, and [`leans_out`] over a border or does not; none where the cell has no area to speak of. [`Look::advance`] has to be
     /// done with.
-    pub fn stone(&mut self, cell: &SurfaceCell, coat: Coat) -> Option<Made> {
+    pub fn stone(&mut self, cell: &SurfaceCell, coat: Coat, leans_out: bool) -> Option<Made> {
         let mut flat = Flat::new(cell, self.unit);
         let texture = self.look.texture;
-        let params = own_params(&texture.stone, cell);
-        let (solid, template) = self.templates.solid(&flat.cell, &params)?;
+        let params = own_params(&texture.stone, leans_out);
+        let is_hollow = flat.bend.shape[0] + flat.bend.shape[2] < 0.0;
+        let solid = self.templates.solid(&flat.cell, &params, is_hollow);
+        let (solid, template) = solid?;
         let face = self.look.face(&flat.cell, coat);
         let mut surface = Surface {
             colours: vec![[0; 3]; solid.vertices.len()],
@@ -129,17 +131,25 @@ pub(super) fn sunk(texture: &TextureParams) -> f64 {
     anchor(texture, texture.size) - texture.level()
 }
 
-/// Along a border scales lie flat: they would stand out over it.
-fn own_params(stone: &StoneParams, cell: &SurfaceCell) -> StoneParams {
+/// Whether a cell on the border points away from its neighbours, which are the cells of these numbers.
+pub(super) fn leans_out(cell: &SurfaceCell, neighbours: &[u32], cells: &[SurfaceCell]) -> bool {
+    let towards = |&k: &u32| (cells[k as usize].centre.at - cell.centre.at).normalize_or_zero();
+    let inwards: DVec3 = neighbours.iter().map(towards).sum();
+    let inwards = Frame::of(cell.centre.normal).within(inwards);
+    cell.on_border && cell.axis.dot(inwards) <= 0.3 * inwards.length()
+}
+
+/// Scales that would stand out over a border lie flat.
+fn own_params(stone: &StoneParams, leans_out: bool) -> StoneParams {
     let mut own = *stone;
-    if cell.on_border && stone.kind == StoneKind::Skin {
+    if leans_out && stone.kind == StoneKind::Skin {
         (own.skin.skew, own.skin.tilt) = (0.0, 0.0);
         own.scale = own.scale.min(1.0);
     }
     own
 }
 
-/// Of the greater curvatures, in the model's units: how far normals turn from centres to corners.
+/// Of the greater curvatures whichever way, in the model's units: how far normals turn from centres to corners.
 fn mean_curvature(cells: &[SurfaceCell]) -> f64 {
     let (mut turned, mut away) = (0.0, 0.0);
     for cell in cells {

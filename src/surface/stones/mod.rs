@@ -30,7 +30,29 @@ pub use sense::{Flow, make_one_sense};
 
 use super::SurfaceCell;
 use crate::heightfield::TextureParams;
-use crate::material::WeatherParams;
+use crate::material::{Coat, WeatherParams};
+use maker::{Made, Maker, leans_out};
+
+/// The cells that are paved, with what belongs to each by its index.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Paving<'a> {
+    /// They have one sense already: see [`make_one_sense`].
+    pub cells: &'a [SurfaceCell],
+    /// Their neighbours: see [`links`].
+    pub links: &'a [Vec<u32>],
+    /// What they wear by rule; those that are missing are plain.
+    pub coats: &'a [Coat],
+}
+
+impl Paving<'_> {
+    /// The stone of one of them.
+    fn stone(&self, maker: &mut Maker, k: usize) -> Option<Made> {
+        let cell = &self.cells[k];
+        let neighbours = self.links.get(k).map_or(&[][..], Vec::as_slice);
+        let coat = self.coats.get(k).copied().unwrap_or_default();
+        maker.stone(cell, coat, leans_out(cell, neighbours, self.cells))
+    }
+}
 
 /// What a surface with a border is like.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -1,10 +1,9 @@
 //! Stones and ground one after the other, at one degree of detail, for files.
 
-use super::ground::{Bed, Ground};
+use super::ground::{Bed, Ground, Step};
 use super::maker::Maker;
-use super::{StonesParams, mean_size};
+use super::{Paving, StonesParams, mean_size};
 use crate::heightfield::GROUND;
-use crate::material::Coat;
 use crate::solid::Surface;
 use crate::surface::{SurfaceCell, TriMesh};
 
@@ -50,14 +49,13 @@ impl Pieces {
     }
 
     /// The next piece.
-    pub fn next(&mut self, mesh: &TriMesh, cells: &[SurfaceCell], coats: &[Coat]) -> Piece {
+    pub fn next(&mut self, mesh: &TriMesh, paving: Paving) -> Piece {
         if !self.maker.look.advance(ROWS) {
             return Piece::None;
         }
-        if let Some(cell) = cells.get(self.cell) {
-            let coat = coats.get(self.cell).copied().unwrap_or_default();
+        if let Some(cell) = paving.cells.get(self.cell) {
+            let made = paving.stone(&mut self.maker, self.cell);
             self.cell += 1;
-            let made = self.maker.stone(cell, coat);
             let level = made.and_then(|made| made.levels.into_iter().next());
             let Some(mut surface) = level else {
                 return Piece::None;
@@ -70,8 +68,14 @@ impl Pieces {
         }
         let colour = self.maker.look.ground_colour();
         let bed = || Bed::new(&self.params, mesh, self.size, colour);
-        let ground = self.ground.get_or_insert_with(|| Ground::new(mesh, &bed()));
-        let level = ground.next().and_then(|levels| levels.into_iter().next());
-        level.map_or(Piece::End, |surface| Piece::Surface(GROUND, surface))
+        let ground = self.ground.get_or_insert_with(Ground::default);
+        match ground.next(mesh, bed) {
+            Step::More => Piece::None,
+            Step::Part(levels) => match levels.into_iter().next() {
+                Some(surface) => Piece::Surface(GROUND, surface),
+                None => Piece::None,
+            },
+            Step::End => Piece::End,
+        }
     }
 }

@@ -1,8 +1,8 @@
 //! Degrees of detail that all stones of one connectivity share.
 //!
 //! Stones with the same number of corners have the same triangles, and are alike. So which vertices the coarser degrees
-//! keep is found out once, on a stone over a regular polygon, bent as the surface is on average ([`simplify`]); a stone
-//! takes its own vertices there, and its normals and colours from the finest mesh.
+//! keep is found out once, on a stone over a regular polygon, bent as the surface is on average ([`simplify`]), once where
+//! that bulges and once in hollows, where coarse triangles would else lie in front of fine ones; a stone takes its own vertices there, and its normals and colours from the finest mesh.
 
 use super::Bend;
 use crate::cells::Cell;
@@ -14,7 +14,7 @@ use std::rc::Rc;
 /// A degree has so many times the triangles of the next one.
 const FINER: usize = 4;
 /// Fewer triangles than this are no stone any more.
-const LEAST: usize = 24;
+const LEAST: usize = 16;
 /// Triangles before the finest degree is taken from them, of what that has.
 const BEFORE: f64 = 1.3;
 
@@ -42,11 +42,11 @@ pub(super) struct Templates {
     stone: StoneParams,
     /// Triangles at the finest degree.
     most: usize,
-    /// Mean curvature of the cells, for each picture unit.
+    /// How curved cells are on average, whichever way, for each picture unit.
     curvature: f64,
     /// The lowest height that is seen.
     floor: f32,
-    /// By corners.
+    /// By twice the corners, and one more in hollows.
     made: Vec<Option<Rc<Template>>>,
 }
 
@@ -62,8 +62,14 @@ impl Templates {
         }
     }
 
-    /// The solid of a cell, and its degrees; none where the cell has no area to speak of.
-    pub fn solid(&mut self, cell: &Cell, stone: &StoneParams) -> Option<(Solid, Rc<Template>)> {
+    /// The solid of a cell, which lies in a hollow or does not, and its degrees; none where the cell has no area to
+    /// speak of.
+    pub fn solid(
+        &mut self,
+        cell: &Cell,
+        stone: &StoneParams,
+        is_hollow: bool,
+    ) -> Option<(Solid, Rc<Template>)> {
         let corners = Footprint::new(&cell.ring, cell.centre)?.corners.len();
         let coarse = match stone.kind {
             crate::solid::StoneKind::Skin => 3 * corners,
@@ -78,16 +84,28 @@ impl Templates {
         if solid.vertices.is_empty() {
             return None;
         }
-        self.made.resize(self.made.len().max(corners + 1), None);
-        if let Some(template) = &self.made[corners] {
+        let place = 2 * corners + usize::from(is_hollow);
+        self.made.resize(self.made.len().max(place + 1), None);
+        if let Some(template) = &self.made[place] {
             return Some((solid, template.clone()));
         }
-        let template = Rc::new(self.template(cell, corners, &solid, level));
-        self.made[corners] = Some(template.clone());
+        let curvature = if is_hollow {
+            -self.curvature
+        } else {
+            self.curvature
+        };
+        let template = Rc::new(self.template(cell, (corners, &solid), level, curvature));
+        self.made[place] = Some(template.clone());
         Some((solid, template))
     }
 
-    fn template(&mut self, cell: &Cell, corners: usize, own: &Solid, level: u32) -> Template {
+    fn template(
+        &mut self,
+        cell: &Cell,
+        (corners, own): (usize, &Solid),
+        level: u32,
+        curvature: f64,
+    ) -> Template {
         let mut stone = self.stone;
         (stone.distortion, stone.skin.amplitude) = (0.0, 0.0);
         let regular = regular(cell, corners);
@@ -98,7 +116,7 @@ impl Templates {
         };
         let boundary = boundary_edges(&solid.triangles, solid.vertices.len());
         let mut bend = Bend::new(&[], &[], &[]);
-        bend.shape = [self.curvature, 0.0, self.curvature];
+        bend.shape = [curvature, 0.0, curvature];
         let bent = |p: &Vec3| bend.bent(p.as_dvec3()).as_vec3();
         let mut surface = Surface {
             positions: solid.vertices.clone(),

@@ -51,8 +51,14 @@ fn skin() -> StoneParams {
 }
 
 fn build(params: StonesParams, mesh: &TriMesh, cells: &[SurfaceCell]) -> Scene {
+    let links = links(cells);
+    let paving = Paving {
+        cells,
+        links: &links,
+        coats: &[],
+    };
     let mut stones = Stones::new(params, mesh, cells);
-    while !stones.advance(mesh, cells, &[]) {}
+    while !stones.advance(mesh, paving) {}
     stones.finish()
 }
 
