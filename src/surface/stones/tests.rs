@@ -20,12 +20,12 @@ type Named = (&'static str, Rows, Box<dyn Fn(DVec2) -> DVec3>);
 /// Every surface with cells of a fifth to a tenth of its radius.
 fn surfaces() -> Vec<Named> {
     vec![
-        ("torus", rows([40, 16], [true, true]), Box::new(torus(0.4))),
+        ("torus", rows([30, 12], [true, true]), Box::new(torus(0.4))),
         ("tube", rows([30, 5], [true, false]), Box::new(tube(1.0))),
         ("ball", rows([30, 12], [true, false]), Box::new(ball)),
         ("bowl", rows([30, 5], [true, false]), Box::new(bowl)),
         ("saddle", rows([8, 8], [false, false]), Box::new(saddle)),
-        ("horn", rows([20, 30], [true, false]), Box::new(horn)),
+        ("horn", rows([20, 20], [true, false]), Box::new(horn)),
     ]
 }
 

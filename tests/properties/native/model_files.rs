@@ -48,7 +48,10 @@ fn hill() -> (TriMesh, Vec<SurfaceCell>) {
             on_border: i % (SIDE - 1) == 0 || j % (SIDE - 1) == 0,
         });
     }
-    (TriMesh::new(places.collect(), triangles).expect("a mesh"), cells)
+    (
+        TriMesh::new(places.collect(), triangles).expect("a mesh"),
+        cells,
+    )
 }
 
 fn file(format: MeshFormat) -> (MeshOrder, Vec<u8>) {
@@ -104,7 +107,9 @@ fn an_obj_has_each_stone_where_its_cell_is() {
         stones += 1;
         let cell = &cells[k.parse::<usize>().expect("a number")];
         assert!(mesh.indices.len() <= 3 * order.detail);
-        let corner = |k: &u32| DVec3::from([0, 1, 2].map(|axis| f64::from(mesh.positions[3 * *k as usize + axis])));
+        let corner = |k: &u32| {
+            DVec3::from([0, 1, 2].map(|axis| f64::from(mesh.positions[3 * *k as usize + axis])))
+        };
         for p in mesh.indices.iter().map(corner) {
             let off = Frame::of(cell.centre.normal).within(p - cell.centre.at);
             assert!(off.abs().max_element() < 0.62, "{off}");
@@ -138,7 +143,10 @@ fn a_glb_has_a_node_for_each_stone() {
     };
     assert_eq!(named("stone_"), SIDE * SIDE);
     assert!(named("ground") > 0);
-    let (accessors, meshes) = (&json["accessors"], json["meshes"].as_array().expect("meshes"));
+    let (accessors, meshes) = (
+        &json["accessors"],
+        json["meshes"].as_array().expect("meshes"),
+    );
     let mut triangles = 0;
     for mesh in meshes {
         let primitive = &mesh["primitives"][0];
@@ -146,9 +154,16 @@ fn a_glb_has_a_node_for_each_stone() {
         assert_eq!(attributes.len(), 3);
         let of = |k: &serde_json::Value| &accessors[k.as_u64().unwrap() as usize];
         let count = of(&attributes["POSITION"])["count"].as_u64();
-        for (name, kind) in [("POSITION", "VEC3"), ("NORMAL", "VEC3"), ("COLOR_0", "VEC4")] {
+        for (name, kind) in [
+            ("POSITION", "VEC3"),
+            ("NORMAL", "VEC3"),
+            ("COLOR_0", "VEC4"),
+        ] {
             let accessor = of(&attributes[name]);
-            assert_eq!((accessor["count"].as_u64(), accessor["type"].as_str()), (count, Some(kind)));
+            assert_eq!(
+                (accessor["count"].as_u64(), accessor["type"].as_str()),
+                (count, Some(kind))
+            );
             let end = accessor["byteOffset"].as_u64().unwrap() + 32 * (count.unwrap() - 1);
             assert!(end < json["bufferViews"][0]["byteLength"].as_u64().unwrap());
         }
