@@ -1,9 +1,10 @@
 //! Surfaces as a GLB file: glTF 2.0 in one binary (Khronos Group, ISO/IEC 12113:2022).
 //!
-//! A node with a mesh for each stone, called by its id, and one for the ground. There are two kinds of files:
+//! A node with a mesh for each stone, called by its id, and one for the ground. There are three kinds of files:
 //!
 //! - *Plain*: a vertex is its position, normal, colour (linear red, green, blue and a full alpha of 16 bits
 //!   each, as 8 bits are too few for dark colours) and place in the maps.
+//! - *Of a model*: the same without a place.
 //! - *With images* of colour, normals, and occlusion, roughness and metal: a vertex is its position and place
 //!   in the maps. All normals go up and all tangents to the right of the picture, for the map of normals has
 //!   whole normals, not differences from those of a mesh: added to the mesh's own they would tilt twice.
@@ -27,7 +28,7 @@ struct Layout {
     /// Bytes of a vertex.
     stride: usize,
     /// What is read of the vertices: from where in them on, and the accessor.
-    attributes: [(usize, &'static str); 4],
+    attributes: &'static [(usize, &'static str)],
     mesh: &'static str,
     material: &'static str,
 }
@@ -52,7 +53,7 @@ const INDICES: &str = accessor!(1, "SCALAR", "@");
 
 const PLAIN: Layout = Layout {
     stride: 40,
-    attributes: [
+    attributes: &[
         (0, POSITIONS),
         (12, accessor!(0, "VEC3", "5126")),
         (24, accessor!(0, "VEC4", r#"5123,"normalized":true"#)),
@@ -64,9 +65,23 @@ const PLAIN: Layout = Layout {
     ),
     material: r#""metallicFactor":0,"roughnessFactor":@}}]"#,
 };
+#[cfg(house)]
+const BARE: Layout = Layout {
+    stride: 32,
+    attributes: &[
+        (0, POSITIONS),
+        (12, accessor!(0, "VEC3", "5126")),
+        (24, accessor!(0, "VEC4", r#"5123,"normalized":true"#)),
+    ],
+    mesh: concat!(
+        r#",{"primitives":[{"attributes":{"POSITION":@,"NORMAL":@,"COLOR_0":@},"#,
+        r#""indices":@,"material":0}]}"#,
+    ),
+    material: PLAIN.material,
+};
 const PLACED: Layout = Layout {
     stride: 20,
-    attributes: [
+    attributes: &[
         (0, POSITIONS),
         (
             0,
@@ -163,6 +178,15 @@ impl Glb {
         }
     }
 
+    /// The same of surfaces in a model's own axes, which have no places in maps.
+    #[cfg(house)]
+    pub fn of_model(roughness: f32) -> Self {
+        Self {
+            layout: &BARE,
+            ..Self::new(roughness, None, false)
+        }
+    }
+
     /// Adds the surface of a stone by its id, or of the ground by 0.
     pub fn add(&mut self, frame: &Frame, surface: &Surface, id: u32) {
         let first = self.vertices.len();
@@ -179,7 +203,9 @@ impl Glb {
                 let [r, g, b] = surface.colours[k].map(|c| self.linear[usize::from(c)]);
                 put(&mut self.vertices, &[g << 16 | r, 0xFFFF_0000 | b]);
             }
-            put_floats(&mut self.vertices, &frame.place_in_maps(p));
+            if let Some(at) = frame.place_in_maps(p) {
+                put_floats(&mut self.vertices, &at);
+            }
         }
         let count = surface.positions.len();
         self.most = self.most.max(count);
@@ -190,12 +216,13 @@ impl Glb {
 
     /// Adds what tells of a mesh whose vertices begin at `first`, and of its indices, which come next.
     fn describe(&mut self, first: usize, count: usize, [low, high]: [[f32; 3]; 2]) {
-        for &(offset, accessor) in &self.layout.attributes {
+        for &(offset, accessor) in self.layout.attributes {
             let ([a, b, c], [d, e, f]) = (low.map(f64::from), high.map(f64::from));
             let numbers = [count as f64, (first + offset) as f64, a, b, c, d, e, f];
             fill(&mut self.accessors, accessor, &numbers);
         }
-        let accessors = std::array::from_fn(|k| f64::from(5 * self.meshes_made) + k as f64);
+        let each = self.layout.attributes.len() + 1;
+        let accessors = std::array::from_fn(|k| (each * self.meshes_made as usize + k) as f64);
         let accessors: [f64; 5] = accessors;
         fill(&mut self.meshes, self.layout.mesh, &accessors);
     }
@@ -345,7 +372,7 @@ mod tests {
             ..Surface::default()
         };
         let mut glb = Glb::new(0.5, Some([5, 8, 1]), true);
-        glb.add(&Frame { unit: 1.0 }, &square, 7);
+        glb.add(&Frame::Picture { unit: 1.0 }, &square, 7);
         let glb = glb.finish().concat();
         let told = u32::from_le_bytes([glb[8], glb[9], glb[10], glb[11]]);
         assert_eq!(told as usize, glb.len() + 8 + 8 + 4);

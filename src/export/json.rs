@@ -2,7 +2,11 @@
 
 use crate::cells::Cell;
 use crate::mesh::Mesh;
+#[cfg(house)]
+use crate::surface::SurfaceCell;
 use glam::DVec2;
+#[cfg(house)]
+use glam::DVec3;
 use std::fmt::Write;
 
 /// `{"cells":[[[x,y],...],...]}`, one ring per cell in the order given, picture units, y down.
@@ -22,6 +26,38 @@ pub fn mesh_json(mesh: &Mesh) -> String {
         list(mesh.vertices.iter().map(|&p| point(p))),
         list(faces)
     )
+}
+
+/// `{"cells":[{"ring":[[x,y,z],...],"normal":[x,y,z],"size":d},...]}`, cells on a surface in the model's units.
+#[cfg(house)]
+pub fn surface_cells_json(cells: &[SurfaceCell]) -> String {
+    let cell = |cell: &SurfaceCell| {
+        object([
+            ("ring", list(cell.ring.iter().map(|&p| point_in_space(p)))),
+            ("normal", point_in_space(cell.centre.normal)),
+            ("size", number(cell.size)),
+        ])
+    };
+    format!("{{\"cells\":{}}}\n", list(cells.iter().map(cell)))
+}
+
+/// `{"vertices":[[x,y,z],...],"faces":[[i,j,k,l?],...]}`, faces of three or four vertices.
+#[cfg(house)]
+pub fn surface_mesh_json<F: AsRef<[u32]>>(
+    vertices: &[DVec3],
+    faces: impl Iterator<Item = F>,
+) -> String {
+    let faces = faces.map(|face| list(face.as_ref().iter().map(u32::to_string)));
+    format!(
+        "{{\"vertices\":{},\"faces\":{}}}\n",
+        list(vertices.iter().map(|&p| point_in_space(p))),
+        list(faces)
+    )
+}
+
+#[cfg(house)]
+fn point_in_space(p: DVec3) -> String {
+    format!("[{},{},{}]", number(p.x), number(p.y), number(p.z))
 }
 
 fn point(p: DVec2) -> String {
@@ -95,6 +131,35 @@ mod tests {
     #[test]
     fn strings_are_escaped() {
         assert_eq!(text("a\"b\\c\n"), "\"a\\\"b\\\\c\\u000a\"");
+    }
+
+    #[test]
+    fn cells_on_surfaces_have_rings_normals_and_sizes() {
+        let at = crate::surface::SurfacePoint {
+            triangle: 0,
+            at: DVec3::ZERO,
+            normal: DVec3::Y,
+        };
+        let cell = SurfaceCell {
+            id: 3,
+            kind: Kind::Square,
+            centre: at,
+            axis: DVec2::X,
+            size: 0.25,
+            aspect: 1.0,
+            ring: vec![DVec3::ZERO, DVec3::new(0.5, 0.0, -1.0)],
+            normals: vec![DVec3::Y; 2],
+            on_border: false,
+        };
+        assert_eq!(
+            surface_cells_json(&[cell]),
+            "{\"cells\":[{\"ring\":[[0,0,0],[0.5,0,-1]],\"normal\":[0,1,0],\"size\":0.25}]}\n"
+        );
+        let faces: [&[u32]; 2] = [&[0, 1, 2], &[0, 1, 2, 3]];
+        assert_eq!(
+            surface_mesh_json(&[DVec3::X], faces.iter()),
+            "{\"vertices\":[[1,0,0]],\"faces\":[[0,1,2],[0,1,2,3]]}\n"
+        );
     }
 
     #[test]

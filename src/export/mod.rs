@@ -13,6 +13,8 @@ pub mod maps;
 mod metrics;
 #[cfg(house)]
 mod model;
+#[cfg(house)]
+mod model_obj;
 mod obj;
 mod order;
 mod programs;
@@ -25,10 +27,14 @@ pub use exr::exr;
 #[cfg(house)]
 pub use frame_maps::{FramePlane, frame_map};
 pub use json::{cells_json, mesh_json, text};
+#[cfg(house)]
+pub use json::{surface_cells_json, surface_mesh_json};
 pub use maps::{Map, MapKind};
 pub use metrics::metrics_json;
 #[cfg(house)]
-pub use model::model_obj;
+pub use model::ModelFile;
+#[cfg(house)]
+pub use model_obj::model_obj;
 pub use order::{DETAILS, MeshFormat, MeshOrder, MeshSize};
 pub use programs::maps_for;
 pub use report::{Report, StageTime};

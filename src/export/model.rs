@@ -1,28 +1,63 @@
-//! A surface as an OBJ file, as it was used.
+//! Stones on a surface in one file, cell by cell, and then the ground in parts, in the model's own axes and units.
 
-use super::fixed::push_whole;
-use super::json::number;
-use crate::surface::TriMesh;
+use super::frame::Frame;
+use super::glb::Glb;
+use super::obj::Obj;
+use super::order::{MeshFormat, MeshOrder};
+use super::surface::{Writer, mean_roughness};
+use crate::material::Material;
+use crate::surface::stones::{Paving, Piece, Pieces, StonesParams};
+use crate::surface::{SurfaceCell, TriMesh};
 
-/// Text: the vertices with numbers that read back as the same bits, then the triangles, in their order.
-pub fn model_obj(mesh: &TriMesh) -> String {
-    let mut out = b"# Made by Bubblestone.\n".to_vec();
-    for p in mesh.positions() {
-        out.push(b'v');
-        for x in p.to_array() {
-            out.push(b' ');
-            out.extend_from_slice(number(x).as_bytes());
+/// A file of a model in the making.
+pub struct ModelFile {
+    pieces: Pieces,
+    writer: Writer,
+}
+
+impl ModelFile {
+    /// A file of the stones of these cells; `materials` is the table of all there are. Images are passed over.
+    pub fn new(
+        order: &MeshOrder,
+        params: StonesParams,
+        materials: &[Material],
+        cells: &[SurfaceCell],
+    ) -> Self {
+        let glb = || Glb::of_model(mean_roughness(materials));
+        Self {
+            pieces: Pieces::new(params, cells, order.of_each(cells.len())),
+            writer: match order.format {
+                MeshFormat::Obj => Writer::Obj(Obj::new(&Frame::Model)),
+                MeshFormat::Glb => Writer::Glb(Box::new(glb())),
+            },
         }
-        out.push(b'\n');
     }
-    for triangle in mesh.triangles() {
-        out.push(b'f');
-        for &v in triangle {
-            out.push(b' ');
-            push_whole(&mut out, u64::from(v) + 1);
+
+    /// How much of it is done, 0..1.
+    pub fn progress(&self, cells: &[SurfaceCell]) -> f64 {
+        self.pieces.progress(cells)
+    }
+
+    /// Adds the next stone, or after the last one a part of the ground; true when all is there. Mesh and paving are
+    /// always the same ones.
+    pub fn advance(&mut self, mesh: &TriMesh, paving: Paving) -> bool {
+        match self.pieces.next(mesh, paving) {
+            Piece::None => false,
+            Piece::Surface(id, surface) => {
+                self.writer.add(&Frame::Model, &surface, id);
+                false
+            }
+            Piece::End => true,
         }
-        out.push(b'\n');
     }
-    // Nothing but ASCII has been written.
-    String::from_utf8(out).unwrap_or_default()
+
+    /// The next parts of the file, as far as they are known before all is there.
+    pub fn take(&mut self) -> Vec<Vec<u8>> {
+        self.writer.take()
+    }
+
+    /// The rest of the file in parts, one after the other.
+    pub fn finish(self) -> Vec<Vec<u8>> {
+        self.writer.finish()
+    }
 }

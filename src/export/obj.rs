@@ -10,6 +10,9 @@ const PART: usize = 1 << 20;
 const HEAD: &[u8] = b"# Made by Bubblestone.\n\
     # Right-handed, y up: x to the right of the picture, z down it. One unit is the picture's side.\n\
     # Colours are sRGB; places in maps begin at the lower left.\n";
+#[cfg(house)]
+const MODEL_HEAD: &[u8] = b"# Made by Bubblestone.\n\
+    # Right-handed, y up, in the units of the surface. Colours are sRGB.\n";
 
 /// An OBJ file in the making.
 pub(super) struct Obj {
@@ -20,10 +23,15 @@ pub(super) struct Obj {
 }
 
 impl Obj {
-    pub fn new() -> Self {
+    pub fn new(frame: &Frame) -> Self {
+        let head = match frame {
+            Frame::Picture { .. } => HEAD,
+            #[cfg(house)]
+            Frame::Model => MODEL_HEAD,
+        };
         Self {
             parts: Vec::new(),
-            part: HEAD.to_vec(),
+            part: head.to_vec(),
             vertices: 0,
         }
     }
@@ -40,15 +48,18 @@ impl Obj {
         }
         out.push(b'\n');
         for (k, &p) in surface.positions.iter().enumerate() {
-            let [right, down] = frame.place_in_maps(p);
+            let in_maps = frame.place_in_maps(p).map(|[x, y]| [x, 1.0 - y]);
             let colour = surface.colours[k].map(|c| f32::from(c) / 255.0);
             let normal = frame.direction(surface.normals[k]);
             for (word, numbers, decimals) in [
                 ("v", &frame.place(p)[..], 7),
                 ("", &colour, 3),
-                ("\nvt", &[right, 1.0 - down], 6),
+                ("\nvt", in_maps.as_ref().map_or(&[], |at| at), 6),
                 ("\nvn", &normal, 4),
             ] {
+                if numbers.is_empty() {
+                    continue;
+                }
                 out.extend_from_slice(word.as_bytes());
                 for &x in numbers {
                     out.push(b' ');
@@ -60,10 +71,15 @@ impl Obj {
         for &triangle in &surface.triangles {
             out.push(b'f');
             for k in frame.turned(triangle) {
-                for before in [b' ', b'/', b'/'] {
-                    out.push(before);
-                    push_whole(out, self.vertices + u64::from(k) + 1);
+                let number = self.vertices + u64::from(k) + 1;
+                out.push(b' ');
+                push_whole(out, number);
+                out.push(b'/');
+                if frame.has_maps() {
+                    push_whole(out, number);
                 }
+                out.push(b'/');
+                push_whole(out, number);
             }
             out.push(b'\n');
         }

@@ -61,6 +61,23 @@ impl MeshOrder {
         squares.max(LEAST_SQUARES).min(side)
     }
 
+    /// How large the file of a model is, of so many stones and a ground of so many triangles.
+    #[cfg(house)]
+    pub fn model_size(&self, stones: usize, ground: usize) -> MeshSize {
+        let each = self.of_each(stones);
+        let triangles = stones * each + ground;
+        let vertices = stones * (each / 2 + 2) + ground / 2;
+        let [stone, vertex, triangle] = match self.format {
+            MeshFormat::Obj => [16.0, 74.0, 48.0],
+            MeshFormat::Glb => [760.0, 32.0, 6.0],
+        };
+        let text = stone * stones as f64 + vertex * vertices as f64;
+        MeshSize {
+            triangles,
+            bytes: text + triangle * triangles as f64,
+        }
+    }
+
     /// How large its file is of so many stones in a picture of so many pixels along a side.
     pub fn size(&self, stones: usize, side: usize) -> MeshSize {
         // A closed surface has half as many vertices as triangles and two more.

@@ -18,9 +18,35 @@ use crate::heightfield::{GROUND, Planes, Surfaces, TextureParams, ground};
 use crate::material::{FINISHES, Material};
 use crate::solid::{Solid, Solids, Surface};
 
-enum Writer {
+pub(super) enum Writer {
     Obj(Obj),
     Glb(Box<Glb>),
+}
+
+impl Writer {
+    /// Adds the surface of a stone by its id, or of the ground by 0.
+    pub fn add(&mut self, frame: &Frame, surface: &Surface, id: u32) {
+        match self {
+            Self::Obj(obj) => obj.add(frame, surface, id),
+            Self::Glb(glb) => glb.add(frame, surface, id),
+        }
+    }
+
+    /// The next parts of the file, as far as they are known before all is added.
+    pub fn take(&mut self) -> Vec<Vec<u8>> {
+        match self {
+            Self::Obj(obj) => obj.take(),
+            Self::Glb(_) => Vec::new(),
+        }
+    }
+
+    /// The rest of the file in parts, one after the other.
+    pub fn finish(self) -> Vec<Vec<u8>> {
+        match self {
+            Self::Obj(obj) => obj.finish(),
+            Self::Glb(glb) => glb.finish(),
+        }
+    }
 }
 
 /// A mesh file in the making.
@@ -46,15 +72,15 @@ impl MeshFile {
     ) -> Self {
         let each = order.of_each(stones);
         let glb = || Glb::new(mean_roughness(materials), order.images, params.tile);
+        let unit = 1.0 / params.side as f32;
+        let frame = Frame::Picture { unit };
         Self {
-            frame: Frame {
-                unit: 1.0 / params.side as f32,
-            },
             surfaces: Surfaces::new(params, each),
             writer: match order.format {
-                MeshFormat::Obj => Writer::Obj(Obj::new()),
+                MeshFormat::Obj => Writer::Obj(Obj::new(&frame)),
                 MeshFormat::Glb => Writer::Glb(Box::new(glb())),
             },
+            frame,
             each,
             squares: order.ground_squares(stones, params.side),
             cells: 0,
@@ -86,31 +112,22 @@ impl MeshFile {
     }
 
     fn write(&mut self, surface: &Surface, id: u32) {
-        match &mut self.writer {
-            Writer::Obj(obj) => obj.add(&self.frame, surface, id),
-            Writer::Glb(glb) => glb.add(&self.frame, surface, id),
-        }
+        self.writer.add(&self.frame, surface, id);
     }
 
     /// The next parts of the file, as far as they are known before the last cell is.
     pub fn take(&mut self) -> Vec<Vec<u8>> {
-        match &mut self.writer {
-            Writer::Obj(obj) => obj.take(),
-            Writer::Glb(_) => Vec::new(),
-        }
+        self.writer.take()
     }
 
     /// The rest of the file in parts, one after the other.
     pub fn finish(self) -> Vec<Vec<u8>> {
-        match self.writer {
-            Writer::Obj(obj) => obj.finish(),
-            Writer::Glb(glb) => glb.finish(),
-        }
+        self.writer.finish()
     }
 }
 
 /// Of the stones' dry finishes, which come after the ground's.
-fn mean_roughness(materials: &[Material]) -> f32 {
+pub(super) fn mean_roughness(materials: &[Material]) -> f32 {
     let stones = materials.get(1..=FINISHES).unwrap_or_default();
     let sum: f32 = stones
         .iter()

@@ -71,6 +71,8 @@ mod weather;
 
 #[cfg(house)]
 pub use cutout::Cutout;
+#[cfg(house)]
+pub(crate) use ground::Bed;
 pub use lit::Shader;
 pub use painter::Painter;
 pub use params::TextureParams;
@@ -80,4 +82,6 @@ pub use relief::Relief;
 pub use sheet::{ground, means};
 pub(crate) use slopes::{beside, row_slopes};
 pub use surface::Surfaces;
+#[cfg(house)]
+pub(crate) use surface::between;
 pub use weather::{Painted, Weathering};

@@ -50,7 +50,7 @@ const UNEVEN: f64 = 0.2;
 
 impl TextureParams {
     /// Deviation of the relief that is added to stones, in picture units; skin brings its noise along.
-    pub(super) fn relief(&self) -> f32 {
+    pub(crate) fn relief(&self) -> f32 {
         match self.stone.kind {
             StoneKind::Skin => 0.0,
             _ => {
@@ -61,17 +61,17 @@ impl TextureParams {
     }
 
     /// How deep the ground lies below the stones' tops, in picture units.
-    pub(super) fn depth(&self) -> f64 {
+    pub(crate) fn depth(&self) -> f64 {
         joint_depth(&self.stone, self.size) * FILL
     }
 
     /// Height of the ground above the base level, in picture units.
-    pub(super) fn level(&self) -> f64 {
+    pub(crate) fn level(&self) -> f64 {
         top(&self.stone, self.size) - self.depth()
     }
 
     /// The ground between and around the stones, still to be made.
-    pub(super) fn bed(&self) -> Bed {
+    pub(crate) fn bed(&self) -> Bed {
         let most = match self.stone.kind {
             StoneKind::Skin => f64::INFINITY,
             _ => MOST_SWELL * self.size,
@@ -95,7 +95,7 @@ impl TextureParams {
     }
 
     /// The face of a cell's stone.
-    pub(super) fn face(&self, cell: &Cell, coat: Coat) -> Face {
+    pub(crate) fn face(&self, cell: &Cell, coat: Coat) -> Face {
         Face::new(
             palette(self.palette),
             cell,

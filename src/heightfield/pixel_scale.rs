@@ -5,7 +5,7 @@ const DOUBLINGS: [u32; 2] = [2, 3];
 
 /// How many pixels a picture unit has.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct PixelScale {
+pub(crate) struct PixelScale {
     /// Pixels for each picture unit, along a side.
     per_unit: i32,
     /// Picture units for each pixel.

@@ -63,8 +63,14 @@ impl Surfaces {
         surface.tidy(solid.triangles.len())
     }
 
+    /// Noise that all stones share.
+    #[cfg(house)]
+    pub(crate) fn noise(&self) -> &FaceNoise {
+        &self.noise
+    }
+
     /// Adds what the painter adds to each pixel of a stone.
-    fn roughen(&self, face: &Face, positions: &mut [Vec3]) {
+    pub(crate) fn roughen(&self, face: &Face, positions: &mut [Vec3]) {
         let top = positions.iter().fold(0.0, |top, p| greater(top, p.z));
         let foot = greater(FOOT * top, f32::MIN_POSITIVE);
         for p in positions {
@@ -91,7 +97,7 @@ impl Surfaces {
 }
 
 /// Bilinear interpolation of what pixels have.
-fn between(x: f32, y: f32, value: impl Fn([i32; 2]) -> f32) -> f32 {
+pub(crate) fn between(x: f32, y: f32, value: impl Fn([i32; 2]) -> f32) -> f32 {
     let (ix, iy) = (floor(x), floor(y));
     let (tx, ty) = (x - ix as f32, y - iy as f32);
     let mut sum = 0.0;

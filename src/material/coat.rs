@@ -168,7 +168,7 @@ impl Coats {
             spread_evenly(&mut self.values);
         }
         let coat = |(k, cell): (usize, &Cell)| Coat {
-            mark: self.values.get(k).map_or(0.0, |&v| self.weight(v)) as f32,
+            mark: self.values.get(k).map_or(0.0, |&v| self.colour.weight(v)) as f32,
             belly: self.belly(domain, cell.centre) as f32,
         };
         cells.iter().enumerate().map(coat).collect()
@@ -182,7 +182,12 @@ impl Coats {
         if graph.advance(domain, count) {
             let links = self.graph.take().map_or(Vec::new(), Graph::finish);
             let ColourParams { scale, share, .. } = self.colour;
-            let reaction = Reaction::new(domain, cells, links, scale, share, self.seed);
+            let ids = cells.iter().map(|cell| cell.id).collect();
+            let square = |from: u32, to: u32| {
+                let [from, to] = [from, to].map(|k| cells[k as usize].centre);
+                domain.space().shortest(to - from).length_squared()
+            };
+            let reaction = Reaction::new(ids, links, square, (scale, 1.0), share, self.seed);
             self.reaction = Some(reaction);
         }
         false
@@ -260,21 +265,6 @@ impl Coats {
         greater(1.0 - PI * nearest, 0.0)
     }
 
-    /// The share of the mark in a cell, by the value that the rule gave it.
-    fn weight(&self, value: f64) -> f64 {
-        let c = &self.colour;
-        let width = 1.0 - (1.0 - SHARPEST) * c.sharpness;
-        let weight = smoothstep((value - (1.0 - c.share)) / width + 0.5);
-        let pale = match c.pattern {
-            Pattern::Rosettes => {
-                let out = ((1.0 - value) / greater(c.share, 1e-3)).sqrt();
-                0.75 * smoothstep((0.7 - out) / 0.3)
-            }
-            _ => 0.0,
-        };
-        c.amount * weight * (1.0 - pale)
-    }
-
     fn belly(&self, domain: &Domain, p: DVec2) -> f64 {
         let ColourParams {
             belly, belly_angle, ..
@@ -293,17 +283,39 @@ impl Coats {
             Some(_) => 0.5 + 0.5 * libm::sin(TAU * turns),
             None => 0.5 + turns,
         };
-        belly * smoothstep((down - 0.3) / 0.5)
+        belly * belly_at(down)
     }
 }
 
+impl ColourParams {
+    /// The share of the mark in a cell, by the value that the rule gave it.
+    pub(crate) fn weight(&self, value: f64) -> f64 {
+        let c = self;
+        let width = 1.0 - (1.0 - SHARPEST) * c.sharpness;
+        let weight = smoothstep((value - (1.0 - c.share)) / width + 0.5);
+        let pale = match c.pattern {
+            Pattern::Rosettes => {
+                let out = ((1.0 - value) / greater(c.share, 1e-3)).sqrt();
+                0.75 * smoothstep((0.7 - out) / 0.3)
+            }
+            _ => 0.0,
+        };
+        c.amount * weight * (1.0 - pale)
+    }
+}
+
+/// How much of the belly there is from one side (0) to the other (1).
+pub(crate) fn belly_at(down: f64) -> f64 {
+    smoothstep((down - 0.3) / 0.5)
+}
+
 /// 1 at whole numbers, 0 at those and a half, straight between.
-fn triangle(turns: f64) -> f64 {
+pub(crate) fn triangle(turns: f64) -> f64 {
     2.0 * (turns - turns.floor() - 0.5).abs()
 }
 
 /// Replaces values by their ranks, over 0..1.
-fn spread_evenly(values: &mut [f64]) {
+pub(crate) fn spread_evenly(values: &mut [f64]) {
     let last = values.len().max(2) - 1;
     let mut ranks: Vec<(f64, u32)> = values.iter().copied().zip(0..).collect();
     order::sort(&mut ranks, |&(value, k)| (order::rank(value), k.into()));

@@ -214,7 +214,7 @@ impl Effects {
         sample.height += (flat - sample.height) * worn * smoothstep(slope * stand - start);
         // Tops are cut off; a parabola joins the slope and the cut without a kink.
         let stand = self.stand(sample);
-        let ceiling = 1.0 + wear::EDGE - (wear::LOSS + wear::EDGE) * worn;
+        let ceiling = Self::ceiling(worn);
         let over = greater(wear::EDGE - (stand - ceiling).abs(), 0.0);
         let cut = lesser(stand, ceiling) - over * over / (4.0 * wear::EDGE);
         sample.height += (cut - stand) * self.depth * lesser(wear::SOON * worn, 1.0);
@@ -223,6 +223,11 @@ impl Effects {
             sample.material = (sample.material + 1 + u8::from(worn > twice)).min(FINISHES as u8);
         }
         sample.colour = sample.colour.map(|v| v * (1.0 + wear::LIGHTER * worn));
+    }
+
+    /// No top is higher above the joints' ground, of their depth, where so much is worn.
+    pub fn ceiling(worn: f32) -> f32 {
+        1.0 + wear::EDGE - (wear::LOSS + wear::EDGE) * worn
     }
 
     /// The height above the joints' ground.

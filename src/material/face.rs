@@ -112,6 +112,13 @@ impl Face {
         }
     }
 
+    /// A way far off, for noise of which each stone is to have its own part.
+    #[cfg(house)]
+    pub fn own_offset(&self) -> [f32; 3] {
+        let [x, y] = self.offset;
+        [x, y, 0.0]
+    }
+
     /// How much higher than level this stone lies at a place of the picture, in picture units.
     pub fn lift(&self, [x, y]: [f32; 2]) -> f32 {
         let (dx, dy) = (x - self.centre[0], y - self.centre[1]);

@@ -15,6 +15,8 @@ mod smoothstep;
 mod stones;
 
 pub use coat::{Coat, Coats, ColourParams, Pattern};
+#[cfg(house)]
+pub(crate) use coat::{belly_at, spread_evenly, triangle};
 pub use effects::WeatherParams;
 pub(crate) use effects::{Effects, LEVEL, Place, Sample};
 pub use face::stone_colour;
@@ -26,4 +28,6 @@ pub use palette::{Ground, Palette};
 pub use palettes::{PALETTES, ground, material_table, palette};
 pub(crate) use phong::GROUND_ROW;
 pub use phong::{FINISHES, Gloss, Material};
+#[cfg(house)]
+pub(crate) use reaction::Reaction;
 pub(crate) use smoothstep::smoothstep_f32;

@@ -13,11 +13,8 @@
 //! Thinning begins where a wave is more than eight cells long: the cost of one graph alone would grow
 //! with the square of the scale.
 
-use crate::cells::Cell;
-use crate::domain::Domain;
 use crate::order::{greater, lesser};
 use crate::random::{Purpose, Random};
-use glam::DVec2;
 
 /// Diffusion of the inhibitor, and that of the activator as a part of it.
 const SPREAD: f64 = 0.8;
@@ -46,7 +43,7 @@ struct Level {
 }
 
 /// The system at work.
-pub(super) struct Reaction {
+pub(crate) struct Reaction {
     levels: Vec<Level>,
     feed: f64,
     u: Vec<f64>,
@@ -58,25 +55,25 @@ pub(super) struct Reaction {
 }
 
 impl Reaction {
-    /// The system at its beginning, random by cell. `scale` is the length of a wave in picture
-    /// units, `share` the part of the plane where u is high.
+    /// The system at its beginning, random by the cells' `ids`. `square` is that of the distance from one cell to
+    /// another by their places in the list, `scale` the length of a wave in the same units, `share` the part of the
+    /// ground where u is high. Distances below `unit` are of no account.
     pub fn new(
-        domain: &Domain,
-        cells: &[Cell],
+        mut ids: Vec<u32>,
         mut links: Vec<Vec<u32>>,
-        scale: f64,
+        square: impl Fn(u32, u32) -> f64,
+        (scale, unit): (f64, f64),
         share: f64,
         seed: u64,
     ) -> Self {
-        let mut places: Vec<DVec2> = cells.iter().map(|c| c.centre).collect();
-        let mut ids: Vec<u32> = cells.iter().map(|c| c.id).collect();
+        let mut places: Vec<u32> = (0..ids.len() as u32).collect();
         let mut levels = Vec::new();
         loop {
-            let square = mean_square(domain, &places, &links);
-            let wave = scale / square.sqrt();
+            let mean = mean_square(&square, unit, &places, &links);
+            let wave = scale / mean.sqrt();
             let thin = wave > COARSE && places.len() > FEWEST;
             let (kept, parents) = if thin {
-                thinned(domain, &places, &links)
+                thinned(&square, &places, &links)
             } else {
                 (Vec::new(), Vec::new())
             };
@@ -200,23 +197,29 @@ impl Level {
 }
 
 /// The mean square of the links' lengths.
-fn mean_square(domain: &Domain, places: &[DVec2], links: &[Vec<u32>]) -> f64 {
+fn mean_square(
+    square: &impl Fn(u32, u32) -> f64,
+    unit: f64,
+    places: &[u32],
+    links: &[Vec<u32>],
+) -> f64 {
     let (mut sum, mut count) = (0.0, 0.0);
     for (list, &place) in links.iter().zip(places) {
         for &j in list {
-            sum += domain
-                .space()
-                .shortest(places[j as usize] - place)
-                .length_squared();
+            sum += square(place, places[j as usize]);
             count += 1.0;
         }
     }
-    greater(sum / greater(count, 1.0), 1.0)
+    greater(sum / greater(count, 1.0), unit * unit)
 }
 
 /// The nodes of a thinner graph, no two of them neighbours, and which of them stands for each node:
 /// the nearest among its neighbours.
-fn thinned(domain: &Domain, places: &[DVec2], links: &[Vec<u32>]) -> (Vec<u32>, Vec<u32>) {
+fn thinned(
+    square: &impl Fn(u32, u32) -> f64,
+    places: &[u32],
+    links: &[Vec<u32>],
+) -> (Vec<u32>, Vec<u32>) {
     const NONE: u32 = u32::MAX;
     let mut kept = Vec::new();
     let mut parents = vec![NONE; places.len()];
@@ -230,10 +233,7 @@ fn thinned(domain: &Domain, places: &[DVec2], links: &[Vec<u32>]) -> (Vec<u32>, 
     for (k, list) in links.iter().enumerate() {
         let mut nearest = f64::MAX;
         for &j in list.iter().filter(|_| own[k] == NONE) {
-            let far = domain
-                .space()
-                .shortest(places[j as usize] - places[k])
-                .length_squared();
+            let far = square(places[k], places[j as usize]);
             // The first of two that are as near but for rounding.
             if own[j as usize] != NONE && far < 0.99 * nearest {
                 nearest = far;

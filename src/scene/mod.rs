@@ -12,6 +12,7 @@ mod backdrop;
 mod body;
 mod camera;
 mod clip;
+mod digest;
 mod fill;
 mod four;
 mod frame;

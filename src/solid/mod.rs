@@ -49,10 +49,14 @@ mod surface;
 pub use footprint::{Footprint, MOST_CORNERS};
 pub use making::{Making, PLAIN, Step, step, steps};
 pub use orientation::oriented;
+#[cfg(house)]
+pub(crate) use orientation::{Axis, best_turn, quarters, turns_to_agree};
 pub use prism::{Prism, lean};
 #[cfg(house)]
 pub(crate) use quadric::Quadric;
 pub(crate) use simplify::simplify;
+#[cfg(house)]
+pub(crate) use simplify::simplify_between;
 pub use solids::{Solid, Solids, control_mesh};
 pub use stencil_cache::MOST_LEVELS;
 pub use subdivide::{Stencil, TriangleMesh, beta, loop_subdivide};

@@ -14,14 +14,47 @@ use glam::DVec2;
 /// The cells with their axes turned, by quarters for squares and by halves for others, so that
 /// neighbours point alike. `links` are the neighbours by index: see [`crate::cells::graph`].
 pub fn oriented(cells: &[Cell], links: &[Vec<u32>]) -> Vec<Cell> {
+    let turns = turns_to_agree(&axes(cells), links, |_, _, axis| axis);
+    let turned = |(cell, turn): (&Cell, u8)| Cell {
+        axis: quarters(cell.axis, turn),
+        ..cell.clone()
+    };
+    cells.iter().zip(turns).map(turned).collect()
+}
+
+fn axes(cells: &[Cell]) -> Vec<Axis> {
+    let axis = |cell: &Cell| Axis {
+        along: cell.axis,
+        is_stiff: cell.kind.symmetry() != 4,
+    };
+    cells.iter().map(axis).collect()
+}
+
+/// The axis of a cell of any ground.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Axis {
+    /// Unit vector, or zero, in the cell's own frame.
+    pub along: DVec2,
+    /// Can it be turned by half turns only?
+    pub is_stiff: bool,
+}
+
+/// By how many quarters each axis is to be turned so that neighbours point alike. `carried` takes two cells and a
+/// vector of the second one's frame into that of the first one; in a plane it changes nothing.
+pub(crate) fn turns_to_agree(
+    axes: &[Axis],
+    links: &[Vec<u32>],
+    carried: impl Fn(usize, usize, DVec2) -> DVec2,
+) -> Vec<u8> {
     let mut groups = Groups {
-        parent: (0..cells.len()).map(|k| (k, 0)).collect(),
-        stiff: cells.iter().map(|c| c.kind.symmetry() != 4).collect(),
+        parent: (0..axes.len()).map(|k| (k, 0)).collect(),
+        stiff: axes.iter().map(|a| a.is_stiff).collect(),
     };
     let mut pairs: Vec<(usize, usize, f64)> = Vec::new();
+    let seen = |a: usize, b: usize| carried(a, b, axes[b].along);
     for (i, list) in links.iter().enumerate() {
         for j in list.iter().map(|&j| j as usize).filter(|&j| j > i) {
-            let agreement = |a: usize, b: usize| best_turn(&cells[a], &cells[b], 0, 1).1;
+            let agreement = |a: usize, b: usize| best_turn(axes[a].along, seen(a, b), 1).1;
             let mut least = agreement(i, j);
             for k in list.iter().filter(|k| links[j].contains(k)) {
                 let k = *k as usize;
@@ -34,24 +67,21 @@ pub fn oriented(cells: &[Cell], links: &[Vec<u32>]) -> Vec<Cell> {
         (order::rank(-agreement), order::pair(i as u32, j as u32))
     });
     for (i, j, _) in pairs {
-        groups.join(cells, i, j);
+        groups.join(axes[i].along, seen(i, j), [i, j]);
     }
-    let turns: Vec<(usize, u8)> = (0..cells.len()).map(|k| groups.root(k)).collect();
-    let whole = whole_turns(cells, &turns, &groups.stiff);
-    let turned = |(k, cell): (usize, &Cell)| Cell {
-        axis: quarters(cell.axis, turns[k].1 + whole[turns[k].0]),
-        ..cell.clone()
-    };
-    cells.iter().enumerate().map(turned).collect()
+    let turns: Vec<(usize, u8)> = (0..axes.len()).map(|k| groups.root(k)).collect();
+    let whole = whole_turns(axes, &turns, &groups.stiff);
+    let turn = |&(root, turn): &(usize, u8)| (turn + whole[root]) % 4;
+    turns.iter().map(turn).collect()
 }
 
 /// By how many quarters each group, by its root, is turned so that most cells keep their axes.
-fn whole_turns(cells: &[Cell], turns: &[(usize, u8)], stiff: &[bool]) -> Vec<u8> {
-    let mut kept = vec![[0.0f64; 4]; cells.len()];
-    for (cell, &(root, turn)) in cells.iter().zip(turns) {
+fn whole_turns(axes: &[Axis], turns: &[(usize, u8)], stiff: &[bool]) -> Vec<u8> {
+    let mut kept = vec![[0.0f64; 4]; axes.len()];
+    for (axis, &(root, turn)) in axes.iter().zip(turns) {
         for whole in 0..4 {
-            let now = quarters(cell.axis, turn + whole);
-            kept[root][usize::from(whole)] += now.dot(cell.axis);
+            let now = quarters(axis.along, turn + whole);
+            kept[root][usize::from(whole)] += now.dot(axis.along);
         }
     }
     let best = |(root, kept): (usize, &[f64; 4])| {
@@ -68,8 +98,8 @@ fn whole_turns(cells: &[Cell], turns: &[(usize, u8)], stiff: &[bool]) -> Vec<u8>
     kept.iter().enumerate().map(best).collect()
 }
 
-/// A vector turned clockwise by so many quarters.
-fn quarters(v: DVec2, count: u8) -> DVec2 {
+/// A vector turned by so many quarters, from x towards y.
+pub(crate) fn quarters(v: DVec2, count: u8) -> DVec2 {
     match count % 4 {
         0 => v,
         1 => v.perp(),
@@ -78,13 +108,11 @@ fn quarters(v: DVec2, count: u8) -> DVec2 {
     }
 }
 
-/// The turn of `b`, in steps of so many quarters, in which it agrees best with `a` turned by `turn`;
-/// and how well.
-fn best_turn(a: &Cell, b: &Cell, turn: u8, step: u8) -> (u8, f64) {
-    let axis = quarters(a.axis, turn);
+/// The turn of `b`, in steps of so many quarters, in which it agrees best with `a`; and how well.
+pub(crate) fn best_turn(a: DVec2, b: DVec2, step: u8) -> (u8, f64) {
     let mut best = (0, f64::MIN);
     for own in (0..4).step_by(usize::from(step)) {
-        let agreement = axis.dot(quarters(b.axis, own));
+        let agreement = a.dot(quarters(b, own));
         if agreement > best.1 + 1e-9 {
             best = (own, agreement);
         }
@@ -111,19 +139,16 @@ impl Groups {
         (root, turn)
     }
 
-    fn join(&mut self, cells: &[Cell], i: usize, j: usize) {
+    /// Joins two cells with axes `own` and `seen`, both in the frame of the first one.
+    fn join(&mut self, own: DVec2, seen: DVec2, [i, j]: [usize; 2]) {
         let ((a, turn), (b, other)) = (self.root(i), self.root(j));
         if a == b {
             return;
         }
         let step = if self.stiff[a] && self.stiff[b] { 2 } else { 1 };
         // As it stands in its group, `j` is turned by `other`; by so much more the group is turned.
-        let standing = Cell {
-            axis: quarters(cells[j].axis, other),
-            ring: Vec::new(),
-            ..cells[j]
-        };
-        let (more, _) = best_turn(&cells[i], &standing, turn, step);
+        let standing = quarters(seen, other);
+        let (more, _) = best_turn(quarters(own, turn), standing, step);
         // The stiff group stays as it is.
         if self.stiff[b] {
             self.parent[a] = (b, (4 - more) % 4);

@@ -38,6 +38,17 @@ struct Simplifier<'a> {
 /// Takes triangles out of a closed surface until at most `most` are left, or none can go. Those that go become
 /// `[0, 0, 0]`. What lies below the height `floor` counts a tenth.
 pub(crate) fn simplify(positions: &[Vec3], triangles: &mut [[u32; 3]], most: usize, floor: f32) {
+    simplify_between(positions, triangles, most, floor, |_| false);
+}
+
+/// The same of a surface with borders, whose vertices must stay, as others may.
+pub(crate) fn simplify_between(
+    positions: &[Vec3],
+    triangles: &mut [[u32; 3]],
+    most: usize,
+    floor: f32,
+    stays: impl Fn(u32) -> bool,
+) {
     let mut left = triangles.len();
     if left <= most {
         return;
@@ -47,7 +58,7 @@ pub(crate) fn simplify(positions: &[Vec3], triangles: &mut [[u32; 3]], most: usi
         let Some(Reverse((_, [a, b], changes))) = simplifier.edges.pop() else {
             return;
         };
-        if simplifier.changes_of(a, b) == changes && simplifier.may_go(a, b) {
+        if simplifier.changes_of(a, b) == changes && !stays(a) && simplifier.may_go(a, b) {
             simplifier.collapse(a, b);
             left -= 2;
         }

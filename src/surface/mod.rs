@@ -17,11 +17,11 @@
 
 mod building;
 mod cell;
-pub mod files;
-pub mod fit;
+pub mod cells;
 pub mod curvature;
 pub mod field;
-pub mod cells;
+pub mod files;
+pub mod fit;
 mod frame;
 mod links;
 mod mesh;
@@ -32,13 +32,14 @@ mod polygon;
 mod projector;
 pub mod refine;
 pub mod repair;
+#[cfg(test)]
+mod samples;
+mod search;
+mod shapes;
 mod simplify;
 mod sorting;
 mod soup;
-mod shapes;
-mod search;
-#[cfg(test)]
-mod samples;
+pub mod stones;
 #[cfg(test)]
 mod testing;
 mod walk;
@@ -49,8 +50,8 @@ pub use frame::{Frame, Turn, Way, way};
 pub use mesh::{MeshFault, NONE, TriMesh};
 pub use point::SurfacePoint;
 pub use projector::Projector;
+pub use search::{Hit, Search};
+pub use shapes::{Bone, OnBone, Shape, ShapeMaking, ShapeMesh, ShapeNumber};
 pub use simplify::Simplifying;
 pub use soup::{MOST_TRIANGLES, Soup};
-pub use shapes::{Bone, OnBone, Shape, ShapeMaking, ShapeMesh, ShapeNumber};
-pub use search::{Hit, Search};
 pub use walk::Walked;

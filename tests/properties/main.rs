@@ -33,6 +33,7 @@ mod native {
     mod making_planes;
     mod maps;
     mod mesh_sizes;
+    mod model_files;
     mod outline_rings;
     mod outlines;
     mod overlays;

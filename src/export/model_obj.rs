@@ -1,0 +1,28 @@
+//! A surface as an OBJ file, as it was used.
+
+use super::fixed::push_whole;
+use super::json::number;
+use crate::surface::TriMesh;
+
+/// Text: the vertices with numbers that read back as the same bits, then the triangles, in their order.
+pub fn model_obj(mesh: &TriMesh) -> String {
+    let mut out = b"# Made by Bubblestone.\n".to_vec();
+    for p in mesh.positions() {
+        out.push(b'v');
+        for x in p.to_array() {
+            out.push(b' ');
+            out.extend_from_slice(number(x).as_bytes());
+        }
+        out.push(b'\n');
+    }
+    for triangle in mesh.triangles() {
+        out.push(b'f');
+        for &v in triangle {
+            out.push(b' ');
+            push_whole(&mut out, u64::from(v) + 1);
+        }
+        out.push(b'\n');
+    }
+    // Nothing but ASCII has been written.
+    String::from_utf8(out).unwrap_or_default()
+}
