@@ -30,6 +30,7 @@
 //! assert_eq!(fields.singular_points().iter().map(|s| s.turns).sum::<i32>(), 8);
 //! ```
 
+mod asks;
 mod bones;
 mod builder;
 mod cycle;
