@@ -63,7 +63,7 @@ fn run() -> Result<(), String> {
     native::make(out)?;
     let mut frame = None;
     if let Some(words) = &wish.view {
-        let (camera, said) = bubblestone::scene::Camera::default().read(words);
+        let (camera, said) = studio.generator().camera().read(words);
         notices.extend(said);
         frame = Some(native::slant::write_slant(
             &mut studio,

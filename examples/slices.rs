@@ -2,9 +2,8 @@
 //! presets or of these links, as the best of three runs; then those of the turntable: bodies and the
 //! first frame, while something moves, still, and fine as a phone's or a desktop's screen has it.
 
-use bubblestone::generators::pavement::{self, PAVEMENT};
+use bubblestone::generators::pavement::PAVEMENT;
 use bubblestone::generators::{ALL, TurnOrder};
-use bubblestone::scene::Camera;
 use bubblestone::studio::Studio;
 use std::collections::BTreeMap;
 use std::time::Instant;
@@ -27,7 +26,7 @@ fn main() {
     for link in links {
         let mut best = Best::new();
         for _ in 0..3 {
-            let (recipe, _) = pavement::recipe(&link);
+            let (recipe, _) = ALL.recipe(&link);
             let mut studio = Studio::new(ALL, recipe);
             let mut count = BTreeMap::new();
             let mut timed = |stage: &'static str, slice: &mut dyn FnMut() -> bool| {
@@ -47,7 +46,7 @@ fn main() {
             for (stage, how, side) in FRAMES {
                 let order = TurnOrder {
                     subject: String::new(),
-                    camera: Camera::default(),
+                    camera: studio.generator().camera(),
                     size: [side; 2],
                     how: how.to_owned(),
                 };

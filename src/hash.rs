@@ -14,9 +14,14 @@ impl Hash {
         self.0 = mixed ^ (mixed >> 29);
     }
 
-    /// 16 hex digits that change with any bit of any word.
-    pub fn text(&self) -> String {
+    /// A number that changes with any bit of any word.
+    pub fn number(&self) -> u64 {
         let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        format!("{:016x}", z ^ (z >> 27))
+        z ^ (z >> 27)
+    }
+
+    /// The same as 16 hex digits.
+    pub fn text(&self) -> String {
+        format!("{:016x}", self.number())
     }
 }

@@ -10,7 +10,6 @@
 mod common;
 
 use bubblestone::generators::{ALL, TurnOrder};
-use bubblestone::scene::Camera;
 use bubblestone::studio::Studio;
 use common::finished;
 #[cfg(target_arch = "wasm32")]
@@ -19,13 +18,13 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 const GOLDEN: &str = include_str!("frames.txt");
 
 /// All of it, as large as the picture.
-fn still(side: usize, camera: &str) -> TurnOrder {
-    let (camera, notices) = Camera::default().read(camera);
+fn still(studio: &Studio, camera: &str) -> TurnOrder {
+    let (camera, notices) = studio.generator().camera().read(camera);
     assert!(notices.is_empty(), "{notices:?}");
     TurnOrder {
         subject: String::new(),
         camera,
-        size: [side; 2],
+        size: [studio.side(); 2],
         how: "still".into(),
     }
 }
@@ -62,7 +61,7 @@ fn frames_are_the_same_everywhere() {
         let (_, camera, link) = (next(), next(), next());
         let mut studio = finished(link);
         let from = if camera == "-" { "" } else { camera };
-        let order = still(studio.side(), from);
+        let order = still(&studio, from);
         format!("{} {camera} {link}\n", at_once(&mut studio, &order))
     };
     let found: String = GOLDEN.lines().map(made).collect();
@@ -79,7 +78,7 @@ fn frames_are_the_same_everywhere() {
 #[test]
 fn what_was_made_before_changes_no_frame() {
     let mut studio = finished("size=128&cs=16&stone=skin&light=point");
-    let order = still(128, "20,30,2");
+    let order = still(&studio, "20,30,2");
     let first = in_slices(&mut studio, &order);
     assert_eq!(at_once(&mut studio, &order), first);
     for (how, camera, size) in [
@@ -87,7 +86,7 @@ fn what_was_made_before_changes_no_frame() {
         ("fine+sky", "20,30,2", [200, 20]),
         ("still", "20,30,1.9", [128, 128]),
     ] {
-        let mut other = still(128, camera);
+        let mut other = still(&studio, camera);
         (other.how, other.size) = (how.into(), size);
         assert_ne!(at_once(&mut studio, &other), first);
     }
@@ -123,7 +122,7 @@ fn steps_are_frames_of_their_own() {
         assert_eq!(studio.engine().making(0).len(), 0);
         let mut hashes = Vec::new();
         for (step, word) in steps.iter().enumerate() {
-            let mut order = still(128, "80,30,4.4,35");
+            let mut order = still(&studio, "80,30,4.4,35");
             order.subject = format!("{}:{step}", cells / 2);
             hashes.push(at_once(&mut studio, &order));
             let frame = studio.engine().frame().expect("a frame");
@@ -141,7 +140,7 @@ fn steps_are_frames_of_their_own() {
 #[test]
 fn what_is_no_frame_gets_a_sentence() {
     let mut studio = Studio::new(ALL, common::recipe("size=128&cs=26"));
-    let order = still(128, "");
+    let order = still(&studio, "");
     let mut refused = |change: &dyn Fn(&mut TurnOrder)| {
         let mut order = order.clone();
         change(&mut order);

@@ -162,8 +162,12 @@ pub fn write_made(studio: &mut Studio, dir: &Path) -> Result<(), String> {
     if let Some(picture) = studio.picture() {
         write_rgb(dir, "picture.png", side, opaque(picture))?;
     }
+    // What is no height field has no planes.
+    let has_planes = studio.generator().stages.contains(&"planes");
     for kind in [MapKind::Height, MapKind::Albedo, MapKind::Id] {
-        write_map(studio, kind, dir)?;
+        if has_planes {
+            write_map(studio, kind, dir)?;
+        }
     }
     Ok(())
 }

@@ -81,6 +81,11 @@ pub trait Engine: Any {
     /// Why the work cannot go on; `None` while it can.
     fn failure(&self) -> Option<&Notice>;
 
+    /// What is to be said of what was made so far: what was mended, or does not fit well.
+    fn remarks(&self) -> Vec<Notice> {
+        Vec::new()
+    }
+
     /// The stage that the next slice works on; `None` where all is done or the work cannot go on.
     fn at_work(&self) -> Option<usize> {
         self.at().filter(|_| self.failure().is_none())
@@ -225,6 +230,25 @@ pub trait Engine: Any {
     #[cfg(house)]
     fn making(&self, _id: u32) -> Vec<String> {
         Vec::new()
+    }
+
+    /// The place of the model at a pixel of that frame, as rows of strokes and spots on it have it; nothing beside it.
+    #[cfg(house)]
+    fn place_at(&self, _x: usize, _y: usize) -> Option<[i64; 3]> {
+        None
+    }
+
+    /// Takes a file that recipes may ask for; answers with the row that names it in a recipe, where this generator
+    /// has a use for files.
+    #[cfg(house)]
+    fn give(&mut self, _name: &str, _bytes: Vec<u8>) -> Option<Vec<i64>> {
+        None
+    }
+
+    /// The digest and the name of the file that the work waits for.
+    #[cfg(house)]
+    fn missing(&self) -> Option<(String, String)> {
+        None
     }
 
     /// Lets go of files in the making, and of what was kept of a bigger picture for its maps.

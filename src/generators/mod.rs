@@ -11,6 +11,8 @@ mod preset;
 #[cfg(feature = "specimen")]
 pub mod specimen;
 #[cfg(house)]
+pub mod surface;
+#[cfg(house)]
 mod turntable;
 
 pub use bigger::MOST_PIXELS;
@@ -37,6 +39,8 @@ pub struct Generator {
     /// Words of the page's parts that it needs: `outline` (the editor), `probe`, `plots`, `layers`,
     /// `tiles`, `compare`, `turn` (its bodies seen from a slant), `svg`, `mesh`, `forming`.
     pub offers: &'static [&'static str],
+    /// From where its bodies are seen at first: the numbers of a camera, with commas between.
+    pub home: &'static str,
     /// Makes an engine for a recipe, with all its work before it.
     pub engine: fn(&Recipe) -> Box<dyn Engine>,
 }
@@ -58,9 +62,19 @@ pub struct Registry(&'static [&'static Generator]);
 /// All generators of this build.
 pub const ALL: Registry = Registry(&[
     &pavement::PAVEMENT,
+    #[cfg(house)]
+    &surface::SURFACE,
     #[cfg(feature = "specimen")]
     &specimen::SPECIMEN,
 ]);
+
+#[cfg(house)]
+impl Generator {
+    /// From where its bodies are seen at first.
+    pub fn camera(&self) -> crate::scene::Camera {
+        crate::scene::Camera::default().read(self.home).0
+    }
+}
 
 impl Registry {
     /// All of them, in the order of the page.

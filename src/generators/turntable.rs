@@ -106,6 +106,15 @@ pub(super) struct Stand<'a> {
     pub ground: f32,
 }
 
+impl Stand<'_> {
+    /// Its light, with the work on it still to be done.
+    pub fn lighting(&self, sharpness: Sharpness) -> Lighting {
+        let lamp = Lamp::over_picture(self.light.shade.light, self.ground);
+        let (params, materials) = (&self.light.shade, &self.light.materials);
+        Lighting::new(self.scene, lamp, (params, materials), sharpness)
+    }
+}
+
 impl Turntable {
     /// Works for about `budget` milliseconds on a frame. Begins anew where it is another one than the last time.
     pub fn advance(
@@ -187,11 +196,6 @@ fn light_for<'a>(
     };
     let does = |light: &Lighting| is_coarse || light.sharpness() == wanted;
     let fits = kept.take().filter(|kept| is_of(kept) && does(&kept.2));
-    let new = || {
-        let lamp = Lamp::over_picture(stand.light.shade.light, stand.ground);
-        let (params, materials) = (&stand.light.shade, &stand.light.materials);
-        let light = Lighting::new(stand.scene, lamp, (params, materials), wanted);
-        (stand.number, stand.light.clone(), light)
-    };
+    let new = || (stand.number, stand.light.clone(), stand.lighting(wanted));
     &mut kept.insert(fits.unwrap_or_else(new)).2
 }

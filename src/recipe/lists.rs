@@ -2,7 +2,7 @@
 //!
 //! They are kept as the whole numbers of the link, so they grow with the picture by themselves.
 
-use super::rows::{self, Form, POINTS, Rows, STEPS};
+use super::rows::{self, BOX_STEPS, Form, POINTS, Rows, STEPS};
 use super::{Item, Key, Recipe, Schema};
 use crate::decimal;
 use crate::notice::{Code, Notice};
@@ -19,6 +19,18 @@ const VALUE: f64 = 1024.0;
 const OUTSIDE: f64 = 0.5;
 /// Smallest and largest radius of a spot, in sides.
 const RADIUS: (f64, f64) = (0.01, 2.0);
+
+/// Places on a surface.
+const IN_BOX: Form = Form {
+    coordinates: usize::MAX,
+    dimension: 3,
+    steps: BOX_STEPS,
+    units: &[],
+};
+/// How far outside its box a place on a surface may lie, in sides: what is simplified may have been larger.
+const BEYOND: f64 = 1.0 / 64.0;
+/// The most characters of a file's name.
+pub const MAX_NAME: usize = 80;
 
 /// The row of points, each moved to the nearest one of the grid of 1/32768 of the side.
 pub fn row(points: &[DVec2], side: f64) -> Vec<i64> {
@@ -39,10 +51,23 @@ impl Item {
             Item::Spot(..) => Form {
                 coordinates: 2,
                 units: &[STEPS, VALUE],
+                ..POINTS
             },
             Item::Seed(_) => Form {
                 coordinates: 2,
                 units: &[1.0],
+                ..POINTS
+            },
+            Item::Trace => IN_BOX,
+            Item::Patch(..) => Form {
+                coordinates: 3,
+                units: &[BOX_STEPS, VALUE],
+                ..IN_BOX
+            },
+            Item::Model => Form {
+                coordinates: 0,
+                steps: 1.0,
+                ..POINTS
             },
         }
     }
@@ -57,15 +82,34 @@ impl Item {
     /// Why a row is none of these, but for its number.
     fn flaw(self, row: &[i64], schema: &Schema) -> Option<Notice> {
         let coordinates = &row[..row.len().min(self.form().coordinates)];
-        let far = |&x: &i64| (x as f64 / STEPS - 0.5).abs() > 0.5 + OUTSIDE;
+        let form = self.form();
+        let outside = if form.dimension == 3 { BEYOND } else { OUTSIDE };
+        let far = |&x: &i64| (x as f64 / form.steps - 0.5).abs() > 0.5 + outside;
         if coordinates.iter().any(far) {
-            return Some(Code::RowOutside.into());
+            let code = match form.dimension {
+                2 => Code::RowOutside,
+                _ => Code::RowOffBox,
+            };
+            return Some(code.into());
         }
         match (self, row) {
             (Item::Ring(_), _) | (Item::Line, [_, _, _, _, ..]) => None,
             (Item::Line, _) => Some(Code::RowShort.into()),
-            (Item::Spot(min, max), &[_, _, radius, value]) => {
-                let (radius, value) = (radius as f64 / STEPS, value as f64 / VALUE);
+            (Item::Trace, [_, _, _, _, _, _, ..]) => None,
+            (Item::Trace, _) => Some(Code::RowShort.into()),
+            (Item::Model, [a, b, c, d, name @ ..]) => {
+                let fits = |n: &i64| (0..1 << 16).contains(n);
+                let is_character =
+                    |n: &i64| u32::try_from(*n).is_ok_and(|n| char::from_u32(n).is_some());
+                let is_one = [a, b, c, d].into_iter().all(fits)
+                    && name.iter().all(is_character)
+                    && name.len() <= MAX_NAME;
+                (!is_one).then(|| Code::RowModel.into())
+            }
+            (Item::Model, _) => Some(Code::RowModel.into()),
+            (Item::Spot(min, max), &[_, _, radius, value])
+            | (Item::Patch(min, max), &[_, _, _, radius, value]) => {
+                let (radius, value) = (radius as f64 / form.steps, value as f64 / VALUE);
                 // The limits themselves may lie between two of the numbers that a link can hold.
                 let within = |x: f64, min: f64, max: f64| x > min - 1e-3 && x < max + 1e-3;
                 if !within(radius, RADIUS.0, RADIUS.1) {
@@ -77,6 +121,7 @@ impl Item {
                 }
             }
             (Item::Spot(..), _) => Some(Code::RowSpot.into()),
+            (Item::Patch(..), _) => Some(Code::RowPatch.into()),
             (Item::Seed(key), &[_, _, place]) => {
                 let words = schema.row(key.0).map_or(0, |row| row.choices.len());
                 let most = words.saturating_sub(1);
@@ -130,7 +175,8 @@ impl Recipe {
         let Some(item) = self.item(key) else {
             return Ok(());
         };
-        let points = |row: &Vec<i64>| row.len().min(item.form().coordinates) / 2;
+        let form = item.form();
+        let points = |row: &Vec<i64>| row.len().min(form.coordinates) / form.dimension;
         if rows.iter().map(points).sum::<usize>() > item.most_points() {
             let most = item.most_points();
             return Err(Notice::new(Code::TooManyPoints).with("most", most));
@@ -194,12 +240,13 @@ fn checked(mut rows: Rows, item: Item, schema: &Schema) -> Result<Rows, Notice> 
         return Err(Notice::new(Code::TooManyRows).with("most", MAX_ROWS));
     }
     for (index, row) in rows.iter_mut().enumerate() {
-        if item == Item::Line {
-            let mut kept = 2.min(row.len());
-            for k in (2..row.len()).step_by(2) {
-                if row[k..k + 2] != row[kept - 2..kept] {
-                    row.copy_within(k..k + 2, kept);
-                    kept += 2;
+        if matches!(item, Item::Line | Item::Trace) {
+            let n = item.form().dimension;
+            let mut kept = n.min(row.len());
+            for k in (n..row.len()).step_by(n) {
+                if row[k..k + n] != row[kept - n..kept] {
+                    row.copy_within(k..k + n, kept);
+                    kept += n;
                 }
             }
             row.truncate(kept);

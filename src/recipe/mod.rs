@@ -13,9 +13,9 @@ pub mod schema;
 mod value;
 
 pub use link::{VERSION, VIEW};
-pub use lists::{MAX_ROW_POINTS, MAX_ROWS, points, row};
+pub use lists::{MAX_NAME, MAX_ROW_POINTS, MAX_ROWS, points, row};
 pub use parameter::{Choice, Item, Key, Kind, Parameter, SideLimits};
-pub use rows::{Rows, STEPS};
+pub use rows::{BOX_STEPS, Rows, STEPS};
 pub use schema::{Rules, Schema};
 
 /// A value for every parameter of a schema.

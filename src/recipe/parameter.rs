@@ -29,7 +29,8 @@ impl Kind {
     }
 }
 
-/// What a row of numbers holds. Places are x and y in 1/32768 of the picture's side, y down.
+/// What a row of numbers holds. Places in the plane are x and y in 1/32768 of the picture's side, y down; places on a
+/// surface are x, y and z in 1/4096 of the longest side of the box around its model, from the box's least corner.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Item {
     /// A closed ring of points; at most so many points in all rings.
@@ -40,6 +41,12 @@ pub enum Item {
     Spot(f64, f64),
     /// A place, and the place of a word among the words of a choice.
     Seed(Key),
+    /// A line on a surface: places on it.
+    Trace,
+    /// A place on a surface, a radius, and a value between two limits.
+    Patch(f64, f64),
+    /// A file: its digest in four numbers of 16 bits, the highest first, and the characters of its name.
+    Model,
 }
 
 /// One of the words a choice can take.

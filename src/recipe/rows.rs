@@ -15,6 +15,9 @@ use crate::notice::{Code, Notice, quote};
 /// Grid steps along the picture's side; a power of two, so that the scaling is exact.
 pub const STEPS: f64 = 32768.0;
 
+/// Grid steps along the longest side of the box around a model.
+pub const BOX_STEPS: f64 = 4096.0;
+
 /// The rows of a text.
 pub type Rows = Vec<Vec<i64>>;
 
@@ -28,6 +31,10 @@ const MOST: i64 = 1 << 29;
 pub struct Form {
     /// How many numbers at the row's beginning are coordinates.
     pub coordinates: usize,
+    /// How many coordinates a place has, 2 or 3.
+    pub dimension: usize,
+    /// Grid steps of coordinates for a unit of them.
+    pub steps: f64,
     /// By what decimal numbers are multiplied to make whole ones: coordinates first, then each number
     /// behind them.
     pub units: &'static [f64],
@@ -37,29 +44,35 @@ impl Form {
     /// What 1 is in whole numbers at a place of a row.
     pub fn unit(&self, place: usize) -> f64 {
         let extra = place.checked_sub(self.coordinates);
-        *extra.and_then(|k| self.units.get(k)).unwrap_or(&STEPS)
+        *extra.and_then(|k| self.units.get(k)).unwrap_or(&self.steps)
     }
 }
 
 /// Rows of points and nothing else.
 pub const POINTS: Form = Form {
     coordinates: usize::MAX,
+    dimension: 2,
+    steps: STEPS,
     units: &[],
 };
 
 /// The text of rows.
 pub fn encode(rows: &[Vec<i64>], form: Form) -> String {
     let mut text = String::new();
-    let mut last = [0; 2];
+    let mut last = [0; 3];
     for (index, row) in rows.iter().enumerate() {
         if index > 0 {
             text.push('.');
         }
         for (k, &number) in row.iter().enumerate() {
-            let before = if k < form.coordinates { last[k % 2] } else { 0 };
+            let before = if k < form.coordinates {
+                last[k % form.dimension]
+            } else {
+                0
+            };
             push(&mut text, number - before);
             if k < form.coordinates {
-                last[k % 2] = number;
+                last[k % form.dimension] = number;
             }
         }
     }
@@ -86,7 +99,7 @@ fn push(text: &mut String, value: i64) {
 pub fn decode(text: &str, form: Form, most_points: usize) -> Result<Vec<Vec<i64>>, Notice> {
     let readable = text.contains(',');
     let mut rows = Vec::new();
-    let mut last = [0; 2];
+    let mut last = [0; 3];
     let mut points = 0;
     for part in text.split(if readable { ';' } else { '.' }) {
         let mut row = if readable {
@@ -94,22 +107,30 @@ pub fn decode(text: &str, form: Form, most_points: usize) -> Result<Vec<Vec<i64>
         } else {
             numbers(part)?
         };
-        points += row.len().min(form.coordinates) / 2;
+        points += row.len().min(form.coordinates) / form.dimension;
         if points > most_points {
             return Err(Notice::new(Code::TooManyPoints).with("most", most_points));
         }
-        if row.len().min(form.coordinates) % 2 == 1 {
-            return Err(Code::LostY.into());
+        if row.len().min(form.coordinates) % form.dimension != 0 {
+            return Err(lost(form).into());
         }
         for (k, number) in row.iter_mut().enumerate().take(form.coordinates) {
             if !readable {
-                *number += last[k % 2];
+                *number += last[k % form.dimension];
             }
-            last[k % 2] = *number;
+            last[k % form.dimension] = *number;
         }
         rows.push(row);
     }
     Ok(rows)
+}
+
+/// What is said of a place without all its coordinates.
+fn lost(form: Form) -> Code {
+    match form.dimension {
+        2 => Code::LostY,
+        _ => Code::LostZ,
+    }
 }
 
 /// The whole numbers of a row's text.

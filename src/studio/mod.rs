@@ -14,7 +14,7 @@ use crate::generators::{Clock, Engine, Generator, Progress, Registry};
 use crate::notice::Notice;
 use crate::recipe::Recipe;
 #[cfg(house)]
-use crate::{generators::TurnOrder, notice::Code, scene::Frame};
+use crate::{generators::TurnOrder, notice::Code, recipe::Item, scene::Frame};
 use std::any::Any;
 
 /// A pass over the finisher shorter than this many milliseconds is let finish before a newer recipe
@@ -186,6 +186,27 @@ impl Studio {
         if !self.engine.is_drafting() && !self.lets_finish() {
             self.take_up();
         }
+    }
+
+    /// Takes a file and makes it the recipe's; answers with what is to be said.
+    ///
+    /// # Errors
+    /// Where the generator has no use for files.
+    #[cfg(house)]
+    pub fn open_file(&mut self, name: &str, bytes: Vec<u8>) -> Result<Vec<Notice>, Notice> {
+        let schema = self.recipe.schema();
+        let mut rows = schema.rows.iter();
+        let key = rows
+            .find(|row| row.item == Some(Item::Model))
+            .map(|row| row.key);
+        let row = key.and_then(|_| self.engine.give(name, bytes));
+        let (Some(key), Some(row)) = (key, row) else {
+            return Err(Code::NoSuchFile.into());
+        };
+        let mut recipe = self.recipe.clone();
+        let said = schema.rules.draw(&mut recipe, key, Some(vec![row]))?;
+        self.set_recipe(recipe);
+        Ok(said)
     }
 
     /// Runs all stages again, from the same recipe.

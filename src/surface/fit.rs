@@ -1,5 +1,6 @@
 //! Whether cells fit a surface: beside its roundness, its thickness, and what a machine can pack.
 
+use super::field::SurfaceFields;
 use super::{Projector, SurfacePoint, TriMesh};
 use crate::notice::{Code, Notice};
 use glam::DVec3;
@@ -43,6 +44,18 @@ pub trait Local {
     fn size(&self, point: &SurfacePoint) -> f64;
     /// The two main curvatures there, one over a length.
     fn curvatures(&self, point: &SurfacePoint) -> [f64; 2];
+}
+
+impl Local for SurfaceFields {
+    fn size(&self, point: &SurfacePoint) -> f64 {
+        SurfaceFields::size(self, point)
+    }
+
+    fn curvatures(&self, point: &SurfacePoint) -> [f64; 2] {
+        let curvature = self.curvature(point);
+        let bend = curvature.bend.length();
+        [curvature.mean + bend, curvature.mean - bend]
+    }
 }
 
 /// Shares of the area on which cells do not fit well.

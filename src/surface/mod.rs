@@ -35,7 +35,7 @@ pub mod repair;
 #[cfg(test)]
 mod samples;
 mod search;
-mod shapes;
+pub mod shapes;
 mod simplify;
 mod sorting;
 mod soup;

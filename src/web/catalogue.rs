@@ -85,6 +85,7 @@ fn generator_object(generator: &'static Generator) -> Object {
         ("bases", words(generator.views.bases)),
         ("overlays", words(generator.views.overlays)),
         ("offers", words(generator.offers)),
+        ("home", generator.home.into()),
     ])
 }
 

@@ -1,6 +1,6 @@
 //! Bodies in light, seen from a slant: frames of them, and what is seen there.
 
-use super::said::or_why;
+use super::said::{all, or_why};
 use super::{Bubblestone, object, objects};
 use crate::export::{FramePlane, frame_map};
 use crate::generators::{ALL, FrameSlice, TurnOrder};
@@ -53,7 +53,8 @@ impl Bubblestone {
         budget: f64,
     ) -> Object {
         let clock = &self.clock;
-        let order = order(subject, camera, [width, height], how);
+        let home = self.studio.generator().camera();
+        let order = order(home, subject, camera, [width, height], how);
         let engine = self.studio.engine_mut();
         let made = engine.turn(&order, &mut || clock.now(), budget);
         let made = made.map(|slice| frame_slice(slice, self.studio.engine().frame()));
@@ -93,6 +94,41 @@ impl Bubblestone {
         self.studio.engine().making(id)
     }
 
+    /// The place of the model at a pixel of the frame last finished, as the rows of what is drawn on it have it;
+    /// undefined beside it.
+    #[wasm_bindgen(js_name = placeAt)]
+    pub fn place_at(&self, x: u32, y: u32) -> Option<Vec<i32>> {
+        let place = self.studio.engine().place_at(x as usize, y as usize)?;
+        Some(place.map(|n| n as i32).to_vec())
+    }
+
+    /// Takes a file and makes it the recipe's; answers with what is to be said.
+    #[wasm_bindgen(js_name = openFile, unchecked_return_type = "Notice[]")]
+    pub fn open_file(&mut self, name: &str, bytes: Vec<u8>) -> Array {
+        let said = self.studio.open_file(name, bytes);
+        all(&said.unwrap_or_else(|why| vec![why]))
+    }
+
+    /// Takes a file that a recipe may ask for; answers with its digest, '' where this generator has no use for files.
+    #[wasm_bindgen(js_name = giveFile)]
+    pub fn give_file(&mut self, name: &str, bytes: Vec<u8>) -> String {
+        let row = self.studio.engine_mut().give(name, bytes);
+        row.map_or(String::new(), |row| digest_text(&row))
+    }
+
+    /// The digest and the name of the file that the work waits for; none where it waits for none.
+    #[wasm_bindgen(js_name = missingFile)]
+    pub fn missing_file(&self) -> Option<Vec<String>> {
+        let (digest, name) = self.studio.engine().missing()?;
+        Some(vec![digest, name])
+    }
+
+    /// What is to be said of what was made: what was mended, or does not fit well.
+    #[wasm_bindgen(unchecked_return_type = "Notice[]")]
+    pub fn remarks(&self) -> Array {
+        all(&self.studio.engine().remarks())
+    }
+
     /// 16 hex digits that change with any bit of the frame last finished; '' before there is one.
     #[wasm_bindgen(js_name = frameHash)]
     pub fn frame_hash(&self) -> String {
@@ -108,16 +144,17 @@ pub fn frame_of_link(link: &str, camera: &str) -> String {
     let (recipe, _) = ALL.recipe(link);
     let mut studio = Studio::new(ALL, recipe);
     let side = studio.side() as u32;
-    let order = order("", camera, [side, side], "still");
+    let home = studio.generator().camera();
+    let order = order(home, "", camera, [side, side], "still");
     match studio.finish_frame(&order, &mut || 0.0) {
         Ok(frame) => frame.hash(),
         Err(why) => why.to_string(),
     }
 }
 
-fn order(subject: &str, camera: &str, size: [u32; 2], how: &str) -> TurnOrder {
+fn order(home: Camera, subject: &str, camera: &str, size: [u32; 2], how: &str) -> TurnOrder {
     // What is wrong with the words of a link the page has said before.
-    let (camera, _) = Camera::default().read(camera);
+    let (camera, _) = home.read(camera);
     TurnOrder {
         subject: subject.to_owned(),
         camera,
@@ -138,4 +175,9 @@ fn frame_slice(slice: FrameSlice, frame: Option<&crate::scene::Frame>) -> Object
         let _ = js_sys::Reflect::set(&said, &"pixels".into(), &pixels);
     }
     said
+}
+
+/// The digest at the beginning of a row that names a file.
+fn digest_text(row: &[i64]) -> String {
+    row.iter().take(4).map(|n| format!("{n:04x}")).collect()
 }

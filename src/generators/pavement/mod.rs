@@ -71,6 +71,7 @@ pub static PAVEMENT: Generator = Generator {
     offers: &[
         "outline", "probe", "plots", "layers", "tiles", "compare", "turn", "svg", "mesh", "forming",
     ],
+    home: "330,40,2.95,28",
     engine: |recipe| Box::new(Pavement::new(recipe)),
 };
 

@@ -87,6 +87,7 @@ pub static SPECIMEN: Generator = Generator {
         overlays: &[],
     },
     offers: &[],
+    home: "330,40,2.95,28",
     engine: |recipe| Box::new(Specimen::new(recipe)),
 };
 

@@ -78,6 +78,18 @@ impl SurfaceFieldBuilder {
         self.advance_by(SLICE)
     }
 
+    /// Are sizes, aspect ratios and curvature there, whatever is still to come?
+    pub fn is_sized(&self) -> bool {
+        !matches!(
+            self.stage,
+            Stage::Links(_)
+                | Stage::Parts(_)
+                | Stage::Curvature(_)
+                | Stage::Bones
+                | Stage::Sizes(_)
+        )
+    }
+
     /// All at once.
     pub fn build(mesh: Arc<TriMesh>, params: SurfaceFieldParams) -> SurfaceFields {
         let mut builder = Self::new(mesh, params);

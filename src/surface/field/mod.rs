@@ -132,6 +132,18 @@ impl SurfaceFields {
         }
     }
 
+    /// The size that so many cells of a kind have in the mean on a surface of some area.
+    pub fn size_for(kind: Kind, count: f64, area: f64) -> f64 {
+        (area / (count.max(1.0) * sizes::cell_area(kind))).sqrt()
+    }
+
+    /// The size at each vertex.
+    pub fn sizes(&self) -> Vec<f64> {
+        (0..self.mesh.positions().len())
+            .map(|v| self.size_of(v))
+            .collect()
+    }
+
     /// The mesh they are told on.
     pub fn mesh(&self) -> &Arc<TriMesh> {
         &self.mesh
@@ -162,6 +174,11 @@ impl SurfaceFields {
             each().fold(f64::INFINITY, f64::min),
             each().fold(0.0, f64::max),
         )
+    }
+
+    /// The largest aspect ratio.
+    pub fn longest_aspect(&self) -> f64 {
+        self.aspects.iter().copied().fold(self.aspect, f64::max)
     }
 
     fn size_of(&self, vertex: usize) -> f64 {

@@ -22,6 +22,7 @@ mod tests;
 
 use super::{MOST_TRIANGLES, Soup};
 use crate::notice::{Code, Notice};
+use std::sync::Arc;
 
 /// Bytes of text, or numbers of other files, of a slice.
 const SLICE: usize = 1 << 18;
@@ -36,7 +37,7 @@ trait Reader {
 
 /// A file being read.
 pub struct Reading {
-    bytes: Vec<u8>,
+    bytes: Arc<Vec<u8>>,
     soup: Soup,
     reader: Box<dyn Reader>,
 }
@@ -46,7 +47,8 @@ impl Reading {
     ///
     /// # Errors
     /// Where it is none of the kinds that can be read.
-    pub fn new(name: &str, bytes: Vec<u8>) -> Result<Self, Notice> {
+    pub fn new(name: &str, bytes: impl Into<Arc<Vec<u8>>>) -> Result<Self, Notice> {
+        let bytes = bytes.into();
         let ending = name.rsplit('.').next().unwrap_or("").to_ascii_lowercase();
         let start = text::trimmed(&bytes);
         let reader: Box<dyn Reader> = if bytes.starts_with(b"glTF") {

@@ -20,7 +20,7 @@ mod leg;
 mod letter;
 mod making;
 mod march;
-mod numbers;
+pub(crate) mod numbers;
 mod remesh;
 mod round;
 mod surgery;

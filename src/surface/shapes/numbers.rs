@@ -23,7 +23,7 @@ pub struct ShapeNumber {
 
 impl ShapeNumber {
     /// Counts and choices: nothing between two steps.
-    pub fn is_count(&self) -> bool {
+    pub const fn is_count(&self) -> bool {
         self.step >= 1.0 && self.unit.is_empty()
     }
 
@@ -57,7 +57,7 @@ const fn number(
     }
 }
 
-const TERRAIN: &[ShapeNumber] = &[
+pub(crate) const TERRAIN: &[ShapeNumber] = &[
     number(["hills", "Hills across", ""], 2.5, [1.0, 5.0, 0.1]),
     number(
         ["height", "Height over width of a hill", ""],
@@ -68,7 +68,7 @@ const TERRAIN: &[ShapeNumber] = &[
     number(["wind", "How the lane winds", ""], 0.5, [0.0, 1.0, 0.05]),
     number(["hill", "Which hills", ""], 1.0, [1.0, 999.0, 1.0]),
 ];
-const SLOPE: &[ShapeNumber] = &[
+pub(crate) const SLOPE: &[ShapeNumber] = &[
     number(["rise", "Angle of the slope", "°"], 22.0, [0.0, 50.0, 1.0]),
     number(
         ["landing", "Level ground at each end", ""],
@@ -82,7 +82,7 @@ const SLOPE: &[ShapeNumber] = &[
         [0.0, 1.0, 0.05],
     ),
 ];
-const STAIRS: &[ShapeNumber] = &[
+pub(crate) const STAIRS: &[ShapeNumber] = &[
     number(["steps", "Steps", ""], 5.0, [2.0, 12.0, 1.0]),
     number(["pitch", "Riser over tread", ""], 0.55, [0.3, 1.2, 0.05]),
     number(["width", "Width over length", ""], 0.8, [0.3, 1.5, 0.05]),
@@ -92,7 +92,7 @@ const STAIRS: &[ShapeNumber] = &[
         [1.0, 4.0, 0.25],
     ),
 ];
-const CYLINDER: &[ShapeNumber] = &[
+pub(crate) const CYLINDER: &[ShapeNumber] = &[
     number(
         ["height", "Height over diameter", ""],
         1.2,
@@ -110,12 +110,12 @@ const CYLINDER: &[ShapeNumber] = &[
     ),
     number(["caps", "Ends closed", ""], 1.0, [0.0, 1.0, 1.0]),
 ];
-const SPHERE: &[ShapeNumber] = &[
+pub(crate) const SPHERE: &[ShapeNumber] = &[
     number(["height", "Height over width", ""], 1.0, [0.4, 2.0, 0.05]),
     number(["depth", "Depth over width", ""], 1.0, [0.4, 2.0, 0.05]),
     number(["square", "Squareness", ""], 2.0, [2.0, 6.0, 0.1]),
 ];
-const TORUS: &[ShapeNumber] = &[
+pub(crate) const TORUS: &[ShapeNumber] = &[
     number(
         ["tube", "Radius of the tube over that of the ring", ""],
         0.4,
@@ -133,7 +133,7 @@ const TORUS: &[ShapeNumber] = &[
         [0.0, 1.0, 0.05],
     ),
 ];
-const KNOT: &[ShapeNumber] = &[
+pub(crate) const KNOT: &[ShapeNumber] = &[
     number(
         ["turns", "Turns around the middle", ""],
         2.0,
@@ -156,7 +156,7 @@ const KNOT: &[ShapeNumber] = &[
         [0.6, 1.4, 0.05],
     ),
 ];
-const HORN: &[ShapeNumber] = &[
+pub(crate) const HORN: &[ShapeNumber] = &[
     number(["turns", "Turns", ""], 2.0, [0.25, 3.0, 0.05]),
     number(
         ["rise", "How far it winds out of its plane", ""],
@@ -174,7 +174,7 @@ const HORN: &[ShapeNumber] = &[
         [0.35, 0.85, 0.05],
     ),
 ];
-const LEG: &[ShapeNumber] = &[
+pub(crate) const LEG: &[ShapeNumber] = &[
     number(["toes", "Toes", ""], 4.0, [3.0, 5.0, 1.0]),
     number(
         ["spread", "Angle between toes", "°"],
@@ -185,7 +185,7 @@ const LEG: &[ShapeNumber] = &[
     number(["girth", "Thickness", ""], 1.0, [0.75, 1.25, 0.05]),
     number(["reach", "Length of the toes", ""], 1.0, [0.7, 1.35, 0.05]),
 ];
-const TAIL: &[ShapeNumber] = &[
+pub(crate) const TAIL: &[ShapeNumber] = &[
     number(["curl", "Curl", "°"], 290.0, [0.0, 450.0, 5.0]),
     number(
         ["taper", "Width of the tip over that of the root", ""],
@@ -203,7 +203,7 @@ const TAIL: &[ShapeNumber] = &[
         [0.0, 1.0, 0.05],
     ),
 ];
-const FISH: &[ShapeNumber] = &[
+pub(crate) const FISH: &[ShapeNumber] = &[
     number(
         ["height", "Height of the body over the length", ""],
         0.36,
@@ -218,7 +218,7 @@ const FISH: &[ShapeNumber] = &[
     number(["fins", "Size of the fins", ""], 1.0, [0.7, 1.3, 0.05]),
     number(["swim", "Bend to the side", "°"], 14.0, [-40.0, 40.0, 2.0]),
 ];
-const TURTLE: &[ShapeNumber] = &[
+pub(crate) const TURTLE: &[ShapeNumber] = &[
     number(["width", "Width over length", ""], 0.8, [0.6, 1.0, 0.01]),
     number(
         ["height", "Height over length", ""],
@@ -228,7 +228,7 @@ const TURTLE: &[ShapeNumber] = &[
     number(["rim", "Rim", ""], 0.5, [0.0, 1.0, 0.05]),
     number(["keel", "Keels along the back", ""], 0.4, [0.0, 1.0, 0.05]),
 ];
-const EGG: &[ShapeNumber] = &[
+pub(crate) const EGG: &[ShapeNumber] = &[
     number(["height", "Height over width", ""], 1.35, [0.8, 1.9, 0.05]),
     number(
         ["point", "How pointed the top is", ""],
@@ -237,7 +237,7 @@ const EGG: &[ShapeNumber] = &[
     ),
     number(["base", "How flat it stands", ""], 0.0, [0.0, 0.3, 0.01]),
 ];
-const VASE: &[ShapeNumber] = &[
+pub(crate) const VASE: &[ShapeNumber] = &[
     number(["height", "Height over width", ""], 1.5, [1.0, 2.4, 0.05]),
     number(
         ["shoulder", "Height of the widest place", ""],
@@ -260,7 +260,7 @@ const VASE: &[ShapeNumber] = &[
         [0.2, 0.85, 0.05],
     ),
 ];
-const LETTER: &[ShapeNumber] = &[
+pub(crate) const LETTER: &[ShapeNumber] = &[
     number(["letter", "Letter, A is 1", ""], 1.0, [1.0, 26.0, 1.0]),
     number(
         ["weight", "Width of strokes over height", ""],

@@ -37,7 +37,11 @@ pub struct Stones {
     fit: Fit,
 }
 
-/// From the model to the scene, in which the longest side of the box around it is 1 and its middle the origin.
+/// The diagonal counts so much as a side: what is wide, deep and high at once is seen whole, too.
+const DEEP: f64 = 0.78;
+
+/// From the model to the scene, in which the longest side of the box around it is 1, or less where others are long, too,
+/// and its middle the origin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fit {
     /// The middle of the box.
@@ -50,7 +54,7 @@ impl Fit {
     /// Of a mesh.
     pub fn new(mesh: &TriMesh) -> Self {
         let (low, high) = mesh.bounds();
-        let side = (high - low).max_element();
+        let side = greater((high - low).max_element(), DEEP * mesh.diagonal());
         Self {
             middle: (low + high) * 0.5,
             scale: if side > 0.0 { 1.0 / side } else { 1.0 },

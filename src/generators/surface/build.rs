@@ -1,0 +1,428 @@
+//! The first stage: a surface that cells of the asked sizes can be packed on.
+
+use super::models::{Model, Models};
+use super::params::{On, Sizes, Source, SurfaceParams};
+use super::tracing;
+use crate::notice::{Code, Notice, quote};
+use crate::surface::field::{
+    Amount, Bone, SizeParams, SurfaceFieldBuilder, SurfaceFieldParams, SurfaceFields,
+};
+use crate::surface::files::Reading;
+use crate::surface::fit::check_count;
+use crate::surface::refine::{Refining, SHARE};
+use crate::surface::repair::{Cutting, Filling, Mending};
+use crate::surface::shapes::{Bone as ShapeBone, Shape, ShapeMaking};
+use crate::surface::{MeshBuilding, Projector, Search, Simplifying, TriMesh};
+use glam::DVec3;
+use std::sync::Arc;
+
+/// Edges are divided for smaller cells where these are smaller than this part of the mean.
+const VARIES: f64 = 0.6;
+/// Triangles for a cell that are plenty: of more, a simpler surface is packed.
+const PLENTY: f64 = 60.0;
+/// Triangles for a cell that a simpler surface has, before its edges are divided.
+const SIMPLE: f64 = 6.0;
+/// How far a simpler surface may be off, in sizes of cells.
+const OFF: f64 = 0.2;
+
+/// A file's surface, mended, and what was said of it.
+#[derive(Default)]
+pub(super) struct Loaded {
+    pub mesh: Option<Arc<TriMesh>>,
+    pub notices: Vec<Notice>,
+}
+
+/// A file's surface in the making.
+pub(super) enum Loading {
+    Reading(Box<Reading>),
+    Mending(Box<Mending>),
+}
+
+impl Loading {
+    /// One slice. `model` is the file asked for, and whether z is up in it; nothing for surfaces by rule.
+    ///
+    /// # Errors
+    /// Where it is not there, or cannot be read.
+    pub fn advance(
+        model: &Option<(Option<Model>, bool)>,
+        work: &mut Option<Loading>,
+        models: &Models,
+    ) -> Result<Option<Loaded>, Notice> {
+        let Some((model, is_z_up)) = model else {
+            return Ok(Some(Loaded::default()));
+        };
+        let model = model.as_ref().ok_or(Code::ModelFirst)?;
+        match work {
+            None => {
+                let missing = || Notice::new(Code::ModelMissing).with("name", quote(&model.name));
+                let reading = models.reading(model).ok_or_else(missing)??;
+                *work = Some(Loading::Reading(Box::new(reading)));
+            }
+            Some(Loading::Reading(reading)) => {
+                if let Some(soup) = reading.advance() {
+                    let mut soup = soup?;
+                    if *is_z_up {
+                        for p in &mut soup.positions {
+                            *p = DVec3::new(p.x, p.z, -p.y);
+                        }
+                    }
+                    *work = Some(Loading::Mending(Box::new(Mending::new(soup))));
+                }
+            }
+            Some(Loading::Mending(mending)) => {
+                if let Some(mended) = mending.advance() {
+                    let mended = mended?;
+                    return Ok(Some(Loaded {
+                        mesh: Some(Arc::new(mended.mesh)),
+                        notices: mended.notices,
+                    }));
+                }
+            }
+        }
+        Ok(None)
+    }
+}
+
+/// A surface ready for its fields.
+pub(super) struct Built {
+    /// What cells are packed on.
+    pub mesh: Arc<TriMesh>,
+    /// What stones stand on: not cut, and as fine as it was given.
+    pub whole: Arc<TriMesh>,
+    /// Brings cells from the one to the other, where they are not the same surface.
+    pub projector: Option<Projector>,
+    pub bones: Vec<Bone>,
+    /// From head to tail, where there are no bones.
+    pub main: DVec3,
+    pub notices: Vec<Notice>,
+}
+
+/// A surface in the making.
+pub(super) struct Building {
+    step: Step,
+    /// The mean size of cells.
+    size: f64,
+    /// What stones stand on, where that is another surface than the one at work.
+    whole: Option<Arc<TriMesh>>,
+    projector: Option<Projector>,
+    notices: Vec<Notice>,
+}
+
+enum Step {
+    /// Coarsely, to know its area.
+    Sketch(Box<ShapeMaking>),
+    SketchMesh(Box<MeshBuilding>),
+    Shape(Box<ShapeMaking>),
+    ShapeMesh(Box<MeshBuilding>),
+    Simplify(Box<Simplifying>),
+    Project(Box<(TriMesh, Projector)>),
+    Fill(Box<Filling>),
+    Refine(Box<Refining>),
+    Size(TriMesh),
+    Search(Box<(Arc<TriMesh>, Search)>),
+    Sizes(Arc<TriMesh>, Box<SurfaceFieldBuilder>),
+    Divide(Box<Refining>),
+    Cut(Box<Cutting>, Arc<TriMesh>),
+    End(TriMesh, Arc<TriMesh>),
+    None,
+}
+
+/// Triangles that are put into a search in one slice.
+const SEARCHED: usize = 1 << 14;
+
+impl Building {
+    /// One slice. `loaded` is the file's surface, for one from a file.
+    ///
+    /// # Errors
+    /// Where there is none, or it would have too many triangles or cells.
+    pub fn advance(
+        params: &SurfaceParams,
+        work: &mut Option<Building>,
+        loaded: &Loaded,
+    ) -> Result<Option<Built>, Notice> {
+        check_count(params.sizes.count)?;
+        let Some(building) = work else {
+            *work = Some(Self::begin(params, loaded)?);
+            return Ok(None);
+        };
+        let step = std::mem::replace(&mut building.step, Step::None);
+        building.step = building.next(params, step)?;
+        Ok(building.finish(params))
+    }
+
+    fn begin(params: &SurfaceParams, loaded: &Loaded) -> Result<Self, Notice> {
+        let mut new = Self {
+            step: Step::None,
+            size: 0.0,
+            whole: None,
+            projector: None,
+            notices: loaded.notices.clone(),
+        };
+        let count = params.sizes.count;
+        new.step = match (&params.source, &loaded.mesh) {
+            (Source::Shape(shape, numbers), _) => {
+                let edge = shape.coarsest(numbers);
+                Step::Sketch(Box::new(shape.making(numbers, edge)))
+            }
+            (Source::Model(..), None) => return Err(Code::ModelFirst.into()),
+            (Source::Model(..), Some(mesh)) => {
+                new.size = size_for(&params.sizes, mesh.area());
+                let is_fine = mesh.triangles().len() as f64 > PLENTY * count;
+                if params.on == On::Simple || (params.on == On::Fit && is_fine) {
+                    new.whole = Some(mesh.clone());
+                    let most = (SIMPLE * count) as usize;
+                    let simplifying = Simplifying::new(mesh.as_ref().clone(), most, OFF * new.size);
+                    Step::Simplify(Box::new(simplifying))
+                } else {
+                    Step::Fill(Box::new(Filling::new(mesh.as_ref().clone(), new.size)))
+                }
+            }
+        };
+        Ok(new)
+    }
+
+    fn next(&mut self, params: &SurfaceParams, step: Step) -> Result<Step, Notice> {
+        let built = |mesh: Result<TriMesh, _>| mesh.map_err(|_| Notice::from(Code::ModelNoArea));
+        Ok(match step {
+            Step::Sketch(mut making) => match making.advance() {
+                true => Step::SketchMesh(Box::new(meshing(*making))),
+                false => Step::Sketch(making),
+            },
+            Step::SketchMesh(mut building) => match building.advance() {
+                None => Step::SketchMesh(building),
+                Some(mesh) => self.shaped(params, built(mesh)?),
+            },
+            Step::Shape(mut making) => match making.advance() {
+                true => Step::ShapeMesh(Box::new(meshing(*making))),
+                false => Step::Shape(making),
+            },
+            Step::ShapeMesh(mut building) => match building.advance() {
+                None => Step::ShapeMesh(building),
+                Some(mesh) => Step::Refine(Box::new(self.refining(built(mesh)?))),
+            },
+            Step::Simplify(mut simplifying) => match simplifying.advance() {
+                None => Step::Simplify(simplifying),
+                Some(mesh) => {
+                    let whole = self.whole.as_deref().unwrap_or(&mesh);
+                    let projector = Projector::new(whole);
+                    Step::Project(Box::new((mesh, projector)))
+                }
+            },
+            Step::Project(mut pair) => {
+                let (mesh, projector) = &mut *pair;
+                let done = self
+                    .whole
+                    .as_deref()
+                    .is_none_or(|whole| projector.advance(whole));
+                if done {
+                    let (mesh, projector) = *pair;
+                    self.projector = Some(projector);
+                    Step::Fill(Box::new(Filling::new(mesh, self.size)))
+                } else {
+                    let _ = mesh;
+                    Step::Project(pair)
+                }
+            }
+            Step::Fill(mut filling) => match filling.advance() {
+                None => Step::Fill(filling),
+                Some(filled) => {
+                    let filled = filled?;
+                    self.notices.extend(filled.notices);
+                    let mesh = without(filled.mesh, &filled.bare);
+                    Step::Refine(Box::new(self.refining(mesh)))
+                }
+            },
+            Step::Refine(mut refining) => match refining.advance(&|_, mean| mean) {
+                None => Step::Refine(refining),
+                Some(refined) => Step::Size(refined?.mesh),
+            },
+            Step::Size(mesh) => self.sized(params, mesh),
+            Step::Search(mut pair) => {
+                let (mesh, search) = &mut *pair;
+                if search.advance(mesh, SEARCHED) {
+                    let (mesh, search) = *pair;
+                    let size = size_params(&params.sizes, &mesh, Some(&search));
+                    sizing(params, mesh, size)
+                } else {
+                    Step::Search(pair)
+                }
+            }
+            Step::Sizes(mesh, mut builder) => {
+                builder.advance();
+                if builder.is_sized() {
+                    self.divided(params, mesh, &builder.finish())
+                } else {
+                    Step::Sizes(mesh, builder)
+                }
+            }
+            Step::Divide(mut refining) => match refining.advance(&|_, mean| mean) {
+                None => Step::Divide(refining),
+                Some(refined) => self.cutting(params, refined?.mesh),
+            },
+            Step::Cut(mut cutting, whole) => match cutting.advance() {
+                None => Step::Cut(cutting, whole),
+                Some(cut) => Step::End(cut.mesh, whole),
+            },
+            end => end,
+        })
+    }
+
+    /// The sketch of a shape tells its area, and so the mean size and the edges that are wanted.
+    fn shaped(&mut self, params: &SurfaceParams, sketch: TriMesh) -> Step {
+        self.size = size_for(&params.sizes, sketch.area());
+        let Source::Shape(shape, numbers) = &params.source else {
+            return Step::Size(sketch);
+        };
+        let edge = SHARE * self.size / sketch.diagonal();
+        Step::Shape(Box::new(shape.making(numbers, edge)))
+    }
+
+    fn refining(&self, mesh: TriMesh) -> Refining {
+        Refining::evenly(mesh, SHARE * self.size)
+    }
+
+    /// Where sizes differ much, edges are to be as short as the smallest cells need.
+    fn sized(&mut self, params: &SurfaceParams, mesh: TriMesh) -> Step {
+        let sizes = &params.sizes;
+        if sizes.taper.is_none() && sizes.curvature.is_none() && sizes.spots.is_empty() {
+            return self.cutting(params, mesh);
+        }
+        let mesh = Arc::new(mesh);
+        if sizes.spots.is_empty() {
+            let size = size_params(sizes, &mesh, None);
+            return sizing(params, mesh, size);
+        }
+        let search = Search::begin(&mesh);
+        Step::Search(Box::new((mesh, search)))
+    }
+
+    fn divided(
+        &mut self,
+        params: &SurfaceParams,
+        mesh: Arc<TriMesh>,
+        fields: &SurfaceFields,
+    ) -> Step {
+        let owned =
+            |mesh: Arc<TriMesh>| Arc::try_unwrap(mesh).unwrap_or_else(|mesh| (*mesh).clone());
+        if fields.size_range().0 > VARIES * self.size {
+            return self.cutting(params, owned(mesh));
+        }
+        let targets = fields
+            .sizes()
+            .into_iter()
+            .map(|size| SHARE * size.min(self.size));
+        Step::Divide(Box::new(Refining::new(owned(mesh), targets.collect())))
+    }
+
+    fn cutting(&mut self, params: &SurfaceParams, mesh: TriMesh) -> Step {
+        match params.cut {
+            Some(angle) => {
+                let whole = Arc::new(mesh.clone());
+                Step::Cut(Box::new(Cutting::new(mesh, angle)), whole)
+            }
+            None => {
+                let whole = Arc::new(mesh.clone());
+                Step::End(mesh, whole)
+            }
+        }
+    }
+
+    /// The surface, where all steps are done.
+    fn finish(&mut self, params: &SurfaceParams) -> Option<Built> {
+        let Step::End(..) = self.step else {
+            return None;
+        };
+        let Step::End(mesh, uncut) = std::mem::replace(&mut self.step, Step::None) else {
+            return None;
+        };
+        let (bones, main) = match &params.source {
+            Source::Shape(shape, numbers) => (bones(*shape, numbers), shape.main()),
+            Source::Model(..) => (Vec::new(), DVec3::Y),
+        };
+        let mesh = match params.cut {
+            Some(_) => Arc::new(mesh),
+            None => uncut.clone(),
+        };
+        Some(Built {
+            mesh,
+            whole: self.whole.take().unwrap_or(uncut),
+            projector: self.projector.take(),
+            bones,
+            main,
+            notices: std::mem::take(&mut self.notices),
+        })
+    }
+}
+
+fn meshing(making: ShapeMaking) -> MeshBuilding {
+    let made = making.finish();
+    MeshBuilding::new(made.positions, made.triangles)
+}
+
+fn size_for(sizes: &Sizes, area: f64) -> f64 {
+    SurfaceFields::size_for(sizes.kind, sizes.count, area)
+}
+
+fn sizing(params: &SurfaceParams, mesh: Arc<TriMesh>, size: SizeParams) -> Step {
+    let bones = match &params.source {
+        Source::Shape(shape, numbers) => bones(*shape, numbers),
+        Source::Model(..) => Vec::new(),
+    };
+    let params = SurfaceFieldParams {
+        kind: params.sizes.kind,
+        size,
+        bones,
+        ..SurfaceFieldParams::default()
+    };
+    let builder = SurfaceFieldBuilder::new(mesh.clone(), params);
+    Step::Sizes(mesh, Box::new(builder))
+}
+
+/// What sizes are made by on a mesh; spots need a search.
+pub(super) fn size_params(sizes: &Sizes, mesh: &TriMesh, search: Option<&Search>) -> SizeParams {
+    SizeParams {
+        amount: Amount::Count(sizes.count),
+        taper: sizes.taper,
+        curvature: sizes.curvature,
+        spots: search.map_or(Vec::new(), |search| {
+            tracing::spots(mesh, search, &sizes.spots)
+        }),
+        ..SizeParams::default()
+    }
+}
+
+/// The bones of a shape as fields have them: closed ones come back to where they began.
+fn bones(shape: Shape, numbers: &[f64]) -> Vec<Bone> {
+    let open = |bone: ShapeBone| {
+        let (mut points, mut radii) = (bone.points, bone.radii);
+        if bone.closed
+            && let (Some(&first), Some(&radius)) = (points.first(), radii.first())
+        {
+            points.push(first);
+            radii.push(radius);
+        }
+        Bone { points, radii }
+    };
+    shape.bones(numbers).into_iter().map(open).collect()
+}
+
+/// Without the triangles of parts that are smaller than a cell.
+fn without(mesh: TriMesh, bare: &[bool]) -> TriMesh {
+    if !bare.contains(&true) {
+        return mesh;
+    }
+    let all = mesh.triangles().iter().zip(bare);
+    let kept: Vec<[u32; 3]> = all.filter(|(_, bare)| !**bare).map(|(t, _)| *t).collect();
+    let mut number = vec![u32::MAX; mesh.positions().len()];
+    let mut positions = Vec::new();
+    let mut renamed = |v: u32| {
+        let own = &mut number[v as usize];
+        if *own == u32::MAX {
+            *own = positions.len() as u32;
+            positions.push(mesh.positions()[v as usize]);
+        }
+        *own
+    };
+    let triangles: Vec<[u32; 3]> = kept.iter().map(|t| t.map(&mut renamed)).collect();
+    TriMesh::new(positions, triangles).unwrap_or(mesh)
+}

@@ -1,0 +1,186 @@
+//! A surface as one of the generators: what the studio asks of it.
+
+use super::models::Model;
+use super::stages::{PACKING, STONES};
+use super::{Surface, Wish};
+use crate::export::{Map, MapKind, MeshOrder, MeshSize, Report};
+use crate::generators::{
+    Clock, Engine, FrameSlice, MeshSlice, PictureSlice, Progress, SeenBody, TurnOrder,
+};
+use crate::notice::{Code, Notice};
+use crate::recipe::Recipe;
+use crate::scene::Frame;
+
+impl Engine for Surface {
+    fn ask(&mut self, recipe: &Recipe) {
+        self.latest = Wish::new(recipe);
+        self.stale = self.latest.params.first_difference(&self.working.params);
+    }
+
+    fn stale(&self) -> Option<usize> {
+        self.stale
+    }
+
+    fn take_up(&mut self) {
+        self.working = self.latest.clone();
+        self.made.want(&self.working.params);
+        self.stale = None;
+    }
+
+    fn forget(&mut self) {
+        self.made.forget();
+    }
+
+    fn side(&self) -> usize {
+        self.working.params.side
+    }
+
+    fn at(&self) -> Option<usize> {
+        self.made.at()
+    }
+
+    fn failure(&self) -> Option<&Notice> {
+        self.made.failure()
+    }
+
+    fn remarks(&self) -> Vec<Notice> {
+        self.made.remarks()
+    }
+
+    fn advance(&mut self) {
+        self.made.advance();
+    }
+
+    fn is_step(&self) -> bool {
+        self.made.is_moving()
+    }
+
+    fn stepping(&self) -> Option<usize> {
+        Some(PACKING)
+    }
+
+    fn finisher(&self) -> usize {
+        STONES
+    }
+
+    fn is_forming(&self) -> bool {
+        self.made.at().is_some_and(|at| at < STONES)
+    }
+
+    fn runs(&self) -> Vec<u64> {
+        self.made.runs().to_vec()
+    }
+
+    fn progress(&self) -> Progress {
+        let last = self.made.report();
+        Progress {
+            cells: last.cells,
+            steps: last.step,
+            largest_move: last.largest_move,
+            added: last.added,
+            removed: last.removed,
+            converged: last.converged,
+            stones: self.made.stones(),
+        }
+    }
+
+    fn energy(&mut self) -> f64 {
+        let moving = self.made.packing_mut();
+        moving.map_or(0.0, |(packing, site)| packing.energy(site))
+    }
+
+    fn view(&mut self, words: &str) -> &[u8] {
+        self.look_at(words)
+    }
+
+    fn prepare(&mut self, words: &str, clock: Clock, budget: f64) -> bool {
+        self.draw_beforehand(words, clock, budget)
+    }
+
+    fn absences(&mut self, _: &str) -> Vec<(&'static str, &'static str)> {
+        Vec::new()
+    }
+
+    fn picture(&self) -> &[u8] {
+        self.made.picture()
+    }
+
+    fn digest(&self) -> String {
+        self.made.digest()
+    }
+
+    fn map(&self, _: MapKind) -> Result<Map, Notice> {
+        Err(Code::NoSuchFile.into())
+    }
+
+    fn picture_file(
+        &mut self,
+        _: (usize, &[MapKind]),
+        _: Clock,
+        _: f64,
+    ) -> Result<PictureSlice, Notice> {
+        Err(Code::NoSuchFile.into())
+    }
+
+    fn mesh_file(
+        &mut self,
+        order: &MeshOrder,
+        clock: Clock,
+        budget: f64,
+    ) -> Result<MeshSlice, Notice> {
+        self.mesh_slice(order, clock, budget)
+    }
+
+    fn mesh_size(&self, order: &MeshOrder) -> Option<MeshSize> {
+        let (paved, built) = (self.made.paved()?, self.made.last_built()?);
+        let ground = built.whole.triangles().len();
+        Some(order.model_size(paved.cells.len(), ground))
+    }
+
+    fn turn(&mut self, order: &TurnOrder, clock: Clock, budget: f64) -> Result<FrameSlice, Notice> {
+        self.turn_slice(order, clock, budget)
+    }
+
+    fn frame(&self) -> Option<&Frame> {
+        self.shown.frame()
+    }
+
+    fn body_at(&self, x: usize, y: usize) -> Option<SeenBody> {
+        self.seen_at(x, y)
+    }
+
+    fn place_at(&self, x: usize, y: usize) -> Option<[i64; 3]> {
+        Surface::place_at(self, x, y)
+    }
+
+    fn give(&mut self, name: &str, bytes: Vec<u8>) -> Option<Vec<i64>> {
+        let model = Model::of(name, &bytes);
+        self.made.models.give(model.digest, bytes);
+        Some(model.row())
+    }
+
+    fn missing(&self) -> Option<(String, String)> {
+        let model = self.made.missing()?;
+        Some((model.digest_text(), model.name.clone()))
+    }
+
+    fn stop_file(&mut self) {
+        self.saving = None;
+    }
+
+    fn report(&mut self, report: &mut Report) {
+        let last = self.made.report();
+        report.cells = self.made.paved().map_or(0, |paved| paved.cells.len());
+        report.steps = last.step;
+        report.converged = last.converged;
+        report.added = last.added;
+        report.removed = last.removed;
+        report.largest_move = last.largest_move;
+        report.energy = self.energy();
+    }
+
+    #[cfg(not(target_arch = "wasm32"))]
+    fn data(&self) -> Vec<(&'static str, String)> {
+        self.files()
+    }
+}

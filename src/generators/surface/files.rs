@@ -1,0 +1,88 @@
+//! What can be taken out of a finished surface.
+
+use super::Surface;
+use super::stages::stones_params;
+use crate::export::{MeshOrder, ModelFile, model_obj, surface_cells_json, surface_mesh_json};
+use crate::generators::{Clock, Engine, MeshSlice};
+use crate::mesh::Face;
+use crate::notice::{Code, Notice};
+use glam::DVec3;
+
+/// A mesh file in the making.
+pub(super) struct Saving {
+    file: ModelFile,
+    order: MeshOrder,
+    /// Of which stones it is.
+    revision: u64,
+}
+
+impl Surface {
+    pub(super) fn mesh_slice(
+        &mut self,
+        order: &MeshOrder,
+        clock: Clock,
+        budget: f64,
+    ) -> Result<MeshSlice, Notice> {
+        let done = self.at().is_none();
+        let (Some((_, revision)), Some(built), Some(paved)) = (
+            self.made.scene().filter(|_| done),
+            self.made.built(),
+            self.made.paved(),
+        ) else {
+            return Err(Code::NotYet.into());
+        };
+        let fits = |s: &Saving| s.order == *order && s.revision == revision;
+        let kept = self.saving.take().filter(fits);
+        let begun = kept.is_none();
+        let params = &self.working.params;
+        let mut saving = kept.unwrap_or_else(|| Saving {
+            file: ModelFile::new(
+                order,
+                stones_params(&params.stones, &paved.cells),
+                &params.light.materials,
+                &paved.cells,
+            ),
+            order: *order,
+            revision,
+        });
+        let begin = clock();
+        let mut done = false;
+        while !done {
+            done = saving.file.advance(&built.whole, paved.paving());
+            // Not `>=`: a clock that fails must not make this endless.
+            let inside = clock() - begin < budget;
+            if !inside {
+                break;
+            }
+        }
+        let mut parts = saving.file.take();
+        if done {
+            parts.extend(saving.file.finish());
+        } else {
+            self.saving = Some(saving);
+        }
+        Ok(MeshSlice { begun, parts, done })
+    }
+
+    /// Files of what was made, as text: names and contents.
+    pub(super) fn files(&self) -> Vec<(&'static str, String)> {
+        let cells = self
+            .made
+            .paved()
+            .map(|paved| surface_cells_json(&paved.cells));
+        let mesh = self.made.mesh().map(|made| {
+            let places: Vec<DVec3> = made.nodes.iter().map(|node| node.at).collect();
+            surface_mesh_json(&places, made.elements.iter().map(Face::nodes))
+        });
+        let model = self.made.built().map(|built| model_obj(&built.whole));
+        let named = [
+            ("cells.json", cells),
+            ("mesh.json", mesh),
+            ("model.obj", model),
+        ];
+        named
+            .into_iter()
+            .filter_map(|(name, text)| Some((name, text?)))
+            .collect()
+    }
+}

@@ -1,0 +1,117 @@
+//! What the stages have made so far, finished or not.
+
+use super::build::Built;
+use super::fields::Fielded;
+use super::paving::Paved;
+use super::stages::{Packs, STONES, Stages, Task};
+use crate::packing::StepReport;
+use crate::scene::Scene;
+use crate::surface::cells::SurfaceMesh;
+use crate::surface::packing::{Site, SurfacePacking};
+use std::rc::Rc;
+
+impl Stages {
+    /// The surface, if it is of the parameters at work.
+    pub fn built(&self) -> Option<&Built> {
+        self.built.made_of(self.inputs(Task::Build))
+    }
+
+    /// The surface last made.
+    pub fn last_built(&self) -> Option<&Built> {
+        self.built.made()
+    }
+
+    /// The fields last made.
+    pub fn fields(&self) -> Option<&Fielded> {
+        self.fields.made()
+    }
+
+    /// The site last made.
+    pub fn site(&self) -> Option<&Site> {
+        self.site.made()
+    }
+
+    /// The packing at work, or the last one.
+    pub fn packing(&self) -> Option<&SurfacePacking> {
+        match self.packing.work() {
+            Some(Packs::Moving(packing)) => Some(packing),
+            _ => self.packing.made(),
+        }
+    }
+
+    pub fn packing_mut(&mut self) -> Option<(&mut SurfacePacking, &Site)> {
+        let site = self.site.made()?;
+        let is_moving = matches!(self.packing.work(), Some(Packs::Moving(_)));
+        if is_moving && let Some(Packs::Moving(packing)) = self.packing.work_mut() {
+            return Some((packing, site));
+        }
+        None
+    }
+
+    /// Do cells move?
+    pub fn is_moving(&self) -> bool {
+        self.due() == Some(Task::Pack) && matches!(self.packing.work(), Some(Packs::Moving(_)))
+    }
+
+    /// What the last step did.
+    pub fn report(&self) -> StepReport {
+        self.packing()
+            .map(SurfacePacking::report)
+            .unwrap_or_default()
+    }
+
+    /// The cells' mesh last made.
+    pub fn mesh(&self) -> Option<&SurfaceMesh> {
+        self.mesh.made()
+    }
+
+    /// The cells last made.
+    pub fn paved(&self) -> Option<&Paved> {
+        self.paved.made()
+    }
+
+    /// The scene of stones last made, and its number.
+    pub fn scene(&self) -> Option<(&Rc<Scene>, u64)> {
+        Some((&self.stones.made()?.scene, self.stones.revision()))
+    }
+
+    /// Its digest; empty before there is one.
+    pub fn digest(&self) -> String {
+        let bodies = self.stones.made();
+        bodies.map_or(String::new(), |bodies| bodies.digest.clone())
+    }
+
+    /// How much of the stones is done.
+    pub fn stones(&self) -> usize {
+        match (self.stones.work(), self.paved.made()) {
+            (Some(work), Some(paved)) => {
+                (work.progress(&paved.cells) * paved.cells.len() as f64) as usize
+            }
+            (None, Some(paved)) if self.at().is_none_or(|at| at > STONES) => paved.cells.len(),
+            _ => 0,
+        }
+    }
+
+    /// The picture last made.
+    pub fn picture(&self) -> &[u8] {
+        self.still.made().map_or(&[], Vec::as_slice)
+    }
+
+    /// How often each stage has finished.
+    pub fn runs(&self) -> [u64; 7] {
+        [
+            self.built.revision(),
+            self.fields.revision(),
+            self.packing.revision(),
+            self.mesh.revision(),
+            self.paved.revision(),
+            self.stones.revision(),
+            self.still.revision(),
+        ]
+    }
+
+    /// Grows with all that views may show of the packing.
+    pub fn changes(&self) -> u64 {
+        self.packing.slices() + self.packing.revision()
+    }
+}

@@ -1,0 +1,98 @@
+//! Cells on surfaces in space: a surface packed with cells, which become stones or scales (Miyata, Itoh, Shimada 2001,
+//! Reducing Human Labor Cost in Designing Pavement Textures, section 4; Itoh, Miyata, Shimada 2003, Generation of
+//! Organic Textures with Controlled Anisotropy and Directionality via Packing Rectangular and Elliptical Cells,
+//! section 5 and figures 18 and 19).
+
+mod build;
+mod engine;
+mod fields;
+mod files;
+mod look;
+mod made;
+mod models;
+mod params;
+mod paving;
+mod presets;
+mod rules;
+mod schema;
+mod shown;
+mod stages;
+mod still;
+mod tracing;
+mod views;
+
+pub use models::Model;
+pub use schema::keys;
+
+use super::{Generator, Views};
+use crate::recipe::{Recipe, Schema};
+use params::Params;
+use stages::Stages;
+
+/// The parameters of a surface.
+pub static SCHEMA: Schema = Schema {
+    word: "surface",
+    is_named: true,
+    rows: schema::ROWS,
+    rules: &rules::SurfaceRules,
+};
+
+/// The generator.
+pub static SURFACE: Generator = Generator {
+    schema: &SCHEMA,
+    title: "Surfaces in space",
+    presets: presets::PRESETS,
+    stages: &stages::WORDS,
+    views: Views {
+        bases: &views::WORDS,
+        overlays: &[],
+    },
+    offers: &["space", "compare", "turn", "mesh", "forming"],
+    home: "330,20,2.6,28",
+    engine: |recipe| Box::new(Surface::new(recipe)),
+};
+
+/// The machine: what is asked for, what was made of it, and what is looked at.
+pub struct Surface {
+    latest: Wish,
+    /// What the stages work by; behind the latest while a short pass is let finish.
+    working: Wish,
+    /// The first stage of which the latest asks something else.
+    stale: Option<usize>,
+    made: Stages,
+    shown: shown::Shown,
+    /// A view that was drawn beforehand.
+    looked: look::Looked,
+    /// The mesh file in the making.
+    saving: Option<files::Saving>,
+}
+
+/// A recipe, and what it asks of the stages.
+#[derive(Clone)]
+struct Wish {
+    params: Params,
+}
+
+impl Wish {
+    fn new(recipe: &Recipe) -> Self {
+        Self {
+            params: Params::new(recipe),
+        }
+    }
+}
+
+impl Surface {
+    /// With all its work before it.
+    pub fn new(recipe: &Recipe) -> Self {
+        let wish = Wish::new(recipe);
+        Self {
+            made: Stages::new(&wish.params),
+            working: wish.clone(),
+            latest: wish,
+            stale: None,
+            shown: shown::Shown::default(),
+            looked: look::Looked::default(),
+            saving: None,
+        }
+    }
+}

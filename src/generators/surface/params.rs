@@ -1,0 +1,340 @@
+//! From a recipe to what each stage works by.
+
+use super::models::Model;
+use super::schema::{FILE, ROWS, SKIN, keys};
+use crate::field::Kind;
+use crate::generators::common;
+use crate::generators::height_field::LightParams;
+use crate::heightfield::TextureParams;
+use crate::material::{ColourParams, Pattern, WeatherParams};
+use crate::packing::{BoundaryCondition, Integrator, PackingParams, Population, Start};
+use crate::recipe::Recipe;
+use crate::recipe::common::keys as shared;
+use crate::solid::{Distribution, SkinParams, StoneKind, StoneParams};
+use crate::surface::field::{Along, ByCurvature, Taper};
+use crate::surface::shapes::Shape;
+use crate::surface::stones::Open;
+use glam::DVec3;
+
+/// Picture units along a cell of mean size: stones are as fine as those of a picture with such cells.
+pub(super) const UNIT: f64 = 24.0;
+
+/// What the stages work by.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Params {
+    pub surface: SurfaceParams,
+    pub fields: FieldParams,
+    pub packing: PackingParams,
+    pub cells: CellParams,
+    pub stones: StoneLook,
+    pub light: LightParams,
+    /// Degrees that the model is turned by, clockwise seen from above.
+    pub yaw: f64,
+    /// Pixels along the picture's side.
+    pub side: usize,
+}
+
+/// What cells are packed on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum On {
+    /// The surface itself, or where that is far finer than cells need a simpler one.
+    Fit,
+    /// The surface itself.
+    Whole,
+    /// A simpler one: cells are brought back to the surface from there.
+    Simple,
+}
+
+/// Where a surface comes from.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Source {
+    /// By rule, with its numbers.
+    Shape(Shape, Vec<f64>),
+    /// From a file; none where none was given yet. The second one tells whether z is up in it.
+    Model(Option<Model>, bool),
+}
+
+/// What the surface is made by.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct SurfaceParams {
+    pub source: Source,
+    /// What cells are packed on.
+    pub on: On,
+    /// The angle from which on creases are cut.
+    pub cut: Option<f64>,
+    pub sizes: Sizes,
+}
+
+/// How large cells are.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Sizes {
+    pub kind: Kind,
+    /// About so many.
+    pub count: f64,
+    pub taper: Option<Taper>,
+    pub curvature: Option<ByCurvature>,
+    /// Rows of [`crate::recipe::Item::Patch`].
+    pub spots: Vec<[f64; 5]>,
+}
+
+/// What rows follow.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Follow {
+    Bones,
+    Axis,
+    Curvature,
+    Border,
+    Strokes,
+    Free,
+}
+
+/// What the fields are made by.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct FieldParams {
+    pub sizes: Sizes,
+    pub aspect: f64,
+    pub aspect_by_curvature: bool,
+    pub aspect_spots: Vec<[f64; 5]>,
+    pub follow: Follow,
+    pub flow: Follow,
+    pub towards: DVec3,
+    pub angle: f64,
+    /// Radians; creases that are not cut guide the rows.
+    pub crease: f64,
+    /// Rows of [`crate::recipe::Item::Trace`].
+    pub strokes: Vec<Vec<i64>>,
+    pub lines: Vec<Vec<i64>>,
+    /// Sides of the box around the model.
+    pub reach: f64,
+}
+
+/// What cells wear, and which way they lean.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct CellParams {
+    pub colour: ColourParams,
+    pub seed: u64,
+    /// The flow goes the other way.
+    pub flip: bool,
+}
+
+/// What stones are made by.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct StoneLook {
+    pub texture: TextureParams,
+    pub weather: WeatherParams,
+    pub open: Open,
+}
+
+impl Params {
+    pub fn new(recipe: &Recipe) -> Self {
+        let sizes = sizes(recipe);
+        Self {
+            surface: surface(recipe, &sizes),
+            fields: fields(recipe, sizes),
+            packing: packing(recipe),
+            cells: CellParams {
+                colour: colour(recipe),
+                seed: common::seed(recipe),
+                flip: recipe.choice(keys::FLIP) == "1",
+            },
+            stones: StoneLook {
+                texture: texture(recipe),
+                weather: common::weather(recipe),
+                open: match recipe.choice(keys::OPEN) {
+                    "capped" => Open::Capped,
+                    _ => Open::Shell,
+                },
+            },
+            light: common::light(recipe),
+            yaw: recipe.number(keys::YAW),
+            side: common::side(recipe),
+        }
+    }
+
+    /// The first stage that works by other parameters, by its place.
+    pub fn first_difference(&self, other: &Self) -> Option<usize> {
+        let differences = [
+            self.surface != other.surface,
+            self.fields != other.fields,
+            self.packing != other.packing,
+            false,
+            self.cells != other.cells,
+            self.stones != other.stones,
+            self.light != other.light || self.yaw != other.yaw || self.side != other.side,
+        ];
+        differences.into_iter().position(|differs| differs)
+    }
+}
+
+/// The shape by rule that a recipe asks for.
+pub(super) fn shape(recipe: &Recipe) -> Option<Shape> {
+    Shape::of_word(recipe.choice(keys::FORM))
+}
+
+fn surface(recipe: &Recipe, sizes: &Sizes) -> SurfaceParams {
+    let is_file = recipe.choice(keys::FORM) == FILE;
+    SurfaceParams {
+        source: match shape(recipe).filter(|_| !is_file) {
+            Some(shape) => Source::Shape(shape, numbers(recipe, shape)),
+            None => Source::Model(Model::asked(recipe), recipe.choice(keys::UP) == "z"),
+        },
+        on: match recipe.choice(keys::ON) {
+            "simple" if is_file => On::Simple,
+            "fit" if is_file => On::Fit,
+            _ => On::Whole,
+        },
+        cut: (recipe.choice(keys::CREASE) == "cut").then(|| recipe.number(keys::FOLD).to_radians()),
+        sizes: sizes.clone(),
+    }
+}
+
+/// The numbers of a shape, in the order of its table.
+fn numbers(recipe: &Recipe, shape: Shape) -> Vec<f64> {
+    let is_own = |words: &[&str]| words == [shape.word()];
+    let rows = ROWS.iter().filter(|row| match row.shown_for {
+        Some((key, words)) => key == keys::FORM && is_own(words),
+        None => false,
+    });
+    rows.map(|row| recipe.number(row.key)).collect()
+}
+
+fn towards(word: &str) -> DVec3 {
+    match word {
+        "right" => DVec3::X,
+        "front" => DVec3::Z,
+        _ => DVec3::Y,
+    }
+}
+
+fn sizes(recipe: &Recipe) -> Sizes {
+    let (taper, angle) = (recipe.number(keys::TAPER), recipe.number(keys::CC));
+    Sizes {
+        kind: Kind::from_word(recipe.choice(keys::KIND)).unwrap_or_default(),
+        count: recipe.number(keys::CN),
+        taper: (taper != 1.0).then(|| Taper {
+            along: match recipe.choice(keys::ALONG) {
+                "bones" => Along::Bones,
+                word => Along::Axis(towards(word)),
+            },
+            first: 1.0 / taper.sqrt(),
+            last: taper.sqrt(),
+        }),
+        curvature: (angle > 0.0).then(|| ByCurvature {
+            angle: angle.to_radians(),
+            factors: (recipe.number(keys::CL), recipe.number(keys::CH)),
+        }),
+        spots: patches(recipe, keys::SPOTS),
+    }
+}
+
+fn patches(recipe: &Recipe, key: crate::recipe::Key) -> Vec<[f64; 5]> {
+    let five = |row: Vec<f64>| <[f64; 5]>::try_from(row).ok();
+    recipe.list(key).into_iter().filter_map(five).collect()
+}
+
+fn fields(recipe: &Recipe, sizes: Sizes) -> FieldParams {
+    let is_stretched = sizes.kind.is_stretched();
+    let follow = |word: &str| match word {
+        "bones" => Follow::Bones,
+        "axis" => Follow::Axis,
+        "curvature" => Follow::Curvature,
+        "border" => Follow::Border,
+        "strokes" => Follow::Strokes,
+        _ => Follow::Free,
+    };
+    FieldParams {
+        aspect: match is_stretched {
+            true => recipe.number(keys::CA),
+            false => 1.0,
+        },
+        aspect_by_curvature: is_stretched && recipe.choice(keys::BENT) == "curvature",
+        aspect_spots: match is_stretched {
+            true => patches(recipe, keys::STRETCH),
+            false => Vec::new(),
+        },
+        follow: follow(recipe.choice(keys::DIR)),
+        flow: follow(recipe.choice(keys::FLOW)),
+        towards: towards(recipe.choice(keys::AXIS)),
+        angle: recipe.number(keys::ANGLE).to_radians(),
+        crease: recipe.number(keys::FOLD).to_radians(),
+        strokes: recipe.rows(keys::STROKES).to_vec(),
+        lines: recipe.rows(keys::LINES).to_vec(),
+        reach: recipe.number(keys::REACH),
+        sizes,
+    }
+}
+
+fn packing(recipe: &Recipe) -> PackingParams {
+    PackingParams {
+        boundary: BoundaryCondition::Wall,
+        start: Start::Stream,
+        integrator: Integrator::SemiImplicit,
+        population: Population::Slots,
+        variance: recipe.number(keys::VS),
+        seed: common::seed(recipe),
+    }
+}
+
+fn texture(recipe: &Recipe) -> TextureParams {
+    TextureParams {
+        side: common::side(recipe),
+        pixel_scale: 1,
+        seed: common::seed(recipe),
+        size: UNIT,
+        stone: stone(recipe),
+        dimension: recipe.number(shared::FD),
+        amplitude: recipe.number(shared::AF),
+        palette: recipe.choice(shared::PALETTE),
+        ground: recipe.choice(shared::GROUND),
+        vary: recipe.number(shared::VARY),
+        colour: colour(recipe),
+        tile: false,
+    }
+}
+
+fn stone(recipe: &Recipe) -> StoneParams {
+    StoneParams {
+        kind: match recipe.choice(keys::STONE) {
+            "flag" => StoneKind::Flagstone,
+            SKIN => StoneKind::Skin,
+            _ => StoneKind::Cobble,
+        },
+        height: recipe.number(keys::HS) * UNIT,
+        scale: recipe.number(keys::SV),
+        distortion: recipe.number(keys::DR),
+        distribution: match recipe.choice(keys::RAND) {
+            "normal" => Distribution::Normal,
+            _ => Distribution::Uniform,
+        },
+        bevel_horizontal: recipe.number(keys::BH),
+        bevel_vertical: recipe.number(keys::BV),
+        skin: SkinParams {
+            sweep: recipe.number(keys::SR),
+            skew: recipe.number(keys::SC),
+            skew_angle: recipe.number(keys::SA).to_radians(),
+            tilt: recipe.number(keys::TILT),
+            taper: recipe.number(keys::TC),
+            flatness: recipe.number(keys::FLAT),
+            keel: recipe.number(keys::KEEL),
+            rings: recipe.number(keys::RINGS) as u32,
+            dimension: recipe.number(shared::FD),
+            amplitude: recipe.number(shared::AF),
+        },
+        seed: common::seed(recipe),
+    }
+}
+
+fn colour(recipe: &Recipe) -> ColourParams {
+    ColourParams {
+        pattern: Pattern::of_word(recipe.choice(keys::PATTERN)),
+        // In sides of the box; the stage that knows the model makes picture units of it.
+        scale: recipe.number(keys::PN),
+        angle: recipe.number(keys::PA).to_radians(),
+        sharpness: recipe.number(keys::PS),
+        share: recipe.number(keys::PC),
+        amount: recipe.number(keys::PM),
+        rim: recipe.number(keys::RIM),
+        belly: recipe.number(keys::BELLY),
+        belly_angle: recipe.number(keys::BA).to_radians(),
+    }
+}

@@ -1,0 +1,119 @@
+//! From cells' polygons to all that stones need of them: neighbours, one sense, what they wear.
+
+use super::build::Built;
+use super::params::{CellParams, UNIT};
+use crate::material::Coat;
+use crate::surface::cells::SurfaceMesh;
+use crate::surface::field::SurfaceFields;
+use crate::surface::stones::{Paving, SurfaceCoats, links, make_one_sense};
+use crate::surface::{Projector, SurfaceCell, SurfacePoint};
+
+/// Cells whose coats are made in one slice.
+const CELLS: usize = 500;
+/// Cells brought to another surface in one slice.
+const CARRIED: usize = 200;
+
+/// Cells with all that stones need of them.
+#[derive(Clone, Default)]
+pub(super) struct Paved {
+    pub cells: Vec<SurfaceCell>,
+    pub links: Vec<Vec<u32>>,
+    pub coats: Vec<Coat>,
+}
+
+impl Paved {
+    pub fn paving(&self) -> Paving<'_> {
+        Paving {
+            cells: &self.cells,
+            links: &self.links,
+            coats: &self.coats,
+        }
+    }
+}
+
+/// What it is made of.
+#[derive(Clone, Copy)]
+pub(super) struct Meshed<'a> {
+    pub mesh: &'a SurfaceMesh,
+    pub built: &'a Built,
+    pub fields: &'a SurfaceFields,
+}
+
+/// Cells on their way to it.
+pub(super) enum Paves {
+    Turn(Paved),
+    /// Brought to the surface that stones stand on, up to this one.
+    Carry(Paved, usize),
+    Coat(Paved, Box<SurfaceCoats>),
+}
+
+impl Paves {
+    /// One slice; answers with the cells when all is there.
+    pub fn advance(params: &CellParams, work: &mut Option<Paves>, from: Meshed) -> Option<Paved> {
+        let next = match work.take() {
+            None => {
+                let cells = from.mesh.surface_cells();
+                Paves::Turn(Paved {
+                    links: links(&cells),
+                    coats: Vec::new(),
+                    cells,
+                })
+            }
+            Some(Paves::Turn(mut paved)) => {
+                let sense = if params.flip { -1.0 } else { 1.0 };
+                let flow = |p: &SurfacePoint| Some(sense * from.fields.flow(p));
+                make_one_sense(&mut paved.cells, &paved.links, &flow);
+                Paves::Carry(paved, 0)
+            }
+            Some(Paves::Carry(mut paved, first)) => match &from.built.projector {
+                None => coating(params, paved, from.built),
+                Some(projector) => {
+                    let end = paved.cells.len().min(first + CARRIED);
+                    for cell in &mut paved.cells[first..end] {
+                        carry(cell, from.built, projector);
+                    }
+                    match end == paved.cells.len() {
+                        true => coating(params, paved, from.built),
+                        false => Paves::Carry(paved, end),
+                    }
+                }
+            },
+            Some(Paves::Coat(mut paved, mut coats)) => match coats.advance(&paved.cells, CELLS) {
+                true => {
+                    paved.coats = coats.finish(&paved.cells);
+                    return Some(paved);
+                }
+                false => Paves::Coat(paved, coats),
+            },
+        };
+        *work = Some(next);
+        None
+    }
+}
+
+fn coating(params: &CellParams, paved: Paved, built: &Built) -> Paves {
+    let unit = unit(&paved.cells);
+    let (low, high) = built.whole.bounds();
+    let mut colour = params.colour;
+    colour.scale *= (high - low).max_element() * unit;
+    let coats = SurfaceCoats::new(colour, params.seed, unit, &paved.cells, &paved.links);
+    Paves::Coat(paved, Box::new(coats))
+}
+
+/// Picture units for a unit of the model.
+fn unit(cells: &[SurfaceCell]) -> f64 {
+    let sum: f64 = cells.iter().map(|cell| cell.size).sum();
+    let mean = sum / cells.len().max(1) as f64;
+    if mean > 0.0 { UNIT / mean } else { 1.0 }
+}
+
+/// Brings a cell to the surface that stones stand on.
+fn carry(cell: &mut SurfaceCell, built: &Built, projector: &Projector) {
+    let along = cell.centre.frame().out(cell.axis);
+    cell.centre = projector.carry(&built.whole, &cell.centre);
+    cell.axis = cell.centre.frame().within(along).normalize_or_zero();
+    for (corner, normal) in cell.ring.iter_mut().zip(&mut cell.normals) {
+        let on = projector.closest(&built.whole, *corner, *normal);
+        (*corner, *normal) = (on.at, on.normal);
+    }
+}

@@ -1,0 +1,51 @@
+//! The picture: the bodies as they are seen from in front, in slices.
+
+use super::SURFACE;
+use super::shown::{seen_by, turned};
+use super::stages::StillParams;
+use crate::generators::turntable::Stand;
+use crate::notice::Notice;
+use crate::scene::{Backdrop, Frame, Lighting, Order, Scene, Sharpness};
+use std::rc::Rc;
+
+/// The work of one slice, in triangles drawn or pixels shaded.
+const SLICE: usize = 20_000;
+
+/// A picture in the making.
+pub(super) struct Still {
+    scene: Rc<Scene>,
+    light: Lighting,
+    frame: Frame,
+}
+
+impl Still {
+    /// Nothing drawn yet.
+    pub fn new(params: &StillParams, scene: Rc<Scene>) -> Self {
+        let order = Order {
+            camera: turned(SURFACE.camera(), params.yaw),
+            size: [params.side; 2],
+            is_fine: true,
+            is_moving: false,
+            backdrop: Backdrop::Floor,
+        };
+        let light = seen_by(&params.light, params.yaw);
+        let stand = Stand {
+            scene: &scene,
+            number: 0,
+            light: &light,
+            ground: scene.lowest(),
+        };
+        Self {
+            light: stand.lighting(Sharpness::of(&order)),
+            frame: Frame::new(order),
+            scene,
+        }
+    }
+
+    /// One slice; the picture when it is done.
+    pub fn advance(&mut self) -> Result<Option<Vec<u8>>, Notice> {
+        let lit = self.light.advance(&self.scene, SLICE);
+        let done = lit && self.frame.advance(&self.scene, &self.light, SLICE);
+        Ok(done.then(|| self.frame.rgba().to_vec()))
+    }
+}

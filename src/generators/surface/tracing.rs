@@ -1,0 +1,47 @@
+//! What is drawn on a surface: from the rows of a recipe to strokes and spots, and from a place to its numbers.
+
+use crate::recipe::BOX_STEPS;
+use crate::surface::field::{Stroke, SurfaceSpot};
+use crate::surface::{Search, TriMesh};
+use glam::DVec3;
+
+/// The least corner of the box around a mesh, and its longest side.
+fn unit(mesh: &TriMesh) -> (DVec3, f64) {
+    let (low, high) = mesh.bounds();
+    (low, (high - low).max_element().max(f64::MIN_POSITIVE))
+}
+
+/// The strokes of rows, each as wide as `reach` sides of the box.
+pub(super) fn strokes(
+    mesh: &TriMesh,
+    search: &Search,
+    rows: &[Vec<i64>],
+    reach: f64,
+) -> Vec<Stroke> {
+    let width = (reach * BOX_STEPS).round() as i64;
+    let stroke = |row: &Vec<i64>| {
+        let row: Vec<i64> = std::iter::once(width).chain(row.iter().copied()).collect();
+        Stroke::from_row(mesh, search, &row)
+    };
+    rows.iter().filter_map(stroke).collect()
+}
+
+/// The spots of rows in decimal numbers: place, radius, value.
+pub(super) fn spots(mesh: &TriMesh, search: &Search, rows: &[[f64; 5]]) -> Vec<SurfaceSpot> {
+    let (low, side) = unit(mesh);
+    let spot = |&[x, y, z, radius, value]: &[f64; 5]| SurfaceSpot {
+        at: search.closest(mesh, low + DVec3::new(x, y, z) * side),
+        radius: radius * side,
+        value,
+    };
+    rows.iter().map(spot).collect()
+}
+
+/// The numbers of a place in space, as rows have them.
+pub(super) fn numbers(mesh: &TriMesh, p: DVec3) -> [i64; 3] {
+    let (low, side) = unit(mesh);
+    ((p - low) / side * BOX_STEPS)
+        .round()
+        .to_array()
+        .map(|x| x as i64)
+}

@@ -1,0 +1,56 @@
+//! The words for what is looked at.
+
+/// The words of views, in the order of the page.
+pub(super) const WORDS: [&str; 8] = [
+    "auto",
+    "picture",
+    "packed",
+    "cells",
+    "mesh",
+    "direction",
+    "size",
+    "curvature",
+];
+
+/// What a view shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum View {
+    /// The packing as it forms, then the stones.
+    Auto,
+    /// The stones.
+    Picture,
+    /// The packed cells.
+    Packed,
+    /// The cells' polygons.
+    Cells,
+    /// The cells' mesh.
+    Mesh,
+    /// The direction with its singular points.
+    Direction,
+    /// The size asked for.
+    Size,
+    /// The curvature.
+    Curvature,
+}
+
+const ALL: [View; 8] = [
+    View::Auto,
+    View::Picture,
+    View::Packed,
+    View::Cells,
+    View::Mesh,
+    View::Direction,
+    View::Size,
+    View::Curvature,
+];
+
+impl View {
+    /// The first of some words joined by '+' that names one; else [`View::Auto`].
+    pub fn of_words(words: &str) -> Self {
+        let place = |word: &str| WORDS.iter().position(|own| *own == word);
+        words
+            .split('+')
+            .find_map(place)
+            .map_or(View::Auto, |place| ALL[place])
+    }
+}
