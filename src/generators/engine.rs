@@ -238,6 +238,13 @@ pub trait Engine: Any {
         None
     }
 
+    /// Of a direction field on a surface: singular points of positive and of negative index, the sum of their indices, what
+    /// borders add to that, and the Euler characteristic.
+    #[cfg(house)]
+    fn tally(&self) -> Option<[f64; 5]> {
+        None
+    }
+
     /// Takes a file that recipes may ask for; answers with the row that names it in a recipe, where this generator
     /// has a use for files.
     #[cfg(house)]

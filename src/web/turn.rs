@@ -102,6 +102,12 @@ impl Bubblestone {
         Some(place.map(|n| n as i32).to_vec())
     }
 
+    /// Of a direction field on a surface: how many singular points have a positive index, how many a negative one, the sum of
+    /// all, what borders add to it, and the Euler characteristic.
+    pub fn tally(&self) -> Option<Vec<f64>> {
+        self.studio.engine().tally().map(Vec::from)
+    }
+
     /// Takes a file and makes it the recipe's; answers with what is to be said.
     #[wasm_bindgen(js_name = openFile, unchecked_return_type = "Notice[]")]
     pub fn open_file(&mut self, name: &str, bytes: Vec<u8>) -> Array {

@@ -14,6 +14,7 @@ import { address, isReload, withValues } from '../state/link';
 import { isLocked } from '../state/locks';
 import { lastWork, remember } from '../state/memory';
 import { Store, type State } from '../state/store';
+import { WHOLE } from '../state/viewing';
 import { Work } from '../state/work';
 import { Ahead } from '../picture/ahead';
 import { Forming } from '../picture/forming';
@@ -167,13 +168,16 @@ export class App {
 
   /** What is made now, before anything of it is shown: stages, views, and the parts of the page that serve it. */
   private offer(): void {
-    const { stages, offers } = this.engine.generator;
+    const { engine } = this;
+    const { stages } = engine.generator;
+    // What stands in space is seen as bodies, and not in another way.
+    const offers = engine.generator.offers.filter((part) => part !== 'turn' || !engine.isSpace);
     this.status.follow(stages);
     this.view.follow();
     document.documentElement.dataset['offers'] = offers.join(' ');
     for (const [part, id] of OFFERED) byId(id).hidden = !offers.includes(part);
     this.leaveEditor();
-    this.store.update({ layers: false, compare: false, plots: false, turn: false, repeat: 1 });
+    this.store.update({ layers: false, compare: false, plots: false, turn: engine.isSpace, camera: undefined, repeat: 1, ...(engine.isSpace ? { zoom: WHOLE } : {}) });
   }
 
   /** Whether cells were shown, or never will be. */
@@ -332,7 +336,7 @@ export class App {
   private drawn(stage: string, changed: boolean): void {
     if (!this.engine.alive) return;
     const { preset, recipe } = this.store.state;
-    if (changed && this.shownAt(stage) !== undefined) this.view.draw();
+    if (changed && !this.engine.isSpace && this.shownAt(stage) !== undefined) this.view.draw();
     const status = this.engine.status();
     this.begun ||= changed && status.cells > 0;
     this.forming.follow(stage, this.begun);
