@@ -75,6 +75,8 @@ export class App {
   private finish = (): void => undefined;
   /** A timer: the end of the work is told once it lasts. */
   private telling = 0;
+  /** What was said of what is made. */
+  private remarked = '';
   /** Visitors who asked for less motion see no cells move until they choose a speed. */
   private still = wantsStill();
 
@@ -358,7 +360,7 @@ export class App {
   /** A recipe that has no name, in the words of its controls. */
   private described(): string {
     const { engine } = this;
-    const keys = [engine.get('tile') === '1' ? 'tile' : 'outline', 'kind', 'stone', 'palette'];
+    const keys = [engine.isSpace ? 'form' : engine.get('tile') === '1' ? 'tile' : 'outline', 'kind', 'stone', 'palette'];
     const labels = engine.schema.filter(({ key }) => keys.includes(key)).map((parameter) => shown(parameter, engine.get(parameter.key)));
     return t('own_recipe', { what: labels.join(' · ') });
   }
@@ -376,6 +378,7 @@ export class App {
     const before = this.store.state.stage;
     if (stage === before) return;
     if (before === 'error') clear('trouble');
+    this.remark(stage);
     // A pause holds one forming, not the next.
     this.store.update(isEnd(stage) ? { stage, paused: false } : { stage });
     const { cells, steps } = this.engine.status();
@@ -385,6 +388,17 @@ export class App {
     // There is time now; without a storage the next visit unpacks the module again.
     keepModules().catch(() => undefined);
     this.telling = window.setTimeout(() => say(byId('live'), t('done', { cells, steps })), SETTLED);
+  }
+
+  /** What is to be said of a surface in space, once that and its fields are made: once for the same. */
+  private remark(stage: string): void {
+    const { engine } = this;
+    const { stages } = engine.generator;
+    const isKnown = stage === 'done' || stages.indexOf(stage) > stages.indexOf('fields');
+    const sentences = isKnown ? engine.remarks() : [];
+    if (!isKnown && engine.isSpace) return;
+    if (sentences.join() !== this.remarked) notice('remarks', ...sentences);
+    this.remarked = sentences.join();
   }
 
   /** The next change is an entry of its own in the browser's history. */

@@ -15,7 +15,7 @@ export function partsOf(work: Work, view: View, loop: Loop) {
     layers: new Later(async () => new (await import('../look/layers')).Layers(store, view)),
     compare: new Later(async () => new (await import('../look/compare')).Compare(work, view, loop)),
     plots: new Later(async () => new (await import('../look/plots')).Plots(engine, view)),
-    turn: new Later(async () => new (await import('../turn/page')).PageTurntable(work, loop)),
+    turn: new Later(async () => new (await import('../turn/page')).PageTurntable(work, loop, view)),
     tiles: new Later(async () => new (await import('../look/tiles')).Tiles(store, view)),
     linked: new Later(() => import('../look/linked')),
     share: new Later(() => import('../take/share')),

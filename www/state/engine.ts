@@ -193,6 +193,11 @@ export class Engine {
     return this.ask((core) => (core as SceneStudio).frameMap(word), NOT_YET);
   }
 
+  /** Of a direction field in space: singular points of positive and negative index, the sum of these, what borders add, the Euler characteristic. */
+  tally(): ArrayLike<number> | undefined {
+    return this.ask((core) => (core as SceneStudio).tally(), undefined);
+  }
+
   /** What is to be said of a surface in space: what was mended, or does not fit well. */
   remarks(): string[] {
     return this.isSpace ? this.ask((core) => (core as SceneStudio).remarks(), []).map(said) : [];

@@ -25,10 +25,13 @@ interface Order {
   readonly height: number;
 }
 
+/** What goes on from frame to frame. */
+export type Beat = Pick<Loop, 'look' | 'stands'>;
+
 /** What the frames are of. */
 interface Place {
   readonly engine: Engine;
-  readonly loop: Loop;
+  readonly loop: Beat;
   /** The word of the view. */
   view(): string;
 }
@@ -150,7 +153,7 @@ export class LocalFrames implements FrameSource, Painter {
     const bodies = { count: what ? cells : stones, skin: engine.get('stone') === 'skin', what };
     const frame = await createImageBitmap(new ImageData(seen, width, height));
     // Browsers may be done with a later one earlier.
-    if (number < this.shown || !this.wish) return frame.close();
+    if (number < this.shown || !this.wish) { frame.close(); return; }
     this.shown = number;
     this.heard.frame(frame, quality, bodies, wish === this.wish && number === this.handed);
   }

@@ -5,7 +5,9 @@ import { byId, make } from '../base/dom';
 import { alertOf, clear } from '../base/messages';
 import type { Work } from '../state/work';
 import type { Loop } from '../picture/loop';
+import type { View } from '../picture/view';
 import { LocalFrames } from './local';
+import { noteOf } from './told';
 import { Turntable, type Place } from './turntable';
 
 export class PageTurntable {
@@ -15,11 +17,14 @@ export class PageTurntable {
   private slant: Turntable | undefined;
   private space: Turntable | undefined;
   private frames: LocalFrames | undefined;
+  /** The last note, and what it is of. */
+  private told: readonly [of: string, note: string] = ['', ''];
   /** The one that is shown, or was last. */
   private shown: Turntable | undefined;
 
-  constructor(work: Work, loop: Loop) {
+  constructor(work: Work, loop: Loop, view: View) {
     this.work = work;
+    view.noted = (word) => this.note(word);
     this.loop = loop;
     const { store } = work;
     store.on(['recipe', 'held', 'camera'], () => this.shown?.follow());
@@ -78,6 +83,14 @@ export class PageTurntable {
       ...this.place(),
       frames: (heard) => (this.frames = new LocalFrames({ engine, loop, view: () => store.state.view }, heard)),
     });
+  }
+
+  /** What a view shows: singular points are counted once for each piece of the work. */
+  private note(view: string): string {
+    const { store, engine } = this.work;
+    const of = [store.state.recipe, engine.stage(), view].join(' ');
+    if (of !== this.told[0]) this.told = [of, noteOf(engine, view)];
+    return this.told[1];
   }
 
   private ended(how: 'lost' | 'broken', why: string): void {

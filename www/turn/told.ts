@@ -1,6 +1,7 @@
 /** What is seen on the turntable, in sentences. */
 import { isWord, t } from '../words/turn';
 import type { Camera } from '../state/viewing';
+import type { Engine } from '../state/engine';
 import type { Bodies } from './turn.worker';
 
 /** From here on, in degrees, one looks from above. */
@@ -23,6 +24,20 @@ export function seen({ count, skin, what: view }: Bodies, [angle, height, distan
   if (height >= ABOVE) return t('seen_above', { what, far });
   const side = t((inSpace ? AROUND : SIDES)[Math.round(angle / 45) % 8] ?? 'side_0');
   return t(height < 0 ? 'seen_below' : 'seen', { what, side, height: Math.abs(Math.round(height)), far });
+}
+
+/** What a view in space shows; '' where that needs no words. */
+export function noteOf(engine: Engine, view: string): string {
+  const key = `note_${view}`;
+  const tally = view === 'direction' ? engine.tally() : undefined;
+  const [positive = 0, negative = 0, sum = 0, border = 0, euler = 0] = Array.from(tally ?? []);
+  const numbers = { positive, negative, sum: number(sum + border), border: number(border), euler: number(euler) };
+  return [isWord(key) ? t(key) : '', tally ? t(border ? 'tally_border' : 'tally', numbers) : ''].filter(Boolean).join(' ');
+}
+
+/** With the sign that is printed. */
+function number(value: number): string {
+  return String(Number(value.toFixed(3))).replace('-', '−');
 }
 
 /** The name of a step in the making of a body; its own word where there is none. */

@@ -56,7 +56,7 @@ export class Turntable {
   private readonly place: Place;
   private readonly sheet = byId('sheet');
   private readonly canvas = make('canvas', { 'aria-hidden': 'true' });
-  private readonly stand = make('div', { class: 'turn-stand', id: 'turn', role: 'application', tabindex: '0', 'aria-label': `${t('name')}. ${t('keys')}`, 'aria-describedby': 'turn-seen' }, this.canvas);
+  private readonly stand = make('div', { class: 'turn-stand', id: 'turn', role: 'application', tabindex: '0', 'aria-describedby': 'turn-seen' }, this.canvas);
   private readonly told = make('p', { class: 'said', id: 'turn-seen', role: 'status' });
   private readonly bar = make('progress', { max: '1', 'aria-label': t('working') });
   private readonly working = make('div', { class: 'turn-working' }, make('span', { role: 'status' }, t('working')), this.bar);
@@ -108,8 +108,8 @@ export class Turntable {
       place.alone === true,
     );
     this.root = make('div', { class: 'turn' }, make('div', { class: 'turn-frame' }, this.stand, this.card.element), this.making.strip, this.working, this.told);
-    if (!place.alone) this.root.append(planes((plane) => this.choose(plane)));
-    if (place.leave) this.root.append(this.wayOut());
+    if (place.leave) this.root.append(planes((plane) => this.choose(plane)), this.wayOut());
+    this.stand.ariaLabel = this.inSpace ? `${t('name_space')}. ${t('keys_space')}` : `${t('name')}. ${t('keys')}`;
     // The keys of the steps, and the way back, are there while the frame has the focus, too.
     this.stand.addEventListener('keydown', (event) => !event.defaultPrevented && this.making.step(event.key) && event.preventDefault());
     new ResizeObserver(() => this.follow()).observe(this.stand);
