@@ -59,11 +59,10 @@ export class View {
     return new Map([...found].map(([word, why]) => [word, t(`absent_${why}`)]));
   }
 
-  /** What stands under the picture beside its name: what shows nothing, and of what stands in space, once that and its fields are made, what is to be said. */
-  told(stage: string): string[] {
+  /** What is to be said of what stands in space, once that and its fields are made. */
+  remarks(stage: string): string[] {
     const { stages } = this.engine.generator;
-    const isMade = stage === 'done' || stages.indexOf(stage) > stages.indexOf('fields');
-    return [...this.absences().values(), ...(isMade ? this.engine.remarks() : [])];
+    return stage === 'done' || stages.indexOf(stage) > stages.indexOf('fields') ? this.engine.remarks() : [];
   }
 
   draw(): void {

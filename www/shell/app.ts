@@ -330,7 +330,8 @@ export class App {
     this.begun ||= changed && status.cells > 0;
     this.forming.follow(stage, this.begun);
     this.status.show(stage, status, this.loop.watch !== undefined);
-    this.status.name(this.view.note || (preset ? '' : this.described()), this.view.told(stage), preset?.shown, preset?.recipe !== recipe, stage, status);
+    const remarks = this.view.remarks(stage);
+    this.status.name(this.view.note || (preset ? '' : this.described()), [this.view.absences().values(), remarks], preset?.shown, preset?.recipe !== recipe, stage, status);
     this.report(stage);
     if (stage === 'error') this.stuck();
     if (stage === 'done') this.finish();
