@@ -18,6 +18,8 @@ export class StatusLine {
   private readonly work = byId('work');
   private readonly way = make('span');
   private began: number | undefined;
+  /** What the caption says, and its remarks. */
+  private captioned = '';
   private words: readonly string[] = [];
 
   constructor() {
@@ -71,8 +73,9 @@ export class StatusLine {
     const parts = note || !preset ? [note] : this.named(preset, changed, stage, status);
     for (const sentence of new Set(absent)) parts.push(' – ', make('span', { class: 'absent' }, sentence));
     if (remarks.length) parts.push(' ', remarked(remarks));
-    const text = parts.map((part) => (typeof part === 'string' ? part : part.textContent)).join('');
-    if (this.caption.textContent !== text) this.caption.replaceChildren(...parts);
+    const text = [...parts.map((part) => (typeof part === 'string' ? part : part.textContent)), ...remarks].join('');
+    if (this.captioned !== text) this.caption.replaceChildren(...parts);
+    this.captioned = text;
   }
 
   private named(preset: Preset, changed: boolean, stage: string, status: Status): (string | HTMLElement)[] {

@@ -199,6 +199,7 @@ export class App {
     store.on(['recipe', 'editing'], () => this.forming.leave());
     store.on(['recipe'], () => {
       this.forming.endAhead();
+      clear('remarks');
       this.parts.editor.here?.follow();
       this.loop.changed();
     });
