@@ -5,12 +5,24 @@ import { byId, make } from '../base/dom';
 import { withValues } from '../state/link';
 import type { Work } from '../state/work';
 
+/** Puts the buttons there: before anything is painted, so that nothing moves when they can be pressed. */
+export function showMakes(): HTMLButtonElement[] {
+  const nav = byId('makes');
+  nav.hidden = generators.length < 2;
+  if (nav.hidden) return [];
+  const buttons = generators.map(({ word, title, preset }) => {
+    const picture = make('img', { src: `thumbs/${preset}.avif`, alt: '', width: '28', height: '28', decoding: 'async' });
+    return make('button', { type: 'button', class: 'make', 'data-make': word }, picture, make('span', {}, makeIn(word, title)));
+  });
+  nav.replaceChildren(...buttons);
+  return buttons;
+}
+
 /** `push` is called before a change that the browser's Back button shall take back. */
 export function offerMakes(work: Work, push: () => void): void {
   const { engine, store } = work;
-  const nav = byId('makes');
-  nav.hidden = generators.length < 2;
-  if (nav.hidden) return;
+  const buttons = showMakes();
+  if (!buttons.length) return;
   /** The last recipe of each, for the way back. */
   const last = new Map<string, string>();
   const choose = (word: string): void => {
@@ -21,13 +33,7 @@ export function offerMakes(work: Work, push: () => void): void {
     push();
     work.open(withValues(last.get(word) ?? (chosen === generators[0] ? 'v=1' : `v=1&make=${word}`), values), { then: () => store.update({ paused: false }) });
   };
-  const buttons = generators.map(({ word, title, preset }) => {
-    const picture = make('img', { src: `thumbs/${preset}.avif`, alt: '', width: '28', height: '28', decoding: 'async' });
-    const button = make('button', { type: 'button', class: 'make', 'data-make': word }, picture, make('span', {}, makeIn(word, title)));
-    button.addEventListener('click', () => choose(word));
-    return button;
-  });
-  nav.replaceChildren(...buttons);
+  for (const button of buttons) button.addEventListener('click', () => choose(button.dataset['make'] ?? ''));
   const mark = (): void => {
     const { make: word, coming } = store.state;
     for (const button of buttons) {
