@@ -108,8 +108,10 @@ rows! {
         choice("Creases", choices![fold: "Folded over", cut: "Cut"]).group("Surface");
     fold FOLD: "Edges that bend by more than this are creases." =>
         number("", "Angle of creases").range(5.0, 120.0, 1.0, 25.0).unit("°").group("Surface").steady();
-    open OPEN: "What the surface is like where it ends: a shell with an inside, or a body cut off there." =>
-        choice("Openings", choices![shell: "A shell", capped: "A body"]).group("Surface").steady();
+    open OPEN: "What is beyond the ends of the surface: the inside of a shell, the cut through a body, or ground down to a floor." =>
+        choice("Openings", choices![
+            own: "As the surface has them", shell: "A shell", capped: "A body", block: "Ground",
+        ]).group("Surface").steady();
     yaw YAW: "Turns the model about its upright axis, under the same light." =>
         number("", "Turn").range(-180.0, 180.0, 1.0, 0.0).unit("°").group("Surface");
     size SIZE: "Side of the square picture." => common::SIZE;

@@ -199,6 +199,13 @@ fn sheet(mesh: &TriMesh, bed: &Bed, curvatures: &[[f64; 2]]) -> Surface {
     }
     match bed.open {
         Open::Capped => borders.iter().for_each(|ring| close(&mut surface, ring)),
+        Open::Block => {
+            let heights = surface.positions.iter().map(|p| p.y);
+            let floor = heights.fold(f32::MAX, lesser) - (bed.inside - bed.sunk) as f32;
+            for ring in &borders {
+                skirt(&mut surface, ring, floor, shade(bed.colour, RIM));
+            }
+        }
         Open::Shell => {
             let inner = place(bed.inside, MOST_SUNK[1]);
             let first = surface.positions.len() as u32;
@@ -247,16 +254,32 @@ fn close(surface: &mut Surface, ring: &[u32]) {
     surface.triangles.extend(lid);
 }
 
-/// A strip from a border to the same one inside, with normals of its own.
+/// A strip from a border to the same one inside.
 fn rim(surface: &mut Surface, ring: &[u32], inside: u32, colour: [u8; 3]) {
+    let places = |v: &u32| [*v, v + inside].map(|v| surface.positions[v as usize]);
+    let pairs: Vec<[Vec3; 2]> = ring.iter().map(places).collect();
+    strip(surface, &pairs, colour);
+}
+
+/// A wall from a border straight down to the floor, and the part of the floor within.
+fn skirt(surface: &mut Surface, ring: &[u32], floor: f32, colour: [u8; 3]) {
+    let wall = |v: &u32| {
+        let top = surface.positions[*v as usize];
+        [top, Vec3::new(top.x, floor, top.z)]
+    };
+    let pairs: Vec<[Vec3; 2]> = ring.iter().map(wall).collect();
     let first = surface.positions.len() as u32;
-    let n = ring.len() as u32;
-    for &v in ring {
-        for v in [v, v + inside] {
-            surface.positions.push(surface.positions[v as usize]);
-        }
-    }
-    let mut strip = Vec::with_capacity(2 * ring.len());
+    strip(surface, &pairs, colour);
+    let lower: Vec<u32> = (0..ring.len() as u32).map(|k| first + 2 * k + 1).collect();
+    close(surface, &lower);
+}
+
+/// A strip all around between pairs of places, with normals of its own.
+fn strip(surface: &mut Surface, pairs: &[[Vec3; 2]], colour: [u8; 3]) {
+    let first = surface.positions.len() as u32;
+    let n = pairs.len() as u32;
+    surface.positions.extend(pairs.as_flattened());
+    let mut strip = Vec::with_capacity(2 * pairs.len());
     for k in 0..n {
         let [a, b] = [2 * k, 2 * ((k + 1) % n)];
         strip.extend([[b, a, a + 1], [b, a + 1, b + 1]]);

@@ -62,6 +62,8 @@ pub enum Open {
     Shell,
     /// A body cut off there.
     Capped,
+    /// Ground, that goes straight down from there to a floor.
+    Block,
 }
 
 /// What stones on a surface are made by.
