@@ -18,6 +18,8 @@ mod schema;
 mod shown;
 mod stages;
 mod still;
+#[cfg(test)]
+mod tests;
 mod tracing;
 mod views;
 
@@ -48,7 +50,7 @@ pub static SURFACE: Generator = Generator {
         overlays: &[],
     },
     offers: &["space", "compare", "turn", "mesh", "forming"],
-    home: "330,20,2.6,28",
+    home: "330,20,2.75,28",
     engine: |recipe| Box::new(Surface::new(recipe)),
 };
 
