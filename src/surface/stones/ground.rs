@@ -95,7 +95,7 @@ impl Ground {
             self.has_fine = !bed.is_fine;
             self.surface = sheet(mesh, &bed, &self.curvatures);
         } else if self.order.is_empty() {
-            self.order = parts(&self.surface);
+            self.order = parts(&self.surface.positions, &self.surface.triangles, PART);
         } else if self.is_shared.is_empty() {
             self.is_shared = self.shared();
             self.places = vec![NONE; self.is_shared.len()];
@@ -314,28 +314,28 @@ fn curvatures(mesh: &TriMesh) -> Vec<[f64; 2]> {
     found
 }
 
-/// The triangles by the cubes of a grid that they lie in.
-fn parts(surface: &Surface) -> Vec<(u32, u32)> {
+/// The triangles by the cubes of a grid that they lie in, about so many in each: pairs of a part and a triangle, by parts.
+pub(in crate::surface) fn parts(
+    positions: &[Vec3],
+    triangles: &[[u32; 3]],
+    each: usize,
+) -> Vec<(u32, u32)> {
     let (mut low, mut high) = (Vec3::MAX, Vec3::MIN);
-    for &p in &surface.positions {
+    for &p in positions {
         (low, high) = (low.min(p), high.max(p));
     }
     // A surface meets about so many cubes as the square of those along a side, six times.
-    let wanted = (surface.triangles.len() / PART).max(1) as f32;
+    let wanted = (triangles.len() / each).max(1) as f32;
     let along = (wanted / 3.0).sqrt().clamp(1.0, 32.0);
     let side = greater((high - low).max_element() / along, f32::MIN_POSITIVE);
     let cube = |t: &[u32; 3]| {
-        let middle = t
-            .map(|v| surface.positions[v as usize])
-            .iter()
-            .sum::<Vec3>()
-            / 3.0;
+        let middle = t.map(|v| positions[v as usize]).iter().sum::<Vec3>() / 3.0;
         let at = ((middle - low) / side)
             .to_array()
             .map(|v| (v as u32).min(63));
         at[0] << 12 | at[1] << 6 | at[2]
     };
-    let numbered = surface.triangles.iter().map(cube).zip(0..);
+    let numbered = triangles.iter().map(cube).zip(0..);
     let mut order: Vec<(u32, u32)> = numbered.collect();
     order.sort_unstable();
     order

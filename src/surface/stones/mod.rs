@@ -24,6 +24,7 @@ pub use bend::Bend;
 pub use build::{Fit, Stones};
 pub use coats::SurfaceCoats;
 pub use flatten::Flat;
+pub(super) use ground::parts;
 pub use links::links;
 pub(crate) use pieces::{Piece, Pieces};
 pub use sense::{Flow, make_one_sense};
