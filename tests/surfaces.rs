@@ -40,7 +40,9 @@ fn all_that_there_is_stands_in_the_table() {
         .map(|line| ALL.recipe(line.split_once(' ').expect("a digest and a link").1))
         .unzip();
     assert!(notices.iter().all(Vec::is_empty), "{notices:?}");
-    for key in ["form", "kind", "stone", "dir", "flow", "pattern", "crease", "open"] {
+    for key in [
+        "form", "kind", "stone", "dir", "flow", "pattern", "crease", "open",
+    ] {
         let row = recipes[0].schema().row(key).expect("a row");
         for choice in row.choices.iter().filter(|choice| choice.word != "file") {
             let has = |recipe: &bubblestone::recipe::Recipe| recipe.choice(row.key) == choice.word;

@@ -232,6 +232,12 @@ pub trait Engine: Any {
         Vec::new()
     }
 
+    /// What is to be read beside a view, once it is shown: what its colours stand for, or what it counts.
+    #[cfg(house)]
+    fn caption(&self, _words: &str) -> Option<Notice> {
+        None
+    }
+
     /// The place of the model at a pixel of that frame, as rows of strokes and spots on it have it; nothing beside it.
     #[cfg(house)]
     fn place_at(&self, _x: usize, _y: usize) -> Option<[i64; 3]> {

@@ -1,6 +1,6 @@
 //! Bodies in light, seen from a slant: frames of them, and what is seen there.
 
-use super::said::{all, or_why};
+use super::said::{all, notice, or_why};
 use super::{Bubblestone, object, objects};
 use crate::export::{FramePlane, frame_map};
 use crate::generators::{ALL, FrameSlice, TurnOrder};
@@ -100,6 +100,13 @@ impl Bubblestone {
     pub fn place_at(&self, x: u32, y: u32) -> Option<Vec<i32>> {
         let place = self.studio.engine().place_at(x as usize, y as usize)?;
         Some(place.map(|n| n as i32).to_vec())
+    }
+
+    /// What is to be read beside a view, once it is shown.
+    #[wasm_bindgen(unchecked_return_type = "Notice | undefined")]
+    pub fn caption(&self, words: &str) -> JsValue {
+        let caption = self.studio.engine().caption(words);
+        caption.map_or(JsValue::UNDEFINED, |caption| notice(&caption).into())
     }
 
     /// Takes a file and makes it the recipe's; answers with what is to be said.

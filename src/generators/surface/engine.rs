@@ -149,6 +149,10 @@ impl Engine for Surface {
         self.seen_at(x, y)
     }
 
+    fn caption(&self, words: &str) -> Option<Notice> {
+        self.caption_of(words)
+    }
+
     fn place_at(&self, x: usize, y: usize) -> Option<[i64; 3]> {
         Surface::place_at(self, x, y)
     }

@@ -18,10 +18,12 @@ mod schema;
 mod shown;
 mod stages;
 mod still;
+mod subject;
 #[cfg(test)]
 mod tests;
 mod tracing;
 mod views;
+mod yaw;
 
 pub use models::Model;
 pub use schema::keys;

@@ -40,6 +40,8 @@ pub(super) struct Bodies {
     pub scene: Rc<Scene>,
     /// Of all that the scene is made of.
     pub digest: String,
+    /// Of which packing they are.
+    pub packing: u64,
 }
 
 /// A packing on its way.
@@ -353,6 +355,7 @@ impl Stages {
         let (Some(built), Some(paved)) = (self.built.made(), self.paved.made()) else {
             return;
         };
+        let packing = self.packing.revision();
         self.stones.advance(inputs, |look, work| {
             let new = || {
                 Stones::new(
@@ -369,6 +372,7 @@ impl Stages {
                 let scene = stones.finish();
                 Bodies {
                     digest: scene.digest(),
+                    packing,
                     scene: Rc::new(scene),
                 }
             }))

@@ -2,7 +2,7 @@
 
 use super::params::Params;
 use super::schema::ROWS;
-use super::shown::turned;
+use super::yaw::turned;
 use super::{SCHEMA, SURFACE, keys};
 use crate::generators::ALL;
 use crate::notice::Code;
