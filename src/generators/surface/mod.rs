@@ -4,6 +4,8 @@
 //! section 5 and figures 18 and 19).
 
 mod build;
+#[cfg(not(target_arch = "wasm32"))]
+mod data;
 mod engine;
 mod fields;
 mod files;
