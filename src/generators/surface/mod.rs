@@ -9,6 +9,7 @@ mod data;
 mod engine;
 mod fields;
 mod files;
+mod loading;
 mod look;
 mod made;
 mod models;

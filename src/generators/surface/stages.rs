@@ -1,7 +1,8 @@
 //! How the stages of a surface hang together, and what is due next.
 
-use super::build::{Building, Built, Loaded, Loading};
+use super::build::{Building, Built};
 use super::fields::{Fielded, Fielding};
+use super::loading::{Loaded, Loading};
 use super::models::{Model, Models};
 use super::params::{CellParams, FieldParams, Params, Source, StoneLook, SurfaceParams};
 use super::paving::{Meshed, Paved, Paves};
