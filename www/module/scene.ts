@@ -4,7 +4,7 @@ import type * as house from '../../pkg-house/bubblestone.js';
 import type { Module } from './load';
 
 /** A studio with its scene. */
-export type SceneStudio = Bubblestone & Pick<house.Bubblestone, 'turn' | 'bodyAt' | 'frameMap' | 'making' | 'frameHash'>;
+export type SceneStudio = Bubblestone & Pick<house.Bubblestone, 'turn' | 'bodyAt' | 'frameMap' | 'making' | 'frameHash' | 'remarks' | 'caption'>;
 
 /** The whole module. */
 export type Whole = Omit<Module, 'Bubblestone'> & Pick<typeof house, 'frame_of_link'> & { Bubblestone: new (link: string) => SceneStudio };

@@ -14,6 +14,7 @@ import { address, isReload, withValues } from '../state/link';
 import { isLocked } from '../state/locks';
 import { lastWork, remember } from '../state/memory';
 import { Store, type State } from '../state/store';
+import { WHOLE } from '../state/viewing';
 import { Work } from '../state/work';
 import { Ahead } from '../picture/ahead';
 import { Forming } from '../picture/forming';
@@ -32,7 +33,7 @@ import { Address } from './address';
 import { EditTools } from './edit-tools';
 import { makeLookTools } from './look-tools';
 import { offerMakes } from './makes';
-import { partsOf, type Parts } from './parts';
+import { OFFERED, partsOf, type Parts } from './parts';
 import { refine } from './refine';
 import { scriptFace, type ScriptFace } from './scripts';
 import { tellCrash } from './trouble';
@@ -41,17 +42,6 @@ import { tellCrash } from './trouble';
 const SETTLED = 400;
 /** Frames that the first cells may take before the panel comes all the same. */
 const PATIENCE = 12;
-
-/** Parts of the page that only some generators need, and what opens them. */
-const OFFERED = [
-  ['outline', 'edit-tools'],
-  ['probe', 'cells'],
-  ['layers', 'layers-button'],
-  ['tiles', 'tile-button'],
-  ['compare', 'compare-button'],
-  ['turn', 'turn-button'],
-  ['plots', 'plots-button'],
-] as const;
 
 export class App {
   private readonly engine: Engine;
@@ -167,13 +157,16 @@ export class App {
 
   /** What is made now, before anything of it is shown: stages, views, and the parts of the page that serve it. */
   private offer(): void {
-    const { stages, offers } = this.engine.generator;
+    const { engine } = this;
+    const { stages } = engine.generator;
+    // What stands in space is seen as bodies, and not in another way.
+    const offers = engine.generator.offers.filter((part) => part !== 'turn' || !engine.isSpace);
     this.status.follow(stages);
     this.view.follow();
     document.documentElement.dataset['offers'] = offers.join(' ');
     for (const [part, id] of OFFERED) byId(id).hidden = !offers.includes(part);
     this.leaveEditor();
-    this.store.update({ layers: false, compare: false, plots: false, turn: false, repeat: 1 });
+    this.store.update({ layers: false, compare: false, plots: false, turn: engine.isSpace, camera: undefined, repeat: 1, ...(engine.isSpace ? { zoom: WHOLE } : {}) });
   }
 
   /** Whether cells were shown, or never will be. */
@@ -206,6 +199,7 @@ export class App {
     store.on(['recipe', 'editing'], () => this.forming.leave());
     store.on(['recipe'], () => {
       this.forming.endAhead();
+      clear('remarks');
       this.parts.editor.here?.follow();
       this.loop.changed();
     });
@@ -332,12 +326,13 @@ export class App {
   private drawn(stage: string, changed: boolean): void {
     if (!this.engine.alive) return;
     const { preset, recipe } = this.store.state;
-    if (changed && this.shownAt(stage) !== undefined) this.view.draw();
+    if (changed && !this.engine.isSpace && this.shownAt(stage) !== undefined) this.view.draw();
     const status = this.engine.status();
     this.begun ||= changed && status.cells > 0;
     this.forming.follow(stage, this.begun);
     this.status.show(stage, status, this.loop.watch !== undefined);
-    this.status.name(this.view.note || (preset ? '' : this.described()), this.view.absences().values(), preset?.shown, preset?.recipe !== recipe, stage, status);
+    const remarks = this.view.remarks(stage);
+    this.status.name(this.view.note || (preset ? '' : this.described()), [this.view.absences().values(), remarks], preset?.shown, preset?.recipe !== recipe, stage, status);
     this.report(stage);
     if (stage === 'error') this.stuck();
     if (stage === 'done') this.finish();
@@ -354,7 +349,7 @@ export class App {
   /** A recipe that has no name, in the words of its controls. */
   private described(): string {
     const { engine } = this;
-    const keys = [engine.get('tile') === '1' ? 'tile' : 'outline', 'kind', 'stone', 'palette'];
+    const keys = [engine.isSpace ? 'form' : engine.get('tile') === '1' ? 'tile' : 'outline', 'kind', 'stone', 'palette'];
     const labels = engine.schema.filter(({ key }) => keys.includes(key)).map((parameter) => shown(parameter, engine.get(parameter.key)));
     return t('own_recipe', { what: labels.join(' · ') });
   }

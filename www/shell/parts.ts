@@ -4,6 +4,17 @@ import type { Work } from '../state/work';
 import type { Loop } from '../picture/loop';
 import type { View } from '../picture/view';
 
+/** Those that only some generators need, and what opens them. */
+export const OFFERED = [
+  ['outline', 'edit-tools'],
+  ['probe', 'cells'],
+  ['layers', 'layers-button'],
+  ['tiles', 'tile-button'],
+  ['compare', 'compare-button'],
+  ['turn', 'turn-button'],
+  ['plots', 'plots-button'],
+] as const;
+
 export type Parts = ReturnType<typeof partsOf>;
 
 export function partsOf(work: Work, view: View, loop: Loop) {
@@ -15,7 +26,7 @@ export function partsOf(work: Work, view: View, loop: Loop) {
     layers: new Later(async () => new (await import('../look/layers')).Layers(store, view)),
     compare: new Later(async () => new (await import('../look/compare')).Compare(work, view, loop)),
     plots: new Later(async () => new (await import('../look/plots')).Plots(engine, view)),
-    turn: new Later(async () => new (await import('../turn/page')).PageTurntable(work)),
+    turn: new Later(async () => new (await import('../turn/page')).PageTurntable(work, loop, view)),
     tiles: new Later(async () => new (await import('../look/tiles')).Tiles(store, view)),
     linked: new Later(() => import('../look/linked')),
     share: new Later(() => import('../take/share')),
