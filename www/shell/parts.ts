@@ -16,6 +16,7 @@ export function partsOf(work: Work, view: View, loop: Loop) {
     compare: new Later(async () => new (await import('../look/compare')).Compare(work, view, loop)),
     plots: new Later(async () => new (await import('../look/plots')).Plots(engine, view)),
     turn: new Later(async () => new (await import('../turn/page')).PageTurntable(work)),
+    space: new Later(async () => new (await import('../space/space')).Space(work, () => loop.changed())),
     tiles: new Later(async () => new (await import('../look/tiles')).Tiles(store, view)),
     linked: new Later(() => import('../look/linked')),
     share: new Later(() => import('../take/share')),
