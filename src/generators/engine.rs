@@ -240,6 +240,13 @@ pub trait Engine: Any {
         None
     }
 
+    /// Of a direction field on a surface: singular points of positive and of negative index, the sum of their indices, what
+    /// borders add to that, and the Euler characteristic.
+    #[cfg(house)]
+    fn tally(&self) -> Option<[f64; 5]> {
+        None
+    }
+
     /// Where such a place is in that frame, in pixels; nothing where it is not seen there.
     #[cfg(house)]
     fn pixel_of(&self, _place: [i64; 3]) -> Option<[f64; 2]> {

@@ -44,6 +44,8 @@ export interface Generator {
   overlays: string[];
   /** The page's parts that it needs. */
   offers: string[];
+  /** From where its bodies are seen at first: the numbers of a camera, with commas between. */
+  home: string;
 }
 
 export interface Preset {

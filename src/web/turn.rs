@@ -102,6 +102,12 @@ impl Bubblestone {
         Some(place.map(|n| n as i32).to_vec())
     }
 
+    /// Of a direction field on a surface: how many singular points have a positive index, how many a negative one, the sum of
+    /// all, what borders add to it, and the Euler characteristic.
+    pub fn tally(&self) -> Option<Vec<f64>> {
+        self.studio.engine().tally().map(Vec::from)
+    }
+
     /// Where such a place is in that frame, in pixels; undefined where it is not seen there.
     #[wasm_bindgen(js_name = pixelOf)]
     pub fn pixel_of(&self, x: i32, y: i32, z: i32) -> Option<Vec<f64>> {

@@ -27,6 +27,7 @@ export function bindKeys(...more: Binding[]): void {
 const ON_PICTURE: readonly [shown: string[], word: Word, part: string][] = [
   [['← ↑ → ↓'], 'key_walk', 'probe'],
   [['← ↑ → ↓'], 'key_orbit', 'turn'],
+  [['← ↑ → ↓'], 'key_around', 'space'],
   [['← ↑ → ↓'], 'key_move', 'outline'],
   [['Shift'], 'key_far', 'outline'],
   [['Shift'], 'key_snap', 'outline'],

@@ -3,7 +3,7 @@ import { t } from '../words/words';
 import { byId, make } from './dom';
 
 /** Notices of the same topic replace each other. */
-export type Topic = 'link' | 'value' | 'outline' | 'done' | 'files' | 'busy' | 'replaced' | 'offline' | 'trouble' | 'module' | 'part' | 'language' | 'surface';
+export type Topic = 'link' | 'value' | 'outline' | 'done' | 'files' | 'busy' | 'replaced' | 'offline' | 'trouble' | 'module' | 'part' | 'language' | 'remarks';
 
 /** Milliseconds that a passing word stays; longer texts stay until dismissed. */
 const PASSING = 4000;

@@ -8,9 +8,14 @@ import { byId, frame, make, say, wantsStill } from '../base/dom';
 import type { Engine } from '../state/engine';
 import { valuesIn } from '../state/link';
 import type { Store } from '../state/store';
+import type { Camera } from '../state/viewing';
 import type { Partner, Work } from '../state/work';
 import { Loop } from '../picture/loop';
 import type { View } from '../picture/view';
+import { Gestures } from '../turn/gestures';
+import { homeOf } from '../state/asked-view';
+import { ALL_AROUND } from '../turn/camera';
+import { OtherFrames } from '../turn/others';
 import { Together } from './together';
 import { Zoom } from './zoom';
 import '../styles/late/beside.css';
@@ -26,6 +31,8 @@ export class Beside implements Partner {
   private readonly names = [make('p', { class: 'beside-name', id: 'beside-name' }), make('p', { class: 'beside-name own' })] as const;
   private engine: Engine | undefined;
   private loop: Loop | undefined;
+  /** What is seen of it in space. */
+  private space: OtherFrames | undefined;
   /** What the other one is called, and the link that is called so. */
   private title = '';
   private link = '';
@@ -60,16 +67,21 @@ export class Beside implements Partner {
     }
     for (const element of [this.sheet, ...this.names]) element.remove();
     this.loop?.end();
-    this.engine = this.loop = this.own.pair = this.work.partner = undefined;
+    this.space?.end();
+    this.engine = this.loop = this.space = this.own.pair = this.work.partner = undefined;
     this.store.update({ other: 'done' });
   }
 
   /** What stands beside the picture is the engine's from now on. Both begin anew, or it comes up to the one that is still in the making. */
   take(engine: Engine, title: string): void {
     this.loop?.end();
+    this.space?.end();
     this.engine = engine;
     [this.title, this.link] = [title, engine.link()];
     this.loop = new Loop(engine, (stage) => this.shownAt(stage), (stage, changed) => this.drawn(stage, changed));
+    this.space = engine.isSpace ? this.inSpace(engine, this.loop) : undefined;
+    this.loop.painter = this.space?.painter;
+    this.canvas.hidden = engine.isSpace;
     this.loop.pair = this.own.pair = new Together(this.work.engine, engine);
     this.work.partner = this;
     this.pairs.clear();
@@ -82,6 +94,27 @@ export class Beside implements Partner {
     if (!isEnd(this.work.engine.stage())) return this.restart();
     this.work.restart();
     this.own.changed();
+  }
+
+  /** Both are turned by what is done on either. */
+  private inSpace(engine: Engine, loop: Loop): OtherFrames {
+    const { store } = this;
+    const space = new OtherFrames(engine, store, loop);
+    const home = homeOf(engine.generator);
+    const none = (): void => undefined;
+    const hands = {
+      camera: () => store.state.camera ?? home,
+      heights: () => ALL_AROUND,
+      take: (camera: Camera) => store.update({ camera }),
+      home: () => store.update({ camera: undefined }),
+      leave: none,
+      tap: none,
+      over: none,
+      enter: none,
+    };
+    new Gestures(space.canvas, hands, false);
+    this.sheet.append(space.canvas);
+    return space;
   }
 
   /** A control was moved: the values that are other ones than before go to the other one, too, where it has them. */
@@ -141,7 +174,7 @@ export class Beside implements Partner {
     if (!engine?.alive) return;
     const context = canvas.getContext('2d');
     const words = this.shownAt(stage);
-    if (context && changed && words !== undefined) {
+    if (context && !engine.isSpace && changed && words !== undefined) {
       const side = engine.side();
       if (canvas.width !== side) canvas.width = canvas.height = side;
       engine.draw(context, words);

@@ -113,7 +113,15 @@ export class Compare {
     const groups = [...new Set(presets.map(({ group }) => group))].map((title) =>
       make('optgroup', { label: groupIn(title) }, ...presets.filter(({ group }) => group === title).map(({ name, title, figure }) => option(`${PRESET}${name}`, figure || title))),
     );
-    this.choice.replaceChildren(make('optgroup', { label: t('compare_this') }, ...THIS.map((word) => option(word, t(`compare_${word}`)))), option('link', t('compare_link')), ...groups);
+    // Changes of what this generator has.
+    const rows = this.work.engine.schema;
+    const has = (word: string): boolean => !(word in VARIANTS) || rows.some(({ key, choices }) => key === VARIANTS[word as Variant][0] && choices.some((choice) => choice.word === VARIANTS[word as Variant][1]));
+    const own = THIS.filter(has).map((word) => option(word, t(`compare_${word}`)));
+    this.choice.replaceChildren(make('optgroup', { label: t('compare_this') }, ...own), option('link', t('compare_link')), ...groups);
+    // Itself alone would be no comparison.
+    const { preset } = this.store.state;
+    const other = own.length > 1 ? undefined : presets.find(({ name }) => name !== preset?.shown.name);
+    if (other) this.choice.value = `${PRESET}${other.name}`;
   }
 
   private choose(): void {

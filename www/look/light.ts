@@ -4,7 +4,7 @@ import { byId, make } from '../base/dom';
 import { ARROWS } from '../late/arrows';
 import { shape } from '../late/svg';
 import type { Engine } from '../state/engine';
-import { HOME } from '../state/asked-view';
+import { homeOf } from '../state/asked-view';
 import { onStep } from '../state/scale';
 import type { Store } from '../state/store';
 import type { Work } from '../state/work';
@@ -100,7 +100,7 @@ export class LightOnCanvas {
   /** How far the picture is turned under the viewer, in degrees. */
   private round(): number {
     const { turn, camera } = this.store.state;
-    return turn ? (camera ?? HOME)[0] : 0;
+    return turn ? (camera ?? homeOf(this.engine.generator))[0] : 0;
   }
 
   private upwards(): 1 | -1 {
@@ -173,7 +173,7 @@ export class LightOnCanvas {
     for (const [word, radio] of this.kinds) radio.checked = word === kind;
     const lamp = kind === 'point';
     // The lamp has its place in the picture, the sun about the sheet.
-    const over = lamp ? byId('pane') : this.sheet;
+    const over = lamp && !this.store.state.turn ? byId('pane') : this.sheet;
     if (this.layer.parentElement !== over) over.append(this.layer);
     this.sun.hidden = lamp;
     this.foot.hidden = this.bulb.hidden = !lamp;

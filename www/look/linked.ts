@@ -2,7 +2,7 @@
 import { t } from '../words/look';
 import { wantsStill } from '../base/dom';
 import { notice } from '../base/messages';
-import { CAMERA, LIMITS, read, written, type Fault, type Sights } from '../state/asked-view';
+import { cameraLimits, LIMITS, read, written, type Fault, type Sights } from '../state/asked-view';
 import type { State } from '../state/store';
 import type { Work } from '../state/work';
 import type { Loop } from '../picture/loop';
@@ -20,7 +20,7 @@ export function show(words: string, work: Work, loop: Loop, change: (asked: Part
     ...(view === undefined ? {} : { view, overlays: overlays ?? [] }),
     // Who asks for less motion keeps the own speed.
     ...(pace === undefined || wantsStill() ? {} : { pace }),
-    ...(zoom === undefined ? {} : { zoom }),
+    ...(zoom === undefined || engine.isSpace ? {} : { zoom }),
     ...(step === undefined ? {} : { paused: false }),
     ...(camera === undefined ? {} : { turn: true, camera }),
   });
@@ -35,17 +35,18 @@ export function show(words: string, work: Work, loop: Loop, change: (asked: Part
     loop.changed();
   }
   if (faults.length) notice('link', ...engine.notices(), ...sentences(faults, engine.generator));
-  return written(viewing);
+  return written(viewing, engine.generator);
 }
 
 /** A sentence for each fault: what was given, what may be given, what is taken. */
-function sentences(faults: readonly Fault[], { bases, overlays, offers }: Sights): string[] {
+function sentences(faults: readonly Fault[], sights: Sights): string[] {
+  const { bases, overlays, offers } = sights;
   return faults.map(({ what, given, kept }) => {
     const end = kept === undefined ? t('linked_left') : t('linked_kept', { kept });
     if (what === 'view') return t('linked_view', { given, known: bases.join(', '), end });
     if (what === 'layer') return t('linked_layer', { given, known: overlays.join(', '), end });
     if (what === 'step' && !offers.includes('forming')) return t('linked_no_steps', { end });
-    if (what === 'camera') return offers.includes('turn') ? t('linked_camera', { given, limits: CAMERA.map(([from, to]) => `${from}–${to}`).join(', '), end }) : t('linked_no_turn', { end });
+    if (what === 'camera') return offers.includes('turn') ? t('linked_camera', { given, limits: cameraLimits(sights).map(([from, to]) => `${from}–${to}`).join(', '), end }) : t('linked_no_turn', { end });
     const [from, to] = LIMITS[what];
     return t(`linked_${what}`, { given, from, to, end });
   });

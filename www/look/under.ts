@@ -6,6 +6,7 @@ import type { Engine } from '../state/engine';
 import type { Store } from '../state/store';
 import type { Work } from '../state/work';
 import type { View } from '../picture/view';
+import { OtherFrames } from '../turn/others';
 
 /** Milliseconds of work in one idle slice, and between two drawings of work in progress. */
 const SLICE = 6;
@@ -21,6 +22,8 @@ export class Under {
   private readonly line = make('div', { class: 'compare-line' });
   private readonly divider = make('input', { type: 'range', id: 'divider', min: '0', max: '100', step: '1', value: '50', 'aria-label': t('compare_divider') });
   private engine: Engine | undefined;
+  /** What is seen of it in space. */
+  private space: OtherFrames | undefined;
   private waiting = false;
   /** A drawing is made in pieces, before there is more work. */
   private owed = false;
@@ -34,7 +37,7 @@ export class Under {
     byId('cells').before(this.canvas);
     this.sheet.append(this.line, this.divider);
     this.divider.addEventListener('input', () => this.slide());
-    this.store.on(['view', 'overlays'], () => this.paint());
+    this.store.on(['view', 'overlays'], () => this.look());
     this.store.on(['stage', 'paused'], () => this.wake());
     document.addEventListener('visibilitychange', () => this.wake());
     this.slide();
@@ -43,13 +46,39 @@ export class Under {
   show(on: boolean): void {
     for (const element of [this.canvas, this.line, this.divider]) element.hidden = !on;
     if (on) this.divider.focus({ preventScroll: true });
-    else this.engine = undefined;
+    else {
+      this.engine = undefined;
+      this.space?.end();
+      this.space = undefined;
+    }
   }
 
   /** What is compared is the engine's picture from now on. */
   take(engine: Engine): void {
     this.engine = engine;
     this.drawn = 0;
+    this.space?.end();
+    this.space = engine.isSpace ? this.inSpace(engine) : undefined;
+    this.canvas.hidden = engine.isSpace;
+    this.wake();
+  }
+
+  /** Its frames lie over those of the page's own. */
+  private inSpace(engine: Engine): OtherFrames {
+    const stands = (): boolean => isEnd(engine.stage());
+    const beat = {
+      look: () => this.wake(),
+      get stands() {
+        return stands();
+      },
+    };
+    const space = new OtherFrames(engine, this.store, beat);
+    this.line.before(space.canvas);
+    return space;
+  }
+
+  private look(): void {
+    this.space?.painter.changed();
     this.wake();
   }
 
@@ -78,12 +107,12 @@ export class Under {
     if (!engine || document.hidden) return;
     const works = !isEnd(engine.stage());
     if (works && !this.resting()) return;
-    if (works && !this.owed) engine.tick(SLICE, 100_000);
+    if (works && !this.owed && engine.tick(SLICE, 100_000)) this.space?.painter.changed();
     // Its failure was told.
     if (this.engine !== engine) return;
     const ended = isEnd(engine.stage());
     const due = ended || performance.now() >= this.drawn;
-    this.owed = due && !engine.prepare(this.view.words, SLICE);
+    this.owed = due && !(this.space ? this.space.painter.advance(SLICE) : engine.prepare(this.view.words, SLICE));
     if (due && !this.owed) this.paint();
     if (ended && !this.owed) say(this.progress, engine.problem());
     else this.wake();
@@ -95,7 +124,7 @@ export class Under {
 
   private paint(): void {
     const { engine, canvas } = this;
-    const context = engine && canvas.getContext('2d');
+    const context = engine && !engine.isSpace && canvas.getContext('2d');
     if (!context) return;
     const side = engine.side();
     if (canvas.width !== side) canvas.width = canvas.height = side;

@@ -16,7 +16,7 @@ export function isUpToSteps(stages: readonly string[], stage: string): boolean {
 }
 
 /** Where each stage begins, by its share of the time of common recipes; stages of which nothing is known take even shares. */
-const BEGINS: Record<string, number> = { domain: 0, fields: 0.02, packing: 0.1, mesh: 0.6, cells: 0.62, planes: 0.66, weather: 0.92, shading: 0.95 };
+const BEGINS: Record<string, number> = { domain: 0, surface: 0, fields: 0.02, packing: 0.1, mesh: 0.6, cells: 0.62, planes: 0.66, stones: 0.66, light: 0.85, weather: 0.92, shading: 0.95 };
 
 /** Every so many packing steps the rest of the way is taken to be half as long, as nobody knows how many it takes. */
 const HALF = 60;

@@ -32,6 +32,16 @@ interface Pair {
   tick(engine: Engine, budget: number, steps: number): boolean;
 }
 
+/** What is seen instead of the view's drawing, while there is such a thing: it is made in pieces as well. */
+export interface Painter {
+  /** The part of the time that it may take while the work goes on. */
+  readonly share: number;
+  /** What is made may look otherwise now. */
+  changed(): void;
+  /** Works for about `budget` milliseconds; true when nothing is left to be done before the work goes on. */
+  advance(budget: number): boolean;
+}
+
 export class Loop {
   /** Packing steps that a frame may take at most; below 1, several frames share one. */
   stepsPerFrame = 1;
@@ -41,6 +51,7 @@ export class Loop {
   until: Until | undefined;
   /** Another picture that goes on together with this one. */
   pair: Pair | undefined;
+  painter: Painter | undefined;
   private readonly ending = new AbortController();
   private credit = 0;
   private readonly engine: Engine;
@@ -82,6 +93,11 @@ export class Loop {
     this.redraw();
   }
 
+  /** No work is left but what a pause holds. */
+  get stands(): boolean {
+    return isEnd(this.engine.stage()) || (this.held && !this.settling);
+  }
+
   /** No frame comes any more. */
   end(): void {
     this.ending.abort();
@@ -108,6 +124,12 @@ export class Loop {
 
   /** What is to be seen was changed, but not what it is made of. */
   redraw(): void {
+    this.painter?.changed();
+    this.look();
+  }
+
+  /** There is more to be painted. */
+  look(): void {
     this.dirty = true;
     this.wake();
   }
@@ -134,7 +156,7 @@ export class Loop {
     const view = this.view(stage);
     if (view === undefined) return true;
     const begin = performance.now();
-    const ready = this.engine.prepare(view, PIECE);
+    const ready = this.painter ? this.painter.advance(PIECE) : this.engine.prepare(view, PIECE);
     this.pieces += performance.now() - begin;
     return ready;
   }
@@ -147,7 +169,7 @@ export class Loop {
     this.drawing = Math.max(end - begin, 0.8 * this.drawing);
     const spent = end - begin + this.pieces;
     this.pieces = 0;
-    this.nextDrawing = spent > DRAWN_ALWAYS ? end + spent * (1 / DRAWING_SHARE - 1) : end;
+    this.nextDrawing = spent > DRAWN_ALWAYS ? end + spent * (1 / (this.painter?.share ?? DRAWING_SHARE) - 1) : end;
   }
 
   /** `begin` is when the frame began. */
@@ -163,6 +185,7 @@ export class Loop {
     const changed = working && this.work(begin);
     this.hold();
     const stage = this.engine.stage();
+    if (changed || stage !== before) this.painter?.changed();
     // Held, work ends where only packing steps are left: the packing's first cells may take a slice of their own.
     if (isEnd(stage) || (working && this.held && stage === STEPPING && !changed)) this.settling = false;
     const now = changed ? performance.now() : begin;

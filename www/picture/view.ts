@@ -14,6 +14,8 @@ export class View {
   private readonly engine: Engine;
   private readonly store: Store;
   private readonly followers: (() => void)[] = [];
+  /** What is told of views of what stands in space: they have their own words. */
+  noted: ((view: string) => string) | undefined;
 
   constructor(engine: Engine, store: Store) {
     this.engine = engine;
@@ -45,6 +47,7 @@ export class View {
 
   /** What a drawing shows, in a sentence; '' for pictures. */
   get note(): string {
+    if (this.engine.isSpace) return this.noted?.(this.store.state.view) ?? '';
     const drawing = DRAWINGS.find((word) => word === this.store.state.view);
     return drawing ? t(`note_${drawing}`, { n: this.engine.heightRange().toFixed(1) }) : '';
   }

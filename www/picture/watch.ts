@@ -24,7 +24,7 @@ export const PHASES = ['push', 'settle', 'stone'] as const;
 export type Phase = (typeof PHASES)[number];
 
 /** Stages up to the first cells, and those in which they stand as they are. */
-const BEFORE = ['', 'domain', 'fields'];
+const BEFORE = ['', 'domain', 'surface', 'fields'];
 const STANDING_STAGES = ['packing', 'mesh', 'cells'];
 
 export class Watch {

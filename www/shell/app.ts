@@ -14,6 +14,7 @@ import { isReload, withValues } from '../state/link';
 import { isLocked } from '../state/locks';
 import { lastWork, remember } from '../state/memory';
 import { Store, type State } from '../state/store';
+import { WHOLE } from '../state/viewing';
 import { Work } from '../state/work';
 import { Ahead } from '../picture/ahead';
 import { Forming } from '../picture/forming';
@@ -77,6 +78,8 @@ export class App {
   private finish = (): void => undefined;
   /** A timer: the end of the work is told once it lasts. */
   private telling = 0;
+  /** What was said of what is made. */
+  private remarked = '';
   /** Visitors who asked for less motion see no cells move until they choose a speed. */
   private still = wantsStill();
 
@@ -129,7 +132,7 @@ export class App {
         // A file is still to be chosen.
         if (text === FILE) panel.refresh();
       },
-      (key) => (this.inSpace() ? this.parts.space.ask((space) => space.edit(key)) : this.parts.editor.ask((editor) => editor.toggle(key))),
+      (key) => (this.engine.isSpace ? this.parts.space.ask((space) => space.edit(key)) : this.parts.editor.ask((editor) => editor.toggle(key))),
     );
     const tools = new EditTools(this.work, this.parts.editor, (file) => this.parts.space.ask((space) => void space.take(file)));
     const dice = new Dice(this.work, () => this.push());
@@ -174,19 +177,17 @@ export class App {
 
   /** What is made now, before anything of it is shown: stages, views, and the parts of the page that serve it. */
   private offer(): void {
-    const { stages, offers } = this.engine.generator;
+    const { engine } = this;
+    const { stages } = engine.generator;
+    // What stands in space is seen as bodies, and not in another way.
+    const offers = engine.generator.offers.filter((part) => part !== 'turn' || !engine.isSpace);
     this.status.follow(stages);
     this.view.follow();
     document.documentElement.dataset['offers'] = offers.join(' ');
     for (const [part, id] of OFFERED) byId(id).hidden = !offers.includes(part);
     this.leaveEditor();
-    if (this.inSpace()) this.parts.space.ask((space) => space.follow());
-    this.store.update({ layers: false, compare: false, plots: false, turn: false, repeat: 1 });
-  }
-
-  /** Whether what is made is no picture in a plane. */
-  private inSpace(): boolean {
-    return this.engine.generator.offers.includes('space');
+    if (engine.isSpace) this.parts.space.ask((space) => space.follow());
+    this.store.update({ layers: false, compare: false, plots: false, turn: engine.isSpace, camera: undefined, repeat: 1, ...(engine.isSpace ? { zoom: WHOLE } : {}) });
   }
 
   /** Whether cells were shown, or never will be. */
@@ -346,7 +347,7 @@ export class App {
   private drawn(stage: string, changed: boolean): void {
     if (!this.engine.alive) return;
     const { preset, recipe } = this.store.state;
-    if (changed && this.shownAt(stage) !== undefined) this.view.draw();
+    if (changed && !this.engine.isSpace && this.shownAt(stage) !== undefined) this.view.draw();
     const status = this.engine.status();
     this.begun ||= changed && status.cells > 0;
     this.forming.follow(stage, this.begun);
@@ -379,6 +380,7 @@ export class App {
     const before = this.store.state.stage;
     if (stage === before) return;
     if (before === 'error') clear('trouble');
+    this.remark(stage);
     // A pause holds one forming, not the next.
     this.store.update(isEnd(stage) ? { stage, paused: false } : { stage });
     const { cells, steps } = this.engine.status();
@@ -388,6 +390,17 @@ export class App {
     // There is time now; without a storage the next visit unpacks the module again.
     keepModules().catch(() => undefined);
     this.telling = window.setTimeout(() => say(byId('live'), t('done', { cells, steps })), SETTLED);
+  }
+
+  /** What is to be said of a surface in space, once that and its fields are made: once for the same. */
+  private remark(stage: string): void {
+    const { engine } = this;
+    const { stages } = engine.generator;
+    const isKnown = stage === 'done' || stages.indexOf(stage) > stages.indexOf('fields');
+    const sentences = isKnown ? engine.remarks() : [];
+    if (!isKnown && engine.isSpace) return;
+    if (sentences.join() !== this.remarked) notice('remarks', ...sentences);
+    this.remarked = sentences.join();
   }
 
   /** The next change is an entry of its own in the browser's history. */

@@ -10,7 +10,8 @@ import { read, written } from '../state/asked-view';
 import { isPicture, wantsFine } from '../state/fine';
 import { joined, parted, WHOLE, type Camera } from '../state/viewing';
 import type { Fine } from '../look/fine';
-import type { Turntable } from '../turn/turntable';
+import type { LocalFrames } from '../turn/local';
+import type { Place, Turntable } from '../turn/turntable';
 import { layInFrame } from '../picture/frame';
 import { Loop } from '../picture/loop';
 import { Until } from '../picture/until';
@@ -35,7 +36,10 @@ export class Embed {
   private refining = !wantsFine();
   /** Where the bodies are seen from; undefined while the picture is. */
   private camera: Camera | undefined;
-  private turntable: Turntable | undefined;
+  /** The bodies of a picture, and what stands in space. */
+  private slant: Turntable | undefined;
+  private space: Turntable | undefined;
+  private frames: LocalFrames | undefined;
 
   constructor() {
     const { recipe, words } = parted(fragment());
@@ -70,7 +74,7 @@ export class Embed {
     const { canvas, context, engine, scripts } = this;
     document.documentElement.dataset['stage'] = stage;
     const view = this.shownAt(stage);
-    if (context && changed && view) {
+    if (context && changed && view && !engine.isSpace) {
       if (canvas.width !== engine.side()) canvas.width = canvas.height = engine.side();
       engine.draw(context, view);
     }
@@ -91,7 +95,7 @@ export class Embed {
     import('../look/fine').then(
       ({ Fine }) =>
         (this.fine = new Fine(canvas, () => {
-          const isPlain = isPicture(this.view) && engine.stage() === 'done' && !this.camera;
+          const isPlain = isPicture(this.view) && engine.stage() === 'done' && !this.camera && !engine.isSpace;
           return isPlain ? { link: engine.link(), side: engine.side(), zoom: this.zoom.scale } : undefined;
         })),
       () => undefined,
@@ -111,32 +115,46 @@ export class Embed {
 
   /** The button says what it does now. */
   private name(stage: string): void {
-    const word = t(this.loop.paused || isEnd(stage) ? 'play' : 'pause');
+    const does = this.loop.paused || isEnd(stage) ? 'play' : 'pause';
+    const word = t(does);
+    this.button.dataset['does'] = does;
     if (this.button.title === word) return;
     this.button.title = word;
     this.button.setAttribute('aria-label', word);
   }
 
-  /** Shows the bodies from a slant, or the picture again. What makes them comes later; without it there is the picture. */
+  /** Shows the bodies from a slant, or the picture again; what stands in space is shown so always. What makes them comes later; without it there is the picture. */
   private turn(camera: Camera | undefined): void {
+    const { engine, loop } = this;
+    const { isSpace } = engine;
     this.camera = camera;
+    document.documentElement.dataset['offers'] = engine.generator.offers.join(' ');
     const show = (): void => {
-      this.button.hidden = this.camera !== undefined;
-      this.turntable?.toggle(this.camera !== undefined);
-      this.turntable?.follow();
+      const on = isSpace || this.camera !== undefined;
+      const turntable = isSpace ? this.space : this.slant;
+      // In space the button is a small one, beside the bodies.
+      this.button.hidden = on && !isSpace;
+      for (const other of [this.space, this.slant]) if (other !== turntable) other?.toggle(false);
+      loop.painter = isSpace ? this.frames : undefined;
+      turntable?.toggle(on);
+      turntable?.follow();
     };
-    if (!camera || this.turntable) return show();
-    import('../turn/turntable').then(
-      ({ Turntable }) => {
-        const { engine } = this;
-        this.turntable ??= new Turntable({
-          link: () => engine.link(),
-          held: () => false,
-          get: (key) => engine.get(key),
-          camera: () => this.camera,
-          take: (now) => (this.camera = now),
-          ended: () => this.turn(undefined),
-        });
+    if (isSpace ? this.space : (this.slant ?? !camera)) return show();
+    const place: Place = {
+      generator: () => engine.generator,
+      link: () => engine.link(),
+      held: () => false,
+      get: (key) => engine.get(key),
+      camera: () => this.camera,
+      take: (now) => (this.camera = now),
+      ended: () => this.turn(undefined),
+      alone: true,
+    };
+    const both = Promise.all([import('../turn/turntable'), isSpace ? import('../turn/local') : undefined]);
+    both.then(
+      ([{ Turntable }, local]) => {
+        if (local) this.space ??= new Turntable({ ...place, frames: (heard) => (this.frames = new local.LocalFrames({ engine, loop, view: () => this.view }, heard)) });
+        else this.slant ??= new Turntable(place);
         show();
       },
       () => undefined,
@@ -148,8 +166,8 @@ export class Embed {
     const { viewing } = read(words, engine.generator);
     const { view = 'auto', overlays = [], pace = 1, step, zoom = WHOLE, camera } = viewing;
     this.view = [view, ...overlays].join('+');
-    this.home.href = pageAddress(joined(engine.link(), written(viewing)));
-    layInFrame(byId('sheet'), (this.zoom = zoom));
+    this.home.href = pageAddress(joined(engine.link(), written(viewing, engine.generator)));
+    layInFrame(byId('sheet'), (this.zoom = engine.isSpace ? WHOLE : zoom));
     this.turn(camera);
     this.fine?.follow();
     loop.stepsPerFrame = this.still ? Number.MAX_SAFE_INTEGER : pace;

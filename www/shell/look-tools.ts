@@ -90,9 +90,10 @@ function bind(): void {
 function tool(store: Store, name: Tool, part: Later<Shown>): void {
   const button = byId(`${name}-button`);
   const state = button.hasAttribute('aria-pressed') ? 'aria-pressed' : 'aria-expanded';
-  button.addEventListener('click', () => store.update({ [name]: !store.state[name] }));
+  button.addEventListener('click', () => button.hidden || store.update({ [name]: !store.state[name] }));
   store.on([name], (now) => {
     button.setAttribute(state, String(now[name]));
     part.ask((it) => it.show(store.state[name]));
   });
+  if (store.state[name]) part.ask((it) => it.show(store.state[name]));
 }

@@ -52,7 +52,7 @@ export function scriptFace(engine: Engine, rests: () => boolean, camera: () => C
       get: (key) => engine.get(key),
       status: () => ahead()?.status ?? engine.status(),
       probe: (x, y) => engine.probe([x, y]),
-      frame: async (from) => (await import('../turn/hash')).hashOf(engine.link(), from ?? camera()),
+      frame: async (from) => (await import('../turn/hash')).hashOf(engine.link(), from ?? camera(), engine.generator.home),
       get schema() {
         return engine.schema;
       },

@@ -1,24 +1,27 @@
-/** What surfaces in space have on the page beside what all pictures have: files of models, and what is to be said of them. */
-import { said } from '../words/words';
+/** What surfaces in space have on the page beside what all pictures have: files of models, and tools to paint on them. */
 import { t } from '../words/space';
 import { make } from '../base/dom';
-import { clear, notice } from '../base/messages';
+import type { Later } from '../base/later';
 import type { Work } from '../state/work';
+import type { PageTurntable } from '../turn/page';
 import { Asked } from './asked';
 import { MODEL, openModel } from './models';
+import { Painter } from './paint/painter';
+import { TOOLS } from './paint/tools';
 import '../styles/late/space.css';
 
 export class Space {
   private readonly work: Work;
+  private readonly turn: Later<PageTurntable>;
   private readonly again: () => void;
+  private painter: Painter | undefined;
   private readonly asked = new Asked(() => this.choose());
   private readonly file = make('input', { type: 'file', id: 'model-file', accept: '.obj,.glb,.ply,.stl', hidden: '', 'aria-label': t('choose') });
-  /** What was said of the last surface. */
-  private told = '';
 
   /** `again` is to be called where the engine has something to do that is no change of the recipe. */
-  constructor(work: Work, again: () => void) {
+  constructor(work: Work, turn: Later<PageTurntable>, again: () => void) {
     this.work = work;
+    this.turn = turn;
     this.again = again;
     document.body.append(this.file);
     this.file.addEventListener('change', () => {
@@ -42,7 +45,12 @@ export class Space {
 
   /** What is drawn or named by a control of the panel. */
   edit(key: string): void {
-    if (key === MODEL) this.choose();
+    if (key === MODEL) return this.choose();
+    const tool = TOOLS.find((one) => one === key);
+    this.turn.ask((page) => {
+      this.painted(page).choose(tool);
+      page.focus();
+    });
   }
 
   /** Shows what the state of the work asks for. */
@@ -50,16 +58,16 @@ export class Space {
     const { engine, store } = this.work;
     const { stage } = store.state;
     this.asked.show(stage === 'error' ? engine.missing()?.name : undefined);
-    if (stage === 'done' || stage === 'error') this.tell();
+    if (engine.isSpace) this.turn.ask((page) => void this.painted(page));
   }
 
-  /** What was mended, or does not fit well; once, as long as it is the same. */
-  private tell(): void {
-    const sentences = this.work.engine.inSpace((studio) => studio.remarks(), []).map(said);
-    const all = sentences.join(' ');
-    if (all === this.told) return;
-    this.told = all;
-    if (all === '') clear('surface');
-    else notice('surface', ...sentences);
+  private painted(page: PageTurntable): Painter {
+    return (this.painter ??= this.begin(page));
+  }
+
+  private begin(page: PageTurntable): Painter {
+    const painter = new Painter(this.work, page.surface);
+    page.framed = () => painter.draw();
+    return painter;
   }
 }

@@ -7,6 +7,8 @@ export interface Sights {
   readonly overlays: readonly string[];
   /** Only what is offered as a forming goes in steps, and only what is offered to be turned is seen from a slant. */
   readonly offers: readonly string[];
+  /** Where the viewer stands at first, in numbers with commas between. */
+  readonly home: string;
 }
 
 /** Something in a link that cannot be used as it is. */
@@ -23,11 +25,25 @@ export const LIMITS = { pace: [0.01, 100_000], step: [0, 100_000], zoom: [1, 16]
 /** The same of each number of a camera; angles go round. */
 export const CAMERA = [[0, 360], [5, 90], [0.05, 20], [5, 100], [-2, 2], [-2, 2], [-2, 2]] as const;
 
-/** Where the viewer stands at first, and in links that do not say so. */
-export const HOME: Camera = [330, 40, 2.95, 28, 0, 0, 0];
+/** Where the viewer of a plane stands at first; other generators have the first numbers of it otherwise. */
+const HOME: Camera = [330, 40, 2.95, 28, 0, 0, 0];
+
+/** What stands in space is seen from below as well. */
+const BELOW = -85;
 
 /** Decimals that a link has of each number. */
 const DIGITS = [1, 1, 3, 1, 4, 4, 4];
+
+/** Where the viewer stands at first, and in links that do not say so. */
+export function homeOf({ home }: Pick<Sights, 'home'>): Camera {
+  const numbers = home.split(',').map(numberIn);
+  return HOME.map((value, k) => numbers[k] ?? value) as unknown as Camera;
+}
+
+/** From and to, of each number of a camera. */
+export function cameraLimits({ offers }: Pick<Sights, 'offers'>): readonly (readonly [number, number])[] {
+  return offers.includes('space') ? CAMERA.map(([least, most], k) => [k === 1 ? BELOW : least, most] as const) : CAMERA;
+}
 
 /** What the words ask for, and what of it is mended or left out. */
 export function read(words: string, sights: Sights): { viewing: Viewing; faults: Fault[] } {
@@ -39,28 +55,28 @@ export function read(words: string, sights: Sights): { viewing: Viewing; faults:
     if (key === 'pace') viewing.pace = within(given, key, faults);
     if (key === 'step' && sights.offers.includes('forming')) viewing.step = within(given, key, faults);
     else if (key === 'step') faults.push({ what: 'step', given });
-    if (key === 'camera' && sights.offers.includes('turn')) readCamera(given, viewing, faults);
+    if (key === 'camera' && sights.offers.includes('turn')) readCamera(given, sights, viewing, faults);
     else if (key === 'camera') faults.push({ what: 'camera', given });
   }
   return { viewing, faults };
 }
 
 /** The words that ask for this; '' for what all see. */
-export function written({ view = 'auto', overlays = [], pace, step, zoom, camera }: Viewing): string {
+export function written({ view = 'auto', overlays = [], pace, step, zoom, camera }: Viewing, sights: Pick<Sights, 'home'>): string {
   const drawn = [view, ...overlays].join('+');
   return [
     ...(drawn === 'auto' ? [] : [`view=${drawn}`]),
     ...(pace === undefined ? [] : [`pace=${pace}`]),
     ...(step === undefined ? [] : [`step=${step}`]),
     ...(zoom && zoom.scale > 1 ? [`zoom=${[zoom.scale, zoom.x, zoom.y].map((value) => Number(value.toFixed(4))).join()}`] : []),
-    ...(camera ? [`camera=${cameraWords(camera)}`] : []),
+    ...(camera ? [`camera=${cameraWords(camera, homeOf(sights))}`] : []),
   ].join('&');
 }
 
 /** A camera as links have it, without the last numbers where those are usual. */
-export function cameraWords(camera: Camera): string {
+export function cameraWords(camera: Camera, home: Camera): string {
   const numbers = camera.map((value, k) => Number(value.toFixed(DIGITS[k])));
-  const last = numbers.findLastIndex((value, k) => value !== HOME[k]);
+  const last = numbers.findLastIndex((value, k) => value !== home[k]);
   return numbers.slice(0, Math.max(1, last + 1)).join();
 }
 
@@ -103,17 +119,18 @@ function readZoom(given: string, viewing: Viewing, faults: Fault[]): void {
   const scale = within(times, 'zoom', faults);
   if (scale === undefined) return;
   const asked = { scale, x, y };
-  if (Math.min(x, y) < 0 || Math.max(x, y) > 1) faults.push({ what: 'zoom', given, kept: written({ zoom: inFrame(asked) }).slice(5) || '1' });
+  if (Math.min(x, y) < 0 || Math.max(x, y) > 1) faults.push({ what: 'zoom', given, kept: written({ zoom: inFrame(asked) }, { home: '' }).slice(5) || '1' });
   viewing.zoom = inFrame(asked);
 }
 
 /** Up to seven numbers; what is missing is usual. */
-function readCamera(given: string, viewing: Viewing, faults: Fault[]): void {
+function readCamera(given: string, sights: Sights, viewing: Viewing, faults: Fault[]): void {
+  const home = homeOf(sights);
   const numbers = given === '' ? [] : given.split(',').map(numberIn);
-  if (numbers.length > HOME.length || numbers.includes(undefined)) return void faults.push({ what: 'camera', given });
-  const asked = HOME.map((value, k) => numbers[k] ?? value);
-  const kept = CAMERA.map(([least, most], k) => Math.min(most, Math.max(least, asked[k] ?? 0))) as unknown as Camera;
-  if (kept.some((value, k) => value !== asked[k])) faults.push({ what: 'camera', given, kept: cameraWords(kept) });
+  if (numbers.length > home.length || numbers.includes(undefined)) return void faults.push({ what: 'camera', given });
+  const asked = home.map((value, k) => numbers[k] ?? value);
+  const kept = cameraLimits(sights).map(([least, most], k) => Math.min(most, Math.max(least, asked[k] ?? 0))) as unknown as Camera;
+  if (kept.some((value, k) => value !== asked[k])) faults.push({ what: 'camera', given, kept: cameraWords(kept, home) });
   viewing.camera = kept;
 }
 

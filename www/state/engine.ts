@@ -3,9 +3,10 @@
  * calls answer with harmless values instead of failing again.
  */
 import type { Bubblestone } from '../../pkg/bubblestone.js';
+import type { FrameSlice, SeenBody } from '../../pkg-house/bubblestone.js';
 import { leaveModule, moduleFor, useModule, type Module } from '../module/load';
 import type { SceneStudio } from '../module/scene';
-import type { Absence, Answer, Generator, Histograms, Parameter, Point, Preset, Probe, Ring, Series, Status } from '../module/types';
+import type { Absence, Answer, Generator, Histograms, Notice, Parameter, PixelMap, Point, Preset, Probe, Ring, Series, Status } from '../module/types';
 import { parameterIn, presetIn, said } from '../words/words';
 
 /** What became of what was asked for. */
@@ -18,7 +19,9 @@ export interface Told {
 
 const NO_ANSWER: Answer = { refused: true, notices: [] };
 
-const NO_GENERATOR: Generator = { word: '', title: '', stages: [], bases: [], overlays: [], offers: [] };
+const NO_GENERATOR: Generator = { word: '', title: '', stages: [], bases: [], overlays: [], offers: [], home: '' };
+
+const NOT_YET: Notice = { code: 'not_yet', args: {}, text: '' };
 
 const NO_STATUS: Status = {
   cells: 0,
@@ -88,6 +91,11 @@ export class Engine {
   get presets(): Preset[] {
     const { word } = this.generator;
     return kept(this.known, word, () => this.guard(() => this.module?.presets(word).map(presetIn), undefined) ?? []);
+  }
+
+  /** Whether what is made stands in space: it is seen by frames of its bodies only, at any time. */
+  get isSpace(): boolean {
+    return this.generator.offers.includes('space');
   }
 
   get alive(): boolean {
@@ -176,6 +184,36 @@ export class Engine {
   /** Draws a view: words joined by '+', at most one of a base, any of overlays; see `draw` of the module. */
   draw(context: CanvasRenderingContext2D, view: string): void {
     this.ask((core) => core.draw(context, view), undefined);
+  }
+
+  /** Works for about `budget` milliseconds on a frame of the bodies; only of what has some. See `turn` of the module. */
+  turn(subject: string, camera: string, [width, height]: readonly [number, number], how: string, budget: number): FrameSlice | Notice {
+    return this.ask((core) => (core as SceneStudio).turn(subject, camera, width, height, how, budget), NOT_YET);
+  }
+
+  /** The body at a pixel of the frame last finished. */
+  bodyAt(x: number, y: number): SeenBody | undefined {
+    return this.ask((core) => (core as SceneStudio).bodyAt(x, y), undefined);
+  }
+
+  /** The words of the steps in the making of a body. */
+  making(id: number): string[] {
+    return this.ask((core) => (core as SceneStudio).making(id), []);
+  }
+
+  /** A plane of the frame last finished. */
+  frameMap(word: string): PixelMap | Notice {
+    return this.ask((core) => (core as SceneStudio).frameMap(word), NOT_YET);
+  }
+
+  /** Of a direction field in space: singular points of positive and negative index, the sum of these, what borders add, the Euler characteristic. */
+  tally(): ArrayLike<number> | undefined {
+    return this.ask((core) => (core as SceneStudio).tally(), undefined);
+  }
+
+  /** What is to be said of a surface in space: what was mended, or does not fit well. */
+  remarks(): string[] {
+    return this.isSpace ? this.ask((core) => (core as SceneStudio).remarks(), []).map(said) : [];
   }
 
   /** What of a view shows nothing, by its word, and why. */

@@ -4,6 +4,6 @@ import type { Store } from '../state/store';
 
 export function nameOf(engine: Engine, store: Store, ending: string): string {
   const { preset, recipe, make: word } = store.state;
-  const what = preset?.recipe === recipe ? preset.shown.name : engine.get('tile') === '1' ? 'tile' : engine.get('outline') || word;
+  const what = preset?.recipe === recipe ? preset.shown.name : engine.get('tile') === '1' ? 'tile' : engine.get('outline') || engine.get('form') || word;
   return `bubblestone-${what}-${engine.get('seed')}${ending}`;
 }

@@ -14,6 +14,7 @@ import { fileOf } from './job';
 import { nameOf } from './name';
 import { signed, signedPng } from './origin';
 import { openRecipe, recipeFile } from './recipe-file';
+import { seenNow } from './seen';
 import { turned } from './turned';
 import { working } from './working';
 
@@ -57,13 +58,13 @@ export class SaveDialog {
     this.dialog = takeDialog(
       'save-dialog',
       t('save'),
-      row(t('picture'), t('picture_note'), ...this.pictures()),
+      ...this.flat(() => row(t('picture'), t('picture_note'), ...this.pictures())),
       ...(this.work.store.state.turn ? [turned(work, (id, word, ending, job) => this.button(id, word, ending, this.made(job, false)), () => this.dialog.close())] : []),
       ...this.offered('svg', t('cells'), t('cells_note'), this.button('save-svg', 'SVG', '.svg', this.made(() => ({ file: 'svg' }), false))),
       ...this.offered('forming', t('forming'), t('forming_note'), ...this.films()),
-      row(t('maps'), t('maps_note'), ...this.maps()),
-      ...this.offered('mesh', t('mesh'), t('mesh_note'), ...this.mesh()),
-      ...this.offered('mesh', t('slab'), t('slab_note'), ...this.slab()),
+      ...this.flat(() => row(t('maps'), t('maps_note'), ...this.maps())),
+      ...this.offered('mesh', t('mesh'), t(work.engine.isSpace ? 'mesh_note_space' : 'mesh_note'), ...this.mesh()),
+      ...this.flat(() => row(t('slab'), t('slab_note'), ...this.slab()), 'mesh'),
       row(t('recipe'), t('recipe_note'), ...this.recipe()),
     );
   }
@@ -71,6 +72,12 @@ export class SaveDialog {
   /** A row of what the generator at work makes. */
   private offered(part: string, what: string, note: string, ...ways: HTMLElement[]): HTMLElement[] {
     return this.work.engine.generator.offers.includes(part) ? [row(what, note, ...ways)] : [];
+  }
+
+  /** A row of what lies in a plane; of a `part` only where that is offered. */
+  private flat(row: () => HTMLElement, part?: string): HTMLElement[] {
+    const { isSpace, generator } = this.work.engine;
+    return isSpace || (part !== undefined && !generator.offers.includes(part)) ? [] : [row()];
   }
 
   private button(id: string, word: string, ending: string | (() => string), making: Making): HTMLButtonElement {
@@ -132,7 +139,7 @@ export class SaveDialog {
       const note = film.closest('section')?.querySelector('.take-note');
       if (note) say(note, t('no_film'));
     });
-    return [shape, film, this.button('save-gif', 'GIF', '.gif', this.made(() => ({ file: 'gif' }), false))];
+    return [shape, film, this.button('save-gif', 'GIF', '.gif', this.made(() => ({ file: 'gif', isSpace: engine.isSpace, ...seenNow(engine, store) }), false))];
   }
 
   private maps(): HTMLElement[] {
@@ -158,13 +165,16 @@ export class SaveDialog {
       chosen.detail = detail.value;
       const images = IMAGES.map((bytes) => bytes * engine.side() ** 2);
       const [plain, textured, obj] = [engine.meshSize('glb', detail.value), engine.meshSize('glb', detail.value, images), engine.meshSize('obj', detail.value)];
-      size.value = t('mesh_size', { n: shown(rounded(plain.triangles)), glb: megabytes(plain.bytes), images: megabytes(textured.bytes), obj: megabytes(obj.bytes) });
+      const sizes = { n: shown(rounded(plain.triangles)), glb: megabytes(plain.bytes), obj: megabytes(obj.bytes) };
+      size.value = engine.isSpace ? t('mesh_size_space', sizes) : t('mesh_size', { ...sizes, images: megabytes(textured.bytes) });
     };
     detail.addEventListener('change', tell);
     tell();
     const file = (id: string, word: string, file: 'glb' | 'obj', images = false): HTMLButtonElement =>
       this.button(id, word, `.${file}`, this.made(() => ({ file, detail: detail.value, images })));
-    return [detail, file('save-glb', 'GLB', 'glb'), file('save-glb-images', t('images'), 'glb', true), file('save-obj', 'OBJ', 'obj'), size];
+    // Images are maps of a plane.
+    const images = engine.isSpace ? [] : [file('save-glb-images', t('images'), 'glb', true)];
+    return [detail, file('save-glb', 'GLB', 'glb'), ...images, file('save-obj', 'OBJ', 'obj'), size];
   }
 
   /** A slab for printing; all measures stay while the page is open. */

@@ -1,8 +1,10 @@
 /** What the turntable shows now, and where from. */
-import { cameraWords, HOME } from '../state/asked-view';
+import { cameraWords, homeOf } from '../state/asked-view';
+import type { Engine } from '../state/engine';
 import type { Store } from '../state/store';
 import type { Seen } from './files/turn';
 
-export function seenNow({ state: { body, camera } }: Store): Seen {
-  return { subject: body?.subject ?? '', camera: cameraWords(body?.camera ?? camera ?? HOME) };
+export function seenNow(engine: Engine, { state: { body, camera, view } }: Store): Seen {
+  const home = homeOf(engine.generator);
+  return { subject: body?.subject ?? '', camera: cameraWords(body?.camera ?? camera ?? home, home), view: engine.isSpace ? view : 'auto' };
 }

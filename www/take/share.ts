@@ -6,7 +6,7 @@ import { viewIn } from '../words/words';
 import { make, say, wantsStill } from '../base/dom';
 import type { Engine } from '../state/engine';
 import { address, embedAddress, valuesIn } from '../state/link';
-import { HOME, written } from '../state/asked-view';
+import { homeOf, written } from '../state/asked-view';
 import { joined, PACE, WHOLE, type Viewing } from '../state/viewing';
 import type { Store } from '../state/store';
 import { takeDialog } from './dialog';
@@ -33,7 +33,7 @@ export function share(engine: Engine, store: Store, canvas: HTMLCanvasElement): 
   const picture = 'share' in navigator ? pictureOf(store.state.turn ? (document.querySelector<HTMLCanvasElement>('#turn canvas') ?? canvas) : canvas, address(recipe)) : undefined;
   const parts = [linkOf(engine, picture, title, told), codeOf(), embedding(title, told)];
   const viewing = seen(engine, store);
-  const words = written(viewing);
+  const words = written(viewing, engine.generator);
   const follow = (as: string): void => parts.forEach((part) => part.follow(joined(recipe, as), as));
   const [first, ...others] = parts.map(({ element }) => element);
   first?.append(asSeen(viewing, words, follow), told);
@@ -63,7 +63,7 @@ function seen(engine: Engine, store: Store): Viewing {
     pace: pace === (wantsStill() ? PACE.still : PACE.usual) ? undefined : pace,
     step: paused && !isEnd(stage) && engine.generator.offers.includes('forming') ? engine.status().steps : undefined,
     zoom,
-    camera: turn ? (camera ?? HOME) : undefined,
+    camera: turn && (camera || !engine.isSpace) ? (camera ?? homeOf(engine.generator)) : undefined,
   };
 }
 

@@ -29,10 +29,10 @@ export function turned({ engine, store }: Work, offer: Offer, close: () => void)
   behind.addEventListener('change', () => (chosen.backdrop = behind.value));
   const job = (plane: (typeof PLANES)[number] | undefined) => (): Job => {
     const scale = Number(size.value);
-    return { file: 'turn', plane, side: SIDE * scale, scale, backdrop: behind.value as Backdrop, ...seenNow(store) };
+    return { file: 'turn', plane, side: SIDE * scale, scale, backdrop: behind.value as Backdrop, ...seenNow(engine, store) };
   };
   return row(
-    t('turned'),
+    t(engine.isSpace ? 'picture' : 'turned'),
     t('turned_note'),
     size,
     behind,

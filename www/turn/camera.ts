@@ -12,7 +12,6 @@ export type Spot = readonly [u: number, v: number];
 
 /** How low and how high the viewer stands, in degrees: over the ground, or about one body. */
 export type Heights = readonly [least: number, most: number];
-export const OVER_GROUND: Heights = CAMERA[1];
 export const ALL_AROUND: Heights = [-85, 90];
 
 /** What is pointed at counts up to so many distances of the target. */

@@ -12,7 +12,20 @@ export interface Heard {
   ended(how: 'lost' | 'broken', why: string): void;
 }
 
-export class Frames {
+/** What is to be seen, as the turntable says it. */
+export type Wished = Omit<Wish, 'n'>;
+
+/** Where frames come from. */
+export interface FrameSource {
+  /** Asks for frames; true where they are other ones than before. */
+  want(wish: Wished): boolean;
+  /** The body at a place of the last frame, in parts of its sides. */
+  bodyAt(x: number, y: number): Promise<Told | undefined>;
+  /** None are asked for any more. */
+  end(): void;
+}
+
+export class Frames implements FrameSource {
   private readonly heard: Heard;
   private worker: Worker | undefined;
   private last: Wish | undefined;
@@ -23,8 +36,7 @@ export class Frames {
     this.heard = heard;
   }
 
-  /** Asks for frames; true where they are other ones than before. */
-  want(wish: Omit<Wish, 'n'>): boolean {
+  want(wish: Wished): boolean {
     const { last } = this;
     const isSame = last && (Object.keys(wish) as (keyof typeof wish)[]).every((key) => wish[key] === last[key]);
     if (isSame && this.worker) return false;
@@ -34,7 +46,6 @@ export class Frames {
     return true;
   }
 
-  /** The body at a place of the last frame, in parts of its sides. */
   bodyAt(x: number, y: number): Promise<Told | undefined> {
     const { worker } = this;
     if (!worker) return Promise.resolve(undefined);

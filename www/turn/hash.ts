@@ -1,13 +1,13 @@
 /** The hash of a frame, for scripts. */
 import { answerOf } from '../late/worker';
-import { cameraWords } from '../state/asked-view';
+import { cameraWords, homeOf } from '../state/asked-view';
 import type { Camera } from '../state/viewing';
 import type { Answer, Order } from './hash.worker';
 
-/** A frame of a recipe's bodies, from a place in the words of a link, or as the store has it; usual where there is none. */
-export async function hashOf(link: string, from: string | Camera | undefined): Promise<string> {
+/** A frame of a recipe's bodies, from a place in the words of a link, or as the store has it; usual where there is none; `home` is the generator's. */
+export async function hashOf(link: string, from: string | Camera | undefined, home: string): Promise<string> {
   const worker = new Worker(new URL('./hash.worker.ts', import.meta.url), { type: 'module' });
-  const camera = typeof from === 'string' || from === undefined ? (from ?? '') : cameraWords(from);
+  const camera = typeof from === 'string' || from === undefined ? (from ?? '') : cameraWords(from, homeOf({ home }));
   const order: Order = [link, camera];
   const answer = await answerOf<Answer>(worker, order, { progress: () => undefined, signal: new AbortController().signal });
   if ('broken' in answer) throw new Error(answer.broken);

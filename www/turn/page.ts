@@ -4,46 +4,110 @@ import { t as common } from '../words/words';
 import { byId, make } from '../base/dom';
 import { alertOf, clear } from '../base/messages';
 import type { Work } from '../state/work';
-import { Turntable } from './turntable';
+import type { Loop } from '../picture/loop';
+import type { View } from '../picture/view';
+import { LocalFrames } from './local';
+import { noteOf } from './told';
+import { Turntable, type Place } from './turntable';
 
 export class PageTurntable {
   private readonly work: Work;
-  private readonly turntable: Turntable;
+  private readonly loop: Loop;
+  /** That of a picture's bodies, and that of what stands in space. */
+  private slant: Turntable | undefined;
+  private space: Turntable | undefined;
+  private frames: LocalFrames | undefined;
+  /** Is called after each frame of what stands in space. */
+  framed: (() => void) | undefined;
+  /** The last note, and what it is of. */
+  private told: readonly [of: string, note: string] = ['', ''];
+  /** The one that is shown, or was last. */
+  private shown: Turntable | undefined;
 
-  constructor(work: Work) {
+  constructor(work: Work, loop: Loop, view: View) {
     this.work = work;
-    const { store, engine } = work;
-    this.turntable = new Turntable({
-      link: () => store.state.recipe,
-      held: () => store.state.held,
-      get: (key) => engine.get(key),
-      camera: () => store.state.camera,
-      take: (camera) => store.update({ camera }),
-      alone: (subject, camera) => store.update({ body: subject === '' ? undefined : { subject, camera } }),
-      leave: () => store.update({ turn: false }),
-      ended: (how, why) => this.ended(how, why),
-    });
-    store.on(['recipe', 'held', 'camera'], () => this.turntable.follow());
+    view.noted = (word) => this.note(word);
+    this.loop = loop;
+    const { store } = work;
+    store.on(['recipe', 'held', 'camera'], () => this.shown?.follow());
+    store.on(['make'], ({ turn }) => this.show(turn));
     // To edit, to compare and to repeat there is the picture: what was asked for last ends the others.
     store.on(['editing', 'compare', 'repeat'], ({ turn, editing, compare, repeat }) => {
-      if (turn && (editing !== undefined || compare || repeat > 1)) store.update({ turn: false });
+      if (turn && !work.engine.isSpace && (editing !== undefined || compare || repeat > 1)) store.update({ turn: false });
     });
   }
 
   show(on: boolean): void {
     const button = byId('turn-button');
-    const focused = this.turntable.focused;
+    const { isSpace } = this.work.engine;
+    const turntable = isSpace ? (this.space ??= this.inSpace()) : (this.slant ??= this.onSlant());
+    const focused = this.shown?.focused;
     if (on) clear('part');
     else this.work.store.update({ body: undefined });
-    this.turntable.toggle(on);
+    if (this.shown !== turntable) this.shown?.toggle(false);
+    this.loop.painter = isSpace ? this.frames : undefined;
+    this.shown = turntable;
+    turntable.toggle(on);
     // A link that opens it leaves the focus where it is.
-    if (on && document.activeElement === button) this.turntable.focus();
+    if (on && document.activeElement === button) turntable.focus();
     if (!on && focused) button.focus();
+  }
+
+  focus(): void {
+    this.shown?.focus();
   }
 
   /** Closer (1), farther (-1), or the first look again (0). */
   step(by: number): void {
-    this.turntable.step(by);
+    this.shown?.step(by);
+  }
+
+  /** The frame of what stands in space, to be painted on, and which places of the model are where in it. */
+  get surface() {
+    this.space ??= this.inSpace();
+    return {
+      host: this.space.host,
+      placeAt: (spot: readonly [number, number]) => this.frames?.placeAt(spot),
+      spotOf: (place: readonly [number, number, number]) => this.frames?.spotOf(place),
+    };
+  }
+
+  /** What both have. */
+  private place(): Omit<Place, 'leave' | 'frames'> {
+    const { store, engine } = this.work;
+    return {
+      generator: () => engine.generator,
+      link: () => store.state.recipe,
+      held: () => store.state.held,
+      get: (key) => engine.get(key),
+      camera: () => store.state.camera,
+      take: (camera) => store.update({ camera }),
+      only: (subject, camera) => store.update({ body: subject === '' ? undefined : { subject, camera } }),
+      ended: (how, why) => this.ended(how, why),
+    };
+  }
+
+  private onSlant(): Turntable {
+    return new Turntable({ ...this.place(), leave: () => this.work.store.update({ turn: false }) });
+  }
+
+  /** Its frames are made by the engine at work, between the slices of that. */
+  private inSpace(): Turntable {
+    const { loop } = this;
+    const { store, engine } = this.work;
+    return new Turntable({
+      ...this.place(),
+      framed: () => this.framed?.(),
+      frames: (heard) => (this.frames = new LocalFrames({ engine, loop, view: () => store.state.view }, heard)),
+    });
+  }
+
+  /** What a view shows: singular points are counted once for each piece of the work. */
+  private note(view: string): string {
+    const { store, engine } = this.work;
+    const of = [store.state.recipe, engine.stage(), view].join(' ');
+    if (of !== this.told[0]) this.told = [of, noteOf(engine, view)];
+    return this.told[1];
   }
 
   private ended(how: 'lost' | 'broken', why: string): void {

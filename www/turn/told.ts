@@ -1,6 +1,7 @@
 /** What is seen on the turntable, in sentences. */
 import { isWord, t } from '../words/turn';
 import type { Camera } from '../state/viewing';
+import type { Engine } from '../state/engine';
 import type { Bodies } from './turn.worker';
 
 /** From here on, in degrees, one looks from above. */
@@ -11,14 +12,32 @@ const FAR = { near: 0.6, far: 2.4 };
 
 const SIDES = ['side_0', 'side_1', 'side_2', 'side_3', 'side_4', 'side_5', 'side_6', 'side_7'] as const;
 
-/** All bodies, and where they are seen from. */
-export function seen({ count, skin }: Bodies, [angle, height, distance, lens]: Camera): string {
-  const what = t(skin ? 'scales' : 'stones', { n: count });
+/** The same of what stands in space. */
+const AROUND = ['around_0', 'around_1', 'around_2', 'around_3', 'around_4', 'around_5', 'around_6', 'around_7'] as const;
+
+/** All bodies, or what else is shown of them, and where they are seen from. */
+export function seen({ count, skin, what: view }: Bodies, [angle, height, distance, lens]: Camera, inSpace = false): string {
+  const drawn = `shown_${view}`;
+  const what = t(isWord(drawn) ? drawn : skin ? 'scales' : 'stones', { n: count });
   const wide = 2 * distance * Math.tan((lens * Math.PI) / 360);
   const far = t(wide < FAR.near ? 'near' : wide > FAR.far ? 'far' : 'middle');
   if (height >= ABOVE) return t('seen_above', { what, far });
-  const side = t(SIDES[Math.round(angle / 45) % 8] ?? 'side_0');
-  return t('seen', { what, side, height: Math.round(height), far });
+  const side = t((inSpace ? AROUND : SIDES)[Math.round(angle / 45) % 8] ?? 'side_0');
+  return t(height < 0 ? 'seen_below' : 'seen', { what, side, height: Math.abs(Math.round(height)), far });
+}
+
+/** What a view in space shows; '' where that needs no words. */
+export function noteOf(engine: Engine, view: string): string {
+  const key = `note_${view}`;
+  const tally = view === 'direction' ? engine.tally() : undefined;
+  const [positive = 0, negative = 0, sum = 0, border = 0, euler = 0] = Array.from(tally ?? []);
+  const numbers = { positive, negative, sum: number(sum + border), border: number(border), euler: number(euler) };
+  return [isWord(key) ? t(key) : '', tally ? t(border ? 'tally_border' : 'tally', numbers) : ''].filter(Boolean).join(' ');
+}
+
+/** With the sign that is printed. */
+function number(value: number): string {
+  return String(Number(value.toFixed(3))).replace('-', '−');
 }
 
 /** The name of a step in the making of a body; its own word where there is none. */

@@ -11,6 +11,7 @@ import { keepModules, loadWhole } from '../module/load';
 import type { SceneStudio } from '../module/scene';
 import { isEnd, progressOf } from '../module/stages';
 import type { Notice, Probe } from '../module/types';
+import { Coarse, LADDER, ladderOf, viewOf } from './ladder';
 import { coverage, pixelsOf } from './pixels';
 import type { Plane } from './planes';
 
@@ -43,10 +44,11 @@ export interface Told {
   steps: string[];
 }
 
-/** How many bodies there are, and of what sort. */
+/** How many bodies there are, and of what sort; `what` is the word of the view where that shows something else. */
 export interface Bodies {
   count: number;
   skin: boolean;
+  what?: string | undefined;
 }
 
 export type Quality = 'moving' | 'still' | 'fine';
@@ -71,11 +73,6 @@ const PATIENCE = 400;
 /** The share of a recipe's own stages in the work before the first frame. */
 const WORKED = 0.5;
 
-/** Pixels for one of a moving frame, along a side, and the milliseconds that such a frame may take. */
-const COARSE = { least: 2, most: 5, slow: 140, quick: 45 };
-
-const LADDER: readonly Quality[] = ['moving', 'still', 'fine'];
-
 const { port1, port2 } = new MessageChannel();
 
 /** Lets messages come in. */
@@ -92,7 +89,7 @@ class Turner {
   private readonly studio: SceneStudio;
   private readonly stages: readonly string[];
   private link: string;
-  private coarse = COARSE.least;
+  private readonly coarse = new Coarse();
   /** What the last frame is of, how many of the ladder's rungs it has, and its sides. */
   private made = { view: '', rungs: 0, subject: '', width: 0, height: 0 };
   private kept = false;
@@ -154,7 +151,7 @@ class Turner {
 
   private async frame(wish: Wish, quality: Quality): Promise<void> {
     const { studio } = this;
-    const part = quality === 'moving' ? this.coarse : 1;
+    const part = quality === 'moving' ? this.coarse.part : 1;
     const [width, height] = [wish.width, wish.height].map((side) => Math.max(1, Math.round(side / part))) as [number, number];
     const begun = performance.now();
     for (;;) {
@@ -173,7 +170,7 @@ class Turner {
       await pause();
       if (this.wish !== wish && (quality !== 'moving' || !this.wish?.moving)) return;
     }
-    if (quality === 'moving') this.suit(performance.now() - begun);
+    if (quality === 'moving') this.coarse.suit(performance.now() - begun);
   }
 
   private async show({ n, plane }: Wish, quality: Quality, pixels: Uint8Array<ArrayBuffer>): Promise<void> {
@@ -191,23 +188,6 @@ class Turner {
     const map = plane === 'light' ? undefined : this.studio.frameMap(plane);
     return map && 'bytes' in map ? pixelsOf(map) : new Uint8ClampedArray(pixels.buffer, pixels.byteOffset, pixels.length);
   }
-
-  /** Moving frames have as many pixels as there is time for. */
-  private suit(time: number): void {
-    const { least, most, slow, quick } = COARSE;
-    if (time > slow) this.coarse = Math.min(most, this.coarse + 1);
-    else if (time < quick) this.coarse = Math.max(least, this.coarse - 1);
-  }
-}
-
-/** Planes of depth, normals and numbers are of one sample. */
-function ladderOf({ plane }: Wish): readonly Quality[] {
-  return plane === 'light' || plane === 'alpha' ? LADDER : LADDER.slice(0, 2);
-}
-
-/** Two wishes of one view ask for the same frames. */
-function viewOf({ link, subject, camera, width, height, plane }: Wish): string {
-  return [link, subject, camera, width, height, plane].join(' ');
 }
 
 function say(said: Said, moved: Transferable[] = []): void {

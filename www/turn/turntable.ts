@@ -6,11 +6,12 @@
  */
 import { t } from '../words/turn';
 import { byId, make, say } from '../base/dom';
-import { cameraWords, HOME } from '../state/asked-view';
+import type { Generator } from '../module/types';
+import { cameraLimits, cameraWords, homeOf } from '../state/asked-view';
 import type { Camera } from '../state/viewing';
-import { ALL_AROUND, OVER_GROUND, nearer } from './camera';
+import { ALL_AROUND, nearer, type Heights } from './camera';
 import { Card, sentence } from './card';
-import { Frames } from './frames';
+import { Frames, type FrameSource, type Heard } from './frames';
 import { CLOSER, Gestures } from './gestures';
 import { Making } from './making';
 import { planes, type Plane } from './planes';
@@ -21,6 +22,10 @@ import '../styles/late/turn.css';
 
 /** What the turntable stands in. */
 export interface Place {
+  /** What is made, by what its viewer goes. */
+  generator(): Pick<Generator, 'home' | 'offers'>;
+  /** Where frames come from, unless a worker makes them. */
+  frames?: (heard: Heard) => FrameSource;
   /** The recipe, whether it is in somebody's hand, and its values. */
   link(): string;
   held(): boolean;
@@ -28,10 +33,14 @@ export interface Place {
   /** Where the viewer stands; undefined where that is usual. */
   camera(): Camera | undefined;
   take(camera: Camera): void;
-  /** One body alone is shown, a step in its making (`ID:STEP`), or all again. */
-  alone?(subject: string, camera: Camera): void;
-  /** Ends it; in somebody else's page nothing does. */
+  /** One body is shown, a step in its making (`ID:STEP`), or all again. */
+  only?(subject: string, camera: Camera): void;
+  /** Ends it; in somebody else's page nothing does, nor where there is nothing but bodies to be seen. */
   leave?: () => void;
+  /** In somebody else's page. */
+  alone?: boolean;
+  /** There is a new frame. */
+  framed?: () => void;
   /** There are no frames. */
   ended(how: 'lost' | 'broken', why: string): void;
 }
@@ -49,14 +58,14 @@ export class Turntable {
   private readonly place: Place;
   private readonly sheet = byId('sheet');
   private readonly canvas = make('canvas', { 'aria-hidden': 'true' });
-  private readonly stand = make('div', { class: 'turn-stand', id: 'turn', role: 'application', tabindex: '0', 'aria-label': `${t('name')}. ${t('keys')}`, 'aria-describedby': 'turn-seen' }, this.canvas);
+  private readonly stand = make('div', { class: 'turn-stand', id: 'turn', role: 'application', tabindex: '0', 'aria-describedby': 'turn-seen' }, this.canvas);
   private readonly told = make('p', { class: 'said', id: 'turn-seen', role: 'status' });
   private readonly bar = make('progress', { max: '1', 'aria-label': t('working') });
   private readonly working = make('div', { class: 'turn-working' }, make('span', { role: 'status' }, t('working')), this.bar);
   private readonly making: Making;
   private readonly card: Card;
   private readonly root: HTMLElement;
-  private readonly frames: Frames;
+  private readonly frames: FrameSource;
   private readonly gestures: Gestures;
   private bodies: Bodies = { count: 0, skin: false };
   private plane: Plane = 'light';
@@ -76,7 +85,7 @@ export class Turntable {
     this.place = place;
     this.making = new Making({ get: (key) => place.get(key), show: () => this.follow(), end: () => this.all() });
     this.card = new Card((body) => this.how(body));
-    this.frames = new Frames({
+    const heard: Heard = {
       frame: (frame, quality, bodies, latest) => this.show(frame, quality, bodies, latest),
       working: (done) => (this.bar.value = done),
       refused: () => (this.making.subject === '' ? this.state('refused') : this.all()),
@@ -84,12 +93,13 @@ export class Turntable {
         this.shown = '';
         place.ended(how, why);
       },
-    });
+    };
+    this.frames = place.frames?.(heard) ?? new Frames(heard);
     this.gestures = new Gestures(
       this.stand,
       {
         camera: () => this.camera,
-        heights: () => (this.making.subject === '' ? OVER_GROUND : ALL_AROUND),
+        heights: () => (this.making.subject === '' ? (cameraLimits(place.generator())[1] as Heights) : ALL_AROUND),
         take: (camera, moving) => this.take(camera, moving),
         home: () => this.home(),
         leave: () => this.leave(),
@@ -97,10 +107,11 @@ export class Turntable {
         over: (x, y) => (x === undefined || y === undefined ? this.unpoint() : void this.point(x, y, false)),
         enter: () => void this.enter(),
       },
-      place.leave === undefined,
+      place.alone === true,
     );
     this.root = make('div', { class: 'turn' }, make('div', { class: 'turn-frame' }, this.stand, this.card.element), this.making.strip, this.working, this.told);
     if (place.leave) this.root.append(planes((plane) => this.choose(plane)), this.wayOut());
+    this.stand.ariaLabel = this.inSpace ? `${t('name_space')}. ${t('keys_space')}` : `${t('name')}. ${t('keys')}`;
     // The keys of the steps, and the way back, are there while the frame has the focus, too.
     this.stand.addEventListener('keydown', (event) => !event.defaultPrevented && this.making.step(event.key) && event.preventDefault());
     new ResizeObserver(() => this.follow()).observe(this.stand);
@@ -131,6 +142,11 @@ export class Turntable {
     this.stand.focus({ preventScroll: true });
   }
 
+  /** Holds the frame. */
+  get host(): HTMLElement {
+    return this.stand.parentElement ?? this.root;
+  }
+
   /** Whether it has the focus. */
   get focused(): boolean {
     return this.root.contains(document.activeElement);
@@ -149,9 +165,13 @@ export class Turntable {
     const fine = Math.min(devicePixelRatio, MOST / Math.max(clientWidth, clientHeight));
     const [width, height] = [clientWidth, clientHeight].map((side) => Math.round(side * fine)) as [number, number];
     const { making, place } = this;
-    const wish = { link: place.link(), subject: making.subject, camera: cameraWords(this.camera), width, height, plane: this.plane, moving: this.moving || place.held() };
-    place.alone?.(making.subject, this.camera);
+    const wish = { link: place.link(), subject: making.subject, camera: cameraWords(this.camera, this.first), width, height, plane: this.plane, moving: this.moving || place.held() };
+    place.only?.(making.subject, this.camera);
     this.state(this.frames.want(wish) ? 'coming' : this.reached);
+  }
+
+  private get inSpace(): boolean {
+    return this.place.generator().offers.includes('space');
   }
 
   private choose(plane: Plane): void {
@@ -160,7 +180,12 @@ export class Turntable {
   }
 
   private get camera(): Camera {
-    return this.making.subject === '' ? (this.place.camera() ?? HOME) : this.beside;
+    return this.making.subject === '' ? (this.place.camera() ?? this.first) : this.beside;
+  }
+
+  /** Where the viewer of all bodies stands at first. */
+  private get first(): Camera {
+    return homeOf(this.place.generator());
   }
 
   private take(camera: Camera, moving: boolean): void {
@@ -173,7 +198,7 @@ export class Turntable {
 
   private home(): void {
     this.gestures.stop();
-    this.take(this.making.subject === '' ? HOME : BODY, false);
+    this.take(this.making.subject === '' ? this.first : BODY, false);
   }
 
   private leave(): void {
@@ -197,10 +222,11 @@ export class Turntable {
     [canvas.width, canvas.height] = [frame.width, frame.height];
     canvas.getContext('bitmaprenderer')?.transferFromImageBitmap(frame);
     this.root.toggleAttribute('data-shown', true);
+    this.place.framed?.();
     if (!latest) return;
     this.shown = this.place.link();
     this.state(quality);
-    if (quality !== 'moving' && !this.moving) say(this.told, this.making.subject === '' ? seen(bodies, this.camera) : this.making.seen);
+    if (quality !== 'moving' && !this.moving) say(this.told, this.making.subject === '' ? seen(bodies, this.camera, this.inSpace) : this.making.seen);
   }
 
   private state(word: Quality | 'coming' | 'refused'): void {

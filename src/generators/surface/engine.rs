@@ -153,6 +153,20 @@ impl Engine for Surface {
         Surface::place_at(self, x, y)
     }
 
+    fn tally(&self) -> Option<[f64; 5]> {
+        let fields = &self.made.fields()?.fields;
+        let points = fields.singular_points();
+        let positive = points.iter().filter(|point| point.turns > 0).count();
+        let turns: i32 = points.iter().map(|point| point.turns).sum();
+        Some([
+            positive as f64,
+            (points.len() - positive) as f64,
+            f64::from(turns) / f64::from(fields.symmetry()),
+            fields.border_index(),
+            fields.mesh().euler() as f64,
+        ])
+    }
+
     fn pixel_of(&self, place: [i64; 3]) -> Option<[f64; 2]> {
         Surface::pixel_of(self, place)
     }

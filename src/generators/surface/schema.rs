@@ -19,7 +19,7 @@ const fn own(key: Key, of: &ShapeNumber, shape: &'static [&'static str]) -> Para
     };
     row.range(of.least, of.most, of.step, of.default)
         .unit(of.unit)
-        .group("Surface")
+        .group("Shape")
         .named(key, "One of the numbers that the surface is made by.")
         .only_for(keys::FORM, shape)
 }
@@ -28,7 +28,7 @@ rows! {
     form FORM: "The surface that is covered: one by rule, or that of a file." =>
         choice("Surface", choices![
             terrain: "Terrain", slope: "Slope", stairs: "Stairs", cylinder: "Cylinder", sphere: "Sphere", torus: "Torus", knot: "Knot", horn: "Horn", leg: "Leg", tail: "Tail", fish: "Fish", turtle: "Turtle's back", egg: "Egg", vase: "Vase", letter: "Letter", file: "From a file",
-        ]).group("Surface").main();
+        ]).group("Shape").main();
     terrain_hills TERRAIN_HILLS => own(keys::TERRAIN_HILLS, &numbers::TERRAIN[0], &["terrain"]);
     terrain_height TERRAIN_HEIGHT => own(keys::TERRAIN_HEIGHT, &numbers::TERRAIN[1], &["terrain"]);
     terrain_lane TERRAIN_LANE => own(keys::TERRAIN_LANE, &numbers::TERRAIN[2], &["terrain"]);
@@ -94,24 +94,24 @@ rows! {
     letter_round LETTER_ROUND => own(keys::LETTER_ROUND, &numbers::LETTER[3], &["letter"]);
     letter_lean LETTER_LEAN => own(keys::LETTER_LEAN, &numbers::LETTER[4], &["letter"]);
     model MODEL: "The file's digest and its name: a link does not hold the file itself." =>
-        text("Model", Item::Model).group("Surface").steady()
+        text("Model", Item::Model).group("Shape").steady()
             .drawn_for(keys::FORM, FILE).only_for(keys::FORM, &[FILE]);
     up UP: "Which way is up in the file." =>
-        choice("Upright axis", choices![y: "y", z: "z"]).group("Surface").steady()
+        choice("Upright axis", choices![y: "y", z: "z"]).group("Shape").steady()
             .only_for(keys::FORM, &[FILE]);
     on ON: "Cells are packed on the surface as it is, or on a simpler one, and brought back from there." =>
         choice("Packed on", choices![
             fit: "What is fine enough", whole: "The surface itself", simple: "A simpler surface",
         ])
-            .group("Surface").steady().only_for(keys::FORM, &[FILE]);
+            .group("Shape").steady().only_for(keys::FORM, &[FILE]);
     crease CREASE: "Cells are folded over sharp edges, or the surface is cut along them." =>
-        choice("Creases", choices![fold: "Folded over", cut: "Cut"]).group("Surface");
+        choice("Creases", choices![fold: "Folded over", cut: "Cut"]).group("Shape");
     fold FOLD: "Edges that bend by more than this are creases." =>
-        number("", "Angle of creases").range(5.0, 120.0, 1.0, 25.0).unit("°").group("Surface").steady();
+        number("", "Angle of creases").range(5.0, 120.0, 1.0, 25.0).unit("°").group("Shape").steady();
     open OPEN: "What the surface is like where it ends: a shell with an inside, or a body cut off there." =>
-        choice("Openings", choices![shell: "A shell", capped: "A body"]).group("Surface").steady();
+        choice("Openings", choices![shell: "A shell", capped: "A body"]).group("Shape").steady();
     yaw YAW: "Turns the model about its upright axis, under the same light." =>
-        number("", "Turn").range(-180.0, 180.0, 1.0, 0.0).unit("°").group("Surface");
+        number("", "Turn").range(-180.0, 180.0, 1.0, 0.0).unit("°").group("Shape");
     size SIZE: "Side of the square picture." => common::SIZE;
 
     kind KIND: "Shape of the packed cells: squares and rectangles in rows, circles and ellipses like honeycombs." =>

@@ -10,11 +10,16 @@ import type { Codec, FormingShape } from './codecs';
 import { bigger } from './bigger';
 import { FilmEncoder, quickest } from './encoder';
 import { framesOf, showForming, type Show } from './frames';
+import { frame, lookOf } from './look';
 import { pavement, type Progress } from './pavement';
 import { contextOf, Sheet, type Words } from './sheet';
+import type { SceneStudio } from '../../module/scene';
+import type { Seen } from './turn';
 
-export interface FilmJob {
+/** The film; `isSpace` is of what stands in space. */
+export interface FilmJob extends Seen {
   file: 'film';
+  isSpace: boolean;
   codecs: Codec[];
   shape: FormingShape;
   words: Words;
@@ -24,15 +29,18 @@ export interface FilmJob {
 const FIRST = 0.12;
 const SECOND = 0.2;
 
+/** Pixels along a side while it forms, of what stands in space. */
+const MOVING = 720;
+
 /** The most that a picture file is enlarged. */
 const MOST = 4;
 
 /** Throws a Refusal where there is no picture. */
-export async function formingFilm(studio: Bubblestone, stages: readonly string[], { codecs, shape, words }: FilmJob, progress: Progress): Promise<Blob> {
+export async function formingFilm(studio: Bubblestone, stages: readonly string[], { codecs, shape, words, isSpace, ...seen }: FilmJob, progress: Progress): Promise<Blob> {
   const sheet = new Sheet(shape, words);
   pavement(studio, stages, (done) => progress(FIRST * done));
   const status = studio.status();
-  const finished = await largePicture(studio, sheet.side, (done) => progress(FIRST + (SECOND - FIRST) * done));
+  const finished = isSpace ? spacePicture(studio as SceneStudio, seen, sheet.side) : await largePicture(studio, sheet.side, (done) => progress(FIRST + (SECOND - FIRST) * done));
   sheet.lay(finished);
   const codec = await quickest(codecs, shape, sheet.frame(finished, finished, 0));
   const encoder = await FilmEncoder.of(codec, shape);
@@ -43,8 +51,15 @@ export async function formingFilm(studio: Bubblestone, stages: readonly string[]
     made += times;
     progress(SECOND + (1 - SECOND) * (made / whole));
   };
-  await showForming(studio, finished, status, show);
+  await showForming(studio, lookOf(studio, isSpace, seen, Math.min(sheet.side, MOVING)), finished, status, show);
   return encoder.finish();
+}
+
+/** What stands in space, as it is seen when it is finished. */
+function spacePicture(studio: SceneStudio, seen: Seen, side: number): OffscreenCanvas {
+  const context = contextOf(side, side);
+  context.putImageData(frame(studio, seen, side, 'fine'), 0, 0);
+  return context.canvas;
 }
 
 /** The finished picture, with as many pixels as the sheet has for it where that can be. */

@@ -5,7 +5,15 @@
  */
 import type { Bubblestone } from '../../../pkg/bubblestone.js';
 import { gif, smaller, type Frame } from './gif';
+import { lookOf } from './look';
 import { pavement, type Progress } from './pavement';
+import type { Seen } from './turn';
+
+/** The animation; `isSpace` is of what stands in space. */
+export interface GifJob extends Seen {
+  file: 'gif';
+  isSpace: boolean;
+}
 
 /** Sides in pixels; smaller pictures keep their own. */
 const SIDE = 480;
@@ -23,11 +31,12 @@ const SHOWN = { first: 500, step: 70, stones: 80, last: 2500 };
 const MAKING = 0.7;
 
 /** Throws a sentence where there is no picture. */
-export function formingGif(studio: Bubblestone, stages: readonly string[], progress: Progress): Blob {
-  const side = Math.min(SIDE, studio.side());
+export function formingGif(studio: Bubblestone, stages: readonly string[], job: GifJob, progress: Progress): Blob {
+  const look = lookOf(studio, job.isSpace, job, SIDE);
+  const side = Math.min(SIDE, look.side);
   const picture = new Picture(side);
   const frame = (shown: number): Frame => {
-    studio.draw(picture as unknown as CanvasRenderingContext2D, 'auto');
+    look.draw(picture);
     return { pixels: picture.pixels, shown };
   };
   const packing: Frame[] = [];
@@ -42,7 +51,7 @@ export function formingGif(studio: Bubblestone, stages: readonly string[], progr
         stride *= 2;
         packing.splice(0, packing.length, ...packing.filter((_, index) => index % 2 === 0));
       }
-    } else if (stage === 'planes' && stones >= placed && stones) {
+    } else if ((stage === 'planes' || stage === 'stones') && stones >= placed && stones) {
       later.push(frame(SHOWN.stones));
       placed += cells / STONES;
     }

@@ -1,6 +1,7 @@
 /** The frames of the forming's film, by steps: what each of them shows of the pictures on the way. */
 import type { Bubblestone } from '../../../pkg/bubblestone.js';
 import type { Status } from '../../module/types';
+import type { Look } from './look';
 import { making } from './pavement';
 import { contextOf } from './sheet';
 
@@ -21,8 +22,8 @@ export function framesOf(steps: number): number {
 }
 
 /** Makes a picture anew that was made before with this status, and shows the finished one, how it forms, and it again. */
-export async function showForming(studio: Bubblestone, finished: Canvas, { steps, stones }: Status, show: Show): Promise<void> {
-  await new Forming(studio, finished, paceOf(steps), stones, show).run();
+export async function showForming(studio: Bubblestone, look: Look, finished: Canvas, { steps, stones }: Status, show: Show): Promise<void> {
+  await new Forming(studio, look, finished, paceOf(steps), stones, show).run();
 }
 
 /** At which step each frame of the packing is: few steps at first, when each of them moves much. */
@@ -46,13 +47,14 @@ class Forming {
 
   constructor(
     private readonly studio: Bubblestone,
+    private readonly seen: Look,
     private readonly finished: Canvas,
     private readonly pace: readonly number[],
     private readonly stones: number,
     private readonly show: Show,
   ) {
-    this.before = contextOf(studio.side(), studio.side());
-    this.now = contextOf(studio.side(), studio.side());
+    this.before = contextOf(seen.side, seen.side);
+    this.now = contextOf(seen.side, seen.side);
   }
 
   async run(): Promise<void> {
@@ -60,12 +62,13 @@ class Forming {
     let stood = false;
     for (const [stage, { steps, cells, stones }] of making(this.studio, 0, 1)) {
       if (cells && steps > this.steps && !stood) await this.step(steps);
-      if (stage === 'planes' && !stood) {
+      const stonesCome = stage === 'planes' || stage === 'stones';
+      if (stonesCome && !stood) {
         stood = true;
         await this.stand();
       }
       // The last stone ends its stage.
-      if (stood && this.stones) await this.stone(stage === 'planes' ? stones : this.stones);
+      if (stood && this.stones) await this.stone(stonesCome ? stones : this.stones);
     }
     // Where nothing was seen on the way, this is seen.
     if (!this.begun) await this.look();
@@ -76,7 +79,7 @@ class Forming {
   /** Draws what there is now; the first time the film begins. */
   private async look(): Promise<void> {
     [this.before, this.now] = [this.now, this.before];
-    this.studio.draw(this.now as unknown as CanvasRenderingContext2D, 'auto');
+    this.seen.draw(this.now);
     if (this.begun) return;
     this.begun = true;
     await this.show(this.finished, this.finished, 0, FRAMES.opening);

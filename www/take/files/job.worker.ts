@@ -4,7 +4,7 @@ import { loadModule } from '../../module/load';
 import type { Notice } from '../../module/types';
 import { serve } from '../../late/worker';
 import type { FilmJob } from './film';
-import { formingGif } from './forming';
+import { formingGif, type GifJob } from './forming';
 import { mapsZip, type MapsJob } from './maps-zip';
 import { meshFile, type MeshJob } from './mesh-file';
 import { pavement, type Progress } from './pavement';
@@ -17,7 +17,7 @@ import type { TurnFilmJob } from './turn-film';
 /** What is to be made; `scale` is times the picture's side. */
 export type Job =
   | { file: 'svg' }
-  | { file: 'gif' }
+  | GifJob
   | FilmJob
   | TurnJob
   | TurnFilmJob
@@ -50,7 +50,7 @@ async function made(link: string, job: Job, progress: Progress): Promise<Blob> {
   const module = await loadModule(link);
   const studio = await studioFor(module, link);
   const { stages = [] } = module.generators().find(({ word }) => word === studio.generator()) ?? {};
-  if (job.file === 'gif') return formingGif(studio, stages, progress);
+  if (job.file === 'gif') return formingGif(studio, stages, job, progress);
   if (job.file === 'film') {
     // Only films need what films need.
     const { formingFilm } = await import('./film');

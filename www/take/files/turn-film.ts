@@ -19,14 +19,14 @@ const ANIMATION = { side: 360, frames: 60 };
 const EASE = 0.5;
 
 /** Throws a Refusal where there is nothing to be seen. */
-export async function turnFilm(link: string, { codecs, subject, camera }: TurnFilmJob, progress: Progress): Promise<Blob> {
+export async function turnFilm(link: string, { codecs, subject, camera, view }: TurnFilmJob, progress: Progress): Promise<Blob> {
   const studio = await studioOf(link, progress);
   const [side, count] = codecs.length ? [SHAPES.turn.width, LENGTH * RATE] : [ANIMATION.side, ANIMATION.frames];
   const [angle = '', ...others] = camera.split(',');
   const frame = (k: number): Uint8Array<ArrayBuffer> => {
     const at = (Number(angle) + 360 * eased(k / count)) % 360;
     const part = (done: number): void => progress(WORKED + ((1 - WORKED) * (k + done)) / count);
-    return frameOf(studio, { subject, camera: [at.toFixed(3), ...others].join() }, side, 'still', part);
+    return frameOf(studio, { subject, camera: [at.toFixed(3), ...others].join(), view }, side, 'still', part);
   };
   if (!codecs.length) {
     const frames = Array.from({ length: count }, (_, k): Frame => ({ pixels: frame(k), shown: (1000 * LENGTH) / count }));

@@ -6,10 +6,11 @@ import { BUDGET, pavement, type Progress } from './pavement';
 import { png } from './png';
 import { given } from './refusal';
 
-/** What is to be seen, all of it ('') or a step in the making of a body (`ID:STEP`), and the words of where from. */
+/** What is to be seen, all of it ('') or a step in the making of a body (`ID:STEP`), the words of where from, and the view of what stands in space. */
 export interface Seen {
   subject: string;
   camera: string;
+  view: string;
 }
 
 /** What is behind the bodies. */
@@ -28,11 +29,11 @@ export interface TurnJob extends Seen {
 export const WORKED = 0.15;
 
 /** Throws a Refusal where there is nothing to be seen. */
-export async function turnFile(link: string, { plane, side, backdrop, subject, camera }: TurnJob, progress: Progress): Promise<Blob> {
+export async function turnFile(link: string, { plane, side, backdrop, ...seen }: TurnJob, progress: Progress): Promise<Blob> {
   const studio = await studioOf(link, progress);
   const rest = (done: number): void => progress(WORKED + (1 - WORKED) * done);
   // Planes have no smooth edges.
-  const pixels = frameOf(studio, { subject, camera }, side, `${plane ? 'still' : 'fine'}+${backdrop}`, rest);
+  const pixels = frameOf(studio, seen, side, `${plane ? 'still' : 'fine'}+${backdrop}`, rest);
   if (plane) return png(given(studio.frameMap(plane)));
   return png(backdrop === 'nothing' ? { side, channels: 4, bits: 8, bytes: pixels } : { side, channels: 3, bits: 8, bytes: opaque(pixels) });
 }
@@ -47,9 +48,9 @@ export async function studioOf(link: string, progress: Progress): Promise<SceneS
 }
 
 /** The pixels of a square frame. Throws a Refusal where there is nothing to be seen. */
-export function frameOf(studio: SceneStudio, { subject, camera }: Seen, side: number, how: string, progress: Progress): Uint8Array<ArrayBuffer> {
+export function frameOf(studio: SceneStudio, { subject, camera, view }: Seen, side: number, how: string, progress: Progress): Uint8Array<ArrayBuffer> {
   for (;;) {
-    const slice = given(studio.turn(subject, camera, side, side, how, BUDGET));
+    const slice = given(studio.turn(subject, camera, side, side, `${how}+${view}`, BUDGET));
     progress(slice.progress);
     if (slice.done) return slice.pixels ?? new Uint8Array(4 * side * side);
   }
