@@ -80,7 +80,7 @@ function take(work: Work, name: string, { digest, model }: Named, again: () => v
     return passing('files', t('opened', { name }));
   }
   const base = make === SURFACE ? recipe : `v=1&make=${SURFACE}`;
-  work.open(withValues(base, [[MODEL, model]]), { own: true, then: () => store.update({ paused: false }) });
+  work.open(withValues(base, [['form', 'file'], [MODEL, model]]), { own: true, then: () => store.update({ paused: false }) });
   if (asked) notice('files', t('other', { name, asked: asked.name }));
   else passing('files', t('opened', { name }));
 }
