@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { sameEverywhere } from './browsers.mjs';
 import { open } from './harness.mjs';
-import { click, digest, drop, get, link, message, reloading, set, SMALL } from './page.mjs';
+import { click, digest, drop, get, link, message, phone, reloading, set, SMALL } from './page.mjs';
 import { opened, saved } from './saved.mjs';
 import { box } from './sheet.mjs';
 
@@ -159,6 +159,31 @@ test('strokes are painted on the surface, one step each, and taken away by a cli
   await page.waitForFunction(() => /** @type {any} */ (window).bubblestone.get('lines') !== '');
   await click(page, '#paint-flip');
   await until(page, 'flip', '1');
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('with a tool one finger paints, and two turn the model', async () => {
+  const { page, problems, close } = await site.newPage('#v=1&make=surface&size=128&cn=100&form=sphere', { viewport: phone });
+  await digest(page);
+  await page.waitForSelector('#sheet[data-turn=fine]');
+  const painting = await page.waitForSelector('#paint-strokes');
+  await painting?.tap();
+  await page.waitForSelector('.turn-frame[data-paint]');
+  const { x, y, width, height } = await box(page, '#turn');
+  const [cx, cy] = [x + width / 2, y + height / 2];
+  const far = () => page.$eval('#turn-seen', (told) => told.textContent);
+  const before = await far();
+  const fingers = [await page.touchscreen.touchStart(cx - 15, cy), await page.touchscreen.touchStart(cx + 15, cy)];
+  for (let k = 1; k <= 5; k += 1) for (const [which, finger] of fingers.entries()) await finger.move(cx + (which ? 1 : -1) * (15 + 15 * k), cy);
+  for (const finger of fingers) await finger.end();
+  await page.waitForFunction((then) => document.querySelector('#turn-seen')?.textContent !== then, {}, before);
+  await page.waitForSelector('#sheet[data-turn=fine]');
+  assert.equal(await get(page, 'strokes'), '');
+  const finger = await page.touchscreen.touchStart(cx - 40, cy);
+  for (let k = 1; k <= 4; k += 1) await finger.move(cx - 40 + 20 * k, cy);
+  await finger.end();
+  await page.waitForFunction(() => /** @type {any} */ (window).bubblestone.get('strokes') !== '');
   assert.deepEqual(problems, []);
   await close();
 });

@@ -154,8 +154,10 @@ export class Painter {
     const spot = this.spot(event);
     const place = this.surface.placeAt(spot);
     if (!place) return false;
-    this.surface.host.setPointerCapture(event.pointerId);
-    this.surface.host.querySelector<HTMLElement>('[tabindex]')?.focus({ preventScroll: true });
+    // What turns the model gets the pointer as well, once another finger comes.
+    const stand = this.surface.host.querySelector<HTMLElement>('[tabindex]');
+    stand?.setPointerCapture(event.pointerId);
+    stand?.focus({ preventScroll: true });
     this.drawn = { pointer: event, places: [place], path: [spot] };
     this.draw();
     return true;

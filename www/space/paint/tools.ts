@@ -73,8 +73,10 @@ export class Tools {
 
   private taken(): void {
     if (this.tool !== 'spots' && this.tool !== 'stretch') return;
-    this.values[this.tool] = this.value.valueAsNumber;
-    this.number.value = t(this.tool === 'spots' ? 'paint_size' : 'paint_aspect', { n: this.value.valueAsNumber.toFixed(2) });
+    const { min, max, first } = VALUES[this.tool];
+    const value = (this.values[this.tool] = this.value.valueAsNumber);
+    for (const [name, at] of [['--place', value], ['--default', first]] as const) this.value.style.setProperty(name, String((at - min) / (max - min)));
+    this.number.value = t(this.tool === 'spots' ? 'paint_size' : 'paint_aspect', { n: value.toFixed(2) });
   }
 }
 
