@@ -1,6 +1,8 @@
 //! What an engine is to those who run it: stages that work in slices, views, and files.
 
 #[cfg(house)]
+use super::given::GivenFile;
+#[cfg(house)]
 use super::turntable::{FrameSlice, SeenBody, TurnOrder};
 use crate::export::{Map, MapKind, MeshOrder, MeshSize, Report};
 use crate::notice::{Code, Notice};
@@ -244,14 +246,20 @@ pub trait Engine: Any {
         None
     }
 
-    /// Takes a file that recipes may ask for; answers with the row that names it in a recipe, where this generator
-    /// has a use for files.
+    /// Where such a place is in that frame, in pixels; nothing where it is not seen there.
     #[cfg(house)]
-    fn give(&mut self, _name: &str, _bytes: Vec<u8>) -> Option<Vec<i64>> {
+    fn pixel_of(&self, _place: [i64; 3]) -> Option<[f64; 2]> {
         None
     }
 
-    /// The digest and the name of the file that the work waits for.
+    /// Takes a file that recipes may ask for; answers with the row that names it in a recipe, where this generator
+    /// has a use for files.
+    #[cfg(house)]
+    fn give(&mut self, _file: GivenFile) -> Option<Vec<i64>> {
+        None
+    }
+
+    /// The digest and the name of the file that the work waits for; both are empty where the recipe names none yet.
     #[cfg(house)]
     fn missing(&self) -> Option<(String, String)> {
         None

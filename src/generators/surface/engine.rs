@@ -5,7 +5,7 @@ use super::stages::{PACKING, STONES};
 use super::{Surface, Wish};
 use crate::export::{Map, MapKind, MeshOrder, MeshSize, Report};
 use crate::generators::{
-    Clock, Engine, FrameSlice, MeshSlice, PictureSlice, Progress, SeenBody, TurnOrder,
+    Clock, Engine, FrameSlice, GivenFile, MeshSlice, PictureSlice, Progress, SeenBody, TurnOrder,
 };
 use crate::notice::{Code, Notice};
 use crate::recipe::Recipe;
@@ -157,15 +157,20 @@ impl Engine for Surface {
         Surface::place_at(self, x, y)
     }
 
-    fn give(&mut self, name: &str, bytes: Vec<u8>) -> Option<Vec<i64>> {
-        let model = Model::of(name, &bytes);
-        self.made.models.give(model.digest, bytes);
+    fn pixel_of(&self, place: [i64; 3]) -> Option<[f64; 2]> {
+        Surface::pixel_of(self, place)
+    }
+
+    fn give(&mut self, file: GivenFile) -> Option<Vec<i64>> {
+        let model = Model::of(&file);
+        self.made.give(model.digest, file.into_bytes());
         Some(model.row())
     }
 
     fn missing(&self) -> Option<(String, String)> {
-        let model = self.made.missing()?;
-        Some((model.digest_text(), model.name.clone()))
+        let none = || (String::new(), String::new());
+        let named = |model: &Model| (model.digest_text(), model.name.clone());
+        Some(self.made.missing()?.map_or_else(none, named))
     }
 
     fn stop_file(&mut self) {

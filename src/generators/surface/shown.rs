@@ -13,6 +13,9 @@ use crate::surface::stones::Fit;
 use crate::surface::views::{Ground, MATERIALS};
 use glam::DVec3;
 
+/// Places of the model are so deep under stones at most, in its box.
+const BURIED: f32 = 0.06;
+
 /// What is shown.
 #[derive(Default)]
 pub(super) struct Shown {
@@ -179,5 +182,23 @@ impl Surface {
         let model = DVec3::from(p.to_array().map(f64::from)) / fit.scale + fit.middle;
         p.is_finite()
             .then(|| super::tracing::numbers(&built.mesh, model))
+    }
+
+    /// Where such a place is in the frame last finished, in pixels; nothing where it is not seen there.
+    pub(super) fn pixel_of(&self, place: [i64; 3]) -> Option<[f64; 2]> {
+        let frame = self.shown.frame()?;
+        let built = self.made.last_built()?;
+        let fit = Fit::new(&built.whole);
+        let [width, height] = frame.order().size;
+        let view = frame.order().camera.view(width, height);
+        let seen = view.of(fit.place(super::tracing::place(&built.mesh, place)));
+        if seen.z <= view.near {
+            return None;
+        }
+        let [x, y, _] = view.on_screen(seen);
+        let is_inside = x >= 0.0 && y >= 0.0 && x < width as f32 && y < height as f32;
+        let depth = frame.depths().get(y as usize * width + x as usize);
+        let is_seen = is_inside && depth.is_some_and(|&depth| seen.z < depth + BURIED);
+        is_seen.then(|| [x.into(), y.into()])
     }
 }

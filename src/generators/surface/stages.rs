@@ -142,13 +142,20 @@ impl Stages {
         self.built.forget();
     }
 
+    /// The file that is asked for.
+    fn asked(&self) -> Option<&Model> {
+        self.loaded.params().as_ref()?.0.as_ref()
+    }
+
+    /// Takes a file.
+    pub fn give(&mut self, digest: u64, bytes: Vec<u8>) {
+        let asked = self.asked().map(|model| model.digest);
+        self.models.give(digest, bytes, asked);
+    }
+
     /// 1 where the file that is asked for has been given.
     fn given(&self) -> u64 {
-        let asked = self
-            .loaded
-            .params()
-            .as_ref()
-            .and_then(|(model, _)| model.as_ref());
+        let asked = self.asked();
         u64::from(asked.is_some_and(|model| self.models.find(model.digest).is_some()))
     }
 
@@ -226,11 +233,11 @@ impl Stages {
         }
     }
 
-    /// The file that is missing.
-    pub fn missing(&self) -> Option<&Model> {
-        let is_missing = self.due() == Some(Task::Load) && self.failure().is_some();
-        let asked = self.loaded.params().as_ref().filter(|_| is_missing)?;
-        asked.0.as_ref()
+    /// The file that is missing, also before any work has found that; within it nothing where none is named yet.
+    pub fn missing(&self) -> Option<Option<&Model>> {
+        self.loaded.params().as_ref()?;
+        let is_missing = self.due() == Some(Task::Load) && self.given() == 0;
+        is_missing.then(|| self.asked())
     }
 
     /// What was done to the surface, or is to be said of cells on it.
