@@ -5,7 +5,7 @@ import { configs } from 'typescript-eslint';
 /** The page's folders from the ground up: each imports only those before it (ARCHITECTURE.md). */
 const floors = [
   'module', 'strings', 'words', 'base', 'late', 'state', 'picture', 'panel',
-  'take/files', 'take', 'turn', 'look', 'editor/geometry', 'editor/svg', 'editor/import', 'editor/letters', 'editor', 'shell',
+  'take/files', 'take', 'turn', 'look', 'editor/geometry', 'editor/svg', 'editor/import', 'editor/letters', 'editor', 'space/paint', 'space', 'shell',
 ];
 
 /** @param {string} file @returns {number} its floor; -1 for what is no part of the page's scripts */

@@ -1,7 +1,7 @@
 //! Renders one link to files.
 //!
-//!     cargo run --release --example render -- '<link or fragment>' [--outline FILE.json] --out DIR
-//!         [--views] [--maps] [--maps-for PROGRAM] [--mesh] [--detail WORD]
+//!     cargo run --release --example render -- '<link or fragment>' [--outline FILE.json] [--model FILE]
+//!         --out DIR [--views] [--maps] [--maps-for PROGRAM] [--mesh] [--detail WORD]
 //!         [--stl SIDE,BASE,RELIEF,SQUARES] [--svg] [--scale N] [--view CAMERA]
 //!
 //! writes picture.png, height.png (16 bit grey), albedo.png, id.png, cells.json, mesh.json and
@@ -15,6 +15,8 @@
 //! maps as NAME-Nx.png, with --view what is seen of its bodies from a camera as slant.png, slant-depth.png,
 //! slant-normal.png and slant-id.png, and in report.json the hash of the still, `frame`. Ends with code 2 and one sentence where something is wrong with what it was
 //! given.
+//!
+//! The file of a model (OBJ, GLB, PLY or STL) becomes the link's; where the link names one, it must be that.
 //!
 //! An outline file that tells its `size` is drawn in a picture of that size, or scaled to that of the
 //! link where the link names one, as on the page.
@@ -57,6 +59,9 @@ fn run() -> Result<(), String> {
             Studio::with_engine(ALL, recipe, Box::new(engine))
         }
     };
+    if let Some(path) = &wish.model {
+        notices.extend(native::model::open_model(&mut studio, path)?);
+    }
     let mut clock = native::clock();
     studio.finish(&mut clock)?;
     let out = wish.out.as_ref();
@@ -111,6 +116,7 @@ fn run() -> Result<(), String> {
 struct Wish {
     link: String,
     outline: Option<String>,
+    model: Option<String>,
     out: String,
     views: bool,
     maps: bool,
@@ -126,8 +132,8 @@ struct Wish {
 #[cfg(not(target_arch = "wasm32"))]
 impl Wish {
     fn read(mut words: impl Iterator<Item = String>) -> Result<Self, String> {
-        const USAGE: &str = "Usage: render '<link or fragment>' [--outline FILE.json] --out DIR \
-            [--views] [--maps] [--maps-for PROGRAM] [--mesh] [--detail WORD] \
+        const USAGE: &str = "Usage: render '<link or fragment>' [--outline FILE.json] [--model FILE] \
+            --out DIR [--views] [--maps] [--maps-for PROGRAM] [--mesh] [--detail WORD] \
             [--stl SIDE,BASE,RELIEF,SQUARES] [--svg] [--scale N] \
             [--view ANGLE,HEIGHT,DISTANCE,LENS,X,Y,Z].";
         let mut wish = Wish::default();
@@ -139,6 +145,7 @@ impl Wish {
             };
             match word.as_str() {
                 "--outline" => wish.outline = Some(value("--outline")?),
+                "--model" => wish.model = Some(value("--model")?),
                 "--out" => wish.out = value("--out")?,
                 "--views" => wish.views = true,
                 "--maps" => wish.maps = true,

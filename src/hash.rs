@@ -1,6 +1,7 @@
 //! Digests of what was made.
 
 /// FNV-1a on words of 64 bits, finished as SplitMix64.
+#[derive(Clone)]
 pub(crate) struct Hash(u64);
 
 impl Hash {

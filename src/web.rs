@@ -7,6 +7,8 @@
 mod bench;
 mod catalogue;
 mod files;
+#[cfg(house)]
+mod given;
 mod objects;
 mod said;
 #[cfg(house)]
@@ -48,6 +50,9 @@ pub struct Bubblestone {
     studio: Studio,
     notices: Vec<Notice>,
     clock: Clock,
+    /// A file on its way here.
+    #[cfg(house)]
+    arriving: Option<crate::generators::GivenFile>,
 }
 
 #[wasm_bindgen]
@@ -64,6 +69,8 @@ impl Bubblestone {
             studio: Studio::new(ALL, recipe),
             notices,
             clock: Clock::new(),
+            #[cfg(house)]
+            arriving: None,
         }
     }
 

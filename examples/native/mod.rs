@@ -1,6 +1,7 @@
 //! What the native programs share: clock, files, messages.
 #![allow(dead_code)] // Each program uses its part of it.
 
+pub mod model;
 pub mod slant;
 
 use bubblestone::domain::Outline;

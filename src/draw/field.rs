@@ -7,15 +7,15 @@ use crate::domain::Domain;
 use crate::field::{Fields, Singularity, Spot};
 use glam::DVec2;
 
-const CROSS: Colour = [0.54, 0.29, 0.16, 1.0];
+pub(crate) const CROSS: Colour = [0.54, 0.29, 0.16, 1.0];
 const NO_DIRECTION: Colour = [0.20, 0.42, 0.54, 1.0];
 /// Singular points of positive and of negative index.
-const WITH: Colour = [0.78, 0.25, 0.12, 1.0];
-const AGAINST: Colour = [0.13, 0.37, 0.58, 1.0];
+pub(crate) const WITH: Colour = [0.78, 0.25, 0.12, 1.0];
+pub(crate) const AGAINST: Colour = [0.13, 0.37, 0.58, 1.0];
 const CROSS_OVER: Colour = [1.0, 0.98, 0.94, 0.95];
 const STROKE_OVER: Colour = [0.55, 0.95, 0.65, 1.0];
 const SPOT_OVER: Colour = [1.0, 0.86, 0.50, 0.95];
-const STROKE: Colour = [0.16, 0.46, 0.33, 1.0];
+pub(crate) const STROKE: Colour = [0.16, 0.46, 0.33, 1.0];
 const SIZE_SPOT: Colour = [0.62, 0.40, 0.08, 0.9];
 const ASPECT_SPOT: Colour = [0.45, 0.25, 0.55, 0.9];
 

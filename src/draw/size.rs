@@ -8,9 +8,9 @@ use crate::field::Fields;
 use glam::DVec2;
 
 /// The smallest size there is, the middle, and the largest.
-const SMALL: Colour = [0.04, 0.26, 0.56, 0.66];
-const MIDDLE: Colour = [0.98, 0.82, 0.40, 0.42];
-const LARGE: Colour = [0.80, 0.10, 0.10, 0.66];
+pub(crate) const SMALL: Colour = [0.04, 0.26, 0.56, 0.66];
+pub(crate) const MIDDLE: Colour = [0.98, 0.82, 0.40, 0.42];
+pub(crate) const LARGE: Colour = [0.80, 0.10, 0.10, 0.66];
 const CONTOUR: Colour = [0.10, 0.07, 0.05, 0.80];
 const WIDTH: f32 = 1.1;
 /// Contours from the middle to the end of the scale.

@@ -5,7 +5,7 @@ use crate::cells::Cell;
 use crate::domain::Domain;
 use crate::field::Fields;
 use crate::mesh::Mesh;
-use crate::packing::{Particle, stress};
+use crate::packing::{Particle, Stress, stress};
 use glam::DVec2;
 
 /// The colour of cells that are deep in others, and its greatest share.
@@ -21,9 +21,9 @@ const FIXED: f32 = 0.82;
 /// So far corners are rounded, of a cell's size.
 const ROUND: f64 = 0.13;
 
-const FACE: Colour = [0.836, 0.800, 0.735, 1.0];
-const LONE: Colour = [0.800, 0.510, 0.350, 1.0];
-pub(super) const INK: Colour = [0.33, 0.27, 0.21, 1.0];
+pub(crate) const FACE: Colour = [0.836, 0.800, 0.735, 1.0];
+pub(crate) const LONE: Colour = [0.800, 0.510, 0.350, 1.0];
+pub(crate) const INK: Colour = [0.33, 0.27, 0.21, 1.0];
 
 /// The outline's bed and boundary. Holes are rings that run against the outer one.
 pub fn bed(rings: &[&[DVec2]], paper: &Paper) -> Layer {
@@ -39,13 +39,18 @@ pub fn packed(domain: &Domain, particles: &[Particle], tones: &Tones) -> Layer {
     let cells = cells.map(|(particle, stress)| {
         let own = tones.stone(particle.id);
         let own = lit(own, if particle.fixed { FIXED } else { 1.0 });
-        let inside = blend(own, ALONE, MOST_ALONE * stress.alone * stress.alone.sqrt());
-        let inside = blend(inside, PRESSED, MOST_PRESSED * stress.pressed);
+        let inside = stressed(own, stress);
         let ring = particle.ring(1.0, 16);
         Shape::fill(vec![ring], inside, ROUND * particle.size)
     });
     let size = mean(particles.iter().map(|p| p.size));
     Layer::shapes(cells.collect()).edged(CELL_EDGE, line_width(size), ROUND * size)
+}
+
+/// The colour of a packed cell under stress.
+pub(crate) fn stressed(own: Colour, stress: Stress) -> Colour {
+    let inside = blend(own, ALONE, MOST_ALONE * stress.alone * stress.alone.sqrt());
+    blend(inside, PRESSED, MOST_PRESSED * stress.pressed)
 }
 
 /// Lines of small cells are drawn thinner, so that they do not swallow the cells.

@@ -1,6 +1,8 @@
 //! What an engine is to those who run it: stages that work in slices, views, and files.
 
 #[cfg(house)]
+use super::given::GivenFile;
+#[cfg(house)]
 use super::turntable::{FrameSlice, SeenBody, TurnOrder};
 use crate::export::{Map, MapKind, MeshOrder, MeshSize, Report};
 use crate::notice::{Code, Notice};
@@ -232,27 +234,32 @@ pub trait Engine: Any {
         Vec::new()
     }
 
+    /// What is to be read beside a view, once it is shown: what its colours stand for, or what it counts.
+    #[cfg(house)]
+    fn caption(&self, _words: &str) -> Option<Notice> {
+        None
+    }
+
     /// The place of the model at a pixel of that frame, as rows of strokes and spots on it have it; nothing beside it.
     #[cfg(house)]
     fn place_at(&self, _x: usize, _y: usize) -> Option<[i64; 3]> {
         None
     }
 
-    /// Of a direction field on a surface: singular points of positive and of negative index, the sum of their indices, what
-    /// borders add to that, and the Euler characteristic.
+    /// Where such a place is in that frame, in pixels; nothing where it is not seen there.
     #[cfg(house)]
-    fn tally(&self) -> Option<[f64; 5]> {
+    fn pixel_of(&self, _place: [i64; 3]) -> Option<[f64; 2]> {
         None
     }
 
     /// Takes a file that recipes may ask for; answers with the row that names it in a recipe, where this generator
     /// has a use for files.
     #[cfg(house)]
-    fn give(&mut self, _name: &str, _bytes: Vec<u8>) -> Option<Vec<i64>> {
+    fn give(&mut self, _file: GivenFile) -> Option<Vec<i64>> {
         None
     }
 
-    /// The digest and the name of the file that the work waits for.
+    /// The digest and the name of the file that the work waits for; both are empty where the recipe names none yet.
     #[cfg(house)]
     fn missing(&self) -> Option<(String, String)> {
         None

@@ -5,6 +5,8 @@
 mod bigger;
 mod common;
 mod engine;
+#[cfg(house)]
+mod given;
 mod height_field;
 pub mod pavement;
 mod preset;
@@ -17,6 +19,8 @@ mod turntable;
 
 pub use bigger::MOST_PIXELS;
 pub use engine::{Clock, Engine, MeshSlice, PictureSlice, Progress};
+#[cfg(house)]
+pub use given::{FileDigest, GivenFile};
 pub use preset::{Part, Preset, Timing};
 #[cfg(house)]
 pub use turntable::{FrameSlice, SeenBody, TurnOrder};

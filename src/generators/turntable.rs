@@ -165,6 +165,11 @@ impl Turntable {
         })
     }
 
+    /// Is there no frame that was begun and is not finished?
+    pub fn is_idle(&self) -> bool {
+        self.frame.as_ref().is_none_or(Frame::is_done)
+    }
+
     /// The frame last finished.
     pub fn frame(&self) -> Option<&Frame> {
         self.frame.as_ref().filter(|frame| frame.is_done())

@@ -104,6 +104,7 @@ impl Face {
         Self { nodes, sides: 4 }
     }
 
+    #[cfg(house)]
     /// Is it a place where an element has been?
     pub(crate) fn is_none(&self) -> bool {
         self.sides == 0

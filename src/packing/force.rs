@@ -66,7 +66,7 @@ impl Pair {
 
     /// That of two cells on any ground, in the first one's frame.
     #[inline(always)]
-    pub(super) fn seen<P>(a: &Particle<P>, b: &Particle<P>, turn: impl Carry) -> Self {
+    pub(crate) fn seen<P>(a: &Particle<P>, b: &Particle<P>, turn: impl Carry) -> Self {
         let sizes = (a.size, b.size);
         let axes = (a.axis, turn.apply(b.axis));
         if a.kind == Kind::Square && b.kind == Kind::Square {

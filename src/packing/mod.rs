@@ -56,6 +56,8 @@ pub(crate) use grid::Grid;
 pub use measures::{Alignment, NetForce, Sample};
 pub use params::{BoundaryCondition, Integrator, PackingParams, Population, Start};
 pub use placement::Placing;
+#[cfg(house)]
+pub(crate) use stress::{BEYOND, stress_on};
 pub use stress::{Stress, stress};
 
 use crate::domain::{Domain, Walls};

@@ -61,13 +61,6 @@ impl Particle {
         (0..points).map(around).collect()
     }
 
-    /// Half its sides, along its axis and across.
-    pub(crate) fn half_axes(&self) -> (DVec2, DVec2) {
-        let root = Shape::of(self).root;
-        let e = self.axis.normalize_or(DVec2::X) * (0.5 * self.size);
-        (e * root, e.perp() / root)
-    }
-
     /// How far a place `way` off its centre is, over how far its edge is in that direction: 0 in the
     /// middle, 1 on the edge.
     pub(crate) fn relative_radius(&self, way: DVec2) -> f64 {
@@ -98,6 +91,15 @@ impl Particle {
         Shape::of(self)
             .places()
             .map(move |place| centre + size * place)
+    }
+}
+
+impl<P> Particle<P> {
+    /// Half its sides, along its axis and across.
+    pub(crate) fn half_axes(&self) -> (DVec2, DVec2) {
+        let root = Shape::of(self).root;
+        let e = self.axis.normalize_or(DVec2::X) * (0.5 * self.size);
+        (e * root, e.perp() / root)
     }
 }
 

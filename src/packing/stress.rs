@@ -2,7 +2,7 @@
 
 use super::Particle;
 use super::force::Pair;
-use super::grid::Grid;
+use super::ground::{Buckets, Sees};
 use crate::domain::Domain;
 use glam::DVec2;
 
@@ -32,22 +32,41 @@ const WAYS: u32 = 12;
 
 /// The stress on each particle, in their order.
 pub fn stress(domain: &Domain, particles: &[Particle]) -> Vec<Stress> {
-    let mut surroundings = Surroundings::new(domain, particles);
+    let goes_on = |centre: DVec2, by: DVec2| {
+        domain.contains(centre + by) && !domain.is_parted(centre, centre + by)
+    };
+    stress_on(domain, particles, |_, _| true, goes_on)
+}
+
+/// Cells that are farther apart than so many mean sizes, as both of them measure it in their own half axes, each half a
+/// size long, know nothing of each other, as long as their directions are not too far apart.
+#[cfg(house)]
+pub(crate) const BEYOND: f64 = 1.7;
+
+/// The same on any ground, where `may_meet` is false of two particles that are [`BEYOND`] each other, and `goes_on`
+/// tells whether all the way from a place is ground.
+pub(crate) fn stress_on<S: Sees>(
+    ground: S,
+    particles: &[Particle<S::Place>],
+    may_meet: impl Fn(usize, usize) -> bool,
+    goes_on: impl Fn(S::Place, DVec2) -> bool,
+) -> Vec<Stress> {
+    let mut surroundings = Surroundings::new(ground, particles);
     let of = |k: usize| {
-        let depth = surroundings.meet(k);
+        let depth = surroundings.meet(k, &may_meet);
         Stress {
             pressed: ((depth - REST) / (DEEP - REST)).clamp(0.0, 1.0) as f32,
-            alone: surroundings.free_share(k),
+            alone: surroundings.free_share(k, &goes_on),
         }
     };
     (0..particles.len()).map(of).collect()
 }
 
 /// What is around one particle after the other.
-struct Surroundings<'a> {
-    domain: &'a Domain,
-    particles: &'a [Particle],
-    grid: Grid,
+struct Surroundings<'a, S: Sees> {
+    ground: S,
+    particles: &'a [Particle<S::Place>],
+    grid: S::Grid,
     reach: f64,
     /// See [`FAR`], of the size.
     far: f64,
@@ -55,16 +74,17 @@ struct Surroundings<'a> {
     around: Vec<DVec2>,
 }
 
-impl<'a> Surroundings<'a> {
-    fn new(domain: &'a Domain, particles: &'a [Particle]) -> Self {
-        let most = |value: fn(&Particle) -> f64| particles.iter().map(value).fold(1.0, f64::max);
+impl<'a, S: Sees> Surroundings<'a, S> {
+    fn new(ground: S, particles: &'a [Particle<S::Place>]) -> Self {
+        let most =
+            |value: fn(&Particle<S::Place>) -> f64| particles.iter().map(value).fold(1.0, f64::max);
         let stretch = most(|p| p.aspect.sqrt());
-        let reach = OPEN * most(|p| p.size * p.aspect.sqrt());
-        let (lo, hi) = domain.bounds();
-        let mut grid = Grid::new(lo, hi, reach);
+        let longest = particles.iter().map(|p| p.size * p.aspect.sqrt());
+        let reach = OPEN * longest.fold(f64::MIN_POSITIVE, f64::max);
+        let mut grid = ground.grid(reach);
         particles.iter().for_each(|p| grid.push(p.centre));
         Self {
-            domain,
+            ground,
             particles,
             grid,
             reach,
@@ -74,19 +94,21 @@ impl<'a> Surroundings<'a> {
     }
 
     /// Finds the neighbours of a particle; gives the depth of its deepest overlap with one.
-    fn meet(&mut self, own: usize) -> f64 {
-        let (domain, particle) = (self.domain, &self.particles[own]);
+    fn meet(&mut self, own: usize, may_meet: &impl Fn(usize, usize) -> bool) -> f64 {
+        let (ground, particle) = (self.ground, &self.particles[own]);
         let centre = particle.centre;
         let (e, f) = particle.half_axes();
         let mut depth = 0.0_f64;
         self.around.clear();
         let mut meet = |k: usize| {
             let other = &self.particles[k];
-            let r = domain.space().shortest(other.centre - centre);
             let far = self.far * 0.5 * (particle.size + other.size);
-            let is_near = k != own && r.length_squared() < far * far;
-            if is_near && !domain.is_parted(centre, centre + r) {
-                let pair = Pair::new(particle, other);
+            let way = || ground.way_within(centre, other.centre, far);
+            let Some((r, turn)) = (k != own && may_meet(own, k)).then(way).flatten() else {
+                return false;
+            };
+            if r.length_squared() < far * far && !ground.is_parted(centre, r) {
+                let pair = Pair::seen(particle, other, turn);
                 depth = depth.max(pair.penetration(r));
                 let stable = 2.0 * pair.stable_distance() / particle.size;
                 let q = DVec2::new(r.dot(e) / e.length_squared(), r.dot(f) / f.length_squared());
@@ -94,15 +116,13 @@ impl<'a> Surroundings<'a> {
             }
             false
         };
-        self.grid
-            .any_near(domain.space(), centre, self.reach, &mut meet);
+        ground.any_near(&self.grid, centre, self.reach, &mut meet);
         depth
     }
 
     /// The share of the sides of a particle, whose neighbours were found before, that are free.
-    fn free_share(&self, own: usize) -> f32 {
+    fn free_share(&self, own: usize, goes_on: &impl Fn(S::Place, DVec2) -> bool) -> f32 {
         let particle = &self.particles[own];
-        let centre = particle.centre;
         let (e, f) = particle.half_axes();
         let count = match particle.kind.has_corners() {
             true => SIDES,
@@ -115,8 +135,7 @@ impl<'a> Surroundings<'a> {
                 let (along, across) = (way.dot(*q), way.perp_dot(*q).abs());
                 along < OPEN && across < ASIDE * along.clamp(0.0, 1.0)
             });
-            let beyond = centre + 2.2 * (way.x * e + way.y * f);
-            !taken && self.domain.contains(beyond) && !self.domain.is_parted(centre, beyond)
+            !taken && goes_on(particle.centre, 2.2 * (way.x * e + way.y * f))
         };
         (0..count).filter(is_free).count() as f32 / count as f32
     }

@@ -13,8 +13,10 @@ use glam::DVec2;
 
 /// The cells with their axes turned, by quarters for squares and by halves for others, so that
 /// neighbours point alike. `links` are the neighbours by index: see [`crate::cells::graph`].
-pub fn oriented(cells: &[Cell], links: &[Vec<u32>]) -> Vec<Cell> {
-    let turns = turns_to_agree(&axes(cells), links, |_, _, axis| axis);
+/// Groups as a whole point along the flow, as told for each cell; zero where it is not known.
+pub fn oriented(cells: &[Cell], links: &[Vec<u32>], flow: impl Fn(&Cell) -> DVec2) -> Vec<Cell> {
+    let flow: Vec<DVec2> = cells.iter().map(flow).collect();
+    let turns = turns_along(&axes(cells), links, &flow, |_, _, axis| axis);
     let turned = |(cell, turn): (&Cell, u8)| Cell {
         axis: quarters(cell.axis, turn),
         ..cell.clone()
@@ -46,6 +48,17 @@ pub(crate) fn turns_to_agree(
     links: &[Vec<u32>],
     carried: impl Fn(usize, usize, DVec2) -> DVec2,
 ) -> Vec<u8> {
+    let kept: Vec<DVec2> = axes.iter().map(|axis| axis.along).collect();
+    turns_along(axes, links, &kept, carried)
+}
+
+/// The same; `flow` tells for each where it is to point to, as far as groups can as a whole.
+fn turns_along(
+    axes: &[Axis],
+    links: &[Vec<u32>],
+    flow: &[DVec2],
+    carried: impl Fn(usize, usize, DVec2) -> DVec2,
+) -> Vec<u8> {
     let mut groups = Groups {
         parent: (0..axes.len()).map(|k| (k, 0)).collect(),
         stiff: axes.iter().map(|a| a.is_stiff).collect(),
@@ -70,18 +83,18 @@ pub(crate) fn turns_to_agree(
         groups.join(axes[i].along, seen(i, j), [i, j]);
     }
     let turns: Vec<(usize, u8)> = (0..axes.len()).map(|k| groups.root(k)).collect();
-    let whole = whole_turns(axes, &turns, &groups.stiff);
+    let whole = whole_turns(axes, flow, &turns, &groups.stiff);
     let turn = |&(root, turn): &(usize, u8)| (turn + whole[root]) % 4;
     turns.iter().map(turn).collect()
 }
 
-/// By how many quarters each group, by its root, is turned so that most cells keep their axes.
-fn whole_turns(axes: &[Axis], turns: &[(usize, u8)], stiff: &[bool]) -> Vec<u8> {
+/// By how many quarters each group, by its root, is turned so that most cells go with the flow.
+fn whole_turns(axes: &[Axis], flow: &[DVec2], turns: &[(usize, u8)], stiff: &[bool]) -> Vec<u8> {
     let mut kept = vec![[0.0f64; 4]; axes.len()];
-    for (axis, &(root, turn)) in axes.iter().zip(turns) {
+    for ((axis, flow), &(root, turn)) in axes.iter().zip(flow).zip(turns) {
         for whole in 0..4 {
             let now = quarters(axis.along, turn + whole);
-            kept[root][usize::from(whole)] += now.dot(axis.along);
+            kept[root][usize::from(whole)] += now.dot(*flow);
         }
     }
     let best = |(root, kept): (usize, &[f64; 4])| {
@@ -195,7 +208,7 @@ mod tests {
     fn flow_goes_round_a_ring() {
         for kind in [Kind::Square, Kind::Ellipse] {
             let (cells, links) = ring(kind, 40);
-            let flow = oriented(&cells, &links);
+            let flow = oriented(&cells, &links, |cell| cell.axis);
             for k in 0..40 {
                 let (a, b) = (flow[k].axis, flow[(k + 1) % 40].axis);
                 assert!(a.dot(b) > 0.98, "{kind:?} {k}: {a} {b}");
@@ -209,7 +222,11 @@ mod tests {
     fn what_agrees_stays_as_it_is() {
         let (mut cells, links) = ring(Kind::Rectangle, 12);
         cells.iter_mut().for_each(|c| c.axis = DVec2::new(0.6, 0.8));
-        assert_eq!(oriented(&cells, &links), cells);
+        assert_eq!(oriented(&cells, &links, |cell| cell.axis), cells);
+        // All the other way round.
+        let back = oriented(&cells, &links, |cell| -cell.axis);
+        let is_back = |(a, b): (&Cell, &Cell)| a.axis == -b.axis;
+        assert!(back.iter().zip(&cells).all(is_back));
     }
 
     #[test]
@@ -223,7 +240,7 @@ mod tests {
                 Kind::Ellipse
             };
         }
-        let flow = oriented(&cells, &links);
+        let flow = oriented(&cells, &links, |cell| cell.axis);
         assert!(flow.iter().all(|c| c.axis.x.abs() < 1e-12), "{flow:?}");
     }
 }

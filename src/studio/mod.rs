@@ -14,7 +14,12 @@ use crate::generators::{Clock, Engine, Generator, Progress, Registry};
 use crate::notice::Notice;
 use crate::recipe::Recipe;
 #[cfg(house)]
-use crate::{generators::TurnOrder, notice::Code, recipe::Item, scene::Frame};
+use crate::{
+    generators::{GivenFile, TurnOrder},
+    notice::Code,
+    recipe::Item,
+    scene::Frame,
+};
 use std::any::Any;
 
 /// A pass over the finisher shorter than this many milliseconds is let finish before a newer recipe
@@ -193,13 +198,13 @@ impl Studio {
     /// # Errors
     /// Where the generator has no use for files.
     #[cfg(house)]
-    pub fn open_file(&mut self, name: &str, bytes: Vec<u8>) -> Result<Vec<Notice>, Notice> {
+    pub fn open_file(&mut self, file: GivenFile) -> Result<Vec<Notice>, Notice> {
         let schema = self.recipe.schema();
         let mut rows = schema.rows.iter();
         let key = rows
             .find(|row| row.item == Some(Item::Model))
             .map(|row| row.key);
-        let row = key.and_then(|_| self.engine.give(name, bytes));
+        let row = key.and_then(|_| self.engine.give(file));
         let (Some(key), Some(row)) = (key, row) else {
             return Err(Code::NoSuchFile.into());
         };

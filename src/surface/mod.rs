@@ -42,6 +42,7 @@ mod soup;
 pub mod stones;
 #[cfg(test)]
 mod testing;
+pub mod views;
 mod walk;
 
 pub use building::MeshBuilding;

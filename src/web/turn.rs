@@ -1,6 +1,6 @@
 //! Bodies in light, seen from a slant: frames of them, and what is seen there.
 
-use super::said::{all, or_why};
+use super::said::{all, notice, or_why};
 use super::{Bubblestone, object, objects};
 use crate::export::{FramePlane, frame_map};
 use crate::generators::{ALL, FrameSlice, TurnOrder};
@@ -102,31 +102,18 @@ impl Bubblestone {
         Some(place.map(|n| n as i32).to_vec())
     }
 
-    /// Of a direction field on a surface: how many singular points have a positive index, how many a negative one, the sum of
-    /// all, what borders add to it, and the Euler characteristic.
-    pub fn tally(&self) -> Option<Vec<f64>> {
-        self.studio.engine().tally().map(Vec::from)
+    /// What is to be read beside a view, once it is shown.
+    #[wasm_bindgen(unchecked_return_type = "Notice | undefined")]
+    pub fn caption(&self, words: &str) -> JsValue {
+        let caption = self.studio.engine().caption(words);
+        caption.map_or(JsValue::UNDEFINED, |caption| notice(&caption).into())
     }
 
-    /// Takes a file and makes it the recipe's; answers with what is to be said.
-    #[wasm_bindgen(js_name = openFile, unchecked_return_type = "Notice[]")]
-    pub fn open_file(&mut self, name: &str, bytes: Vec<u8>) -> Array {
-        let said = self.studio.open_file(name, bytes);
-        all(&said.unwrap_or_else(|why| vec![why]))
-    }
-
-    /// Takes a file that a recipe may ask for; answers with its digest, '' where this generator has no use for files.
-    #[wasm_bindgen(js_name = giveFile)]
-    pub fn give_file(&mut self, name: &str, bytes: Vec<u8>) -> String {
-        let row = self.studio.engine_mut().give(name, bytes);
-        row.map_or(String::new(), |row| digest_text(&row))
-    }
-
-    /// The digest and the name of the file that the work waits for; none where it waits for none.
-    #[wasm_bindgen(js_name = missingFile)]
-    pub fn missing_file(&self) -> Option<Vec<String>> {
-        let (digest, name) = self.studio.engine().missing()?;
-        Some(vec![digest, name])
+    /// Where such a place is in that frame, in pixels; undefined where it is not seen there.
+    #[wasm_bindgen(js_name = pixelOf)]
+    pub fn pixel_of(&self, x: i32, y: i32, z: i32) -> Option<Vec<f64>> {
+        let place = [x, y, z].map(i64::from);
+        Some(self.studio.engine().pixel_of(place)?.to_vec())
     }
 
     /// What is to be said of what was made: what was mended, or does not fit well.
@@ -181,9 +168,4 @@ fn frame_slice(slice: FrameSlice, frame: Option<&crate::scene::Frame>) -> Object
         let _ = js_sys::Reflect::set(&said, &"pixels".into(), &pixels);
     }
     said
-}
-
-/// The digest at the beginning of a row that names a file.
-fn digest_text(row: &[i64]) -> String {
-    row.iter().take(4).map(|n| format!("{n:04x}")).collect()
 }

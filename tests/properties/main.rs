@@ -34,6 +34,7 @@ mod native {
     mod maps;
     mod mesh_sizes;
     mod model_files;
+    mod models;
     mod outline_rings;
     mod outlines;
     mod overlays;

@@ -1,5 +1,6 @@
 /** Works a link out anew, and its picture with more pixels. Nothing here blocks the page: it is a worker, which ends with the picture. */
 import { serve } from '../late/worker';
+import { studioFor } from '../module/given';
 import { loadModule } from '../module/load';
 import { isEnd } from '../module/stages';
 
@@ -25,7 +26,7 @@ serve(
 
 async function painted(link: string, scale: number): Promise<ImageData | undefined> {
   const module = await loadModule(link);
-  const studio = new module.Bubblestone(link);
+  const studio = await studioFor(module, link);
   while (!isEnd(studio.stage())) studio.tick(BUDGET, STEPS);
   const side = studio.side() * scale;
   const pixels = new ImageData(side, side);

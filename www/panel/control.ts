@@ -220,9 +220,11 @@ function segments(parameter: Parameter, id: string, change: Change): Parts {
 function drawnList(parameter: Parameter, id: string, edit: (key: string) => void): Parts {
   const button = make('button', { type: 'button', class: 'wide', id, 'aria-labelledby': `${id}-name ${id}`, 'aria-describedby': `${id}-help` });
   button.addEventListener('click', () => edit(parameter.key));
+  /** A file is one entry, which is opened. */
+  const isFile = parameter.key === 'model';
   return {
     inputs: [button],
     // In a list's text dots stand between the entries.
-    show: (value) => say(button, value ? t('list_edit', { n: value.split('.').length }) : t('list_add')),
+    show: (value) => say(button, isFile ? t(value ? 'model_other' : 'model_open') : value ? t('list_edit', { n: value.split('.').length }) : t('list_add')),
   };
 }

@@ -10,7 +10,7 @@ import { isFirstVisit } from '../base/storage';
 import { Engine } from '../state/engine';
 import { askedFor, firstState, openedFirst } from '../state/first';
 import { History } from '../state/history';
-import { address, isReload, withValues } from '../state/link';
+import { isReload, withValues } from '../state/link';
 import { isLocked } from '../state/locks';
 import { lastWork, remember } from '../state/memory';
 import { Store, type State } from '../state/store';
@@ -23,13 +23,14 @@ import { keepInSight } from '../picture/sight';
 import { StatusLine } from '../picture/status';
 import { Transport } from '../picture/transport';
 import { View } from '../picture/view';
-import { shown } from '../panel/control';
 import { Dice } from '../panel/dice';
 import { Panel } from '../panel/panel';
 import { Presets } from '../panel/presets';
 import { Scaling, SIDE } from '../panel/scaling';
 import { Seed, SEED } from '../panel/seed';
 import { Address } from './address';
+import { copyLink } from './copy';
+import { described } from './described';
 import { EditTools } from './edit-tools';
 import { makeLookTools } from './look-tools';
 import { offerMakes } from './makes';
@@ -40,6 +41,8 @@ import { tellCrash } from './trouble';
 
 /** Milliseconds that the picture stands still before listeners are told: a slider's steps are not told one by one. */
 const SETTLED = 400;
+/** The choice of a surface that a file gives. */
+const FILE = 'file';
 /** Frames that the first cells may take before the panel comes all the same. */
 const PATIENCE = 12;
 
@@ -111,10 +114,14 @@ export class App {
     for (let waited = 0; waited < PATIENCE && !this.hasBegun(); waited += 1) await frame();
     const panel = new Panel(
       this.engine,
-      (key, text, done) => this.change(key, text, done),
-      (key) => this.parts.editor.ask((editor) => editor.toggle(key)),
+      (key, text, done) => {
+        this.change(key, text, done);
+        // A file is still to be chosen.
+        if (text === FILE) panel.refresh();
+      },
+      (key) => (this.engine.isSpace ? this.parts.space.ask((space) => space.edit(key)) : this.parts.editor.ask((editor) => editor.toggle(key))),
     );
-    const tools = new EditTools(this.work, this.parts.editor);
+    const tools = new EditTools(this.work, this.parts.editor, (file) => this.parts.space.ask((space) => void space.take(file)));
     const dice = new Dice(this.work, () => this.push());
     const presets = new Presets((preset) => {
       this.leaveEditor();
@@ -166,6 +173,7 @@ export class App {
     document.documentElement.dataset['offers'] = offers.join(' ');
     for (const [part, id] of OFFERED) byId(id).hidden = !offers.includes(part);
     this.leaveEditor();
+    if (engine.isSpace) this.parts.space.ask((space) => space.follow());
     this.store.update({ layers: false, compare: false, plots: false, turn: engine.isSpace, camera: undefined, repeat: 1, ...(engine.isSpace ? { zoom: WHOLE } : {}) });
   }
 
@@ -241,7 +249,7 @@ export class App {
       { keys: ['x'], word: 'key_throw', act: press('throw') },
       { keys: ['ctrl+z'], shown: ['Ctrl+Z'], word: 'key_undo', act: press('undo'), repeats: true },
       { keys: ['ctrl+shift+z', 'ctrl+y'], shown: ['Ctrl+Shift+Z', 'Ctrl+Y'], word: 'key_redo', act: press('redo'), repeats: true },
-      { keys: ['c'], word: 'key_copy', act: () => void this.copy() },
+      { keys: ['c'], word: 'key_copy', act: () => void copyLink(this.engine.link()) },
       { keys: '0123456789'.split(''), shown: ['0', '–', '9'], word: 'key_view', act: (key) => this.store.update({ view: this.view.bases[Number(key)] ?? 'auto' }) },
       { keys: ['e'], word: 'key_edit', part: 'outline', act: () => parts.editor.ask((editor) => editor.toggle()) },
     );
@@ -271,6 +279,7 @@ export class App {
   /** A control was moved. */
   private change(key: string, text: string, done: boolean): void {
     if (key === 'outline' && text === 'polygon') return this.parts.editor.ask((editor) => editor.free());
+    if (text === FILE && this.engine.get('model') === '') return this.parts.space.ask((space) => space.choose());
     if (key === SIDE) return this.scaling.set(text, !done);
     this.work.set(key, text, !done);
   }
@@ -332,7 +341,7 @@ export class App {
     this.forming.follow(stage, this.begun);
     this.status.show(stage, status, this.loop.watch !== undefined);
     const remarks = this.view.remarks(stage);
-    this.status.name(this.view.note || (preset ? '' : this.described()), [this.view.absences().values(), remarks], preset?.shown, preset?.recipe !== recipe, stage, status);
+    this.status.name(this.view.note || (preset ? '' : described(this.engine)), [this.view.absences().values(), remarks], preset?.shown, preset?.recipe !== recipe, stage, status);
     this.report(stage);
     if (stage === 'error') this.stuck();
     if (stage === 'done') this.finish();
@@ -346,18 +355,11 @@ export class App {
     if (stage === 'done') this.face.done();
   }
 
-  /** A recipe that has no name, in the words of its controls. */
-  private described(): string {
-    const { engine } = this;
-    const keys = [engine.isSpace ? 'form' : engine.get('tile') === '1' ? 'tile' : 'outline', 'kind', 'stone', 'palette'];
-    const labels = engine.schema.filter(({ key }) => keys.includes(key)).map((parameter) => shown(parameter, engine.get(parameter.key)));
-    return t('own_recipe', { what: labels.join(' · ') });
-  }
-
   /** This recipe gives no pavement; another one may. */
   private stuck(): void {
     const sentence = this.engine.problem();
-    alertOf('trouble', sentence);
+    // A file that is missing has its own place on the sheet.
+    if (!this.engine.missing()) alertOf('trouble', sentence);
     this.face.failed(sentence);
   }
 
@@ -381,15 +383,5 @@ export class App {
   /** The next change is an entry of its own in the browser's history. */
   private push(): void {
     this.address.push();
-  }
-
-  private async copy(): Promise<void> {
-    const link = this.engine.link();
-    try {
-      await navigator.clipboard.writeText(address(link));
-      passing('done', t('copied'));
-    } catch {
-      notice('done', t('not_copied', { link: address(link) }));
-    }
   }
 }

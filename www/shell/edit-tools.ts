@@ -7,15 +7,21 @@ import type { Work } from '../state/work';
 import type { Panel } from '../panel/panel';
 import type { Parts } from './parts';
 
+/** Files of models. */
+const MODEL = /\.(obj|glb|ply|stl|gltf)$/i;
+
 export class EditTools {
   private readonly engine: Engine;
   private readonly work: Work;
   private readonly editor: Parts['editor'];
   private readonly tools = [...byId('edit-tools').querySelectorAll<HTMLButtonElement>('[data-tool]')];
   private readonly more = byId('more-tools');
+  private readonly takeModel: (file: File) => void;
   private readonly edit = make('button', { type: 'button', class: 'wide', id: 'edit-outline', 'aria-keyshortcuts': 'E' });
 
-  constructor(work: Work, editor: Parts['editor']) {
+  /** `takeModel` opens the file of a model. */
+  constructor(work: Work, editor: Parts['editor'], takeModel: (file: File) => void) {
+    this.takeModel = takeModel;
     this.engine = work.engine;
     this.work = work;
     this.editor = editor;
@@ -59,7 +65,7 @@ export class EditTools {
     });
   }
 
-  /** Outlines come by the clipboard and as files dropped anywhere: beside the picture a browser would open them instead of the page. */
+  /** Outlines come by the clipboard, models and they as files dropped anywhere: beside the picture a browser would open them instead of the page. */
   private receive(): void {
     const sheet = byId('sheet');
     const page = document.documentElement;
@@ -78,9 +84,10 @@ export class EditTools {
       // Text that is dropped into a field goes there.
       if (files.length) event.preventDefault();
       sheet.classList.remove('dropping');
-      // Of several files the first one that may be an outline or a recipe.
-      const file = files.find(({ name }) => /\.(svg|json|png)$/i.test(name)) ?? files[0];
-      if (file) this.editor.ask((it) => void it.takeFile(file));
+      // Of several files the first one that may be an outline, a recipe, or a model.
+      const file = files.find(({ name }) => /\.(svg|json|png)$/i.test(name) || MODEL.test(name)) ?? files[0];
+      if (file && MODEL.test(file.name)) this.takeModel(file);
+      else if (file) this.editor.ask((it) => void it.takeFile(file));
     });
     document.addEventListener('paste', ({ target, clipboardData }) => {
       if (target instanceof Element && target.matches('input, textarea')) return;

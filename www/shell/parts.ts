@@ -19,6 +19,7 @@ export type Parts = ReturnType<typeof partsOf>;
 
 export function partsOf(work: Work, view: View, loop: Loop) {
   const { engine, store } = work;
+  const turn = new Later(async () => new (await import('../turn/page')).PageTurntable(work, loop, view));
   return {
     editor: new Later(async () => new (await import('../editor/editor')).Editor(work)),
     pointer: new Later(async () => new (await import('../look/pointer')).Pointer(work, view)),
@@ -26,7 +27,8 @@ export function partsOf(work: Work, view: View, loop: Loop) {
     layers: new Later(async () => new (await import('../look/layers')).Layers(store, view)),
     compare: new Later(async () => new (await import('../look/compare')).Compare(work, view, loop)),
     plots: new Later(async () => new (await import('../look/plots')).Plots(engine, view)),
-    turn: new Later(async () => new (await import('../turn/page')).PageTurntable(work, loop, view)),
+    turn,
+    space: new Later(async () => new (await import('../space/space')).Space(work, turn, () => loop.changed())),
     tiles: new Later(async () => new (await import('../look/tiles')).Tiles(store, view)),
     linked: new Later(() => import('../look/linked')),
     share: new Later(() => import('../take/share')),

@@ -42,6 +42,9 @@ export class Engine {
   private dead = false;
   private lastLink: string;
   private made: Generator[] | undefined;
+  /** The digest of the file that is looked for, or was not to be had; '' where the recipe needs none. */
+  private sought = '';
+  private seeking = false;
   private readonly rows = new Map<string, Parameter[]>();
   private readonly known = new Map<string, Preset[]>();
 
@@ -59,11 +62,14 @@ export class Engine {
     this.made = undefined;
     useModule(module);
     this.core = this.guard(() => new module.Bubblestone(link), undefined);
+    this.seek();
   }
 
   private end(): void {
     this.ask((core) => core.free(), undefined);
     this.core = undefined;
+    this.sought = '';
+    this.seeking = false;
     if (this.module) leaveModule(this.module);
     this.module = undefined;
   }
@@ -100,7 +106,12 @@ export class Engine {
   open(link: string): string[] {
     if (this.dead) return [];
     this.lastLink = link.replace(/^#/, '');
-    if (moduleFor(link) === this.module) return this.ask((core) => core.open(link), []).map(said);
+    this.sought = '';
+    if (moduleFor(link) === this.module) {
+      const notices = this.ask((core) => core.open(link), []);
+      this.seek();
+      return notices.map(said);
+    }
     this.end();
     this.begin(link);
     return this.notices();
@@ -117,7 +128,9 @@ export class Engine {
   }
 
   set(key: string, text: string): Told {
-    return told(this.ask((core) => core.set(key, text), NO_ANSWER));
+    const answer = told(this.ask((core) => core.set(key, text), NO_ANSWER));
+    this.seek();
+    return answer;
   }
 
   get(key: string): string {
@@ -132,7 +145,7 @@ export class Engine {
 
   /** Works for about `budget` milliseconds; true when what is shown may have changed. */
   tick(budget: number, steps: number): boolean {
-    return this.ask((core) => core.tick(budget, steps), false);
+    return !this.seeking && this.ask((core) => core.tick(budget, steps), false);
   }
 
   /** While live, the cells flow after each change; the end of it makes them anew, as the link asks. */
@@ -150,7 +163,7 @@ export class Engine {
 
   /** The word of the stage at work, then 'done', or 'error' where no pavement can be made. */
   stage(): string {
-    return this.ask((core) => core.stage(), 'error');
+    return this.seeking ? (this.generator.stages[0] ?? '') : this.ask((core) => core.stage(), 'error');
   }
 
   /** Why the stage is 'error'; '' while all is well. */
@@ -193,9 +206,10 @@ export class Engine {
     return this.ask((core) => (core as SceneStudio).frameMap(word), NOT_YET);
   }
 
-  /** Of a direction field in space: singular points of positive and negative index, the sum of these, what borders add, the Euler characteristic. */
-  tally(): ArrayLike<number> | undefined {
-    return this.ask((core) => (core as SceneStudio).tally(), undefined);
+  /** What is to be read beside a view in space that is shown: what its colours stand for, or what it counts; '' where there is nothing. */
+  caption(view: string): string {
+    const caption = this.isSpace ? this.ask((core) => (core as SceneStudio).caption(view), undefined) : undefined;
+    return caption ? said(caption) : '';
   }
 
   /** What is to be said of a surface in space: what was mended, or does not fit well. */
@@ -276,8 +290,33 @@ export class Engine {
     return this.ask((core) => core.part(x, y), -1);
   }
 
+  /** What only the module can tell that has all there is; `otherwise` where another one is at work. */
+  inSpace<T>(call: (studio: SceneStudio) => T, otherwise: T): T {
+    return this.ask((core) => (isWhole(core) ? call(core) : otherwise), otherwise);
+  }
+
+  /** The digest and the name of the file that the work waits for; undefined where it waits for none, or still looks for it. */
+  missing(): { digest: string; name: string } | undefined {
+    const [digest, name = ''] = this.seeking ? [] : this.inSpace((studio) => studio.missingFile() ?? [], []);
+    return digest === undefined ? undefined : { digest, name };
+  }
+
   randomSeed(): number {
     return this.guard(() => this.module?.random_seed(), undefined) ?? 1;
+  }
+
+  /** Where the recipe asks for a file that is not here, it is looked for, once; meanwhile nothing is worked on. */
+  private seek(): void {
+    const { core } = this;
+    const [digest = ''] = this.inSpace((studio) => studio.missingFile() ?? [], []);
+    if (!core || digest === this.sought) return;
+    this.sought = digest;
+    this.seeking = digest !== '';
+    if (!this.seeking) return;
+    const wanted = (): boolean => this.core === core && this.sought === digest;
+    const found = import('../module/given').then(({ supply }) => supply(core, wanted));
+    // What fails here fails when it is worked on, too, or the file is asked for.
+    void found.catch(() => false).then(() => wanted() && (this.seeking = false));
   }
 
   free(): void {
@@ -300,6 +339,10 @@ export class Engine {
       return otherwise;
     }
   }
+}
+
+function isWhole(core: Bubblestone): core is SceneStudio {
+  return 'missingFile' in core;
 }
 
 function kept<T>(all: Map<string, T>, key: string, made: () => T): T {

@@ -1,24 +1,27 @@
 /**
  * Files that are opened as a recipe: JSON files `{"program", "version", "link", "recipe", "parameters": {...}}`,
- * of which `recipe` is what counts, and pictures and drawings that were saved here.
+ * of which `recipe` is what counts, with the file of the model that it asks for, and pictures and drawings that were saved here.
  */
 import { version } from '../../package.json';
 import type { Parameter } from '../module/types';
 import { t } from '../words/take';
 import { passing } from '../base/messages';
+import type { Task } from '../late/task';
 import type { Engine } from '../state/engine';
 import { pageAddress } from '../state/link';
 import type { Work } from '../state/work';
 import { originIn, PROGRAM } from './origin';
+import { headOf, keepModel, withModel } from './packed-file';
 
-/** Of a file so many bytes are read; a link of a thousand points has some ten thousand. */
+/** Of a file so many bytes are read, but for the model inside it; a link of a thousand points has some ten thousand. */
 const LARGEST = 200_000;
 
-export function recipeFile(engine: Engine): Blob {
+/** Throws a sentence where it cannot be made. */
+export async function recipeFile(engine: Engine, task: Task): Promise<Blob> {
   const recipe = engine.link();
   const parameters = Object.fromEntries(engine.schema.map((parameter) => [parameter.key, valueOf(parameter, engine.get(parameter.key))]));
   const text = JSON.stringify({ program: PROGRAM, version, link: pageAddress(recipe), recipe, parameters }, null, 2);
-  return new Blob([`${text}\n`], { type: 'application/json' });
+  return new Blob(await withModel(`${text}\n`, engine, task), { type: 'application/json' });
 }
 
 function valueOf({ kind }: Parameter, text: string): string | number {
@@ -29,18 +32,22 @@ function valueOf({ kind }: Parameter, text: string): string | number {
 export async function openRecipe(work: Work, file: File): Promise<boolean> {
   const bytes = new Uint8Array(await file.slice(0, LARGEST).arrayBuffer());
   const origin = originIn(bytes);
-  const recipe = origin === undefined ? recipeIn(new TextDecoder().decode(bytes)) : origin.replace(/^[^#]*#?/, '');
-  if (recipe === undefined) return false;
+  const { text, at } = headOf(bytes);
+  const inside = origin === undefined ? recipeIn(text) : { recipe: origin.replace(/^[^#]*#?/, ''), file: undefined };
+  if (!inside) return false;
+  const { recipe, file: model } = inside;
+  // Without the model, or where it is broken, the page asks for it.
+  if (model && at !== undefined) await keepModel(file, at, model).catch(() => undefined);
   work.open(recipe, { own: true });
   passing('files', t('opened', { name: file.name }));
   return true;
 }
 
-/** The link that a recipe's file holds; undefined where it is something else. */
-function recipeIn(text: string): string | undefined {
+/** The link that a recipe's file holds, and what it tells of its model; undefined where it is something else. */
+function recipeIn(text: string): { recipe: string; file: object | undefined } | undefined {
   try {
-    const { program, recipe } = JSON.parse(text) as { program?: unknown; recipe?: unknown };
-    return program === PROGRAM && typeof recipe === 'string' ? recipe : undefined;
+    const { program, recipe, file } = JSON.parse(text) as { program?: unknown; recipe?: unknown; file?: unknown };
+    return program === PROGRAM && typeof recipe === 'string' ? { recipe, file: file instanceof Object ? file : undefined } : undefined;
   } catch {
     return undefined;
   }

@@ -215,7 +215,7 @@ export class SaveDialog {
       this.dialog.close();
       if (chosen) void openRecipe(work, chosen).then((known) => known || notice('files', t('not_json', { name: chosen.name })));
     });
-    return [this.button('save-recipe', 'JSON', '.json', () => Promise.resolve(recipeFile(work.engine))), open, file];
+    return [this.button('save-recipe', 'JSON', '.json', (task) => recipeFile(work.engine, task)), open, file];
   }
 }
 

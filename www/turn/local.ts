@@ -25,6 +25,9 @@ interface Order {
   readonly height: number;
 }
 
+/** A place of a frame, in parts of its sides. */
+type Part = readonly [u: number, v: number];
+
 /** What goes on from frame to frame. */
 export type Beat = Pick<Loop, 'look' | 'stands'>;
 
@@ -72,6 +75,22 @@ export class LocalFrames implements FrameSource, Painter {
     const { engine } = this.place;
     const body = width && subject === '' ? engine.bodyAt(Math.floor(x * width), Math.floor(y * height)) : undefined;
     return Promise.resolve(body && { id: body.id, probe: undefined, steps: engine.making(body.id) });
+  }
+
+  /** The place of the model at a place of the last frame, in parts of its sides; undefined beside it. */
+  placeAt([u, v]: Part): [x: number, y: number, z: number] | undefined {
+    const { width, height, subject } = this.made;
+    if (!width || subject !== '') return undefined;
+    const place = this.place.engine.inSpace((studio) => studio.placeAt(Math.floor(u * width), Math.floor(v * height)), undefined);
+    return place && [place[0] ?? 0, place[1] ?? 0, place[2] ?? 0];
+  }
+
+  /** Where a place of the model is in that frame; undefined where it is not seen. */
+  spotOf([x, y, z]: readonly [x: number, y: number, z: number]): Part | undefined {
+    const { width, height, subject } = this.made;
+    if (!width || subject !== '') return undefined;
+    const pixel = this.place.engine.inSpace((studio) => studio.pixelOf(x, y, z), undefined);
+    return pixel && [(pixel[0] ?? 0) / width, (pixel[1] ?? 0) / height];
   }
 
   end(): void {

@@ -17,6 +17,8 @@ export class PageTurntable {
   private slant: Turntable | undefined;
   private space: Turntable | undefined;
   private frames: LocalFrames | undefined;
+  /** Is called after each frame of what stands in space. */
+  framed: (() => void) | undefined;
   /** The last note, and what it is of. */
   private told: readonly [of: string, note: string] = ['', ''];
   /** The one that is shown, or was last. */
@@ -51,9 +53,23 @@ export class PageTurntable {
     if (!on && focused) button.focus();
   }
 
+  focus(): void {
+    this.shown?.focus();
+  }
+
   /** Closer (1), farther (-1), or the first look again (0). */
   step(by: number): void {
     this.shown?.step(by);
+  }
+
+  /** The frame of what stands in space, to be painted on, and which places of the model are where in it. */
+  get surface() {
+    this.space ??= this.inSpace();
+    return {
+      host: this.space.host,
+      placeAt: (spot: readonly [number, number]) => this.frames?.placeAt(spot),
+      spotOf: (place: readonly [number, number, number]) => this.frames?.spotOf(place),
+    };
   }
 
   /** What both have. */
@@ -81,6 +97,7 @@ export class PageTurntable {
     const { store, engine } = this.work;
     return new Turntable({
       ...this.place(),
+      framed: () => this.framed?.(),
       frames: (heard) => (this.frames = new LocalFrames({ engine, loop, view: () => store.state.view }, heard)),
     });
   }

@@ -29,15 +29,7 @@ export function seen({ count, skin, what: view }: Bodies, [angle, height, distan
 /** What a view in space shows; '' where that needs no words. */
 export function noteOf(engine: Engine, view: string): string {
   const key = `note_${view}`;
-  const tally = view === 'direction' ? engine.tally() : undefined;
-  const [positive = 0, negative = 0, sum = 0, border = 0, euler = 0] = Array.from(tally ?? []);
-  const numbers = { positive, negative, sum: number(sum + border), border: number(border), euler: number(euler) };
-  return [isWord(key) ? t(key) : '', tally ? t(border ? 'tally_border' : 'tally', numbers) : ''].filter(Boolean).join(' ');
-}
-
-/** With the sign that is printed. */
-function number(value: number): string {
-  return String(Number(value.toFixed(3))).replace('-', '−');
+  return [isWord(key) ? t(key) : '', engine.caption(view)].filter(Boolean).join(' ');
 }
 
 /** The name of a step in the making of a body; its own word where there is none. */

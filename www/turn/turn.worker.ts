@@ -6,6 +6,7 @@
  * ends these.
  */
 import { reasonOf } from '../base/errors';
+import { studioFor, supply } from '../module/given';
 import { keepModules, loadWhole } from '../module/load';
 import type { SceneStudio } from '../module/scene';
 import { isEnd, progressOf } from '../module/stages';
@@ -124,6 +125,7 @@ class Turner {
     if (wish.link !== this.link) {
       studio.open(wish.link);
       this.link = wish.link;
+      await supply(studio);
     }
     const begun = performance.now();
     while (!isEnd(studio.stage())) {
@@ -199,7 +201,7 @@ let running = false;
 async function begin(link: string): Promise<Turner | undefined> {
   try {
     const module = await loadWhole();
-    const studio = new module.Bubblestone(link);
+    const studio = await studioFor(module, link);
     const { stages = [] } = module.generators().find(({ word }) => word === studio.generator()) ?? {};
     return new Turner(studio, stages, link);
   } catch (error) {

@@ -39,6 +39,8 @@ export interface Place {
   leave?: () => void;
   /** In somebody else's page. */
   alone?: boolean;
+  /** There is a new frame. */
+  framed?: () => void;
   /** There are no frames. */
   ended(how: 'lost' | 'broken', why: string): void;
 }
@@ -140,6 +142,11 @@ export class Turntable {
     this.stand.focus({ preventScroll: true });
   }
 
+  /** Holds the frame. */
+  get host(): HTMLElement {
+    return this.stand.parentElement ?? this.root;
+  }
+
   /** Whether it has the focus. */
   get focused(): boolean {
     return this.root.contains(document.activeElement);
@@ -215,6 +222,7 @@ export class Turntable {
     [canvas.width, canvas.height] = [frame.width, frame.height];
     canvas.getContext('bitmaprenderer')?.transferFromImageBitmap(frame);
     this.root.toggleAttribute('data-shown', true);
+    this.place.framed?.();
     if (!latest) return;
     this.shown = this.place.link();
     this.state(quality);

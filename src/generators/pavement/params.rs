@@ -4,6 +4,7 @@ use super::outline::PavementRecipe;
 use super::schema::keys;
 use super::stage::Stage;
 use super::terrain::{DomainParams, TerrainParams};
+use crate::cells::Cell;
 use crate::domain::Outline;
 use crate::field::{Direction, FieldParams, Grading, Kind, Spot};
 use crate::generators::common;
@@ -45,10 +46,38 @@ pub(super) struct Params {
     pub terrain: TerrainParams,
     pub packing: PackingParams,
     pub cells: CellParams,
-    /// Are the stones skin, whose flow has one sense?
-    pub is_skin: bool,
+    /// The one sense of the flow; nothing for stones that are not skin.
+    pub flow: Option<FlowParams>,
     pub coats: CoatParams,
     pub finish: HeightFieldParams,
+}
+
+/// Which way scales lean as a whole.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct FlowParams {
+    /// With the strokes, 1, or against them, -1.
+    sense: f64,
+    /// None where axes stay as they are.
+    strokes: Vec<Vec<DVec2>>,
+}
+
+impl FlowParams {
+    /// The flow at a cell, of any length.
+    pub fn at(&self, cell: &Cell) -> DVec2 {
+        if self.strokes.is_empty() {
+            return cell.axis;
+        }
+        let mut sum = DVec2::ZERO;
+        for ends in self.strokes.iter().flat_map(|stroke| stroke.windows(2)) {
+            let by = ends[1] - ends[0];
+            let from = cell.centre - ends[0];
+            let along = (from.dot(by) / by.length_squared()).clamp(0.0, 1.0);
+            // The nearest stroke counts most by far.
+            let far = (from - by * along).length_squared() + cell.size * cell.size;
+            sum += by / (far * far);
+        }
+        sum * self.sense
+    }
 }
 
 impl Params {
@@ -58,7 +87,7 @@ impl Params {
             terrain: terrain(recipe, outline),
             packing: packing(recipe),
             cells: cells(recipe),
-            is_skin: recipe.is_skin(),
+            flow: recipe.is_skin().then(|| flow(recipe)),
             coats: CoatParams {
                 colour: colour(recipe),
                 seed: common::seed(recipe),
@@ -75,7 +104,7 @@ impl Params {
             (Stage::Fields, self.terrain.fields != other.terrain.fields),
             (Stage::Packing, self.packing != other.packing),
             (Stage::Cells, self.cells != other.cells),
-            (Stage::Planes, self.is_skin != other.is_skin),
+            (Stage::Planes, self.flow != other.flow),
             (Stage::Planes, self.coats != other.coats),
             (Stage::Planes, self.finish.planes != other.finish.planes),
             (Stage::Weather, self.finish.weather != other.finish.weather),
@@ -214,6 +243,21 @@ pub(super) fn packing(recipe: &Recipe) -> PackingParams {
         },
         variance: recipe.number(keys::VS),
         seed: common::seed(recipe),
+    }
+}
+
+fn flow(recipe: &Recipe) -> FlowParams {
+    let sense = match recipe.choice(keys::FLOW) {
+        "strokes" => 1.0,
+        "against" => -1.0,
+        _ => 0.0,
+    };
+    FlowParams {
+        sense,
+        strokes: match sense {
+            0.0 => Vec::new(),
+            _ => recipe.polylines(keys::STROKES),
+        },
     }
 }
 

@@ -154,6 +154,9 @@ rows! {
     sa SA: "Where the top leans and rises to, clockwise from the direction of the cells." =>
         number("", "Flow angle").range(-180.0, 180.0, 1.0, 0.0).unit("°")
             .group("Relief").only_for(keys::STONE, SKINS);
+    flow FLOW: "Which way scales lean as a whole: as their axes happen to point, along the painted strokes, or against them." =>
+        choice("Flow", choices![own: "As it comes", strokes: "Along strokes", against: "Against strokes"])
+            .group("Relief").steady().only_for(keys::STONE, SKINS);
     tc TC: "How far the top is drawn to the middle: 0 a block, 1 a thorn." =>
         number("Tc", "Taper").range(0.0, 1.0, 0.01, 0.2).group("Relief")
             .only_for(keys::STONE, SKINS);

@@ -1,6 +1,6 @@
 //! How the stages of a pavement hang together, and what is due next.
 
-use super::params::{CellParams, CoatParams, Params};
+use super::params::{CellParams, CoatParams, FlowParams, Params};
 use super::slices::{Packed, Packs, Shaping};
 use super::stage::Stage;
 use super::terrain::Terrain;
@@ -23,7 +23,7 @@ pub(super) struct Stages {
     pub(super) mesh: Node<(), Meshing, Mesh>,
     pub(super) cells: Node<CellParams, Shaping, Vec<Cell>>,
     /// Of skin, the cells in which the axes have one sense; none of stones.
-    pub(super) flow: Node<bool, Graph, Vec<Cell>>,
+    pub(super) flow: Node<Option<FlowParams>, Graph, Vec<Cell>>,
     pub(super) coats: Node<CoatParams, Coats, Vec<Coat>>,
     pub finish: HeightField,
     /// Of which packing the picture is.
@@ -63,7 +63,7 @@ impl Stages {
             packing: Node::new(params.packing),
             mesh: Node::new(()),
             cells: Node::new(params.cells),
-            flow: Node::new(params.is_skin),
+            flow: Node::new(params.flow),
             coats: Node::new(params.coats),
             finish: HeightField::new(params.finish),
             pictured: 0,
@@ -75,7 +75,7 @@ impl Stages {
         self.terrain.want(params.terrain);
         self.packing.want(params.packing);
         self.cells.want(params.cells);
-        self.flow.want(params.is_skin);
+        self.flow.want(params.flow);
         self.coats.want(params.coats);
         self.finish.want(params.finish);
     }
@@ -197,13 +197,13 @@ impl Stages {
             return;
         };
         let inputs = self.terrain.domain.revision() + self.cells.revision();
-        self.flow.advance(inputs, |&is_skin, work| {
-            if !is_skin {
+        self.flow.advance(inputs, |params, work| {
+            let Some(flow) = params else {
                 return Ok(Some(Vec::new()));
-            }
+            };
             work.get_or_insert_with(|| Graph::new(domain, cells));
             let over = work.take_if(|graph| graph.advance(domain, CELLS));
-            Ok(over.map(|graph| oriented(cells, &graph.finish())))
+            Ok(over.map(|graph| oriented(cells, &graph.finish(), |cell| flow.at(cell))))
         });
     }
 

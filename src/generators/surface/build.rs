@@ -1,16 +1,15 @@
 //! The first stage: a surface that cells of the asked sizes can be packed on.
 
-use super::models::{Model, Models};
+use super::loading::Loaded;
 use super::params::{On, Sizes, Source, SurfaceParams};
 use super::tracing;
-use crate::notice::{Code, Notice, quote};
+use crate::notice::{Code, Notice};
 use crate::surface::field::{
     Amount, Bone, SizeParams, SurfaceFieldBuilder, SurfaceFieldParams, SurfaceFields,
 };
-use crate::surface::files::Reading;
 use crate::surface::fit::check_count;
 use crate::surface::refine::{Refining, SHARE};
-use crate::surface::repair::{Cutting, Filling, Mending};
+use crate::surface::repair::{Cutting, Filling};
 use crate::surface::shapes::{Bone as ShapeBone, Shape, ShapeMaking};
 use crate::surface::{MeshBuilding, Projector, Search, Simplifying, TriMesh};
 use glam::DVec3;
@@ -24,64 +23,6 @@ const PLENTY: f64 = 60.0;
 const SIMPLE: f64 = 6.0;
 /// How far a simpler surface may be off, in sizes of cells.
 const OFF: f64 = 0.2;
-
-/// A file's surface, mended, and what was said of it.
-#[derive(Default)]
-pub(super) struct Loaded {
-    pub mesh: Option<Arc<TriMesh>>,
-    pub notices: Vec<Notice>,
-}
-
-/// A file's surface in the making.
-pub(super) enum Loading {
-    Reading(Box<Reading>),
-    Mending(Box<Mending>),
-}
-
-impl Loading {
-    /// One slice. `model` is the file asked for, and whether z is up in it; nothing for surfaces by rule.
-    ///
-    /// # Errors
-    /// Where it is not there, or cannot be read.
-    pub fn advance(
-        model: &Option<(Option<Model>, bool)>,
-        work: &mut Option<Loading>,
-        models: &Models,
-    ) -> Result<Option<Loaded>, Notice> {
-        let Some((model, is_z_up)) = model else {
-            return Ok(Some(Loaded::default()));
-        };
-        let model = model.as_ref().ok_or(Code::ModelFirst)?;
-        match work {
-            None => {
-                let missing = || Notice::new(Code::ModelMissing).with("name", quote(&model.name));
-                let reading = models.reading(model).ok_or_else(missing)??;
-                *work = Some(Loading::Reading(Box::new(reading)));
-            }
-            Some(Loading::Reading(reading)) => {
-                if let Some(soup) = reading.advance() {
-                    let mut soup = soup?;
-                    if *is_z_up {
-                        for p in &mut soup.positions {
-                            *p = DVec3::new(p.x, p.z, -p.y);
-                        }
-                    }
-                    *work = Some(Loading::Mending(Box::new(Mending::new(soup))));
-                }
-            }
-            Some(Loading::Mending(mending)) => {
-                if let Some(mended) = mending.advance() {
-                    let mended = mended?;
-                    return Ok(Some(Loaded {
-                        mesh: Some(Arc::new(mended.mesh)),
-                        notices: mended.notices,
-                    }));
-                }
-            }
-        }
-        Ok(None)
-    }
-}
 
 /// A surface ready for its fields.
 pub(super) struct Built {

@@ -5,7 +5,7 @@ use super::stages::{PACKING, STONES};
 use super::{Surface, Wish};
 use crate::export::{Map, MapKind, MeshOrder, MeshSize, Report};
 use crate::generators::{
-    Clock, Engine, FrameSlice, MeshSlice, PictureSlice, Progress, SeenBody, TurnOrder,
+    Clock, Engine, FrameSlice, GivenFile, MeshSlice, PictureSlice, Progress, SeenBody, TurnOrder,
 };
 use crate::notice::{Code, Notice};
 use crate::recipe::Recipe;
@@ -149,33 +149,28 @@ impl Engine for Surface {
         self.seen_at(x, y)
     }
 
+    fn caption(&self, words: &str) -> Option<Notice> {
+        self.caption_of(words)
+    }
+
     fn place_at(&self, x: usize, y: usize) -> Option<[i64; 3]> {
         Surface::place_at(self, x, y)
     }
 
-    fn tally(&self) -> Option<[f64; 5]> {
-        let fields = &self.made.fields()?.fields;
-        let points = fields.singular_points();
-        let positive = points.iter().filter(|point| point.turns > 0).count();
-        let turns: i32 = points.iter().map(|point| point.turns).sum();
-        Some([
-            positive as f64,
-            (points.len() - positive) as f64,
-            f64::from(turns) / f64::from(fields.symmetry()),
-            fields.border_index(),
-            fields.mesh().euler() as f64,
-        ])
+    fn pixel_of(&self, place: [i64; 3]) -> Option<[f64; 2]> {
+        Surface::pixel_of(self, place)
     }
 
-    fn give(&mut self, name: &str, bytes: Vec<u8>) -> Option<Vec<i64>> {
-        let model = Model::of(name, &bytes);
-        self.made.models.give(model.digest, bytes);
+    fn give(&mut self, file: GivenFile) -> Option<Vec<i64>> {
+        let model = Model::of(&file);
+        self.made.give(model.digest, file.into_bytes());
         Some(model.row())
     }
 
     fn missing(&self) -> Option<(String, String)> {
-        let model = self.made.missing()?;
-        Some((model.digest_text(), model.name.clone()))
+        let none = || (String::new(), String::new());
+        let named = |model: &Model| (model.digest_text(), model.name.clone());
+        Some(self.made.missing()?.map_or_else(none, named))
     }
 
     fn stop_file(&mut self) {

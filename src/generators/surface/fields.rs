@@ -5,7 +5,7 @@ use super::params::{FieldParams, Follow};
 use super::tracing;
 use crate::notice::Notice;
 use crate::surface::field::{
-    AspectParams, DirectionParams, FlowParams, SurfaceFieldBuilder, SurfaceFieldParams,
+    AspectParams, DirectionParams, FlowParams, Stroke, SurfaceFieldBuilder, SurfaceFieldParams,
     SurfaceFields,
 };
 use crate::surface::fit::{Fitting, check_count};
@@ -17,11 +17,18 @@ const SEARCHED: usize = 1 << 14;
 /// The fields, and what is to be said of them.
 pub(super) struct Fielded {
     pub fields: SurfaceFields,
+    /// What shapes them by hand.
+    pub strokes: Vec<Stroke>,
     pub notices: Vec<Notice>,
 }
 
 /// Fields in the making.
-pub(super) enum Fielding {
+pub(super) struct Fielding {
+    strokes: Vec<Stroke>,
+    step: Step,
+}
+
+enum Step {
     /// To find the places of what is drawn.
     Search(Box<Search>),
     Fields(Box<SurfaceFieldBuilder>),
@@ -40,42 +47,69 @@ impl Fielding {
         built: &Built,
     ) -> Result<Option<Fielded>, Notice> {
         let mesh = &built.mesh;
-        let next = match work.take() {
-            None if is_drawn(params) => Fielding::Search(Box::new(Search::begin(mesh))),
-            None => Fielding::Fields(Box::new(begin(params, built, None))),
-            Some(Fielding::Search(mut search)) => match search.advance(mesh, SEARCHED) {
-                true => Fielding::Fields(Box::new(begin(params, built, Some(&search)))),
-                false => Fielding::Search(search),
+        let Some(Fielding { strokes, step }) = work.take() else {
+            *work = Some(match is_drawn(params) {
+                true => Self {
+                    strokes: Vec::new(),
+                    step: Step::Search(Box::new(Search::begin(mesh))),
+                },
+                false => Self::begin(params, built, None),
+            });
+            return Ok(None);
+        };
+        let step = match step {
+            Step::Search(mut search) => match search.advance(mesh, SEARCHED) {
+                true => {
+                    *work = Some(Self::begin(params, built, Some(&search)));
+                    return Ok(None);
+                }
+                false => Step::Search(search),
             },
-            Some(Fielding::Fields(mut builder)) => match builder.advance() {
+            Step::Fields(mut builder) => match builder.advance() {
                 true => {
                     let fields = builder.finish();
                     check_count(fields.about_cells())?;
-                    Fielding::Grid(Box::new((fields, Projector::new(mesh))))
+                    Step::Grid(Box::new((fields, Projector::new(mesh))))
                 }
-                false => Fielding::Fields(builder),
+                false => Step::Fields(builder),
             },
-            Some(Fielding::Grid(mut pair)) => match pair.1.advance(mesh) {
+            Step::Grid(mut pair) => match pair.1.advance(mesh) {
                 true => {
                     let (fields, projector) = *pair;
-                    Fielding::Fit(Box::new((fields, projector, Fitting::new())))
+                    Step::Fit(Box::new((fields, projector, Fitting::new())))
                 }
-                false => Fielding::Grid(pair),
+                false => Step::Grid(pair),
             },
-            Some(Fielding::Fit(mut three)) => {
+            Step::Fit(mut three) => {
                 let (fields, projector, fitting) = &mut *three;
-                match fitting.advance(mesh, projector, fields) {
-                    Some(fit) => {
-                        let notices = fit.notices()?;
-                        let (fields, ..) = *three;
-                        return Ok(Some(Fielded { fields, notices }));
-                    }
-                    None => Fielding::Fit(three),
+                if let Some(fit) = fitting.advance(mesh, projector, fields) {
+                    let (notices, (fields, ..)) = (fit.notices()?, *three);
+                    return Ok(Some(Fielded {
+                        fields,
+                        strokes,
+                        notices,
+                    }));
                 }
+                Step::Fit(three)
             }
         };
-        *work = Some(next);
+        *work = Some(Fielding { strokes, step });
         Ok(None)
+    }
+
+    /// With what is drawn found by a search, where anything is.
+    fn begin(params: &FieldParams, built: &Built, search: Option<&Search>) -> Self {
+        let traced = |rows: &[Vec<i64>]| {
+            let find = |search| tracing::strokes(&built.mesh, search, rows, params.reach);
+            search.map_or(Vec::new(), find)
+        };
+        let (strokes, lines) = (traced(&params.strokes), traced(&params.lines));
+        let params = field_params(params, built, search, [&strokes, &lines]);
+        let builder = SurfaceFieldBuilder::new(built.mesh.clone(), params);
+        Self {
+            strokes: [strokes, lines].concat(),
+            step: Step::Fields(Box::new(builder)),
+        }
     }
 }
 
@@ -85,65 +119,57 @@ fn is_drawn(params: &FieldParams) -> bool {
     rows.iter().any(|rows| !rows.is_empty()) || spots.iter().any(|spots| !spots.is_empty())
 }
 
-fn begin(params: &FieldParams, built: &Built, search: Option<&Search>) -> SurfaceFieldBuilder {
+fn field_params(
+    params: &FieldParams,
+    built: &Built,
+    search: Option<&Search>,
+    [strokes, lines]: [&[Stroke]; 2],
+) -> SurfaceFieldParams {
     let mesh = &built.mesh;
-    let traced = |rows: &[Vec<i64>], reach: f64| {
-        search.map_or(Vec::new(), |search| {
-            tracing::strokes(mesh, search, rows, reach)
-        })
-    };
-    let strokes = traced(&params.strokes, params.reach);
     let has_bones = !built.bones.is_empty();
-    let counts = |follow: Follow| if params.follow == follow { 1.0 } else { 0.0 };
+    let counts = |follow: Follow, own: Follow| if follow == own { 1.0 } else { 0.0 };
     // A shape without bones has a main direction in their place.
-    let by_main = counts(Follow::Bones) * f64::from(u8::from(!has_bones));
+    let along = |own: Follow| match has_bones {
+        true => [counts(Follow::Axis, own), counts(Follow::Bones, own)],
+        false => [counts(Follow::Axis, own) + counts(Follow::Bones, own), 0.0],
+    };
+    let towards = |own: Follow| match own {
+        Follow::Bones => built.main,
+        _ => params.towards,
+    };
+    let [axis, bones] = along(params.follow);
     let direction = DirectionParams {
-        axis: counts(Follow::Axis) + by_main,
-        towards: match params.follow {
-            Follow::Bones => built.main,
-            _ => params.towards,
-        },
-        bones: counts(Follow::Bones),
-        curvature: counts(Follow::Curvature),
-        borders: counts(Follow::Border),
-        creases: counts(Follow::Border),
+        axis,
+        towards: towards(params.follow),
+        bones,
+        curvature: counts(Follow::Curvature, params.follow),
+        borders: counts(Follow::Border, params.follow),
+        creases: counts(Follow::Border, params.follow),
         crease_angle: params.crease,
-        strokes: strokes.clone(),
-        lines: traced(&params.lines, params.reach),
+        strokes: strokes.to_vec(),
+        lines: lines.to_vec(),
         turn: params.angle,
     };
-    let flows = |follow: Follow| if params.flow == follow { 1.0 } else { 0.0 };
+    let [axis, bones] = along(params.flow);
     let flow = FlowParams {
-        axis: flows(Follow::Axis) + if has_bones { 0.0 } else { flows(Follow::Bones) },
-        towards: match params.flow {
-            Follow::Bones => built.main,
-            _ => params.towards,
-        },
-        bones: flows(Follow::Bones),
-        strokes: if params.flow == Follow::Free {
-            Vec::new()
-        } else {
-            strokes
-        },
+        axis,
+        towards: towards(params.flow),
+        bones,
+        strokes: strokes.to_vec(),
         flip: false,
     };
-    let spots = search.map_or(Vec::new(), |search| {
-        tracing::spots(mesh, search, &params.aspect_spots)
-    });
-    SurfaceFieldBuilder::new(
-        mesh.clone(),
-        SurfaceFieldParams {
-            kind: params.sizes.kind,
-            size: size_params(&params.sizes, mesh, search),
-            aspect: AspectParams {
-                aspect: params.aspect,
-                by_curvature: params.aspect_by_curvature,
-                spots,
-                ..AspectParams::default()
-            },
-            direction,
-            flow: (params.flow != Follow::Free).then_some(flow),
-            bones: built.bones.clone(),
+    let spots = |search| tracing::spots(mesh, search, &params.aspect_spots);
+    SurfaceFieldParams {
+        kind: params.sizes.kind,
+        size: size_params(&params.sizes, mesh, search),
+        aspect: AspectParams {
+            aspect: params.aspect,
+            by_curvature: params.aspect_by_curvature,
+            spots: search.map_or(Vec::new(), spots),
+            ..AspectParams::default()
         },
-    )
+        direction,
+        flow: (params.flow != Follow::Free).then_some(flow),
+        bones: built.bones.clone(),
+    }
 }

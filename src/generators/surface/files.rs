@@ -2,11 +2,9 @@
 
 use super::Surface;
 use super::stages::stones_params;
-use crate::export::{MeshOrder, ModelFile, model_obj, surface_cells_json, surface_mesh_json};
+use crate::export::{MeshOrder, ModelFile};
 use crate::generators::{Clock, Engine, MeshSlice};
-use crate::mesh::Face;
 use crate::notice::{Code, Notice};
-use glam::DVec3;
 
 /// A mesh file in the making.
 pub(super) struct Saving {
@@ -62,27 +60,5 @@ impl Surface {
             self.saving = Some(saving);
         }
         Ok(MeshSlice { begun, parts, done })
-    }
-
-    /// Files of what was made, as text: names and contents.
-    pub(super) fn files(&self) -> Vec<(&'static str, String)> {
-        let cells = self
-            .made
-            .paved()
-            .map(|paved| surface_cells_json(&paved.cells));
-        let mesh = self.made.mesh().map(|made| {
-            let places: Vec<DVec3> = made.nodes.iter().map(|node| node.at).collect();
-            surface_mesh_json(&places, made.elements.iter().map(Face::nodes))
-        });
-        let model = self.made.built().map(|built| model_obj(&built.whole));
-        let named = [
-            ("cells.json", cells),
-            ("mesh.json", mesh),
-            ("model.obj", model),
-        ];
-        named
-            .into_iter()
-            .filter_map(|(name, text)| Some((name, text?)))
-            .collect()
     }
 }

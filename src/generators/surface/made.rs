@@ -4,11 +4,20 @@ use super::build::Built;
 use super::fields::Fielded;
 use super::paving::Paved;
 use super::stages::{Packs, STONES, Stages, Task};
+use crate::graph::State;
 use crate::packing::StepReport;
 use crate::scene::Scene;
 use crate::surface::cells::SurfaceMesh;
 use crate::surface::packing::{Site, SurfacePacking};
 use std::rc::Rc;
+
+/// How often some of it was made.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Revisions {
+    pub fields: u64,
+    pub mesh: u64,
+    pub cells: u64,
+}
 
 impl Stages {
     /// The surface, if it is of the parameters at work.
@@ -21,14 +30,34 @@ impl Stages {
         self.built.made()
     }
 
-    /// The fields last made.
-    pub fn fields(&self) -> Option<&Fielded> {
-        self.fields.made()
-    }
-
     /// The site last made.
     pub fn site(&self) -> Option<&Site> {
         self.site.made()
+    }
+
+    /// The fields of the surface that is there.
+    pub fn fresh_fields(&self) -> Option<&Fielded> {
+        self.fields.made_of(self.inputs(Task::Fields))
+    }
+
+    /// The packing at work on the fields that are there, or the one that came of it.
+    pub fn live_packing(&self) -> Option<&SurfacePacking> {
+        let inputs = self.inputs(Task::Pack);
+        match self.packing.work_of(inputs) {
+            Some(Packs::Moving(packing)) => Some(packing),
+            Some(Packs::Placing(_)) => None,
+            None => self.packing.made_of(inputs),
+        }
+    }
+
+    /// The number of the surface last made, and of what was made on it.
+    pub fn revisions(&self) -> (u64, Revisions) {
+        let revisions = Revisions {
+            fields: self.fields.revision(),
+            mesh: self.mesh.revision(),
+            cells: self.paved.revision(),
+        };
+        (self.built.revision(), revisions)
     }
 
     /// The packing at work, or the last one.
@@ -73,6 +102,13 @@ impl Stages {
     /// The scene of stones last made, and its number.
     pub fn scene(&self) -> Option<(&Rc<Scene>, u64)> {
         Some((&self.stones.made()?.scene, self.stones.revision()))
+    }
+
+    /// Are there stones of the packing that is there, though others may be asked for?
+    pub fn has_stones(&self) -> bool {
+        let is_packed = self.packing.state(self.inputs(Task::Pack)) == State::Fresh;
+        let bodies = self.stones.made().filter(|_| is_packed);
+        bodies.is_some_and(|bodies| bodies.packing == self.packing.revision())
     }
 
     /// Its digest; empty before there is one.

@@ -4,9 +4,12 @@
 //! section 5 and figures 18 and 19).
 
 mod build;
+#[cfg(not(target_arch = "wasm32"))]
+mod data;
 mod engine;
 mod fields;
 mod files;
+mod loading;
 mod look;
 mod made;
 mod models;
@@ -18,8 +21,12 @@ mod schema;
 mod shown;
 mod stages;
 mod still;
+mod subject;
+#[cfg(test)]
+mod tests;
 mod tracing;
 mod views;
+mod yaw;
 
 pub use models::Model;
 pub use schema::keys;
@@ -48,7 +55,7 @@ pub static SURFACE: Generator = Generator {
         overlays: &[],
     },
     offers: &["space", "compare", "turn", "mesh", "forming"],
-    home: "330,20,2.6,28",
+    home: "330,20,2.75,28",
     engine: |recipe| Box::new(Surface::new(recipe)),
 };
 

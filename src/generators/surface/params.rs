@@ -140,10 +140,7 @@ impl Params {
             stones: StoneLook {
                 texture: texture(recipe),
                 weather: common::weather(recipe),
-                open: match recipe.choice(keys::OPEN) {
-                    "capped" => Open::Capped,
-                    _ => Open::Shell,
-                },
+                open: open(recipe),
             },
             light: common::light(recipe),
             yaw: recipe.number(keys::YAW),
@@ -169,6 +166,15 @@ impl Params {
 /// The shape by rule that a recipe asks for.
 pub(super) fn shape(recipe: &Recipe) -> Option<Shape> {
     Shape::of_word(recipe.choice(keys::FORM))
+}
+
+fn open(recipe: &Recipe) -> Open {
+    match (recipe.choice(keys::OPEN), shape(recipe)) {
+        ("shell", _) => Open::Shell,
+        ("capped", _) => Open::Capped,
+        ("block", _) | (_, Some(Shape::Terrain | Shape::Slope | Shape::Stairs)) => Open::Block,
+        _ => Open::Shell,
+    }
 }
 
 fn surface(recipe: &Recipe, sizes: &Sizes) -> SurfaceParams {

@@ -94,7 +94,7 @@ rows! {
     letter_round LETTER_ROUND => own(keys::LETTER_ROUND, &numbers::LETTER[3], &["letter"]);
     letter_lean LETTER_LEAN => own(keys::LETTER_LEAN, &numbers::LETTER[4], &["letter"]);
     model MODEL: "The file's digest and its name: a link does not hold the file itself." =>
-        text("Model", Item::Model).group("Shape").steady()
+        text("Model", Item::Model).group("Shape").main().steady()
             .drawn_for(keys::FORM, FILE).only_for(keys::FORM, &[FILE]);
     up UP: "Which way is up in the file." =>
         choice("Upright axis", choices![y: "y", z: "z"]).group("Shape").steady()
@@ -108,8 +108,10 @@ rows! {
         choice("Creases", choices![fold: "Folded over", cut: "Cut"]).group("Shape");
     fold FOLD: "Edges that bend by more than this are creases." =>
         number("", "Angle of creases").range(5.0, 120.0, 1.0, 25.0).unit("°").group("Shape").steady();
-    open OPEN: "What the surface is like where it ends: a shell with an inside, or a body cut off there." =>
-        choice("Openings", choices![shell: "A shell", capped: "A body"]).group("Shape").steady();
+    open OPEN: "What is beyond the ends of the surface: the inside of a shell, the cut through a body, or ground down to a floor." =>
+        choice("Openings", choices![
+            own: "As the surface has them", shell: "A shell", capped: "A body", block: "Ground",
+        ]).group("Shape").steady();
     yaw YAW: "Turns the model about its upright axis, under the same light." =>
         number("", "Turn").range(-180.0, 180.0, 1.0, 0.0).unit("°").group("Shape");
     size SIZE: "Side of the square picture." => common::SIZE;

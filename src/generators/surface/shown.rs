@@ -2,69 +2,33 @@
 
 use super::Surface;
 use super::params::Params;
+use super::subject::{Making, Of, Subject};
 use super::views::View;
-use crate::generators::height_field::LightParams;
+use super::yaw::{clockwise, seen_by, turned};
 use crate::generators::turntable::{Stand, Turntable};
 use crate::generators::{Clock, FrameSlice, SeenBody, TurnOrder};
-use crate::light::Light;
 use crate::notice::{Code, Notice};
-use crate::scene::{Camera, Frame, Scene};
+use crate::scene::Frame;
 use crate::surface::stones::Fit;
+use crate::surface::views::{Ground, MATERIALS};
 use glam::DVec3;
-use std::rc::Rc;
 
-/// Clockwise seen from above, by degrees.
-fn clockwise([x, z]: [f64; 2], degrees: f64) -> [f64; 2] {
-    let angle = degrees.to_radians();
-    let (sin, cos) = (libm::sin(angle), libm::cos(angle));
-    [x * cos - z * sin, x * sin + z * cos]
-}
-
-/// The camera that sees the model as `camera` does where it is turned by `yaw`.
-pub(super) fn turned(camera: Camera, yaw: f64) -> Camera {
-    if yaw == 0.0 {
-        return camera;
-    }
-    let [x, y, z] = camera.target;
-    let [x, z] = clockwise([x, z], -yaw);
-    Camera {
-        angle: camera.angle - yaw,
-        target: [x, y, z],
-        ..camera
-    }
-}
-
-/// The light that falls on the model as `light` does where it is turned by `yaw`.
-pub(super) fn seen_by(light: &LightParams, yaw: f64) -> LightParams {
-    let mut light = light.clone();
-    light.shade.light = match light.shade.light {
-        _ if yaw == 0.0 => return light,
-        Light::Parallel { azimuth, elevation } => Light::Parallel {
-            azimuth: azimuth - yaw.to_radians(),
-            elevation,
-        },
-        Light::Point { x, y, z } => {
-            let [x, y] = clockwise([x - 0.5, y - 0.5], -yaw);
-            Light::Point {
-                x: x + 0.5,
-                y: y + 0.5,
-                z,
-            }
-        }
-    };
-    light
-}
+/// Places of the model are so deep under stones at most, in its box.
+const BURIED: f32 = 0.06;
 
 /// What is shown.
 #[derive(Default)]
 pub(super) struct Shown {
     table: Turntable,
-    /// What the frame is of: the view, and of which work.
-    of: Option<(View, u64)>,
-    scene: Option<Rc<Scene>>,
-    /// Its number, and of all so far.
+    subject: Option<Subject>,
+    /// What it is of.
+    of: Option<Of>,
+    /// Its number, which no other scene has.
     number: u64,
-    count: u64,
+    /// The next one, in the making.
+    making: Option<(Of, Making)>,
+    /// The bare surface that views share, and of which surface it is.
+    pub(super) ground: Option<(u64, Ground)>,
 }
 
 impl Shown {
@@ -73,9 +37,11 @@ impl Shown {
         self.table.frame()
     }
 
-    fn show(&mut self, of: (View, u64), scene: Rc<Scene>) {
-        self.count += 1;
-        (self.of, self.scene, self.number) = (Some(of), Some(scene), self.count);
+    /// What is shown, if it is this view.
+    pub fn subject(&self, view: View) -> Option<&Subject> {
+        self.subject
+            .as_ref()
+            .filter(|_| self.of.is_some_and(|of| of.view == view))
     }
 }
 
@@ -86,25 +52,73 @@ impl Surface {
         clock: Clock,
         budget: f64,
     ) -> Result<FrameSlice, Notice> {
-        if let Some((id, step)) = order.step()? {
-            let _ = (id, step);
+        if order.step()?.is_some() {
             return Err(order.no_such_body());
         }
         let mut shown = std::mem::take(&mut self.shown);
-        self.choose(&mut shown, View::of_words(&order.how));
-        let made = self.frame_slice(&mut shown, order, clock, budget);
+        let begin = clock();
+        let made = match self.choose(&mut shown, View::of_words(&order.how), begin, clock, budget) {
+            Some(slice) => Ok(slice),
+            None => self.frame_slice(&mut shown, order, begin, clock, budget),
+        };
         self.shown = shown;
         made
     }
 
-    /// Takes the scene that is to be seen, where it is another one than that before.
-    fn choose(&self, shown: &mut Shown, view: View) {
-        let Some((scene, revision)) = self.made.scene() else {
-            return;
-        };
-        let of = (view, revision);
-        if shown.of != Some(of) {
-            shown.show(of, scene.clone());
+    /// Makes what is to be seen, for about `budget` milliseconds; nothing where it is there, or nothing can be made yet.
+    fn choose(
+        &self,
+        shown: &mut Shown,
+        view: View,
+        begin: f64,
+        clock: Clock,
+        budget: f64,
+    ) -> Option<FrameSlice> {
+        let of = self.wanted(view)?;
+        if shown.of == Some(of) {
+            shown.making = None;
+            return None;
+        }
+        // A frame that was begun is finished first: else what moves would never be seen.
+        let is_alike = shown.of.is_some_and(|shown| shown.view == of.view);
+        if is_alike
+            && shown.of.is_some_and(|shown| shown.surface == of.surface)
+            && !shown.table.is_idle()
+        {
+            return None;
+        }
+        let is_new = shown
+            .making
+            .as_ref()
+            .is_none_or(|(making, _)| *making != of);
+        if is_new {
+            let last = match shown.subject.take() {
+                Some(Subject::Particles(last)) if is_alike => Some(last),
+                other => {
+                    shown.subject = other;
+                    None
+                }
+            };
+            let making =
+                Making::new(last.filter(|_| shown.of.is_some_and(|s| s.surface == of.surface)));
+            shown.making = Some((of, making));
+        }
+        loop {
+            let (_, making) = shown.making.as_mut()?;
+            if let Some(subject) = self.make(making, of, &mut shown.ground) {
+                shown.number += 1;
+                (shown.subject, shown.of, shown.making) = (Some(subject), Some(of), None);
+                return None;
+            }
+            // Not `>=`: a clock that fails must not make this endless.
+            let inside = clock() - begin < budget;
+            if !inside {
+                return Some(FrameSlice {
+                    begun: is_new,
+                    done: false,
+                    progress: 0.0,
+                });
+            }
         }
     }
 
@@ -112,32 +126,38 @@ impl Surface {
         &self,
         shown: &mut Shown,
         order: &TurnOrder,
+        begin: f64,
         clock: Clock,
         budget: f64,
     ) -> Result<FrameSlice, Notice> {
-        let Some(scene) = &shown.scene else {
+        let Some(subject) = &shown.subject else {
             return Err(Code::NotYet.into());
         };
         let Params { light, yaw, .. } = &self.working.params;
-        let light = seen_by(light, *yaw);
+        let mut light = seen_by(light, *yaw);
+        if !matches!(subject, Subject::Stones(_)) {
+            light.materials = MATERIALS.to_vec();
+        }
         let order = TurnOrder {
             camera: turned(order.camera, *yaw),
             ..order.clone()
         };
+        let scene = subject.scene();
         let stand = Stand {
             scene,
             number: shown.number,
             light: &light,
             ground: scene.lowest(),
         };
-        shown.table.advance(&stand, &order, clock, budget)
+        let left = budget - (clock() - begin);
+        shown.table.advance(&stand, &order, clock, left)
     }
 
-    /// The stone at a pixel of the frame last finished.
+    /// The stone, or the cell, at a pixel of the frame last finished.
     pub(super) fn seen_at(&self, x: usize, y: usize) -> Option<SeenBody> {
-        let scene = self.shown.scene.as_ref()?;
+        let scene = self.shown.subject.as_ref()?.scene();
         let place = self.shown.frame()?.instance_at(x, y)?;
-        let instance = scene.instances.get(place)?;
+        let instance = scene.instances.get(place).filter(|i| i.id > 0)?;
         let (middle, _) = scene.ball_of(instance);
         let [mx, mz] = [middle.x, middle.z].map(f64::from);
         let [mx, mz] = clockwise([mx, mz], self.working.params.yaw);
@@ -162,5 +182,23 @@ impl Surface {
         let model = DVec3::from(p.to_array().map(f64::from)) / fit.scale + fit.middle;
         p.is_finite()
             .then(|| super::tracing::numbers(&built.mesh, model))
+    }
+
+    /// Where such a place is in the frame last finished, in pixels; nothing where it is not seen there.
+    pub(super) fn pixel_of(&self, place: [i64; 3]) -> Option<[f64; 2]> {
+        let frame = self.shown.frame()?;
+        let built = self.made.last_built()?;
+        let fit = Fit::new(&built.whole);
+        let [width, height] = frame.order().size;
+        let view = frame.order().camera.view(width, height);
+        let seen = view.of(fit.place(super::tracing::place(&built.mesh, place)));
+        if seen.z <= view.near {
+            return None;
+        }
+        let [x, y, _] = view.on_screen(seen);
+        let is_inside = x >= 0.0 && y >= 0.0 && x < width as f32 && y < height as f32;
+        let depth = frame.depths().get(y as usize * width + x as usize);
+        let is_seen = is_inside && depth.is_some_and(|&depth| seen.z < depth + BURIED);
+        is_seen.then(|| [x.into(), y.into()])
     }
 }

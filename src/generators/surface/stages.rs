@@ -1,7 +1,8 @@
 //! How the stages of a surface hang together, and what is due next.
 
-use super::build::{Building, Built, Loaded, Loading};
+use super::build::{Building, Built};
 use super::fields::{Fielded, Fielding};
+use super::loading::{Loaded, Loading};
 use super::models::{Model, Models};
 use super::params::{CellParams, FieldParams, Params, Source, StoneLook, SurfaceParams};
 use super::paving::{Meshed, Paved, Paves};
@@ -40,6 +41,8 @@ pub(super) struct Bodies {
     pub scene: Rc<Scene>,
     /// Of all that the scene is made of.
     pub digest: String,
+    /// Of which packing they are.
+    pub packing: u64,
 }
 
 /// A packing on its way.
@@ -139,13 +142,20 @@ impl Stages {
         self.built.forget();
     }
 
+    /// The file that is asked for.
+    fn asked(&self) -> Option<&Model> {
+        self.loaded.params().as_ref()?.0.as_ref()
+    }
+
+    /// Takes a file.
+    pub fn give(&mut self, digest: u64, bytes: Vec<u8>) {
+        let asked = self.asked().map(|model| model.digest);
+        self.models.give(digest, bytes, asked);
+    }
+
     /// 1 where the file that is asked for has been given.
     fn given(&self) -> u64 {
-        let asked = self
-            .loaded
-            .params()
-            .as_ref()
-            .and_then(|(model, _)| model.as_ref());
+        let asked = self.asked();
         u64::from(asked.is_some_and(|model| self.models.find(model.digest).is_some()))
     }
 
@@ -223,11 +233,11 @@ impl Stages {
         }
     }
 
-    /// The file that is missing.
-    pub fn missing(&self) -> Option<&Model> {
-        let is_missing = self.due() == Some(Task::Load) && self.failure().is_some();
-        let asked = self.loaded.params().as_ref().filter(|_| is_missing)?;
-        asked.0.as_ref()
+    /// The file that is missing, also before any work has found that; within it nothing where none is named yet.
+    pub fn missing(&self) -> Option<Option<&Model>> {
+        self.loaded.params().as_ref()?;
+        let is_missing = self.due() == Some(Task::Load) && self.given() == 0;
+        is_missing.then(|| self.asked())
     }
 
     /// What was done to the surface, or is to be said of cells on it.
@@ -353,6 +363,7 @@ impl Stages {
         let (Some(built), Some(paved)) = (self.built.made(), self.paved.made()) else {
             return;
         };
+        let packing = self.packing.revision();
         self.stones.advance(inputs, |look, work| {
             let new = || {
                 Stones::new(
@@ -369,6 +380,7 @@ impl Stages {
                 let scene = stones.finish();
                 Bodies {
                     digest: scene.digest(),
+                    packing,
                     scene: Rc::new(scene),
                 }
             }))

@@ -1,8 +1,8 @@
 //! The picture: the bodies as they are seen from in front, in slices.
 
 use super::SURFACE;
-use super::shown::{seen_by, turned};
 use super::stages::StillParams;
+use super::yaw::{seen_by, turned};
 use crate::generators::turntable::Stand;
 use crate::notice::Notice;
 use crate::scene::{Backdrop, Frame, Lighting, Order, Scene, Sharpness};

@@ -37,6 +37,12 @@ pub(super) fn spots(mesh: &TriMesh, search: &Search, rows: &[[f64; 5]]) -> Vec<S
     rows.iter().map(spot).collect()
 }
 
+/// The place in space of a row's numbers.
+pub(super) fn place(mesh: &TriMesh, numbers: [i64; 3]) -> DVec3 {
+    let (low, side) = unit(mesh);
+    low + DVec3::from(numbers.map(|n| n as f64)) * (side / BOX_STEPS)
+}
+
 /// The numbers of a place in space, as rows have them.
 pub(super) fn numbers(mesh: &TriMesh, p: DVec3) -> [i64; 3] {
     let (low, side) = unit(mesh);

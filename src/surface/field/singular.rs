@@ -6,6 +6,7 @@ use crate::surface::links::carried;
 use crate::surface::{Frame, SurfacePoint};
 use glam::{DVec2, DVec3};
 use std::f64::consts::TAU;
+use std::ops::Range;
 
 /// A place where the direction cannot be told, as on all sides of it cells stand otherwise.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,12 +24,18 @@ impl SurfaceFields {
     /// The singular places of the direction, by triangle. On a closed surface their indices sum to its Euler
     /// characteristic; see [`SurfaceFields::border_index`] for others.
     pub fn singular_points(&self) -> Vec<SurfaceSingularity> {
+        self.singular_among(0..self.mesh.triangles().len())
+    }
+
+    /// Those in some of the triangles.
+    pub fn singular_among(&self, triangles: Range<usize>) -> Vec<SurfaceSingularity> {
         let symmetry = self.symmetry();
         let mut found = Vec::new();
         if self.axes.is_empty() {
             return found;
         }
-        for (t, corners) in self.mesh.triangles().iter().enumerate() {
+        for t in triangles {
+            let corners = &self.mesh.triangles()[t];
             let [a, b, c] = *corners;
             let turns = self.turn(a, b) + self.turn(b, c) + self.turn(c, a);
             let around = turns + f64::from(symmetry) * self.holonomy(*corners);

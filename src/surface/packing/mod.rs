@@ -5,7 +5,7 @@
 //! population control are those of [`crate::packing`], compiled for this ground.
 
 mod border;
-mod buckets;
+pub(super) mod buckets;
 mod ground;
 mod site;
 #[cfg(test)]

@@ -95,7 +95,7 @@ impl Ground {
             self.has_fine = !bed.is_fine;
             self.surface = sheet(mesh, &bed, &self.curvatures);
         } else if self.order.is_empty() {
-            self.order = parts(&self.surface);
+            self.order = parts(&self.surface.positions, &self.surface.triangles, PART);
         } else if self.is_shared.is_empty() {
             self.is_shared = self.shared();
             self.places = vec![NONE; self.is_shared.len()];
@@ -199,6 +199,13 @@ fn sheet(mesh: &TriMesh, bed: &Bed, curvatures: &[[f64; 2]]) -> Surface {
     }
     match bed.open {
         Open::Capped => borders.iter().for_each(|ring| close(&mut surface, ring)),
+        Open::Block => {
+            let heights = surface.positions.iter().map(|p| p.y);
+            let floor = heights.fold(f32::MAX, lesser) - (bed.inside - bed.sunk) as f32;
+            for ring in &borders {
+                skirt(&mut surface, ring, floor, shade(bed.colour, RIM));
+            }
+        }
         Open::Shell => {
             let inner = place(bed.inside, MOST_SUNK[1]);
             let first = surface.positions.len() as u32;
@@ -247,16 +254,32 @@ fn close(surface: &mut Surface, ring: &[u32]) {
     surface.triangles.extend(lid);
 }
 
-/// A strip from a border to the same one inside, with normals of its own.
+/// A strip from a border to the same one inside.
 fn rim(surface: &mut Surface, ring: &[u32], inside: u32, colour: [u8; 3]) {
+    let places = |v: &u32| [*v, v + inside].map(|v| surface.positions[v as usize]);
+    let pairs: Vec<[Vec3; 2]> = ring.iter().map(places).collect();
+    strip(surface, &pairs, colour);
+}
+
+/// A wall from a border straight down to the floor, and the part of the floor within.
+fn skirt(surface: &mut Surface, ring: &[u32], floor: f32, colour: [u8; 3]) {
+    let wall = |v: &u32| {
+        let top = surface.positions[*v as usize];
+        [top, Vec3::new(top.x, floor, top.z)]
+    };
+    let pairs: Vec<[Vec3; 2]> = ring.iter().map(wall).collect();
     let first = surface.positions.len() as u32;
-    let n = ring.len() as u32;
-    for &v in ring {
-        for v in [v, v + inside] {
-            surface.positions.push(surface.positions[v as usize]);
-        }
-    }
-    let mut strip = Vec::with_capacity(2 * ring.len());
+    strip(surface, &pairs, colour);
+    let lower: Vec<u32> = (0..ring.len() as u32).map(|k| first + 2 * k + 1).collect();
+    close(surface, &lower);
+}
+
+/// A strip all around between pairs of places, with normals of its own.
+fn strip(surface: &mut Surface, pairs: &[[Vec3; 2]], colour: [u8; 3]) {
+    let first = surface.positions.len() as u32;
+    let n = pairs.len() as u32;
+    surface.positions.extend(pairs.as_flattened());
+    let mut strip = Vec::with_capacity(2 * pairs.len());
     for k in 0..n {
         let [a, b] = [2 * k, 2 * ((k + 1) % n)];
         strip.extend([[b, a, a + 1], [b, a + 1, b + 1]]);
@@ -291,28 +314,28 @@ fn curvatures(mesh: &TriMesh) -> Vec<[f64; 2]> {
     found
 }
 
-/// The triangles by the cubes of a grid that they lie in.
-fn parts(surface: &Surface) -> Vec<(u32, u32)> {
+/// The triangles by the cubes of a grid that they lie in, about so many in each: pairs of a part and a triangle, by parts.
+pub(in crate::surface) fn parts(
+    positions: &[Vec3],
+    triangles: &[[u32; 3]],
+    each: usize,
+) -> Vec<(u32, u32)> {
     let (mut low, mut high) = (Vec3::MAX, Vec3::MIN);
-    for &p in &surface.positions {
+    for &p in positions {
         (low, high) = (low.min(p), high.max(p));
     }
     // A surface meets about so many cubes as the square of those along a side, six times.
-    let wanted = (surface.triangles.len() / PART).max(1) as f32;
+    let wanted = (triangles.len() / each).max(1) as f32;
     let along = (wanted / 3.0).sqrt().clamp(1.0, 32.0);
     let side = greater((high - low).max_element() / along, f32::MIN_POSITIVE);
     let cube = |t: &[u32; 3]| {
-        let middle = t
-            .map(|v| surface.positions[v as usize])
-            .iter()
-            .sum::<Vec3>()
-            / 3.0;
+        let middle = t.map(|v| positions[v as usize]).iter().sum::<Vec3>() / 3.0;
         let at = ((middle - low) / side)
             .to_array()
             .map(|v| (v as u32).min(63));
         at[0] << 12 | at[1] << 6 | at[2]
     };
-    let numbered = surface.triangles.iter().map(cube).zip(0..);
+    let numbered = triangles.iter().map(cube).zip(0..);
     let mut order: Vec<(u32, u32)> = numbered.collect();
     order.sort_unstable();
     order

@@ -24,6 +24,7 @@ pub use bend::Bend;
 pub use build::{Fit, Stones};
 pub use coats::SurfaceCoats;
 pub use flatten::Flat;
+pub(super) use ground::parts;
 pub use links::links;
 pub(crate) use pieces::{Piece, Pieces};
 pub use sense::{Flow, make_one_sense};
@@ -62,6 +63,8 @@ pub enum Open {
     Shell,
     /// A body cut off there.
     Capped,
+    /// Ground, that goes straight down from there to a floor.
+    Block,
 }
 
 /// What stones on a surface are made by.

@@ -1,4 +1,5 @@
 /** Makes one file. Nothing here blocks the page: it is a worker, which ends with the file. */
+import { studioFor } from '../../module/given';
 import { loadModule } from '../../module/load';
 import type { Notice } from '../../module/types';
 import { serve } from '../../late/worker';
@@ -47,7 +48,7 @@ async function made(link: string, job: Job, progress: Progress): Promise<Blob> {
     return turnFilm(link, job, progress);
   }
   const module = await loadModule(link);
-  const studio = new module.Bubblestone(link);
+  const studio = await studioFor(module, link);
   const { stages = [] } = module.generators().find(({ word }) => word === studio.generator()) ?? {};
   if (job.file === 'gif') return formingGif(studio, stages, job, progress);
   if (job.file === 'film') {

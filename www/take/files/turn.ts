@@ -1,4 +1,5 @@
 /** Pictures of the turntable: a frame of its bodies, or a plane of it. */
+import { studioFor } from '../../module/given';
 import { loadWhole } from '../../module/load';
 import type { SceneStudio } from '../../module/scene';
 import { BUDGET, pavement, type Progress } from './pavement';
@@ -40,7 +41,7 @@ export async function turnFile(link: string, { plane, side, backdrop, ...seen }:
 /** A recipe worked out, with its scene. Throws a Refusal where there is no picture. */
 export async function studioOf(link: string, progress: Progress): Promise<SceneStudio> {
   const module = await loadWhole();
-  const studio = new module.Bubblestone(link);
+  const studio = await studioFor(module, link);
   const { stages = [] } = module.generators().find(({ word }) => word === studio.generator()) ?? {};
   pavement(studio, stages, (done) => progress(WORKED * done));
   return studio;

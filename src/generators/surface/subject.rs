@@ -1,0 +1,197 @@
+//! What can be seen of the work on a surface, made in slices.
+
+use super::Surface;
+use super::views::View;
+use crate::draw::Tones;
+use crate::notice::{Code, Notice};
+use crate::scene::Scene;
+use crate::surface::stones::Fit;
+use crate::surface::views::{
+    CellsView, FieldView, Ground, MapView, MeshView, Particles, Quantity, Tally,
+};
+use std::rc::Rc;
+
+/// What a scene is of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Of {
+    pub view: View,
+    /// The surface that it is on, by its number.
+    pub surface: u64,
+    /// Of which work on it.
+    pub revision: u64,
+}
+
+/// A scene.
+pub(super) enum Subject {
+    Stones(Rc<Scene>),
+    Particles(Box<Particles>),
+    Field(Scene, Tally),
+    Map(Scene, [f64; 2]),
+    Other(Scene),
+}
+
+impl Subject {
+    /// What is lit.
+    pub fn scene(&self) -> &Scene {
+        match self {
+            Self::Stones(scene) => scene,
+            Self::Particles(particles) => particles.scene(),
+            Self::Field(scene, _) | Self::Map(scene, _) | Self::Other(scene) => scene,
+        }
+    }
+}
+
+/// A scene in the making.
+pub(super) enum Making {
+    Begin(Option<Box<Particles>>),
+    Field(Box<FieldView>),
+    Mesh(Box<MeshView>),
+    Cells(Box<CellsView>),
+    Map(Box<MapView>),
+}
+
+impl Making {
+    /// Nothing made yet; cells may go on from those that were seen last on the same surface.
+    pub fn new(last: Option<Box<Particles>>) -> Self {
+        Self::Begin(last)
+    }
+}
+
+impl Surface {
+    /// What a view is of, as far as the work has come; nothing where it has not come so far.
+    pub(super) fn wanted(&self, view: View) -> Option<Of> {
+        let made = &self.made;
+        let (surface, revision) = made.revisions();
+        let is_packed = made.live_packing().is_some();
+        let view = match view {
+            View::Auto if made.has_stones() => View::Picture,
+            View::Auto => View::Packed,
+            other => other,
+        };
+        let revision = match view {
+            View::Picture => made.scene().map(|(_, revision)| revision),
+            View::Packed | View::Auto => is_packed.then(|| made.changes()),
+            View::Cells => made.paved().map(|_| revision.cells),
+            View::Mesh => made.mesh().map(|_| revision.mesh),
+            View::Direction | View::Size | View::Curvature => {
+                made.fresh_fields().map(|_| revision.fields)
+            }
+        };
+        Some(Of {
+            view,
+            surface,
+            revision: revision?,
+        })
+    }
+
+    /// One slice of a scene; the scene when it is there.
+    pub(super) fn make(
+        &self,
+        making: &mut Making,
+        of: Of,
+        ground: &mut Option<(u64, Ground)>,
+    ) -> Option<Subject> {
+        let made = &self.made;
+        if of.view == View::Picture {
+            return made
+                .scene()
+                .map(|(scene, _)| Subject::Stones(scene.clone()));
+        }
+        let built = made.last_built()?;
+        let is_old = ground
+            .as_ref()
+            .is_none_or(|(surface, _)| *surface != of.surface);
+        if is_old {
+            *ground = Some((of.surface, Ground::new(&built.mesh, Fit::new(&built.whole))));
+        }
+        let (_, ground) = ground.as_mut()?;
+        if !ground.advance(&built.mesh) {
+            return None;
+        }
+        let tones = || Tones::new(&self.working.params.stones.texture);
+        if let Making::Begin(last) = making {
+            let last = last.take();
+            *making = match of.view {
+                View::Packed | View::Auto | View::Picture => {
+                    let mut view = last.unwrap_or_else(|| Box::new(Particles::new(ground)));
+                    let (packing, site) = (made.live_packing()?, made.site()?);
+                    view.update(site, &packing.particles(), &tones());
+                    return Some(Subject::Particles(view));
+                }
+                View::Cells => Making::Cells(Box::new(CellsView::new(Some(&tones())))),
+                View::Mesh => Making::Mesh(Box::new(MeshView::new())),
+                View::Direction => {
+                    let fielded = made.fresh_fields()?;
+                    Making::Field(Box::new(FieldView::new(&fielded.fields, &fielded.strokes)))
+                }
+                View::Size => Making::Map(Box::new(MapView::new(Quantity::Size, false))),
+                View::Curvature => Making::Map(Box::new(MapView::new(Quantity::Mean, true))),
+            };
+            return None;
+        }
+        let fields = || made.fresh_fields().map(|fielded| &fielded.fields);
+        let done = match making {
+            Making::Begin(_) => false,
+            Making::Field(view) => view.advance(ground, fields()?),
+            Making::Mesh(view) => view.advance(ground, made.mesh()?),
+            Making::Cells(view) => view.advance(ground, &made.paved()?.cells),
+            Making::Map(view) => view.advance(ground, fields()?),
+        };
+        if !done {
+            return None;
+        }
+        Some(match std::mem::replace(making, Making::Begin(None)) {
+            Making::Begin(_) => return None,
+            Making::Field(view) => {
+                let tally = view.tally();
+                Subject::Field(view.finish(), tally)
+            }
+            Making::Mesh(view) => Subject::Other(view.finish()),
+            Making::Cells(view) => Subject::Other(view.finish()),
+            Making::Map(view) => {
+                let ends = view.legend().ends;
+                Subject::Map(view.finish(), ends)
+            }
+        })
+    }
+
+    /// What is to be read beside a view that is shown.
+    pub(super) fn caption_of(&self, words: &str) -> Option<Notice> {
+        let view = View::of_words(words);
+        match (self.shown.subject(view)?, view) {
+            (Subject::Field(_, tally), _) => {
+                let code = match tally.border_index {
+                    0.0 => Code::SingularPoints,
+                    _ => Code::SingularBorder,
+                };
+                let [plus, minus] = tally.points;
+                let notice = Notice::new(code).with("plus", plus).with("minus", minus);
+                let notice = notice.with("sum", text(tally.index_sum));
+                let notice = notice.with("border", text(tally.border_index));
+                Some(notice.with("euler", tally.euler.to_string()))
+            }
+            (Subject::Map(_, ends), View::Size) => {
+                let mean = self.made.fresh_fields()?.fields.mean_size();
+                Some(between(Code::SizesShown, ends.map(|size| size / mean)))
+            }
+            (Subject::Map(_, ends), _) => {
+                let built = self.made.last_built()?;
+                let (low, high) = built.mesh.bounds();
+                let side = (high - low).max_element();
+                Some(between(Code::CurvatureShown, ends.map(|bend| bend * side)))
+            }
+            _ => None,
+        }
+    }
+}
+
+fn between(code: Code, [low, high]: [f64; 2]) -> Notice {
+    Notice::new(code)
+        .with("low", text(low))
+        .with("high", text(high))
+}
+
+/// With two decimals at most.
+fn text(number: f64) -> String {
+    crate::decimal::text((number * 100.0).round() / 100.0)
+}

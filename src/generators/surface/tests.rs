@@ -1,0 +1,154 @@
+//! What the generator's table and stages promise.
+
+use super::params::Params;
+use super::schema::ROWS;
+use super::yaw::turned;
+use super::{SCHEMA, SURFACE, keys};
+use crate::generators::ALL;
+use crate::notice::Code;
+use crate::recipe::Recipe;
+use crate::scene::Camera;
+use crate::studio::Studio;
+use crate::surface::shapes::Shape;
+
+const SMALL: &str = "make=surface&size=128&cn=60&form=";
+
+fn studio(link: &str) -> Studio {
+    let (recipe, notices) = ALL.recipe(link);
+    assert!(notices.is_empty(), "{notices:?}");
+    Studio::new(ALL, recipe)
+}
+
+fn finished(link: &str) -> Studio {
+    let mut studio = studio(link);
+    let ended = studio.finish(&mut || 0.0);
+    assert!(ended.is_ok(), "{link}: {ended:?}");
+    studio
+}
+
+fn set(studio: &mut Studio, key: &str, value: &str) {
+    let mut recipe = studio.recipe().clone();
+    assert_eq!(recipe.set(key, value), Ok(vec![]));
+    studio.set_recipe(recipe);
+}
+
+#[test]
+fn there_is_a_row_for_each_number_of_each_shape() {
+    let words = |shape: Shape| [shape.word()];
+    for shape in Shape::ALL {
+        let own = |row: &&crate::recipe::Parameter| {
+            row.shown_for
+                .is_some_and(|(key, of)| key == keys::FORM && of == words(shape))
+        };
+        let rows: Vec<_> = ROWS.iter().filter(own).collect();
+        assert_eq!(rows.len(), shape.numbers().len(), "{}", shape.word());
+        for (row, number) in rows.iter().zip(shape.numbers()) {
+            assert_eq!(row.key.0, format!("{}_{}", shape.word(), number.word));
+            assert_eq!(
+                (row.min, row.max),
+                (number.least, number.most),
+                "{}",
+                row.key.0
+            );
+            assert_eq!(
+                (row.default, row.name),
+                (number.default, number.label),
+                "{}",
+                row.key.0
+            );
+        }
+    }
+    let form = SCHEMA.row("form").expect("a row");
+    let shapes = Shape::ALL.map(|shape| (shape.word(), shape.label()));
+    let choices: Vec<_> = form.choices.iter().map(|c| (c.word, c.label)).collect();
+    assert_eq!(choices[..15], shapes);
+}
+
+#[test]
+fn presets_are_canonical() {
+    for preset in SURFACE.presets {
+        let (recipe, notices) = ALL.recipe(preset.link);
+        assert!(notices.is_empty(), "{}: {notices:?}", preset.name);
+        assert_eq!(recipe.link(), preset.link, "{}", preset.name);
+    }
+}
+
+#[test]
+fn only_what_is_asked_otherwise_is_made_anew() {
+    let mut studio = finished(&format!("{SMALL}egg"));
+    for (key, value, first) in [
+        ("az", "200", 6),
+        ("yaw", "40", 6),
+        ("hs", "0.3", 5),
+        ("open", "capped", 5),
+        ("pattern", "spots", 4),
+        ("flip", "1", 4),
+        ("seed", "2", 2),
+        ("dir", "axis", 1),
+        ("egg_height", "1.2", 0),
+        ("cn", "70", 0),
+    ] {
+        let before = studio.runs();
+        set(&mut studio, key, value);
+        studio.finish(&mut || 0.0).expect("a picture");
+        for (k, (old, new)) in before.iter().zip(studio.runs()).enumerate() {
+            assert_eq!(old.1 < new.1, k >= first, "{key}: {}", old.0);
+        }
+    }
+    // What was not asked for any more leaves no trace.
+    let again = finished(&studio.recipe().link());
+    assert_eq!(studio.digest(), again.digest());
+}
+
+#[test]
+fn a_step_back_to_what_is_there_makes_nothing() {
+    let mut studio = finished(&format!("{SMALL}egg"));
+    let runs = studio.runs();
+    set(&mut studio, "cn", "90");
+    set(&mut studio, "cn", "60");
+    assert!(studio.done());
+    assert_eq!(studio.runs(), runs);
+}
+
+#[test]
+fn a_model_turned_is_a_viewer_turned() {
+    let camera = Camera {
+        angle: 20.0,
+        target: [0.3, 0.1, -0.2],
+        ..Camera::default()
+    };
+    assert_eq!(turned(camera, 0.0), camera);
+    let quarter = turned(camera, 90.0);
+    assert_eq!(quarter.angle, -70.0);
+    // From above, x to the right and z down: clockwise goes from x to z.
+    let wanted = [-0.2, 0.1, -0.3];
+    let off = quarter
+        .target
+        .iter()
+        .zip(wanted)
+        .map(|(a, b)| (a - b).abs());
+    assert!(off.sum::<f64>() < 1e-9, "{:?}", quarter.target);
+}
+
+#[test]
+fn a_file_is_asked_for() {
+    let mut recipe = Recipe::new(&SCHEMA);
+    let refused = recipe.set("form", "file").expect_err("there is none");
+    assert_eq!(refused.code, Code::ModelFirst);
+    assert_eq!(Params::new(&recipe), Params::new(&Recipe::new(&SCHEMA)));
+    recipe
+        .set("model", "1,2,3,4,97,46,111,98,106")
+        .expect("a digest and a name");
+    assert_eq!(recipe.choice(keys::FORM), "file");
+    let mut studio = Studio::new(ALL, recipe);
+    let failure = studio
+        .finish(&mut || 0.0)
+        .expect_err("there is no such file");
+    assert_eq!(failure.code, Code::ModelMissing);
+    assert!(failure.to_string().contains("a.obj"), "{failure}");
+    let missing = studio.engine().missing();
+    assert_eq!(
+        missing,
+        Some(("0001000200030004".to_owned(), "a.obj".to_owned()))
+    );
+}

@@ -1,0 +1,189 @@
+// Surfaces in space from files: opened, kept by their digest, asked for by name, and inside a recipe's file; and painted on.
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { sameEverywhere } from './browsers.mjs';
+import { open } from './harness.mjs';
+import { click, digest, drop, get, link, message, phone, reloading, set, SMALL } from './page.mjs';
+import { opened, saved } from './saved.mjs';
+import { box } from './sheet.mjs';
+
+/** @typedef {import('puppeteer-core').Page} Page */
+
+/** @type {Awaited<ReturnType<typeof open>>} */
+let site;
+
+before(async () => {
+  site = await open();
+});
+
+after(() => site?.close());
+
+const EGG = '#v=1&make=surface&size=128&cn=60&form=egg';
+
+/** A box of this height as the text of a file. @param {number} height */
+function cube(height) {
+  const corners = [0, 1, 2, 3, 4, 5, 6, 7].map((k) => `v ${k & 1} ${k & 2 ? height : 0} ${k & 4 ? 1 : 0}\n`);
+  const faces = ['1 3 4 2', '5 6 8 7', '1 2 6 5', '3 7 8 4', '1 5 7 3', '2 4 8 6'].map((face) => `f ${face}\n`);
+  return corners.join('') + faces.join('');
+}
+
+/** Whoever is asked for a file chooses this one. @param {Page} page @param {string} name @param {string} content */
+const chooses = (page, name, content) =>
+  page.evaluate(
+    (called, text) => {
+      HTMLInputElement.prototype.click = function () {
+        const data = new DataTransfer();
+        data.items.add(new File([text], called));
+        this.files = data.files;
+        this.dispatchEvent(new Event('change'));
+      };
+    },
+    name,
+    content,
+  );
+
+/** Waits until a value of the recipe is this. @param {Page} page @param {string} key @param {string} value */
+const until = (page, key, value) => page.waitForFunction((name, text) => /** @type {any} */ (window).bubblestone.get(name) === text, {}, key, value);
+
+/** The link and the digest of a box with 60 cells, which the first test makes. */
+let box60 = { fragment: '', digest: '' };
+
+test('a model is opened by the panel, and found again by undo and after a reload', async () => {
+  const { page, problems, close } = await site.newPage(EGG);
+  const egg = await digest(page);
+  await page.waitForSelector('#p-form');
+  await chooses(page, 'box.obj', cube(1.5));
+  await set(page, 'form', 'file');
+  await until(page, 'form', 'file');
+  const made = await digest(page);
+  assert.notEqual(made, egg);
+  assert.equal(await get(page, 'cn'), '60');
+  box60 = { fragment: `#${await link(page)}`, digest: made };
+  await click(page, '#undo');
+  await until(page, 'form', 'egg');
+  assert.equal(await digest(page), egg);
+  await click(page, '#redo');
+  await until(page, 'form', 'file');
+  assert.equal(await digest(page), made);
+  await reloading(page, () => page.reload());
+  assert.equal(await digest(page), made);
+  assert.equal(await page.$('.asked'), null);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('a file that is not here is asked for by its name, and another one takes its place', async () => {
+  const { page, problems, close } = await site.newPage(box60.fragment);
+  await page.waitForSelector('.asked');
+  assert.match(await page.$eval('.asked', (asked) => asked.textContent ?? ''), /box\.obj/);
+  await drop(page, 'tower.obj', cube(3), '');
+  await message(page, 'status', /tower\.obj is another file than box\.obj/);
+  await page.waitForFunction(() => !document.querySelector('.asked'));
+  assert.notEqual(await digest(page), box60.digest);
+  await click(page, '#undo');
+  await page.waitForSelector('.asked');
+  await chooses(page, 'renamed.obj', cube(1.5));
+  await click(page, '#open-missing');
+  await page.waitForFunction(() => !document.querySelector('.asked'));
+  assert.equal(await digest(page), box60.digest);
+  assert.equal(`#${await link(page)}`, box60.fragment);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('a model dropped anywhere becomes a surface, and one that cannot be read says why', sameEverywhere, async () => {
+  const { page, problems, close } = await site.newPage(SMALL);
+  await digest(page);
+  await drop(page, 'box.obj', cube(1.5), '');
+  await page.waitForSelector('.make[data-make=surface][aria-current]');
+  await until(page, 'form', 'file');
+  assert.notEqual(await digest(page), '');
+  await drop(page, 'half.obj', 'v 0 0 0\nv 1 0 0\nv 1\n', '');
+  await message(page, 'alert', /Line 3 of the OBJ file/);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('the file of a recipe holds the model', async () => {
+  const first = await opened(site, box60.fragment);
+  await first.page.waitForSelector('.asked');
+  await drop(first.page, 'box.obj', cube(1.5), '');
+  assert.equal(await digest(first.page), box60.digest);
+  const { bytes } = await saved(first.page, '#save-recipe');
+  const { file } = JSON.parse(new TextDecoder().decode(bytes));
+  assert.equal(file.name, 'box.obj');
+  await first.close();
+  const { page, problems, close } = await site.newPage(SMALL);
+  await digest(page);
+  await drop(page, 'recipe.json', bytes, 'application/json');
+  await until(page, 'form', 'file');
+  assert.equal(await digest(page), box60.digest);
+  assert.equal(await page.$('.asked'), null);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('strokes are painted on the surface, one step each, and taken away by a click', async () => {
+  const { page, problems, close } = await site.newPage('#v=1&make=surface&size=128&cn=100&form=sphere');
+  await digest(page);
+  await page.waitForSelector('#sheet[data-turn=fine]');
+  await click(page, '#paint-strokes');
+  const { x, y, width, height } = await box(page, '#turn');
+  const [cx, cy] = [x + width / 2, y + height / 2];
+  await page.mouse.move(cx - 50, cy);
+  await page.mouse.down();
+  await page.mouse.move(cx, cy - 15, { steps: 4 });
+  await page.mouse.move(cx + 50, cy, { steps: 4 });
+  await page.mouse.up();
+  await page.waitForFunction(() => /** @type {any} */ (window).bubblestone.get('strokes') !== '');
+  await digest(page);
+  await page.waitForSelector('.paint-over .paint-strokes');
+  await click(page, '#undo');
+  await until(page, 'strokes', '');
+  await click(page, '#redo');
+  await page.waitForFunction(() => /** @type {any} */ (window).bubblestone.get('strokes') !== '');
+  await page.waitForSelector('#sheet[data-turn=fine]');
+  await click(page, '#paint-erase');
+  await page.mouse.click(cx, cy - 15);
+  await until(page, 'strokes', '');
+  // By keys: two points in the middle of what is seen, and the end of the line.
+  await page.waitForSelector('#sheet[data-turn=fine]');
+  await click(page, '#paint-lines');
+  await page.focus('#turn');
+  await page.keyboard.press('Enter');
+  for (const key of ['ArrowLeft', 'ArrowLeft']) await page.keyboard.press(key);
+  await page.waitForSelector('#sheet[data-turn=fine]');
+  await page.keyboard.press('Enter');
+  await page.waitForFunction(() => /^Point 2/.test(document.querySelector('#paint-told')?.textContent ?? ''));
+  await page.keyboard.press('Enter');
+  await page.waitForFunction(() => /** @type {any} */ (window).bubblestone.get('lines') !== '');
+  await click(page, '#paint-flip');
+  await until(page, 'flip', '1');
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('with a tool one finger paints, and two turn the model', async () => {
+  const { page, problems, close } = await site.newPage('#v=1&make=surface&size=128&cn=100&form=sphere', { viewport: phone });
+  await digest(page);
+  await page.waitForSelector('#sheet[data-turn=fine]');
+  const painting = await page.waitForSelector('#paint-strokes');
+  await painting?.tap();
+  await page.waitForSelector('.turn-frame[data-paint]');
+  const { x, y, width, height } = await box(page, '#turn');
+  const [cx, cy] = [x + width / 2, y + height / 2];
+  const far = () => page.$eval('#turn-seen', (told) => told.textContent);
+  const before = await far();
+  const fingers = [await page.touchscreen.touchStart(cx - 15, cy), await page.touchscreen.touchStart(cx + 15, cy)];
+  for (let k = 1; k <= 5; k += 1) for (const [which, finger] of fingers.entries()) await finger.move(cx + (which ? 1 : -1) * (15 + 15 * k), cy);
+  for (const finger of fingers) await finger.end();
+  await page.waitForFunction((then) => document.querySelector('#turn-seen')?.textContent !== then, {}, before);
+  await page.waitForSelector('#sheet[data-turn=fine]');
+  assert.equal(await get(page, 'strokes'), '');
+  const finger = await page.touchscreen.touchStart(cx - 40, cy);
+  for (let k = 1; k <= 4; k += 1) await finger.move(cx - 40 + 20 * k, cy);
+  await finger.end();
+  await page.waitForFunction(() => /** @type {any} */ (window).bubblestone.get('strokes') !== '');
+  assert.deepEqual(problems, []);
+  await close();
+});

@@ -1,0 +1,52 @@
+//! Surfaces in space: bodies on every surface by rule are the same, bit for bit, natively and in WebAssembly. All are
+//! compared with `surfaces.txt`: a digest and a link.
+//!
+//! After a change that is meant to change them: `BUBBLESTONE_UPDATE=1 cargo test --test surfaces`.
+
+// The page's first module has no surfaces.
+#![cfg(any(feature = "house", not(target_arch = "wasm32")))]
+
+mod common;
+
+use bubblestone::generators::ALL;
+use common::finished;
+#[cfg(target_arch = "wasm32")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
+
+const GOLDEN: &str = include_str!("surfaces.txt");
+
+#[test]
+fn bodies_on_surfaces_are_the_same_everywhere() {
+    let made = |line: &str| {
+        let (_, link) = line.split_once(' ').expect("a digest and a link");
+        let studio = finished(link);
+        format!("{} {link}\n", studio.digest())
+    };
+    let found: String = GOLDEN.lines().map(made).collect();
+    #[cfg(not(target_arch = "wasm32"))]
+    if std::env::var_os("BUBBLESTONE_UPDATE").is_some() {
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/surfaces.txt");
+        std::fs::write(path, found).unwrap();
+        return;
+    }
+    assert_eq!(found, GOLDEN);
+}
+
+/// Each shape by rule is among them, each kind of cells, each kind of stones.
+#[test]
+fn all_that_there_is_stands_in_the_table() {
+    let (recipes, notices): (Vec<_>, Vec<_>) = GOLDEN
+        .lines()
+        .map(|line| ALL.recipe(line.split_once(' ').expect("a digest and a link").1))
+        .unzip();
+    assert!(notices.iter().all(Vec::is_empty), "{notices:?}");
+    for key in [
+        "form", "kind", "stone", "dir", "flow", "pattern", "crease", "open",
+    ] {
+        let row = recipes[0].schema().row(key).expect("a row");
+        for choice in row.choices.iter().filter(|choice| choice.word != "file") {
+            let has = |recipe: &bubblestone::recipe::Recipe| recipe.choice(row.key) == choice.word;
+            assert!(recipes.iter().any(has), "{key}={}", choice.word);
+        }
+    }
+}

@@ -1,0 +1,45 @@
+/** The one place that every engine goes through for the file that its recipe asks for: page and workers alike. */
+import type { Bubblestone } from '../../pkg/bubblestone.js';
+import type { Module } from './load';
+import type { SceneStudio, Whole } from './scene';
+import { dropFile, findFile } from './shelf';
+
+/** Bytes that are handed over at a time: a millisecond's work. */
+const PIECE = 1 << 20;
+
+/** A file's bytes, one piece after the other. */
+export async function* piecesOf(file: Blob): AsyncGenerator<Uint8Array<ArrayBuffer>> {
+  for (let at = 0; at < file.size; at += PIECE) yield new Uint8Array(await file.slice(at, at + PIECE).arrayBuffer());
+}
+
+/** An engine for a link, with the file that this asks for, where it is to be had. */
+export function studioFor(module: Whole, link: string): Promise<SceneStudio>;
+export function studioFor(module: Module, link: string): Promise<Bubblestone>;
+export async function studioFor(module: Module | Whole, link: string): Promise<Bubblestone> {
+  const studio = new module.Bubblestone(link);
+  await supply(studio);
+  return studio;
+}
+
+/** Gives an engine the file that it waits for; false where that is not to be had, or not `wanted` any more. */
+export async function supply(studio: Bubblestone, wanted: () => boolean = () => true): Promise<boolean> {
+  if (!isWhole(studio)) return true;
+  const [digest = '', name = ''] = studio.missingFile() ?? [];
+  if (digest === '') return true;
+  const file = await findFile(digest);
+  if (!file || !wanted()) return false;
+  studio.beginFile(name, file.size);
+  for await (const piece of piecesOf(file)) {
+    if (!wanted()) return false;
+    studio.addToFile(piece);
+  }
+  if (!wanted()) return false;
+  if (studio.giveFile() === digest) return true;
+  // It is not what it was when it was kept.
+  await dropFile(digest);
+  return false;
+}
+
+function isWhole(studio: Bubblestone): studio is SceneStudio {
+  return 'missingFile' in studio;
+}

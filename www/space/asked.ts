@@ -1,0 +1,28 @@
+/** The place on the sheet that asks for the file which a recipe needs. */
+import { t } from '../words/space';
+import { byId, make } from '../base/dom';
+
+export class Asked {
+  private readonly choose: () => void;
+  private element: HTMLElement | undefined;
+
+  /** `choose` has the visitor choose a file. */
+  constructor(choose: () => void) {
+    this.choose = choose;
+  }
+
+  /** Asks for the file of this name; for none any more without one. */
+  show(name: string | undefined): void {
+    if (name === this.element?.dataset['name']) return;
+    this.element?.remove();
+    this.element = undefined;
+    if (name === undefined) return;
+    const open = make('button', { type: 'button', class: 'key', id: 'open-missing' }, t('open_name', { name }));
+    open.addEventListener('click', this.choose);
+    const text = make('div', { role: 'status' }, make('strong', {}, t('asked', { name })), make('p', {}, t('asked_why')));
+    this.element = make('div', { class: 'asked', role: 'group', 'aria-label': t('asked_label'), 'data-name': name }, text, open, make('p', {}, t('drop')));
+    // What is done here is not for the picture below.
+    for (const sign of ['click', 'dblclick', 'pointerdown', 'touchstart']) this.element.addEventListener(sign, (event) => event.stopPropagation());
+    byId('sheet').append(this.element);
+  }
+}

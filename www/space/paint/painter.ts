@@ -1,0 +1,282 @@
+/**
+ * Painting on a surface: what the visitor does on the frame that it is seen in becomes rows of the recipe, each a step of
+ * its history.
+ *
+ * With a tool one finger, or the mouse, paints where the model is; beside it they turn it as ever, and so do two fingers,
+ * the other buttons, and keys. By keys it is painted in the middle: Enter sets a point there, or takes away what is there,
+ * Enter again at the same place ends the line.
+ */
+import { t } from '../../words/space';
+import { say, make } from '../../base/dom';
+import { notice } from '../../base/messages';
+import { applies, recipeOf } from '../../state/rules';
+import type { Work } from '../../state/work';
+import { Overlay, type Painted, type Spot } from './overlay';
+import { distance, fromLine, placesOf, rowOf, simplified, STEPS, textOf, type Place } from './places';
+import { TOOLS, Tools, type Tool } from './tools';
+
+/** What is painted on. */
+export interface Surface {
+  /** Holds the frame, and gets all that is done on it. */
+  readonly host: HTMLElement;
+  /** The place of the model at a place of the last frame; undefined beside it. */
+  placeAt(spot: Spot): Place | undefined;
+  /** Where a place of the model is in that frame; undefined where it is not seen. */
+  spotOf(place: Place): Spot | undefined;
+}
+
+/** Points of one line. */
+const POINTS = 20;
+
+/** Steps: two places that are nearer are the same; what is to be taken away may be so far off; spots, unless they are drawn larger. */
+const SAME = 24;
+const NEAR = 170;
+const RADIUS = 400;
+const LEAST = 80;
+
+interface Drawn {
+  readonly pointer: PointerEvent;
+  readonly places: Place[];
+  readonly path: Spot[];
+}
+
+export class Painter {
+  private readonly work: Work;
+  private readonly surface: Surface;
+  private readonly overlay = new Overlay();
+  private readonly tools: Tools;
+  private readonly told = make('p', { class: 'said', role: 'status', id: 'paint-told' });
+  private tool: Tool | undefined;
+  private drawn: Drawn | undefined;
+  /** The points that were set by a key. */
+  private keyed: Place[] = [];
+  /** What goes on to the frame all the same. */
+  private readonly passed = new WeakSet<Event>();
+
+  constructor(work: Work, surface: Surface) {
+    this.work = work;
+    this.surface = surface;
+    this.tools = new Tools({ choose: (tool) => this.choose(tool === this.tool ? undefined : tool), flip: () => this.flip() });
+    const { host } = surface;
+    host.append(this.overlay.element, this.told);
+    host.after(this.tools.element);
+    this.listen('pointerdown', (event) => this.press(event));
+    this.listen('pointermove', (event) => this.move(event));
+    this.listen('pointerup', (event) => this.release(event));
+    this.listen('pointercancel', (event) => this.lose(event));
+    this.listen('keydown', (event) => this.key(event));
+    this.listen('dblclick', () => this.tool !== undefined);
+    this.tools.element.addEventListener('keydown', (event) => {
+      if (event.key !== 'Escape' || !this.tool) return;
+      event.stopPropagation();
+      this.choose(undefined);
+    });
+    work.store.on(['recipe'], () => this.show());
+    this.show();
+  }
+
+  /** Paints with a tool from now on, or with none. */
+  choose(tool: Tool | undefined): void {
+    this.tool = tool;
+    this.drawn = undefined;
+    this.keyed = [];
+    this.surface.host.toggleAttribute('data-paint', tool !== undefined);
+    this.show();
+    if (tool) say(this.told, t(`paint_${tool}_title`));
+  }
+
+  /** Is to be called after each new frame. */
+  draw(): void {
+    const { tool, keyed, drawn, surface } = this;
+    const painted = tool ? this.painted() : [];
+    const line = tool === 'spots' || tool === 'stretch' ? (drawn?.path.slice(0, 1) ?? []) : (drawn?.path ?? []);
+    if (tool && keyed.length) painted.push({ key: tool, places: keyed });
+    this.overlay.draw(painted, (place) => surface.spotOf(place), line, tool ?? '');
+  }
+
+  /** All that is painted; of spots their middles. */
+  private painted(): Painted[] {
+    return TOOLS.flatMap((key) =>
+      key === 'erase' || !this.isUseful(key) ? [] : this.rows(key).map((row) => ({ key, places: placesOf(isSpot(key) ? row.slice(0, 3) : row) })),
+    );
+  }
+
+  private rows(key: Tool): number[][] {
+    return this.work.engine.list(key);
+  }
+
+  private isUseful(key: Tool): boolean {
+    const { engine } = this.work;
+    const row = engine.schema.find((parameter) => parameter.key === key);
+    return row !== undefined && applies(row, recipeOf(engine));
+  }
+
+  private show(): void {
+    if (!this.work.engine.isSpace) return;
+    const useful = TOOLS.filter((tool) => (tool === 'erase' ? this.painted().length > 0 : this.isUseful(tool)));
+    if (this.tool && !useful.includes(this.tool)) return this.choose(undefined);
+    this.tools.show(this.tool, useful, this.work.engine.get('flip') === '1');
+    this.draw();
+  }
+
+  private flip(): void {
+    this.work.set('flip', this.work.engine.get('flip') === '1' ? '0' : '1');
+  }
+
+  /** What is done with a tool is not for the frame: `act` tells whether it was. */
+  private listen<K extends keyof HTMLElementEventMap>(sign: K, act: (event: HTMLElementEventMap[K]) => boolean): void {
+    this.surface.host.addEventListener(
+      sign,
+      (event) => {
+        if (this.passed.has(event) || !act(event)) return;
+        event.stopPropagation();
+        if (event.cancelable) event.preventDefault();
+      },
+      { capture: true, passive: false },
+    );
+  }
+
+  private spot({ clientX, clientY }: MouseEvent): Spot {
+    const { left, top, width, height } = this.surface.host.getBoundingClientRect();
+    return [(clientX - left) / width, (clientY - top) / height];
+  }
+
+  private press(event: PointerEvent): boolean {
+    const { tool, drawn } = this;
+    if (!tool) return false;
+    if (drawn) {
+      // A second finger: both turn the model.
+      this.passOn(drawn.pointer);
+      this.cancel();
+      return false;
+    }
+    if (event.button !== 0 || event.shiftKey) return false;
+    const spot = this.spot(event);
+    const place = this.surface.placeAt(spot);
+    if (!place) return false;
+    // What turns the model gets the pointer as well, once another finger comes.
+    const stand = this.surface.host.querySelector<HTMLElement>('[tabindex]');
+    stand?.setPointerCapture(event.pointerId);
+    stand?.focus({ preventScroll: true });
+    this.drawn = { pointer: event, places: [place], path: [spot] };
+    this.draw();
+    return true;
+  }
+
+  /** The frame gets what was kept from it. */
+  private passOn(event: PointerEvent): void {
+    const { pointerId, pointerType, isPrimary, clientX, clientY, button } = event;
+    const again = new PointerEvent('pointerdown', { pointerId, pointerType, isPrimary, clientX, clientY, button, bubbles: true, cancelable: true });
+    this.passed.add(again);
+    event.target?.dispatchEvent(again);
+  }
+
+  private move(event: PointerEvent): boolean {
+    const { drawn } = this;
+    // No body is told under the pointer.
+    if (drawn?.pointer.pointerId !== event.pointerId) return this.tool !== undefined && event.buttons === 0 && event.pointerType === 'mouse';
+    const all = 'getCoalescedEvents' in event ? event.getCoalescedEvents() : [];
+    for (const one of all.length ? all : [event]) {
+      const spot = this.spot(one);
+      const place = this.surface.placeAt(spot);
+      if (!place) continue;
+      drawn.path.push(spot);
+      drawn.places.push(place);
+    }
+    this.draw();
+    return true;
+  }
+
+  private release(event: PointerEvent): boolean {
+    const { drawn, tool } = this;
+    if (!tool || drawn?.pointer.pointerId !== event.pointerId) return false;
+    this.drawn = undefined;
+    this.take(tool, drawn.places);
+    return true;
+  }
+
+  private lose(event: PointerEvent): boolean {
+    if (this.drawn?.pointer.pointerId !== event.pointerId) return false;
+    this.cancel();
+    return true;
+  }
+
+  private cancel(): void {
+    this.drawn = undefined;
+    this.draw();
+  }
+
+  private key({ key, ctrlKey, metaKey, altKey }: KeyboardEvent): boolean {
+    const { tool, keyed } = this;
+    if (!tool || ctrlKey || metaKey || altKey) return false;
+    if (key === 'Escape') {
+      if (keyed.length) {
+        this.keyed = [];
+        this.draw();
+      } else this.choose(undefined);
+      return true;
+    }
+    if (key === 'Backspace' && keyed.length) {
+      this.keyed.pop();
+      this.draw();
+      return true;
+    }
+    if (key !== 'Enter') return false;
+    const place = this.surface.placeAt([0.5, 0.5]);
+    if (!place) say(this.told, t('paint_beside'));
+    else if (tool === 'erase' || isSpot(tool)) this.take(tool, [place]);
+    else this.set(tool, place);
+    return true;
+  }
+
+  /** A point of a line, by a key. */
+  private set(tool: Tool, place: Place): void {
+    const last = this.keyed.at(-1);
+    if (!last || distance(last, place) > SAME) this.keyed.push(place);
+    else {
+      const places = this.keyed;
+      this.keyed = [];
+      this.take(tool, places);
+      return;
+    }
+    say(this.told, t('paint_point', { n: this.keyed.length }));
+    this.draw();
+  }
+
+  /** What was done with a tool becomes the recipe's. */
+  private take(tool: Tool, places: readonly Place[]): void {
+    const [first, last] = [places[0], places.at(-1)];
+    if (!first || !last) return;
+    if (tool === 'erase') return this.erase(first);
+    if (isSpot(tool)) {
+      const radius = Math.max(LEAST, distance(first, last) > SAME ? distance(first, last) : RADIUS);
+      return this.write(tool, [...this.rows(tool), [...rowOf([first]), radius / STEPS, this.tools.valueOf(tool)]]);
+    }
+    const line = simplified(places, POINTS);
+    if (line.length > 2 || distance(first, last) > SAME) return this.write(tool, [...this.rows(tool), rowOf(line)]);
+    notice('value', t('paint_short'));
+    this.draw();
+  }
+
+  /** Takes away what is nearest. */
+  private erase(place: Place): void {
+    const all = TOOLS.flatMap((key) => (key === 'erase' ? [] : this.rows(key).map((row, at) => ({ key, at, off: fromLine(place, placesOf(isSpot(key) ? row.slice(0, 3) : row)) }))));
+    const [nearest] = all.filter(({ key }) => this.isUseful(key)).sort((a, b) => a.off - b.off);
+    if (!nearest || nearest.off > NEAR) {
+      notice('value', t('paint_nothing'));
+      return this.draw();
+    }
+    this.write(nearest.key, this.rows(nearest.key).toSpliced(nearest.at, 1));
+    say(this.told, t('paint_gone'));
+  }
+
+  private write(key: Tool, rows: readonly number[][]): void {
+    const { sentences } = this.work.write(key, textOf(rows));
+    notice('value', ...sentences);
+    this.show();
+  }
+}
+
+function isSpot(tool: Tool): tool is 'spots' | 'stretch' {
+  return tool === 'spots' || tool === 'stretch';
+}

@@ -1,0 +1,72 @@
+/** Places on a model, in steps of the box around it, and the rows of what is painted there. */
+
+export type Place = readonly [x: number, y: number, z: number];
+
+/** Steps along the box's longest side: of them are whole numbers in rows, of which lists have parts. */
+export const STEPS = 4096;
+
+/** How far a simplified line may be off at first, in steps, and how much more where it still has too many points. */
+const OFF = 10;
+const COARSER = 1.5;
+
+export function distance(a: Place, b: Place): number {
+  return Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+/** How far a place is from the straight way between two others. */
+function fromSegment(p: Place, a: Place, b: Place): number {
+  const [dx, dy, dz] = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
+  const square = dx * dx + dy * dy + dz * dz;
+  const along = square > 0 ? ((p[0] - a[0]) * dx + (p[1] - a[1]) * dy + (p[2] - a[2]) * dz) / square : 0;
+  const t = Math.min(1, Math.max(0, along));
+  return distance(p, [a[0] + t * dx, a[1] + t * dy, a[2] + t * dz]);
+}
+
+/** How far a place is from a line. */
+export function fromLine(p: Place, line: readonly Place[]): number {
+  const [first] = line;
+  if (!first) return Infinity;
+  return line.slice(1).reduce((least, to, k) => Math.min(least, fromSegment(p, line[k] ?? to, to)), distance(p, first));
+}
+
+/** The same line with few points, at most so many, at least two (Douglas, Peucker 1973). */
+export function simplified(line: readonly Place[], most: number): Place[] {
+  for (let off = OFF; ; off *= COARSER) {
+    const kept = within(line, off);
+    if (kept.length <= Math.max(2, most)) return kept;
+  }
+}
+
+function within(line: readonly Place[], off: number): Place[] {
+  const kept = new Set([0, line.length - 1]);
+  const open: [number, number][] = [[0, line.length - 1]];
+  for (let next = open.pop(); next; next = open.pop()) {
+    const [from, to] = next;
+    const [a, b] = [line[from], line[to]];
+    if (!a || !b) break;
+    let [farthest, at] = [off, -1];
+    for (let k = from + 1; k < to; k += 1) {
+      const far = fromSegment(line[k] ?? a, a, b);
+      if (far > farthest) [farthest, at] = [far, k];
+    }
+    if (at < 0) continue;
+    kept.add(at);
+    open.push([from, at], [at, to]);
+  }
+  return line.filter((_, k) => kept.has(k));
+}
+
+/** The places of a row, as a list of the engine has it. */
+export function placesOf(row: readonly number[]): Place[] {
+  const count = Math.floor(row.length / 3);
+  return Array.from({ length: count }, (_, k) => [0, 1, 2].map((axis) => (row[3 * k + axis] ?? 0) * STEPS) as unknown as Place);
+}
+
+/** A row of places, as the engine takes it. */
+export function rowOf(places: readonly Place[]): number[] {
+  return places.flat().map((steps) => steps / STEPS);
+}
+
+export function textOf(rows: readonly (readonly number[])[]): string {
+  return rows.map((row) => row.join()).join(';');
+}

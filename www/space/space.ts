@@ -1,0 +1,73 @@
+/** What surfaces in space have on the page beside what all pictures have: files of models, and tools to paint on them. */
+import { t } from '../words/space';
+import { make } from '../base/dom';
+import type { Later } from '../base/later';
+import type { Work } from '../state/work';
+import type { PageTurntable } from '../turn/page';
+import { Asked } from './asked';
+import { MODEL, openModel } from './models';
+import { Painter } from './paint/painter';
+import { TOOLS } from './paint/tools';
+import '../styles/late/space.css';
+
+export class Space {
+  private readonly work: Work;
+  private readonly turn: Later<PageTurntable>;
+  private readonly again: () => void;
+  private painter: Painter | undefined;
+  private readonly asked = new Asked(() => this.choose());
+  private readonly file = make('input', { type: 'file', id: 'model-file', accept: '.obj,.glb,.ply,.stl', hidden: '', 'aria-label': t('choose') });
+
+  /** `again` is to be called where the engine has something to do that is no change of the recipe. */
+  constructor(work: Work, turn: Later<PageTurntable>, again: () => void) {
+    this.work = work;
+    this.turn = turn;
+    this.again = again;
+    document.body.append(this.file);
+    this.file.addEventListener('change', () => {
+      const [chosen] = this.file.files ?? [];
+      if (chosen) void this.take(chosen);
+      // The same file may be chosen again.
+      this.file.value = '';
+    });
+    work.store.on(['recipe', 'stage'], () => this.follow());
+  }
+
+  /** Has the visitor choose a file. */
+  choose(): void {
+    this.file.click();
+  }
+
+  /** A file that was chosen or dropped. */
+  take(file: File): Promise<void> {
+    return openModel(this.work, file, this.again);
+  }
+
+  /** What is drawn or named by a control of the panel. */
+  edit(key: string): void {
+    if (key === MODEL) return this.choose();
+    const tool = TOOLS.find((one) => one === key);
+    this.turn.ask((page) => {
+      this.painted(page).choose(tool);
+      page.focus();
+    });
+  }
+
+  /** Shows what the state of the work asks for. */
+  follow(): void {
+    const { engine, store } = this.work;
+    const { stage } = store.state;
+    this.asked.show(stage === 'error' ? engine.missing()?.name : undefined);
+    if (engine.isSpace) this.turn.ask((page) => void this.painted(page));
+  }
+
+  private painted(page: PageTurntable): Painter {
+    return (this.painter ??= this.begin(page));
+  }
+
+  private begin(page: PageTurntable): Painter {
+    const painter = new Painter(this.work, page.surface);
+    page.framed = () => painter.draw();
+    return painter;
+  }
+}

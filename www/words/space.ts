@@ -1,0 +1,7 @@
+/** The words of surfaces in space, in the language in use. They come with them, in both languages. */
+import { en, ja } from '../strings/space.json';
+import { wordsOf } from './words';
+
+export type Word = keyof typeof en;
+
+export const t = wordsOf({ en, ja });
