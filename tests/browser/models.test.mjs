@@ -108,6 +108,7 @@ test('the file of a recipe holds the model', async () => {
   const first = await opened(site, box60.fragment);
   await first.page.waitForSelector('.asked');
   await drop(first.page, 'box.obj', cube(1.5), '');
+  await first.page.waitForFunction(() => !document.querySelector('.asked'));
   assert.equal(await digest(first.page), box60.digest);
   const { bytes } = await saved(first.page, '#save-recipe');
   const { file } = JSON.parse(new TextDecoder().decode(bytes));
