@@ -98,6 +98,9 @@ test('a model dropped anywhere becomes a surface, and one that cannot be read sa
   await page.waitForSelector('.make[data-make=surface][aria-current]');
   await until(page, 'form', 'file');
   assert.notEqual(await digest(page), '');
+  // One side is turned over, and another one is there twice.
+  await drop(page, 'mended.obj', `${cube(1.5).replace('f 1 2 6 5', 'f 5 6 2 1')}f 2 4 8 6\n`, '');
+  await message(page, 'status', /mended\.obj is open, and this of it was mended.*left out: 2.*turned: 2/);
   await drop(page, 'half.obj', 'v 0 0 0\nv 1 0 0\nv 1\n', '');
   await message(page, 'alert', /Line 3 of the OBJ file/);
   assert.deepEqual(problems, []);

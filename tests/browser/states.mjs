@@ -123,6 +123,7 @@ export const states = {
   },
   generators: { several: true },
   squares: { several: true, fragment: SQUARES, before: speaking('ja') },
+  surface: { fragment: '#v=1&make=surface&form=sphere&size=128&cn=60&view=direction', arrange: (page) => page.waitForSelector('#sheet[data-turn=fine]') },
   about: { arrange: click('#about-button') },
 };
 

@@ -19,10 +19,13 @@ function moduleOf(path) {
   return import(`data:text/javascript,${encodeURIComponent(outputText)}`);
 }
 
-const SIGHTS = { bases: ['auto', 'picture', 'mesh', 'cells'], overlays: ['size', 'cells', 'mesh', 'forces'], offers: ['forming', 'turn'] };
+const SIGHTS = { bases: ['auto', 'picture', 'mesh', 'cells'], overlays: ['size', 'cells', 'mesh', 'forces'], offers: ['forming', 'turn'], home: '330,40,2.95,28' };
 
 /** @param {string} words */
 const read = (words) => viewing.read(words, SIGHTS);
+
+/** @param {any} asked */
+const written = (asked, sights = SIGHTS) => viewing.written(asked, sights);
 
 test('a fragment is parted into its recipe and its view, and joined again', () => {
   for (const [fragment, recipe, words] of [
@@ -43,8 +46,8 @@ test('a fragment is parted into its recipe and its view, and joined again', () =
 });
 
 test('what is written is read as it was, and what all see is not written', () => {
-  assert.equal(viewing.written({}), '');
-  assert.equal(viewing.written({ view: 'auto', overlays: [], zoom: { scale: 1, x: 0.5, y: 0.5 } }), '');
+  assert.equal(written({}), '');
+  assert.equal(written({ view: 'auto', overlays: [], zoom: { scale: 1, x: 0.5, y: 0.5 } }), '');
   for (const words of [
     'view=mesh',
     'view=auto+forces',
@@ -58,7 +61,7 @@ test('what is written is read as it was, and what all see is not written', () =>
   ]) {
     const { viewing: asked, faults } = read(words);
     assert.deepEqual(faults, [], words);
-    assert.equal(viewing.written(asked), words);
+    assert.equal(written(asked), words);
   }
 });
 
@@ -98,28 +101,37 @@ test('what is wrong is told, with what is taken instead', () => {
   ]) {
     const found = read(/** @type {string} */ (words));
     const told = found.faults.map((/** @type {any} */ { what, given, kept }) => [what, given, kept]);
-    assert.deepEqual([viewing.written(found.viewing), told], [asked, faults], String(words));
+    assert.deepEqual([written(found.viewing), told], [asked, faults], String(words));
   }
 });
 
 test('a zoom shows nothing beside the picture, and of two words of one key the last one counts', () => {
-  assert.equal(viewing.written(read('zoom=2,0,1').viewing), 'zoom=2,0.25,0.75');
-  assert.equal(viewing.written(read('zoom=3').viewing), 'zoom=3,0.5,0.5');
-  assert.equal(viewing.written(read('step=3&step=4&view=mesh&view=cells').viewing), 'view=cells&step=4');
+  assert.equal(written(read('zoom=2,0,1').viewing), 'zoom=2,0.25,0.75');
+  assert.equal(written(read('zoom=3').viewing), 'zoom=3,0.5,0.5');
+  assert.equal(written(read('step=3&step=4&view=mesh&view=cells').viewing), 'view=cells&step=4');
 });
 
 test('a camera stands where it is said, else as usual', () => {
   assert.deepEqual(read('camera').viewing.camera, [330, 40, 2.95, 28, 0, 0, 0]);
   assert.deepEqual(read('camera=90,10,0.5').viewing.camera, [90, 10, 0.5, 28, 0, 0, 0]);
-  assert.equal(viewing.written({ camera: [330.04, 38.26, 2.95049, 28, 0.000049, 0, 0] }), 'camera=330,38.3');
+  assert.equal(written({ camera: [330.04, 38.26, 2.95049, 28, 0.000049, 0, 0] }), 'camera=330,38.3');
+});
+
+test('each generator has its first camera, and what stands in space is seen from below, too', () => {
+  const space = { ...SIGHTS, offers: ['space', 'turn'], home: '10,20,2.5' };
+  assert.deepEqual(viewing.read('camera', space).viewing.camera, [10, 20, 2.5, 28, 0, 0, 0]);
+  assert.equal(written({ camera: [40, 20, 2.5, 28, 0, 0, 0] }, space), 'camera=40');
+  assert.equal(written({ camera: [10, 40, 2.95, 28, 0, 0, 0] }, space), 'camera=10,40,2.95');
+  const { viewing: asked, faults } = viewing.read('camera=0,-99', space);
+  assert.deepEqual([asked.camera.slice(0, 2), faults], [[0, -85], [{ what: 'camera', given: '0,-99', kept: '0,-85' }]]);
 });
 
 test('what has no bodies is not seen from a slant', () => {
   const { viewing: asked, faults } = viewing.read('camera=330&view=mesh', { ...SIGHTS, offers: [] });
-  assert.deepEqual([viewing.written(asked), faults], ['view=mesh', [{ what: 'camera', given: '330' }]]);
+  assert.deepEqual([written(asked), faults], ['view=mesh', [{ what: 'camera', given: '330' }]]);
 });
 
 test('what is not packed in steps is not held at one', () => {
   const { viewing: asked, faults } = viewing.read('step=3&view=mesh', { ...SIGHTS, offers: [] });
-  assert.deepEqual([viewing.written(asked), faults], ['view=mesh', [{ what: 'step', given: '3' }]]);
+  assert.deepEqual([written(asked), faults], ['view=mesh', [{ what: 'step', given: '3' }]]);
 });

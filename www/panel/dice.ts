@@ -10,7 +10,10 @@ import { SEED } from './seed';
 export class Dice {
   private readonly work: Work;
   private readonly push: () => void;
-  private readonly ranges = new Later(() => import('./ranges'));
+  private readonly ranges = new Later(async () => {
+    const [{ PLANE, thrown }, { SURFACE }] = await Promise.all([import('./ranges'), import('./ranges-surface')]);
+    return { thrown, table: (isSpace: boolean) => (isSpace ? SURFACE : PLANE) };
+  });
   private groups: { name: string; dice: HTMLButtonElement; lock: HTMLButtonElement }[] = [];
 
   /** `push` is called before a change that the browser's Back button shall take back. */
@@ -44,9 +47,9 @@ export class Dice {
 
   private throw(groups: readonly string[]): void {
     const { engine, store } = this.work;
-    this.ranges.ask(({ thrown }) => {
+    this.ranges.ask(({ thrown, table }) => {
       const free = groups.filter((group) => !isLocked(store, group));
-      const values = thrown(Math.random, free, engine.schema, (key) => engine.get(key));
+      const values = thrown(table(engine.isSpace), Math.random, free, engine.schema, (key) => engine.get(key));
       if (groups.length > 1 && !isLocked(store, SEED)) values.push([SEED, String(engine.randomSeed())]);
       this.push();
       this.work.setAll(values);

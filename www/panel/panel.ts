@@ -8,7 +8,9 @@ import { byId, byIdAs, frame, make, say } from '../base/dom';
 import { keep, kept } from '../base/storage';
 import type { Engine } from '../state/engine';
 import { applies, differs, recipeOf, type Recipe } from '../state/rules';
+import type { Parameter } from '../module/types';
 import { makeControl, type Change, type Control } from './control';
+import { SIDE } from './scaling';
 
 /** Parameters that have their own place on the page. */
 const ELSEWHERE = new Set(['seed', 'poly']);
@@ -17,7 +19,7 @@ const ELSEWHERE = new Set(['seed', 'poly']);
 const EXTENT = 'panel';
 
 /** Groups that stand open at first where there is room; on a phone only the first of them does. */
-const OPEN_AT_FIRST = ['Outline', 'Cells', 'Size', 'Direction', 'Relief'];
+const OPEN_AT_FIRST = ['Outline', 'Shape', 'Cells', 'Size', 'Direction', 'Relief'];
 
 /** Milliseconds of building in a frame. */
 const SLICE = 8;
@@ -55,8 +57,9 @@ export class Panel {
     let begin = performance.now();
     this.groups.clear();
     this.recipe = recipeOf(this.engine);
+    const { isSpace } = this.engine;
     for (const parameter of this.recipe.schema) {
-      if (ELSEWHERE.has(parameter.key)) continue;
+      if (ELSEWHERE.has(parameter.key) || (isSpace && isOfPlane(parameter))) continue;
       const control = makeControl(parameter, this.change, this.edit);
       const group = this.group(parameter.group);
       group.controls.push(control);
@@ -137,6 +140,11 @@ export class Panel {
     this.groups.set(name, group);
     return group;
   }
+}
+
+/** What is drawn on a picture, and its side: bodies in space have as many pixels as there is room for. */
+function isOfPlane({ kind, key }: Parameter): boolean {
+  return kind === 'text' || key === SIDE;
 }
 
 /** The help of the control under the pointer or the keyboard, in one line at the panel's foot. */

@@ -23,24 +23,26 @@ interface Range {
 }
 
 /** A row applies where all these parameters have one of these words; of a key's rows the first that applies counts. */
-type When = Partial<Record<string, readonly string[]>>;
+export type When = Partial<Record<string, readonly string[]>>;
 
-type Row = readonly [key: string, pick: Words | Range | '', when?: When];
+export type Row = readonly [key: string, pick: Words | Range | '', when?: When];
 
 const SKIN: When = { stone: ['skin'] };
 const TILE: When = { tile: ['1'] };
 const ROADS = ['road_s', 'road_straight', 'road_spiral', 'y_fork', 'crossing', 'road_notch', 'l_shape', 'annulus'];
-const STONE_PALETTES: Words = { granite: 2, basalt: 2, sandstone: 2, terracotta: 2, marble: 2, porphyry: 2, slate: 1, mossy: 1, limestone: 2 };
+export const STONE_PALETTES: Words = { granite: 2, basalt: 2, sandstone: 2, terracotta: 2, marble: 2, porphyry: 2, slate: 1, mossy: 1, limestone: 2 };
 
 /** Stones stay stones and skin stays skin unless all of these groups are thrown. */
 const FAMILY = ['Cells', 'Relief', 'Surface'];
 
-const range = (from: number, to: number, step: number, more: Pick<Range, 'plain' | 'per'> = {}): Range => ({ from, to, step, ...more });
+export const range = (from: number, to: number, step: number, more: Pick<Range, 'plain' | 'per'> = {}): Range => ({ from, to, step, ...more });
 /** Mostly 0. */
-const rarely = (part: number, from: number, to: number, step = 0.05): Range => range(from, to, step, { plain: [0, 1 - part] });
+export const rarely = (part: number, from: number, to: number, step = 0.05): Range => range(from, to, step, { plain: [0, 1 - part] });
 
 /** By group, in the order in which they are thrown: later rows ask for earlier ones. */
-const TABLE: Record<string, readonly Row[]> = {
+export type Table = Record<string, readonly Row[]>;
+
+export const PLANE: Table = {
   Outline: [
     ['tile', { '0': 2, '1': 1 }, SKIN],
     ['tile', { '0': 5, '1': 1 }],
@@ -181,18 +183,15 @@ const TABLE: Record<string, readonly Row[]> = {
   ],
 };
 
-/** What has rows of its own, or is thrown apart. */
-const KNOWN = new Set([...Object.values(TABLE).flatMap((rows) => rows.map(([key]) => key)), 'stone']);
-
 /**
- * New values of these groups; `random` gives numbers in 0..1, `get` a parameter's value now. What does
+ * New values of these groups by a table; `random` gives numbers in 0..1, `get` a parameter's value now. What does
  * nothing in the new recipe takes its default, so that links stay short.
  */
-export function thrown(random: () => number, groups: readonly string[], schema: readonly Parameter[], get: (key: string) => string): [key: string, text: string][] {
+export function thrown(table: Table, random: () => number, groups: readonly string[], schema: readonly Parameter[], get: (key: string) => string): [key: string, text: string][] {
   const values = new Map<string, string>();
   const now = (key: string): string => values.get(key) ?? get(key);
   if (groups.includes('Relief') && schema.some(({ key }) => key === 'stone')) values.set('stone', stone(random, FAMILY.every((group) => groups.includes(group)), get('stone')));
-  for (const [group, rows] of Object.entries(TABLE)) {
+  for (const [group, rows] of Object.entries(table)) {
     if (!groups.includes(group)) continue;
     const done = new Set<string>();
     for (const [key, pick, when = {}] of rows) {
@@ -201,8 +200,10 @@ export function thrown(random: () => number, groups: readonly string[], schema: 
       values.set(key, pick === '' ? '' : isRange(pick) ? inRange(random, pick, now) : word(random, pick));
     }
   }
+  // What has rows of its own, or is thrown apart.
+  const known = new Set([...Object.values(table).flatMap((rows) => rows.map(([key]) => key)), 'stone']);
   for (const parameter of schema) {
-    if (groups.includes(parameter.group) && !parameter.steady && !KNOWN.has(parameter.key)) values.set(parameter.key, anywhere(random, parameter));
+    if (groups.includes(parameter.group) && !parameter.steady && !known.has(parameter.key)) values.set(parameter.key, anywhere(random, parameter));
   }
   const recipe: Recipe = { schema, valuesOf: (key) => [now(key)], defaultOf: (parameter) => parameter.default };
   return [...values].map(([key, text]) => {

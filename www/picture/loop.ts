@@ -191,7 +191,7 @@ export class Loop {
     const now = changed ? performance.now() : begin;
     const due = changed && now >= this.nextDrawing;
     const draw = this.owed || this.dirty || due || isEnd(stage) || (stage !== before && (this.held || stage === STEPPING));
-    const isLong = working && now - begin + this.drawing > LONG;
+    const isLong = working && now - begin + (this.painter ? PIECE : this.drawing) > LONG;
     this.owed = draw && (isLong || !this.prepared(stage));
     if (this.owed) return this.wake();
     this.dirty = false;

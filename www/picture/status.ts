@@ -3,6 +3,7 @@ import { progressOf } from '../module/stages';
 import type { Preset, Status } from '../module/types';
 import { partIn, stageIn, t } from '../words/words';
 import { byId, make, say } from '../base/dom';
+import { notice } from '../base/messages';
 
 /** Milliseconds after which the bar shows how far the work is; later where it takes its time because somebody watches. */
 const LONG = 400;
@@ -17,6 +18,8 @@ export class StatusLine {
   private readonly work = byId('work');
   private readonly way = make('span');
   private began: number | undefined;
+  /** What the caption says, and its remarks. */
+  private captioned = '';
   private words: readonly string[] = [];
 
   constructor() {
@@ -63,13 +66,16 @@ export class StatusLine {
 
   /**
    * The caption: `note` where there is one (of drawings, and recipes without a name), else the preset's name, with the
-   * papers' seconds beside ours where they print them; then why something is `absent`.
+   * papers' seconds beside ours where they print them; then why something is `absent`, and a button for what is to be said
+   * of the rest.
    */
-  name(note: string, absent: Iterable<string>, preset: Preset | undefined, changed: boolean, stage: string, status: Status): void {
+  name(note: string, [absent, remarks]: [absent: Iterable<string>, remarks: readonly string[]], preset: Preset | undefined, changed: boolean, stage: string, status: Status): void {
     const parts = note || !preset ? [note] : this.named(preset, changed, stage, status);
     for (const sentence of new Set(absent)) parts.push(' – ', make('span', { class: 'absent' }, sentence));
-    const text = parts.map((part) => (typeof part === 'string' ? part : part.textContent)).join('');
-    if (this.caption.textContent !== text) this.caption.replaceChildren(...parts);
+    if (remarks.length) parts.push(' ', remarked(remarks));
+    const text = [...parts.map((part) => (typeof part === 'string' ? part : part.textContent)), ...remarks].join('');
+    if (this.captioned !== text) this.caption.replaceChildren(...parts);
+    this.captioned = text;
   }
 
   private named(preset: Preset, changed: boolean, stage: string, status: Status): (string | HTMLElement)[] {
@@ -104,6 +110,13 @@ export class StatusLine {
     const value = this.counts.get(name);
     if (value) say(value, text);
   }
+}
+
+/** Says these over the picture when it is pressed. */
+function remarked(remarks: readonly string[]): HTMLElement {
+  const button = make('button', { type: 'button', class: 'remarks' }, t('remarks', { n: remarks.length }));
+  button.addEventListener('click', () => notice('remarks', ...remarks));
+  return button;
 }
 
 function milliseconds(spent: number): string {

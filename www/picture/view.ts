@@ -59,6 +59,12 @@ export class View {
     return new Map([...found].map(([word, why]) => [word, t(`absent_${why}`)]));
   }
 
+  /** What is to be said of what stands in space, once that and its fields are made. */
+  remarks(stage: string): string[] {
+    const { stages } = this.engine.generator;
+    return stage === 'done' || stages.indexOf(stage) > stages.indexOf('fields') ? this.engine.remarks() : [];
+  }
+
   draw(): void {
     const side = this.engine.side();
     if (this.canvas.width !== side) {

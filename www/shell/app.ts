@@ -34,7 +34,7 @@ import { described } from './described';
 import { EditTools } from './edit-tools';
 import { makeLookTools } from './look-tools';
 import { offerMakes } from './makes';
-import { partsOf, type Parts } from './parts';
+import { OFFERED, partsOf, type Parts } from './parts';
 import { refine } from './refine';
 import { scriptFace, type ScriptFace } from './scripts';
 import { tellCrash } from './trouble';
@@ -45,17 +45,6 @@ const SETTLED = 400;
 const FILE = 'file';
 /** Frames that the first cells may take before the panel comes all the same. */
 const PATIENCE = 12;
-
-/** Parts of the page that only some generators need, and what opens them. */
-const OFFERED = [
-  ['outline', 'edit-tools'],
-  ['probe', 'cells'],
-  ['layers', 'layers-button'],
-  ['tiles', 'tile-button'],
-  ['compare', 'compare-button'],
-  ['turn', 'turn-button'],
-  ['plots', 'plots-button'],
-] as const;
 
 export class App {
   private readonly engine: Engine;
@@ -78,8 +67,6 @@ export class App {
   private finish = (): void => undefined;
   /** A timer: the end of the work is told once it lasts. */
   private telling = 0;
-  /** What was said of what is made. */
-  private remarked = '';
   /** Visitors who asked for less motion see no cells move until they choose a speed. */
   private still = wantsStill();
 
@@ -220,6 +207,7 @@ export class App {
     store.on(['recipe', 'editing'], () => this.forming.leave());
     store.on(['recipe'], () => {
       this.forming.endAhead();
+      clear('remarks');
       this.parts.editor.here?.follow();
       this.loop.changed();
     });
@@ -352,7 +340,8 @@ export class App {
     this.begun ||= changed && status.cells > 0;
     this.forming.follow(stage, this.begun);
     this.status.show(stage, status, this.loop.watch !== undefined);
-    this.status.name(this.view.note || (preset ? '' : described(this.engine)), this.view.absences().values(), preset?.shown, preset?.recipe !== recipe, stage, status);
+    const remarks = this.view.remarks(stage);
+    this.status.name(this.view.note || (preset ? '' : described(this.engine)), [this.view.absences().values(), remarks], preset?.shown, preset?.recipe !== recipe, stage, status);
     this.report(stage);
     if (stage === 'error') this.stuck();
     if (stage === 'done') this.finish();
@@ -380,7 +369,6 @@ export class App {
     const before = this.store.state.stage;
     if (stage === before) return;
     if (before === 'error') clear('trouble');
-    this.remark(stage);
     // A pause holds one forming, not the next.
     this.store.update(isEnd(stage) ? { stage, paused: false } : { stage });
     const { cells, steps } = this.engine.status();
@@ -390,17 +378,6 @@ export class App {
     // There is time now; without a storage the next visit unpacks the module again.
     keepModules().catch(() => undefined);
     this.telling = window.setTimeout(() => say(byId('live'), t('done', { cells, steps })), SETTLED);
-  }
-
-  /** What is to be said of a surface in space, once that and its fields are made: once for the same. */
-  private remark(stage: string): void {
-    const { engine } = this;
-    const { stages } = engine.generator;
-    const isKnown = stage === 'done' || stages.indexOf(stage) > stages.indexOf('fields');
-    const sentences = isKnown ? engine.remarks() : [];
-    if (!isKnown && engine.isSpace) return;
-    if (sentences.join() !== this.remarked) notice('remarks', ...sentences);
-    this.remarked = sentences.join();
   }
 
   /** The next change is an entry of its own in the browser's history. */

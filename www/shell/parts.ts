@@ -4,6 +4,17 @@ import type { Work } from '../state/work';
 import type { Loop } from '../picture/loop';
 import type { View } from '../picture/view';
 
+/** Those that only some generators need, and what opens them. */
+export const OFFERED = [
+  ['outline', 'edit-tools'],
+  ['probe', 'cells'],
+  ['layers', 'layers-button'],
+  ['tiles', 'tile-button'],
+  ['compare', 'compare-button'],
+  ['turn', 'turn-button'],
+  ['plots', 'plots-button'],
+] as const;
+
 export type Parts = ReturnType<typeof partsOf>;
 
 export function partsOf(work: Work, view: View, loop: Loop) {

@@ -86,7 +86,7 @@ export class Engine {
   /** The parameters of what is made now. */
   get schema(): Parameter[] {
     const { word } = this.generator;
-    return kept(this.rows, word, () => this.guard(() => this.module?.schema(word).map(parameterIn), undefined) ?? []);
+    return kept(this.rows, word, () => this.guard(() => this.module?.schema(word).map((row) => parameterIn(word, row)), undefined) ?? []);
   }
 
   /** The presets of what is made now. */

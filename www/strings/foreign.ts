@@ -2,7 +2,7 @@ import type { Notice } from '../module/types';
 
 /** What a language other than English says for the words that come from the module. */
 export interface Foreign {
-  /** By the parameter's key. */
+  /** By the parameter's key; by generator and key, as `surface.dir`, where that is another one than the first generator's. */
   parameters: Record<string, { name: string; help: string; choices?: Record<string, string> }>;
   units: Record<string, string>;
   /** What can be made, by its word. */

@@ -1,9 +1,11 @@
 /** The module's words in Japanese. The terms are those of Miyata, Itoh and Shimada (2001). */
 import type { Foreign } from './foreign';
 import { japanese } from './ja-notices';
+import * as surface from './ja-surface';
 
 /** By key: the name, the help, and the choices' labels. */
 const parameters: Foreign['parameters'] = {
+  ...surface.parameters,
   outline: {
     name: '輪郭',
     help: '敷き詰める領域の形。',
@@ -117,6 +119,7 @@ const parameters: Foreign['parameters'] = {
 };
 
 const presets: Foreign['presets'] = {
+  ...surface.presets,
   ring: { title: '花崗岩の輪', note: 'いつもここから始まります。敷石がぐるりと巡ります。' },
   'wet-arches': { title: '雨のアーチ', note: '弧を描く斑岩の敷石が、目地まで濡れて、ランプ一つの下に。' },
   dragon: { title: '竜', note: '稜のある鱗が首の曲がりに従い、深紅から金へ。' },
@@ -197,11 +200,11 @@ const presets: Foreign['presets'] = {
 
 export const foreign: Foreign = {
   parameters,
-  makes: { pavement: '舗装と皮' },
+  makes: { pavement: '舗装と皮', surface: '空間の曲面' },
   units: {},
   groups: {
-    Outline: '輪郭', Cells: 'セル', Size: '大きさ', Direction: '方向', Packing: '充填', Relief: '立体', Surface: '表面', Colour: '色', Weather: '風化', Light: '光',
-    Showpieces: '見どころ', Pavements: '石畳', 'Seamless textures': '継ぎ目のないテクスチャ', Gallery: 'ギャラリー', 'Kinds, fields': '種類と場', 'Papers: stone': '論文：石畳', 'Paper: skin': '論文：皮膚',
+    Outline: '輪郭', Shape: '形', Picture: '画像', Cells: 'セル', Size: '大きさ', Direction: '方向', Packing: '充填', Relief: '立体', Surface: '表面', Colour: '色', Weather: '風化', Light: '光',
+    Surfaces: '曲面', Showpieces: '見どころ', Pavements: '石畳', 'Seamless textures': '継ぎ目のないテクスチャ', Gallery: 'ギャラリー', 'Kinds, fields': '種類と場', 'Papers: stone': '論文：石畳', 'Paper: skin': '論文：皮膚',
   },
   presets,
   figure: (text) => text.replace(/Fig\. (\d+ \(\w+\)) of (\d{4})/g, '$2年 図$1').replace(', ', '・'),

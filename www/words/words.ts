@@ -60,9 +60,9 @@ function known(key: string): string | undefined {
   return (words as Partial<Record<string, string>>)[key];
 }
 
-/** A parameter with its names and help in the language in use. */
-export function parameterIn(parameter: Parameter): Parameter {
-  const own = foreign?.parameters[parameter.key];
+/** A parameter of a generator with its names and help in the language in use. */
+export function parameterIn(generator: string, parameter: Parameter): Parameter {
+  const own = foreign?.parameters[`${generator}.${parameter.key}`] ?? foreign?.parameters[parameter.key];
   if (!foreign || !own) return parameter;
   return {
     ...parameter,

@@ -1,0 +1,222 @@
+// Surfaces in space: bodies are all that is seen of them, from any side and at any time.
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { sameEverywhere } from './browsers.mjs';
+import { open } from './harness.mjs';
+import { all, click, digest, frames, get, link, phone, reloading, set, SMALL } from './page.mjs';
+import { dialog, opened, saved } from './saved.mjs';
+import { box, drag, spot } from './sheet.mjs';
+
+/** @typedef {import('puppeteer-core').Page} Page */
+
+/** @type {Awaited<ReturnType<typeof open>>} */
+let site;
+
+before(async () => {
+  site = await open();
+});
+
+after(() => site?.close());
+
+/** Some stones on a ball. */
+const BALL = '#v=1&make=surface&form=sphere&size=128&cn=60';
+
+/** Waits until what is wished for is shown as smoothly as it can be, or as the word says. @param {Page} page */
+const turned = (page, word = 'fine') => page.waitForSelector(`#sheet[data-turn="${word}"]`, { timeout: 60_000 });
+
+/** A frame, and how many colours it has. @param {Page} page @param {string} [canvas] */
+const frame = (page, canvas = '#turn canvas') =>
+  page.$eval(canvas, (element) => {
+    const { width, height } = /** @type {HTMLCanvasElement} */ (element);
+    const context = /** @type {OffscreenCanvasRenderingContext2D} */ (new OffscreenCanvas(width, height).getContext('2d'));
+    context.drawImage(/** @type {HTMLCanvasElement} */ (element), 0, 0);
+    const pixels = new Uint32Array(context.getImageData(0, 0, width, height).data.buffer);
+    let hash = 2166136261;
+    for (const pixel of pixels) hash = Math.imul(hash ^ pixel, 16777619) >>> 0;
+    return { hash, colours: new Set(pixels).size };
+  });
+
+/** What is told of it. @param {Page} page */
+const told = (page) => page.$eval('#turn-seen', (text) => text.textContent);
+
+/** Waits until that says so. @param {Page} page @param {RegExp} words */
+const tells = (page, words) => page.waitForFunction((source) => new RegExp(source).test(document.querySelector('#turn-seen')?.textContent ?? ''), { timeout: 60_000 }, words.source);
+
+/** Whether each of these is to be seen. @param {Page} page @param {string[]} ids */
+const seen = (page, ids) => page.evaluate((names) => names.filter((id) => document.getElementById(id)?.checkVisibility({ visibilityProperty: true })), ids);
+
+test('a surface shows its stones and nothing else, and is not left', sameEverywhere, async () => {
+  const { page, problems, external, close } = await site.newPage(BALL);
+  await turned(page);
+  const first = await frame(page);
+  assert.ok(first.colours > 100, `${first.colours} colours`);
+  assert.match(await told(page), /^\d+ stones, seen from the front right, 20 degrees above the ground, from near\.$/);
+  await page.focus('#turn');
+  for (const key of ['Escape', 'g', 'e', 't', 'p', 'o']) await page.keyboard.press(key);
+  assert.notEqual(await page.$('#turn'), null);
+  assert.deepEqual(await seen(page, ['canvas', 'edit-tools', 'cells', 'layers-button', 'tile-button', 'turn-button', 'turn-end', 'plots-button', 'compare-button', 'light-button', 'turn']), ['compare-button', 'light-button', 'turn']);
+  // The panel has the numbers of this shape alone, and nothing that is drawn on a picture.
+  await all(page);
+  const rows = await page.$$eval('.control', (controls) => controls.filter((control) => control.checkVisibility({ contentVisibilityAuto: true })).map((control) => control.getAttribute('data-key')));
+  assert.deepEqual(rows.filter((key) => /^(sphere|torus|leg)_/.test(key ?? '')), ['sphere_height', 'sphere_depth', 'sphere_square']);
+  assert.deepEqual(rows.filter((key) => ['size', 'strokes', 'spots', 'lines', 'model'].includes(key ?? '')), []);
+  // Another value, and the way back.
+  await set(page, 'palette', 'marble');
+  await page.waitForFunction(() => document.querySelector('#sheet')?.getAttribute('data-turn') !== 'fine');
+  await turned(page);
+  assert.notEqual((await frame(page)).hash, first.hash);
+  await click(page, '#undo');
+  await page.waitForFunction(() => document.querySelector('#sheet')?.getAttribute('data-turn') !== 'fine');
+  await turned(page);
+  assert.equal((await frame(page)).hash, first.hash);
+  assert.deepEqual([problems, external], [[], []]);
+  await close();
+});
+
+test('it is turned while the cells are packed, held, and packed on', async () => {
+  const { page, problems, close } = await site.newPage(`${BALL}&pace=0.05`);
+  await page.waitForFunction(() => document.documentElement.dataset['stage'] === 'packing');
+  await click(page, '#play');
+  await turned(page);
+  const steps = await page.evaluate(() => window.bubblestone.status().steps);
+  const held = await frame(page);
+  assert.match(await told(page), /^\d+ cells as they are packed, seen from the front right/);
+  const from = await spot(page, 0.5, 0.5);
+  const { width } = await box(page, '#sheet');
+  await drag(page, from, { x: from.x + (75 / 220) * width, y: from.y });
+  await page.mouse.up();
+  await tells(page, /from the front left/);
+  await turned(page);
+  assert.notEqual((await frame(page)).hash, held.hash);
+  const before = await frame(page);
+  await click(page, '#step');
+  await page.waitForFunction((made) => window.bubblestone.status().steps > made, {}, steps);
+  await page.waitForFunction(() => document.documentElement.dataset['stage'] === 'packing');
+  await turned(page);
+  // On it goes, and is turned meanwhile.
+  await click(page, '#play');
+  await turned(page, 'moving');
+  assert.notEqual((await frame(page)).hash, before.hash);
+  await drag(page, from, { x: from.x - (75 / 220) * width, y: from.y });
+  assert.equal(await page.evaluate(() => document.documentElement.dataset['stage']), 'packing');
+  await page.mouse.up();
+  await click(page, '#speed [value="100000"]');
+  await digest(page);
+  await tells(page, /^\d+ stones, seen from the front right/);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('a link has view and camera, and opens so again', sameEverywhere, async () => {
+  const { page, problems, close } = await site.newPage(`${BALL}&view=direction&camera=90,-10`);
+  await turned(page);
+  await tells(page, /^The directions, seen from the left, 10 degrees below, from near\.$/);
+  assert.equal(await page.$eval('#view', (select) => /** @type {HTMLSelectElement} */ (select).value), 'direction');
+  const caption = await page.$eval('#caption', (text) => text.textContent);
+  const [, positive, negative, sum, euler] = /(\d+) singular points of positive index and (\d+) of negative index: they sum to ([−\d.]+), the Euler characteristic is ([−\d]+)\./.exec(caption ?? '') ?? [];
+  assert.deepEqual([sum, euler], ['2', '2'], caption ?? '');
+  assert.equal((Number(positive) - Number(negative)) / 4, 2);
+  const first = await frame(page);
+  await click(page, '#share');
+  await page.waitForSelector('#share-seen');
+  await click(page, '#share-seen');
+  assert.match(await page.$eval('#share-link', (field) => /** @type {HTMLInputElement} */ (field).value), /&view=direction&camera=90,-10$/);
+  await page.keyboard.press('Escape');
+  await reloading(page, () => page.reload());
+  await turned(page);
+  assert.deepEqual(await frame(page), first);
+  for (const key of ['2', '0']) await page.keyboard.press(key);
+  await tells(page, /^\d+ stones, seen from the left/);
+  assert.equal(await link(page), BALL.slice(1));
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('a pavement and a surface are chosen one after the other, and each is seen in its way', async () => {
+  const { page, problems, close } = await site.newPage(SMALL);
+  const planes = await digest(page);
+  await page.evaluate((fragment) => (location.hash = fragment), BALL);
+  await page.waitForSelector('.make[data-make=surface][aria-current]');
+  await turned(page);
+  await tells(page, /stones, seen from the front right/);
+  await click(page, '.make[data-make=pavement]');
+  await page.waitForSelector('.make[data-make=pavement][aria-current]');
+  assert.equal(await digest(page), planes);
+  assert.deepEqual(await seen(page, ['canvas', 'turn', 'turn-button', 'edit-tools']), ['canvas', 'turn-button', 'edit-tools']);
+  await page.keyboard.press('g');
+  await turned(page);
+  assert.match(await told(page), /seen from the lower right, 40 degrees/);
+  await click(page, '.make[data-make=surface]');
+  await tells(page, /seen from the front right, 20 degrees/);
+  assert.equal(await get(page, 'cn'), '60');
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('a surface is taken away as a picture and a mesh, and compared with another one', sameEverywhere, async () => {
+  const { page, problems, close } = await opened(site, BALL);
+  await digest(page);
+  const { name, bytes } = await saved(page, '#save-turn');
+  assert.equal(name, 'bubblestone-sphere-1-turn.png');
+  assert.equal(new DataView(bytes.buffer, bytes.byteOffset).getUint32(16), 1024);
+  const { name: mesh, bytes: glb } = await saved(page, '#save-glb', { detail: 'low' });
+  assert.equal(mesh, 'bubblestone-sphere-1.glb');
+  assert.equal(new TextDecoder().decode(glb.subarray(0, 4)), 'glTF');
+  await dialog(page);
+  assert.deepEqual(await page.$$eval('#save-dialog section', (rows) => rows.map((row) => row.getAttribute('aria-label'))), ['Picture', 'Film', 'Mesh', 'Recipe']);
+  await page.keyboard.press('Escape');
+  await click(page, '#compare-button');
+  await page.waitForSelector('#divider');
+  await page.select('#compare-with', 'link');
+  await page.$eval('#compare-link', (field, text) => {
+    /** @type {HTMLInputElement} */ (field).value = text;
+    field.dispatchEvent(new Event('change'));
+  }, `${BALL}&palette=terracotta`);
+  await page.waitForFunction(() => document.querySelector('.compare-progress')?.textContent === '', { timeout: 60_000 });
+  await page.waitForFunction(() => /** @type {HTMLCanvasElement | null} */ (document.querySelector('#sheet > .other'))?.width === /** @type {HTMLCanvasElement | null} */ (document.querySelector('#turn canvas'))?.width);
+  assert.notEqual((await frame(page, '#sheet > .other')).hash, (await frame(page)).hash);
+  await click(page, '#compare-beside');
+  await page.waitForFunction(() => document.querySelector('#play')?.getAttribute('data-does') === 'again' && /[1-9]/.test(document.querySelector('#beside-name span')?.textContent ?? ''), { timeout: 60_000 });
+  const at = await box(page, '#beside');
+  await drag(page, { x: at.x + 50, y: at.y + 100 }, { x: at.x + 50 + (120 / 220) * at.width, y: at.y + 100 });
+  await page.mouse.up();
+  await tells(page, /from the (left|front left|back left)/);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('in another page it is seen and turned, with a button beside it', sameEverywhere, async () => {
+  const { page, problems, close } = await site.newPage(`?embed${BALL}&camera=100,30`, { viewport: { width: 480, height: 480 } });
+  await turned(page);
+  assert.match(await told(page), /^\d+ stones, seen from the left, 30 degrees/);
+  const play = await box(page, '.embed-play');
+  assert.ok(play.width < 60, `the button is ${play.width} wide`);
+  await page.focus('#turn');
+  await page.keyboard.press('ArrowRight');
+  await tells(page, /seen from the (left|back left), 30 degrees/);
+  await page.evaluate((fragment) => (location.hash = fragment), SMALL);
+  await page.waitForFunction(() => !document.querySelector('#turn') && document.documentElement.dataset['stage'] === 'done');
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('on a phone one finger turns it, and the page is scrolled', async () => {
+  const { page, problems, close } = await site.newPage(BALL, { viewport: phone });
+  await turned(page);
+  const before = await told(page);
+  assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), phone.width);
+  const at = await spot(page, 0.5, 0.5);
+  const stroke = async (dx, dy) => {
+    const finger = await page.touchscreen.touchStart(at.x, at.y);
+    for (let k = 1; k <= 5; k += 1) await finger.move(at.x + (k * dx) / 5, at.y + (k * dy) / 5);
+    await finger.end();
+    await frames(page, 3);
+  };
+  await stroke(0, -60);
+  assert.equal(await told(page), before);
+  await page.evaluate(() => scrollTo(0, 0));
+  await stroke(150, 0);
+  await page.waitForFunction((was) => document.querySelector('#turn-seen')?.textContent !== was, {}, before);
+  assert.deepEqual(problems, []);
+  await close();
+});
