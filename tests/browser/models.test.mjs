@@ -45,6 +45,9 @@ const chooses = (page, name, content) =>
 /** Waits until a value of the recipe is this. @param {Page} page @param {string} key @param {string} value */
 const until = (page, key, value) => page.waitForFunction((name, text) => /** @type {any} */ (window).bubblestone.get(name) === text, {}, key, value);
 
+/** Waits until the last frame is of what there is. @param {Page} page */
+const seen = (page) => page.waitForSelector('#sheet[data-turn=fine]');
+
 /** The link and the digest of a box with 60 cells, which the first test makes. */
 let box60 = { fragment: '', digest: '' };
 
@@ -98,6 +101,9 @@ test('a model dropped anywhere becomes a surface, and one that cannot be read sa
   await page.waitForSelector('.make[data-make=surface][aria-current]');
   await until(page, 'form', 'file');
   assert.notEqual(await digest(page), '');
+  // One side is turned over, and another one is there twice.
+  await drop(page, 'mended.obj', `${cube(1.5).replace('f 1 2 6 5', 'f 5 6 2 1')}f 2 4 8 6\n`, '');
+  await message(page, 'status', /mended\.obj is open, and this of it was mended.*left out: 2.*turned: 2/);
   await drop(page, 'half.obj', 'v 0 0 0\nv 1 0 0\nv 1\n', '');
   await message(page, 'alert', /Line 3 of the OBJ file/);
   assert.deepEqual(problems, []);
@@ -108,6 +114,7 @@ test('the file of a recipe holds the model', async () => {
   const first = await opened(site, box60.fragment);
   await first.page.waitForSelector('.asked');
   await drop(first.page, 'box.obj', cube(1.5), '');
+  await first.page.waitForFunction(() => !document.querySelector('.asked'));
   assert.equal(await digest(first.page), box60.digest);
   const { bytes } = await saved(first.page, '#save-recipe');
   const { file } = JSON.parse(new TextDecoder().decode(bytes));
@@ -126,7 +133,7 @@ test('the file of a recipe holds the model', async () => {
 test('strokes are painted on the surface, one step each, and taken away by a click', async () => {
   const { page, problems, close } = await site.newPage('#v=1&make=surface&size=128&cn=100&form=sphere');
   await digest(page);
-  await page.waitForSelector('#sheet[data-turn=fine]');
+  await seen(page);
   await click(page, '#paint-strokes');
   const { x, y, width, height } = await box(page, '#turn');
   const [cx, cy] = [x + width / 2, y + height / 2];
@@ -142,17 +149,17 @@ test('strokes are painted on the surface, one step each, and taken away by a cli
   await until(page, 'strokes', '');
   await click(page, '#redo');
   await page.waitForFunction(() => /** @type {any} */ (window).bubblestone.get('strokes') !== '');
-  await page.waitForSelector('#sheet[data-turn=fine]');
+  await seen(page);
   await click(page, '#paint-erase');
   await page.mouse.click(cx, cy - 15);
   await until(page, 'strokes', '');
   // By keys: two points in the middle of what is seen, and the end of the line.
-  await page.waitForSelector('#sheet[data-turn=fine]');
+  await seen(page);
   await click(page, '#paint-lines');
   await page.focus('#turn');
   await page.keyboard.press('Enter');
   for (const key of ['ArrowLeft', 'ArrowLeft']) await page.keyboard.press(key);
-  await page.waitForSelector('#sheet[data-turn=fine]');
+  await seen(page);
   await page.keyboard.press('Enter');
   await page.waitForFunction(() => /^Point 2/.test(document.querySelector('#paint-told')?.textContent ?? ''));
   await page.keyboard.press('Enter');
@@ -166,7 +173,7 @@ test('strokes are painted on the surface, one step each, and taken away by a cli
 test('with a tool one finger paints, and two turn the model', async () => {
   const { page, problems, close } = await site.newPage('#v=1&make=surface&size=128&cn=100&form=sphere', { viewport: phone });
   await digest(page);
-  await page.waitForSelector('#sheet[data-turn=fine]');
+  await seen(page);
   const painting = await page.waitForSelector('#paint-strokes');
   await painting?.tap();
   await page.waitForSelector('.turn-frame[data-paint]');
@@ -178,7 +185,7 @@ test('with a tool one finger paints, and two turn the model', async () => {
   for (let k = 1; k <= 5; k += 1) for (const [which, finger] of fingers.entries()) await finger.move(cx + (which ? 1 : -1) * (15 + 15 * k), cy);
   for (const finger of fingers) await finger.end();
   await page.waitForFunction((then) => document.querySelector('#turn-seen')?.textContent !== then, {}, before);
-  await page.waitForSelector('#sheet[data-turn=fine]');
+  await seen(page);
   assert.equal(await get(page, 'strokes'), '');
   const finger = await page.touchscreen.touchStart(cx - 40, cy);
   for (let k = 1; k <= 4; k += 1) await finger.move(cx - 40 + 20 * k, cy);

@@ -24,6 +24,7 @@ const PATIENCE = 400;
 /** Those that this page got. */
 const here = new Map<string, Kept>();
 let channel: BroadcastChannel | undefined;
+let base: Promise<IDBDatabase> | undefined;
 
 /** Keeps a file; false where it is gone with this page, as there is no storage, or no room. */
 export async function keepFile(digest: string, name: string, file: Blob): Promise<boolean> {
@@ -53,9 +54,11 @@ export async function dropFile(digest: string): Promise<void> {
 
 async function stored(digest: string): Promise<Kept | undefined> {
   try {
-    const kept = (await within('readonly', (store) => store.get(digest))) as Kept | undefined;
-    if (kept) await within('readwrite', (store) => store.put({ ...kept, used: Date.now() }));
-    return kept;
+    return await within<Kept | undefined>('readwrite', (store) => {
+      const asked = store.get(digest) as IDBRequest<Kept | undefined>;
+      asked.onsuccess = () => asked.result && store.put({ ...asked.result, used: Date.now() });
+      return asked;
+    });
   } catch {
     return undefined;
   }
@@ -76,24 +79,39 @@ async function makeRoom(newest: string): Promise<void> {
 
 /** Has one thing done in the storage. */
 async function within<T>(mode: IDBTransactionMode, act: (store: IDBObjectStore) => IDBRequest<T>): Promise<T> {
-  const base = await new Promise<IDBDatabase>((resolve, reject) => {
+  const transaction = (await (base ??= opened())).transaction(STORE, mode);
+  const done = new Promise<void>((resolve, reject) => {
+    transaction.oncomplete = () => resolve();
+    transaction.onabort = transaction.onerror = () => reject(transaction.error ?? new Error());
+  });
+  const request = act(transaction.objectStore(STORE));
+  await done;
+  return request.result;
+}
+
+/** The storage, which stays open: some browsers can read a file only as long as what it came from is. */
+function opened(): Promise<IDBDatabase> {
+  const forget = (): void => {
+    base = undefined;
+  };
+  return new Promise((resolve, reject) => {
     const opening = indexedDB.open(NAME, 1);
     opening.onupgradeneeded = () => opening.result.createObjectStore(STORE, { keyPath: 'digest' });
-    opening.onsuccess = () => resolve(opening.result);
-    opening.onerror = opening.onblocked = () => reject(opening.error ?? new Error());
+    opening.onsuccess = () => {
+      const { result } = opening;
+      result.onclose = forget;
+      // Another page, of a later build, has something to change.
+      result.onversionchange = () => {
+        result.close();
+        forget();
+      };
+      resolve(result);
+    };
+    opening.onerror = opening.onblocked = () => {
+      forget();
+      reject(opening.error ?? new Error());
+    };
   });
-  try {
-    const transaction = base.transaction(STORE, mode);
-    const done = new Promise<void>((resolve, reject) => {
-      transaction.oncomplete = () => resolve();
-      transaction.onabort = transaction.onerror = () => reject(transaction.error ?? new Error());
-    });
-    const request = act(transaction.objectStore(STORE));
-    await done;
-    return request.result;
-  } finally {
-    base.close();
-  }
 }
 
 /** This page tells others what it has. */

@@ -1,6 +1,8 @@
 /** What surfaces in space have on the page beside what all pictures have: files of models, and tools to paint on them. */
 import { t } from '../words/space';
+import { said } from '../words/words';
 import { make } from '../base/dom';
+import { notice } from '../base/messages';
 import type { Later } from '../base/later';
 import type { Work } from '../state/work';
 import type { PageTurntable } from '../turn/page';
@@ -10,11 +12,16 @@ import { Painter } from './paint/painter';
 import { TOOLS } from './paint/tools';
 import '../styles/late/space.css';
 
+/** The place of the stage that has mended a file. */
+const MADE = 0;
+
 export class Space {
   private readonly work: Work;
   private readonly turn: Later<PageTurntable>;
   private readonly again: () => void;
   private painter: Painter | undefined;
+  /** The file that was opened last, until it is told what of it was mended. */
+  private opened = '';
   private readonly asked = new Asked(() => this.choose());
   private readonly file = make('input', { type: 'file', id: 'model-file', accept: '.obj,.glb,.ply,.stl', hidden: '', 'aria-label': t('choose') });
 
@@ -40,6 +47,7 @@ export class Space {
 
   /** A file that was chosen or dropped. */
   take(file: File): Promise<void> {
+    this.opened = file.name;
     return openModel(this.work, file, this.again);
   }
 
@@ -58,7 +66,20 @@ export class Space {
     const { engine, store } = this.work;
     const { stage } = store.state;
     this.asked.show(stage === 'error' ? engine.missing()?.name : undefined);
+    this.tell();
     if (engine.isSpace) this.turn.ask((page) => void this.painted(page));
+  }
+
+  /** What was mended of a file that was opened, once that is known. */
+  private tell(): void {
+    const { engine } = this.work;
+    const { stages } = engine.generator;
+    const stage = engine.stage();
+    if (stage === 'error' && !engine.missing()) this.opened = '';
+    if (this.opened === '' || engine.get('form') !== 'file' || (stage !== 'done' && stages.indexOf(stage) <= MADE)) return;
+    const mended = engine.inSpace((studio) => studio.remarks(), []).filter(({ code }) => code.startsWith('mended'));
+    if (mended.length) notice('files', t('mended', { name: this.opened }), ...mended.map(said));
+    this.opened = '';
   }
 
   private painted(page: PageTurntable): Painter {

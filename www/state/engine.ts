@@ -45,6 +45,8 @@ export class Engine {
   /** The digest of the file that is looked for, or was not to be had; '' where the recipe needs none. */
   private sought = '';
   private seeking = false;
+  /** Counts the searches: one that is not the last one hands nothing over. */
+  private searches = 0;
   private readonly rows = new Map<string, Parameter[]>();
   private readonly known = new Map<string, Preset[]>();
 
@@ -313,7 +315,8 @@ export class Engine {
     this.sought = digest;
     this.seeking = digest !== '';
     if (!this.seeking) return;
-    const wanted = (): boolean => this.core === core && this.sought === digest;
+    const search = (this.searches += 1);
+    const wanted = (): boolean => this.core === core && this.seeking && this.searches === search;
     const found = import('../module/given').then(({ supply }) => supply(core, wanted));
     // What fails here fails when it is worked on, too, or the file is asked for.
     void found.catch(() => false).then(() => wanted() && (this.seeking = false));

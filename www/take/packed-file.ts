@@ -10,8 +10,8 @@ import { Parts } from './files/parts';
 const BYTES = '"gzip": "';
 
 /** Bytes of a piece, and of its text. */
-const PIECE = 3 << 18;
-const TEXT = 4 << 18;
+const PIECE = 3 << 16;
+const TEXT = 4 << 16;
 
 /** The file that a recipe names: its digest as 16 hex digits, and its name. */
 function named(engine: Engine): { digest: string; name: string } | undefined {

@@ -62,6 +62,10 @@ export class Tools {
       key.hidden = !useful.includes(word);
     }
     this.flip.setAttribute('aria-pressed', String(flipped));
+    // One of them is a stop for Tab.
+    const all = [...this.buttons.values(), this.flip];
+    const stop = (tool && this.buttons.get(tool)) ?? all.find((key) => !key.hidden);
+    for (const key of all) key.tabIndex = key === stop ? 0 : -1;
     this.label.hidden = tool !== 'spots' && tool !== 'stretch';
     if (tool === this.tool) return;
     this.tool = tool;
