@@ -5,11 +5,12 @@ use super::walls::SurfaceWalls;
 use crate::packing::ground::Sees;
 use crate::surface::{SurfacePoint, TriMesh, Turn, way};
 use glam::{DVec2, DVec3};
+use std::sync::Arc;
 
 /// A mesh with all that packing asks of it: its parts, its area, and its walls.
 #[derive(Clone, Debug)]
 pub struct Site {
-    mesh: TriMesh,
+    mesh: Arc<TriMesh>,
     /// Of each triangle the part that it belongs to.
     part: Vec<u32>,
     parts: usize,
@@ -21,7 +22,8 @@ pub struct Site {
 
 impl Site {
     /// Of a mesh on which no cell is longer than this.
-    pub fn new(mesh: TriMesh, longest: f64) -> Self {
+    pub fn new(mesh: impl Into<Arc<TriMesh>>, longest: f64) -> Self {
+        let mesh = mesh.into();
         let (part, parts) = mesh.parts();
         let mut sum = 0.0;
         let areas = (0..mesh.triangles().len() as u32).map(|t| {
@@ -90,6 +92,7 @@ impl Sees for &Site {
     type Place = SurfacePoint;
     type Turn = Turn;
     type Grid = Boxes;
+    const WALKS: bool = true;
 
     fn area(self) -> f64 {
         self.mesh.area()
