@@ -80,7 +80,7 @@ impl Front {
         {
             shape.turn(self.honeycombs[own]);
         }
-        for p in slots(centre, shape, ground) {
+        for p in slots(centre, shape, ground, |_| true) {
             let p = ground.sight().home(p);
             if placed.is_free(ground, p, FRONT_GAP)
                 && ground.has_room(p)
@@ -102,15 +102,20 @@ impl Front {
     }
 }
 
-/// The places of neighbours that touch a cell.
+/// The places of neighbours that touch a cell, where they are wanted.
 pub(super) fn slots<G: Ground>(
     centre: G::Place,
     shape: Shape,
     ground: G,
+    is_wanted: impl Fn(DVec2) -> bool,
 ) -> impl Iterator<Item = G::Place> {
-    shape.places().map(move |to| {
+    let wanted = shape.places().filter(move |&to| is_wanted(to));
+    wanted.map(move |to| {
         let (there, _) = ground.sight().beyond(centre, shape.size * to);
         let far = 0.5 * (shape.size + ground.fields().size(there));
+        if far == shape.size {
+            return there;
+        }
         ground.sight().beyond(centre, far * to).0
     })
 }

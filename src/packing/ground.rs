@@ -60,6 +60,8 @@ pub(crate) trait Sees: Copy {
     type Place: Copy + Debug;
     type Turn: Carry;
     type Grid: Buckets<Self::Place>;
+    /// Is it work to go from place to place?
+    const WALKS: bool;
 
     /// The area that is packed.
     fn area(self) -> f64;

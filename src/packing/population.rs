@@ -36,6 +36,10 @@ const WINDOW: usize = 3;
 const GAP: f64 = 1.2;
 /// ... and its middle at least so far from all cells.
 const SQUEEZED: f64 = 0.58;
+/// Where going to a place is work: none is gone to that another body is nearer to than this, where that body ...
+const TAKEN: f64 = 0.4;
+/// ... leaves no gap, being at most so far.
+const TOUCHING: f64 = 1.15;
 /// The next cell of a row is nearer than this to where it would touch.
 const ROW: f64 = 0.55;
 /// The largest share of the cells that is removed, or added, at once.
@@ -139,8 +143,19 @@ impl<G: Ground> Census<'_, G> {
             let place = self.ground.sight().home(p);
             Site::new(place, Shape::metric_at(self.ground.fields(), place))
         };
+        let beside = match G::Sight::WALKS {
+            true => self.beside(i),
+            false => Vec::new(),
+        };
+        let is_open = |to: DVec2| {
+            let slot = self.shapes[i].size * to;
+            let is_taken = |(r, other): &(DVec2, Shape)| {
+                self.shapes[i].normalised_distance(other, *r - slot) < TAKEN
+            };
+            !beside.iter().any(is_taken)
+        };
         let mut sites = Vec::with_capacity(8);
-        for place in slots(centre, self.shapes[i], self.ground) {
+        for place in slots(centre, self.shapes[i], self.ground, is_open) {
             let site = at(place);
             let has_corners = site.shape.kind().has_corners();
             sites.push(site);
@@ -152,6 +167,20 @@ impl<G: Ground> Census<'_, G> {
             }
         }
         sites
+    }
+
+    /// The bodies that touch one, as it sees them.
+    fn beside(&self, i: usize) -> Vec<(DVec2, Shape)> {
+        let mut beside = Vec::with_capacity(8);
+        let (at, shape) = (self.bodies[i].particle.centre, &self.shapes[i]);
+        self.any_near(at, shape, TOUCHING, |k, r, turn| {
+            let other = self.shapes[k].seen(turn);
+            if k != i && shape.is_closer(&other, r, TOUCHING) {
+                beside.push((r, other));
+            }
+            false
+        });
+        beside
     }
 
     /// The place of a site where there is room for one more cell; where the outline is narrow, the
