@@ -2,7 +2,6 @@
 
 mod chain;
 mod files;
-mod table;
 
 use crate::field::Kind;
 use crate::surface::Shape;
