@@ -6,7 +6,7 @@
 //! one instead. Rows and columns hold a whole number of cells: what is left over may lie in several
 //! gaps, none of them as wide as a cell, so rows are measured over some cells, too.
 
-use super::front::slots;
+use super::front::{is_taken, slots};
 use super::ground::{Buckets, Carry, Foot, FootOf, GridOf, Ground, Sees, TurnOf, Walled};
 use super::run::Body;
 use super::shape::Shape;
@@ -36,9 +36,7 @@ const WINDOW: usize = 3;
 const GAP: f64 = 1.2;
 /// ... and its middle at least so far from all cells.
 const SQUEEZED: f64 = 0.58;
-/// Where going to a place is work: none is gone to that another body is nearer to than this, where that body ...
-const TAKEN: f64 = 0.4;
-/// ... leaves no gap, being at most so far.
+/// Bodies that touch another leave no gap: they are at most so far from it.
 const TOUCHING: f64 = 1.15;
 /// The next cell of a row is nearer than this to where it would touch.
 const ROW: f64 = 0.55;
@@ -147,13 +145,7 @@ impl<G: Ground> Census<'_, G> {
             true => self.beside(i),
             false => Vec::new(),
         };
-        let is_open = |to: DVec2| {
-            let slot = self.shapes[i].size * to;
-            let is_taken = |(r, other): &(DVec2, Shape)| {
-                self.shapes[i].normalised_distance(other, *r - slot) < TAKEN
-            };
-            !beside.iter().any(is_taken)
-        };
+        let is_open = |to: DVec2| !is_taken(&self.shapes[i], to, &beside);
         let mut sites = Vec::with_capacity(8);
         for place in slots(centre, self.shapes[i], self.ground, is_open) {
             let site = at(place);
