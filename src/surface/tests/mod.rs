@@ -110,16 +110,22 @@ fn a_turn_and_another_scale_change_few_cells() {
 
 #[test]
 fn walls_thinner_than_a_cell_have_few_holes() {
-    let asked = Asked {
-        kind: Kind::Square,
-        aspect: 1.0,
-        cells: 800.0,
-    };
-    let size = (4.0 * std::f64::consts::PI / asked.cells).sqrt();
-    for (share, most) in [(0.25, 0.02), (0.1, 0.05)] {
+    for (kind, cells, share, most) in [
+        (Kind::Square, 800.0, 0.1, 0.01),
+        (Kind::Square, 800.0, 0.25, 0.015),
+        (Kind::Square, 250.0, 0.25, 0.01),
+        (Kind::Circle, 800.0, 0.25, 0.01),
+        (Kind::Rectangle, 800.0, 0.5, 0.01),
+    ] {
+        let asked = Asked {
+            kind,
+            aspect: if kind.is_stretched() { 2.0 } else { 1.0 },
+            cells,
+        };
+        let size = (4.0 * std::f64::consts::PI / cells).sqrt();
         let body = chain::from_file("wall", files::wall(share * size), asked);
         let figures = body.whole(asked).figures;
-        assert!(figures.holes <= most, "{share} {figures:?}");
+        assert!(figures.holes <= most, "{share} {asked:?} {figures:?}");
         assert_eq!((figures.euler, figures.doubled), (0, 0));
     }
 }
