@@ -3,6 +3,9 @@
 
 #[cfg(house)]
 pub mod scene;
+#[cfg(house)]
+#[path = "surface.rs"]
+pub mod surface;
 
 use bubblestone::domain::{Domain, Outline};
 use bubblestone::export::StageTime;
@@ -47,6 +50,11 @@ pub fn run(clock: Clock) -> Vec<Timing> {
     for cells in [500, 50_000] {
         packing_step(cells, Integrator::RungeKutta, clock, &mut timings);
     }
+    #[cfg(house)]
+    {
+        whole_way("ring", &ring(), 2_000, clock, &mut timings);
+        surface::whole_way(2_000, clock, &mut timings);
+    }
     for cells in [400, 3_000] {
         whole_way("square", &square(), cells, clock, &mut timings);
         whole_way("ring", &ring(), cells, clock, &mut timings);
@@ -67,7 +75,7 @@ fn shortest(times: impl IntoIterator<Item = f64>) -> f64 {
 }
 
 /// A ring, its hole half as wide, in a picture of 512.
-fn ring() -> Outline {
+pub fn ring() -> Outline {
     let circle = |radius: f64, sense: f64| {
         (0..180)
             .map(|k| {
@@ -144,7 +152,13 @@ fn packing_step(cells: u32, integrator: Integrator, clock: Clock, timings: &mut 
 }
 
 /// From an outline to about `cells` fitted cells, and what the direction field takes of it.
-fn whole_way(name: &str, outline: &Outline, cells: u32, clock: Clock, timings: &mut Vec<Timing>) {
+pub fn whole_way(
+    name: &str,
+    outline: &Outline,
+    cells: u32,
+    clock: Clock,
+    timings: &mut Vec<Timing>,
+) {
     let size = side_of(&Domain::from_checked(outline), cells);
     let (recipe, _) = pavement::recipe(&format!("cs={size:.2}"));
     let mut whole = Vec::new();

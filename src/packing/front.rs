@@ -11,6 +11,9 @@ use std::collections::VecDeque;
 /// Where the front has died out, a new one starts at a place this free.
 const SEED_GAP: f64 = 0.9;
 
+/// Where going to a place is work: none is gone to that a cell is nearer to than this.
+const TAKEN: f64 = 0.4;
+
 /// A front that grows from the boundary cells along the direction field, first come first served.
 pub(crate) struct Front {
     queue: VecDeque<usize>,
@@ -80,7 +83,11 @@ impl Front {
         {
             shape.turn(self.honeycombs[own]);
         }
-        for p in slots(centre, shape, ground) {
+        let beside = match G::Sight::WALKS {
+            true => placed.beside(ground, centre, &shape, 1.0 + TAKEN),
+            false => Vec::new(),
+        };
+        for p in slots(centre, shape, ground, |to| !is_taken(&shape, to, &beside)) {
             let p = ground.sight().home(p);
             if placed.is_free(ground, p, FRONT_GAP)
                 && ground.has_room(p)
@@ -102,15 +109,27 @@ impl Front {
     }
 }
 
-/// The places of neighbours that touch a cell.
+/// Does one of some cells, told by their ways and shapes, stand where a neighbour would touch?
+pub(super) fn is_taken(shape: &Shape, to: DVec2, beside: &[(DVec2, Shape)]) -> bool {
+    let slot = shape.size * to;
+    let mut each = beside.iter();
+    each.any(|(r, other)| shape.normalised_distance(other, *r - slot) < TAKEN)
+}
+
+/// The places of neighbours that touch a cell, where they are wanted.
 pub(super) fn slots<G: Ground>(
     centre: G::Place,
     shape: Shape,
     ground: G,
+    is_wanted: impl Fn(DVec2) -> bool,
 ) -> impl Iterator<Item = G::Place> {
-    shape.places().map(move |to| {
+    let wanted = shape.places().filter(move |&to| is_wanted(to));
+    wanted.map(move |to| {
         let (there, _) = ground.sight().beyond(centre, shape.size * to);
         let far = 0.5 * (shape.size + ground.fields().size(there));
+        if far == shape.size {
+            return there;
+        }
         ground.sight().beyond(centre, far * to).0
     })
 }

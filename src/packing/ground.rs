@@ -6,6 +6,7 @@
 //! what is told here costs anything, nor changes a bit.
 
 use super::BoundaryCondition;
+use super::params::{TUNING, Tuning};
 use super::shape::Shape;
 use crate::field::Kind;
 use crate::random::Random;
@@ -60,6 +61,8 @@ pub(crate) trait Sees: Copy {
     type Place: Copy + Debug;
     type Turn: Carry;
     type Grid: Buckets<Self::Place>;
+    /// Is it work to go from place to place?
+    const WALKS: bool;
 
     /// The area that is packed.
     fn area(self) -> f64;
@@ -130,6 +133,8 @@ pub(crate) trait Ground: Copy {
     type Fields: Asks<Place = Self::Place>;
     type Sight: Sees<Place = Self::Place>;
     type Walls: Walled<Place = Self::Place>;
+    /// The constants of the run.
+    const TUNING: Tuning = TUNING;
 
     fn fields(self) -> Self::Fields;
     fn sight(self) -> Self::Sight;

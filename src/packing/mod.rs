@@ -65,7 +65,7 @@ use crate::field::{Fields, Kind};
 use crate::notice::Notice;
 use glam::DVec2;
 use ground::Asks;
-pub(crate) use params::TUNING;
+pub(crate) use params::{TUNING, Tuning};
 use plane::Surroundings;
 use run::Run;
 use shape::Shape;

@@ -2,6 +2,7 @@
 
 use super::ground::{Asks, Buckets, Ground, Sees};
 use super::shape::Shape;
+use glam::DVec2;
 
 /// The front takes a place whose nearest cell is at least this far, in stable distances.
 pub(crate) const FRONT_GAP: f64 = 0.75;
@@ -37,6 +38,25 @@ impl<P: Copy, B: Buckets<P>> Placed<P, B> {
         for p in ground.empty_parts(&self.cells) {
             self.push(ground.fields(), p);
         }
+    }
+
+    /// The cells nearer than so many stable distances, as they are seen from a place.
+    pub fn beside<G: Ground<Place = P, Sight: Sees<Grid = B>>>(
+        &self,
+        ground: G,
+        p: P,
+        shape: &Shape,
+        far: f64,
+    ) -> Vec<(DVec2, Shape)> {
+        let reach = far * 0.5 * (shape.length() + self.longest);
+        let mut beside = Vec::with_capacity(8);
+        ground.sight().any_near(&self.grid, p, reach, |k| {
+            if let Some((r, turn)) = ground.sight().way_within(p, self.cells[k], reach) {
+                beside.push((r, self.shapes[k].seen(turn)));
+            }
+            false
+        });
+        beside
     }
 
     /// Is every cell at least `gap` stable distances away from this place?

@@ -93,6 +93,7 @@ impl Sees for &Domain {
     type Place = DVec2;
     type Turn = InPlane;
     type Grid = Grid;
+    const WALKS: bool = false;
 
     fn area(self) -> f64 {
         Domain::area(self)

@@ -6,7 +6,7 @@
 //! one instead. Rows and columns hold a whole number of cells: what is left over may lie in several
 //! gaps, none of them as wide as a cell, so rows are measured over some cells, too.
 
-use super::front::slots;
+use super::front::{is_taken, slots};
 use super::ground::{Buckets, Carry, Foot, FootOf, GridOf, Ground, Sees, TurnOf, Walled};
 use super::run::Body;
 use super::shape::Shape;
@@ -36,6 +36,8 @@ const WINDOW: usize = 3;
 const GAP: f64 = 1.2;
 /// ... and its middle at least so far from all cells.
 const SQUEEZED: f64 = 0.58;
+/// Bodies that touch another leave no gap: they are at most so far from it.
+const TOUCHING: f64 = 1.15;
 /// The next cell of a row is nearer than this to where it would touch.
 const ROW: f64 = 0.55;
 /// The largest share of the cells that is removed, or added, at once.
@@ -139,8 +141,13 @@ impl<G: Ground> Census<'_, G> {
             let place = self.ground.sight().home(p);
             Site::new(place, Shape::metric_at(self.ground.fields(), place))
         };
+        let beside = match G::Sight::WALKS {
+            true => self.beside(i),
+            false => Vec::new(),
+        };
+        let is_open = |to: DVec2| !is_taken(&self.shapes[i], to, &beside);
         let mut sites = Vec::with_capacity(8);
-        for place in slots(centre, self.shapes[i], self.ground) {
+        for place in slots(centre, self.shapes[i], self.ground, is_open) {
             let site = at(place);
             let has_corners = site.shape.kind().has_corners();
             sites.push(site);
@@ -152,6 +159,20 @@ impl<G: Ground> Census<'_, G> {
             }
         }
         sites
+    }
+
+    /// The bodies that touch one, as it sees them.
+    fn beside(&self, i: usize) -> Vec<(DVec2, Shape)> {
+        let mut beside = Vec::with_capacity(8);
+        let (at, shape) = (self.bodies[i].particle.centre, &self.shapes[i]);
+        self.any_near(at, shape, TOUCHING, |k, r, turn| {
+            let other = self.shapes[k].seen(turn);
+            if k != i && shape.is_closer(&other, r, TOUCHING) {
+                beside.push((r, other));
+            }
+            false
+        });
+        beside
     }
 
     /// The place of a site where there is room for one more cell; where the outline is narrow, the

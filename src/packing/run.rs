@@ -3,7 +3,7 @@
 use super::ground::{Asks, Ground};
 use super::integrate::Motion;
 use super::population;
-use super::{PackingParams, Particle, Population, Sample, StepReport, TUNING};
+use super::{PackingParams, Particle, Population, Sample, StepReport};
 use crate::order;
 use crate::random::{Purpose, Random};
 use glam::DVec2;
@@ -114,8 +114,8 @@ impl<P: Copy> Run<P> {
             return self.report;
         }
         let step = self.report.step + 1;
-        let late = step.saturating_sub(TUNING.cooling_from);
-        let pace = (0..late).fold(1.0, |pace, _| pace * TUNING.cooling);
+        let late = step.saturating_sub(G::TUNING.cooling_from);
+        let pace = (0..late).fold(1.0, |pace, _| pace * G::TUNING.cooling);
         self.motion.refresh(&mut self.bodies, ground.sight());
         let (largest_move, largest_force) =
             self.motion
@@ -123,13 +123,13 @@ impl<P: Copy> Run<P> {
         self.report.step = step;
         self.report.largest_move = largest_move;
         self.report.largest_force = largest_force;
-        let small = step >= TUNING.least_steps
-            && largest_move < TUNING.move_end
-            && (largest_force < TUNING.force_end || late > 0);
+        let small = step >= G::TUNING.least_steps
+            && largest_move < G::TUNING.move_end
+            && (largest_force < G::TUNING.force_end || late > 0);
         let changed = self.control_population(ground, small);
         self.report.cells = self.bodies.len();
         self.report.converged = small && !changed;
-        self.report.done = self.report.converged || step >= TUNING.most_steps;
+        self.report.done = self.report.converged || step >= G::TUNING.most_steps;
         self.sample(ground.sight());
         self.report
     }
@@ -137,9 +137,9 @@ impl<P: Copy> Run<P> {
     /// Adds and removes cells where it is time to; true where any were.
     fn control_population<G: Ground<Place = P>>(&mut self, ground: G, small: bool) -> bool {
         let step = self.report.step;
-        let due = step - self.controlled >= TUNING.population_every;
+        let due = step - self.controlled >= G::TUNING.population_every;
         if self.params.population == Population::Off
-            || step > TUNING.population_until
+            || step > G::TUNING.population_until
             || !(due || small)
         {
             return false;

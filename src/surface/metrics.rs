@@ -13,6 +13,9 @@ const SAMPLES: f64 = 40.0;
 /// Where samples lie in their triangles: the fractions of a sequence that fills the plane evenly (Roberts 2018).
 const STRIDE: [f64; 2] = [0.754_877_666_246_692_7, 0.569_840_290_998_053_3];
 
+/// Normals this far apart (their dot product) are those of the two sides of a sheet.
+const OTHER_SIDE: f64 = -0.2;
+
 /// How good cells on a surface are.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SurfaceMetrics {
@@ -50,15 +53,17 @@ impl SurfaceMetrics {
         let (mut angles, mut lengths) = (0.0, 0.0);
         let mut with = 0.0;
         for (cell, ring) in made.cells.iter().zip(&made.rings) {
-            let Some(flat) = flattened(made, &cell.centre, ring) else {
+            if ring.len() < 3 {
                 continue;
-            };
+            }
             with += 1.0;
             let own = polygon_area(made, &cell.centre, ring);
             area += own;
             let size = own.max(0.0).sqrt() / cell.size;
             sizes += size;
             squares += size * size;
+            // Of one that is bent over a rim no angle is told.
+            let flat = flattened(made, &cell.centre, ring).unwrap_or_default();
             for k in 0..flat.len() {
                 let next = (k + 1) % flat.len();
                 let inner = [k, next].iter().any(|&k| !made.is_on_border(ring[k]));
@@ -112,10 +117,19 @@ fn polygon_area(made: &SurfaceMesh, centre: &SurfacePoint, ring: &[u32]) -> f64 
     let triangles = (0..ring.len()).map(|k| {
         let (a, b) = (at(k), at(k + 1));
         let double = (a.at - centre.at).cross(b.at - centre.at);
-        let out = centre.normal + a.normal + b.normal;
+        let out = centre.normal + faced(centre, &a) + faced(centre, &b);
         0.5 * double.length() * double.dot(out).signum()
     });
     triangles.sum()
+}
+
+/// The normal at a corner; where that is on the other side of a sheet, the centre's own.
+fn faced(centre: &SurfacePoint, corner: &SurfacePoint) -> DVec3 {
+    if corner.normal.dot(centre.normal) < OTHER_SIDE {
+        centre.normal
+    } else {
+        corner.normal
+    }
 }
 
 /// The sides of elements.
@@ -252,13 +266,14 @@ fn beside(made: &SurfaceMesh) -> Vec<(u64, u32)> {
     sides
 }
 
-/// A polygon on the surface. What is on which hand of a side is seen along the mean normal of its ends and of the cells beside
-/// it: the same for both.
+/// A polygon on the surface. What is on which hand of a side is seen along the mean normal of its ends, of the cells beside it
+/// and of what is seen: the same for both cells. (Along that of a rim alone, which is never quite upright, what is far
+/// down a side of the sheet would be beyond it.)
 struct Polygon {
     centre: SurfacePoint,
     frame: Frame,
     radius: f64,
-    /// The corners, their normals, and those of the sides from each to the next.
+    /// The corners, and along what their spokes are seen, and the sides from each to the next.
     ring: Vec<[DVec3; 3]>,
 }
 
@@ -272,7 +287,11 @@ impl Polygon {
             let other = beside.binary_search_by_key(&back, |s| s.0).ok();
             let other = other.map(|s| made.cells[beside[s].1 as usize].centre.normal);
             let cells = centre.normal + other.unwrap_or(centre.normal);
-            [p.at, p.normal, (p.normal + q.normal) + cells]
+            [
+                p.at,
+                centre.normal + p.normal,
+                (p.normal + q.normal) + cells,
+            ]
         };
         let ring: Vec<[DVec3; 3]> = (0..n).map(corner).collect();
         let far = ring.iter().map(|c| c[0].distance(centre.at));
@@ -294,13 +313,12 @@ impl Polygon {
         }
         // Triangles about the centre, those turned over against the others.
         let mut sum = 0;
-        let spoke =
-            |[at, normal, _]: [DVec3; 3]| is_left([centre, at], self.centre.normal + normal, p.at);
+        let spoke = |[at, along, _]: [DVec3; 3]| is_left([centre, at], along, p.at);
         let mut last = spoke(self.ring[0]);
         for k in 0..n {
             let (a, b) = (self.ring[k], self.ring[(k + 1) % n]);
             let next = spoke(b);
-            let side = is_left([a[0], b[0]], a[2], p.at);
+            let side = is_left([a[0], b[0]], a[2] + 2.0 * p.normal, p.at);
             match (last, side, next) {
                 (true, true, false) => sum += 1,
                 (false, false, true) => sum -= 1,

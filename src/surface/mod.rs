@@ -42,6 +42,8 @@ mod soup;
 pub mod stones;
 #[cfg(test)]
 mod testing;
+#[cfg(test)]
+mod tests;
 pub mod views;
 mod walk;
 

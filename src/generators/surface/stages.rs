@@ -298,7 +298,7 @@ impl Stages {
             return;
         };
         self.site.advance(inputs, |(), _| {
-            let longest = fields.size_range().1 * fields.longest_aspect().sqrt();
+            let longest = fields.size_range().1 * fields.aspect_range().1.sqrt();
             Ok(Some(Site::new(fields.mesh().clone(), longest)))
         });
     }

@@ -7,6 +7,9 @@ use crate::surface::packing::SurfaceParticle;
 use crate::surface::{Frame, SurfacePoint};
 use glam::{DVec2, DVec3};
 
+/// A node whose normal points so far away from that of others (cosine) is on the other side of a sheet.
+const OTHER_SIDE: f64 = -0.2;
+
 /// Nodes on a surface.
 #[derive(Default)]
 pub(super) struct SurfaceNodes {
@@ -62,32 +65,83 @@ impl SurfaceNodes {
             normal += self.points[k as usize].normal;
         }
         middle /= N as f64;
+        let mut beyond = None;
         let normal = match outward(normal, N) {
             Some(normal) => normal,
             None => {
-                let rim = self.meetings.rim(&sorted)?;
-                middle = rim.0;
-                rim.1
+                beyond = self.beyond(&sorted, normal);
+                match &beyond {
+                    Some(beyond) => {
+                        let own = self.points[beyond.node as usize];
+                        middle = (middle * N as f64 - own.at) / (N - 1) as f64;
+                        (normal - own.normal).normalize()
+                    }
+                    None => {
+                        let rim = self.meetings.rim(&sorted)?;
+                        middle = rim.0;
+                        rim.1
+                    }
+                }
             }
         };
         let frame = Frame::of(normal);
-        let nodes = which.map(|k| {
-            let k = k as usize;
+        let nodes = which.map(|node| {
+            let k = node as usize;
+            let point = &self.points[k];
+            let over = beyond.as_ref().filter(|b| b.node == node);
             let aspect = self.aspects[k];
             let metric = if aspect == 1.0 {
                 Metric::EUCLIDEAN
             } else {
-                let axis = rotated(self.axes[k], self.points[k].normal, frame.normal);
+                let (mut axis, mut from) = (self.axes[k], point.normal);
+                if let Some(over) = over {
+                    (axis, from) = (rotated(axis, from, over.rim.normal), over.rim.normal);
+                }
+                let axis = rotated(axis, from, frame.normal);
                 Metric::new(frame.within(axis).normalize_or_zero(), aspect)
             };
             Node {
-                at: laid(&frame, middle, &self.points[k]),
+                at: match over {
+                    Some(over) => over.laid(&frame, middle, point),
+                    None => laid(&frame, middle, point),
+                },
                 axis: DVec2::ZERO,
                 metric,
                 corners: self.corners[k],
             }
         });
         Some((frame, nodes))
+    }
+
+    /// That one of some nodes which is on the other side of a sheet than all others; `sum` is that of their normals.
+    fn beyond(&self, nodes: &[u32], sum: DVec3) -> Option<Beyond> {
+        let is_beyond = |node: &&u32| {
+            let own = self.points[**node as usize].normal;
+            let others = outward(sum - own, nodes.len() - 1);
+            others.is_some_and(|others| others.dot(own) < OTHER_SIDE)
+        };
+        let &node = nodes.iter().find(is_beyond)?;
+        let others = || nodes.iter().filter(|&&k| k != node);
+        let mut pairs = others().flat_map(|&a| others().map(move |&b| [a, b]));
+        let rim = pairs.find_map(|[a, b]| self.meetings.of([a, b, node]))?;
+        Some(Beyond { node, rim: *rim })
+    }
+}
+
+/// A node on the other side of a sheet.
+struct Beyond {
+    node: u32,
+    /// Where it meets others, over the rim: the way to it leads through that.
+    rim: SurfacePoint,
+}
+
+impl Beyond {
+    /// Where it is in a plane of the others: as far beyond the rim as it is along the surface.
+    fn laid(&self, frame: &Frame, middle: DVec3, own: &SurfacePoint) -> DVec2 {
+        let rim = Frame::of(self.rim.normal);
+        let on = rim.out(laid(&rim, self.rim.at, own));
+        let on = frame.within(rotated(on, rim.normal, frame.normal));
+        laid(frame, middle, &self.rim) + on
     }
 }
 

@@ -176,9 +176,16 @@ impl SurfaceFields {
         )
     }
 
-    /// The largest aspect ratio.
-    pub fn longest_aspect(&self) -> f64 {
-        self.aspects.iter().copied().fold(self.aspect, f64::max)
+    /// The smallest and the largest aspect ratio.
+    pub fn aspect_range(&self) -> (f64, f64) {
+        let each = || self.aspects.iter().copied();
+        if self.aspects.is_empty() {
+            return (self.aspect, self.aspect);
+        }
+        (
+            each().fold(f64::INFINITY, f64::min),
+            each().fold(0.0, f64::max),
+        )
     }
 
     fn size_of(&self, vertex: usize) -> f64 {
@@ -281,11 +288,16 @@ impl SurfaceFields {
         let frame = Frame::of(p.normal);
         let mut sum = DVec2::ZERO;
         let corners = self.mesh.triangles()[p.triangle as usize];
+        // Of the directions that mean the same that which is nearest to an edge: turns of the mesh turn it, too.
+        let [a, b] = [corners[0], corners[1]].map(|v| self.mesh.positions()[v as usize]);
+        let edge = frame.within(b - a).normalize_or(DVec2::X);
+        let told = representation(edge, symmetry);
         for (v, weight) in corners.into_iter().zip(weights.to_array()) {
             let (vector, normal) = (vectors[v as usize], self.mesh.normals()[v as usize]);
             let here = frame.within(carried(vector, normal, p.normal));
             sum += weight * representation(here, symmetry);
         }
-        direction_of(sum.normalize_or_zero(), symmetry)
+        let beside = DVec2::new(told.x, -told.y).rotate(sum.normalize_or_zero());
+        direction_of(beside, symmetry).rotate(edge)
     }
 }

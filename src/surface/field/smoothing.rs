@@ -13,10 +13,8 @@ use glam::DVec2;
 
 /// The coarsest system has at most so many rows.
 const COARSEST: usize = 400;
-/// What solving may leave on the mesh itself, and the most iterations ...
-const FINE: (f64, usize) = (1e-8, 500);
-/// ... where it is done in rounds ...
-const ROUNDED: (f64, usize) = (1e-5, 100);
+/// What solving may leave on the mesh itself, of which angles of the field are no more off, and the most iterations ...
+const FINE: (f64, usize) = (1e-4, 500);
 /// ... and on coarser ones.
 const ROUGH: (f64, usize) = (1e-4, 100);
 /// Rounds of smoothing parts without sources: on the coarsest system, on those between, on the mesh.
@@ -150,7 +148,6 @@ impl Smoothing {
         self.holding.polish = if self.round == 0 { 0.0 } else { self.polish };
         let how = match (self.level, self.round) {
             (0, 0) if !self.has_free() => FINE,
-            (0, _) => ROUNDED,
             _ => ROUGH,
         };
         let now = std::mem::take(&mut self.now);

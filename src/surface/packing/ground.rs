@@ -2,14 +2,16 @@
 
 use super::site::Site;
 use super::walls::{SurfaceFoot, SurfaceWalls};
-use crate::packing::BoundaryCondition;
 use crate::packing::ground::{Asks, Foot, Ground, Sees, Walled};
 use crate::packing::shape::Shape;
 use crate::packing::wall::CLOSEST;
+use crate::packing::{BoundaryCondition, TUNING, Tuning};
 use crate::random::Random;
 use crate::surface::{SurfacePoint, Turn};
 use glam::DVec2;
 
+/// On closed surfaces some cells beside singular places never rest, and hardly one in a thousand comes after so many steps.
+const SETTLED: u32 = 50;
 /// The fewest sizes from a border at which a cell is placed inside.
 const INSIDE_CLEARANCE: f64 = 0.35;
 /// Where it is nearer than this from the middle of a strip to its borders, in sizes, cells go into the middle ...
@@ -57,6 +59,11 @@ impl<'a, F: Asks<Place = SurfacePoint>> Ground for OnSurface<'a, F> {
     type Fields = F;
     type Sight = &'a Site;
     type Walls = &'a SurfaceWalls;
+    const TUNING: Tuning = Tuning {
+        population_until: SETTLED,
+        cooling_from: SETTLED,
+        ..TUNING
+    };
 
     fn fields(self) -> F {
         self.fields

@@ -15,6 +15,7 @@ mod walls;
 pub use site::Site;
 
 use super::SurfacePoint;
+use super::field::SurfaceFields;
 use crate::packing::ground::Asks;
 use crate::packing::placed::Placed;
 use crate::packing::{PackingParams, Particle, Sample, StepReport, front::Front, run::Run};
@@ -90,6 +91,15 @@ pub struct SurfacePacking {
 }
 
 impl SurfacePacking {
+    /// All at once, until it has come to rest; see [`SurfacePlacing`].
+    pub fn build(site: &Site, fields: &SurfaceFields, params: PackingParams) -> Self {
+        let mut placing = SurfacePlacing::new(site, fields, params);
+        while !placing.advance(site, fields) {}
+        let mut packing = placing.finish(site, fields);
+        while !packing.step(site, fields).done {}
+        packing
+    }
+
     /// The cells in the order of their ids.
     pub fn particles(&self) -> Vec<SurfaceParticle> {
         self.run.particles()

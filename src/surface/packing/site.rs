@@ -92,6 +92,7 @@ impl Sees for &Site {
     type Place = SurfacePoint;
     type Turn = Turn;
     type Grid = Boxes;
+    const WALKS: bool = true;
 
     fn area(self) -> f64 {
         self.mesh.area()
@@ -153,7 +154,8 @@ impl Sees for &Site {
     fn grid_around(self, mut places: impl Iterator<Item = SurfacePoint>, step: f64) -> Boxes {
         let first = places.next().map_or(DVec3::ZERO, |p| p.at);
         let bounds = places.fold((first, first), |(lo, hi), p| (lo.min(p.at), hi.max(p.at)));
-        Boxes::new(bounds, step)
+        // In space fewer and larger boxes are quicker than in the plane.
+        Boxes::new(bounds, 2.0 * step)
     }
 
     fn any_near(
