@@ -104,8 +104,8 @@ impl Face {
         Self { nodes, sides: 4 }
     }
 
-    #[cfg(house)]
     /// Is it a place where an element has been?
+    #[cfg(house)]
     pub(crate) fn is_none(&self) -> bool {
         self.sides == 0
     }

@@ -65,7 +65,9 @@ use crate::field::{Fields, Kind};
 use crate::notice::Notice;
 use glam::DVec2;
 use ground::Asks;
-pub(crate) use params::{TUNING, Tuning};
+pub(crate) use params::TUNING;
+#[cfg(house)]
+pub(crate) use params::Tuning;
 use plane::Surroundings;
 use run::Run;
 use shape::Shape;

@@ -43,6 +43,7 @@ pub(crate) struct Axis {
 
 /// By how many quarters each axis is to be turned so that neighbours point alike. `carried` takes two cells and a
 /// vector of the second one's frame into that of the first one; in a plane it changes nothing.
+#[cfg(house)]
 pub(crate) fn turns_to_agree(
     axes: &[Axis],
     links: &[Vec<u32>],

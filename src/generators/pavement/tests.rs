@@ -66,7 +66,7 @@ fn due(from: &Params, to: &Params) -> [bool; 8] {
         finishes[0].weather != finishes[1].weather,
         finishes[0].light != finishes[1].light,
     ];
-    let dressed = (from.is_skin, from.coats) != (to.is_skin, to.coats);
+    let dressed = (&from.flow, from.coats) != (&to.flow, to.coats);
     let domain = from.terrain.domain != to.terrain.domain;
     let fields = domain || from.terrain.fields != to.terrain.fields;
     let packing = fields || from.packing != to.packing;

@@ -119,7 +119,7 @@ impl Surface {
                     return Some(Subject::Particles(view));
                 }
                 View::Cells => Making::Cells(Box::new(CellsView::new(Some(&tones())))),
-                View::Mesh => Making::Mesh(Box::new(MeshView::new())),
+                View::Mesh => Making::Mesh(Box::default()),
                 View::Direction => {
                     let fielded = made.fresh_fields()?;
                     Making::Field(Box::new(FieldView::new(&fielded.fields, &fielded.strokes)))

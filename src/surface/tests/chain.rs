@@ -7,12 +7,12 @@ use crate::surface::field::{
     Amount, AspectParams, Bone, DirectionParams, SizeParams, SurfaceFieldBuilder,
     SurfaceFieldParams, SurfaceFields,
 };
-use crate::surface::fit::{Fit, Fitting, Local};
+use crate::surface::fit::{Fit, Fitting};
 use crate::surface::metrics::SurfaceMetrics;
 use crate::surface::packing::{Site, SurfacePacking};
 use crate::surface::refine::{Refining, SHARE};
 use crate::surface::repair::{Filling, Mending};
-use crate::surface::{Projector, Shape, Soup, SurfacePoint, TriMesh, testing};
+use crate::surface::{Projector, Shape, Soup, TriMesh, testing};
 use glam::DVec3;
 use std::sync::Arc;
 
@@ -158,18 +158,6 @@ pub fn run(mesh: TriMesh, params: SurfaceFieldParams) -> Whole {
         figures: SurfaceMetrics::new(site.mesh(), &made),
         report: packing.report(),
         fields,
-    }
-}
-
-impl Local for SurfaceFields {
-    fn size(&self, point: &SurfacePoint) -> f64 {
-        SurfaceFields::size(self, point)
-    }
-
-    fn curvatures(&self, point: &SurfacePoint) -> [f64; 2] {
-        let curvature = self.curvature(point);
-        let bend = curvature.bend.length();
-        [curvature.mean + bend, curvature.mean - bend]
     }
 }
 
