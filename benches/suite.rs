@@ -75,7 +75,7 @@ fn shortest(times: impl IntoIterator<Item = f64>) -> f64 {
 }
 
 /// A ring, its hole half as wide, in a picture of 512.
-pub fn ring() -> Outline {
+fn ring() -> Outline {
     let circle = |radius: f64, sense: f64| {
         (0..180)
             .map(|k| {

@@ -12,6 +12,7 @@ pub fn all() -> Vec<(&'static str, Soup)> {
         ("open", testing::tube(24, 12)),
         ("genus 2", testing::two_holes(4)),
         ("sharp", testing::cube(6)),
+        ("scan", testing::scan(40)),
     ]
 }
 
