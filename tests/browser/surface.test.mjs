@@ -113,7 +113,7 @@ test('a link has view and camera, and opens so again', sameEverywhere, async () 
   await tells(page, /^The directions, seen from the left, 10 degrees below, from near\.$/);
   assert.equal(await page.$eval('#view', (select) => /** @type {HTMLSelectElement} */ (select).value), 'direction');
   const caption = await page.$eval('#caption', (text) => text.textContent);
-  const [, positive, negative, sum, euler] = /(\d+) singular points of positive index and (\d+) of negative index: they sum to ([−\d.]+), the Euler characteristic is ([−\d]+)\./.exec(caption ?? '') ?? [];
+  const [, positive, negative, sum, euler] = /Singular points: (\d+) positive, (\d+) negative\. The sum of their indices is ([−\d.]+), the Euler characteristic ([−\d]+)\./.exec(caption ?? '') ?? [];
   assert.deepEqual([sum, euler], ['2', '2'], caption ?? '');
   assert.equal((Number(positive) - Number(negative)) / 4, 2);
   const first = await frame(page);

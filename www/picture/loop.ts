@@ -187,7 +187,11 @@ export class Loop {
     const stage = this.engine.stage();
     if (changed || stage !== before) this.painter?.changed();
     // Held, work ends where only packing steps are left: the packing's first cells may take a slice of their own.
-    if (isEnd(stage) || (working && this.held && stage === STEPPING && !changed)) this.settling = false;
+    if (isEnd(stage) || (working && this.held && stage === STEPPING && !changed)) {
+      // What stands from now on is painted better.
+      if (this.settling && this.painter) this.dirty = true;
+      this.settling = false;
+    }
     const now = changed ? performance.now() : begin;
     const due = changed && now >= this.nextDrawing;
     const draw = this.owed || this.dirty || due || isEnd(stage) || (stage !== before && (this.held || stage === STEPPING));
