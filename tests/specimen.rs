@@ -39,7 +39,7 @@ fn an_unknown_generator_gets_a_sentence_and_a_pavement() {
     assert_eq!(recipe.link(), "v=1&cs=30");
     assert_eq!(
         notices[0].to_string(),
-        "Make must be pavement or specimen; \"castle\" was given, kept pavement."
+        "Make must be pavement, surface or specimen; \"castle\" was given, kept pavement."
     );
     // What only another generator knows is told like any word that nobody knows.
     let (recipe, notices) = ALL.recipe("make=specimen&across=3&cs=30");

@@ -42,7 +42,7 @@ fn curvature_goes_from_blue_over_pale_to_orange() {
     for bar in bars {
         let (at, along) = (bar.place.origin, bar.place.axes[0].normalize());
         let around = Vec3::new(-at.z, 0.0, at.x).normalize();
-        if Vec3::new(at.x, 0.0, at.z).length() > 0.45 {
+        if Vec3::new(at.x, 0.0, at.z).length() > 0.43 {
             assert!(along.dot(around).abs() > 0.95);
             count += 1;
         }
