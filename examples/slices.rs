@@ -21,7 +21,11 @@ type Best = BTreeMap<(&'static str, u32), f64>;
 fn main() {
     let mut links: Vec<String> = std::env::args().skip(1).collect();
     if links.is_empty() {
-        links = PAVEMENT.presets.iter().map(|p| p.link.to_owned()).collect();
+        links = ALL
+            .iter()
+            .flat_map(|one| one.presets)
+            .map(|p| p.link.to_owned())
+            .collect();
     }
     for link in links {
         let mut best = Best::new();

@@ -48,31 +48,33 @@ test('every word has its Japanese, with the same values in it', sameEverywhere, 
   }
 });
 
-test('every word of the module has its Japanese', sameEverywhere, async () => {
-  const plain = await site.newPage(SMALL);
-  const { page, problems, close } = await inJapanese(SMALL);
-  const read = (of) => of.evaluate(() => ({ schema: window.bubblestone.schema, presets: window.bubblestone.presets }));
-  await digest(plain.page);
-  await digest(page);
-  const [en, ja] = [await read(plain.page), await read(page)];
-  en.schema.forEach((row, k) => {
-    assert.notEqual(ja.schema[k].name, row.name, row.key);
-    assert.notEqual(ja.schema[k].help, row.help, row.key);
-    row.choices.forEach(({ word, label }, c) => assert.notEqual(ja.schema[k].choices[c].label, label, `${row.key}=${word}`));
+for (const link of [SMALL, '#v=1&make=surface&size=128&cn=60']) {
+  test(`every word of the module has its Japanese: ${link}`, sameEverywhere, async () => {
+    const plain = await site.newPage(link);
+    const { page, problems, close } = await inJapanese(link);
+    const read = (of) => of.evaluate(() => ({ schema: window.bubblestone.schema, presets: window.bubblestone.presets }));
+    await digest(plain.page);
+    await digest(page);
+    const [en, ja] = [await read(plain.page), await read(page)];
+    en.schema.forEach((row, k) => {
+      assert.notEqual(ja.schema[k].name, row.name, row.key);
+      assert.notEqual(ja.schema[k].help, row.help, row.key);
+      row.choices.forEach(({ word, label }, c) => assert.notEqual(ja.schema[k].choices[c].label, label, `${row.key}=${word}`));
+    });
+    en.presets.forEach((preset, k) => {
+      for (const what of ['title', 'note']) assert.notEqual(ja.presets[k][what], preset[what], preset.name);
+    });
+    for (const selector of ['.group summary span:first-child', '.rail h2 button']) {
+      const texts = (of) => of.$$eval(selector, (all) => all.map((element) => element.textContent));
+      const [before, now] = [await texts(plain.page), await texts(page)];
+      assert.equal(now.length, before.length);
+      now.forEach((text, at) => assert.notEqual(text, before[at]));
+    }
+    assert.deepEqual(problems, []);
+    await plain.close();
+    await close();
   });
-  en.presets.forEach((preset, k) => {
-    for (const what of ['title', 'note']) assert.notEqual(ja.presets[k][what], preset[what], preset.name);
-  });
-  for (const selector of ['.group summary span:first-child', '.rail h2 button']) {
-    const texts = (of) => of.$$eval(selector, (all) => all.map((element) => element.textContent));
-    const [before, now] = [await texts(plain.page), await texts(page)];
-    assert.equal(now.length, before.length);
-    now.forEach((text, at) => assert.notEqual(text, before[at]));
-  }
-  assert.deepEqual(problems, []);
-  await plain.close();
-  await close();
-});
+}
 
 test('a browser in Japanese gets a page in Japanese, which may be changed to English and back', async () => {
   const { page, problems, close } = await inJapanese(`${SMALL}&dr=0.7`);

@@ -64,6 +64,7 @@ const parameters: Foreign['parameters'] = {
   sr: { name: '掃引', help: '皮膚の高さ。セルの角と中心の平均距離を1とします。' },
   sc: { name: 'スキュー', help: '上面が流れに沿ってどれだけ傾くか。大きいと鱗が重なります。' },
   tilt: { name: '反り', help: '上面が流れに沿ってどれだけ上がるか。鱗が屋根瓦のように重なります。' },
+  flow: { name: '流れ', help: '鱗が全体としてどちらへ傾くか。軸のまま、描いたストロークに沿って、またはその逆に。', choices: { own: '軸のまま', strokes: 'ストロークに沿う', against: 'ストロークと逆' } },
   sa: { name: '流れの角度', help: '上面が傾き上がる向き。セルの方向から時計回り。' },
   tc: { name: 'テーパ', help: '上面をどれだけ中心へ寄せるか。0は角柱、1は棘。' },
   flat: { name: '平らさ', help: '滑らかな面の下に角柱の形をどれだけ残すか。0は丸屋根、1は縁のある板。' },
@@ -204,7 +205,7 @@ export const foreign: Foreign = {
   units: {},
   groups: {
     Outline: '輪郭', Shape: '形', Picture: '画像', Cells: 'セル', Size: '大きさ', Direction: '方向', Packing: '充填', Relief: '立体', Surface: '表面', Colour: '色', Weather: '風化', Light: '光',
-    Surfaces: '曲面', Showpieces: '見どころ', Pavements: '石畳', 'Seamless textures': '継ぎ目のないテクスチャ', Gallery: 'ギャラリー', 'Kinds, fields': '種類と場', 'Papers: stone': '論文：石畳', 'Paper: skin': '論文：皮膚',
+    'Hides in the round': '丸みのある皮', 'Stones on surfaces': '曲面の石', Showpieces: '見どころ', Pavements: '石畳', 'Seamless textures': '継ぎ目のないテクスチャ', Gallery: 'ギャラリー', 'Kinds, fields': '種類と場', 'Papers: stone': '論文：石畳', 'Paper: skin': '論文：皮膚',
   },
   presets,
   figure: (text) => text.replace(/Fig\. (\d+ \(\w+\)) of (\d{4})/g, '$2年 図$1').replace(', ', '・'),
