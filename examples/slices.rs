@@ -2,7 +2,6 @@
 //! presets or of these links, as the best of three runs; then those of the turntable: bodies and the
 //! first frame, while something moves, still, and fine as a phone's or a desktop's screen has it.
 
-use bubblestone::generators::pavement::PAVEMENT;
 use bubblestone::generators::{ALL, TurnOrder};
 use bubblestone::studio::Studio;
 use std::collections::BTreeMap;
@@ -28,10 +27,11 @@ fn main() {
             .collect();
     }
     for link in links {
-        let mut best = Best::new();
+        let (mut best, mut stages): (_, &[&str]) = (Best::new(), &[]);
         for _ in 0..3 {
             let (recipe, _) = ALL.recipe(&link);
             let mut studio = Studio::new(ALL, recipe);
+            stages = studio.generator().stages;
             let mut count = BTreeMap::new();
             let mut timed = |stage: &'static str, slice: &mut dyn FnMut() -> bool| {
                 let (goes_on, ms) = timed(slice);
@@ -63,7 +63,7 @@ fn main() {
             }
         }
         println!("{link}");
-        tell(&best);
+        tell(stages, &best);
     }
 }
 
@@ -75,7 +75,7 @@ fn timed(slice: &mut dyn FnMut() -> bool) -> (bool, f64) {
     (goes_on, before.elapsed().as_secs_f64() * 1e3)
 }
 
-fn tell(best: &Best) {
+fn tell(stages: &[&str], best: &Best) {
     let mut worst: BTreeMap<&str, (f64, u32, f64, u32)> = BTreeMap::new();
     for (&(stage, k), &ms) in best {
         let w = worst.entry(stage).or_insert((0.0, 0, 0.0, 0));
@@ -86,7 +86,7 @@ fn tell(best: &Best) {
         w.3 += 1;
     }
     let frames = FRAMES.map(|(stage, ..)| stage);
-    for stage in PAVEMENT.stages.iter().chain(&frames) {
+    for stage in stages.iter().chain(&frames) {
         if let Some((ms, k, total, n)) = worst.get(stage) {
             print!("  {stage} {ms:.1} (#{k}/{n}, {total:.0})");
         }

@@ -96,7 +96,7 @@ pub trait Engine: Any {
     /// Does one slice of the work, on the first stage that is not fresh.
     fn advance(&mut self);
 
-    /// Is the next slice a step, which waits while the work is held?
+    /// Does a step begin with the next slice? It waits while the work is held; the rest of a step does not.
     fn is_step(&self) -> bool {
         false
     }

@@ -3,7 +3,7 @@
 //! Time is in units of sqrt(m d^2 / k0), so that one set of constants serves all sizes.
 
 use super::force::{Pair, force_between};
-use super::ground::{Buckets, Carry, Ground, Sees, TurnOf};
+use super::ground::{Buckets, Carry, Ground, Sees};
 use super::run::Body;
 use super::shape::{SQUARE_REACH, Shape};
 use super::wall::{stays_clear, wall_force};
@@ -11,6 +11,7 @@ use super::{Integrator, Particle};
 use crate::field::Kind;
 use crate::order::greater;
 use glam::DVec2;
+use std::ops::Range;
 
 /// Viscous damping c. A honeycomb of circles has more faults to heal than rows and columns: circles
 /// keep swinging for longer.
@@ -43,9 +44,42 @@ const fn least_move(kind: Kind) -> f64 {
 /// See [`least_move`].
 const REST: f64 = 0.002;
 
+/// How far a step has come.
+#[derive(Clone, Debug, Default)]
+enum Doing<P> {
+    /// The list of neighbours is next.
+    #[default]
+    Neighbours,
+    /// Who is awake is next.
+    Waking,
+    /// The forces on the body of this number, and on those after it, are next.
+    Forces(usize, Option<RungeKutta<P>>),
+    /// The body of this number, and those after it, make their moves next.
+    Moves(usize, Vec<DVec2>),
+}
+
+/// The classical scheme on (x, v) on its way. Velocities and their slopes stay in the frames of the places that the
+/// cells start from.
+#[derive(Clone, Debug)]
+struct RungeKutta<P> {
+    /// The number of the evaluation.
+    stage: usize,
+    start: Vec<(P, DVec2)>,
+    velocity: Vec<DVec2>,
+    /// How far from the start they are looked at.
+    ahead: Vec<DVec2>,
+    sums: Vec<(DVec2, DVec2)>,
+}
+
+/// What the evaluations count for.
+const WEIGHTS: [f64; 4] = [1.0, 2.0, 2.0, 1.0];
+
 /// The neighbour list and the forces.
 #[derive(Clone, Debug)]
 pub(super) struct Motion<P> {
+    doing: Doing<P>,
+    /// The largest move and the largest force of the step so far.
+    largest: (f64, f64),
     /// For body i the later neighbours are `list[start[i]..start[i + 1]]`.
     start: Vec<u32>,
     list: Vec<u32>,
@@ -63,6 +97,8 @@ pub(super) struct Motion<P> {
 impl<P> Default for Motion<P> {
     fn default() -> Self {
         Self {
+            doing: Doing::default(),
+            largest: (0.0, 0.0),
             start: Vec::new(),
             list: Vec::new(),
             awake: Vec::new(),
@@ -109,17 +145,24 @@ impl<P: Copy> Motion<P> {
         self.made_at.clear();
     }
 
-    /// Makes the neighbour list again where it may have become wrong. The bodies are put in the
-    /// order of the grid's buckets first, so that neighbours lie near in memory too.
-    pub fn refresh<S: Sees<Place = P>>(&mut self, bodies: &mut [Body<P>], sight: S) {
+    /// Has a step been begun? Then bodies must stay in their order.
+    pub fn is_in_a_step(&self) -> bool {
+        !matches!(self.doing, Doing::Neighbours)
+    }
+
+    /// Is the list of neighbours still right?
+    fn is_fresh<S: Sees<Place = P>>(&self, bodies: &[Body<P>], sight: S) -> bool {
         let limit = 0.25 * self.margin * self.margin;
-        let fresh = self.made_at.len() == bodies.len()
-            && bodies
-                .iter()
-                .zip(&self.made_at)
-                .all(|(body, &at)| !sight.has_left(at, body.particle.centre, limit));
-        if fresh || bodies.is_empty() {
-            return;
+        let mut each = bodies.iter().zip(&self.made_at);
+        self.made_at.len() == bodies.len()
+            && each.all(|(body, &at)| !sight.has_left(at, body.particle.centre, limit))
+    }
+
+    /// Makes the neighbour list again where it may have become wrong; true where it did. The bodies are put in the
+    /// order of the grid's buckets first, so that neighbours lie near in memory too.
+    pub fn refresh<S: Sees<Place = P>>(&mut self, bodies: &mut [Body<P>], sight: S) -> bool {
+        if bodies.is_empty() || self.is_fresh(bodies, sight) {
+            return false;
         }
         let (mut largest, mut longest, mut root) = (0.0_f64, 0.0_f64, 1.0_f64);
         for body in bodies.iter() {
@@ -138,6 +181,7 @@ impl<P: Copy> Motion<P> {
         self.forces.resize(bodies.len(), DVec2::ZERO);
         self.clear.resize(bodies.len(), 0.0);
         self.collect_pairs(bodies, sight, (&grid, &firsts), (reach, margin));
+        true
     }
 
     /// The bodies are in the order of the grid's buckets, so those of a run of buckets are a run of
@@ -201,14 +245,24 @@ impl<P: Copy> Motion<P> {
         }
     }
 
-    /// The forces on those that are awake.
-    fn evaluate<G: Ground<Place = P>>(&mut self, bodies: &[Body<P>], ground: G, first: bool) {
-        let mut near_walls = Vec::new();
+    /// Before the forces on the first body are asked for.
+    fn begin_forces(&mut self, bodies: &[Body<P>]) {
         self.forces.fill(DVec2::ZERO);
         self.pair_data.clear();
         self.pair_data
             .extend(bodies.iter().map(|b| PairData::of(&b.particle)));
-        for (i, body) in bodies.iter().enumerate() {
+    }
+
+    /// The forces on those of these that are awake, and of these on later ones.
+    fn evaluate<G: Ground<Place = P>>(
+        &mut self,
+        bodies: &[Body<P>],
+        these: Range<usize>,
+        ground: G,
+        first: bool,
+    ) {
+        let mut near_walls = Vec::new();
+        for (i, body) in these.clone().zip(&bodies[these]) {
             let (a, a_awake) = (self.pair_data[i], self.awake[i]);
             let mut total = DVec2::ZERO;
             for &j in &self.list[self.start[i] as usize..self.start[i + 1] as usize] {
@@ -244,29 +298,91 @@ impl<P: Copy> Motion<P> {
         }
     }
 
-    /// One step; answers the largest move and the largest force on a free cell, in its size.
-    pub fn step<G: Ground<Place = P>>(
+    /// Goes on with a step, over at most so many bodies; when it is whole, the largest move and the largest force on a
+    /// free cell, in its size.
+    pub fn advance<G: Ground<Place = P>>(
         &mut self,
         bodies: &mut [Body<P>],
         ground: G,
-        integrator: Integrator,
-        pace: f64,
-    ) -> (f64, f64) {
-        self.wake(bodies);
-        self.evaluate(bodies, ground, true);
-        let mut largest_force = 0.0_f64;
-        for (i, body) in bodies.iter().enumerate() {
-            if self.awake[i] {
-                let force = self.forces[i].length() / body.particle.size;
-                largest_force = greater(largest_force, force);
+        (integrator, pace): (Integrator, f64),
+        portion: usize,
+    ) -> Option<(f64, f64)> {
+        let (mut left, count) = (portion, bodies.len());
+        let mut these = |from: usize| {
+            let end = from.saturating_add(left).min(count);
+            left -= end - from;
+            from..end
+        };
+        loop {
+            match std::mem::take(&mut self.doing) {
+                Doing::Neighbours => {
+                    let renewed = self.refresh(bodies, ground.sight());
+                    self.doing = Doing::Waking;
+                    if renewed && bodies.len() > portion {
+                        return None;
+                    }
+                }
+                Doing::Waking => {
+                    self.wake(bodies);
+                    self.begin_forces(bodies);
+                    self.doing = Doing::Forces(0, None);
+                }
+                Doing::Forces(from, scheme) => {
+                    let these = these(from);
+                    let end = these.end;
+                    self.evaluate(bodies, these, ground, scheme.is_none());
+                    if end < bodies.len() {
+                        self.doing = Doing::Forces(end, scheme);
+                        return None;
+                    }
+                    self.doing = match (integrator, scheme) {
+                        (Integrator::SemiImplicit, _) => {
+                            self.largest = (0.0, self.largest_force(bodies));
+                            Doing::Moves(0, self.semi_implicit(bodies, pace))
+                        }
+                        (Integrator::RungeKutta, scheme) => {
+                            let scheme = scheme.unwrap_or_else(|| {
+                                self.largest = (0.0, self.largest_force(bodies));
+                                RungeKutta::new(bodies)
+                            });
+                            self.runge_kutta(bodies, ground, pace, scheme)
+                        }
+                    };
+                }
+                Doing::Moves(from, moves) => {
+                    let these = these(from);
+                    let end = these.end;
+                    self.make_moves(bodies, these, ground, &moves);
+                    if end == bodies.len() {
+                        return Some(self.largest);
+                    }
+                    self.doing = Doing::Moves(end, moves);
+                    return None;
+                }
             }
         }
-        let moves = match integrator {
-            Integrator::SemiImplicit => self.semi_implicit(bodies, pace),
-            Integrator::RungeKutta => self.runge_kutta(bodies, ground, pace),
-        };
-        let mut largest_move = 0.0_f64;
-        for (i, (body, by)) in bodies.iter_mut().zip(moves).enumerate() {
+    }
+
+    fn largest_force(&self, bodies: &[Body<P>]) -> f64 {
+        let mut largest = 0.0_f64;
+        for (i, body) in bodies.iter().enumerate() {
+            if self.awake[i] {
+                largest = greater(largest, self.forces[i].length() / body.particle.size);
+            }
+        }
+        largest
+    }
+
+    /// Of these bodies; the largest is kept.
+    fn make_moves<G: Ground<Place = P>>(
+        &mut self,
+        bodies: &mut [Body<P>],
+        these: Range<usize>,
+        ground: G,
+        moves: &[DVec2],
+    ) {
+        for i in these {
+            let body = &mut bodies[i];
             if !self.awake[i] {
                 body.velocity = DVec2::ZERO;
                 body.has_moved = false;
@@ -274,16 +390,15 @@ impl<P: Copy> Motion<P> {
             }
             let before = body.particle.centre;
             let shape = Shape::of(&body.particle);
-            let by = by.clamp_length_max(LONGEST_MOVE * body.particle.size);
+            let by = moves[i].clamp_length_max(LONGEST_MOVE * body.particle.size);
             let is_clear = stays_clear(self.clear[i], by.length(), shape.length());
             let (centre, turn) = ground.moved(before, by, shape, is_clear);
             body.place(centre, ground.fields());
             body.velocity = turn.apply(body.velocity);
             let moved = ground.sight().distance(before, centre) / shape.size;
             body.has_moved = moved > least_move(body.particle.kind);
-            largest_move = greater(largest_move, moved);
+            self.largest.0 = greater(self.largest.0, moved);
         }
-        (largest_move, largest_force)
     }
 
     fn semi_implicit(&self, bodies: &mut [Body<P>], pace: f64) -> Vec<DVec2> {
@@ -296,54 +411,63 @@ impl<P: Copy> Motion<P> {
         .collect()
     }
 
-    /// The classical scheme on (x, v); the first evaluation has been made. Velocities and their slopes stay in the
-    /// frames of the places that the cells start from.
+    /// After an evaluation: what is next.
     fn runge_kutta<G: Ground<Place = P>>(
         &mut self,
         bodies: &mut [Body<P>],
         ground: G,
         pace: f64,
-    ) -> Vec<DVec2> {
+        mut scheme: RungeKutta<P>,
+    ) -> Doing<P> {
         let h = pace * RUNGE_KUTTA_STEP;
-        let start: Vec<(P, DVec2)> = bodies
-            .iter()
-            .map(|b| (b.particle.centre, b.velocity))
-            .collect();
-        let mut velocity: Vec<DVec2> = start.iter().map(|&(_, v)| v).collect();
-        let mut turns: Vec<Option<TurnOf<G>>> = vec![None; bodies.len()];
-        let mut sums = vec![(DVec2::ZERO, DVec2::ZERO); bodies.len()];
-        for (stage, weight) in [1.0, 2.0, 2.0, 1.0].into_iter().enumerate() {
-            if stage > 0 {
-                self.evaluate(bodies, ground, false);
+        let (stage, weight) = (scheme.stage, WEIGHTS[scheme.stage]);
+        let further = if stage == 2 { h } else { 0.5 * h };
+        for (i, body) in bodies.iter_mut().enumerate() {
+            if !self.awake[i] {
+                continue;
             }
-            let ahead = if stage == 2 { h } else { 0.5 * h };
-            for (i, body) in bodies.iter_mut().enumerate() {
-                if !self.awake[i] {
-                    continue;
-                }
-                let force = self.forces[i];
-                let force = turns[i].map_or(force, |turn| turn.undo(force));
-                let (slope, pull) = (
-                    velocity[i],
-                    force - damping(body.particle.kind) * velocity[i],
-                );
-                sums[i].0 += weight / 6.0 * slope;
-                sums[i].1 += weight / 6.0 * pull;
-                if stage < 3 {
-                    let (there, turn) = ground.sight().beyond(start[i].0, ahead * slope);
-                    body.place(there, ground.fields());
-                    turns[i] = Some(turn);
-                    velocity[i] = start[i].1 + ahead * pull;
-                }
+            let (start, velocity) = scheme.start[i];
+            let mut force = self.forces[i];
+            if stage > 0 {
+                force = ground.sight().beyond(start, scheme.ahead[i]).1.undo(force);
+            }
+            let slope = scheme.velocity[i];
+            let pull = force - damping(body.particle.kind) * slope;
+            scheme.sums[i].0 += weight / 6.0 * slope;
+            scheme.sums[i].1 += weight / 6.0 * pull;
+            if stage < 3 {
+                scheme.ahead[i] = further * slope;
+                let (there, _) = ground.sight().beyond(start, scheme.ahead[i]);
+                body.place(there, ground.fields());
+                scheme.velocity[i] = velocity + further * pull;
             }
         }
-        let each = bodies.iter_mut().zip(start).zip(sums);
-        each.map(|((body, (centre, v)), (slope, pull))| {
+        if stage < 3 {
+            scheme.stage += 1;
+            self.begin_forces(bodies);
+            return Doing::Forces(0, Some(scheme));
+        }
+        let each = bodies.iter_mut().zip(scheme.start).zip(scheme.sums);
+        let moves = each.map(|((body, (centre, v)), (slope, pull))| {
             body.particle.centre = centre;
             body.velocity = v + h * pull;
             h * slope
-        })
-        .collect()
+        });
+        Doing::Moves(0, moves.collect())
+    }
+}
+
+impl<P: Copy> RungeKutta<P> {
+    /// Of bodies whose first evaluation has been made.
+    fn new(bodies: &[Body<P>]) -> Self {
+        let start = bodies.iter().map(|b| (b.particle.centre, b.velocity));
+        Self {
+            stage: 0,
+            start: start.collect(),
+            velocity: bodies.iter().map(|b| b.velocity).collect(),
+            ahead: vec![DVec2::ZERO; bodies.len()],
+            sums: vec![(DVec2::ZERO, DVec2::ZERO); bodies.len()],
+        }
     }
 }
 

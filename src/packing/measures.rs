@@ -94,7 +94,9 @@ impl<P: Copy> Run<P> {
         sight: S,
         mut visit: impl FnMut(&Body<P>, &Body<P>, (DVec2, S::Turn), (usize, usize)),
     ) {
-        self.motion.refresh(&mut self.bodies, sight);
+        if !self.motion.is_in_a_step() {
+            self.motion.refresh(&mut self.bodies, sight);
+        }
         for (i, j) in self.motion.pairs(&self.bodies) {
             let (a, b) = (&self.bodies[i], &self.bodies[j]);
             if let Some(way) = sight.way(a.particle.centre, b.particle.centre) {

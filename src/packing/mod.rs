@@ -44,7 +44,7 @@ mod params;
 pub(crate) mod placed;
 mod placement;
 mod plane;
-mod population;
+pub(crate) mod population;
 mod quadtree;
 pub(crate) mod run;
 pub(crate) mod shape;

@@ -44,7 +44,8 @@ const ROW: f64 = 0.55;
 const MOST_CHANGED: f64 = 0.1;
 
 /// What to change: `remove[i]` for the body i, and the centres of new cells.
-pub(super) struct Change<P> {
+#[derive(Clone, Debug)]
+pub(crate) struct Change<P> {
     pub remove: Vec<bool>,
     pub add: Vec<P>,
 }
@@ -65,50 +66,109 @@ impl<P> Site<P> {
     }
 }
 
+/// A look at all bodies on its way.
+#[derive(Clone, Debug)]
+pub(crate) struct Survey<P, B> {
+    shapes: Vec<Shape>,
+    grid: B,
+    longest: f64,
+    nearest: Vec<f64>,
+    /// In the order of ids, not of memory: the order in memory follows the moves of all.
+    order: Vec<usize>,
+    /// How many of these have been looked at for room beside them.
+    seen: usize,
+    most: usize,
+    change: Change<P>,
+}
+
 struct Census<'a, G: Ground> {
     ground: G,
     bodies: &'a [Body<G::Place>],
-    shapes: Vec<Shape>,
-    grid: GridOf<G>,
+    shapes: &'a [Shape],
+    grid: &'a GridOf<G>,
     longest: f64,
 }
 
-pub(super) fn change<G: Ground>(
-    ground: G,
-    bodies: &[Body<G::Place>],
-    params: &PackingParams,
-) -> Change<G::Place> {
-    let shapes: Vec<Shape> = bodies.iter().map(|b| Shape::of(&b.particle)).collect();
-    let longest = shapes.iter().fold(0.0_f64, |m, s| m.max(s.length()));
-    let mut census = Census {
-        ground,
-        bodies,
-        shapes,
-        grid: ground.sight().grid(longest),
-        longest,
-    };
-    for body in bodies {
-        census.grid.push(body.particle.centre);
-    }
-    let nearest: Vec<f64> = (0..bodies.len()).map(|i| census.nearest(i)).collect();
-    let most = (MOST_CHANGED * bodies.len() as f64).ceil() as usize;
-    let remove = census.crowded(&nearest, most);
-    let mut add: Vec<G::Place> = Vec::new();
-    // In the order of ids, not of memory: the order in memory follows the moves of all.
-    let mut order: Vec<usize> = (0..bodies.len()).collect();
-    order::sort(&mut order, |&i| (bodies[i].particle.id.into(), 0));
-    for i in order {
-        if add.len() >= most || remove[i] {
-            continue;
+impl<P: Copy, B: Buckets<P>> Survey<P, B> {
+    /// Nothing looked at yet.
+    pub fn new<G>(ground: G, bodies: &[Body<P>]) -> Self
+    where
+        G: Ground<Place = P>,
+        G::Sight: Sees<Place = P, Grid = B>,
+    {
+        let shapes: Vec<Shape> = bodies.iter().map(|b| Shape::of(&b.particle)).collect();
+        let longest = shapes.iter().fold(0.0_f64, |m, s| m.max(s.length()));
+        let mut grid = ground.sight().grid(longest);
+        for body in bodies {
+            grid.push(body.particle.centre);
         }
-        if params.population == Population::Smallest && nearest[i] < LONELY {
-            continue;
-        }
-        for site in census.sites(i) {
-            add.extend(census.fitting(site, &add));
+        let mut order: Vec<usize> = (0..bodies.len()).collect();
+        order::sort(&mut order, |&i| (bodies[i].particle.id.into(), 0));
+        Self {
+            shapes,
+            grid,
+            longest,
+            nearest: Vec::with_capacity(bodies.len()),
+            order,
+            seen: 0,
+            most: (MOST_CHANGED * bodies.len() as f64).ceil() as usize,
+            change: Change {
+                remove: Vec::new(),
+                add: Vec::new(),
+            },
         }
     }
-    Change { remove, add }
+
+    /// Looks at so many bodies more, which must be the same ones; the change, when all have been looked at.
+    pub fn advance<G>(
+        &mut self,
+        ground: G,
+        bodies: &[Body<P>],
+        params: &PackingParams,
+        portion: usize,
+    ) -> Option<Change<P>>
+    where
+        G: Ground<Place = P>,
+        G::Sight: Sees<Place = P, Grid = B>,
+    {
+        let census = Census {
+            ground,
+            bodies,
+            shapes: &self.shapes,
+            grid: &self.grid,
+            longest: self.longest,
+        };
+        let mut left = portion;
+        if self.nearest.len() < bodies.len() {
+            let from = self.nearest.len();
+            let end = from.saturating_add(left).min(bodies.len());
+            left -= end - from;
+            self.nearest.extend((from..end).map(|i| census.nearest(i)));
+            if end < bodies.len() {
+                return None;
+            }
+            self.change.remove = census.crowded(&self.nearest, self.most);
+        }
+        let Change { remove, add } = &mut self.change;
+        let end = self.seen.saturating_add(left).min(bodies.len());
+        for &i in &self.order[self.seen..end] {
+            if add.len() >= self.most || remove[i] {
+                continue;
+            }
+            if params.population == Population::Smallest && self.nearest[i] < LONELY {
+                continue;
+            }
+            for site in census.sites(i) {
+                add.extend(census.fitting(site, add));
+            }
+        }
+        self.seen = end;
+        let is_done = end == bodies.len();
+        is_done.then(|| Change {
+            remove: std::mem::take(&mut self.change.remove),
+            add: std::mem::take(&mut self.change.add),
+        })
+    }
 }
 
 /// A new cell may not stand between two walls that are nearer to each other than a cell.
@@ -299,7 +359,7 @@ impl<G: Ground> Census<'_, G> {
         mut test: impl FnMut(usize, DVec2, TurnOf<G>) -> bool,
     ) -> bool {
         let reach = w * 0.5 * (shape.length() + self.longest);
-        self.ground.sight().any_near(&self.grid, at, reach, |k| {
+        self.ground.sight().any_near(self.grid, at, reach, |k| {
             let other = self.bodies[k].particle.centre;
             let way = self.ground.sight().way_within(at, other, reach);
             way.is_some_and(|(r, turn)| test(k, r, turn))
@@ -324,7 +384,7 @@ impl<G: Ground> Census<'_, G> {
             let beside = self
                 .ground
                 .sight()
-                .any_near(&self.grid, centre, reach, |k| {
+                .any_near(self.grid, centre, reach, |k| {
                     let way = || {
                         self.ground
                             .sight()

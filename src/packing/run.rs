@@ -1,8 +1,8 @@
 //! The run of a packing on any ground: bodies in motion, population control, and the end.
 
-use super::ground::{Asks, Ground};
+use super::ground::{Asks, GridOf, Ground};
 use super::integrate::Motion;
-use super::population;
+use super::population::{Change, Survey};
 use super::{PackingParams, Particle, Population, Sample, StepReport};
 use crate::order;
 use crate::random::{Purpose, Random};
@@ -110,42 +110,84 @@ impl<P: Copy> Run<P> {
 
     /// One step of the equation of motion and, now and then, population control.
     pub fn step<G: Ground<Place = P>>(&mut self, ground: G) -> StepReport {
-        if self.report.done {
-            return self.report;
-        }
-        let step = self.report.step + 1;
-        let late = step.saturating_sub(G::TUNING.cooling_from);
-        let pace = (0..late).fold(1.0, |pace, _| pace * G::TUNING.cooling);
-        self.motion.refresh(&mut self.bodies, ground.sight());
-        let (largest_move, largest_force) =
-            self.motion
-                .step(&mut self.bodies, ground, self.params.integrator, pace);
-        self.report.step = step;
-        self.report.largest_move = largest_move;
-        self.report.largest_force = largest_force;
-        let small = step >= G::TUNING.least_steps
-            && largest_move < G::TUNING.move_end
-            && (largest_force < G::TUNING.force_end || late > 0);
-        let changed = self.control_population(ground, small);
-        self.report.cells = self.bodies.len();
-        self.report.converged = small && !changed;
-        self.report.done = self.report.converged || step >= G::TUNING.most_steps;
-        self.sample(ground.sight());
+        while !self.advance(ground, &mut None, usize::MAX) {}
         self.report
     }
 
-    /// Adds and removes cells where it is time to; true where any were.
-    fn control_population<G: Ground<Place = P>>(&mut self, ground: G, small: bool) -> bool {
+    /// Goes on with a step, over some such number of bodies; true when it is whole. The survey is what it leaves for
+    /// the next time. What comes of it is the same, however large the portions.
+    pub fn advance<G: Ground<Place = P>>(
+        &mut self,
+        ground: G,
+        survey: &mut Option<Survey<P, GridOf<G>>>,
+        portion: usize,
+    ) -> bool {
+        if self.report.done {
+            return true;
+        }
+        if survey.is_none() {
+            let how = (self.params.integrator, self.pace::<G>());
+            let moved = self.motion.advance(&mut self.bodies, ground, how, portion);
+            let Some((largest_move, largest_force)) = moved else {
+                return false;
+            };
+            self.report.step += 1;
+            self.report.largest_move = largest_move;
+            self.report.largest_force = largest_force;
+            if self.is_survey_due::<G>() {
+                self.controlled = self.report.step;
+                *survey = Some(Survey::new(ground, &self.bodies));
+                if self.bodies.len() > portion {
+                    return false;
+                }
+            }
+        }
+        let mut changed = false;
+        if let Some(under_way) = survey {
+            let change = under_way.advance(ground, &self.bodies, &self.params, portion);
+            let Some(change) = change else {
+                return false;
+            };
+            *survey = None;
+            changed = self.change(ground, change);
+        }
+        self.report.cells = self.bodies.len();
+        self.report.converged = self.is_small::<G>() && !changed;
+        self.report.done = self.report.converged || self.report.step >= G::TUNING.most_steps;
+        self.sample(ground.sight());
+        true
+    }
+
+    /// Steps of the run that a step is late by.
+    fn late<G: Ground<Place = P>>(step: u32) -> u32 {
+        step.saturating_sub(G::TUNING.cooling_from)
+    }
+
+    /// Of the step that comes.
+    fn pace<G: Ground<Place = P>>(&self) -> f64 {
+        let late = Self::late::<G>(self.report.step + 1);
+        (0..late).fold(1.0, |pace, _| pace * G::TUNING.cooling)
+    }
+
+    /// Was the last step as small as the last ones are?
+    fn is_small<G: Ground<Place = P>>(&self) -> bool {
+        let last = &self.report;
+        last.step >= G::TUNING.least_steps
+            && last.largest_move < G::TUNING.move_end
+            && (last.largest_force < G::TUNING.force_end || Self::late::<G>(last.step) > 0)
+    }
+
+    /// Is it time to add and remove cells?
+    fn is_survey_due<G: Ground<Place = P>>(&self) -> bool {
         let step = self.report.step;
         let due = step - self.controlled >= G::TUNING.population_every;
-        if self.params.population == Population::Off
-            || step > G::TUNING.population_until
-            || !(due || small)
-        {
-            return false;
-        }
-        self.controlled = step;
-        let change = population::change(ground, &self.bodies, &self.params);
+        self.params.population != Population::Off
+            && step <= G::TUNING.population_until
+            && (due || self.is_small::<G>())
+    }
+
+    /// Adds and removes cells; true where any were.
+    fn change<G: Ground<Place = P>>(&mut self, ground: G, change: Change<P>) -> bool {
         let mut index = 0;
         self.bodies.retain(|_| {
             index += 1;

@@ -293,16 +293,15 @@ impl Studio {
             return;
         }
         self.engine.drop_draft(true);
+        let mut begun = false;
         while let Some(stage) = self.engine.at_work() {
-            if Some(stage) > self.engine.stepping() {
+            // A step may take several slices: it is whole where the next one would begin.
+            if Some(stage) > self.engine.stepping() || (begun && self.engine.is_step()) {
                 return;
             }
-            let is_step = self.engine.is_step();
+            begun |= self.engine.is_step();
             let before = clock();
             self.timed_slice(stage, before, clock);
-            if is_step {
-                return;
-            }
         }
     }
 

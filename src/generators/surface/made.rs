@@ -79,7 +79,8 @@ impl Stages {
 
     /// Do cells move?
     pub fn is_moving(&self) -> bool {
-        self.due() == Some(Task::Pack) && matches!(self.packing.work(), Some(Packs::Moving(_)))
+        let between_steps = |packs: &Packs| matches!(packs, Packs::Moving(p) if !p.is_in_a_step());
+        self.due() == Some(Task::Pack) && self.packing.work().is_some_and(between_steps)
     }
 
     /// What the last step did.

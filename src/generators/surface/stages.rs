@@ -311,7 +311,7 @@ impl Stages {
         self.packing.advance(inputs, |params, work| {
             let mut placing = match work.take() {
                 Some(Packs::Moving(mut packing)) => {
-                    if packing.step(site, fields).done {
+                    if packing.advance(site, fields) {
                         return Ok(Some(*packing));
                     }
                     *work = Some(Packs::Moving(packing));

@@ -18,6 +18,7 @@ use super::SurfacePoint;
 use super::field::SurfaceFields;
 use crate::packing::ground::Asks;
 use crate::packing::placed::Placed;
+use crate::packing::population::Survey;
 use crate::packing::{PackingParams, Particle, Sample, StepReport, front::Front, run::Run};
 use buckets::Boxes;
 use ground::OnSurface;
@@ -27,6 +28,9 @@ pub type SurfaceParticle = Particle<SurfacePoint>;
 
 /// Places that are looked at in one slice of the work.
 const PLACES: usize = 200;
+
+/// Cells that are moved, or looked around, in one slice of a step.
+const PORTION: usize = 2000;
 
 /// The first cells of a packing in the making.
 pub struct SurfacePlacing {
@@ -80,6 +84,8 @@ impl SurfacePlacing {
         let cells = self.placed.cells.iter().map(|&centre| (centre, false));
         SurfacePacking {
             run: Run::of(cells, fields, self.params),
+            survey: None,
+            in_a_step: false,
         }
     }
 }
@@ -88,6 +94,8 @@ impl SurfacePlacing {
 #[derive(Clone, Debug)]
 pub struct SurfacePacking {
     run: Run<SurfacePoint>,
+    survey: Option<Survey<SurfacePoint, Boxes>>,
+    in_a_step: bool,
 }
 
 impl SurfacePacking {
@@ -96,7 +104,7 @@ impl SurfacePacking {
         let mut placing = SurfacePlacing::new(site, fields, params);
         while !placing.advance(site, fields) {}
         let mut packing = placing.finish(site, fields);
-        while !packing.step(site, fields).done {}
+        while !packing.advance(site, fields) {}
         packing
     }
 
@@ -120,12 +128,29 @@ impl SurfacePacking {
         self.run.energy(site)
     }
 
-    /// One step of the equation of motion and, now and then, population control.
-    pub(crate) fn step<F: Asks<Place = SurfacePoint>>(
+    /// One slice of a step, of the equation of motion or, now and then, of population control; true when nothing more
+    /// will happen.
+    pub(crate) fn advance<F: Asks<Place = SurfacePoint>>(
         &mut self,
         site: &Site,
         fields: F,
-    ) -> StepReport {
-        self.run.step(OnSurface { site, fields })
+    ) -> bool {
+        self.advance_by(site, fields, PORTION)
+    }
+
+    fn advance_by<F: Asks<Place = SurfacePoint>>(
+        &mut self,
+        site: &Site,
+        fields: F,
+        portion: usize,
+    ) -> bool {
+        let ground = OnSurface { site, fields };
+        self.in_a_step = !self.run.advance(ground, &mut self.survey, portion);
+        self.run.report().done
+    }
+
+    /// Has a step been begun that is not whole?
+    pub fn is_in_a_step(&self) -> bool {
+        self.in_a_step
     }
 }

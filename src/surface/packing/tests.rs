@@ -73,7 +73,7 @@ fn run(mesh: TriMesh, fields: Along) -> (Site, SurfacePacking) {
     let mut placing = SurfacePlacing::new(&site, fields, PARAMS);
     while !placing.advance(&site, fields) {}
     let mut packing = placing.finish(&site, fields);
-    while !packing.step(&site, fields).done {}
+    while !packing.advance(&site, fields) {}
     (site, packing)
 }
 
@@ -81,6 +81,55 @@ fn square() -> TriMesh {
     sheet([40, 40], [false; 2], |u, v| {
         DVec3::new(100.0 * u, 0.0, -100.0 * v)
     })
+}
+
+#[test]
+fn steps_are_the_same_in_whatever_portions() {
+    let mesh = sheet([30, 24], [false; 2], |u, v| {
+        DVec3::new(100.0 * u, 8.0 * libm::sin(6.0 * u), -80.0 * v)
+    });
+    for (kind, integrator) in [
+        (Kind::Square, Integrator::SemiImplicit),
+        (Kind::Circle, Integrator::RungeKutta),
+    ] {
+        let fields = Along {
+            kind,
+            size: 9.0,
+            axis: DVec3::X,
+            aspect: 1.0,
+        };
+        let site = Site::new(mesh.clone(), fields.size);
+        let params = PackingParams {
+            integrator,
+            ..PARAMS
+        };
+        let packed = |portion: usize| {
+            let mut placing = SurfacePlacing::new(&site, fields, params);
+            while !placing.advance(&site, fields) {}
+            let mut packing = placing.finish(&site, fields);
+            let (mut slices, mut steps) = (0, 0);
+            loop {
+                let done = packing.advance_by(&site, fields, portion);
+                // What is looked at on the way changes nothing.
+                packing.energy(&site);
+                slices += 1;
+                steps += u32::from(!packing.is_in_a_step());
+                if done {
+                    break;
+                }
+            }
+            assert_eq!(steps, packing.report().step);
+            (packing.particles(), packing.report(), slices)
+        };
+        let (whole, report, slices) = packed(usize::MAX);
+        assert_eq!(slices, report.step);
+        assert!(report.step > 8, "{report:?}");
+        for portion in [7, 50] {
+            let (particles, other, many) = packed(portion);
+            assert_eq!((&particles, other), (&whole, report));
+            assert!(many > 5 * slices, "{many} {slices}");
+        }
+    }
 }
 
 #[test]

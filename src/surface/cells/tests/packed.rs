@@ -193,7 +193,7 @@ fn packed_on(soup: testing::Soup, fields: Along) -> (Site, Vec<SurfaceParticle>)
     let mut placing = SurfacePlacing::new(&site, fields, params);
     while !placing.advance(&site, fields) {}
     let mut packing = placing.finish(&site, fields);
-    while !packing.step(&site, fields).done {}
+    while !packing.advance(&site, fields) {}
     (site, packing.particles())
 }
 
