@@ -381,17 +381,14 @@ impl<G: Ground> Census<'_, G> {
         for i in tight {
             let (centre, shape) = (self.bodies[i].particle.centre, &self.shapes[i]);
             let reach = 1.5 * self.longest;
-            let beside = self
-                .ground
-                .sight()
-                .any_near(self.grid, centre, reach, |k| {
-                    let way = || {
-                        self.ground
-                            .sight()
-                            .way(centre, self.bodies[k].particle.centre)
-                    };
-                    remove[k] && way().is_some_and(|(r, _)| shape.is_closer(shape, r, 1.5))
-                });
+            let beside = self.ground.sight().any_near(self.grid, centre, reach, |k| {
+                let way = || {
+                    self.ground
+                        .sight()
+                        .way(centre, self.bodies[k].particle.centre)
+                };
+                remove[k] && way().is_some_and(|(r, _)| shape.is_closer(shape, r, 1.5))
+            });
             if !beside && count < most {
                 remove[i] = true;
                 count += 1;

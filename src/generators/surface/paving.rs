@@ -41,6 +41,8 @@ pub(super) struct Meshed<'a> {
 
 /// Cells on their way to it.
 pub(super) enum Paves {
+    /// To find who is whose neighbour.
+    Link(Vec<SurfaceCell>),
     Turn(Paved),
     /// Brought to the surface that stones stand on, up to this one.
     Carry(Paved, usize),
@@ -51,14 +53,12 @@ impl Paves {
     /// One slice; answers with the cells when all is there.
     pub fn advance(params: &CellParams, work: &mut Option<Paves>, from: Meshed) -> Option<Paved> {
         let next = match work.take() {
-            None => {
-                let cells = from.mesh.surface_cells();
-                Paves::Turn(Paved {
-                    links: links(&cells),
-                    coats: Vec::new(),
-                    cells,
-                })
-            }
+            None => Paves::Link(from.mesh.surface_cells()),
+            Some(Paves::Link(cells)) => Paves::Turn(Paved {
+                links: links(&cells),
+                coats: Vec::new(),
+                cells,
+            }),
             Some(Paves::Turn(mut paved)) => {
                 let sense = if params.flip { -1.0 } else { 1.0 };
                 let flow = |p: &SurfacePoint| Some(sense * from.fields.flow(p));

@@ -166,10 +166,11 @@ impl Coarsening {
 
     /// Works on so many rows; true when done.
     pub fn advance(&mut self, fine: &System, amount: usize) -> bool {
-        let all = if self.stage < 3 {
-            fine.len()
+        // A group's row is the sum of those of its members, of which there are about so many.
+        let (all, amount) = if self.stage < 3 {
+            (fine.len(), amount)
         } else {
-            self.count as usize
+            (self.count as usize, amount / 13)
         };
         let end = all.min(self.at.saturating_add(amount.max(1)));
         for v in self.at..end {
