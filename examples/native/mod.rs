@@ -149,6 +149,7 @@ pub fn write_report(
 ) -> Result<(), String> {
     let mut report = studio.report();
     (report.notices, report.frame) = (notices, frame);
+    report.notices.extend(studio.engine().remarks());
     let metrics = studio.engine_as().and_then(Pavement::metrics);
     report.metrics = metrics.map(|metrics| metrics_json(&metrics));
     write(dir, "report.json", report.json().as_bytes())
@@ -163,14 +164,17 @@ pub fn write_made(studio: &mut Studio, dir: &Path) -> Result<(), String> {
     if let Some(picture) = studio.picture() {
         write_rgb(dir, "picture.png", side, opaque(picture))?;
     }
-    // What is no height field has no planes.
-    let has_planes = studio.generator().stages.contains(&"planes");
     for kind in [MapKind::Height, MapKind::Albedo, MapKind::Id] {
-        if has_planes {
+        if has_planes(studio) {
             write_map(studio, kind, dir)?;
         }
     }
     Ok(())
+}
+
+/// What is no height field has no planes.
+fn has_planes(studio: &Studio) -> bool {
+    studio.generator().stages.contains(&"planes")
 }
 
 /// Writes all maps.
@@ -268,7 +272,7 @@ pub fn detail_of(word: &str) -> Result<usize, String> {
 }
 
 /// Writes the surface of all cells and the ground as surface.obj, surface.glb and, with images,
-/// surface-textured.glb.
+/// surface-textured.glb, where there are images.
 pub fn write_meshes(studio: &mut Studio, detail: usize, dir: &Path) -> Result<(), String> {
     for (format, word) in MeshFormat::ALL {
         let order = MeshOrder {
@@ -278,6 +282,9 @@ pub fn write_meshes(studio: &mut Studio, detail: usize, dir: &Path) -> Result<()
         };
         let file = mesh(studio, order)?;
         write(dir, &format!("surface.{word}"), &file)?;
+    }
+    if !has_planes(studio) {
+        return Ok(());
     }
     let kinds = [MapKind::Albedo, MapKind::NormalOpengl, MapKind::Orm];
     let mut images = Vec::new();

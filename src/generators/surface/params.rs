@@ -219,7 +219,8 @@ fn sizes(recipe: &Recipe) -> Sizes {
         count: recipe.number(keys::CN),
         taper: (taper != 1.0).then(|| Taper {
             along: match recipe.choice(keys::ALONG) {
-                "bones" => Along::Bones,
+                // What comes from a file has no bones: its main axis is upright.
+                "bones" if recipe.choice(keys::FORM) != FILE => Along::Bones,
                 word => Along::Axis(towards(word)),
             },
             first: 1.0 / taper.sqrt(),
