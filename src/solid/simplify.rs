@@ -33,19 +33,24 @@ struct Simplifier<'a> {
     /// How often each vertex has changed.
     changes: Vec<u32>,
     edges: BinaryHeap<Edge>,
+    /// The mean square of distances to the planes of before is at most this.
+    square: f64,
 }
 
 /// Takes triangles out of a closed surface until at most `most` are left, or none can go. Those that go become
 /// `[0, 0, 0]`. What lies below the height `floor` counts a tenth.
 pub(crate) fn simplify(positions: &[Vec3], triangles: &mut [[u32; 3]], most: usize, floor: f32) {
-    simplify_between(positions, triangles, most, floor, |_| false);
+    simplify_between(positions, triangles, (most, f64::INFINITY), floor, |_| {
+        false
+    });
 }
 
-/// The same of a surface with borders, whose vertices must stay, as others may.
+/// The same of a surface with borders, whose vertices must stay, as others may; nowhere does it come to lie much
+/// farther than `far` from where it was.
 pub(crate) fn simplify_between(
     positions: &[Vec3],
     triangles: &mut [[u32; 3]],
-    most: usize,
+    (most, far): (usize, f64),
     floor: f32,
     stays: impl Fn(u32) -> bool,
 ) {
@@ -53,7 +58,7 @@ pub(crate) fn simplify_between(
     if left <= most {
         return;
     }
-    let mut simplifier = Simplifier::new(positions, triangles, floor);
+    let mut simplifier = Simplifier::new(positions, triangles, far, floor);
     while left > most.max(4) {
         let Some(Reverse((_, [a, b], changes))) = simplifier.edges.pop() else {
             return;
@@ -66,7 +71,7 @@ pub(crate) fn simplify_between(
 }
 
 impl<'a> Simplifier<'a> {
-    fn new(positions: &[Vec3], triangles: &'a mut [[u32; 3]], floor: f32) -> Self {
+    fn new(positions: &[Vec3], triangles: &'a mut [[u32; 3]], far: f64, floor: f32) -> Self {
         // Sums about a near place lose less.
         let origin = positions[0];
         let count = positions.len();
@@ -76,6 +81,7 @@ impl<'a> Simplifier<'a> {
             around: vec![Vec::new(); count],
             changes: vec![0; count],
             edges: BinaryHeap::new(),
+            square: far * far,
             triangles,
         };
         let floor = f64::from(floor - origin.z);
@@ -117,6 +123,9 @@ impl<'a> Simplifier<'a> {
         let [qa, qb] = [a, b].map(|v| &self.quadrics[v as usize]);
         let [from, to] = [a, b].map(|v| self.places[v as usize]);
         let off = greater(qa.at(to) + qb.at(to), 0.0);
+        if off > self.square * (qa.weight() + qb.weight()) {
+            return;
+        }
         let cost = off + LENGTH * qa.weight() * (to - from).length_squared();
         let edge = (rank(cost), [a, b], self.changes_of(a, b));
         self.edges.push(Reverse(edge));

@@ -21,6 +21,8 @@ const MOST_SUNK: [f64; 2] = [0.5, 0.6];
 const THICK: f64 = 0.3;
 /// How deep stones reach, with what the wildest of them is lower.
 const BASE: f64 = 1.1;
+/// What degrees of detail may be off, of the depth of the ground.
+const FAR: f64 = 0.35;
 /// Edges of a mesh that are shorter than this, in sizes, are finer than the ground needs.
 const FINE: f64 = 0.6;
 /// Colours of the inside and of the rim, of that of the ground.
@@ -40,6 +42,8 @@ pub(super) struct Ground {
     places: Vec<u32>,
     next: usize,
     has_fine: bool,
+    /// Degrees of detail are nowhere farther off: what lies deep must not come through stones.
+    far: f64,
 }
 
 /// What a slice of the work has made of it.
@@ -93,6 +97,7 @@ impl Ground {
         } else if self.surface.positions.is_empty() {
             let bed = bed();
             self.has_fine = !bed.is_fine;
+            self.far = FAR * bed.sunk;
             self.surface = sheet(mesh, &bed, &self.curvatures);
         } else if self.order.is_empty() {
             self.order = parts(&self.surface.positions, &self.surface.triangles, PART);
@@ -154,7 +159,7 @@ impl Ground {
         let mut triangles = fine.triangles.clone();
         let mut levels = Vec::new();
         for degree in DEGREES {
-            let (most, positions) = (count / degree, &fine.positions);
+            let (most, positions) = ((count / degree, self.far), &fine.positions);
             simplify_between(positions, &mut triangles, most, f32::MIN, |v| {
                 stays[v as usize]
             });

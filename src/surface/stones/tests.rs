@@ -337,19 +337,34 @@ fn tops_lie_on_the_surface_and_the_ground_below() {
     let scene = build(params, &mesh, &cells);
     let scale = Fit::new(&mesh).scale as f32;
     let far = |p: Vec3| (p.x * p.x + p.z * p.z).sqrt() / scale;
+    let depth = (texture.depth() / params.unit) as f32;
+    let mut sheets = 0;
     for instance in &scene.instances {
-        let level = &scene.bodies[instance.body as usize].levels[0];
+        let levels = &scene.bodies[instance.body as usize].levels;
+        // However coarse the ground is, it does not leave its depth by much.
+        for level in levels.iter().filter(|_| instance.id == GROUND) {
+            for triangle in &level.triangles {
+                let corners = triangle.map(|v| level.positions[v as usize] + instance.place.origin);
+                if corners.iter().all(|&p| far(p) > 1.0 - 1.1 * depth) {
+                    let middle = far((corners[0] + corners[1] + corners[2]) / 3.0);
+                    assert!(middle > 1.0 - 1.7 * depth, "{middle} {depth}");
+                    sheets += 1;
+                }
+            }
+        }
+        let level = &levels[0];
         let radii = level
             .positions
             .iter()
             .map(|&p| far(p + instance.place.origin));
         let highest = radii.fold(0.0, f32::max);
         let wanted = match instance.id {
-            GROUND => 1.0 - (texture.depth() / params.unit) as f32,
+            GROUND => 1.0 - depth,
             _ => 1.0,
         };
         assert!((highest - wanted).abs() < 0.012, "{highest} {wanted}");
     }
+    assert!(sheets > 20, "{sheets}");
 }
 
 #[test]

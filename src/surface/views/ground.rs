@@ -168,7 +168,8 @@ impl Ground {
         };
         for &degree in degrees {
             if degree > 1 {
-                simplify_between(&positions, &mut triangles, count / degree, f32::MIN, |v| {
+                let most = (count / degree, f64::INFINITY);
+                simplify_between(&positions, &mut triangles, most, f32::MIN, |v| {
                     stays[v as usize]
                 });
                 triangles.retain(|t| t[0] != t[1]);
