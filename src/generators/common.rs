@@ -1,10 +1,12 @@
-//! From the rows that generators share to the parameters of the height field's weather and light.
+//! From the rows that generators share to the parameters of stones, their colours, weather and light.
 
 use super::height_field::LightParams;
 use crate::light::{Light, ShadeParams};
-use crate::material::{Gloss, WeatherParams, material_table};
+use crate::material::{ColourParams, Gloss, Pattern, WeatherParams, material_table};
 use crate::recipe::Recipe;
 use crate::recipe::common::keys;
+use crate::recipe::stones::{SKIN, keys as stones};
+use crate::solid::{Distribution, SkinParams, StoneKind, StoneParams};
 
 /// Pixels along the picture's side.
 pub(super) fn side(recipe: &Recipe) -> usize {
@@ -58,6 +60,54 @@ pub(super) fn shading(recipe: &Recipe) -> ShadeParams {
         shininess: recipe.number(keys::SHIN),
         shadow: recipe.number(keys::SHADOW),
         occlusion: recipe.number(keys::OCCL),
+    }
+}
+
+/// What a cell becomes, of heights in such units.
+pub(super) fn stone(recipe: &Recipe, unit: f64) -> StoneParams {
+    StoneParams {
+        kind: match recipe.choice(stones::STONE) {
+            "flag" => StoneKind::Flagstone,
+            SKIN => StoneKind::Skin,
+            _ => StoneKind::Cobble,
+        },
+        height: recipe.number(stones::HS) * unit,
+        scale: recipe.number(stones::SV),
+        distortion: recipe.number(stones::DR),
+        distribution: match recipe.choice(stones::RAND) {
+            "normal" => Distribution::Normal,
+            _ => Distribution::Uniform,
+        },
+        bevel_horizontal: recipe.number(stones::BH),
+        bevel_vertical: recipe.number(stones::BV),
+        skin: SkinParams {
+            sweep: recipe.number(stones::SR),
+            skew: recipe.number(stones::SC),
+            skew_angle: recipe.number(stones::SA).to_radians(),
+            tilt: recipe.number(stones::TILT),
+            taper: recipe.number(stones::TC),
+            flatness: recipe.number(stones::FLAT),
+            keel: recipe.number(stones::KEEL),
+            rings: recipe.number(stones::RINGS) as u32,
+            dimension: recipe.number(keys::FD),
+            amplitude: recipe.number(keys::AF),
+        },
+        seed: seed(recipe),
+    }
+}
+
+/// Which cells are marked, of patterns in such units.
+pub(super) fn colour(recipe: &Recipe, unit: f64) -> ColourParams {
+    ColourParams {
+        pattern: Pattern::of_word(recipe.choice(stones::PATTERN)),
+        scale: recipe.number(stones::PN) * unit,
+        angle: recipe.number(stones::PA).to_radians(),
+        sharpness: recipe.number(stones::PS),
+        share: recipe.number(stones::PC),
+        amount: recipe.number(stones::PM),
+        rim: recipe.number(stones::RIM),
+        belly: recipe.number(stones::BELLY),
+        belly_angle: recipe.number(stones::BA).to_radians(),
     }
 }
 

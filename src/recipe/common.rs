@@ -4,6 +4,7 @@
 use super::parameter::{Parameter, choice, int, number};
 use super::schema::choices;
 
+/// A table of rows that are no generator's own.
 macro_rules! common {
     ($($word:ident $name:ident: $help:literal => $row:expr;)*) => {
         /// The keys of the common rows.
@@ -15,6 +16,7 @@ macro_rules! common {
         $(#[doc = $help] pub const $name: Parameter = $row.named(keys::$name, $help);)*
     };
 }
+pub(super) use common;
 
 common! {
     size SIZE: "Side of the square picture." =>

@@ -10,6 +10,7 @@ mod lists;
 pub mod parameter;
 mod rows;
 pub mod schema;
+pub mod stones;
 mod value;
 
 pub use link::{VERSION, VIEW};

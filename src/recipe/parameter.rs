@@ -171,6 +171,12 @@ impl Parameter {
         self
     }
 
+    /// Called otherwise.
+    pub const fn called(mut self, name: &'static str) -> Self {
+        self.name = name;
+        self
+    }
+
     /// Among the controls of this group.
     pub const fn group(mut self, group: &'static str) -> Self {
         self.group = group;

@@ -25,8 +25,8 @@ defaults! {
     FieldParams: params::fields, PLAIN;
     PackingParams: params::packing, PLAIN;
     StoneParams: stone, PLAIN;
-    SkinParams: |recipe| params::stone(recipe).skin, "stone=skin";
-    ColourParams: params::colour, PLAIN;
+    SkinParams: |recipe| common::stone(recipe, 1.0).skin, "stone=skin";
+    ColourParams: |recipe| common::colour(recipe, recipe.side()), PLAIN;
     TextureParams: texture, PLAIN;
     WeatherParams: common::weather, PLAIN;
     ShadeParams: common::shading, PLAIN;
@@ -39,7 +39,7 @@ const PLAIN: &str = "";
 fn stone(recipe: &Recipe) -> StoneParams {
     StoneParams {
         skin: SkinParams::default(),
-        ..params::stone(recipe)
+        ..common::stone(recipe, 1.0)
     }
 }
 

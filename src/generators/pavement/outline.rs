@@ -1,9 +1,10 @@
 //! The outline that a recipe asks for, and the free polygon that may be drawn for it.
 
-use super::schema::{POLYGON, SKIN, keys};
+use super::schema::{POLYGON, keys};
 use crate::domain::Outline;
 use crate::domain::shape::{ShapeParams, built_in};
 use crate::notice::{Code, Notice};
+use crate::recipe::stones::SKIN;
 use crate::recipe::{Key, Recipe, Rows, Rules, STEPS, points, row};
 use glam::DVec2;
 

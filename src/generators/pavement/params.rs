@@ -10,11 +10,10 @@ use crate::field::{Direction, FieldParams, Grading, Kind, Spot};
 use crate::generators::common;
 use crate::generators::height_field::{HeightFieldParams, PlaneParams};
 use crate::heightfield::TextureParams;
-use crate::material::{ColourParams, Pattern};
+use crate::material::ColourParams;
 use crate::packing::{BoundaryCondition, Integrator, PackingParams, Population, Start};
 use crate::recipe::Recipe;
 use crate::recipe::common::keys as shared;
-use crate::solid::{Distribution, SkinParams, StoneKind, StoneParams};
 use glam::DVec2;
 
 /// Rounds of Lloyd's relaxation: after these it hardly gets better.
@@ -89,7 +88,7 @@ impl Params {
             cells: cells(recipe),
             flow: recipe.is_skin().then(|| flow(recipe)),
             coats: CoatParams {
-                colour: colour(recipe),
+                colour: common::colour(recipe, recipe.side()),
                 seed: common::seed(recipe),
                 side: recipe.side(),
             },
@@ -274,38 +273,6 @@ fn cells(recipe: &Recipe) -> CellParams {
     }
 }
 
-pub(super) fn stone(recipe: &Recipe) -> StoneParams {
-    StoneParams {
-        kind: match recipe.choice(keys::STONE) {
-            "flag" => StoneKind::Flagstone,
-            "skin" => StoneKind::Skin,
-            _ => StoneKind::Cobble,
-        },
-        height: recipe.number(keys::HS),
-        scale: recipe.number(keys::SV),
-        distortion: recipe.number(keys::DR),
-        distribution: match recipe.choice(keys::RAND) {
-            "normal" => Distribution::Normal,
-            _ => Distribution::Uniform,
-        },
-        bevel_horizontal: recipe.number(keys::BH),
-        bevel_vertical: recipe.number(keys::BV),
-        skin: SkinParams {
-            sweep: recipe.number(keys::SR),
-            skew: recipe.number(keys::SC),
-            skew_angle: recipe.number(keys::SA).to_radians(),
-            tilt: recipe.number(keys::TILT),
-            taper: recipe.number(keys::TC),
-            flatness: recipe.number(keys::FLAT),
-            keel: recipe.number(keys::KEEL),
-            rings: recipe.number(keys::RINGS) as u32,
-            dimension: recipe.number(shared::FD),
-            amplitude: recipe.number(shared::AF),
-        },
-        seed: common::seed(recipe),
-    }
-}
-
 /// Planes, weather and light with `pixel_scale` pixels for each of the recipe, along a side.
 pub(super) fn finish(recipe: &Recipe, pixel_scale: usize, finer: i32) -> HeightFieldParams {
     let texture = TextureParams {
@@ -325,27 +292,13 @@ pub(super) fn texture(recipe: &Recipe) -> TextureParams {
         pixel_scale: 1,
         seed: common::seed(recipe),
         size: recipe.number(keys::CS),
-        stone: stone(recipe),
+        stone: common::stone(recipe, 1.0),
         dimension: recipe.number(shared::FD),
         amplitude: recipe.number(shared::AF),
         palette: recipe.choice(shared::PALETTE),
         ground: recipe.choice(shared::GROUND),
         vary: recipe.number(shared::VARY),
-        colour: colour(recipe),
+        colour: common::colour(recipe, recipe.side()),
         tile: recipe.is_tile(),
-    }
-}
-
-pub(super) fn colour(recipe: &Recipe) -> ColourParams {
-    ColourParams {
-        pattern: Pattern::of_word(recipe.choice(keys::PATTERN)),
-        scale: recipe.number(keys::PN) * recipe.side(),
-        angle: recipe.number(keys::PA).to_radians(),
-        sharpness: recipe.number(keys::PS),
-        share: recipe.number(keys::PC),
-        amount: recipe.number(keys::PM),
-        rim: recipe.number(keys::RIM),
-        belly: recipe.number(keys::BELLY),
-        belly_angle: recipe.number(keys::BA).to_radians(),
     }
 }

@@ -4,13 +4,11 @@
 use crate::domain::MAX_POINTS;
 use crate::recipe::parameter::{choice, int, number, text};
 use crate::recipe::schema::{choices, rows};
+use crate::recipe::stones::{self, SKIN};
 use crate::recipe::{Choice, Item, SideLimits, common};
 
 /// The word for the outline that is given by its points.
 pub const POLYGON: &str = "polygon";
-
-/// The word for skin cells among the stones.
-pub const SKIN: &str = "skin";
 
 /// Cells below two pixels could not be told from noise.
 const CELL_LIMITS: SideLimits = SideLimits {
@@ -133,54 +131,24 @@ rows! {
             fitted: "Fitted", packed: "As packed", voronoi: "Voronoi", lloyd: "Lloyd",
         ]).group("Packing");
 
-    stone STONE: "What a cell becomes: a round stone, a flat one with bevelled edges, or a cell of skin, a prism that may lean and taper." =>
-        choice("Form", choices![cobble: "Cobblestone", flag: "Flagstone", skin: "Skin"])
-            .group("Relief").main();
-    sv SV: "Scale of the base in its cell; below 1 the joints get wider. Smoothing draws skin together, so it needs more." =>
-        number("Sv", "Base scale").range(0.5, 3.0, 0.01, 1.0).default_while(keys::STONE, SKIN, 1.4)
-            .group("Relief").main();
-    hs HS: "Height of the stones: low ones lie flat, high ones have round heads and deep joints." =>
-        number("Hs", "Height").range(1.0, 128.0, 1.0, 18.0).unit("px").group("Relief").main()
-            .only_for(keys::STONE, &["cobble", "flag"]);
-    sr SR: "Height of skin, in skin sizes: the mean distance of a cell's corners from its middle." =>
-        number("Sr", "Sweep").range(0.05, 4.0, 0.05, 1.0).group("Relief").main()
-            .only_for(keys::STONE, SKINS);
-    sc SC: "How far the top leans along the flow, in skin sizes: scales overlap where it is large." =>
-        number("Sc", "Skew").range(0.0, 4.0, 0.05, 0.0).group("Relief")
-            .only_for(keys::STONE, SKINS);
-    tilt TILT: "How much the top rises along the flow: scales lie like tiles on a roof." =>
-        number("", "Tilt").range(0.0, 1.0, 0.01, 0.0).group("Relief")
-            .only_for(keys::STONE, SKINS);
-    sa SA: "Where the top leans and rises to, clockwise from the direction of the cells." =>
-        number("", "Flow angle").range(-180.0, 180.0, 1.0, 0.0).unit("°")
-            .group("Relief").only_for(keys::STONE, SKINS);
+    stone STONE => stones::STONE;
+    sv SV => stones::SV.default_while(keys::STONE, SKIN, 1.4);
+    hs HS => stones::HS.unit("px");
+    sr SR => stones::SR;
+    sc SC => stones::SC;
+    tilt TILT => stones::TILT;
+    sa SA => stones::SA;
     flow FLOW: "Which way scales lean as a whole: as their axes happen to point, along the painted strokes, or against them." =>
         choice("Flow", choices![own: "As it comes", strokes: "Along strokes", against: "Against strokes"])
-            .group("Relief").steady().only_for(keys::STONE, SKINS);
-    tc TC: "How far the top is drawn to the middle: 0 a block, 1 a thorn." =>
-        number("Tc", "Taper").range(0.0, 1.0, 0.01, 0.2).group("Relief")
-            .only_for(keys::STONE, SKINS);
-    flat FLAT: "How much is kept of the prism under the smooth surface: 0 a dome, 1 a plate with edges." =>
-        number("", "Flatness").range(0.0, 1.0, 0.01, 0.0).group("Relief")
-            .only_for(keys::STONE, SKINS);
-    keel KEEL: "Height of a ridge along the flow over the middle of each cell, in cell heights." =>
-        number("", "Keel").range(0.0, 1.0, 0.01, 0.0).group("Relief")
-            .only_for(keys::STONE, SKINS);
-    rings RINGS: "Growth rings on each cell." =>
-        int("", "Growth rings").range(0.0, 12.0, 1.0, 0.0).group("Relief")
-            .only_for(keys::STONE, SKINS);
-    dr DR: "Random distortion of the top corners; 0 makes all stones alike." =>
-        number("Dr", "Distortion").range(0.0, 1.0, 0.01, 0.3).default_while(keys::STONE, SKIN, 0.05)
-            .group("Relief").main();
-    rand RAND: "Distribution of the distortion: uniform (2000) or normal (2001)." =>
-        choice("Random numbers", choices![uniform: "Uniform", normal: "Normal"])
-            .group("Relief").steady();
-    bh BH: "How far from a corner the horizontal bevel begins." =>
-        number("Bh", "Bevel, horizontal").range(0.0, 1.0, 0.01, 0.2).group("Relief")
-            .only_for(keys::STONE, &["flag"]);
-    bv BV: "How far below the top the vertical bevel begins." =>
-        number("Bv", "Bevel, vertical").range(0.0, 1.0, 0.01, 0.2).group("Relief").steady()
-            .only_for(keys::STONE, &["flag"]);
+            .group("Relief").steady().only_for(keys::STONE, &[SKIN]);
+    tc TC => stones::TC;
+    flat FLAT => stones::FLAT;
+    keel KEEL => stones::KEEL;
+    rings RINGS => stones::RINGS;
+    dr DR => stones::DR.default_while(keys::STONE, SKIN, 0.05);
+    rand RAND => stones::RAND;
+    bh BH => stones::BH;
+    bv BV => stones::BV;
 
     fd FD => common::FD.default_while(keys::STONE, SKIN, 1.1);
     af AF => common::AF.default_while(keys::STONE, SKIN, 0.1);
@@ -195,28 +163,14 @@ rows! {
             blotches: "Blotches", turing: "Reaction-diffusion", size: "By size",
             boundary: "Near the boundary", lines: "Near lines", direction: "By direction",
         ]).group("Colour");
-    pn PN: "From one mark to the next, or how far marks reach, in picture sides." =>
-        number("", "Pattern scale").range(0.02, 1.0, 0.01, 0.12).group("Colour")
-            .only_for(keys::PATTERN, SCALED);
-    pa PA: "Across bands, or where marked cells point, clockwise from the x axis." =>
-        number("", "Pattern angle").range(-180.0, 180.0, 1.0, 0.0).unit("°")
-            .group("Colour").only_for(keys::PATTERN, &["bands", "direction"]);
-    ps PS: "Of the border between marked cells and others: 0 soft, 1 sharp." =>
-        number("", "Pattern sharpness").range(0.0, 1.0, 0.05, 0.7).group("Colour")
-            .only_for(keys::PATTERN, PATTERNS);
-    pc PC: "Share of the cells that are marked." =>
-        number("", "Pattern share").range(0.05, 0.95, 0.01, 0.5).group("Colour")
-            .only_for(keys::PATTERN, PATTERNS);
-    pm PM: "How much of the mark's colour marked cells have." =>
-        number("", "Pattern strength").range(0.0, 1.0, 0.05, 1.0).group("Colour")
-            .only_for(keys::PATTERN, PATTERNS);
-    rim RIM: "Darkens the rim of each cell; below 0 its middle." =>
-        number("", "Dark rims").range(-1.0, 1.0, 0.05, 0.0).group("Colour");
-    belly BELLY: "How much of the palette's belly colour there is on one side of the picture." =>
-        number("", "Belly").range(0.0, 1.0, 0.05, 0.0).group("Colour");
-    ba BA: "Where the belly is, clockwise from the x axis." =>
-        number("", "Belly angle").range(-180.0, 180.0, 1.0, 90.0).unit("°")
-            .group("Colour").only_with(keys::BELLY);
+    pn PN => stones::PN.only_for(keys::PATTERN, SCALED);
+    pa PA => stones::PA;
+    ps PS => stones::PS.only_for(keys::PATTERN, PATTERNS);
+    pc PC => stones::PC.only_for(keys::PATTERN, PATTERNS);
+    pm PM => stones::PM.only_for(keys::PATTERN, PATTERNS);
+    rim RIM => stones::RIM;
+    belly BELLY => stones::BELLY;
+    ba BA => stones::BA;
 
     wear WEAR => common::WEAR;
     moss MOSS => common::MOSS;
@@ -239,9 +193,6 @@ rows! {
 
 /// The kinds with an aspect ratio.
 const STRETCHED: &[&str] = &["rectangle", "ellipse"];
-
-/// The word of the stones that are skin.
-const SKINS: &[&str] = &["skin"];
 
 /// The patterns, and those that have a scale.
 const PATTERNS: &[&str] = &[

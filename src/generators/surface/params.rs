@@ -1,16 +1,15 @@
 //! From a recipe to what each stage works by.
 
 use super::models::Model;
-use super::schema::{FILE, ROWS, SKIN, keys};
+use super::schema::{FILE, ROWS, keys};
 use crate::field::Kind;
 use crate::generators::common;
 use crate::generators::height_field::LightParams;
 use crate::heightfield::TextureParams;
-use crate::material::{ColourParams, Pattern, WeatherParams};
+use crate::material::{ColourParams, WeatherParams};
 use crate::packing::{BoundaryCondition, Integrator, PackingParams, Population, Start};
 use crate::recipe::Recipe;
 use crate::recipe::common::keys as shared;
-use crate::solid::{Distribution, SkinParams, StoneKind, StoneParams};
 use crate::surface::field::{Along, ByCurvature, Taper};
 use crate::surface::shapes::Shape;
 use crate::surface::stones::Open;
@@ -133,7 +132,7 @@ impl Params {
             fields: fields(recipe, sizes),
             packing: packing(recipe),
             cells: CellParams {
-                colour: colour(recipe),
+                colour: common::colour(recipe, 1.0),
                 seed: common::seed(recipe),
                 flip: recipe.choice(keys::FLIP) == "1",
             },
@@ -288,60 +287,13 @@ fn texture(recipe: &Recipe) -> TextureParams {
         pixel_scale: 1,
         seed: common::seed(recipe),
         size: UNIT,
-        stone: stone(recipe),
+        stone: common::stone(recipe, UNIT),
         dimension: recipe.number(shared::FD),
         amplitude: recipe.number(shared::AF),
         palette: recipe.choice(shared::PALETTE),
         ground: recipe.choice(shared::GROUND),
         vary: recipe.number(shared::VARY),
-        colour: colour(recipe),
+        colour: common::colour(recipe, 1.0),
         tile: false,
-    }
-}
-
-fn stone(recipe: &Recipe) -> StoneParams {
-    StoneParams {
-        kind: match recipe.choice(keys::STONE) {
-            "flag" => StoneKind::Flagstone,
-            SKIN => StoneKind::Skin,
-            _ => StoneKind::Cobble,
-        },
-        height: recipe.number(keys::HS) * UNIT,
-        scale: recipe.number(keys::SV),
-        distortion: recipe.number(keys::DR),
-        distribution: match recipe.choice(keys::RAND) {
-            "normal" => Distribution::Normal,
-            _ => Distribution::Uniform,
-        },
-        bevel_horizontal: recipe.number(keys::BH),
-        bevel_vertical: recipe.number(keys::BV),
-        skin: SkinParams {
-            sweep: recipe.number(keys::SR),
-            skew: recipe.number(keys::SC),
-            skew_angle: recipe.number(keys::SA).to_radians(),
-            tilt: recipe.number(keys::TILT),
-            taper: recipe.number(keys::TC),
-            flatness: recipe.number(keys::FLAT),
-            keel: recipe.number(keys::KEEL),
-            rings: recipe.number(keys::RINGS) as u32,
-            dimension: recipe.number(shared::FD),
-            amplitude: recipe.number(shared::AF),
-        },
-        seed: common::seed(recipe),
-    }
-}
-
-fn colour(recipe: &Recipe) -> ColourParams {
-    ColourParams {
-        pattern: Pattern::of_word(recipe.choice(keys::PATTERN)),
-        // In sides of the box; the stage that knows the model makes picture units of it.
-        scale: recipe.number(keys::PN),
-        angle: recipe.number(keys::PA).to_radians(),
-        sharpness: recipe.number(keys::PS),
-        share: recipe.number(keys::PC),
-        amount: recipe.number(keys::PM),
-        rim: recipe.number(keys::RIM),
-        belly: recipe.number(keys::BELLY),
-        belly_angle: recipe.number(keys::BA).to_radians(),
     }
 }

@@ -2,14 +2,12 @@
 
 use crate::recipe::parameter::{Parameter, choice, int, number, text};
 use crate::recipe::schema::{choices, rows};
+use crate::recipe::stones::{self, SKIN};
 use crate::recipe::{Choice, Item, Key, common};
 use crate::surface::shapes::{ShapeNumber, numbers};
 
 /// The word for the surface that a file gives.
 pub const FILE: &str = "file";
-
-/// The word for skin cells among the stones.
-pub const SKIN: &str = "skin";
 
 /// The row of a number of a shape.
 const fn own(key: Key, of: &ShapeNumber, shape: &'static [&'static str]) -> Parameter {
@@ -172,51 +170,21 @@ rows! {
         number("Vs", "Size variance").range(0.0, 0.5, 0.01, 0.0).group("Packing");
     seed SEED: "Names the random numbers: another seed, other stones." => common::SEED.group("Packing");
 
-    stone STONE: "What a cell becomes: a round stone, a flat one with bevelled edges, or a cell of skin, a prism that may lean and taper." =>
-        choice("Form", choices![cobble: "Cobblestone", flag: "Flagstone", skin: "Skin"])
-            .group("Relief").main();
-    sv SV: "Scale of the base in its cell; below 1 the joints get wider. Smoothing draws skin together, so it needs more." =>
-        number("Sv", "Base scale").range(0.5, 3.0, 0.01, 0.97).default_while(keys::STONE, SKIN, 1.3)
-            .group("Relief").main();
-    hs HS: "Height of the stones, in cell sizes." =>
-        number("Hs", "Height").range(0.05, 2.0, 0.01, 0.4).group("Relief").main()
-            .only_for(keys::STONE, &["cobble", "flag"]);
-    sr SR: "Height of skin, in skin sizes: the mean distance of a cell's corners from its middle." =>
-        number("Sr", "Sweep").range(0.05, 4.0, 0.05, 0.45).group("Relief").main()
-            .only_for(keys::STONE, SKINS);
-    sc SC: "How far the top leans along the flow, in skin sizes: scales overlap where it is large." =>
-        number("Sc", "Skew").range(0.0, 4.0, 0.05, 0.9).group("Relief")
-            .only_for(keys::STONE, SKINS);
-    tilt TILT: "How much the top rises along the flow: scales lie like tiles on a roof." =>
-        number("", "Tilt").range(0.0, 1.0, 0.01, 0.28).group("Relief")
-            .only_for(keys::STONE, SKINS);
-    sa SA: "Where the top leans and rises to, from the flow, counter-clockwise seen from outside." =>
-        number("", "Flow angle").range(-180.0, 180.0, 1.0, 0.0).unit("°")
-            .group("Relief").only_for(keys::STONE, SKINS);
-    tc TC: "How far the top is drawn to the middle: 0 a block, 1 a thorn." =>
-        number("Tc", "Taper of the top").range(0.0, 1.0, 0.01, 0.25).group("Relief")
-            .only_for(keys::STONE, SKINS);
-    flat FLAT: "How much is kept of the prism under the smooth surface: 0 a dome, 1 a plate with edges." =>
-        number("", "Flatness").range(0.0, 1.0, 0.01, 0.0).group("Relief")
-            .only_for(keys::STONE, SKINS);
-    keel KEEL: "Height of a ridge along the flow over the middle of each cell, in cell heights." =>
-        number("", "Keel").range(0.0, 1.0, 0.01, 0.4).group("Relief")
-            .only_for(keys::STONE, SKINS);
-    rings RINGS: "Growth rings on each cell." =>
-        int("", "Growth rings").range(0.0, 12.0, 1.0, 0.0).group("Relief")
-            .only_for(keys::STONE, SKINS);
-    dr DR: "Random distortion of the top corners; 0 makes all stones alike." =>
-        number("Dr", "Distortion").range(0.0, 1.0, 0.01, 0.3).default_while(keys::STONE, SKIN, 0.03)
-            .group("Relief").main();
-    rand RAND: "Distribution of the distortion: uniform (2000) or normal (2001)." =>
-        choice("Random numbers", choices![uniform: "Uniform", normal: "Normal"])
-            .group("Relief").steady();
-    bh BH: "How far from a corner the horizontal bevel begins." =>
-        number("Bh", "Bevel, horizontal").range(0.0, 1.0, 0.01, 0.2).group("Relief")
-            .only_for(keys::STONE, &["flag"]);
-    bv BV: "How far below the top the vertical bevel begins." =>
-        number("Bv", "Bevel, vertical").range(0.0, 1.0, 0.01, 0.2).group("Relief").steady()
-            .only_for(keys::STONE, &["flag"]);
+    stone STONE => stones::STONE;
+    sv SV => stones::SV.range(0.5, 3.0, 0.01, 0.97).default_while(keys::STONE, SKIN, 1.3);
+    hs HS: "Height of the stones, in cell sizes." => stones::HS.range(0.05, 2.0, 0.01, 0.4);
+    sr SR => stones::SR.range(0.05, 4.0, 0.05, 0.45);
+    sc SC => stones::SC.range(0.0, 4.0, 0.05, 0.9);
+    tilt TILT => stones::TILT.range(0.0, 1.0, 0.01, 0.28);
+    sa SA: "Where the top leans and rises to, from the flow, counter-clockwise seen from outside." => stones::SA;
+    tc TC => stones::TC.range(0.0, 1.0, 0.01, 0.25).called("Taper of the top");
+    flat FLAT => stones::FLAT;
+    keel KEEL => stones::KEEL.range(0.0, 1.0, 0.01, 0.4);
+    rings RINGS => stones::RINGS;
+    dr DR => stones::DR.default_while(keys::STONE, SKIN, 0.03);
+    rand RAND => stones::RAND;
+    bh BH => stones::BH;
+    bv BV => stones::BV;
 
     fd FD => common::FD.default_while(keys::STONE, SKIN, 1.1);
     af AF => common::AF.default_while(keys::STONE, SKIN, 0.03);
@@ -225,34 +193,17 @@ rows! {
     ground GROUND => common::GROUND;
     gloss GLOSS => common::GLOSS;
 
-    pattern PATTERN: "The rule by which cells have the palette's mark colour." =>
-        choice("Pattern", choices![
-            none: "None", bands: "Bands", spots: "Spots", rosettes: "Rosettes",
-            blotches: "Blotches", turing: "Reaction-diffusion", size: "By size",
-            boundary: "Near the boundary", direction: "By direction",
-        ]).group("Colour");
+    pattern PATTERN => stones::PATTERN;
     pn PN: "From one mark to the next, or how far marks reach, in sides of the box around the model." =>
-        number("", "Pattern scale").range(0.02, 1.0, 0.01, 0.12).group("Colour")
-            .only_for(keys::PATTERN, SCALED);
+        stones::PN;
     pa PA: "Across bands, or where marked cells point, clockwise from the x axis, seen from the front." =>
-        number("", "Pattern angle").range(-180.0, 180.0, 1.0, 0.0).unit("°")
-            .group("Colour").only_for(keys::PATTERN, &["bands", "direction"]);
-    ps PS: "Of the border between marked cells and others: 0 soft, 1 sharp." =>
-        number("", "Pattern sharpness").range(0.0, 1.0, 0.05, 0.7).group("Colour")
-            .only_for(keys::PATTERN, PATTERNS);
-    pc PC: "Share of the cells that are marked." =>
-        number("", "Pattern share").range(0.05, 0.95, 0.01, 0.5).group("Colour")
-            .only_for(keys::PATTERN, PATTERNS);
-    pm PM: "How much of the mark's colour marked cells have." =>
-        number("", "Pattern strength").range(0.0, 1.0, 0.05, 1.0).group("Colour")
-            .only_for(keys::PATTERN, PATTERNS);
-    rim RIM: "Darkens the rim of each cell; below 0 its middle." =>
-        number("", "Dark rims").range(-1.0, 1.0, 0.05, 0.0).group("Colour");
-    belly BELLY: "How much of the palette's belly colour there is on one side of the body." =>
-        number("", "Belly").range(0.0, 1.0, 0.05, 0.0).group("Colour");
-    ba BA: "Where the belly is, clockwise from the x axis, seen from the front." =>
-        number("", "Belly angle").range(-180.0, 180.0, 1.0, 90.0).unit("°")
-            .group("Colour").only_with(keys::BELLY);
+        stones::PA;
+    ps PS => stones::PS;
+    pc PC => stones::PC;
+    pm PM => stones::PM;
+    rim RIM => stones::RIM;
+    belly BELLY: "How much of the palette's belly colour there is on one side of the body." => stones::BELLY;
+    ba BA: "Where the belly is, clockwise from the x axis, seen from the front." => stones::BA;
 
     wear WEAR => common::WEAR;
     moss MOSS: "Lets moss grow, in the joints, in hollows and on what faces up." => common::MOSS;
@@ -275,21 +226,3 @@ rows! {
 
 /// The kinds with an aspect ratio.
 const STRETCHED: &[&str] = &["rectangle", "ellipse"];
-
-/// The word of the stones that are skin.
-const SKINS: &[&str] = &[SKIN];
-
-/// The patterns, and those that have a scale.
-const PATTERNS: &[&str] = &[
-    "bands",
-    "spots",
-    "rosettes",
-    "blotches",
-    "turing",
-    "size",
-    "boundary",
-    "direction",
-];
-const SCALED: &[&str] = &[
-    "bands", "spots", "rosettes", "blotches", "turing", "boundary",
-];
