@@ -74,7 +74,7 @@ test('a surface shows its stones and nothing else, and is not left', sameEverywh
 });
 
 test('it is turned while the cells are packed, held, and packed on', async () => {
-  const { page, problems, close } = await site.newPage(`${BALL}&pace=0.05`);
+  const { page, problems, close } = await site.newPage(`${BALL}&pace=0.05`, { still: true });
   await page.waitForFunction(() => document.documentElement.dataset['stage'] === 'packing');
   await click(page, '#play');
   await turned(page);

@@ -87,8 +87,9 @@ export class Loop {
   set paused(paused: boolean) {
     this.held = paused;
     this.until = undefined;
-    // What has no cells yet goes on to its first ones.
-    this.settling = isUpToSteps(this.engine.generator.stages, this.engine.stage());
+    // What has no cells yet goes on to its first ones; in space a step of many cells takes several slices.
+    const stage = this.engine.stage();
+    this.settling = isUpToSteps(this.engine.generator.stages, stage) || (this.painter !== undefined && stage === STEPPING);
     // A pause shows the step that it holds, which may not have been drawn.
     this.redraw();
   }
@@ -196,9 +197,10 @@ export class Loop {
     const due = changed && now >= this.nextDrawing;
     const draw = this.owed || this.dirty || due || isEnd(stage) || (stage !== before && (this.held || stage === STEPPING));
     const isLong = working && now - begin + (this.painter ? PIECE : this.drawing) > LONG;
+    // Whoever paints may ask for more.
+    this.dirty = false;
     this.owed = draw && (isLong || !this.prepared(stage));
     if (this.owed) return this.wake();
-    this.dirty = false;
     this.show(stage, draw);
     if (!isEnd(stage) && (!this.held || this.settling)) this.wake();
   }

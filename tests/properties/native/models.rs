@@ -127,6 +127,11 @@ fn files_that_are_none_say_why() {
         ("", b"", "no model that can be read"),
     ] {
         let (mut studio, _) = studio(LINK);
+        // Whatever was there before.
+        studio
+            .open_file(file("box.obj", &cube(2.0)))
+            .expect("it is taken");
+        studio.finish(&mut || 0.0).expect("a picture");
         studio.open_file(file(name, bytes)).expect("it is taken");
         let said = failure(&mut studio);
         assert!(said.contains(words), "{name}: {said}");
