@@ -1,9 +1,9 @@
 //! From cells at rest on a surface to polygons that share their corners.
 //!
-//! Labels flood the domain from the cells ([`flood`]); where three meet is a triangle between cells ([`junctions`]), made
-//! Delaunay by flips ([`flips`]). Triangles are paired to quadrilaterals by the rules of the plane (`crate::mesh`), the few
-//! nodes concerned laid into one plane each time ([`nodes`]). Each cell's polygon is the chain of the elements around it
-//! and of its part of the border ([`rings`]), so that single rows and lone cells have one, too.
+//! Labels flood the domain from the cells (`flood`); where three meet is a triangle between cells (`junctions`), made
+//! Delaunay by flips (`flips`). Triangles are paired to quadrilaterals by the rules of the plane (`crate::mesh`), the few
+//! nodes concerned laid into one plane each time (`nodes`). Each cell's polygon is the chain of the elements around it
+//! and of its part of the border (`rings`), so that single rows and lone cells have one, too.
 //!
 //! Itoh, Miyata, Shimada (2003), section 5.2, has the Delaunay triangulation and the pairs; on surfaces it has none.
 

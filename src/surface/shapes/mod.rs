@@ -1,7 +1,7 @@
 //! Surfaces by rule: fifteen shapes of three to five numbers each.
 //!
-//! Closed ones are solid [`form`]s: functions that are negative inside. Their first triangles are [`march`]ed on a
-//! coarse grid, made even by [`remesh`], and then divided and brought onto the form until their edges are as short as
+//! Closed ones are solid `form`s: functions that are negative inside. Their first triangles are `march`ed on a
+//! coarse grid, made even by `remesh`, and then divided and brought onto the form until their edges are as short as
 //! asked, so that the cost is in proportion to the triangles. Ground, stairs and cylinders are laid out row by row.
 //!
 //! y is up; a shape stands on y = 0, with its middle over the origin, and its largest side is about 1. What runs along
