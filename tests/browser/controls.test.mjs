@@ -27,6 +27,7 @@ const NEEDS = {
   ba: 'belly=0.7',
   reach: 'dir=constant&strokes=0.1,0.1,0.6,0.9',
   sa: 'stone=skin&sc=1.5',
+  flow: 'stone=skin&sc=1.5&dir=constant&strokes=0.9,0.5,0.1,0.5',
 };
 
 // Values that are sure to differ, where half the way to the end is not.

@@ -43,7 +43,8 @@ async function film(link) {
   const finished = Object.assign(new Canvas(), { name: 'finished' });
   /** @type {[string, string, number, number][]} */
   const shown = [];
-  await frames.showForming(studio, finished, status, (/** @type {Canvas} */ one, other = one, share = 0, times = 1) => shown.push([one.name, other.name, share, times]));
+  const look = { side: studio.side(), draw: (/** @type {any} */ context) => studio.draw(context, 'auto') };
+  await frames.showForming(studio, look, finished, status, (/** @type {Canvas} */ one, other = one, share = 0, times = 1) => shown.push([one.name, other.name, share, times]));
   return { shown, steps: status.steps, planned: frames.framesOf(status.steps) };
 }
 
