@@ -197,10 +197,11 @@ export class Loop {
     const due = changed && now >= this.nextDrawing;
     const draw = this.owed || this.dirty || due || isEnd(stage) || (stage !== before && (this.held || stage === STEPPING));
     const isLong = working && now - begin + (this.painter ? PIECE : this.drawing) > LONG;
-    // Whoever paints may ask for more.
-    this.dirty = false;
+    // A painter may ask for more, which comes next.
+    if (this.painter) this.dirty = false;
     this.owed = draw && (isLong || !this.prepared(stage));
     if (this.owed) return this.wake();
+    if (!this.painter) this.dirty = false;
     this.show(stage, draw);
     if (!isEnd(stage) && (!this.held || this.settling)) this.wake();
   }
