@@ -20,7 +20,7 @@ const LINK = '#size=384&cs=32&outline=square';
 const THREE = '1152';
 const CLOSER = '1920';
 
-const retina = { width: 1280, height: 800, deviceScaleFactor: 2 };
+const retina = { width: 1280, height: 840, deviceScaleFactor: 2 };
 
 /** A page where the picture becomes fine, which counts its workers. @param {string} [fragment] @param {import('./harness.mjs').PageOptions} [options] */
 async function opened(fragment = LINK, options = {}) {

@@ -5,14 +5,19 @@ import { byId, make } from '../base/dom';
 import { withValues } from '../state/link';
 import type { Work } from '../state/work';
 
-/** Puts the buttons there: before anything is painted, so that nothing moves when they can be pressed. */
-export function showMakes(): HTMLButtonElement[] {
+/** What was pressed before there was anything to choose with. */
+let pressed = '';
+
+/** Puts the buttons there: before anything is painted, so that nothing moves later. What is pressed until then is kept. */
+export function showMakes(choose: (word: string) => void = (word) => (pressed = word)): HTMLButtonElement[] {
   const nav = byId('makes');
   nav.hidden = generators.length < 2;
   if (nav.hidden) return [];
   const buttons = generators.map(({ word, title, preset }) => {
     const picture = make('img', { src: `thumbs/${preset}.avif`, alt: '', width: '28', height: '28', decoding: 'async' });
-    return make('button', { type: 'button', class: 'make', 'data-make': word }, picture, make('span', {}, makeIn(word, title)));
+    const button = make('button', { type: 'button', class: 'make', 'data-make': word }, picture, make('span', {}, makeIn(word, title)));
+    button.addEventListener('click', () => choose(word));
+    return button;
   });
   nav.replaceChildren(...buttons);
   return buttons;
@@ -21,8 +26,6 @@ export function showMakes(): HTMLButtonElement[] {
 /** `push` is called before a change that the browser's Back button shall take back. */
 export function offerMakes(work: Work, push: () => void): void {
   const { engine, store } = work;
-  const buttons = showMakes();
-  if (!buttons.length) return;
   /** The last recipe of each, for the way back. */
   const last = new Map<string, string>();
   const choose = (word: string): void => {
@@ -33,7 +36,8 @@ export function offerMakes(work: Work, push: () => void): void {
     push();
     work.open(withValues(last.get(word) ?? (chosen === generators[0] ? 'v=1' : `v=1&make=${word}`), values), { then: () => store.update({ paused: false }) });
   };
-  for (const button of buttons) button.addEventListener('click', () => choose(button.dataset['make'] ?? ''));
+  const buttons = showMakes(choose);
+  if (!buttons.length) return;
   const mark = (): void => {
     const { make: word, coming } = store.state;
     for (const button of buttons) {
@@ -48,4 +52,5 @@ export function offerMakes(work: Work, push: () => void): void {
     if (!held) last.set(word, recipe);
   });
   last.set(store.state.make, store.state.recipe);
+  if (pressed) choose(pressed);
 }
