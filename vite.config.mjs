@@ -70,6 +70,16 @@ const house = here(`pkg-${process.env['BUBBLESTONE_HOUSE'] ?? 'house'}`);
 /** What each module makes, for the page to offer it before it is here; and the second module. */
 const made = {
   name: 'made',
+  // The choice of a generator is there when the page is painted first: not every browser waits for the script.
+  transformIndexHtml: {
+    order: /** @type {const} */ ('post'),
+    handler: async (/** @type {string} */ html) => {
+      const generators = await generatorsOf([here('pkg'), house]);
+      if (generators.length < 2) return html;
+      const buttons = generators.map(({ word, title, preset }) => `<button type="button" class="make" data-make="${word}"><img src="thumbs/${preset}.avif" alt="" width="28" height="28" decoding="async"><span>${escaped(title)}</span></button>`);
+      return html.replace(/(<nav [^>]*id="makes"[^>]*) hidden>/, (_, tag) => `${tag}>${buttons.join('')}`);
+    },
+  },
   /** @param {string} id */
   resolveId: (id) => (['virtual:generators', 'virtual:house'].includes(id) ? `\0${id}` : undefined),
   /** @param {string} id */

@@ -10,13 +10,13 @@ import { askedFor, openedFirst } from './state/first';
 import { fragment, isEmbedded } from './state/link';
 import { lastWork } from './state/memory';
 import { App } from './shell/app';
-import { showMakes } from './shell/makes';
+import { hearMakes } from './shell/makes';
 
 async function start(): Promise<void> {
   try {
     const embedded = isEmbedded();
     document.documentElement.toggleAttribute('data-embed', embedded);
-    if (!embedded) showMakes();
+    if (!embedded) hearMakes();
     const link = embedded ? fragment : firstLink;
     // What a view in the link needs comes beside the rest; where it does not, that is told later.
     if (!embedded && askedFor(lastWork()).words) void import('./look/linked').catch(() => undefined);
