@@ -89,9 +89,18 @@ const made = {
     const [script, packed] = ['bubblestone.js', 'house.lzma'].map((name) => JSON.stringify(`${house}/${name}?url`));
     return `import packed from ${packed}; import script from ${script}; export default { packed, script }`;
   },
+};
+
+/** @type {ReturnType<typeof thumbsOfMore> | undefined} */
+let more;
+
+/** The small pictures of what the second module adds. They take long: once, not for each worker and each change of the page. */
+const thumbs = {
+  name: 'thumbs',
   /** @this {import('rolldown').PluginContext} */
   async generateBundle() {
-    for (const { name, bytes } of await thumbsOfMore(house)) {
+    more ??= thumbsOfMore(house);
+    for (const { name, bytes } of await more) {
       this.emitFile({ type: 'asset', fileName: `thumbs/${name}.avif`, source: bytes });
     }
   },
@@ -112,7 +121,7 @@ export default defineConfig({
   root: here('www'),
   // Relative, so that the site works from any folder of any host.
   base: './',
-  plugins: [words, notices, whole, packed, made, offline],
+  plugins: [words, notices, whole, packed, made, thumbs, offline],
   json: { namedExports: true },
   build: {
     outDir: process.env['BUBBLESTONE_SITE'] ?? here('dist'),
