@@ -91,17 +91,13 @@ const made = {
   },
 };
 
-/** @type {ReturnType<typeof thumbsOfMore> | undefined} */
-let more;
-
-/** The small pictures of what the second module adds. They take long: once, not for each worker and each change of the page. */
+/** The small pictures of what the second module adds; workers show none. */
 const thumbs = {
   name: 'thumbs',
   /** @this {import('rolldown').PluginContext} */
   async generateBundle() {
-    more ??= thumbsOfMore(house);
-    for (const { name, bytes } of await more) {
-      this.emitFile({ type: 'asset', fileName: `thumbs/${name}.avif`, source: bytes });
+    for (const { name, bytes } of await thumbsOfMore(house)) {
+      this.emitFile({ type: 'asset', fileName: `thumbs/${name}`, source: bytes });
     }
   },
 };

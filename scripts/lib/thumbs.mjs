@@ -57,13 +57,27 @@ export async function buildThumbs() {
 }
 
 /**
- * Those of what a later module adds.
+ * Those of what a later module adds; kept while nothing of the program changes, as another build of it has the same.
  * @param {string} folder of that module
  */
 export async function thumbsOfMore(folder) {
-  const module = await moduleIn(folder);
-  const all = await generatorsOf([pageModule, folder]);
-  return (await Promise.all(all.filter((one) => one.module > 0).map(({ word }) => thumbsOf(module, word)))).flat();
+  const source = digest([...filesIn('src'), ...others, join(root, 'Cargo.lock')]);
+  const all = (await generatorsOf([pageModule, folder])).filter((one) => one.module > 0);
+  const files = [];
+  for (const { word } of all) {
+    const kept = join(root, 'www', '.thumbs', word);
+    const stamp = join(kept, 'made-from');
+    if (!existsSync(stamp) || readFileSync(stamp, 'utf8') !== source) {
+      rmSync(kept, { recursive: true, force: true });
+      const made = await thumbsOf(await moduleIn(folder), word);
+      mkdirSync(kept, { recursive: true });
+      for (const { name, bytes } of made) writeFileSync(join(kept, `${name}.avif`), bytes);
+      writeFileSync(stamp, source);
+    }
+    const names = readdirSync(kept).filter((name) => name.endsWith('.avif'));
+    files.push(...names.map((name) => ({ name, bytes: readFileSync(join(kept, name)) })));
+  }
+  return files;
 }
 
 /**
@@ -84,19 +98,24 @@ async function thumbsOf({ presets, Bubblestone }, word) {
   );
 }
 
+const others = ['scripts/lib/thumbs.mjs', 'package-lock.json'].map((file) => join(root, file));
+
+/** @param {string} folder */
+function filesIn(folder) {
+  const entries = readdirSync(join(root, folder), { recursive: true, withFileTypes: true });
+  return entries
+    .filter((entry) => entry.isFile())
+    .map((entry) => join(entry.parentPath, entry.name))
+    .sort();
+}
+
 /**
- * What decides the pictures: the planes of all presets, by their digests, which tests compare; and what makes
+ * What decides the pictures of planes: the planes of all presets, by their digests, which tests compare; and what makes
  * pictures of planes. Any other change of the module needs no new ones.
  */
 function sources() {
-  const folders = ['recipe', 'generators', 'material', 'heightfield'].map((name) => join(root, 'src', name));
-  const code = folders.flatMap((folder) =>
-    readdirSync(folder, { recursive: true, withFileTypes: true })
-      .filter((entry) => entry.isFile())
-      .map((entry) => join(entry.parentPath, entry.name)),
-  );
-  const others = ['tests/digests.txt', 'scripts/lib/thumbs.mjs', 'package-lock.json'].map((file) => join(root, file));
-  return [...code.sort(), ...others];
+  const folders = ['recipe', 'generators', 'material', 'heightfield'].map((name) => join('src', name));
+  return [...folders.flatMap(filesIn), join(root, 'tests', 'digests.txt'), ...others];
 }
 
 /**
