@@ -1,4 +1,4 @@
-/** The buttons for what is edited over the canvas; they stand in the caption's place. */
+/** The buttons for the figures that are edited over the canvas. They replace the caption. */
 import { t } from '../words/editor';
 import { make, say } from '../base/dom';
 import type { Figure, FigureValue, Sort } from './geometry/figures';
@@ -9,9 +9,9 @@ interface BarNeeds {
   addPoint(): void;
   remove(): void;
   turnOver(): void;
-  /** `last` is false while a slider is still on its way. */
+  /** `last` is false while the slider still moves. */
   value(value: number, last: boolean): void;
-  /** What is being drawn is finished as it is, or taken back. */
+  /** Ends the figure being drawn as it is, or cancels it. */
   finish(): void;
   cancel(): void;
   close(): void;
@@ -19,11 +19,11 @@ interface BarNeeds {
 
 interface BarState {
   marked: Figure | undefined;
-  /** The line goes round the marked point. */
+  /** The line is smooth at the marked point. */
   smooth: boolean;
   removable: boolean;
   drawing: boolean;
-  /** A hole is to be drawn next. */
+  /** The next drag draws a hole. */
   armed: boolean;
 }
 
@@ -67,12 +67,12 @@ export class EditorBar {
     this.bar.hidden = true;
   }
 
-  /** The keyboard goes where figures are added, or to the choice of sorts. */
+  /** Moves the keyboard focus to the button that adds a figure, or to the choice of sorts. */
   focus(): void {
     (this.addFigure.hidden ? this.what : this.addFigure).focus({ preventScroll: true });
   }
 
-  /** Shows what fits the sort, and the marked figure's value. */
+  /** Shows the buttons that fit the sort, and the value of the marked figure. */
   show(sorts: Sort[], sort: Sort, { marked, smooth, removable, drawing, armed }: BarState): void {
     this.bar.hidden = false;
     const words = sorts.map(({ word }) => word).join();

@@ -1,4 +1,4 @@
-/** Outlines that come from and go to files. */
+/** Dialogs that open an outline from a file and save it to one. */
 import type { Ring } from '../module/types';
 import { t } from '../words/editor';
 import { make } from '../base/dom';

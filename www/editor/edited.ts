@@ -1,4 +1,4 @@
-/** The figures that are edited over the canvas, and all that is done to them, by whatever hand. */
+/** The figures that are edited over the canvas, and every change to them, by pointer or by keyboard. */
 import type { Point } from '../module/types';
 import { divide, join, nearestLine, settle, turnOver } from './geometry/curve';
 import type { Figure, Place, Sort } from './geometry/figures';
@@ -6,28 +6,28 @@ import { distance, nearest, toSegment } from './geometry/plane';
 import { snap } from './geometry/snap';
 import { Sheet } from './sheet';
 
-/** CSS pixels from which Shift draws a point to others and to directions. */
+/** With Shift, a point snaps to other points and to directions within this many CSS pixels. */
 const REACH = 9;
 
 export interface FigureNeeds {
   side(): number;
-  /** A new figure, away from those that are there; for a seed the one at this place. */
+  /** A new figure, away from the existing ones. A new seed is put at `at`. */
   fresh(sort: Sort, figures: Figure[], at?: Point): Figure | undefined;
-  /** The value of a figure that was drawn. */
+  /** The initial value of a figure that was drawn. */
   first(sort: Sort): number;
-  /** Takes the figures over, or says why it cannot and answers false. */
+  /** Takes the figures over. Returns false where it refuses, and shows why. */
   change(sort: Sort, figures: Figure[]): boolean;
   /** A drag begins or ends. */
   live(on: boolean): void;
-  /** A ring was drawn. */
+  /** The ring that `armed` waited for was drawn. */
   disarmed(): void;
 }
 
-/** Who shows what can be done with the figures. */
+/** The editor around the figures, which shows what can be done with them. */
 interface Around {
-  /** The figures were drawn anew, or something else can be done with them now. */
+  /** The figures were drawn anew, or the possible actions changed. */
   follow(): void;
-  /** Puts the keyboard on the marked point, or where figures are added. */
+  /** Moves the keyboard focus to the marked point, or to the button that adds figures. */
   focus(): void;
 }
 
@@ -44,7 +44,7 @@ export class EditedFigures {
   private frame = 0;
   private holding = false;
 
-  /** The layer lies over the canvas. */
+  /** `layer` lies over the canvas. */
   constructor(layer: HTMLElement, needs: FigureNeeds, around: Around) {
     this.sheet = new Sheet(layer);
     this.needs = needs;
@@ -64,12 +64,12 @@ export class EditedFigures {
     return this.all[this.at.figure];
   }
 
-  /** Whether the line goes round the marked point. */
+  /** Whether the line is smooth at the marked point. */
   get smooth(): boolean {
     return this.marked?.stretches?.[this.at.index]?.smooth ?? false;
   }
 
-  /** Handles on these figures; `armed` where a ring is to be drawn next. */
+  /** Puts handles on these figures. `armed`: the next drag draws a ring. */
   begin(sort: Sort, figures: Figure[], armed: boolean): void {
     if (this.sort?.word !== sort.word || this.sheet.layer.hidden) this.at = { figure: 0, index: 0 };
     this.sort = sort;
@@ -85,17 +85,17 @@ export class EditedFigures {
     this.rebuild(this.at);
   }
 
-  /** Something else can be done with the figures now. */
+  /** The possible actions changed. */
   follow(): void {
     this.around.follow();
   }
 
-  /** Puts the keyboard on the marked point; false where there is none. */
+  /** Moves the keyboard focus to the marked point. Returns false where there is none. */
   focus(): boolean {
     return this.sheet.focus(this.all, this.at);
   }
 
-  /** Elements for all figures, and a point that exists marked. */
+  /** Makes elements for all figures, and marks a point that exists. */
   private rebuild({ figure, index }: Place): void {
     if (!this.sort) return;
     const known = Math.max(0, Math.min(figure, this.all.length - 1));
@@ -104,7 +104,7 @@ export class EditedFigures {
     this.place();
   }
 
-  /** Puts lines and handles where the points are. */
+  /** Moves lines and handles to their points. */
   place(): void {
     if (!this.sort) return;
     this.sheet.place(this.sort, this.all, this.at, this.side);
@@ -116,7 +116,7 @@ export class EditedFigures {
     return this.sort ? this.needs.first(this.sort) : 0;
   }
 
-  /** The outer ring keeps three points. */
+  /** Whether the marked point may be removed: the outer ring keeps three points. */
   get removable(): boolean {
     const { marked } = this;
     const only = this.sort?.form === 'ring' && this.all.length === 1;
@@ -129,7 +129,7 @@ export class EditedFigures {
     this.place();
   }
 
-  /** Where a point goes: with Shift, to what is near. Tells by a guide to what. */
+  /** Where a point goes: with Shift it snaps, and a guide shows to what. */
   snapped(at: Point, snaps: boolean, place: Place | undefined, neighbour?: Point): Point {
     if (!snaps) {
       this.sheet.guide('');
@@ -156,7 +156,7 @@ export class EditedFigures {
     this.changed();
   }
 
-  /** Moves a whole figure, as far as its points (of a spot, its middle) stay in the picture. */
+  /** Moves a whole figure as far as its points stay in the picture. For a spot, only its middle must stay. */
   shift(figure: number, by: Point): void {
     const points = this.all[figure]?.points;
     if (!points) return;
@@ -170,7 +170,7 @@ export class EditedFigures {
     this.changed();
   }
 
-  /** Moves a point, or the `whole` figure, by a key; all moves of one that is held down (`again`) are one step. */
+  /** Moves a point, or the `whole` figure, by a key. Repeats of a key that is held down (`again`) are one step. */
   nudge(place: Place, [dx, dy]: Point, whole: boolean, again: boolean): void {
     const point = this.all[place.figure]?.points[place.index];
     if (!point) return;
@@ -180,7 +180,7 @@ export class EditedFigures {
     else this.move(place, [point[0] + dx, point[1] + dy]);
   }
 
-  /** A band's side is at this place. */
+  /** Makes a band as wide as a drag of its side to this place asks. */
   widen(index: number, at: Point): void {
     const figure = this.all[index];
     const value = this.sort?.value;
@@ -191,12 +191,12 @@ export class EditedFigures {
     this.changed();
   }
 
-  /** Whether a figure's line moves it: an outline's first ring stays where it is. */
+  /** Whether dragging a figure's line moves the figure. The first ring of an outline stays where it is. */
   loose(figure: number): boolean {
     return this.sort?.form !== 'ring' || figure > 0;
   }
 
-  /** The pointer or the key that changes something is held down: all is one step until it is let go. */
+  /** Begins a step of the history: all changes until `drop` are undone together. */
   hold(): void {
     if (this.holding) return;
     this.settle();
@@ -204,12 +204,12 @@ export class EditedFigures {
     this.needs.live(true);
   }
 
-  /** What is moved next is moved from here. */
+  /** Makes the present curves the ones that the next move starts from. */
   private settle(): void {
     for (const figure of this.all) settle(figure, this.side);
   }
 
-  /** It is let go: by rising, by being cancelled, or as what it held is gone. */
+  /** Ends the step: the pointer rose, it was cancelled, or the figure it held is gone. */
   drop(): void {
     this.sheet.guide('');
     if (!this.holding) return;
@@ -233,7 +233,7 @@ export class EditedFigures {
     if (fresh) this.add(fresh);
   }
 
-  /** A figure that was drawn, or a fresh one. */
+  /** Adds a figure that was drawn, or a fresh one. */
   add(figure: Figure): void {
     this.all.push({ ...figure, points: figure.points.map((point) => this.clamped(point)) });
     if (this.armed) this.disarm();
@@ -247,7 +247,7 @@ export class EditedFigures {
     this.needs.disarmed();
   }
 
-  /** Adds a point half the way to the next one; behind the end of a line, on the way on. */
+  /** Adds a point halfway to the next one. Behind the last point of a line, it extends the line. */
   addAfter({ figure, index }: Place): void {
     const found = this.all[figure];
     const form = this.sort?.form;
@@ -264,7 +264,7 @@ export class EditedFigures {
     return [Math.min(side, Math.max(0, x)), Math.min(side, Math.max(0, y))];
   }
 
-  /** Adds a point on the piece of a ring or a line that is nearest to this place. */
+  /** Adds a point to a ring or a line, on the piece nearest to this place. */
   split(figure: number, point: Point): void {
     const found = this.all[figure];
     const form = this.sort?.form;
@@ -276,7 +276,7 @@ export class EditedFigures {
     this.restructured({ figure, index: index + 1 });
   }
 
-  /** Takes a point away; of a figure that has no more than it needs, all go. The last ring stays. */
+  /** Removes a point. Removes the figure where too few points would be left. The last ring stays. */
   take({ figure, index }: Place): void {
     this.at = { figure, index };
     const found = this.all[figure];
@@ -302,7 +302,7 @@ export class EditedFigures {
     this.changed();
   }
 
-  /** Hands the figures over once a frame; bad ones stay drawn here, so that they can be mended. */
+  /** Passes the figures on once per frame. Invalid ones stay on the canvas, so that the visitor can mend them. */
   private changed(): void {
     this.place();
     this.frame ||= requestAnimationFrame(() => this.hand());
@@ -313,17 +313,17 @@ export class EditedFigures {
     this.frame = 0;
     if (!this.sort) return;
     this.sheet.layer.classList.toggle('bad', !this.needs.change(this.sort, this.all));
-    // Other sorts may do something now.
+    // The change may have enabled other sorts.
     this.follow();
   }
 }
 
-/** Whether a drag over the canvas draws a figure of this sort at any time. */
+/** Whether a drag that starts on the canvas draws a figure of this sort, without a button first. */
 function drawsFreely({ form }: Sort): boolean {
   return form === 'line' || form === 'spot';
 }
 
-/** The place as far behind the second point as the first one is before it. */
+/** The mirror image of `from` about `at`. */
 function mirrored(from: Point, at: Point): Point {
   return [2 * at[0] - from[0], 2 * at[1] - from[1]];
 }

@@ -1,14 +1,14 @@
 /**
- * The editor as the page uses it: what is edited over the canvas, and how it comes into the recipe.
+ * The editor as the page uses it: it connects the figures over the canvas with the recipe.
  *
- * sorts.ts says what can be edited; edited.ts holds the figures and all that is done to them; figure-editor.ts has the
- * keys and the bar, gestures.ts and pen.ts the pointers, sheet.ts what is seen.
+ * sorts.ts lists the sorts of figures. edited.ts holds the figures and changes them. figure-editor.ts has the keys and
+ * the bar, gestures.ts and pen.ts the pointers, sheet.ts the drawing.
  *
- * To look changes nothing: an outline's few handles are found in its many points whenever it is looked at
- * (geometry/handles.ts), so links hold points alone. What runs between two handles stays as it is until one of them is
- * moved (geometry/curve.ts). Roads and letters become outlines in the same way: numbers on a grid, marching squares,
- * few points, corners made sharp again (geometry/contour.ts). A road's middle line is kept beside the outline that it
- * gave, so undo brings it back. While something is held, all changes are one step of the history.
+ * Opening the editor changes nothing. A link holds only the many points of an outline; the editor finds a few handles
+ * in them each time it opens (geometry/handles.ts). The stretch between two handles stays the same to the last bit until
+ * one of them is moved (geometry/curve.ts). Outlines of roads and letters are contours of a distance on a grid, by
+ * marching squares, with few points and sharp corners (geometry/contour.ts). The editor remembers the middle lines of a
+ * road beside the outline that they gave, so undo brings them back. A drag is one step of the history.
  */
 import type { Point, Ring } from '../module/types';
 import { t } from '../words/editor';
@@ -30,19 +30,19 @@ import { read, remarks } from './import/reading';
 import { textDialog } from './letters/dialog';
 import { Sorts } from './sorts';
 
-/** Bytes of a file; the outline of a drawing of ten thousand points has some two hundred thousand. */
+/** Largest file in bytes. The outline of a drawing with ten thousand points has about two hundred thousand. */
 const LARGEST = 4_000_000;
 
-/** Outlines whose roads, or points, are remembered. */
+/** Number of outlines whose roads, or handles, are remembered. */
 const REMEMBERED = 400;
 
-/** Points that the engine takes. */
+/** Largest number of points that the engine takes. */
 const POINTS = 4096;
 
-/** Whether text may be an outline, so that it is worth a sentence if it is not. */
+/** Matches text that may be an outline. Only such text is worth a message if it is refused. */
 const OUTLINE = /^\s*(<(\?xml|!--|!doctype svg|svg|path)|[[{]|m\s*[-+.\d])/i;
 
-/** An outline from elsewhere of more rings or points comes without handles, which would hide it. */
+/** An outline from elsewhere with more rings or points is shown without handles, which would hide it. */
 const SHOWN = { rings: 50, points: 1500 };
 
 export class Editor {
@@ -51,13 +51,13 @@ export class Editor {
   private readonly engine: Engine;
   private readonly figureEditor: FigureEditor;
   private last = 'outline';
-  /** The recipe's text of it when the handles last agreed with that. */
+  /** The recipe's text of the edited list when the handles last agreed with it. */
   private known = '';
-  /** The recipe is being changed from here, so that the handles need not follow. */
+  /** The editor itself changes the recipe, so the handles need not follow. */
   private writing = false;
   /** Points are being dragged. */
   private held = false;
-  /** The figures that gave an outline, with places in sides of the picture: they are there again whenever the outline is. */
+  /** Figures by the outline that they gave, in sides of the picture: they return whenever that outline returns. */
   private readonly given = new Map<string, Figure[]>();
   private giving: Figure[] = [];
   private rim: Ring[] = [];
@@ -91,7 +91,7 @@ export class Editor {
     });
   }
 
-  /** The word of what is edited now. */
+  /** The word of the sort that is edited now. */
   private get word(): string | undefined {
     return this.figureEditor.open ? this.figureEditor.figures.sort?.word : undefined;
   }
@@ -100,7 +100,10 @@ export class Editor {
     return (sort.broad ? this.width : undefined) ?? sort.value?.first ?? 0;
   }
 
-  /** Ends the editing of this sort, or begins it; where there is no figure yet, `fresh` makes a first one. Without a word what was edited last is shown. */
+  /**
+   * Starts to edit the sort `asked`, or stops. `fresh` makes a first figure where there is none. Without a word, the
+   * sort that was edited last is shown.
+   */
   toggle(asked?: string, fresh = true): void {
     const word = asked ?? this.last;
     if (this.word === word && !this.figureEditor.figures.armed) return this.figureEditor.close();
@@ -108,7 +111,7 @@ export class Editor {
     if (fresh) this.figureEditor.start(asked !== undefined);
   }
 
-  /** A tool of the box; by the keyboard, a new figure comes without drawing. */
+  /** Chooses a tool of the box. By keyboard, a new figure is added without drawing. */
   use(tool: string, byKey: boolean): void {
     if (tool === 'hole') return this.hole(byKey);
     if (tool === 'text') return textDialog({ engine: this.engine, take: (rings, values) => this.takeLetters(rings, values) });
@@ -129,12 +132,12 @@ export class Editor {
     this.begin('outline', true);
   }
 
-  /** The outline at hand becomes a free one. */
+  /** Turns the present outline into a free one. */
   free(): void {
     if (this.takeRings(this.engine.outline())) this.begin('outline');
   }
 
-  /** Shows handles on figures of this sort. Nothing changes by that. */
+  /** Shows handles on the figures of this sort. The recipe does not change. */
   begin(word: string, armed = false): void {
     const now = this.sorts.now();
     const sort = now.find((other) => other.word === word) ?? now[0];
@@ -147,7 +150,7 @@ export class Editor {
     this.work.store.update({ editing: armed ? 'hole' : sort.word });
   }
 
-  /** The recipe changed: where that came by other ways, what is edited goes on with what it has of the same sort. */
+  /** The recipe changed. If something else changed it, editing goes on with the new figures of the same sort. */
   follow(): void {
     const word = this.word;
     if (word === undefined || this.writing || this.text(word) === this.known) return;
@@ -157,7 +160,7 @@ export class Editor {
     else this.figureEditor.close();
   }
 
-  /** What the recipe says of what is edited, and the units of its points. */
+  /** The recipe's text for this sort, with the unit of its points. */
   private text(word: string): string {
     const keys = isOutline(word) ? ['tile', 'outline', 'poly', 'ow', 'on', 'oa'] : [word];
     return ['size', ...keys].map((key) => this.engine.get(key)).join();
@@ -167,7 +170,7 @@ export class Editor {
     this.figureEditor.close();
   }
 
-  /** An outline's file, chosen or dropped. */
+  /** Takes an outline from a file that was chosen or dropped. */
   async takeFile(file: File): Promise<boolean> {
     if (await (await import('../take/recipe-file')).openRecipe(this.work, file)) return true;
     const refused = /^image\/(?!svg)/.test(file.type) ? 'only_picture' : file.size > LARGEST ? 'too_large' : undefined;
@@ -176,12 +179,12 @@ export class Editor {
     return false;
   }
 
-  /** Text from the clipboard, where that is an outline. */
+  /** Takes an outline from the clipboard's text, if it is one. */
   paste(text: string): void {
     if (OUTLINE.test(text)) void this.takeText(text, t('pasted'));
   }
 
-  /** Text that has an outline. */
+  /** Takes an outline from a text. */
   async takeText(text: string, name: string): Promise<boolean> {
     if (this.tiled()) return false;
     const side = this.engine.side();
@@ -195,14 +198,14 @@ export class Editor {
     }
   }
 
-  /** Whether there is no outline to be changed, which is told. */
+  /** Whether the picture is a tile, which has no outline to edit. Says so. */
   private tiled(): boolean {
     const tiled = this.engine.get('tile') === '1';
     if (tiled) alertOf('outline', t('tile_has_none'));
     return tiled;
   }
 
-  /** An outline from elsewhere: the first of these that can be used. */
+  /** Takes the first of these outlines that the engine accepts. */
   private takeNew(tries: Try[]): boolean {
     if (this.tiled()) return false;
     const taken = this.change('outline', () => {
@@ -218,7 +221,10 @@ export class Editor {
     return taken;
   }
 
-  /** Letters, with lengths in sides, and the values that go with them, in one step; answers why they were refused, or ''. */
+  /**
+   * Takes letters, with lengths in sides, and values for other parameters, as one step. Returns the reason of a
+   * refusal, or ''.
+   */
   private takeLetters(rings: Ring[], values: [key: string, text: string][]): string {
     const side = this.engine.side();
     const { refused, sentences } = this.engine.setOutline(rings.map((ring) => ring.map(([x, y]): Point => [x * side, y * side])));
@@ -231,15 +237,15 @@ export class Editor {
     return '';
   }
 
-  /** There is another outline: its handles are shown where those are not too many. */
+  /** After a new outline: shows its handles unless there are too many. */
   private tookNew(): void {
     const rings = this.engine.outline();
     if (rings.length > SHOWN.rings || rings.flat().length > SHOWN.points) this.figureEditor.close();
-    // Together they would block the page for too long.
+    // In one task, the outline and its handles would block the page for too long.
     else setTimeout(() => this.begin('outline'));
   }
 
-  /** Gives an outline to the engine; false where it was refused. */
+  /** Gives an outline to the engine. Returns false where it was refused. */
   private takeRings(rings: Ring[]): boolean {
     return this.change('outline', () => {
       const { refused, sentences } = this.work.outline(rings, this.held);
@@ -268,7 +274,7 @@ export class Editor {
     return this.takeRings(simplify(rings, side, POINTS)) && this.gave(figures);
   }
 
-  /** The outline is that of these figures. */
+  /** Remembers that these figures gave the outline. */
   private gave(figures: Figure[]): true {
     const side = this.engine.side();
     this.giving = figures.map((figure) => scaled(figure, 1 / side));
@@ -285,18 +291,18 @@ export class Editor {
     this.giving = [];
   }
 
-  /** The figures that gave the outline at hand, where they are known. */
+  /** The figures that gave the present outline, where they are known. */
   private remembered(word: string): Figure[] | undefined {
     const side = this.engine.side();
     return isOutline(word) ? this.given.get(this.shape(word))?.map((figure) => scaled(figure, side)) : undefined;
   }
 
-  /** A key for the outline at hand, the same at any size of the picture. */
+  /** A key for the present outline, the same at any size of the picture. */
   private shape(word: string): string {
     return [word, this.engine.get('outline'), this.engine.get('poly')].join();
   }
 
-  /** A change from here, which the handles need not follow. */
+  /** Makes a change that the handles need not follow, as it comes from them. */
   private change(word: string, act: () => Told): boolean {
     this.writing = true;
     const { refused, sentences } = act();

@@ -1,4 +1,4 @@
-/** Outlines as files. */
+/** Writes outlines as files. */
 import type { Ring } from '../module/types';
 
 /** The outline as an SVG file of one path. */

@@ -1,4 +1,4 @@
-/** Edits figures over the canvas: by pointers (gestures.ts), by keys, and by the bar's buttons. */
+/** Edits figures over the canvas, by pointer (gestures.ts), by keyboard, and by the bar's buttons. */
 import type { Point } from '../module/types';
 import { byId } from '../base/dom';
 import { ARROWS } from '../late/arrows';
@@ -7,15 +7,15 @@ import { EditedFigures, type FigureNeeds } from './edited';
 import { drawn, type Figure, type Place, type Sort } from './geometry/figures';
 import { Gestures } from './gestures';
 
-/** Picture units that an arrow key moves a point; with Shift ten times as many. */
+/** An arrow key moves a point by this many units of the picture; with Shift, ten times as far. */
 const NUDGE = 1;
 
 interface FigureEditorNeeds extends FigureNeeds {
-  /** All that can be edited now. */
+  /** All sorts that can be edited now. */
   sorts(): Sort[];
-  /** Another sort was chosen in the bar. */
+  /** The visitor chose another sort in the bar. */
   choose(word: string): void;
-  /** The outline that the figures make, where they are not that themselves. */
+  /** The outline that the figures make, where they are not the outline themselves. */
   rim(): Point[][];
   closed(): void;
 }
@@ -26,7 +26,7 @@ export class FigureEditor {
   private readonly needs: FigureEditorNeeds;
   private readonly gestures: Gestures;
 
-  /** The layer lies over the canvas; the bar takes the buttons for the marked point. */
+  /** `layer` lies over the canvas; `bar` takes the buttons for the marked point. */
   constructor(layer: HTMLElement, bar: HTMLElement, needs: FigureEditorNeeds) {
     this.needs = needs;
     const disarmed = (): void => {
@@ -52,7 +52,7 @@ export class FigureEditor {
   private listen(layer: HTMLElement, bar: HTMLElement): void {
     const { figures } = this;
     for (const place of [layer, bar]) place.addEventListener('keydown', (event) => this.keyAnywhere(event));
-    // After a tool was clicked the keyboard is on its button.
+    // After a click on a tool its button has the keyboard focus.
     byId('edit-tools').addEventListener('keydown', (event) => this.open && event.key === 'Escape' && this.keyAnywhere(event));
     document.body.addEventListener('keydown', (event) => this.open && event.target === document.body && this.keyAnywhere(event));
     layer.addEventListener('focusin', ({ target }) => {
@@ -70,7 +70,7 @@ export class FigureEditor {
     return !this.figures.sheet.layer.hidden;
   }
 
-  /** Shows handles on these figures; `armed` where a ring is to be drawn next. */
+  /** Shows handles on these figures. `armed`: the next drag draws a ring. */
   show(sort: Sort, figures: Figure[], armed = false): void {
     this.figures.drop();
     const same = this.figures.sort?.word === sort.word && this.open;
@@ -80,7 +80,7 @@ export class FigureEditor {
     if (focused && same) this.focus();
   }
 
-  /** Puts the keyboard on the marked point; where there is none, on one of a new figure if there may be one. */
+  /** Moves the keyboard focus to the marked point. Where there is none, adds a figure if `fresh` allows it. */
   start(fresh: boolean): void {
     if (this.figures.isEmpty && fresh) this.figures.addFigure();
     else this.focus();
@@ -106,7 +106,7 @@ export class FigureEditor {
     this.bar.show(this.needs.sorts(), sort, { marked, smooth, removable, drawing: this.gestures.drawing, armed });
   }
 
-  /** Escape leaves the points; while something is drawn, it only takes that back. */
+  /** Escape leaves the editor. While a figure is being drawn, it only cancels that. */
   private keyAnywhere(event: KeyboardEvent): void {
     if (event.target instanceof HTMLElement && event.target.matches('input, select') && event.key !== 'Escape') return;
     if (this.gestures.key(event)) return event.preventDefault();

@@ -1,11 +1,11 @@
-/** Mouse, pen and finger over the canvas: what is pressed, dragged, and clicked twice. */
+/** Presses, drags and double clicks over the canvas, by mouse, pen or finger. */
 import type { Point } from '../module/types';
 import type { EditedFigures } from './edited';
 import type { Place } from './geometry/figures';
 import { DOUBLE, Pen } from './pen';
 import type { Part } from './sheet';
 
-/** CSS pixels from which a press is a drag, and within which two presses are at one place; for fingers more. */
+/** A press becomes a drag beyond this many CSS pixels, and two presses within it are at one place. Fingers have more. */
 const SLACK = 3;
 const NEAR = 9;
 const NEAR_FOR_FINGERS = 24;
@@ -28,7 +28,7 @@ export class Gestures {
     this.figures = figures;
     const { layer } = figures.sheet;
     layer.addEventListener('pointerdown', (event) => this.down(event));
-    // A pressed point has got the focus: browsers would take it away from some buttons, and from a point that came by this press.
+    // A pressed point has the focus now. Browsers would take it away from some buttons, and from a point that this press made.
     layer.addEventListener('mousedown', (event) => this.hold?.holds === 'point' && event.preventDefault());
     layer.addEventListener('pointermove', (event) => this.move(event));
     layer.addEventListener('pointerup', (event) => this.up(event));
@@ -47,7 +47,7 @@ export class Gestures {
     this.draft();
   }
 
-  /** What is drawn becomes a figure as it is. */
+  /** Ends the figure being drawn as it is. */
   finish(): void {
     const figure = this.pen?.finish();
     this.draft();
@@ -63,7 +63,7 @@ export class Gestures {
     this.figures.follow();
   }
 
-  /** Enter ends what is drawn, Escape takes it back, Backspace and undo its last point. */
+  /** While drawing, Enter ends the figure, Escape cancels it, and Backspace or undo removes its last point. */
   key({ key, ctrlKey, metaKey, shiftKey }: KeyboardEvent): boolean {
     if (!this.pen?.open && !(this.figures.armed && key === 'Escape')) return false;
     const undo = key.toLowerCase() === 'z' && (ctrlKey || metaKey) && !shiftKey;
@@ -84,7 +84,7 @@ export class Gestures {
     const finger = event.pointerType === 'touch';
     const twice = event.timeStamp - this.before.time < DOUBLE && Math.hypot(event.clientX - this.before.x, event.clientY - this.before.y) < (finger ? NEAR_FOR_FINGERS : NEAR);
     this.before = { time: event.timeStamp, x: event.clientX, y: event.clientY };
-    // What is being drawn may begin and go on anywhere: an island in a hole, a line over another one.
+    // A figure may begin and go on anywhere: an island in a hole, or a line over another one.
     const part: Part = this.pen?.open || figures.armed ? { part: 'nothing' } : figures.sheet.part(event.target);
     const common = { pointer: event.pointerId, x: event.clientX, y: event.clientY, moved: false, finger };
     if (part.part === 'point') {
@@ -93,7 +93,7 @@ export class Gestures {
       figures.focus();
     } else if (part.part === 'edge') {
       const { figure, index } = part.place;
-      // Adding a point and dragging it on is one step.
+      // Adding a point and dragging it is one step of the history.
       figures.hold();
       figures.addAfter(part.place);
       this.before.time = -Infinity;
@@ -114,7 +114,7 @@ export class Gestures {
     figures.sheet.layer.toggleAttribute('data-busy', part.part !== 'nothing');
   }
 
-  /** Presses the canvas itself. */
+  /** Handles a press on the canvas itself. */
   private begin(common: Omit<Hold, 'holds' | 'place' | 'twice' | 'figure' | 'last'>, at: Point, snaps: boolean): void {
     const { figures } = this;
     const form = figures.sort?.form;
@@ -127,7 +127,7 @@ export class Gestures {
     }
   }
 
-  /** Two fingers are for the picture, not for its points. */
+  /** A second finger ends the drag: two fingers move the picture, not its points. */
   private second(): void {
     const pen = this.hold?.holds === 'pen';
     this.hold = undefined;
@@ -189,7 +189,7 @@ export class Gestures {
     else figures.follow();
   }
 
-  /** The browser took the pointer away, as for scrolling. */
+  /** The browser took the pointer over, for example to scroll. */
   private lost(event: PointerEvent): void {
     this.figures.sheet.layer.removeAttribute('data-busy');
     if (this.hold?.pointer === event.pointerId) this.second();

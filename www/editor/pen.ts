@@ -1,14 +1,14 @@
-/** Draws a new figure: a line point after point or in one stroke, a spot or a ring from its middle. */
+/** Draws a new figure: a line point by point or in one stroke, a spot or a ring from its middle. */
 import type { Point } from '../module/types';
 import { drawn, hexagon, type Figure } from './geometry/figures';
 import { distance } from './geometry/plane';
 import { thinLine } from './geometry/simplify';
 
-/** Of a spot and of a hole that were only tapped, in sides. */
+/** The radius of a spot and of a hole that were only tapped, in sides. */
 const SPOT = 0.18;
 const HOLE = 0.085;
 
-/** How far a line drawn by hand is straightened, in sides. */
+/** The tolerance by which a line drawn by hand is simplified, in sides. */
 const STEADY = 0.006;
 
 /** Milliseconds between the two presses of a double click. */
@@ -27,12 +27,12 @@ export class Pen {
     this.side = side;
   }
 
-  /** Points of a line are put down, and more may come. */
+  /** A line has points, and more may follow. */
   get open(): boolean {
     return this.points.length > 0;
   }
 
-  /** The point that a next one is joined to. */
+  /** The point that the next one is joined to. */
   get last(): Point | undefined {
     return this.points.at(-1);
   }
@@ -42,14 +42,14 @@ export class Pen {
     this.pointer = at;
   }
 
-  /** The pressed pointer moves: freely, or (`straight`) with a straight line to where it is. */
+  /** The pressed pointer moves: it draws freely, or (`straight`) a straight line to its place. */
   draw(at: Point, straight: boolean): void {
     this.pointer = at;
     if (this.form !== 'line' || straight) this.path = [this.path[0] ?? at, at];
     else this.path.push(at);
   }
 
-  /** The press counts for nothing. */
+  /** Ignores the press. */
   lift(): void {
     this.path = [];
     this.pointer = undefined;
@@ -59,7 +59,7 @@ export class Pen {
     this.pointer = at;
   }
 
-  /** The pointer rises, `near` is how close two places have to be to be one; answers the figure that this ended, if it did. */
+  /** The pointer rises. Places closer than `near` are one. Returns the figure that this ended, if any. */
   release(at: Point, moved: boolean, near: number, time: number): Figure | undefined {
     if (this.form !== 'line') return this.round(moved ? at : undefined);
     const path = moved ? thinLine(this.path, STEADY * this.side) : [at];
@@ -76,7 +76,7 @@ export class Pen {
     return closes || (moved && before === 0) ? this.finish() : undefined;
   }
 
-  /** The line as it is; nothing where it has less than two points. */
+  /** The line as it is; undefined where it has less than two points. */
   finish(): Figure | undefined {
     const points = this.points;
     this.cancel();
@@ -93,7 +93,7 @@ export class Pen {
     this.points.pop();
   }
 
-  /** What is drawn so far, as an SVG path. */
+  /** The unfinished figure as an SVG path. */
   shown(): string {
     if (this.form !== 'line') {
       const [middle, rim] = this.path;

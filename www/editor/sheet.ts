@@ -1,4 +1,4 @@
-/** What the editor draws over the canvas: lines, handles, and guides. */
+/** Draws the editor's lines, handles and guides over the canvas. */
 import type { Point } from '../module/types';
 import { t } from '../words/editor';
 import { make } from '../base/dom';
@@ -8,11 +8,11 @@ import { drawn, knobs, type Figure, type Place, type Sort } from './geometry/fig
 import { distance } from './geometry/plane';
 import { depth } from './geometry/rings';
 
-/** Edges shorter than this, in CSS pixels, have no handle that adds a point; for fingers they must be longer. */
+/** Shorter edges, in CSS pixels, have no handle that adds a point. For fingers, edges must be longer. */
 const ROOM = 56;
 const ROOM_FOR_FINGERS = 112;
 
-/** What lies under a pointer. */
+/** The part of the drawing under a pointer. */
 export type Part =
   | { part: 'point' | 'edge'; place: Place }
   | { part: 'line' | 'knob'; figure: number }
@@ -35,18 +35,18 @@ export class Sheet {
     layer.tabIndex = -1;
   }
 
-  /** The picture's place under a pointer, however the layer is moved and scaled. */
+  /** The place in the picture under a pointer, however the layer is moved and scaled. */
   at(event: MouseEvent, side: number): Point {
     const box = this.layer.getBoundingClientRect();
     return [((event.clientX - box.left) / box.width) * side, ((event.clientY - box.top) / box.height) * side];
   }
 
-  /** Picture units of a CSS pixel. */
+  /** The length of a CSS pixel, in units of the picture. */
   unit(side: number): number {
     return side / (this.layer.getBoundingClientRect().width || side);
   }
 
-  /** Elements for these figures; none of them is in its place yet. */
+  /** Makes elements for these figures, without placing them. */
   build(sort: Sort, figures: Figure[]): void {
     this.grips.replaceChildren(...figures.map((_, figure) => marked(path('grip'), { figure })));
     const points = figures.flatMap(({ points }, figure) => points.map((_, index): Place => ({ figure, index })));
@@ -58,7 +58,7 @@ export class Sheet {
     this.edges.replaceChildren(...(divided ? points : []).map((place) => marked(make('span', { class: 'handle ghost', title: t('ghost') }), { ...place })));
   }
 
-  /** Puts everything where the figures are. */
+  /** Moves all elements to their figures. */
   place(sort: Sort, figures: Figure[], at: Place, side: number): void {
     const shortest = this.room * this.unit(side);
     this.lines.setAttribute('viewBox', `0 0 ${side} ${side}`);
@@ -103,14 +103,14 @@ export class Sheet {
     }
   }
 
-  /** A figure being drawn; of a road also the band around it, `width` picture units broad. */
+  /** Shows the figure being drawn. A road also has a band, `width` units of the picture wide. */
   draft(d: string, width: number): void {
     this.paths.draft.setAttribute('d', d);
     this.paths.band.setAttribute('d', width ? d : '');
     this.paths.band.style.strokeWidth = `${width}px`;
   }
 
-  /** The outline that roads make. */
+  /** Shows the outline that roads make. */
   rim(d: string): void {
     this.paths.rim.setAttribute('d', d);
   }
@@ -119,7 +119,7 @@ export class Sheet {
     this.paths.guide.setAttribute('d', d);
   }
 
-  /** Puts the keyboard on a point; false where there is none. */
+  /** Moves the keyboard focus to a point. Returns false where there is none. */
   focus(figures: Figure[], { figure, index }: Place): boolean {
     const before = figures.slice(0, figure).reduce((total, { points }) => total + points.length, 0);
     const handle = this.handles.children[before + index];
@@ -128,7 +128,7 @@ export class Sheet {
     return true;
   }
 
-  /** What is under a pointer. */
+  /** The part under a pointer. */
   part(target: EventTarget | null): Part {
     if (!(target instanceof HTMLElement || target instanceof SVGElement)) return { part: 'nothing' };
     const [figure, index] = [Number(target.dataset['figure']), Number(target.dataset['index'])];

@@ -1,4 +1,4 @@
-/** What can be edited over the canvas: the outline, the roads it is made of, and the lists of the recipe. */
+/** The sorts of figures that can be edited over the canvas: the outline, its roads, and the lists of the recipe. */
 import type { Point } from '../module/types';
 import { t, type Word } from '../words/editor';
 import type { Engine } from '../state/engine';
@@ -70,7 +70,7 @@ export class Sorts {
     ];
   }
 
-  /** Those that do something now. */
+  /** The sorts that have an effect now. */
   now(): Sort[] {
     return this.all.filter(({ word }) => toolApplies(this.engine, word));
   }
@@ -87,7 +87,7 @@ export class Sorts {
     });
   }
 
-  /** Figures of a list as the recipe's text. */
+  /** The figures as the recipe's text. */
   text({ form }: Sort, figures: Figure[]): string {
     const side = this.engine.side();
     const rows = figures.map(({ points, value }) => {
@@ -99,7 +99,7 @@ export class Sorts {
     return rows.map((row) => row.map((number) => number.toFixed(6)).join(',')).join(';');
   }
 
-  /** A new figure inside the outline and away from the others; a part's seed where it was asked for. */
+  /** A new figure inside the outline and away from the others. The seed of a part is put at `at`. */
   fresh({ form, value }: Sort, figures: Figure[], at?: Point): Figure | undefined {
     const side = this.engine.side();
     const { place, room } = at ? { place: at, room: 0 } : this.free(form, figures);
@@ -112,7 +112,7 @@ export class Sorts {
     return { points: [[x - half, y], [x + half, y]], value: first };
   }
 
-  /** A seed for the part at this place; one that the part has already goes, and leaves its value. */
+  /** A seed for the part at this place. It replaces the part's old seed and keeps its value. */
   private seed(figures: Figure[], at: Point, first: number): Figure | undefined {
     const part = this.engine.part(at);
     if (part < 0) return undefined;
@@ -121,7 +121,7 @@ export class Sorts {
     return { points: [at], value: taken ? taken.value : first };
   }
 
-  /** Of places around the picture's middle the one inside the outline with the most room around it. */
+  /** Among places around the picture's middle, the one inside the outline with the most room. */
   private free(form: Sort['form'], figures: Figure[]): { place: Point; room: number } {
     const side = this.engine.side();
     const points = form === 'ring' ? [] : figures.flatMap((figure) => figure.points);
@@ -141,7 +141,7 @@ export class Sorts {
   }
 }
 
-/** The rim's point of a spot, where it lies in the picture if it can. */
+/** The point on a spot's border, within the picture where possible. */
 function rim([x, y]: Point, radius: number, side: number): Point {
   const ways: Point[] = [[x + radius, y], [x - radius, y], [x, y + radius], [x, y - radius]];
   return ways.find((way) => way.every((at) => at >= 0 && at <= side)) ?? [x + radius, y];

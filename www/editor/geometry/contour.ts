@@ -1,16 +1,16 @@
-/** Where numbers on a grid pass 0: marching squares (Lorensen and Cline, 1987, in the plane), straight between nodes. */
+/** Contours at 0 of numbers on a grid: marching squares (Lorensen and Cline, 1987, in the plane), linear between nodes. */
 import type { Point, Ring } from '../../module/types';
 import { area, distance } from './plane';
 import { thinned } from './simplify';
 
 /**
- * The rings around what is above 0, in units of the grid. The nodes at the grid's rim are not above 0, so that
- * all rings close; where two squares meet at a corner only, the mean of the four nodes decides.
+ * The rings around the region above 0, in units of the grid. All rings close, as the nodes at the grid's border are not
+ * above 0. Where two squares of the region touch at a corner only, the mean of the four nodes decides.
  */
 export function contour(values: Float32Array, columns: number): Ring[] {
   const rows = values.length / columns;
-  // From the grid's line where a ring comes into a square to the one where it leaves: 2n for the line from
-  // node n to the right, 2n + 1 for the one down.
+  // Maps the grid line through which a ring enters a square to the one through which it leaves. From node n, line 2n
+  // leads right and line 2n + 1 leads down.
   const next = new Map<number, number>();
   for (let row = 0; row + 1 < rows; row += 1) {
     for (let column = 0; column + 1 < columns; column += 1) {
@@ -23,7 +23,7 @@ export function contour(values: Float32Array, columns: number): Ring[] {
       if (inside === 0 || inside === 15) continue;
       const [top, right, bottom, left] = [2 * node, 2 * node + 3, 2 * (node + columns), 2 * node + 1];
       const full = a + b + c + d > 0;
-      // One corner inside, or all but one; then sides; then opposite corners.
+      // Cases in this order: one corner inside, or all but one; two neighbouring corners; two opposite corners.
       if (inside === 1 || (inside === 5 && !full)) next.set(top, left);
       if (inside === 2 || (inside === 10 && !full)) next.set(right, top);
       if (inside === 4 || (inside === 5 && !full)) next.set(bottom, right);
@@ -52,7 +52,7 @@ export function contour(values: Float32Array, columns: number): Ring[] {
   return rings;
 }
 
-/** Where the numbers pass 0 on a line of the grid. */
+/** The place on a line of the grid where the numbers pass 0. */
 function crossing(values: Float32Array, columns: number, line: number): Point {
   const node = line >> 1;
   const [from, to] = [values[node] ?? 0, values[node + (line & 1 ? columns : 1)] ?? 0];
@@ -61,19 +61,22 @@ function crossing(values: Float32Array, columns: number, line: number): Point {
   return line & 1 ? [x, y + part] : [x + part, y];
 }
 
-/** Rings smaller than this square, in units of the grid, are dust. */
+/** Rings with less area than this, in squares of the grid, are dropped. */
 const DUST = 4;
 
-/** Corners that a contour cuts off are no longer than this, in units of the grid. */
+/** Longest piece, in units of the grid, by which a contour cuts off a corner. */
 const CUT = 2.2;
 
-/** The same rings with few points: straight within `tolerance`, or up to `coarser` times that for at most `most` points in all; corners sharp again. */
+/**
+ * The same rings with fewer points and with sharp corners. Straight pieces are off by at most `tolerance`, or by up to
+ * `coarser` times that where there would be more than `most` points in all.
+ */
 export function tidy(rings: Ring[], tolerance: number, most: number, coarser?: number): Ring[] {
   const whole = rings.filter((ring) => Math.abs(area(ring)) > DUST * DUST).map(fromCorner);
   return thinned(whole, tolerance, most, coarser).map(sharpened);
 }
 
-/** The ring begun at the point farthest from its middle, so that no straight side is divided there. */
+/** The ring, begun at the point farthest from its middle, so that no straight side is divided there. */
 function fromCorner(ring: Ring): Ring {
   const middle: Point = [0, 1].map((axis) => ring.reduce((sum, point) => sum + (point[axis] ?? 0), 0) / ring.length) as Point;
   let [at, most] = [0, -1];
@@ -84,11 +87,11 @@ function fromCorner(ring: Ring): Ring {
   return [...ring.slice(at), ...ring.slice(0, at)];
 }
 
-/** Where two long sides would meet just behind one or two short pieces between them, they do. */
+/** Replaces one or two short pieces by a corner, where the long sides beside them would meet close behind. */
 function sharpened(ring: Ring): Ring {
   const points = [...ring];
   for (let k = 0; k < points.length; k += 1) {
-    // A corner beside a node of the grid is cut twice.
+    // A corner beside a node of the grid is cut off by two pieces.
     for (const pieces of [1, 2]) {
       if (points.length < 4 + pieces) break;
       const around = [0, 1, 1 + pieces, 2 + pieces].map((step) => points[(k + step) % points.length]) as [Point, Point, Point, Point];
@@ -107,7 +110,7 @@ function meeting(a: Point, b: Point, c: Point, d: Point): Point | undefined {
   if (distance(b, c) > CUT || Math.min(distance(a, b), distance(c, d)) < 2 * CUT) return undefined;
   const [ux, uy, vx, vy] = [b[0] - a[0], b[1] - a[1], d[0] - c[0], d[1] - c[1]];
   const turn = ux * vy - uy * vx;
-  // Less than 25 degrees are a bend.
+  // A turn of less than 25 degrees is a bend, not a corner.
   if (Math.abs(turn) < 0.42 * Math.hypot(ux, uy) * Math.hypot(vx, vy)) return undefined;
   const along = ((c[0] - a[0]) * vy - (c[1] - a[1]) * vx) / turn;
   const corner: Point = [a[0] + along * ux, a[1] + along * uy];

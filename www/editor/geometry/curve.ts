@@ -1,17 +1,17 @@
 /**
- * Rings as lines through few handles. Between two handles runs a stretch of the ring's points. It stays what it is to
- * the last bit as long as neither is moved; else it is turned and stretched to where they are, and bent so that at
- * smooth handles the line goes on in one direction. A handle that is not moved keeps that direction, so what lies
- * beyond it stays.
+ * Rings as curves through a few handles. A stretch of the ring's points runs between two handles. It stays the same to the
+ * last bit while neither handle moves. When one moves, the stretch is rotated and scaled to the new places, and bent so
+ * that the curve stays smooth at smooth handles. A handle that does not move keeps its direction, so the curve beyond it
+ * stays the same.
  */
 import type { Point, Ring } from '../../module/types';
 import type { Figure, Stretch } from './figures';
 import { between, distance, minus, nearest, onSegment, over, same, sum, times, toSegment, unit } from './plane';
 
-/** Chords leave a curve by at most this many sides, as those of the built-in outlines do. */
+/** Chords differ from a curve by at most this many sides, as in the built-in outlines. */
 const SAGITTA = 1 / 6000;
 
-/** A stretch along these points, both ends included. */
+/** Makes a stretch of these points, both ends included. */
 export function stretchAlong(line: Ring, smooth: boolean): Stretch {
   const lengths = line.map((at, k) => distance(line[k - 1] ?? at, at));
   const length = lengths.reduce((sum, piece) => sum + piece, 0);
@@ -20,7 +20,7 @@ export function stretchAlong(line: Ring, smooth: boolean): Stretch {
   return { smooth, from: line[0] ?? [0, 0], to: line.at(-1) ?? [0, 0], length, inner };
 }
 
-/** For each handle the line from it up to the next one, without that. Figures without stretches are straight between their points. */
+/** For each handle, the points from it up to the next one, without that one. Without stretches, the pieces are straight. */
 export function lines(figure: Figure, side: number): Point[][] {
   const { points, stretches } = figure;
   return points.map((from, k) => (stretches ? [from, ...bent(stretches, points, k, side)] : [from]));
@@ -31,7 +31,7 @@ export function ringOf(figure: Figure, side: number): Ring {
   return lines(figure, side).flat();
 }
 
-/** Makes what is seen now the stretches that further moves start from. */
+/** Makes the present curves the ones that later moves start from. */
 export function settle(figure: Figure, side: number): void {
   const { points, stretches } = figure;
   if (!stretches) return;
@@ -42,14 +42,14 @@ export function settle(figure: Figure, side: number): void {
   });
 }
 
-/** The places between a handle and the next one. */
+/** The points between a handle and the next one. */
 function bent(stretches: Stretch[], points: Point[], index: number, side: number): Point[] {
   const next = (index + 1) % points.length;
   const [stretch, start, end] = [stretches[index], points[index], points[next]];
   if (!stretch || !start || !end) return [];
   const { from, to, length, inner } = stretch;
   if (same(start, from) && same(end, to)) return inner.map(({ at }) => at);
-  // Directions and turns are complex numbers.
+  // Complex numbers stand for directions and rotations.
   const turn = over(minus(end, start), minus(to, from));
   const scale = Math.hypot(...turn);
   const pull = (handle: number): Point => {
@@ -66,7 +66,7 @@ function bent(stretches: Stretch[], points: Point[], index: number, side: number
   });
 }
 
-/** The direction in which stretches that were not moved go through a smooth handle. */
+/** The direction at a smooth handle of stretches that were not moved. */
 function direction(stretches: Stretch[], index: number): Point {
   const [before, behind] = [stretches.at(index - 1), stretches[index]];
   if (!before || !behind) return [1, 0];
@@ -74,12 +74,12 @@ function direction(stretches: Stretch[], index: number): Point {
   return through(last, behind.from, next);
 }
 
-/** Half way between the directions to a place and from it. */
+/** The mean of the direction to a place and the direction from it. */
 function through(a: Point, b: Point, c: Point): Point {
   return unit(sum(unit(minus(b, a)), unit(minus(c, b))));
 }
 
-/** How a smooth handle turned: if it was moved, as the direction from the handle before it to the one behind it did. */
+/** The rotation at a smooth handle. If the handle moved, it follows the direction from the previous handle to the next one. */
 function swing(stretches: Stretch[], points: Point[], index: number): Point {
   const [before, here, next] = [points.at(index - 1), points[index], points[(index + 1) % points.length]];
   const [last, base] = [stretches.at(index - 1), stretches[index]];
@@ -87,7 +87,10 @@ function swing(stretches: Stretch[], points: Point[], index: number): Point {
   return over(through(before, here, next), through(last.from, base.from, base.to));
 }
 
-/** The places of a stretch, with further ones on the curve through them: in all as many parts as that, and each piece at least as often divided as `least` says. */
+/**
+ * The points of a stretch, and further ones on the curve through them: about `parts` pieces in all, and at least
+ * `least` between two points.
+ */
 function finer(stretches: Stretch[], index: number, parts: number, least: number): Stretch['inner'] {
   const stretch = stretches[index];
   if (!stretch) return [];
@@ -120,7 +123,7 @@ function hermite(from: Point, leaves: Point, to: Point, comes: Point, t: number)
   return [0, 1].map((axis) => a * (from[axis] ?? 0) + b * (leaves[axis] ?? 0) + c * (comes[axis] ?? 0) + d * (to[axis] ?? 0)) as Point;
 }
 
-/** Half the way along a line that ends at `to`. */
+/** The point halfway along a line that ends at `to`. */
 export function middle(line: Point[], to: Point): Point {
   const whole = [...line, to];
   let left = whole.reduce((sum, at, k) => sum + distance(whole[k - 1] ?? at, at), 0) / 2;
@@ -133,7 +136,10 @@ export function middle(line: Point[], to: Point): Point {
   return to;
 }
 
-/** Puts a handle into a ring behind that one, where its line comes nearest to a place: smooth on a curve, a corner on a straight line. */
+/**
+ * Adds a handle to a ring behind handle `index`, where the ring is nearest to a place: smooth on a curve, a corner on
+ * a straight line.
+ */
 export function divide(figure: Figure, index: number, near: Point | undefined, side: number): void {
   const { points } = figure;
   const all = stretched(figure, side);
@@ -150,13 +156,13 @@ export function divide(figure: Figure, index: number, near: Point | undefined, s
   all.splice(index, 1, stretchAlong([...before, at], stretch.smooth), stretchAlong([at, ...behind], line.length > 1));
 }
 
-/** The handle whose line to the next one comes nearest to a place. */
+/** The handle before the stretch that is nearest to a place. */
 export function nearestLine(figure: Figure, place: Point, side: number): number {
   const all = lines(figure, side);
   return nearest(all.map((line, k) => Math.min(...line.map((from, n) => toSegment(place, from, line[n + 1] ?? all[(k + 1) % all.length]?.[0] ?? from)))));
 }
 
-/** Takes a handle out of a ring: one line comes in the place of two. */
+/** Removes a handle from a ring: one stretch replaces the two beside it. */
 export function join(figure: Figure, index: number, side: number): void {
   const [before, next] = beside(figure, index);
   const all = stretched(figure, side);
@@ -166,7 +172,7 @@ export function join(figure: Figure, index: number, side: number): void {
   all.splice(index, 1);
 }
 
-/** Makes a corner smooth, or a smooth handle a corner; the lines beside it become as simple as they can be. */
+/** Makes a corner smooth, or a smooth handle a corner. The stretches beside it become as simple as possible. */
 export function turnOver(figure: Figure, index: number, side: number): void {
   const [before, next] = beside(figure, index);
   const all = stretched(figure, side);
@@ -188,13 +194,13 @@ function way(stretches: Stretch[], index: number): Point | undefined {
   return stretches[index]?.smooth ? direction(stretches, index) : undefined;
 }
 
-/** Makes the stretch behind a handle anew: a curve in these directions, or a straight line. */
+/** Replaces the stretch behind a handle by a curve in these directions, or by a straight line. */
 function lay({ points, stretches }: Figure, index: number, next: number, leaves: Point | undefined, comes: Point | undefined, side: number): void {
   const [from, to, stretch] = [points[index], points[next], stretches?.[index]];
   if (from && to && stretches && stretch) stretches[index] = stretchAlong(swung(from, to, leaves, comes, side), stretch.smooth);
 }
 
-/** A curve that leaves and comes in these directions, nearly a circle's arc where it can be; where just one is given, an arc. */
+/** A curve that starts and ends in these directions, close to a circular arc where possible. With one direction it is an arc. */
 function swung(from: Point, to: Point, leaves: Point | undefined, comes: Point | undefined, side: number): Ring {
   const chord = minus(to, from);
   const way = unit(chord);
@@ -209,7 +215,7 @@ function swung(from: Point, to: Point, leaves: Point | undefined, comes: Point |
   return [from, ...Array.from({ length: pieces - 1 }, (_, k) => hermite(from, out, to, back, (k + 1) / pieces)), to];
 }
 
-/** The stretches of a ring as it is now; straight ones where it has none yet. */
+/** The stretches of a ring as it is now; straight ones where it had none. */
 function stretched(figure: Figure, side: number): Stretch[] {
   const { points } = figure;
   settle(figure, side);

@@ -1,24 +1,24 @@
-/** What can be edited: figures with points to move. */
+/** Figures: shapes with points that can be moved. */
 import type { Point } from '../../module/types';
 
-/** A ring, a line, a spot (its middle and a point of its rim), or the seed of a part. */
+/** A ring, a line, a spot (its middle and a point of its border), or the seed of a part. */
 export interface Figure {
   points: Point[];
-  /** Of a spot its factor or ratio, of a seed the place of its kind among the kinds, of a road its width in hundredths of the side. */
+  /** A spot's factor or ratio, the index of a seed's kind, or a road's width in hundredths of the side. */
   value: number;
-  /** What runs from each point of a ring to the next one, where that is not a straight line. */
+  /** The stretches between a ring's points, where they are not straight. */
   stretches?: Stretch[];
 }
 
-/** What runs from a handle to the next one. */
+/** The curve from a handle to the next one. */
 export interface Stretch {
   /** The handle at its beginning is smooth; else it is a corner. */
   smooth: boolean;
-  /** Where its ends were when it was made, and how long it was. */
+  /** Its ends and its length when it was made. */
   from: Point;
   to: Point;
   length: number;
-  /** Places between them, each with the part of the length before it. */
+  /** The points between the ends; `along` is the share of the length before each. */
   inner: { at: Point; along: number }[];
 }
 
@@ -33,24 +33,24 @@ export interface Sort {
   /** 'outline', 'road', or the key of a list. */
   word: string;
   label: string;
-  /** What one of them is called. */
+  /** The word for one figure of this sort. */
   figure: string;
   form: 'ring' | 'line' | 'spot' | 'seed';
-  /** A figure has at least so many points. */
+  /** The least number of points of a figure. */
   least: number;
-  /** How one is drawn, in a sentence. */
+  /** A sentence that says how to draw one. */
   tip: string;
-  /** What a figure's point is called. */
+  /** The label of a figure's point. */
   name(place: Place, all: Figure[]): string;
-  /** What the value of a figure is; `words` where it is one of some words. */
+  /** The meaning of a figure's value; `words` where it is a choice of words. */
   value?: FigureValue | undefined;
-  /** Drawn as a band as broad as its value, in hundredths of the picture's side. */
+  /** Drawn as a band whose width is its value, in hundredths of the picture's side. */
   broad?: boolean;
 }
 
 export interface FigureValue {
   label: string;
-  /** The same in a word, before a number's field. */
+  /** The same in one word, before a number's field. */
   brief?: string;
   min: number;
   max: number;
@@ -60,7 +60,7 @@ export interface FigureValue {
   shown(value: number): string;
 }
 
-/** Where a band's width can be taken: at both sides of its first piece. */
+/** The handles of a band's width, at both sides of its first piece. */
 export function knobs({ points: [from, to], value }: Figure, side: number): Point[] {
   if (!from || !to) return [];
   const length = Math.hypot(to[0] - from[0], to[1] - from[1]) || 1;
@@ -82,7 +82,7 @@ export function drawn(form: Sort['form'], points: Point[]): string {
   return `M${first[0] - r} ${first[1]}a${r} ${r} 0 1 0 ${2 * r} 0a${r} ${r} 0 1 0 ${-2 * r} 0Z`;
 }
 
-/** A ring with six corners, one of them at `corner`; it runs as holes do. */
+/** A hexagon with one vertex at `corner`, in the orientation of a hole. */
 export function hexagon([x, y]: Point, corner: Point): Point[] {
   const [dx, dy] = [corner[0] - x, corner[1] - y];
   return Array.from({ length: 6 }, (_, k): Point => {

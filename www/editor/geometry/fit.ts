@@ -1,15 +1,15 @@
-/** Outlines of any size become outlines of the picture. */
+/** Fits outlines of any size into the picture. */
 import type { Point, Ring } from '../../module/types';
 
-/** What stays free around an outline, in sides. */
+/** Margin around an outline, in sides. */
 const MARGIN = 0.05;
 
-/** An outline that is smaller than this part of the picture is meant in other units. */
+/** An outline smaller than this share of the picture must be in other units. */
 const SMALL = 0.2;
 
 /**
- * Scales rings to a picture of this side: as a square page of the side `page` goes into it where they lie on that;
- * else as they are where they fit; else so that they fill the picture but for a margin.
+ * Scales rings to a picture of this side. Rings on a square page of side `page` keep their place on it. Others stay as
+ * they are where they fit, or else fill the picture up to a margin.
  */
 export function fitted(rings: Ring[], side: number, page?: number): Ring[] {
   const points = rings.flat();

@@ -1,8 +1,7 @@
 /**
- * Few handles for a ring of many points: its corners, and smooth ones along its curves, the same whenever the ring is
- * the same.
+ * Finds a few handles for a ring of many points. The same ring always gets the same handles.
  *
- * Handles are corners, the ends of straight lines, and places where a curve has turned by 45 degrees.
+ * Handles are corners, the ends of straight lines, and smooth points where a curve has turned by 45 degrees.
  */
 import type { Point, Ring } from '../../module/types';
 import { stretchAlong } from './curve';
@@ -10,47 +9,47 @@ import type { Figure } from './figures';
 import { distance, nearest } from './plane';
 import { simplify } from './simplify';
 
-/** Handles on all rings together, about at most. */
+/** Approximate limit of handles on all rings together. */
 const MOST = 300;
 
-/** Radians by which a curve turns at a point at most, and sides of the picture by which its chords are off. */
+/** At a point of a curve, the ring turns by at most TURN radians and its chords are off by at most FLAT sides. */
 const TURN = 0.61;
 const FLAT = 1 / 650;
 
-/** A curve has at least so many points and bends by at least so many radians; else its points are corners. */
+/** A curve has at least POINTS points and bends by at least BEND radians. Otherwise its points are corners. */
 const POINTS = 3;
 const BEND = 0.05;
 
-/** Radians by which a curve turns from handle to handle, and its length in sides at least. */
+/** From handle to handle, a curve turns by about SWEEP radians and is at least LENGTH sides long. */
 const SWEEP = Math.PI / 4;
 const LENGTH = 0.05;
 
-/** So much of a sweep more needs no further handle: what a curve turns at its ends is not counted. */
+/** A curve needs one more handle only beyond this share of a sweep, as the turns at its ends are not counted. */
 const SPARE = 0.25;
 
-/** A piece so many sides long and so many times as long as the next ones is a straight line beside a curve. */
+/** Beside a curve, a piece is a straight line if it is longer than STRAIGHT sides and LONGER times its neighbour. */
 const STRAIGHT = 0.02;
 const LONGER = 2.5;
 
-/** A curve turns the other way once it has done so by this many radians. */
+/** A curve bends the other way once it has turned back by this many radians. */
 const OTHER_WAY = 0.06;
 
 interface Vertex {
   at: Point;
   /** Radians by which the ring turns here, with a sign. */
   turn: number;
-  /** Length from here to the next one. */
+  /** Length from here to the next vertex. */
   length: number;
-  /** May be a handle at all. */
+  /** This vertex may become a handle. */
   kept: boolean;
-  /** What handle it is; most are none. */
+  /** The kind of handle. Most vertices are none. */
   handle?: 'corner' | 'smooth';
 }
 
 /** Vertices from a handle to the next one, both included. */
 type Run = Vertex[];
 
-/** Rings with handles. Where they have far too many corners, the least of them are points of the stretches between. */
+/** Rings with handles. Where there are far too many corners, the smallest become plain points of the stretches. */
 export function handled(rings: Ring[], side: number): Figure[] {
   const kept = new Set(simplify(rings, side, MOST).flat());
   for (let sweep = SWEEP; ; sweep *= 1.5) {
@@ -72,7 +71,7 @@ function figureOf(all: Vertex[], side: number, sweep: number): Figure {
   corners(all, side);
   const begun = runs(all);
   for (const run of begun) bounds(run, side);
-  // A circle's first handle is at the right.
+  // The first handle of a circle is its rightmost point.
   const right = all[nearest(all.map(({ at }) => -at[0]))];
   if (!begun.length) bounds([...all, ...all.slice(0, 1)], side);
   if (right && !runs(all).length) right.handle = 'smooth';
@@ -86,7 +85,7 @@ function figureOf(all: Vertex[], side: number, sweep: number): Figure {
   };
 }
 
-/** From each handle to the next one. */
+/** The runs from each handle to the next one. */
 function runs(all: Vertex[]): Run[] {
   const first = all.findIndex(({ handle }) => handle);
   if (first < 0) return [];
@@ -98,7 +97,7 @@ function runs(all: Vertex[]): Run[] {
   return found.slice(0, -1);
 }
 
-/** Marks corners: what is no point of a curve. */
+/** Marks corners: the points that lie on no curve. */
 function corners(all: Vertex[], side: number): void {
   all.forEach((vertex, k) => {
     const turn = Math.abs(vertex.turn);
@@ -116,7 +115,7 @@ function turning(vertices: Vertex[]): number {
   return vertices.reduce((sum, { turn }) => sum + Math.abs(turn), 0);
 }
 
-/** Marks where a curve goes over into a straight line or begins to turn the other way. */
+/** Marks where a curve meets a straight line or begins to turn the other way. */
 function bounds(run: Run, side: number): void {
   let [way, other] = [0, 0];
   let begin: Vertex | undefined;
@@ -124,7 +123,7 @@ function bounds(run: Run, side: number): void {
     const [shorter, longer] = [Math.min, Math.max].map((end) => end(run[k]?.length ?? 0, vertex.length)) as [number, number];
     if (longer > STRAIGHT * side && longer > LONGER * shorter) vertex.handle = 'smooth';
     if (vertex.turn * way >= 0) {
-      // Small turns to and fro count for nothing.
+      // Small turns back and forth are ignored.
       if (vertex.turn) other = 0;
       way ||= Math.sign(vertex.turn);
       return;
@@ -137,7 +136,7 @@ function bounds(run: Run, side: number): void {
   });
 }
 
-/** Marks the places that divide a curve into pieces, at least so many, that are about as long and turn by as much. */
+/** Divides a curve into at least `least` pieces that are about equal in length and turn. */
 function divide(run: Run, side: number, sweep: number, least: number): void {
   const inside = run.slice(1, -1);
   const [turns, length] = [turning(inside), run.slice(0, -1).reduce((sum, vertex) => sum + vertex.length, 0)];

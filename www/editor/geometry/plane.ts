@@ -1,4 +1,4 @@
-/** Points of the plane, y down; as differences they are vectors, as turns and scales complex numbers. */
+/** Points of the plane, with y down. Differences are vectors; complex numbers stand for rotations with scale. */
 import type { Point, Ring } from '../../module/types';
 
 export function distance(from: Point, to: Point): number {
@@ -17,12 +17,12 @@ export function minus(a: Point, b: Point): Point {
   return [a[0] - b[0], a[1] - b[1]];
 }
 
-/** The complex product: turned by the angle of the other, and as many times as long. */
+/** The complex product: `a` rotated by the angle of `b` and scaled by its length. */
 export function times(a: Point, b: Point): Point {
   return [a[0] * b[0] - a[1] * b[1], a[0] * b[1] + a[1] * b[0]];
 }
 
-/** The complex quotient; 1 where there is none. */
+/** The complex quotient; 1 where it does not exist. */
 export function over(a: Point, b: Point): Point {
   const square = b[0] * b[0] + b[1] * b[1];
   return square > 0 ? times(a, [b[0] / square, -b[1] / square]) : [1, 0];
@@ -34,12 +34,12 @@ export function unit([x, y]: Point): Point {
   return [x / length, y / length];
 }
 
-/** Part of the way, 0..1, from one to the other. */
+/** The point at this share of the way, 0..1. */
 export function between(from: Point, to: Point, part: number): Point {
   return [from[0] + part * (to[0] - from[0]), from[1] + part * (to[1] - from[1])];
 }
 
-/** The part of a segment, 0..1, before its place nearest to a point. */
+/** Where on a segment, 0..1, the place nearest to a point lies. */
 function along(point: Point, from: Point, to: Point): number {
   const [x, y] = minus(to, from);
   const square = x * x + y * y;
@@ -58,12 +58,12 @@ export function toSegment(point: Point, from: Point, to: Point): number {
   return Math.hypot(point[0] - from[0] - t * (to[0] - from[0]), point[1] - from[1] - t * (to[1] - from[1]));
 }
 
-/** Which of some distances is the least, the first of equal ones. */
+/** The index of the least distance, the first of equal ones. */
 export function nearest(distances: number[]): number {
   return distances.reduce((best, far, k) => (far < (distances[best] ?? Infinity) ? k : best), 0);
 }
 
-/** What a ring encloses, with a sign for its sense. */
+/** The signed area of a ring. */
 export function area(ring: Ring): number {
   return ring.reduce((total, [x, y], k) => {
     const [u, v] = ring[(k + 1) % ring.length] ?? [x, y];

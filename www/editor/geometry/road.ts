@@ -1,4 +1,4 @@
-/** The border of roads that are given by their middle lines. */
+/** The border of roads, from their middle lines. */
 import type { Point, Ring } from '../../module/types';
 import { contour, tidy } from './contour';
 import type { Figure } from './figures';
@@ -7,20 +7,20 @@ import { distance } from './plane';
 /** Squares of the grid along the picture's side. */
 const GRID = 288;
 
-/** How far the border may be off, in squares of the grid, and its points at most. */
+/** TOLERANCE is the largest error of the border, in squares of the grid; MOST is the limit of its points. */
 const TOLERANCE = 0.22;
 const MOST = 300;
 
 /**
- * The border of all roads together, inside the picture: joints are round, ends are cut straight, roads may cross
- * themselves and each other. What is inside is where the distance to a middle line is less than half the width.
+ * The common border of all roads, within the picture. Joints are round, ends are cut straight, and roads may cross
+ * themselves and each other. A place is inside where its distance to a middle line is less than half the width.
  */
 export function roadRings(roads: Figure[], side: number): Ring[] {
   const columns = GRID + 1;
   const scale = side / GRID;
   const values = new Float32Array(columns * columns).fill(-1);
   for (const { points, value } of roads) pave(values, columns, points.map(([x, y]): Point => [x / scale, y / scale]), (value / 200) * GRID);
-  // Nodes at the picture's rim are not inside, those next to it by no more than a square.
+  // Nodes at the picture's border are not inside; their neighbours are inside by at most one square.
   for (let k = 0; k < columns; k += 1) {
     for (const rim of [0, 1, GRID - 1, GRID]) {
       const most = rim === 0 || rim === GRID ? 0 : 1;
@@ -30,11 +30,11 @@ export function roadRings(roads: Figure[], side: number): Ring[] {
   return tidy(contour(values, columns), TOLERANCE, MOST).map((ring) => ring.map(([x, y]): Point => [x * scale, y * scale]));
 }
 
-/** Raises the numbers around a middle line to half the width less the distance to it. */
+/** Raises the numbers around a middle line to half the width minus the distance to it. */
 function pave(values: Float32Array, columns: number, line: Point[], half: number): void {
   const [first, last] = [line[0], line.at(-1)];
   if (!first || !last) return;
-  // A line that ends where it began is a ring road.
+  // A line that ends where it began is closed: a ring road.
   const closed = line.length > 2 && distance(first, last) < half;
   const points = closed ? [...line, first] : line;
   points.slice(1).forEach((to, k) => {

@@ -1,4 +1,4 @@
-/** Fewer points for an outline that is to be edited by hand: Douglas and Peucker (1973), ring by ring. */
+/** Fewer points for an outline that people edit by hand: Douglas and Peucker (1973), ring by ring. */
 import type { Point, Ring } from '../../module/types';
 import { distance, toSegment } from './plane';
 
@@ -11,7 +11,10 @@ export function simplify(rings: Ring[], side: number, most: number): Ring[] {
   return count(rings) > most ? thinned(rings, FIRST_TOLERANCE * side, most) : rings;
 }
 
-/** The same outline without points that lie within `tolerance` of it anyway, and without more, up to `coarser` times that, until there are at most `most`. */
+/**
+ * The same outline without the points that lie within `tolerance` of it. The tolerance grows, up to `coarser` times,
+ * until at most `most` points are left.
+ */
 export function thinned(rings: Ring[], tolerance: number, most: number, coarser = 1000): Ring[] {
   let fewer = rings.map((ring) => thin(ring, tolerance));
   for (let wider = tolerance * GROWTH; count(fewer) > most && wider < coarser * tolerance; wider *= GROWTH) {
@@ -24,7 +27,7 @@ function count(rings: Ring[]): number {
   return rings.reduce((total, ring) => total + ring.length, 0);
 }
 
-/** A ring is cut at its first point and the one farthest from it, and each half thinned as an open line. */
+/** Cuts a ring at its first point and at the one farthest from it, and thins each half as an open line. */
 function thin(ring: Ring, tolerance: number): Ring {
   const first = ring[0];
   if (!first || ring.length < 5) return ring;
@@ -38,7 +41,7 @@ function thin(ring: Ring, tolerance: number): Ring {
 /** The same for an open line. */
 export function thinLine(line: Ring, tolerance: number): Ring {
   const kept: Ring = line.slice(0, 1);
-  // What is left to be looked at, the next part last: calls within calls could be as many as points.
+  // A stack of parts to do: recursion could go as deep as there are points.
   const parts = [line];
   for (let part = parts.pop(); part; part = parts.pop()) {
     const [from, to] = [part[0], part.at(-1)];

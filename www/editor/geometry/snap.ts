@@ -1,4 +1,4 @@
-/** Where a point goes while Shift is held: to other points, to directions by 15 degrees, or to a grid. */
+/** Where a point goes while Shift is held: to other points, to multiples of 15 degrees, or to a grid. */
 import type { Point } from '../../module/types';
 import { drawn } from './figures';
 import { distance } from './plane';
@@ -9,11 +9,11 @@ const STEP = Math.PI / 12;
 
 interface Snapped {
   at: Point;
-  /** What the point was drawn to, as an SVG path. */
+  /** The line or point that the point snapped to, as an SVG path. */
   guide: string;
 }
 
-/** `reach` is how far a point may be drawn, `neighbours` are the points it is joined to, `others` all it may fall on. */
+/** `reach` is the largest distance of a snap, `neighbours` are joined to the point, `others` are points it may fall on. */
 export function snap(at: Point, side: number, reach: number, neighbours: Point[], others: Point[]): Snapped {
   const near = others.filter((point) => distance(point, at) < reach).sort((a, b) => distance(a, at) - distance(b, at))[0];
   if (near) return { at: [...near], guide: drawn('spot', [near, [near[0] + 0.7 * reach, near[1]]]) };
@@ -33,7 +33,7 @@ interface Ray {
   at: Point;
 }
 
-/** The place on the nearest of the directions from a point. */
+/** The nearest place on one of the directions from a point. */
 function onRay(from: Point, at: Point): Ray {
   const angle = Math.round(Math.atan2(at[1] - from[1], at[0] - from[0]) / STEP) * STEP;
   const far = (at[0] - from[0]) * Math.cos(angle) + (at[1] - from[1]) * Math.sin(angle);
@@ -47,7 +47,7 @@ function meeting(a: Ray, b: Ray): Point | undefined {
   return [a.from[0] + far * Math.cos(a.angle), a.from[1] + far * Math.sin(a.angle)];
 }
 
-/** The whole direction, somewhat beyond the point. */
+/** The line through the point in the snapped direction, extended somewhat beyond it. */
 function line({ from, at }: Ray): string {
   return drawn('line', [from, [2 * at[0] - from[0], 2 * at[1] - from[1]]]);
 }

@@ -1,8 +1,8 @@
 /**
- * Outlines from text: polygon JSON, SVG, or an SVG path alone.
+ * Reads outlines from text: polygon JSON, SVG, or SVG path data alone.
  *
- * What comes out is thinned to the points that an outline may have. Where its rings touch, a second outline is tried,
- * a grain smaller all around. The limits of shapes and points are checked before the work that they forbid.
+ * The result is thinned to the number of points that an outline may have. A second outline, smaller by a grain all
+ * around, is tried where rings of the first touch. Limits of shapes and points are checked before the work they forbid.
  */
 import type { Point, Ring } from '../../module/types';
 import { fitted } from '../geometry/fit';
@@ -16,27 +16,27 @@ import { parsePath } from '../svg/path';
 import { Refusal, type Count } from '../svg/refusal';
 import { seen } from '../svg/seen';
 
-/** How far an outline of a drawing may be off, in sides, and how much farther where it has too many points for that. */
+/** TOLERANCE is the error of a drawing's outline, in sides. It may grow by COARSER where there are too many points. */
 const TOLERANCE = 0.0003;
 const COARSER = 8;
 
-/** Points that the program takes, and the smallest area of a ring as a square, in sides (src/domain/check.rs). */
+/** MOST points are the limit of the program; a ring's area is at least SMALLEST squared, in sides (src/domain/check.rs). */
 const MOST = 4096;
 const SMALLEST = 1 / 128;
 
-/** What is taken away around an area so that its rings do not touch, in grains of a link's grid. */
+/** Rings shrink by APART grains of a link's grid so that they do not touch; a side has GRAINS of them. */
 const APART = 2;
 const GRAINS = 32768;
 
-/** An outline that may do, and what became of the file on the way to it. */
+/** A candidate for the outline, and what the file lost on the way to it. */
 export interface Try {
   rings: Ring[];
   left: Count;
-  /** Points that it had, where it has fewer now than it should. */
+  /** The number of points before thinning, where too many had to go. */
   coarse?: number;
 }
 
-/** Reads an outline for a picture of this side, at least one: where the first cannot be used, the next one may. */
+/** Reads at least one outline for a picture of this side. Where the first cannot be used, the next one may. */
 export function outlines(text: string, side: number, progress: (done: number) => void): Try[] {
   const start = text.trimStart().slice(0, 1);
   if (start === '[' || start === '{') return polygons(text, side);
@@ -56,12 +56,12 @@ function pathAlone(text: string): Drawing {
   return { pieces: [{ runs, matrix: STILL, rule: 'nonzero', paint: 'ink', clips: [] }], frame: undefined, left: {} };
 }
 
-/** Whether all points of a drawing are given: those are taken as they are, as long as they are not too many. */
+/** Whether a drawing consists of straight lines. Its points are kept as they are unless there are too many. */
 function isStraight({ pieces }: Drawing): boolean {
   return pieces.every(({ runs, pen, clips }) => !pen && !clips.length && runs.every(({ curves }) => curves.every((curve) => curve.length === 1)));
 }
 
-/** The rings of a drawing with as few points as will do. */
+/** The rings of a drawing, with as few points as the tolerance allows. */
 function drawn(rings: Ring[], side: number, left: Count, tolerance: number): Try[] {
   const large = withoutSpecks(rings, side, left);
   if (!large.length) throw new Refusal('no_area', {}, left);
@@ -73,26 +73,26 @@ function drawn(rings: Ring[], side: number, left: Count, tolerance: number): Try
   return [{ rings: arranged(few), left, ...coarse }, ...apart(few, 'nonzero', side, left).map((loose) => ({ ...loose, ...coarse }))];
 }
 
-/** What rings enclose, none of them touching another or itself. */
+/** The area that rings enclose, as rings that touch neither each other nor themselves. */
 function apart(rings: Ring[], rule: Rule, side: number, before: Count = {}): Try[] {
   const scale = STEPS / side;
   const area = areaOf(rings, rule, ([x, y]) => [x * scale, y * scale]);
   const left = { ...before };
   const loose = shrunk(area, (APART * STEPS) / GRAINS).map((path) => path.map(({ x, y }): Point => [x / scale, y / scale]));
-  // Shrunk corners may have more points than they need.
+  // Shrinking may add points at corners.
   const large = withoutSpecks(thinned(loose, side / GRAINS / 2, Infinity), side, left);
   return large.length ? [{ rings: arranged(large), left }] : [];
 }
 
 function withoutSpecks(rings: Ring[], side: number, left: Count): Ring[] {
-  // A little more, as rings lose some by what follows.
+  // Somewhat more than the limit, as later steps make rings smaller.
   const least = 1.05 * (SMALLEST * side) ** 2;
   const large = rings.filter((ring) => Math.abs(areaIn(ring)) >= least);
   if (large.length < rings.length) left.speck = (left.speck ?? 0) + rings.length - large.length;
   return large;
 }
 
-/** The ring begun at its leftmost point, so that it is thinned alike wherever it began. */
+/** The ring, begun at its leftmost point: thinning then does not depend on where it began. */
 function fromEdge(ring: Ring): Ring {
   const at = ring.reduce((best, [x, y], k) => {
     const [u, v] = ring[best] ?? [x, y];
@@ -141,7 +141,7 @@ function isPoint(point: unknown): point is Point {
   return Array.isArray(point) && point.length === 2 && point.every((number) => typeof number === 'number' && Number.isFinite(number));
 }
 
-/** Without points that repeat the one before. */
+/** The ring without points that repeat the previous one. */
 function plain(ring: Ring): Ring {
   return ring.filter(([x, y], k) => {
     const [u, v] = ring[(k || ring.length) - 1] ?? [x, y];

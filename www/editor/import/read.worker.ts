@@ -1,12 +1,12 @@
-/** Reads one outline. Nothing here blocks the page: it is a worker, which ends with the file. */
+/** A worker that reads one outline, so that the page stays responsive. It ends with the file. */
 import { serve } from '../../late/worker';
 import { Refusal, type Count, type Told } from '../svg/refusal';
 import { outlines, type Try } from './read';
 
-/** What the worker gets. */
+/** The worker's input. */
 export type Order = [text: string, side: number];
 
-/** What it answers: the outlines, or what is wrong with the file. */
+/** The worker's answer: the outlines, or the reason why the file was refused. */
 export type Answer = { tries: Try[] } | { refused: Told; left: Count };
 
 serve(([text, side]: Order, progress): Answer => {

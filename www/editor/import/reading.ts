@@ -1,4 +1,4 @@
-/** Outlines from files and texts, read in a worker, so that the page stays free; to stop it frees all it held. */
+/** Reads outlines from files and texts in a worker. Stopping it frees all its memory. */
 import { t, type Word } from '../../words/editor';
 import { language } from '../../words/words';
 import { passing } from '../../base/messages';
@@ -8,10 +8,13 @@ import { LEFT, type Count, type Told } from '../svg/refusal';
 import type { Try } from './read';
 import type { Answer, Order } from './read.worker';
 
-/** What is read now. */
+/** The reading that goes on now. */
 let now: AbortController | undefined;
 
-/** The outlines that a text has, of which the first that will do is meant; undefined where that was stopped. Throws a sentence. */
+/**
+ * The outlines in a text; the first that the engine accepts is meant. Returns undefined where it was stopped, and
+ * throws a sentence.
+ */
 export async function read(text: string, name: string, side: number): Promise<Try[] | undefined> {
   now?.abort();
   const stopping = (now = new AbortController());
@@ -19,7 +22,7 @@ export async function read(text: string, name: string, side: number): Promise<Tr
     return await stoppable({ topic: 'outline', sentence: t('import_reading', { name }), name, stop: t('import_stop') }, stopping, (task) => triesOf([text, side], name, task));
   } catch (error) {
     if (!stopping.signal.aborted) throw error;
-    // Another file has taken its place, and is told of.
+    // Otherwise another file has replaced this one, and its own message is shown.
     if (stopping === now) passing('outline', t('kept', { sentence: t('import_stopped', { name }) }));
     return undefined;
   }
@@ -37,12 +40,12 @@ function sentence({ word, values }: Told, name: string): string {
   return t(word, { name, ...Object.fromEntries(Object.entries(values).map(([key, value]) => [key, number(value)])) });
 }
 
-/** What is to be said of an outline that was taken. */
+/** The sentences about an outline that was taken. */
 export function remarks({ rings, left, coarse }: Try): string[] {
   return [...leftOut(left, 'left_out'), ...(coarse ? [t('coarse', { n: number(rings.flat().length), before: number(coarse) })] : [])];
 }
 
-/** The sentence that counts what was left out, where there is anything. */
+/** A sentence that counts what was left out, where there is anything. */
 function leftOut(left: Count, word: Word): string[] {
   const parts = LEFT.filter((what) => left[what]).map((what) => t(left[what] === 1 ? `left_${what}_one` : `left_${what}`, { n: number(left[what] ?? 0) }));
   return parts.length ? [t(word, { list: new Intl.ListFormat(language()).format(parts) })] : [];

@@ -1,14 +1,14 @@
-/** Outlines of letters are asked for while one is still made: of those that wait only the latest is made. */
+/** Requests outlines of letters. While one is being made, only the latest of the waiting requests is kept. */
 import type { Letters, Order } from './letters.worker';
 
 export class Asked {
   private readonly worker = new Worker(new URL('./letters.worker.ts', import.meta.url), { type: 'module' });
   private works = false;
-  /** What it works on is still wanted. */
+  /** The answer of the present work is still wanted. */
   private wanted = false;
   private next: Order | undefined;
 
-  /** `come` gets the outline that was asked for last; `broke` a reason. */
+  /** `come` gets the outline that was requested last; `broke` gets the reason of a failure. */
   constructor(come: (letters: Letters) => void, broke: (reason: string) => void) {
     const over = (act: () => void): void => {
       this.works = false;
@@ -31,7 +31,7 @@ export class Asked {
     this.worker.postMessage(order);
   }
 
-  /** Nothing of what was asked for is wanted any more. */
+  /** Drops all requests. */
   forget(): void {
     this.wanted = false;
     this.next = undefined;

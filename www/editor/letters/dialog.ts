@@ -1,4 +1,4 @@
-/** Letters as the outline: the dialog, which shows them in stones, and says what is wrong and what is allowed. */
+/** The dialog for letters as the outline. It shows them in stones, and says what is wrong and what is allowed. */
 import type { Ring } from '../../module/types';
 import { t } from '../../words/editor';
 import { language } from '../../words/words';
@@ -12,30 +12,30 @@ import { FACES, MOST_LETTERS, MOST_POINTS, type Face, type Letters } from './pai
 import { Preview } from './preview';
 import '../../styles/late/letters.css';
 
-/** Cells across a stroke: fewest, most, and at first. */
+/** Cells across a stroke: least, most, step and initial value. */
 const ACROSS = { min: 1, max: 8, step: 0.5, first: 3.5 };
 
-/** Sides of the picture, and the largest that is taken unasked: twice the side is four times the work. */
+/** Sides of the picture, and the largest that is chosen without asking: twice the side is four times the work. */
 const SIDES = [512, 1024, 2048];
 const LARGEST = 1024;
 
 /** Cells of fewer pixels hardly look like stones. */
 const SMALL = 4;
 
-/** How much finer an outline may become until it does not touch itself. */
+/** The outline is made up to this many times finer until it does not touch itself. */
 const FINEST = 4;
 
-/** Milliseconds after the last change of the text. */
+/** Wait after the last change of the text, in milliseconds. */
 const SETTLED = 150;
 
-/** What was chosen last, until the page is left. */
+/** The last choices, kept until the visitor leaves the page. */
 const last = { text: 'B', face: 'serif' as Face, across: ACROSS.first, follows: true };
 
 type Values = [key: string, text: string][];
 
 export interface LettersNeeds {
   readonly engine: Engine;
-  /** Takes rings over, with lengths in sides, and parameters, in one step; answers why not, or ''. */
+  /** Takes rings, with lengths in sides, and parameters as one step. Returns the reason of a refusal, or ''. */
   take(rings: Ring[], values: Values): string;
 }
 
@@ -61,14 +61,14 @@ class LettersDialog {
   private readonly asked = new Asked((letters) => this.came(letters), (reason) => this.broke(reason));
   private timer = 0;
   private finer = 1;
-  /** The letters are not those of the fields yet; and they are to be taken once they are. */
+  /** `stale`: the letters do not yet match the fields. The other flag: take them as soon as they do. */
   private stale = true;
   private taking = false;
   private now: Letters | undefined;
   /** The visitor has chosen the picture's side. */
   private chosen = false;
   private values: Values = [];
-  /** What stands below the facts: of the letters, and of the stones. */
+  /** The sentences below the facts: about the letters, and about the stones. */
   private said: string[] = [];
 
   constructor(needs: LettersNeeds) {
@@ -139,7 +139,7 @@ class LettersDialog {
     delete this.dialog.dataset['stage'];
   }
 
-  /** The text or its typeface is another one. */
+  /** The text or its typeface changed. */
   private ask(finer = 1): void {
     this.age();
     last.text = this.word.value;
@@ -164,7 +164,7 @@ class LettersDialog {
     this.fit();
   }
 
-  /** The cells as they shall be, and the outline with them in stones. */
+  /** Sets the size of the cells, and shows the outline with them in stones. */
   private fit(): void {
     const { now } = this;
     last.across = this.across.valueAsNumber;
@@ -190,7 +190,7 @@ class LettersDialog {
     if (this.taking) this.take();
   }
 
-  /** The least side of a picture in which cells are no smaller than stones should be. */
+  /** The least side of a picture in which cells are large enough for stones. */
   private roomFor(stroke: number): number {
     const own = this.needs.engine.side();
     const sides = [own, ...SIDES.filter((side) => side > own && side <= LARGEST)];
@@ -209,12 +209,12 @@ class LettersDialog {
     return cells < SMALL ? [t('text_small', { n: number(SMALL) }), ...this.larger()] : [];
   }
 
-  /** There is a larger picture to be had. */
+  /** A sentence that offers a larger picture. */
   private larger(): string[] {
     return [this.side.selectedIndex + 1 < this.side.options.length ? t('text_larger') : t('text_fewer')];
   }
 
-  /** There is no outline, and why. */
+  /** Shows that there is no outline, and why. */
   private nothing(sentence: string): void {
     this.taking = false;
     this.now = undefined;
@@ -231,7 +231,7 @@ class LettersDialog {
     this.show('', sentences);
   }
 
-  /** A slice of the preview's work is done. */
+  /** The preview has done a slice of work. */
   private worked(problem: string, done: boolean): void {
     if (done) this.dialog.dataset['stage'] = problem ? 'error' : 'done';
     if (problem && !this.said.includes(problem)) this.show(this.facts.textContent, [problem, ...this.said]);
@@ -258,17 +258,17 @@ class LettersDialog {
   }
 }
 
-/** A size of cells. */
+/** The text of a cell size. */
 function rounded(size: number): string {
   return size.toFixed(size < 10 ? 1 : 0);
 }
 
-/** Of a number of cells on its slider. */
+/** The place of a number of cells on its slider. */
 function placeOf(across: number): number {
   return (across - ACROSS.min) / (ACROSS.max - ACROSS.min);
 }
 
-/** In the language in use, with one place after the point where it is small. */
+/** The number in the page's language, with one decimal where it is small. */
 function number(value: number): string {
   return value.toLocaleString(language(), { maximumFractionDigits: value < 20 ? 1 : 0 });
 }

@@ -1,4 +1,4 @@
-/** Makes outlines of letters, one after another, beside the page. */
+/** A worker that makes outlines of letters, one after another. */
 import { serve } from '../../late/worker';
 import { letters, type Letters, type Order } from './painted';
 

@@ -1,21 +1,21 @@
 /**
- * Where lines of a text may break, and where they do so that its letters become as large as they can.
+ * Breaks a text into lines so that its letters become as large as possible.
  *
- * Between words of scripts without spaces Intl.Segmenter tells them apart. What Japanese typesetting forbids (kinsoku:
- * closing marks and small kana that begin a line, opening marks that end one) is no place to break. Particles and endings
- * in hiragana stay with the word before, and words stay whole, unless the letters become a lot larger without that.
+ * Intl.Segmenter finds words in scripts without spaces. Lines follow the rules of Japanese typesetting (kinsoku): no line
+ * begins with a closing mark or small kana, and none ends with an opening mark. Particles and endings in hiragana stay
+ * with the word before them, and words stay whole, unless breaking them makes the letters a lot larger.
  */
 
-/** A part of a line that stays whole; `spaced` where a space comes before it within a line. */
+/** A part of a line that is not broken; `spaced` where a space comes before it within a line. */
 export interface Piece {
   text: string;
   spaced: boolean;
 }
 
-/** A line of the text as it was given, and how it may be broken: the coarsest way first. */
+/** The ways to break a line of the given text, the coarsest first. */
 export type Ways = Piece[][];
 
-/** What begins no line, and what ends none. */
+/** Characters that may not begin a line, and those that may not end one. */
 const NO_BEGIN = /^[\p{Pe}\p{Pf}\p{M}、。，．・：；？！,.:;?!%％‰°℃ー々〻ゝゞヽヾぁぃぅぇぉっゃゅょゎゕゖァィゥェォッャュョヮヵヶㇰ-ㇿ…‥～〜'"’”-]/u;
 const NO_END = /[\p{Ps}\p{Pi}\p{Sc}#＃'"‘“]$/u;
 
@@ -27,21 +27,21 @@ const FREE_END = new RegExp(`([${UNSPACED}\\p{Extended_Pictographic}\\u{fe0f}]|[
 /** Hiragana alone: an ending, a particle, or a short word. */
 const KANA = /^[\p{Script=Hiragana}ー]+$/u;
 
-/** Letters of a word with what hiragana stay with it. */
+/** Most letters of a word together with the hiragana that stay with it. */
 const LONGEST = 6;
 
-/** The letters of a text as people count them. */
+/** The letters of a text as people count them (grapheme clusters). */
 export function lettersIn(text: string): string[] {
   return segments(text, 'grapheme');
 }
 
 function segments(text: string, granularity: 'grapheme' | 'word'): string[] {
-  // Not every browser of the last years has it.
+  // Browsers of recent years may lack it.
   if (!('Segmenter' in Intl)) return Array.from(text);
   return Array.from(new Intl.Segmenter('ja', { granularity }).segment(text), ({ segment }) => segment);
 }
 
-/** How a line may be broken: phrases, words, letters. */
+/** The ways to break a line: into phrases, words, or letters. */
 export function waysOf(line: string): Ways {
   const words = line.split(/\s+/u).filter((word) => word !== '');
   const by = (split: (word: string) => string[], phrases: boolean): Piece[] => words.flatMap((word) => kept(split(word), phrases).map((text, k) => ({ text, spaced: k === 0 })));
@@ -49,7 +49,7 @@ export function waysOf(line: string): Ways {
   return [by(byWord, true), by(byWord, false), by(lettersIn, false)];
 }
 
-/** Parts of a word without spaces, put together where no line may break. */
+/** The parts of a word without spaces, joined where no line may break. */
 function kept(parts: string[], phrases: boolean): string[] {
   const whole: string[] = [];
   for (const part of parts) {
@@ -66,19 +66,19 @@ function mayBreak(before: string, after: string, phrases: boolean): boolean {
   return !(phrases && KANA.test(after) && before.length + after.length <= LONGEST);
 }
 
-/** How much larger letters become before phrases, and then words, are broken. */
+/** Phrases, and then words, are broken only if letters become larger by this factor. */
 const LARGER = 1.12;
 
-/** Most lines. */
+/** Largest number of lines. */
 const MOST = 40;
 
-/** Lines of a text, and how large it then is: times what fills a square. */
+/** A text in lines, and its size relative to one that fills a square. */
 interface Broken {
   lines: string[];
   scale: number;
 }
 
-/** The lines of a text whose letters become largest in a square; `scaleOf` tells how large they may be, `widthOf` how wide a text is. */
+/** The lines whose letters become largest in a square. `scaleOf` returns their size, `widthOf` the width of a text. */
 export function broken(text: string, widthOf: (text: string) => number, scaleOf: (lines: string[]) => number): string[] {
   const given = text.split('\n').map(waysOf).filter(([pieces]) => pieces?.length);
   const tries = [0, 1, 2].map((way) => best(given.map((ways) => ways[way] ?? []), widthOf, scaleOf));
@@ -100,7 +100,7 @@ function best(given: Piece[][], widthOf: (text: string) => number, scaleOf: (lin
   return found;
 }
 
-/** The least width in which a text has no more lines than this. */
+/** The least width that needs no more than `count` lines. */
 function leastWidth(measured: Measured[], count: number): number {
   let [low, high] = [Math.max(0, ...measured.map(({ widest }) => widest)), Math.max(0, ...measured.map(({ whole }) => whole))];
   const fits = (width: number): boolean => measured.reduce((sum, line) => sum + line.linesIn(width), 0) <= count;
@@ -113,12 +113,12 @@ function leastWidth(measured: Measured[], count: number): number {
   return high;
 }
 
-/** A line as it was given, with the widths of its pieces. */
+/** A given line, with the widths of its pieces. */
 class Measured {
   readonly widest: number;
   readonly whole: number;
   private readonly pieces: Piece[];
-  /** Up to the end of each piece, and the space before each. */
+  /** The distance to the end of each piece, and the space before each. */
   private readonly ends: number[] = [];
   private readonly spaces: number[];
   private readonly widths: number[];
@@ -134,7 +134,7 @@ class Measured {
     this.whole = end;
   }
 
-  /** Lines at least, where none is wider than this. */
+  /** The least number of lines that are no wider than this. */
   linesIn(width: number): number {
     let [lines, left] = [1, 0];
     this.widths.forEach((own, k) => {
@@ -145,7 +145,7 @@ class Measured {
     return lines;
   }
 
-  /** No more lines than needed, none wider than this, as even as they can be: the sum of the squares of their widths is least. */
+  /** The fewest lines no wider than this, as even as possible: the sum of the squares of their widths is least. */
   within(width: number): string[] {
     const { pieces } = this;
     const count = this.linesIn(width);

@@ -1,4 +1,4 @@
-/** The shapes of letters, by way of pixels: what the worker does. */
+/** Finds the shapes of letters by painting them and tracing the pixels. The worker runs this. */
 import type { Ring } from '../../module/types';
 import { contour, tidy } from '../geometry/contour';
 import { fitted } from '../geometry/fit';
@@ -7,30 +7,33 @@ import { arranged } from '../geometry/rings';
 import { broken, lettersIn } from './lines';
 import { strokeWidth } from './strokes';
 
-/** Pixels along the longer side, and free ones around. */
+/** Pixels along the longer side, and the free border around them. */
 const PIXELS = 1024;
 const RIM = 6;
 
-/** Letters at most. */
+/** Largest number of letters. */
 export const MOST_LETTERS = 120;
 
-/** How far an outline may be off, in pixels, and in widths of strokes where those are narrow. */
+/** The error of an outline, in pixels, and in stroke widths where strokes are narrow. */
 const TOLERANCE = 1.28;
 const FINEST = 0.5;
 const OF_STROKE = 0.07;
 
-/** Points that the program takes, and the smallest area of a ring as a square, in sides (src/domain/check.rs), with something to spare. */
+/**
+ * Limits of the program (src/domain/check.rs) with some reserve: points, and the smallest area of a ring as a square,
+ * in sides.
+ */
 export const MOST_POINTS = 4096;
 const SMALLEST = 1.02 / 128;
 
-/** How much farther an outline may be off where it has too many points for that. */
+/** An outline with too many points may be coarser by up to this factor. */
 const COARSER = 4;
 
-/** Between lines, and the pen that makes letters round, in the font's size. */
+/** The gap between lines, and the pen that rounds letters, relative to the font's size. */
 const GAP = 0.16;
 const PEN = 0.045;
 
-/** The look of letters; systems differ in the fonts that they have. */
+/** The typefaces. Each lists several fonts, as systems differ. */
 export const FACES = {
   serif: '"Noto Serif CJK JP", "Noto Serif JP", "Hiragino Mincho ProN", "Yu Mincho", serif',
   sans: 'system-ui, "Hiragino Sans", "Yu Gothic", "Noto Sans CJK JP", sans-serif',
@@ -42,19 +45,19 @@ export type Face = keyof typeof FACES;
 export interface Order {
   text: string;
   face: Face;
-  /** 1, or how many times finer than that the outline is to be. */
+  /** The outline is this many times finer than usual. */
   finer: number;
 }
 
-/** Letters as an outline, with lengths in sides of the picture. */
+/** The outline of letters, with lengths in sides of the picture. */
 export interface Letters {
   rings: Ring[];
   lines: string[];
   /** The median width of strokes. */
   stroke: number;
-  /** Letters that were given; the first MOST_LETTERS of them were taken. */
+  /** Number of letters in the text; at most MOST_LETTERS were used. */
   given: number;
-  /** Dots and holes that were left out, as no stone goes into them. */
+  /** Number of dots and holes left out because no stone fits into them. */
   specks: number;
 }
 
@@ -69,12 +72,12 @@ export function letters({ text, face, finer }: Order): Letters {
   return { rings, lines, stroke: (stroke * sizeOf(shapes[0])) / (sizeOf(outline[0]) || 1), given: all.length, specks: shapes.length - rings.length };
 }
 
-/** The side of a square of a ring's area. */
+/** The side of a square with the ring's area. */
 function sizeOf(ring: Ring = []): number {
   return Math.sqrt(Math.abs(area(ring)));
 }
 
-/** A text in lines, on a grid: above 0 where there is ink, never at the rim. */
+/** Paints a text in lines on a grid. Numbers are above 0 on ink, never at the border. */
 function painted(text: string, face: Face): { lines: string[]; values: Float32Array; columns: number } {
   const measure = canvasOf(1, 1);
   const font = (size: number): string => `${face === 'serif' ? 700 : 900} ${size}px ${FACES[face]}`;
@@ -110,7 +113,7 @@ function canvasOf(width: number, height: number): OffscreenCanvasRenderingContex
   return context;
 }
 
-/** What a line's ink takes: letters without parts below the line stand close to the next one. */
+/** The box of a line's ink. The next line may come closer where no letter reaches below the line. */
 interface Box {
   left: number;
   ascent: number;

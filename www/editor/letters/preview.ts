@@ -1,33 +1,33 @@
-/** What an outline would look like in stones: an engine of its own works in idle moments as long as the dialog is open. */
+/** Shows an outline in stones. It has its own engine, which works in idle time while the dialog is open. */
 import { isEnd } from '../../module/stages';
 import type { Ring } from '../../module/types';
 import { idle, wantsStill } from '../../base/dom';
 import { Engine, type Told } from '../../state/engine';
 import { area } from '../geometry/plane';
 
-/** Milliseconds of work in one idle slice, and between two drawings of work in progress. */
+/** Milliseconds of one idle slice, and between two drawings of unfinished work. */
 const SLICE = 6;
 const DRAWINGS = 150;
 
 const VIEW = 'auto';
 
-/** A step of the packing of more cells takes too long for an idle moment: they are shown larger, and fewer. */
+/** With more cells, a step of packing is too long for idle time: the preview then shows fewer, larger cells. */
 const MOST_CELLS = 5000;
 
 export class Preview {
   readonly canvas: HTMLCanvasElement;
-  /** The size of cells, which the program keeps within what a picture of that side may have; and how many there will be, about. */
+  /** The size of cells, limited by the program for this side, and their approximate number. */
   cells = 0;
   count = 0;
   private readonly engine: Engine;
   private readonly tell: (problem: string, done: boolean) => void;
   private readonly still = wantsStill();
   private waiting = false;
-  /** A drawing is made in pieces, before there is more work. */
+  /** A drawing has been started; its pieces come before further work. */
   private owed = false;
   private drawn = 0;
 
-  /** `tell` gets why there can be no stones, or '', after each slice. */
+  /** After each slice, `tell` gets the reason why there can be no stones, or ''. */
   constructor(canvas: HTMLCanvasElement, recipe: string, tell: (problem: string, done: boolean) => void, failed: () => void) {
     this.canvas = canvas;
     this.tell = tell;
@@ -35,7 +35,7 @@ export class Preview {
     document.addEventListener('visibilitychange', this.wake);
   }
 
-  /** Shows these rings, with lengths in sides; answers whether they will do, and what is to be said of them. */
+  /** Shows these rings, with lengths in sides. Returns whether the engine accepts them, and its notices. */
   show(rings: Ring[], values: readonly [key: string, text: string][]): Told {
     const { engine } = this;
     for (const [key, text] of values) engine.set(key, text);
@@ -51,7 +51,7 @@ export class Preview {
     return told;
   }
 
-  /** Cells are shown larger than they will be. */
+  /** The preview shows fewer, larger cells than the picture will have. */
   get isCoarse(): boolean {
     return this.count > MOST_CELLS;
   }
@@ -74,7 +74,7 @@ export class Preview {
     const { engine } = this;
     if (!isEnd(engine.stage()) && !this.owed) engine.tick(SLICE, 100_000);
     const stage = engine.stage();
-    // Who asks for less motion sees finished pictures only.
+    // Visitors who prefer reduced motion see finished pictures only.
     const due = isEnd(stage) || (!this.still && performance.now() >= this.drawn);
     this.owed = due && !engine.prepare(VIEW, SLICE);
     if (due && !this.owed && stage !== 'error') this.paint();

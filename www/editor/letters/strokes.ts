@@ -1,12 +1,15 @@
-/** How wide the strokes of what is painted are. */
+/** Measures the stroke width of painted letters. */
 
-/** Where the distance to the boundary grows by less than this from pixel to pixel is the middle of a stroke: it grows by 1 beside it, by 0.7 towards a corner. */
+/**
+ * A pixel is in the middle of a stroke where the distance to the boundary grows by less than this per pixel. Beside
+ * the middle it grows by 1, towards a corner by 0.7.
+ */
 const MIDDLE = 0.5;
 
-/** Larger than any square of a distance. */
+/** Larger than any squared distance. */
 const FAR = 1e12;
 
-/** The median width, in pixels, of the strokes where numbers are above 0; 0 where there are none. */
+/** The median stroke width, in pixels, where numbers are above 0; 0 where none are. */
 export function strokeWidth(values: Float32Array, columns: number): number {
   const far = distances(values, columns);
   const widths: number[] = [];
@@ -19,7 +22,10 @@ export function strokeWidth(values: Float32Array, columns: number): number {
   return widths.sort((a, b) => a - b)[widths.length >> 1] ?? 0;
 }
 
-/** From each pixel that is inside to the boundary, half a pixel before the nearest one outside (Felzenszwalb and Huttenlocher, 2012: rows, then columns). */
+/**
+ * The distance from each pixel inside to the boundary, which lies half a pixel before the nearest pixel outside
+ * (Felzenszwalb and Huttenlocher, 2012: rows, then columns).
+ */
 function distances(values: Float32Array, columns: number): Float32Array {
   const rows = values.length / columns;
   const squares = Float64Array.from(values, (value) => (value > 0 ? FAR : 0));
@@ -29,7 +35,7 @@ function distances(values: Float32Array, columns: number): Float32Array {
   return Float32Array.from(squares, (square) => (square > 0 ? Math.sqrt(square) - 0.5 : 0));
 }
 
-/** The lower envelope of parabolas, one on each number of a line. */
+/** The lower envelope of parabolas, one at each number of a row. */
 class Pass {
   private readonly line: Float64Array;
   private readonly bottoms: Int32Array;

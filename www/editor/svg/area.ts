@@ -1,8 +1,8 @@
-/** Areas on a grid of whole numbers, so that no rounding is in doubt, put together by Clipper (A. Johnson, after Vatti). */
+/** Areas on a grid of whole numbers, free of rounding errors, combined by Clipper (A. Johnson, after Vatti). */
 import { Clipper64, ClipperOffset, ClipType, EndType, FillRule, JoinType, type Paths64 } from 'clipper2-ts';
 import type { Point, Ring } from '../../module/types';
 
-/** Rings that wind once around all that they enclose, holes the other way round. */
+/** Rings that wind once around their area; holes run the other way. */
 export type Area = Paths64;
 
 export type Rule = 'nonzero' | 'evenodd';
@@ -12,7 +12,7 @@ export const EMPTY: Area = [];
 /** Steps of the grid along a side; the grain of an outline in a link is 64 of them. */
 export const STEPS = 2 ** 21;
 
-/** What rings enclose by a rule; they lie on a grid that `place` puts them on. */
+/** The area that rings enclose by a fill rule; `place` puts their points on the grid. */
 export function areaOf(rings: Ring[], rule: Rule, place: (point: Point) => Point): Area {
   const paths = rings.map((ring) =>
     ring.map((point) => {
@@ -36,7 +36,7 @@ export function common(area: Area, other: Area): Area {
   return area.length && other.length ? made(ClipType.Intersection, area, other) : EMPTY;
 }
 
-/** The area without a rim of this width: what only touched is apart. */
+/** The area without a border of this width: parts that only touched come apart. */
 export function shrunk(area: Area, by: number): Area {
   const offset = new ClipperOffset(2);
   const less: Area = [];

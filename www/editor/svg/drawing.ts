@@ -1,9 +1,8 @@
 /**
- * What an SVG file draws, piece by piece as they are painted, with what each is cut by; nothing of it comes near the
- * page.
+ * The pieces that an SVG file draws, in painting order, each with its clips. No element of the file enters the page.
  *
- * style.ts finds what rules and attributes say; each piece is a filling or a stroke (stroke.ts), of ink or of white,
- * with what it is cut by. seen.ts puts the pieces together.
+ * style.ts finds the properties that rules and attributes set. Each piece is a fill or a stroke (stroke.ts), of ink or
+ * of white. seen.ts combines the pieces.
  */
 import { DomHandler, isDirective, isTag, type ChildNode, type Document, type Element } from 'domhandler';
 import { Parser } from 'htmlparser2';
@@ -17,24 +16,24 @@ import { boxOf, fit, lengthOf, runsOf, SHAPES, type Box } from './shapes';
 import type { Pen } from './stroke';
 import { INHERITED, Sheet, type Said } from './style';
 
-/** Elements that a drawing may have, each counted as often as it is used, and how deep they may be nested. */
+/** Most elements of a drawing, each counted once per use, and the deepest nesting. */
 const ELEMENTS = 50_000;
 const DEEPEST = 200;
 
-/** Never drawn itself. */
+/** Elements that are never drawn themselves. */
 const ASIDE = new Set(['defs', 'clipPath', 'mask', 'pattern', 'symbol', 'marker', 'linearGradient', 'radialGradient', 'filter', 'style', 'script', 'title', 'desc', 'metadata']);
 
 const PICTURES = new Set(['image', 'foreignObject', 'video', 'iframe', 'canvas']);
 
 export interface Piece {
   runs: Run[];
-  /** To the drawing's own units. */
+  /** Maps the piece to the drawing's own units. */
   matrix: Matrix;
   rule: Rule;
-  /** It is a stroke; `still` where its width is the same however large the line is drawn. */
+  /** The pen of a stroke; `still` where its width stays the same at any scale. */
   pen?: Pen & { still: boolean };
   paint: Exclude<Paint, undefined>;
-  /** All that it is cut by. */
+  /** All clips of the piece. */
   clips: Clip[];
 }
 
@@ -44,33 +43,33 @@ export interface Clip {
 
 export interface Drawing {
   pieces: Piece[];
-  /** What is to be seen of it; undefined where nothing tells. */
+  /** The visible part of the drawing; undefined where the file does not say. */
   frame: Box | undefined;
   left: Count;
 }
 
-/** What an element gets from what is around it. */
+/** The context that an element inherits. */
 interface Around {
   matrix: Matrix;
   look: Said;
   opacity: number;
-  /** What percentages refer to. */
+  /** The box that percentages refer to. */
   page: Box;
-  /** Elements that are in use here: none may use itself. */
+  /** Elements in use here. None may use itself. */
   used: Element[];
   deep: number;
-  /** All shapes count as areas: they cut others. */
+  /** All shapes count as areas, as they clip others. */
   cutting: boolean;
 }
 
-/** Undefined where there is no drawing. */
+/** Undefined where the text has no drawing. */
 export function drawingOf(text: string): Drawing | undefined {
   const whole = parsed(text);
   const root = [...elements(whole)].find(({ name }) => name === 'svg') ?? [...elements(parsed(`<svg>${text}</svg>`))][0];
   return root && new Reader(root, whole).read();
 }
 
-/** Ends before what is nested so deep that to read it takes the square of its length. */
+/** Stops where elements are nested so deeply that reading takes quadratic time. */
 class Shallow extends DomHandler {
   override onopentag(name: string, attributes: Record<string, string>): void {
     super.onopentag(name, attributes);
@@ -84,14 +83,14 @@ function parsed(text: string): Document {
   return handler.root;
 }
 
-/** The entities that a file declares, as some programs do for styles. */
+/** The text with the entities replaced that the file declares. Some programs write styles this way. */
 function withEntities(text: string): string {
   const known = new Map([...text.slice(0, 20_000).matchAll(/<!ENTITY\s+([\w.-]+)\s+(?:"([^"]{0,300})"|'([^']{0,300})')\s*>/g)].map(([, name, one, other]) => [name, one ?? other ?? '']));
   let most = 20_000;
   return known.size ? text.replace(/&([\w.-]+);/g, (whole, name: string) => (most-- > 0 ? (known.get(name) ?? whole) : whole)) : text;
 }
 
-/** All elements, from the first to the last. */
+/** All elements in document order. */
 function* elements(within: Document | Element): Generator<Element> {
   const left: ChildNode[] = within.children.toReversed();
   for (let node = left.pop(); node; node = left.pop()) {
@@ -114,7 +113,7 @@ class Reader {
   private pieces: Piece[] = [];
   private seen = 0;
   private points = 0;
-  /** CSS pixels of a unit of the drawing. */
+  /** CSS pixels per unit of the drawing. */
   private scale = 1;
 
   constructor(root: Element, whole: Document) {
@@ -172,7 +171,7 @@ class Reader {
     if (this.pieces.length > from) this.cut(said, around, from);
   }
 
-  /** What lies in a group, in a picture in the picture, or in what is used as one. */
+  /** Draws the content of a group, a nested picture, or a used element. */
   private inside(element: Element, framed: boolean, said: Said, around: Around, size: Said = said): void {
     let within = around;
     if (framed) {
@@ -194,7 +193,7 @@ class Reader {
 
   private children(element: Element, around: Around): void {
     const children = element.children.filter(isTag);
-    // Of a switch the first is drawn that may be.
+    // A switch draws the first child that is allowed.
     const may = ({ name, attribs }: Element): boolean => name !== 'foreignObject' && attribs['requiredExtensions'] === undefined && /^$|\ben\b/.test(attribs['systemLanguage'] ?? '');
     const chosen = element.name === 'switch' ? children.filter(may).slice(0, 1) : children;
     for (const child of chosen) this.walk(child, around);
@@ -204,7 +203,7 @@ class Reader {
     const href = said.get('href') ?? said.get('xlink:href') ?? '';
     if (!href.startsWith('#')) return this.count('link', href ? 1 : 0);
     const used = this.byId.get(href.slice(1));
-    // What uses itself is not drawn.
+    // An element that uses itself is not drawn.
     if (!used || around.used.includes(used)) return;
     const { width, height } = around.page;
     const matrix = times(around.matrix, shift(lengthOf(said.get('x'), width), lengthOf(said.get('y'), height)));
@@ -242,7 +241,7 @@ class Reader {
     return paintOf(/^currentcolor$/i.test(colour) ? (look.get('color') ?? 'black') : colour, opacity * share(look.get(`${key}-opacity`)));
   }
 
-  /** Cuts what was drawn since then by what the element asks for. */
+  /** Applies the element's clip to the pieces that were added since `from`. */
   private cut(said: Said, around: Around, from: number): void {
     if (/\(/.test(said.get('mask') ?? '') && !around.cutting) this.count('mask');
     if (/\(/.test(said.get('filter') ?? '') && !around.cutting) this.count('filter');
@@ -269,7 +268,7 @@ class Reader {
     for (const piece of this.pieces.slice(from)) piece.clips.push(clip);
   }
 
-  /** From 0 to 1 over the box around what was drawn since then, as it lies in the element's units. */
+  /** Maps 0..1 to the box around the pieces since `from`, in the element's units. */
   private boxFrom(from: number, matrix: Matrix): Matrix {
     const inverse = back(matrix) ?? STILL;
     const points = this.pieces.slice(from).flatMap((piece) => placesOf(piece).map((point) => moved(inverse, point)));
@@ -278,7 +277,7 @@ class Reader {
   }
 }
 
-/** The places that a piece's lines and curves are told by. */
+/** The end points and control points of a piece. */
 export function placesOf({ runs, matrix }: Piece): Point[] {
   return runs.flatMap(({ start, curves }) => [start, ...curves.flat()].map((point) => moved(matrix, point)));
 }
@@ -291,7 +290,7 @@ export function boundsOf(points: Point[]): [number, number, number, number] {
   );
 }
 
-/** What a browser shows of a drawing, in its own units. */
+/** The part of a drawing that a browser shows, in the drawing's units. */
 function shown(box: Box | undefined, width: number, height: number, said: Said): Box {
   if (!box) return { x: 0, y: 0, width, height };
   const inverse = width > 0 && height > 0 ? back(fit(box, width, height, said)) : undefined;
@@ -316,14 +315,14 @@ function inherited(look: Said, said: Said): Said {
   return own;
 }
 
-/** A transform, around the point that it is said to be around. */
+/** A transform about its transform-origin. */
 function transformOf(said: Said): Matrix {
   const matrix = matrixOf(said.get('transform') ?? '');
   const [x = NaN, y = NaN] = (said.get('transform-origin') ?? '').split(/\s+/).map((part) => (/^-?[\d.]+(px)?$/.test(part) ? parseFloat(part) : NaN));
   return Number.isFinite(x + y) ? times(times(shift(x, y), matrix), shift(-x, -y)) : matrix;
 }
 
-/** A number or percentage as 0..1; 1 where none is given. */
+/** A number or percentage as 0..1; 1 where there is none. */
 function share(text: string | undefined): number {
   const number = parseFloat(text ?? '');
   return Number.isFinite(number) ? Math.min(1, Math.max(0, text?.endsWith('%') ? number / 100 : number)) : 1;
@@ -343,7 +342,7 @@ function penOf(look: Said, of: number): Pen {
   };
 }
 
-/** The text with each variable replaced by its fallback, as there is no page to give it a value. */
+/** The text with each variable replaced by its fallback, as no page gives it a value. */
 function withoutVariables(value: string): string {
   return value.replace(/var\(\s*--[\w-]+\s*(?:,([^()]*(?:\([^()]*\))?[^()]*))?\)/g, '$1').trim();
 }

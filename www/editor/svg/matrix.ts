@@ -1,18 +1,18 @@
-/** Maps of the plane: x to a x + c y + e, y to b x + d y + f. */
+/** Affine maps of the plane: x to a x + c y + e, y to b x + d y + f. */
 import type { Point } from '../../module/types';
 
 export type Matrix = readonly [a: number, b: number, c: number, d: number, e: number, f: number];
 
 export const STILL: Matrix = [1, 0, 0, 1, 0, 0];
 
-/** Radians of the units that angles may have. */
+/** Radians per unit of angles. */
 const TURNS: Record<string, number> = { '': Math.PI / 180, deg: Math.PI / 180, grad: Math.PI / 200, rad: 1, turn: 2 * Math.PI };
 
 export function moved([a, b, c, d, e, f]: Matrix, [x, y]: Point): Point {
   return [a * x + c * y + e, b * x + d * y + f];
 }
 
-/** First `inner`, then `outer`. */
+/** Applies `inner` first, then `outer`. */
 export function times(outer: Matrix, inner: Matrix): Matrix {
   const [a, b, c, d] = outer;
   const [p, q, r, s] = inner;
@@ -28,18 +28,18 @@ export function stretch(x: number, y = x): Matrix {
   return [x, 0, 0, y, 0, 0];
 }
 
-/** The map back; undefined where all falls on a line. */
+/** The inverse; undefined where the map is singular. */
 export function back([a, b, c, d, e, f]: Matrix): Matrix | undefined {
   const det = a * d - b * c;
   return det === 0 || !Number.isFinite(det) ? undefined : [d / det, -b / det, -c / det, a / det, (c * f - d * e) / det, (b * e - a * f) / det];
 }
 
-/** By how much lengths grow at most. */
+/** The largest factor by which lengths grow. */
 export function growth([a, b, c, d]: Matrix): number {
   return Math.hypot(Math.hypot(a, b), Math.hypot(c, d));
 }
 
-/** What a transform says; as in browsers, one with a mistake says nothing. */
+/** The matrix of a transform attribute. As in browsers, one with a mistake is ignored. */
 export function matrixOf(text: string): Matrix {
   const parts = [...text.matchAll(/([a-z]+)\s*\(([^()]*)\)/gi)];
   const known = parts.map(([, word = '', list = '']) => partOf(word.toLowerCase(), list.trim().split(/[\s,]+/)));

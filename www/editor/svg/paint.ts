@@ -1,12 +1,12 @@
-/** Whether what is painted is seen on white paper. */
+/** Decides whether a paint is visible on white paper. */
 
-/** Of 255; autotracers paint paper with a white that is not quite one. */
+/** Out of 255. Autotracers paint paper with a white that is not exact. */
 const WHITE = 250;
 
-/** What is less opaque than this hides nothing. */
+/** A paint that is less opaque hides nothing. */
 const COVERS = 0.5;
 
-/** `ink` adds to the outline, `paper` takes from it what lies under it; undefined where nothing is painted. */
+/** `ink` adds to the outline; `paper` removes the area under it; undefined paints nothing. */
 export type Paint = 'ink' | 'paper' | undefined;
 
 export function paintOf(colour: string, opacity: number): Paint {
@@ -15,7 +15,7 @@ export function paintOf(colour: string, opacity: number): Paint {
   return Math.min(red, green, blue) >= WHITE && opacity * alpha >= COVERS ? 'paper' : 'ink';
 }
 
-/** Red, green and blue up to 255, and alpha up to 1; black for a colour that is none of white and clear. */
+/** Red, green and blue up to 255, and alpha up to 1. Every colour that is neither white nor clear counts as black. */
 function channels(colour: string): [number, number, number, number] {
   if (colour === 'none' || colour === 'transparent') return [0, 0, 0, 0];
   if (colour === 'white') return [255, 255, 255, 1];

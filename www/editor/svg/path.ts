@@ -1,31 +1,31 @@
-/** Path data as lines and curves, and those as points. */
+/** Parses path data into lines and curves, and turns those into points. */
 import type { Point, Ring } from '../../module/types';
 import { moved, times, type Matrix } from './matrix';
 import { Refusal } from './refusal';
 
-/** A run of lines and curves. Each of these is the points that it has behind the place where the last one ended: one, two or three. */
+/** A run of lines and curves. Each has one, two or three points, after the end of the previous one. */
 export interface Run {
   start: Point;
   curves: Point[][];
   closed: boolean;
 }
 
-/** Numbers that a command takes. */
+/** Numbers per command. */
 const TAKES: Record<string, number> = { m: 2, l: 2, h: 1, v: 1, c: 6, s: 4, q: 4, t: 2, a: 7, z: 0 };
 
-/** Points that the shapes of a drawing may have together. */
+/** Most points of all shapes of a drawing. */
 export const POINTS = 200_000;
 
-/** Pieces of a curve at most. */
+/** Most pieces of a curve. */
 const PIECES = 400;
 
-/** The runs of path data; what comes after a mistake is left out, as browsers do. */
+/** The runs of path data. As in browsers, the rest after a mistake is ignored. */
 export function parsePath(text: string): Run[] {
   const runs: Run[] = [];
   let run: Run | undefined;
   let start: Point = [0, 0];
   let at: Point = [0, 0];
-  // The last control point, which smooth curves mirror, and what kind of curve it belongs to.
+  // The last control point, which smooth curves mirror, and the kind of its curve.
   let control: { point: Point; of: string } | undefined;
   let count = 0;
   for (const { letter, numbers } of commands(text)) {
@@ -44,7 +44,7 @@ export function parsePath(text: string): Run[] {
       at = start = pair(0);
       runs.push((run = { start, curves: [], closed: false }));
     } else {
-      // After a closing, a new run begins where that one did.
+      // After a close command, a new run begins at the start of the closed one.
       if (!run) runs.push((run = { start: at, curves: [], closed: false }));
       if (kind === 'l') run.curves.push([(at = pair(0))]);
       else if (kind === 'h') run.curves.push([(at = [(numbers[0] ?? 0) + ox, from[1]])]);
@@ -64,7 +64,7 @@ export function parsePath(text: string): Run[] {
   return runs;
 }
 
-/** The commands one by one; a list of numbers repeats the command, lines after a move. */
+/** The commands one by one. A list of numbers repeats its command; after a move it means lines. */
 function* commands(text: string): Generator<{ letter: string; numbers: number[] }> {
   const [command, number, flag] = [/[\s,]*([a-z])/iy, /[\s,]*([-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?)/iy, /[\s,]*([01])/y];
   let at = 0;
@@ -81,9 +81,9 @@ function* commands(text: string): Generator<{ letter: string; numbers: number[] 
     for (let more = true, first = true; more; first = false) {
       const numbers: number[] = [];
       while (numbers.length < takes) {
-        // The two flags of an arc may stand without a space after them.
+        // No space is needed after the two flags of an arc.
         const found = next(kind === 'a' && (numbers.length === 3 || numbers.length === 4) ? flag : number);
-        // A number too large for any number is a mistake, too.
+        // A number that overflows is a mistake, too.
         if (found === undefined || !Number.isFinite(Number(found))) break;
         numbers.push(Number(found));
       }
@@ -97,7 +97,7 @@ function* commands(text: string): Generator<{ letter: string; numbers: number[] 
   }
 }
 
-/** An elliptical arc as cubic curves of a quarter turn at most, by the notes on implementation of SVG's specification. */
+/** An elliptical arc as cubic curves of at most a quarter turn, by the implementation notes of the SVG specification. */
 function arc(from: Point, [rx = 0, ry = 0, degrees = 0, large = 0, sweep = 0]: number[], to: Point): Point[][] {
   let [a, b] = [Math.abs(rx), Math.abs(ry)];
   const turn = (degrees * Math.PI) / 180;
@@ -129,7 +129,7 @@ function arc(from: Point, [rx = 0, ry = 0, degrees = 0, large = 0, sweep = 0]: n
   return curves;
 }
 
-/** A run as points that are off by `tolerance` at most; no point repeats the one before. */
+/** A run as points, off by at most `tolerance`. No point repeats the previous one. */
 export function flat({ start, curves }: Run, tolerance: number): Ring {
   const points: Ring = [start];
   let from = start;
@@ -143,7 +143,7 @@ export function flat({ start, curves }: Run, tolerance: number): Ring {
   return points.filter(([x, y], k) => k === 0 || x !== points[k - 1]?.[0] || y !== points[k - 1]?.[1]);
 }
 
-/** In how many pieces a curve is off by so much at most (Wang's bound). */
+/** The number of pieces that keeps the error of a curve within `tolerance` (Wang's bound). */
 function pieces(curve: Point[], tolerance: number): number {
   const order = curve.length - 1;
   if (order < 2) return 1;

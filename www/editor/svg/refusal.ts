@@ -1,4 +1,4 @@
-/** What is wrong with an outline, or was left out of it, as data: the page has the words. */
+/** The reason why an outline was refused, or what it lost, as data. The page has the words. */
 import type { Word } from '../../words/editor';
 
 export interface Told {
@@ -17,10 +17,10 @@ export class Refusal extends Error {
   }
 }
 
-/** What a drawing may have that an outline cannot. */
+/** Features of a drawing that an outline cannot have. */
 export const LEFT = ['text', 'image', 'mask', 'filter', 'pattern', 'marker', 'clip', 'link', 'far', 'speck'] as const;
 
 export type Left = (typeof LEFT)[number];
 
-/** How many of each were left out. */
+/** The number of each that were left out. */
 export type Count = Partial<Record<Left, number>>;

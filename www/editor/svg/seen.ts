@@ -1,7 +1,7 @@
 /**
- * What is seen of a drawing on white paper, as one area.
+ * The visible ink of a drawing on white paper, as one area.
  *
- * Of two layers the upper one covers, then adds, so neighbours can be joined two by two.
+ * Two neighbouring layers act like one: the upper one covers the lower one, then adds its own area.
  */
 import type { Point, Ring } from '../../module/types';
 import { areaOf, common, EMPTY, pointsOf, STEPS, union, without, type Area } from './area';
@@ -12,22 +12,22 @@ import { Refusal } from './refusal';
 import type { Box } from './shapes';
 import { stroked } from './stroke';
 
-/** How far curves may be off, in parts of the drawing. */
+/** The error of curves, as a share of the drawing. */
 const FLAT = 1 / 6000;
 
-/** What lies farther away than so many drawings is no part of one. */
+/** A piece farther away than this many times the drawing's size does not belong to it. */
 const FAR = 1e6;
 
-/** Points that are put together at once. */
+/** Most points that are combined at once. */
 const AT_ONCE = 20_000;
 
-/** What pieces do together to what is below them: first they cover some of it, then they add. */
+/** The effect of pieces on the layers below: they cover some of them, then they add. */
 interface Layer {
   covers: Area;
   adds: Area;
 }
 
-/** The rings around all that is painted, less what is covered by white again; where all is white, around that. */
+/** The rings around all ink that no white covers. A drawing that is all white counts as ink. */
 export function seen({ pieces, frame, left }: Drawing, progress: (done: number) => void): Ring[] {
   const limits = frame && grown(frame, FAR);
   const near = pieces.filter((piece) => placesOf(piece).every(([x, y]) => Number.isFinite(x + y) && (!limits || inside(x, y, limits))));
@@ -102,7 +102,7 @@ class Board {
     if (!pen) return runs.map((run) => placed(flat(run, own)));
     return runs.flatMap((run) => {
       const line = flat(run, own);
-      // A move that draws nothing is no point, either.
+      // A move that draws nothing gives no point.
       if (!run.curves.length && !run.closed) return [];
       return pen.still ? stroked(placed(line), run.closed, pen, tolerance) : stroked(line, run.closed, pen, own).map(placed);
     });
@@ -115,7 +115,7 @@ interface Group {
   pieces: Piece[];
 }
 
-/** Runs of pieces that do the same to what is below them. */
+/** Runs of pieces with the same paint and the same clips. */
 function groups(pieces: Piece[]): Group[] {
   const found: Group[] = [];
   for (const piece of pieces) {
@@ -126,7 +126,7 @@ function groups(pieces: Piece[]): Group[] {
   return found;
 }
 
-/** Neighbours two by two, so that nothing is put together with all that lies below it again and again. */
+/** Combines neighbours pairwise, so that no piece is combined again and again with all below it. */
 function together(layers: Layer[], progress: (done: number) => void): Layer {
   const all = layers.length;
   let left = layers;
@@ -142,7 +142,7 @@ function together(layers: Layer[], progress: (done: number) => void): Layer {
   return left[0] ?? { covers: EMPTY, adds: EMPTY };
 }
 
-/** What the pieces take of the frame; undefined where there is nothing to be seen in it. */
+/** The box of the visible pieces; undefined where nothing is visible in the frame. */
 function extentOf(pieces: Piece[], frame: Box | undefined): Box | undefined {
   const reach = pieces.reduce((most, { pen, matrix }) => Math.max(most, pen ? pen.width * (pen.still ? 1 : growth(matrix)) * Math.max(1, pen.limit) : 0), 0);
   const [left, right, top, bottom] = boundsOf(pieces.flatMap(placesOf));
@@ -160,7 +160,7 @@ function inside(x: number, y: number, box: Box): boolean {
   return x >= box.x && y >= box.y && x <= box.x + box.width && y <= box.y + box.height;
 }
 
-/** What lies in a frame of a ring (Sutherland and Hodgman, 1974); pieces of it that are apart hang together along the frame. */
+/** The part of a ring within a frame (Sutherland and Hodgman, 1974). Separate pieces stay joined along the frame. */
 function cropped(ring: Ring, { x, y, width, height }: Box): Ring {
   const sides: [axis: 0 | 1, at: number, sense: 1 | -1][] = [[0, x, 1], [0, x + width, -1], [1, y, 1], [1, y + height, -1]];
   return sides.reduce((rest, [axis, at, sense]) => {

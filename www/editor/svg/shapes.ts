@@ -3,7 +3,7 @@ import { shift, stretch, times, type Matrix } from './matrix';
 import { parsePath, type Run } from './path';
 import type { Said } from './style';
 
-/** CSS pixels of the units that lengths may have. */
+/** CSS pixels per unit of length. */
 const UNITS: Record<string, number> = { '': 1, px: 1, pt: 4 / 3, pc: 16, mm: 96 / 25.4, cm: 96 / 2.54, in: 96, q: 96 / 101.6, em: 16, rem: 16, ex: 8, ch: 8 };
 
 export interface Box {
@@ -13,7 +13,7 @@ export interface Box {
   height: number;
 }
 
-/** A length in user units; `of` is what all of it (100 %) would be. */
+/** A length in user units; 100 % stands for `of`. */
 export function lengthOf(text: string | undefined, of: number, otherwise = 0): number {
   const [, number, unit = ''] = /^\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?)\s*([a-z%]*)\s*$/i.exec(text ?? '') ?? [];
   const value = Number(number) * (unit === '%' ? of / 100 : (UNITS[unit.toLowerCase()] ?? NaN));
@@ -25,7 +25,7 @@ export function boxOf(said: Said): Box | undefined {
   return width > 0 && height > 0 && [x, y, width, height].every(Number.isFinite) ? { x, y, width, height } : undefined;
 }
 
-/** Puts a view box into a frame of this size. */
+/** Fits a view box into a frame of this size. */
 export function fit(box: Box, width: number, height: number, said: Said): Matrix {
   const [align = '', how] = (said.get('preserveAspectRatio') ?? 'xMidYMid').split(/\s+/);
   const [across, down] = [width / box.width, height / box.height];

@@ -1,7 +1,7 @@
 /**
- * What a stroke covers: its two sides, with joins where the line bends away from them and caps at its ends, as one ring
- * (two where the line is closed). At inner bends a side goes by way of the line itself; so everything is covered in one
- * sense, and by the non-zero rule the rings are exactly what a pen of that width covers.
+ * The area that a stroke covers. One ring (two for a closed line) follows both sides of the line, with joins at outer
+ * bends and caps at the ends. At inner bends a side passes through the line's own point. All parts then have the same
+ * orientation, so the non-zero rule fills exactly the area of a pen with that width.
  */
 import type { Point, Ring } from '../../module/types';
 
@@ -9,9 +9,9 @@ export interface Pen {
   width: number;
   cap: string;
   join: string;
-  /** The longest mitre, in widths. */
+  /** The mitre limit, in widths. */
   limit: number;
-  /** Lengths of dashes and gaps in turn; none for a whole line. */
+  /** Alternating lengths of dashes and gaps; empty for a solid line. */
   dashes: number[];
   offset: number;
 }
@@ -19,10 +19,10 @@ export interface Pen {
 /** The finest step of a round part, in radians. */
 const FINEST = 0.01;
 
-/** Dashes of a line at most; a line of more is taken as a whole one. */
+/** Most dashes of a line. A line with more is drawn solid. */
 const DASHES = 5000;
 
-/** The rings around a line of points of which none repeats the one before; round parts are off by `tolerance` at most. */
+/** The rings around a line whose points do not repeat. Round parts are off by at most `tolerance`. */
 export function stroked(line: Ring, closed: boolean, pen: Pen, tolerance: number): Ring[] {
   const [first, last] = [line[0], line.at(-1)];
   if (!first || !last || !(pen.width > 0)) return [];
@@ -37,13 +37,13 @@ export function stroked(line: Ring, closed: boolean, pen: Pen, tolerance: number
   return closed ? [there, again] : [[...there, ...again]];
 }
 
-/** What the pen leaves where it does not move. */
+/** The mark of a pen that does not move. */
 function dot([x, y]: Point, half: number, cap: string, step: number): Ring[] {
   if (cap === 'round') return [turned([x, y], [half, 0], 2 * Math.PI, step)];
   return cap === 'square' ? [[[x - half, y - half], [x + half, y - half], [x + half, y + half], [x - half, y + half]]] : [];
 }
 
-/** The left side of a line from its first piece to its last one, with the cap at the end where it has one. */
+/** The left side of a line, with the cap at its end where it has one. */
 function side(line: Ring, half: number, pen: Pen, step: number, capped: boolean): Ring {
   const ring: Ring = [];
   let before: Point | undefined;
@@ -54,7 +54,7 @@ function side(line: Ring, half: number, pen: Pen, step: number, capped: boolean)
     if (before) ring.push(...join(from, before, along, half, pen, step));
     else if (capped) ring.push(left(from, along, half));
     before = along;
-    // A closed line begins and ends with a piece that it has twice.
+    // A closed line repeats its first piece at its end.
     if (!capped && k + 2 === line.length) return ring;
   }
   const end = line.at(-1);
@@ -72,7 +72,7 @@ function join(at: Point, before: Point, after: Point, half: number, { join: kind
   const dot = before[0] * after[0] + before[1] * after[1];
   if (cross > 0) return [from, at, to];
   if (kind === 'round') return turned(at, [from[0] - at[0], from[1] - at[1]], -Math.abs(Math.atan2(cross, dot)), step);
-  // The mitre's length in widths is 1 / sin of half the angle between the pieces: squared, 2 / (1 + dot).
+  // The mitre's length in widths is 1 / sin of half the angle between the pieces; its square is 2 / (1 + dot).
   if (kind === 'bevel' || kind === 'arcs' || 2 > limit * limit * (1 + dot)) return [from, to];
   const reach = half / (1 + dot);
   return [from, [at[0] - (before[1] + after[1]) * reach, at[1] + (before[0] + after[0]) * reach], to];
@@ -87,7 +87,7 @@ function capOf(end: Point, along: Point, half: number, cap: string, step: number
   return [from, [from[0] + u, from[1] + v], [to[0] + u, to[1] + v], to];
 }
 
-/** Places on an arc around a point, both ends with it. */
+/** Points on an arc around a point, both ends included. */
 function turned([x, y]: Point, [u, v]: Point, angle: number, step: number): Ring {
   const pieces = Math.max(1, Math.ceil(Math.abs(angle) / step));
   return Array.from({ length: pieces + 1 }, (_, k): Point => {
@@ -96,7 +96,7 @@ function turned([x, y]: Point, [u, v]: Point, angle: number, step: number): Ring
   });
 }
 
-/** The dashes of a line; undefined where it is a whole one. */
+/** The dashes of a line; undefined where it is solid. */
 function dashed(line: Ring, closed: boolean, { dashes, offset }: Pen): Ring[] | undefined {
   const pattern = dashes.length % 2 ? [...dashes, ...dashes] : dashes;
   const period = pattern.reduce((sum, length) => sum + length, 0);
@@ -128,7 +128,7 @@ function dashed(line: Ring, closed: boolean, { dashes, offset }: Pen): Ring[] | 
     dash?.push(to);
   });
   if (!dash) return found.map(unrepeated);
-  // A dash over the seam of a closed line is one.
+  // A dash over the seam of a closed line is one dash.
   const [first] = found;
   const whole = closed && first && first[0] === way[0] ? [...dash.slice(0, -1), ...(found.shift() ?? [])] : dash;
   return [...found, whole].map(unrepeated);

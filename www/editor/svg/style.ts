@@ -1,4 +1,4 @@
-/** What a drawing's style sheets, style attributes and attributes say of its elements. */
+/** The properties that style sheets, style attributes and attributes give to a drawing's elements. */
 import { compile } from 'css-select';
 import { AttributeAction, parse, SelectorType, type Selector } from 'css-what';
 import type { Element } from 'domhandler';
@@ -24,7 +24,7 @@ export const INHERITED = [
   'stroke-linecap', 'stroke-linejoin', 'stroke-miterlimit', 'stroke-opacity', 'stroke-width', 'visibility',
 ];
 
-/** Rules for other media than a light screen, and what is no rule for elements. */
+/** Rules for media other than a light screen, and at-rules that style no elements. */
 const ELSEWHERE = /@(?:media\b(?=[^{]*\b(?:print|speech|dark|not|reduce)\b)|font-face|(?:-\w+-)?keyframes|page|property|counter-style)/i;
 
 export class Sheet {
@@ -35,7 +35,7 @@ export class Sheet {
     this.rules.sort((a, b) => a.weight - b.weight);
   }
 
-  /** Rules within braces of their own, such as those for media, are read like all others. */
+  /** Reads rules. Nested rules, such as those for media, are read like all others. */
   private read(text: string): void {
     for (const { head, body } of blocks(text)) {
       if (ELSEWHERE.test(head)) continue;
@@ -48,11 +48,11 @@ export class Sheet {
     try {
       for (const selector of parse(selectors)) this.rules.push({ fits: compile<Element, Element>([selector], { xmlMode: true }), weight: weight(selector), tells });
     } catch {
-      // A selector with a mistake, or for what is not in a file, such as a pointer over it.
+      // The selector has a mistake, or needs a live page, such as :hover.
     }
   }
 
-  /** Later ones and heavier ones win, important ones over all. */
+  /** Important declarations win, then the more specific ones, then the later ones. */
   of(element: Element): Said {
     const own = declarations(element.attribs['style'] ?? '');
     const told = [...this.rules.filter(({ fits }) => fits(element)).flatMap(({ tells }) => tells), ...own];
@@ -61,12 +61,12 @@ export class Sheet {
   }
 }
 
-/** What stands before braces and in them. */
+/** The text before braces and the text in them. */
 function* blocks(text: string): Generator<{ head: string; body: string }> {
   let [from, open, deep] = [0, 0, 0];
   for (const { index, 0: sign } of text.matchAll(/[{};]|"[^"]*"|'[^']*'/g)) {
     if (sign === '{' && deep++ === 0) open = index;
-    // A rule without braces, such as one that imports.
+    // A rule without braces, such as @import.
     if (sign === ';' && deep === 0) from = index + 1;
     if (sign === '}' && deep > 0 && --deep === 0) {
       yield { head: text.slice(from, open).trim(), body: text.slice(open + 1, index) };
@@ -82,7 +82,7 @@ function declarations(text: string): Declaration[] {
   });
 }
 
-/** How much a selector counts: by its ids, then by classes and the like, then by elements. */
+/** The specificity of a selector: ids, then classes and the like, then elements. */
 function weight(selector: Selector[]): number {
   return selector.reduce((sum, part) => {
     if (part.type === SelectorType.Attribute) return sum + (part.name === 'id' && part.action === AttributeAction.Equals ? 1e6 : 1e3);
