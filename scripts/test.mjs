@@ -2,6 +2,7 @@
 import { spawn } from 'node:child_process';
 import { once } from 'node:events';
 import { fileURLToPath } from 'node:url';
+import { linesOf } from './lib/costs.mjs';
 import { ask, say, start, Stop } from './lib/run.mjs';
 import { nativeEnv } from './lib/rust.mjs';
 import * as setup from './lib/setup.mjs';
@@ -14,7 +15,9 @@ const pairs = [
 ];
 const browsers = ['tests in Chromium', 'tests in Firefox'];
 
-/** @type {{ name: string, seconds: number }[]} */
+/** @typedef {import('./lib/costs.mjs').Cost} Cost */
+
+/** The steps that have ended, each with the slowest of its tests. @type {(Cost & { slowest: Cost[] })[]} */
 const done = [];
 /** @type {Set<import('node:child_process').ChildProcess>} */
 const running = new Set();
@@ -40,7 +43,15 @@ async function everything() {
     await inOrder(browsers, 'inherit');
     console.log('\nAll tests passed.');
   } finally {
-    for (const { name, seconds } of done) console.log(`${seconds.toFixed(1).padStart(8)} s  ${name}`);
+    printCosts();
+  }
+}
+
+/** The time of each step, and below it that of its slowest tests. */
+function printCosts() {
+  for (const step of done) {
+    console.log(linesOf([step], ''));
+    if (step.slowest.length) console.log(linesOf(step.slowest, '          '));
   }
 }
 
@@ -58,33 +69,37 @@ function setUp() {
 }
 
 /**
- * Notes how long something took.
+ * Notes how long something took, and the costs within it that it tells.
  * @param {string} name
- * @param {() => unknown} work
+ * @param {(tell: (slowest: Cost[]) => void) => unknown} work
  */
 async function timed(name, work) {
   say(`== ${name}`);
   const begin = performance.now();
+  /** @type {Cost[]} */
+  let slowest = [];
   try {
-    await work();
+    await work((told) => (slowest = told));
   } finally {
-    done.push({ name, seconds: (performance.now() - begin) / 1000 });
+    done.push({ name, seconds: (performance.now() - begin) / 1000, slowest });
   }
 }
 
 /** @param {string[]} names @param {'pipe' | 'inherit'} output */
 async function inOrder(names, output) {
-  for (const name of names) await timed(name, () => step(name, output));
+  for (const name of names) await timed(name, (tell) => step(name, output, tell));
 }
 
 /**
  * Runs a step in a process of its own. Piped output is kept until it ends, and then shown whole.
  * @param {string} name
  * @param {'pipe' | 'inherit'} output
+ * @param {(slowest: Cost[]) => void} tell
  */
-async function step(name, output) {
-  const child = spawn(process.execPath, [fileURLToPath(import.meta.url), name], { stdio: ['ignore', output, output], detached: true });
+async function step(name, output, tell) {
+  const child = spawn(process.execPath, [fileURLToPath(import.meta.url), name], { stdio: ['ignore', output, output, 'ipc'], detached: true });
   running.add(child);
+  child.on('message', (slowest) => tell(/** @type {Cost[]} */ (slowest)));
   /** @type {Buffer[]} */
   const shown = [];
   for (const stream of [child.stdout, child.stderr]) stream?.on('data', (piece) => shown.push(piece));

@@ -1,10 +1,13 @@
 // What `npm test` does, step by step. Each step rests on the set-up, and on what the steps before it have built.
+import { spawn } from 'node:child_process';
+import { once } from 'node:events';
 import { readdirSync } from 'node:fs';
-import { join } from 'node:path';
+import { join, relative } from 'node:path';
 import { pipeline } from 'node:stream/promises';
 import { run as test } from 'node:test';
 import { spec } from 'node:test/reporters';
 import { browsers } from './browser.mjs';
+import { tellCosts } from './costs.mjs';
 import { ask, root, run, Stop } from './run.mjs';
 import { nativeEnv, neededRust, wasmEnv, wasmTarget } from './rust.mjs';
 import { clippyMatches } from './setup.mjs';
@@ -18,7 +21,7 @@ const features = ['--features', 'specimen'];
 export const steps = {
   'cargo fmt': () => run('cargo', ['fmt', '--check'], { env: nativeEnv(), otherwise: 'Run `cargo fmt`.' }),
   'clippy, native': () => clippy(['--all-targets', ...features], nativeEnv()),
-  'cargo test': () => run('cargo', ['test', ...features], { env: nativeEnv() }),
+  'cargo test': cargoTest,
   'cargo doc': () => run('cargo', ['doc', '--no-deps', ...features], { env: { ...nativeEnv(), RUSTDOCFLAGS: '-D warnings' } }),
   dependencies,
   'wasm build': () => buildModules(forWasm()),
@@ -45,6 +48,19 @@ function clippy(what, env) {
   run('cargo', ['clippy', ...what, '--', '-D', 'warnings'], { env });
 }
 
+/** Runs the native tests and notes how long each test program took: cargo names it, and the program says its time at its end. */
+async function cargoTest() {
+  const child = spawn('cargo', ['test', ...features], { env: nativeEnv(), cwd: root, stdio: ['ignore', 'pipe', 'pipe'] });
+  const text = { said: '', told: '' };
+  child.stdout.on('data', (piece) => (process.stdout.write(piece), (text.said += piece)));
+  child.stderr.on('data', (piece) => (process.stderr.write(piece), (text.told += piece)));
+  const [code] = await once(child, 'close');
+  const seconds = [...text.said.matchAll(/^test result: .*finished in ([\d.]+)s$/gm)].map(([, time]) => Number(time));
+  const names = [...text.told.matchAll(/^ *(?:Running (.+) \(.+\)|(Doc-tests .+))$/gm)].map(([, program, docs]) => program ?? docs ?? '');
+  await tellCosts(names.map((name, at) => ({ name, seconds: seconds[at] ?? 0 })));
+  if (code !== 0) throw new Stop(`\`cargo test\` failed: exit code ${code}.`);
+}
+
 /** @param {NodeJS.ProcessEnv} env */
 function wasmLint(env) {
   // With the measurements, which nothing else here builds.
@@ -62,8 +78,8 @@ function wasmTest(env) {
     env[`CARGO_PROFILE_${profile}_OPT_LEVEL`] = '2';
     env[`CARGO_PROFILE_${profile}_DEBUG`] = '0';
   }
-  // Examples, benches, and the tests of single functions beside them are for the native build only.
-  run('wasm-pack', ['test', '--node', '--mode', 'no-install', '--', '--test', '*', ...features], { env });
+  // What WebAssembly alone has: the face towards JavaScript; and `usize` of 32 bits, whose overflow is checked here.
+  run('wasm-pack', ['test', '--node', '--mode', 'no-install', '--', '--test', 'properties', '--test', 'hostile', ...features], { env });
 }
 
 /** Whose they are, where they come from, and that none asks for a newer Rust than Cargo.toml does. */
@@ -112,6 +128,14 @@ async function nodeTests(files, where) {
   const events = test({ files, concurrency: 2, timeout: 1_500_000 });
   let failed = 0;
   events.on('test:fail', () => (failed += 1));
+  /** @type {import('./costs.mjs').Cost[]} */
+  const costs = [];
+  // Files end with an event of their own name.
+  events.on('test:complete', ({ name, nesting, file = '', details }) => {
+    const path = relative(root, file);
+    if (!nesting) costs.push({ name: name === file ? path : `${path}: ${name}`, seconds: details.duration_ms / 1000 });
+  });
   await pipeline(events, new spec(), process.stdout, { end: false });
+  await tellCosts(costs);
   if (failed) throw new Stop(`Tests failed in ${where}.`);
 }

@@ -5,7 +5,7 @@ import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { targetDir } from '../../scripts/lib/rust.mjs';
 import { specimenSite } from '../../scripts/lib/site.mjs';
-import { kind } from './browsers.mjs';
+import { kind, sameEverywhere } from './browsers.mjs';
 import { open } from './harness.mjs';
 import { phone } from './page.mjs';
 import { enter, states } from './states.mjs';
@@ -31,12 +31,8 @@ const ALL = [
   { name: 'phone-dark', viewport: phone, dark: true },
 ];
 
-// The picture itself on all four, the other states by turns on a light desk and a dark phone: each takes seconds. What axe reads
-// is the document, which a second browser has alike: it is asked about the panel only, whose controls are its own.
-const screensOf = (/** @type {string} */ state, /** @type {number} */ turn) => {
-  if (kind !== 'chromium') return state === 'panel' ? ALL.slice(0, 1) : [];
-  return state === 'done' ? ALL : [turn % 2 ? ALL[3] : ALL[0]];
-};
+// The picture itself on all four, the other states by turns on a light desk and a dark phone: each takes seconds.
+const screensOf = (/** @type {string} */ state, /** @type {number} */ turn) => (state === 'done' ? ALL : [turn % 2 ? ALL[3] : ALL[0]]);
 
 before(async () => {
   mkdirSync(pictures, { recursive: true });
@@ -64,7 +60,7 @@ async function findings(page) {
 
 for (const [turn, [name, state]] of Object.entries(states).entries()) {
   for (const { name: screen, ...options } of screensOf(name, turn)) {
-    test(`axe finds nothing: ${name}, ${screen}`, async () => {
+    test(`axe finds nothing: ${name}, ${screen}`, sameEverywhere, async () => {
       const { page, close } = await enter(state.several ? several : site, state, options);
       await page.screenshot({ path: join(pictures, `${name}-${screen}.png`) });
       const { found, count } = await findings(page);

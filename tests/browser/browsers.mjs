@@ -24,6 +24,7 @@ export const kind = process.env.BROWSER === 'firefox' ? 'firefox' : 'chromium';
  * Marks tests of what the module or the page's scripts work out by themselves: Chromium answers for all browsers. Never marked
  * is what browsers do in ways of their own: how the page is laid out and drawn, focus, keys, pointers and fingers, the clipboard,
  * storage, the way back, files that are handed over, workers, the service worker, what the system asks for; and the digests.
+ * One test of each of these for a part of the page is enough: further ones are marked.
  */
 export const sameEverywhere = { skip: kind !== 'chromium' && 'the same scripts work it out in every browser' };
 

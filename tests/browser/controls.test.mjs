@@ -176,7 +176,7 @@ test('resets of skin go back to the defaults of skin', sameEverywhere, async () 
   await close();
 });
 
-test('a value out of range is clamped, and the page says so', async () => {
+test('a value out of range is clamped, and the page says so', sameEverywhere, async () => {
   const { page, close } = await site.newPage(SMALL);
   await digest(page);
   await set(page, 'dr', '7');

@@ -60,7 +60,7 @@ test('a line is added and its points are moved by the mouse; the link brings it 
   await close();
 });
 
-test('a whole line is moved by its middle, and a double click gives it a point', async () => {
+test('a whole line is moved by its middle, and a double click gives it a point', sameEverywhere, async () => {
   const { page, close } = await site.newPage(LINED);
   await digest(page);
   await edit(page, 'lines');

@@ -136,7 +136,7 @@ test('plain files do the same; an element follows its attributes, and frees what
   await close();
 });
 
-test('an element that cannot have its module says so in a sentence', async () => {
+test('an element that cannot have its module says so in a sentence', sameEverywhere, async () => {
   const { page, close } = await files.newPage('broken/');
   await page.waitForFunction(() => document.querySelector('bubble-stone').shadowRoot?.querySelector('[role=alert]').textContent !== '');
   const words = await page.$eval('bubble-stone', (stone) => stone.shadowRoot.querySelector('[role=alert]').textContent);

@@ -141,7 +141,7 @@ test('the forming is saved as a looping GIF, to its end, while the page stays fr
   await close();
 });
 
-test('Stop stops what is being made, and then another file can be saved', async () => {
+test('Stop stops what is being made, and then another file can be saved', sameEverywhere, async () => {
   const { page, problems, close } = await opened(site, '#size=512&cs=9');
   await digest(page);
   for (const button of ['#save-gif', '#save-png-4', '#save-obj']) {

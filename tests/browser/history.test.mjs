@@ -74,7 +74,7 @@ test('a slider on its way is one step', sameEverywhere, async () => {
   await close();
 });
 
-test('a hundred and fifty steps survive a reload', async () => {
+test('a hundred and fifty steps survive a reload', sameEverywhere, async () => {
   const { page, problems, close } = await site.newPage(`${SMALL}&shadow=0&occl=0`);
   await digest(page);
   await set(page, 'az', '0');

@@ -244,7 +244,7 @@ test('a drawing that is too much, or makes no sense, gets a sentence or a pictur
   await close();
 });
 
-test('Stop leaves the outline as it was, and another file takes the place of one that is being read', async () => {
+test('Stop leaves the outline as it was, and another file takes the place of one that is being read', sameEverywhere, async () => {
   const { page, problems, close } = await site.newPage(SQUARE);
   await digest(page);
   const before = await link(page);

@@ -67,7 +67,7 @@ test('letters become the outline with cells of their strokes, in one step', asyn
   await close();
 });
 
-test('the size of cells is that of so many across a stroke, or stays', async () => {
+test('the size of cells is that of so many across a stroke, or stays', sameEverywhere, async () => {
   const { page, problems, close } = await dialog();
   await said(page, /3\.[3-7] across/);
   await page.focus('#letters-across');
@@ -84,7 +84,7 @@ test('the size of cells is that of so many across a stroke, or stays', async () 
   await close();
 });
 
-test('what is wrong, or more than allowed, is said in the dialog', async () => {
+test('what is wrong, or more than allowed, is said in the dialog', sameEverywhere, async () => {
   const { page, problems, close } = await dialog({ viewport: phone });
   const usable = () => page.$eval('#take-letters', (button) => !(/** @type {HTMLButtonElement} */ (button).disabled));
   await write(page, '');

@@ -75,7 +75,7 @@ test('a model is opened by the panel, and found again by undo and after a reload
   await close();
 });
 
-test('a file that is not here is asked for by its name, and another one takes its place', async () => {
+test('a file that is not here is asked for by its name, and another one takes its place', sameEverywhere, async () => {
   const { page, problems, close } = await site.newPage(box60.fragment);
   await page.waitForSelector('.asked');
   assert.match(await page.$eval('.asked', (asked) => asked.textContent ?? ''), /box\.obj/);

@@ -6,7 +6,7 @@ import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import sharp from 'sharp';
 import { filesOf, firstOf, listOf } from '../../scripts/lib/offline.mjs';
-import { kind } from './browsers.mjs';
+import { kind, sameEverywhere } from './browsers.mjs';
 import { open } from './harness.mjs';
 import { digest, SMALL } from './page.mjs';
 
@@ -140,7 +140,7 @@ test('a file that is not of this build is not stored', async (t) => {
   rmSync(files, { recursive: true });
 });
 
-test('the page can be installed: its manifest is valid, with icons of the sizes that it names', async (t) => {
+test('the page can be installed: its manifest is valid, with icons of the sizes that it names', sameEverywhere, async (t) => {
   const site = await open({ beside });
   t.after(() => site.close());
   const { page, close } = await site.newPage(SMALL, { stores: true });

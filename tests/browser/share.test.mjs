@@ -65,7 +65,7 @@ test('the dialog copies the link, tells what it holds, and gives the focus back'
 });
 
 for (const dark of [false, true]) {
-  test(`a camera reads the QR code of a ${dark ? 'dark' : 'light'} page`, async () => {
+  test(`a camera reads the QR code of a ${dark ? 'dark' : 'light'} page`, sameEverywhere, async () => {
     const { page, problems, close } = await site.newPage(`${SMALL}&seed=77&palette=marble`, { dark });
     await digest(page);
     await share(page);

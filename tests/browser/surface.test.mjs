@@ -133,7 +133,7 @@ test('a link has view and camera, and opens so again', sameEverywhere, async () 
   await close();
 });
 
-test('a pavement and a surface are chosen one after the other, and each is seen in its way', async () => {
+test('a pavement and a surface are chosen one after the other, and each is seen in its way', sameEverywhere, async () => {
   const { page, problems, close } = await site.newPage(SMALL);
   const planes = await digest(page);
   await page.evaluate((fragment) => (location.hash = fragment), BALL);

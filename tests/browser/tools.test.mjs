@@ -38,7 +38,7 @@ const undo = async (page) => {
   await frames(page, 3);
 };
 
-test('the editor is loaded when it is first wanted', async () => {
+test('the editor is loaded when it is first wanted', sameEverywhere, async () => {
   const { page, close } = await site.newPage(SQUARE);
   await digest(page);
   const loaded = () => page.evaluate(() => performance.getEntriesByType('resource').some(({ name }) => /editor-.*\.js/.test(name)));
@@ -155,7 +155,7 @@ test('Escape takes back what is drawn, then leaves the points', sameEverywhere, 
   await close();
 });
 
-test('a hole is drawn, dragged as a whole, and removed; each is one step', async () => {
+test('a hole is drawn, dragged as a whole, and removed; each is one step', sameEverywhere, async () => {
   const { page, problems, close } = await site.newPage(SQUARE);
   const square = await digest(page);
   await tool(page, 'hole');

@@ -1,5 +1,6 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
+import { sameEverywhere } from './browsers.mjs';
 import { open } from './harness.mjs';
 import { click, digest, frames, get, message, reloading, SMALL } from './page.mjs';
 
@@ -86,7 +87,7 @@ test('a page that cannot be stored works, and says nothing of it', async () => {
   await close();
 });
 
-test('words that do not arrive leave the page in English, which says so once', async () => {
+test('words that do not arrive leave the page in English, which says so once', sameEverywhere, async () => {
   const { page, close } = await site.newPage(SMALL, {
     before: async (fresh) => {
       await fresh.evaluateOnNewDocument(() => localStorage.setItem('bubblestone.language', 'ja'));
@@ -102,7 +103,7 @@ test('words that do not arrive leave the page in English, which says so once', a
   await close();
 });
 
-test('a module that does not arrive gets a sentence', async () => {
+test('a module that does not arrive gets a sentence', sameEverywhere, async () => {
   const { page, close } = await site.newPage(SMALL, {
     before: async (fresh) => {
       await fresh.setRequestInterception(true);
