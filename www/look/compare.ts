@@ -1,4 +1,4 @@
-/** Another recipe to compare with the one at work: under a divider, or side by side. */
+/** Compares another recipe with the page's own: under a divider, or side by side. */
 import { t } from '../words/look';
 import { groupIn } from '../words/words';
 import { byId, make, say } from '../base/dom';
@@ -15,15 +15,15 @@ import { Under } from './under';
 import '../styles/late/compare.css';
 import '../styles/late/look.css';
 
-/** What the recipe at work is compared with: itself with one value changed. */
+/** Variants of the page's recipe: each changes one value. */
 const VARIANTS = { voronoi: ['cells', 'voronoi'], lloyd: ['cells', 'lloyd'], packed: ['cells', 'packed'], quadtree: ['start', 'quadtree'] } as const;
 type Variant = keyof typeof VARIANTS;
 const THIS = ['voronoi', 'lloyd', 'packed', 'quadtree', 'before'] as const;
 
-/** Before the name of a preset in the list. */
+/** Marks the name of a preset in the list. */
 const PRESET = 'preset:';
 
-/** Where Escape means something else. */
+/** Elements where Escape has another meaning. */
 const NOT_HERE = 'dialog, select, [type=text], #layers, #layers-button, .light-layer, .light-kinds, .edit-tools';
 
 export class Compare {
@@ -38,11 +38,11 @@ export class Compare {
   private readonly way = make('button', { type: 'button', class: 'key', id: 'compare-beside', 'aria-pressed': 'false', 'aria-label': t('compare_beside'), title: t('compare_beside') });
   private readonly left = make('div', { class: 'compare-left' }, this.choice, this.link, this.progress);
   private readonly right = make('div', { class: 'compare-right' });
-  /** The recipe when the comparison began. */
+  /** The page's recipe when the comparison began. */
   private before = '';
   private engine: Engine | undefined;
   private readonly arrivals = new Arrivals();
-  /** What the other engine works on. */
+  /** The recipe of the second engine. */
   private wanted = '';
   /** The generator whose presets are listed. */
   private listed = '';
@@ -91,7 +91,7 @@ export class Compare {
     this.wanted = '';
   }
 
-  /** Shows in the way that was chosen what is chosen, as it was at first. */
+  /** Lays the comparison out in the chosen way and starts the chosen recipe anew. */
   private lay(): void {
     const { beside } = this.store.state;
     this.way.setAttribute('aria-pressed', String(beside));
@@ -104,7 +104,7 @@ export class Compare {
     this.choose();
   }
 
-  /** The recipe at work changed in one way, a link, and the presets in their groups. */
+  /** Fills the list: variants of the page's recipe, a link, and the presets in their groups. */
   private list(): void {
     const { generator, presets } = this.work.engine;
     if (this.listed === generator.word) return;
@@ -113,12 +113,12 @@ export class Compare {
     const groups = [...new Set(presets.map(({ group }) => group))].map((title) =>
       make('optgroup', { label: groupIn(title) }, ...presets.filter(({ group }) => group === title).map(({ name, title, figure }) => option(`${PRESET}${name}`, figure || title))),
     );
-    // Changes of what this generator has.
+    // Only variants by parameters of this generator.
     const rows = this.work.engine.schema;
     const has = (word: string): boolean => !(word in VARIANTS) || rows.some(({ key, choices }) => key === VARIANTS[word as Variant][0] && choices.some((choice) => choice.word === VARIANTS[word as Variant][1]));
     const own = THIS.filter(has).map((word) => option(word, t(`compare_${word}`)));
     this.choice.replaceChildren(make('optgroup', { label: t('compare_this') }, ...own), option('link', t('compare_link')), ...groups);
-    // Itself alone would be no comparison.
+    // A preset is not compared with itself.
     const { preset } = this.store.state;
     const other = own.length > 1 ? undefined : presets.find(({ name }) => name !== preset?.shown.name);
     if (other) this.choice.value = `${PRESET}${other.name}`;
@@ -133,11 +133,11 @@ export class Compare {
   private key({ key, target, defaultPrevented }: KeyboardEvent): void {
     const { compare, beside, editing } = this.store.state;
     if (key !== 'Escape' || !compare || editing !== undefined || defaultPrevented || !(target instanceof Element)) return;
-    // Under a divider all that is meant is on the picture; two pictures are changed from everywhere.
+    // A comparison under a divider ends by Escape on the picture, one side by side by Escape anywhere.
     if (beside ? !target.closest(NOT_HERE) : this.sheet.contains(target)) this.end();
   }
 
-  /** The other recipe as it should be now; what is in the hand is waited for, and what stands beside follows changes by itself. */
+  /** Updates the second recipe. It waits for the end of a drag; side by side, the second picture follows changes by itself. */
   private follow(chosen = false): void {
     const { compare, beside, held, recipe } = this.store.state;
     if (!compare || held) return;
@@ -158,7 +158,7 @@ export class Compare {
     });
   }
 
-  /** The recipe that is chosen; undefined for one that is made of the recipe at work. */
+  /** The chosen recipe; undefined for a variant of the page's recipe. */
   private baseOf(value: string): string | undefined {
     if (value === 'before') return this.before;
     if (value === 'link') return this.link.value.replace(/^[^#]*#/, '').trim();
@@ -171,7 +171,7 @@ export class Compare {
     return known ? known.figure || known.title : t('compare_theirs');
   }
 
-  /** The other engine failed; what is shown goes on. */
+  /** The second engine failed; the page's own picture goes on. */
   private failed(): void {
     this.engine = undefined;
     this.under.show(false);

@@ -1,10 +1,10 @@
 /**
  * The finished picture with as many pixels as the screen has, laid over the canvas while it stands still.
  *
- * The canvas has the recipe's own pixels, and browsers stretch it: on a screen of fine pixels, or where one comes
- * closer, it is soft. Once it stood still for a while, a worker works the link out anew and paints it with two to eight
- * times as many pixels along a side, which come in softly. They are gone with the first change. What scripts, files and
- * the probe read stays the canvas below. For scripts the sheet tells their number as `data-fine`.
+ * The canvas has the recipe's own pixels. It looks soft on a screen with finer pixels, or when it is zoomed. After it
+ * stood still for a while, a worker computes the link again and paints it with two to eight times as many pixels along a
+ * side. That picture fades in over the canvas, and the first change removes it. Scripts, files and the probe still read
+ * the canvas below. `data-fine` of the sheet has the number of pixels, for scripts.
  */
 import { byId } from '../base/dom';
 import { answerOf } from '../late/worker';
@@ -15,35 +15,35 @@ import type { Work } from '../state/work';
 import type { Answer, Order } from './fine.worker';
 import '../styles/late/fine.css';
 
-/** Milliseconds that the picture stands still before the work begins. */
+/** The picture must stand still for this many milliseconds before the work begins. */
 const STILL = 1000;
 
-/** So far the pixels may be stretched: a sheet a little larger than the picture is no reason for four times as many. */
+/** Pixels may be stretched by this factor: a sheet slightly larger than the picture needs no finer one. */
 const SLACK = 1.04;
 
-/** At most so many pixels for one of the picture along a side. */
+/** Largest number of fine pixels per pixel of the recipe, along a side. */
 const MOST_SCALE = 8;
 
-/** At most so many along a side: as many as the module makes where there is much memory, else in proportion to that. */
+/** Most pixels along a side. The module's own limit holds where there is much memory, a share of it elsewhere. */
 const MOST_PIXELS = 4096;
 const MUCH_MEMORY = 8;
-/** Gigabytes, where the browser does not tell. */
+/** Gigabytes to assume where the browser does not say. */
 const USUAL_MEMORY = 4;
 
-/** A finished picture as the canvas shows it: its link and side, and how much closer than all of it one is. */
+/** A finished picture on the canvas: its link, its side, and the zoom. */
 interface Asked {
   readonly link: string;
   readonly side: number;
   readonly zoom: number;
 }
 
-/** A picture that is made, or is to be. */
+/** A fine picture that exists, or is to be made. */
 interface Picture {
   readonly link: string;
   readonly scale: number;
 }
 
-/** Keeps the page's own picture fine, while the visitor wants that. */
+/** Keeps the page's own picture fine while the visitor wants that. */
 export function keepFine({ engine, store }: Work, view: View): void {
   const fine = new Fine(view.canvas, () => {
     const { recipe, stage, held, repeat, compare, turn, editing, zoom, fine: wanted } = store.state;
@@ -58,13 +58,13 @@ export class Fine {
   private readonly canvas: HTMLCanvasElement;
   private readonly asked: () => Asked | undefined;
   private inSight = false;
-  /** What lies over the canvas. */
+  /** The fine picture over the canvas. */
   private shown: (Picture & { canvas: HTMLCanvasElement }) | undefined;
-  /** What is to be made, or is being made, or could not be made. */
+  /** The fine picture that is waited for, being made, or could not be made. */
   private next: Picture | undefined;
   private making = new AbortController();
 
-  /** `asked` is what the canvas shows; undefined where that is no finished picture, or not wanted finer. */
+  /** `asked` returns what the canvas shows; undefined where that is unfinished, or not wanted finer. */
   constructor(canvas: HTMLCanvasElement, asked: () => Asked | undefined) {
     this.canvas = canvas;
     this.asked = asked;
@@ -78,7 +78,7 @@ export class Fine {
     }).observe(this.sheet);
   }
 
-  /** Is to be called after whatever may change what is asked for. */
+  /** Call this after any change that may affect `asked`. */
   follow(): void {
     const asked = this.asked();
     if (this.shown && this.shown.link !== asked?.link) this.clear();
@@ -90,7 +90,7 @@ export class Fine {
     if (next) this.begin(next);
   }
 
-  /** What is finer than what is there; the least that the screen can show. */
+  /** The coarsest picture that is fine enough for the screen, if it is finer than the present one. */
   private missing({ link, side, zoom }: Asked): Picture | undefined {
     const needed = (this.sheet.clientWidth * devicePixelRatio * zoom) / side;
     const scale = Math.min(Math.ceil(needed / SLACK), Math.floor(mostPixels() / side), MOST_SCALE);
@@ -100,7 +100,7 @@ export class Fine {
   private begin(picture: Picture): void {
     const { signal } = (this.making = new AbortController());
     const timer = setTimeout(() => {
-      // Without it there is the canvas below.
+      // If this fails, the canvas below stays visible.
       this.make(picture, signal).catch(() => undefined);
     }, STILL);
     signal.addEventListener('abort', () => clearTimeout(timer));
@@ -113,7 +113,7 @@ export class Fine {
     if ('picture' in answer && !signal.aborted) await this.show(picture, answer.picture);
   }
 
-  /** The new one comes in over what was there, which then goes. */
+  /** The new picture fades in over the old one, which is then removed. */
   private async show(picture: Picture, pixels: ImageBitmap): Promise<void> {
     const canvas = document.createElement('canvas');
     canvas.className = 'fine';
@@ -130,20 +130,20 @@ export class Fine {
     empty(before);
   }
 
-  /** Pixels are squares as they are below, only later. */
+  /** Shows fine pixels as squares at a high zoom, as the canvas does. */
   private look(zoom: number): void {
     this.shown?.canvas.toggleAttribute('data-crisp', zoom >= CRISP * this.shown.scale);
   }
 
   private clear(): void {
-    // While one comes in there are two.
+    // There are two while one fades in.
     for (const canvas of this.sheet.querySelectorAll<HTMLCanvasElement>('.fine')) empty(canvas);
     this.shown = undefined;
     delete this.sheet.dataset['fine'];
   }
 }
 
-/** Takes a canvas away, with the memory of its pixels. */
+/** Removes a canvas and frees its memory. */
 function empty(canvas: HTMLCanvasElement | undefined): void {
   if (!canvas) return;
   canvas.remove();

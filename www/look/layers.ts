@@ -1,4 +1,4 @@
-/** What is drawn below and what over it, with a sentence for each about what one sees. */
+/** The choice of view and overlays, with a sentence about each. */
 import { overlayIn, t } from '../words/look';
 import { viewIn } from '../words/words';
 import { byId, make } from '../base/dom';
@@ -13,7 +13,7 @@ export class Layers {
   private readonly box = make('section', { class: 'layers-box', id: 'layers', 'aria-label': t('layers_over') });
   private bases: HTMLInputElement[] = [];
   private overlays: HTMLInputElement[] = [];
-  /** What the boxes are for. */
+  /** The words that have a box. */
   private offered: readonly string[] = [];
   private readonly legend = make('dl', { class: 'layers-legend' });
   private readonly fine = make('input', { type: 'checkbox', id: 'fine', title: t('note_fine') });
@@ -40,7 +40,7 @@ export class Layers {
     this.follow();
   }
 
-  /** A box for each view and each drawing over it of what is made now. */
+  /** Makes a box for each view and each overlay of the present generator. */
   private offer(): void {
     const { bases, overlays } = this.view;
     const offered = [...bases, ...overlays];

@@ -1,4 +1,4 @@
-/** The sun, or the lamp, on the picture: handles to drag, or to move by arrow keys. Only the light is worked out anew. */
+/** Handles for the sun, or the lamp, on the picture: to drag, or to move by arrow keys. Only the light is computed again. */
 import { t } from '../words/look';
 import { byId, make } from '../base/dom';
 import { ARROWS } from '../late/arrows';
@@ -10,14 +10,14 @@ import type { Store } from '../state/store';
 import type { Work } from '../state/work';
 import '../styles/late/look.css';
 
-/** The sun at the horizon stands so far from the middle of the sheet, in its sides. */
+/** Distance of the sun from the middle of the sheet when it is at the horizon, in sides. */
 const HORIZON = 0.46;
 
-/** How far the lamp's bulb is drawn from its foot: a least, and so much for each side of height; downwards near the upper edge. */
+/** Distance of the lamp's bulb from its foot: a minimum, and an amount per side of height. It points down near the upper edge. */
 const POST = [0.07, 0.12] as const;
 const UPPER = 0.16;
 
-/** What an arrow key does: degrees, and sides of the picture. */
+/** The step of an arrow key, in degrees and in sides of the picture. */
 const TURN = 3;
 const NUDGE = 0.02;
 
@@ -32,7 +32,7 @@ export class LightOnCanvas {
   private readonly store: Store;
   private readonly sheet = byId('sheet');
   private readonly layer = make('div', { class: 'light-layer' });
-  /** Each is there twice, dark and wide below: a shadow by a filter costs seconds where the processor draws the page. */
+  /** Each line twice: the wider dark one below is its shadow. A filter would cost seconds where the processor draws the page. */
   private readonly lines = twice('line');
   private readonly horizons = twice('circle');
   private readonly sun = handle('sun', 'sun_place');
@@ -40,7 +40,7 @@ export class LightOnCanvas {
   private readonly bulb = handle('bulb', 'lamp_height');
   private readonly choice: HTMLElement;
   private readonly kinds: [string, HTMLInputElement][];
-  /** The values to be set in the next frame. */
+  /** The values to set in the next frame. */
   private waiting: Record<string, number> = {};
   private frame = 0;
 
@@ -97,7 +97,7 @@ export class LightOnCanvas {
     return { x: inside(this.number('lx')), y: inside(this.number('ly')) };
   }
 
-  /** How far the picture is turned under the viewer, in degrees. */
+  /** The rotation of the picture on the screen, in degrees. */
   private round(): number {
     const { turn, camera } = this.store.state;
     return turn ? (camera ?? homeOf(this.engine.generator))[0] : 0;
@@ -107,14 +107,14 @@ export class LightOnCanvas {
     return this.footAt().y < UPPER ? 1 : -1;
   }
 
-  /** From the middle of the sheet to the pointer: where the light comes from, and how low. */
+  /** Sets the light's direction and height from the pointer's place relative to the middle of the sheet. */
   private aim({ x, y }: Spot): void {
     const far = Math.min(Math.hypot(x - 0.5, y - 0.5) / HORIZON, 1);
     const azimuth = (Math.atan2(y - 0.5, x - 0.5) * 180) / Math.PI + this.round();
     this.put({ az: (Math.round(azimuth) + 360) % 360, el: 90 - far * 90 });
   }
 
-  /** Sets values in the next frame, the last ones that came; they are held until the end of the drag. */
+  /** Sets the latest values in the next frame, as a drag that has not ended. */
   private put(values: Record<string, number>): void {
     Object.assign(this.waiting, values);
     this.frame ||= requestAnimationFrame(() => this.hand(true));
@@ -153,7 +153,7 @@ export class LightOnCanvas {
     element.addEventListener('lostpointercapture', () => this.hand(false));
   }
 
-  /** Arrow keys; with Shift five times as far. The values are held until the key rises. */
+  /** Arrow keys; with Shift, five times as far. The step ends when the key rises. */
   private keys(element: HTMLElement, to: (dx: number, dy: number) => Record<string, number>): void {
     element.addEventListener('keydown', (event) => {
       const way = ARROWS[event.key];
@@ -166,13 +166,13 @@ export class LightOnCanvas {
     for (const end of ['keyup', 'blur']) element.addEventListener(end, () => this.store.state.held && this.hand(false));
   }
 
-  /** Puts handles and words where the recipe has the light. */
+  /** Places handles and labels by the recipe's light. */
   private place(): void {
     if (this.layer.hidden) return;
     const kind = this.engine.get('light');
     for (const [word, radio] of this.kinds) radio.checked = word === kind;
     const lamp = kind === 'point';
-    // The lamp has its place in the picture, the sun about the sheet.
+    // The lamp has a place in the picture; the sun stands around the sheet.
     const over = lamp && !this.store.state.turn ? byId('pane') : this.sheet;
     if (this.layer.parentElement !== over) over.append(this.layer);
     this.sun.hidden = lamp;

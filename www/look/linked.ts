@@ -1,4 +1,4 @@
-/** Shows what a link's words of the view ask for, and tells what of it cannot be shown. */
+/** Shows the view that a link's words ask for, and says which of them cannot be shown. */
 import { t } from '../words/look';
 import { wantsStill } from '../base/dom';
 import { notice } from '../base/messages';
@@ -9,8 +9,8 @@ import type { Loop } from '../picture/loop';
 import { Until } from '../picture/until';
 
 /**
- * Changes the store as the words say, by `change`; a step is come to from the start of the work. Answers with the words as
- * the page writes them.
+ * Changes the store through `change`, as the words say. A step is reached from the start of the work. Returns the words
+ * as the page writes them.
  */
 export function show(words: string, work: Work, loop: Loop, change: (asked: Partial<State>) => void): string {
   const { engine } = work;
@@ -18,7 +18,7 @@ export function show(words: string, work: Work, loop: Loop, change: (asked: Part
   const { view, overlays, pace, step, zoom, camera } = viewing;
   change({
     ...(view === undefined ? {} : { view, overlays: overlays ?? [] }),
-    // Who asks for less motion keeps the own speed.
+    // Visitors who prefer reduced motion keep their own speed.
     ...(pace === undefined || wantsStill() ? {} : { pace }),
     ...(zoom === undefined || engine.isSpace ? {} : { zoom }),
     ...(step === undefined ? {} : { paused: false }),
@@ -26,7 +26,7 @@ export function show(words: string, work: Work, loop: Loop, change: (asked: Part
   });
   if (step !== undefined) {
     loop.until = new Until(step, (made) => {
-      // A recipe that gives nothing has told so.
+      // Such a recipe has already said why it gives nothing.
       if (engine.stage() === 'error') return;
       change({ paused: true });
       if (made < step) notice('done', t('linked_ended', { made, step }));
@@ -38,7 +38,7 @@ export function show(words: string, work: Work, loop: Loop, change: (asked: Part
   return written(viewing, engine.generator);
 }
 
-/** A sentence for each fault: what was given, what may be given, what is taken. */
+/** A sentence for each fault: the given value, the allowed ones, and the one used instead. */
 function sentences(faults: readonly Fault[], sights: Sights): string[] {
   const { bases, overlays, offers } = sights;
   return faults.map(({ what, given, kept }) => {

@@ -1,4 +1,4 @@
-/** How the packing goes and how its cells are, in plots that follow the work. */
+/** Plots of the packing's progress and of the quality of its cells. They follow the work. */
 import uPlot from 'uplot';
 import type { Histogram } from '../module/types';
 import { t, type Word } from '../words/look';
@@ -9,12 +9,12 @@ import type { View } from '../picture/view';
 import '../styles/late/plots.css';
 import 'uplot/dist/uPlot.min.css';
 
-/** Milliseconds between two drawings. */
+/** Milliseconds between two updates. */
 const PAUSE = 120;
 
 const HEIGHT = 112;
 
-/** The share of cells within these bounds is told: parts of the size asked for, degrees. */
+/** Bounds of the share of cells that the plots name: relative to the requested size, and in degrees. */
 const SIZE_BAND = 0.1;
 const ANGLE_BAND = 5;
 
@@ -68,11 +68,11 @@ export class Plots {
     this.section.hidden = !on;
     if (!on) return;
     this.draw();
-    // Under the picture they may be out of sight.
+    // On a narrow page the plots may be out of sight under the picture.
     if (this.narrow.matches) this.section.scrollIntoView({ block: 'nearest', behavior: wantsStill() ? 'auto' : 'smooth' });
   }
 
-  /** On a narrow page the plots stand under the picture, else above the controls. */
+  /** Places the plots: under the picture on a narrow page, else above the controls. */
   private settle(): void {
     if (this.narrow.matches) document.querySelector('.stage')?.append(this.section);
     else byId('panel').prepend(this.section);
@@ -85,7 +85,7 @@ export class Plots {
     return { place, said: text, read, make: make_ };
   }
 
-  /** At once, or a moment after the last time. */
+  /** Updates the plots now, or PAUSE after the last time. */
   private soon(): void {
     if (this.section.hidden || this.timer) return;
     this.timer = window.setTimeout(() => this.draw(), Math.max(0, this.last + PAUSE - performance.now()));
@@ -99,7 +99,7 @@ export class Plots {
     for (const plot of this.plots) {
       const { data, said: sentence } = plot.read();
       say(plot.said, sentence);
-      // Without data there are no axes.
+      // uPlot draws no axes without data.
       plot.place.classList.toggle('empty', !data[1]?.some(Boolean));
       if (plot.plot) plot.plot.setData(data);
       else plot.plot = new uPlot(plot.make(plot.place.clientWidth), data, plot.place);
@@ -114,7 +114,7 @@ export class Plots {
   }
 }
 
-/** Colours are those of the page at the time of drawing. */
+/** The page's colour at the time of drawing. */
 const colour = (name: string) => (): string => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
 function axes(word: Word, log: boolean): uPlot.Axis[] {
@@ -125,7 +125,7 @@ function axes(word: Word, log: boolean): uPlot.Axis[] {
   ];
 }
 
-/** Of a logarithmic scale only the powers of ten. */
+/** Only the powers of ten get a mark on a logarithmic scale. */
 function decades(_: uPlot, marks: number[]): (number | null)[] {
   return marks.map((mark) => (Math.abs(Math.log10(mark) - Math.round(Math.log10(mark))) < 1e-9 ? mark : null));
 }
@@ -136,7 +136,7 @@ function lines(word: Word, log = false): Plot['make'] {
   return (width) => ({
     ...still,
     width,
-    // uPlot's enum has no value at run time: 3 is its logarithmic scale.
+    // uPlot's enum does not exist at run time: 3 is its logarithmic scale.
     // eslint-disable-next-line @typescript-eslint/no-unsafe-enum-assignment
     scales: { x: { time: false }, y: log ? { distr: 3 } : {} },
     axes: axes(word, log),
@@ -154,7 +154,7 @@ function bars(word: Word): Plot['make'] {
   });
 }
 
-/** The last value of a row, and the first. */
+/** A sentence with the last value of a row, and the first. */
 function said(word: 'plot_energy_said' | 'plot_move_said', step: Float64Array, values: Float64Array): string {
   const [now, first] = [values.at(-1), values[0]];
   if (now === undefined || first === undefined) return t('plot_none');
@@ -176,7 +176,7 @@ function short(value: number): string {
   return signed(Math.abs(value) >= 1e4 ? `${Number((value / 1000).toPrecision(4))}k` : String(Number(value.toPrecision(4))));
 }
 
-/** As many decimals as tell neighbouring marks apart. */
+/** A number with enough decimals to tell neighbouring marks apart. */
 function spaced(value: number, apart: number): string {
   const digits = Math.max(0, Math.min(6, -Math.floor(Math.log10(apart || 1))));
   return Math.abs(value) >= 1e4 || !apart ? short(value) : signed(String(Number(value.toFixed(digits))));

@@ -1,4 +1,4 @@
-/** What pointers and arrow keys do on the picture while nothing is drawn. */
+/** Pointer and arrow keys on the picture while nothing is drawn. */
 import type { Work } from '../state/work';
 import type { View } from '../picture/view';
 import { CellProbe } from './probe';

@@ -1,4 +1,4 @@
-/** The cell under the pointer, or the one that arrow keys came to: its outline over the picture, and its numbers. */
+/** The probe: outlines the cell under the pointer, or the one that arrow keys reached, and shows its numbers. */
 import type { Point, Probe } from '../module/types';
 import { t } from '../words/look';
 import { byId, make, say } from '../base/dom';
@@ -10,19 +10,19 @@ import type { Store } from '../state/store';
 import type { Work } from '../state/work';
 import type { View } from '../picture/view';
 
-/** A pointer rests for this many milliseconds before the first cell is told. */
+/** A pointer rests for this many milliseconds before the first cell is shown. */
 const REST = 120;
 
-/** Arrow keys look for the next cell in steps of this many cell sizes. */
+/** Arrow keys search for the next cell in steps of this many cell sizes. */
 const STRIDE = 0.2;
 
-/** What the zoom tells and does. */
+/** The part of the zoom that the probe uses. */
 interface Sight {
   busy(): boolean;
   reveal(place: { x: number; y: number }): void;
 }
 
-/** A place in one of the pictures that stand side by side: there are `repeat` of them a side. */
+/** A place in one of the pictures that stand side by side, `repeat` of them along a side. */
 interface Place {
   point: Point;
   tile: Point;
@@ -37,7 +37,7 @@ export class CellProbe {
   private readonly card = make('div', { class: 'cell-card', 'aria-hidden': 'true' });
   private readonly outline = [shape('path'), shape('path')];
   private readonly svg = shape('svg', { 'aria-hidden': 'true' }, ...this.outline);
-  /** Where the pointer rests, or where the keys came to. */
+  /** The place where the pointer rests, or that keys reached. */
   private place: Place | undefined;
   private cell: Probe | undefined;
   private pointer: { x: number; y: number } | undefined;
@@ -64,7 +64,7 @@ export class CellProbe {
     follow();
   }
 
-  /** The picture moved: away from under a pointer, but the cell that keys came to stays marked. */
+  /** The picture moved away from under a pointer. A cell that keys reached stays marked. */
   moved(): void {
     if (this.pointer) this.hide();
     else this.put();
@@ -79,7 +79,7 @@ export class CellProbe {
     for (const path of this.outline) path.setAttribute('d', '');
   }
 
-  /** No cell is told of while something is drawn or compared, while the picture is moved, and where it shows no cells. */
+  /** The probe rests while the visitor draws, compares or moves the picture, and where the view shows no cells. */
   private get rests(): boolean {
     return this.layer.hidden !== false || this.sight.busy() || this.store.state.view === 'potential';
   }
@@ -91,7 +91,7 @@ export class CellProbe {
     else if (!this.timer) this.timer = window.setTimeout(() => this.toPointer(), REST);
   }
 
-  /** A finger's tap, or a click. */
+  /** A tap of a finger, or a click. */
   tap(event: MouseEvent): void {
     if (this.rests || !(event.target instanceof Node) || !this.layer.contains(event.target)) return;
     this.pointer = { x: event.clientX, y: event.clientY };
@@ -111,7 +111,7 @@ export class CellProbe {
     this.tell();
   }
 
-  /** Shows the cell at the place, as it is by now. */
+  /** Shows the present cell at the place. */
   private tell(): void {
     if (!this.place) return;
     const { point, tile } = this.place;
@@ -129,7 +129,7 @@ export class CellProbe {
     this.put();
   }
 
-  /** The card stands beside the pointer, or beside the cell, inside the sheet. */
+  /** Puts the card beside the pointer, or beside the cell, within the sheet. */
   private put(): void {
     const { card, cell, place } = this;
     if (!cell || !place) return;
@@ -146,7 +146,7 @@ export class CellProbe {
     card.style.top = `${along(at.y, box.top, box.height, card.offsetHeight)}px`;
   }
 
-  /** Arrow keys go to the next cell that way; the first one to the cell in the middle. */
+  /** Arrow keys go to the next cell in their direction; the first press goes to the cell in the middle. */
   private key(event: KeyboardEvent): void {
     if (event.key === 'Escape') return this.hide();
     const way = ARROWS[event.key];
@@ -164,7 +164,7 @@ export class CellProbe {
     say(byId('cell-said'), cellNumbers(this.cell).map((row) => row.join(' ')).join(', '));
   }
 
-  /** The next cell straight on; where there is none, one to either side of the way. */
+  /** The next cell straight ahead, or else one to either side of that direction. */
   private beyond(from: Probe, [dx, dy]: readonly [number, number], side: number): Point | undefined {
     const stride = STRIDE * from.size;
     for (const aside of [0, 0.5, -0.5, 1, -1]) {
@@ -179,7 +179,7 @@ export class CellProbe {
     return undefined;
   }
 
-  /** A place in the cell next to this one, looked for in rings about it. */
+  /** A place in the cell nearest to this place, searched for in rings around it. */
   private nearest([x, y]: Point, side: number): Point | undefined {
     for (let far = 0; far < side / 2; far += side / 64) {
       for (let k = 0; k < 12; k += 1) {

@@ -1,10 +1,10 @@
-/** The picture two or three times side by side, as a tile repeats. */
+/** Shows the picture two or three times side by side, as a seamless tile repeats. */
 import { byId, make } from '../base/dom';
 import type { Store } from '../state/store';
 import type { View } from '../picture/view';
 import '../styles/late/look.css';
 
-/** Pixels along the side of all of them, at most. */
+/** Most pixels along the side of all copies together. */
 const MOST = 3072;
 
 export class Tiles {

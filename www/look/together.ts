@@ -1,6 +1,6 @@
 /**
- * Two pictures that form in step: while both are packed they have made as many steps, whichever of them is the slower one.
- * Before and after that each goes on by itself.
+ * Two linked pictures that form in step. While both are packed they make equally many steps, at the pace of the slower
+ * one. Before and after that, each goes on by itself.
  */
 import { isEnd, isUpToSteps, STEPPING } from '../module/stages';
 import type { Engine } from '../state/engine';
@@ -9,13 +9,16 @@ export class Together {
   private readonly first: Engine;
   private readonly second: Engine;
 
-  /** The first one leads: its frames make the steps of both. */
+  /** The frames of the first one advance both. */
   constructor(first: Engine, second: Engine) {
     this.first = first;
     this.second = second;
   }
 
-  /** Works on one of both for about `budget` milliseconds, and makes at most so many steps; true when what is shown may have changed. */
+  /**
+   * Works on one of both for about `budget` milliseconds and at most `steps` steps. True when the visible state may
+   * have changed.
+   */
   tick(engine: Engine, budget: number, steps: number): boolean {
     const { first, second } = this;
     const other = engine === first ? second : first;
@@ -27,7 +30,7 @@ export class Together {
     return engine === first && this.lead(budget, steps);
   }
 
-  /** The steps of both, one after the other; where one is behind, it comes first. */
+  /** Makes the steps of both in turn. The one that is behind comes first. */
   private lead(budget: number, steps: number): boolean {
     const { first, second } = this;
     const end = performance.now() + budget;
@@ -43,11 +46,11 @@ export class Together {
     return changed;
   }
 
-  /** Makes the steps that the first one has ahead: also while a pause holds both. */
+  /** Makes the steps that the first one is ahead, even while both are paused. */
   private catchUp(budget: number): boolean {
     const { first, second } = this;
     const end = performance.now() + budget;
-    // Before its packing, the first one may tell the steps of the one before.
+    // Before its packing, the first one may still report the steps of the previous packing.
     if (!isPast(first) && !isAtStep(first)) return false;
     let changed = false;
     while (performance.now() < end && isAtStep(second) && second.status().steps < first.status().steps) changed = second.tick(0, 1) || changed;
@@ -55,13 +58,13 @@ export class Together {
   }
 }
 
-/** Whether the packing is over. */
+/** Whether packing is over. */
 function isPast(engine: Engine): boolean {
   const stage = engine.stage();
   return isEnd(stage) || !isUpToSteps(engine.generator.stages, stage);
 }
 
-/** Whether a step is next; whatever else is to be done before it is begun. */
+/** Whether a packing step is next. Does any work that is due before it. */
 function isAtStep(engine: Engine): boolean {
   return engine.stage() === STEPPING && !engine.tick(0, 0);
 }

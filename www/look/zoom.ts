@@ -1,18 +1,18 @@
-/** Zoom and pan: wheel, two fingers, drag, double click, buttons. Handles over the picture keep their size. */
+/** Zoom and pan by wheel, two fingers, drag, double click and buttons. Handles over the picture keep their size. */
 import { byId, say } from '../base/dom';
 import type { Store } from '../state/store';
 import { inFrame, LIMITS } from '../state/asked-view';
 import { WHOLE, type Zoomed } from '../state/viewing';
 import { layInFrame } from '../picture/frame';
 
-/** What one press of a button does, and a double click. */
+/** The factor of a button press, and of a double click. */
 const STEP = 1.5;
 const CLOSER = 3;
 
 /** A pointer that moves less than this many pixels has clicked. */
 const SLACK = 4;
 
-/** Elements over the picture that want pointers for themselves. */
+/** Elements over the picture that handle pointers themselves. */
 const OWN = 'button, input, select, [role=slider], .grip';
 
 interface Spot {
@@ -27,7 +27,7 @@ export class Zoom {
   private readonly down = new Map<number, Spot>();
   private begun: Spot | undefined;
 
-  /** `moved` is called after the picture was zoomed or moved. All sheets show the same part of their pictures. */
+  /** `moved` is called after each zoom or pan. All sheets show the same part of their pictures. */
   constructor(store: Store, moved: () => void, sheet = byId('sheet')) {
     this.sheet = sheet;
     this.store = store;
@@ -39,7 +39,7 @@ export class Zoom {
     sheet.addEventListener('pointerdown', (event) => this.press(event));
     sheet.addEventListener('pointermove', (event) => this.move(event));
     for (const end of ['pointerup', 'pointercancel'] as const) sheet.addEventListener(end, (event) => this.release(event));
-    // Where another element loses the pointer to the sheet, the gesture goes on.
+    // The gesture goes on where another element loses the pointer to the sheet.
     sheet.addEventListener('lostpointercapture', (event) => event.target === sheet && this.release(event));
   }
 
@@ -52,18 +52,18 @@ export class Zoom {
     return this.store.state.zoom.scale;
   }
 
-  /** Where the picture's upper left corner is, in sides of the sheet. */
+  /** The picture's upper left corner, in sides of the sheet. */
   private get corner(): Spot {
     const { scale, x, y } = this.store.state.zoom;
     return { x: 0.5 - x * scale, y: 0.5 - y * scale };
   }
 
-  /** Closer (1), farther (-1), or all of the picture (0). */
+  /** Zooms in (1), out (-1), or all the way out (0). */
   step(by: number): void {
     this.to(by ? this.scale * STEP ** by : 1, { x: 0.5, y: 0.5 });
   }
 
-  /** Brings a place (in sides of the picture) to sight. */
+  /** Brings a place, in sides of the picture, into view. */
   reveal({ x, y }: Spot): void {
     const inward = (at: number, corner: number): number => {
       const seen = corner + at * this.scale;
@@ -72,12 +72,12 @@ export class Zoom {
     this.take(this.scale, { x: inward(x, this.corner.x), y: inward(y, this.corner.y) });
   }
 
-  /** Zooms with a place of the sheet, in its sides, staying where it is while the corner goes where it was dragged. */
+  /** Zooms about a place of the sheet, in its sides, with the picture's corner dragged to `corner`. */
   private to(zoom: number, at: Spot, corner = this.corner): void {
     const [least, most] = LIMITS.zoom;
     const next = Math.min(Math.max(zoom, least), most);
     const ratio = next / this.scale;
-    // A hair above 1 is 1, so that one finger scrolls the page again.
+    // A zoom just above 1 counts as 1, so that one finger scrolls the page again.
     this.take(next < 1.01 ? 1 : next, { x: at.x - (at.x - corner.x) * ratio, y: at.y - (at.y - corner.y) * ratio });
   }
 
@@ -98,7 +98,7 @@ export class Zoom {
     return { x: (clientX - box.left) / box.width, y: (clientY - box.top) / box.height };
   }
 
-  /** All the way out, the wheel scrolls the page again. */
+  /** Zooms by the wheel. All the way out, the wheel scrolls the page again. */
   wheel(event: WheelEvent): void {
     const { deltaY, deltaMode, ctrlKey } = event;
     if (deltaY > 0 && this.scale === 1 && !ctrlKey) return;
@@ -107,14 +107,14 @@ export class Zoom {
     this.to(this.scale * Math.exp(-deltaY * lines * (ctrlKey ? 0.01 : 0.002)), this.at(event));
   }
 
-  /** A double click: closer, or all of the picture again. */
+  /** A double click zooms in, or all the way out. */
   twice(event: MouseEvent): void {
     if (this.wanted(event) || this.store.state.editing !== undefined) return;
     if (this.scale > 1) this.step(0);
     else this.to(CLOSER, this.at(event));
   }
 
-  /** Whether something over the picture takes the pointer for itself. */
+  /** Whether an element over the picture handles the pointer itself. */
   private wanted({ target }: Event): boolean {
     return !(target instanceof Element) || target.closest(OWN) !== null;
   }
@@ -123,7 +123,7 @@ export class Zoom {
     const touch = event.pointerType === 'touch';
     const middle = event.button === 1;
     if (this.wanted(event) && !touch) return;
-    // While something is drawn one pointer draws; the middle button and two fingers move the picture all the same.
+    // While the visitor draws, one pointer draws. The middle button and two fingers still move the picture.
     const drawing = this.store.state.editing !== undefined || this.wanted(event);
     if (!touch && (drawing ? !middle : event.button > 1)) return;
     if (middle) event.preventDefault();
@@ -136,7 +136,7 @@ export class Zoom {
     const now = this.at(event);
     const before = this.down.get(pointerId);
     if (!before) {
-      // A finger that came down before this part was loaded.
+      // The finger came down before this part was loaded.
       if (pointerType === 'touch' && buttons) this.down.set(pointerId, now);
       return;
     }
@@ -154,7 +154,7 @@ export class Zoom {
     this.take(this.scale, { x: this.corner.x + now.x - before.x, y: this.corner.y + now.y - before.y });
   }
 
-  /** One of two fingers moved: what was under both stays under both. */
+  /** Zooms and pans by two fingers: the picture stays under both. */
   private pinch(before: Spot, now: Spot, other: Spot): void {
     this.sheet.toggleAttribute('data-panning', true);
     const apart = (p: Spot): number => Math.max(0.02, Math.hypot(p.x - other.x, p.y - other.y));
@@ -165,7 +165,7 @@ export class Zoom {
 
   private release({ pointerId }: PointerEvent): void {
     if (!this.down.delete(pointerId)) return;
-    // One finger that stays goes on moving the picture.
+    // A finger that stays down goes on moving the picture.
     this.begun = [...this.down.values()][0];
     if (!this.down.size) this.sheet.toggleAttribute('data-panning', false);
   }

@@ -1,4 +1,4 @@
-/** The buttons of chance: one that throws all that is not locked, and a dice and a lock for each group. */
+/** The buttons that randomise: one for everything that is not locked, and a dice and a lock for each group. */
 import { groupIn, t } from '../words/words';
 import { byId, make } from '../base/dom';
 import { Later } from '../base/later';
@@ -16,7 +16,7 @@ export class Dice {
   });
   private groups: { name: string; dice: HTMLButtonElement; lock: HTMLButtonElement }[] = [];
 
-  /** `push` is called before a change that the browser's Back button shall take back. */
+  /** `push` is called before a change that the browser's Back button should undo. */
   constructor(work: Work, push: () => void) {
     this.work = work;
     this.push = push;
@@ -24,7 +24,7 @@ export class Dice {
     onLocks(work.store, () => this.show());
   }
 
-  /** A dice and a lock for each group of the panel. */
+  /** Adds a dice and a lock to each group of the panel. */
   build(panel: Panel): void {
     this.groups = Array.from(panel.groupings(), ([name, element]) => {
       const dice = signed('dice', t('throw_group', { group: groupIn(name) }));
@@ -53,13 +53,13 @@ export class Dice {
       if (groups.length > 1 && !isLocked(store, SEED)) values.push([SEED, String(engine.randomSeed())]);
       this.push();
       this.work.setAll(values);
-      // What all groups were thrown for is no variant of the preset before.
+      // After all groups were randomised, the recipe is no variant of its preset.
       if (groups.length > 1) store.update({ preset: undefined });
     });
   }
 }
 
-/** A button with the icon of another one of the page. */
+/** A button with the icon of another button of the page. */
 function signed(like: 'dice' | 'lock', words: string): HTMLButtonElement {
   const signs = Array.from(byId(like === 'lock' ? 'seed-lock' : 'dice').querySelectorAll('svg'), (sign) => sign.cloneNode(true));
   return make('button', { type: 'button', class: `key ${like}`, title: words, 'aria-label': words }, ...signs);

@@ -1,4 +1,4 @@
-/** The rail of presets: our own and the papers' figures, each a small picture. */
+/** The rail of presets: the program's own and the papers' figures, each with a small picture. */
 import type { Preset } from '../module/types';
 import { groupIn } from '../words/words';
 import { byId, make } from '../base/dom';
@@ -11,13 +11,13 @@ interface Group {
   readonly list: HTMLUListElement;
 }
 
-/** One group of presets is unfolded at a time. */
+/** One group of presets is open at a time. */
 export class Presets {
   private groups: Group[] = [];
   private readonly buttons = new Map<string, HTMLButtonElement>();
   private marked: string | undefined;
   private placed: ResizeObserver | undefined;
-  /** Browsers' own lazy loading fetches far more of a list than is to be seen. */
+  /** Lazy loading by browsers fetches far more of a list than is visible. */
   private readonly inSight = new IntersectionObserver((entries) => {
     for (const { isIntersecting, target } of entries) {
       if (!isIntersecting || !(target instanceof HTMLImageElement)) continue;
@@ -28,7 +28,7 @@ export class Presets {
 
   constructor(private readonly chosen: (preset: Preset) => void) {}
 
-  /** The presets of what is made now. */
+  /** Lists the presets of the present generator. */
   build(presets: Preset[]): void {
     const rail = byId('rail');
     rail.replaceChildren();
@@ -51,7 +51,7 @@ export class Presets {
     if (first) this.unfold(first);
   }
 
-  /** Marks the preset that is shown, and brings it to sight when it is another one than before. */
+  /** Marks the shown preset, and scrolls to it when it changed. */
   mark(name: string | undefined): void {
     for (const [key, button] of this.buttons) {
       if (key === name) button.setAttribute('aria-current', 'true');
@@ -69,12 +69,12 @@ export class Presets {
     }
   }
 
-  /** Only the list is scrolled, never the page. */
+  /** Scrolls only the list, never the page. */
   private reveal(button: HTMLButtonElement): void {
     const group = this.groups.find(({ list }) => list.contains(button));
     if (!group) return;
     if (group.list.hidden) this.unfold(group);
-    // To measure at once would force a layout while the page is still being changed.
+    // Measuring now would force a layout while the page still changes.
     this.placed?.disconnect();
     this.placed = new ResizeObserver(() => {
       this.placed?.disconnect();
@@ -105,7 +105,7 @@ function scrollInto(list: HTMLElement, item: HTMLElement): void {
   if (box.left < frame.left || box.right > frame.right) list.scrollLeft += box.left - frame.left - (frame.width - box.width) / 2;
 }
 
-/** "Fig. 13 (1b) of 2000, Fig. 12 (1b) of 2001" as it fits under a small picture: the first paper's number. */
+/** A short figure for under a small picture: "Fig. 13 (1b) of 2000, Fig. 12 (1b) of 2001" becomes the first paper's number. */
 function short(figure: string): string {
   return /\d+\s*(\(\w+\))?/.exec(figure)?.[0] ?? figure;
 }

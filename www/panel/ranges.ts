@@ -1,9 +1,9 @@
 /**
- * New values by chance, within the ranges in which most pictures look good: drawn from the presets. The picture's side
- * and what is only for comparison stay as they are.
+ * Random values within the ranges in which most pictures look good; the ranges follow the presets. The picture's side
+ * and parameters that serve only comparison keep their values.
  *
- * One table by group: ranges with weights, on conditions of rows before. What does nothing in the new recipe takes its
- * default, so that links stay short.
+ * Each group has a table of ranges with weights. A row may depend on the rows before it. A parameter without effect in
+ * the new recipe gets its default, so that links stay short.
  */
 
 import type { Parameter } from '../module/types';
@@ -16,13 +16,13 @@ interface Range {
   from: number;
   to: number;
   step: number;
-  /** The common value, and the part of the throws that take it. */
+  /** The usual value, and the share of throws that take it. */
   plain?: [value: number, part: number];
-  /** The range is a factor of this parameter's value. */
+  /** The range is a multiple of this parameter's value. */
   per?: 'cs' | 'size';
 }
 
-/** A row applies where all these parameters have one of these words; of a key's rows the first that applies counts. */
+/** A row applies where each of these parameters has one of these words. The first row of a key that applies counts. */
 export type When = Partial<Record<string, readonly string[]>>;
 
 export type Row = readonly [key: string, pick: Words | Range | '', when?: When];
@@ -32,14 +32,14 @@ const TILE: When = { tile: ['1'] };
 const ROADS = ['road_s', 'road_straight', 'road_spiral', 'y_fork', 'crossing', 'road_notch', 'l_shape', 'annulus'];
 export const STONE_PALETTES: Words = { granite: 2, basalt: 2, sandstone: 2, terracotta: 2, marble: 2, porphyry: 2, slate: 1, mossy: 1, limestone: 2 };
 
-/** Stones stay stones and skin stays skin unless all of these groups are thrown. */
+/** The cells stay stones, or stay skin, unless all of these groups are randomised. */
 const FAMILY = ['Cells', 'Relief', 'Surface'];
 
 export const range = (from: number, to: number, step: number, more: Pick<Range, 'plain' | 'per'> = {}): Range => ({ from, to, step, ...more });
 /** Mostly 0. */
 export const rarely = (part: number, from: number, to: number, step = 0.05): Range => range(from, to, step, { plain: [0, 1 - part] });
 
-/** By group, in the order in which they are thrown: later rows ask for earlier ones. */
+/** Rows by group, in the order of randomising: later rows depend on earlier ones. */
 export type Table = Record<string, readonly Row[]>;
 
 export const PLANE: Table = {
@@ -184,8 +184,8 @@ export const PLANE: Table = {
 };
 
 /**
- * New values of these groups by a table; `random` gives numbers in 0..1, `get` a parameter's value now. What does
- * nothing in the new recipe takes its default, so that links stay short.
+ * New values of these groups by a table. `random` returns numbers in 0..1, and `get` a parameter's present value. A
+ * parameter without effect in the new recipe gets its default, so that links stay short.
  */
 export function thrown(table: Table, random: () => number, groups: readonly string[], schema: readonly Parameter[], get: (key: string) => string): [key: string, text: string][] {
   const values = new Map<string, string>();
@@ -200,7 +200,7 @@ export function thrown(table: Table, random: () => number, groups: readonly stri
       values.set(key, pick === '' ? '' : isRange(pick) ? inRange(random, pick, now) : word(random, pick));
     }
   }
-  // What has rows of its own, or is thrown apart.
+  // Parameters with rows of their own, and the one that is randomised apart.
   const known = new Set([...Object.values(table).flatMap((rows) => rows.map(([key]) => key)), 'stone']);
   for (const parameter of schema) {
     if (groups.includes(parameter.group) && !parameter.steady && !known.has(parameter.key)) values.set(parameter.key, anywhere(random, parameter));
@@ -217,7 +217,10 @@ function stone(random: () => number, free: boolean, before: string): string {
   return before === 'skin' ? before : word(random, { cobble: 4, flag: 3 });
 }
 
-/** Of a parameter without rows: any of its words, a number from the middle half of its range; texts stay as they are. */
+/**
+ * A value for a parameter without rows: any of its words, or a number from the middle half of its range. Texts stay
+ * as they are.
+ */
 function anywhere(random: () => number, { kind, min, max, step, choices, default: plain }: Parameter): string {
   if (kind === 'text') return plain;
   if (kind === 'choice') return choices[Math.floor(random() * choices.length)]?.word ?? plain;
@@ -242,7 +245,7 @@ function inRange(random: () => number, { from, to, step, plain, per }: Range, no
   return rounded(place * Number(now(per)), per === 'size' ? 1 : step);
 }
 
-/** The nearest step, without the tails of binary fractions. */
+/** The nearest step, without the rounding errors of binary fractions. */
 function rounded(value: number, step: number): string {
   return String(Number((Math.round(value / step) * step).toFixed(4)));
 }

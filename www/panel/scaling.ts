@@ -1,9 +1,9 @@
 /**
- * The picture's side that takes all lengths along: the same design with more pixels, where the side alone would give
- * more stones. It is what a control does, by the visitor's choice; a link means what its values say.
+ * Scales all lengths with the picture's side: the same design with more pixels, where a larger side alone would give more
+ * stones. Only the control does this, and only if the visitor wants it; a link means exactly its values.
  *
- * Values are scaled from those that the visitor chose, not from scaled ones, as long as nothing else changes them: what
- * was rounded or met a limit on the way is as it was at the first side again.
+ * Lengths are scaled from the visitor's own values, not from values scaled before, until something else changes them.
+ * So rounding and limits at one side leave no trace when the first side returns.
  */
 import { t } from '../words/words';
 import { make } from '../base/dom';
@@ -17,7 +17,7 @@ export const SIDE = 'size';
 
 const CHOICE = 'scale';
 
-/** The schema names the units of lengths, but of this one: it is in pixels on stones, in skin sizes on skin. */
+/** The schema gives the unit of every length but this one, which is in pixels on stones and in skin sizes on skin. */
 const ROUGHNESS = 'af';
 
 type Values = readonly (readonly [key: string, text: string])[];
@@ -25,7 +25,7 @@ type Values = readonly (readonly [key: string, text: string])[];
 export class Scaling {
   private readonly work: Work;
   private readonly check = make('input', { type: 'checkbox', id: 'scale-all', 'aria-describedby': 'scale-all-help' });
-  /** The visitor's own values, and what became of them by the last scaling. */
+  /** The visitor's own values, and the result of the last scaling. */
   private own: { values: Values; scaled: Values } | undefined;
 
   constructor(work: Work) {
@@ -37,7 +37,7 @@ export class Scaling {
     });
   }
 
-  /** Puts the choice beside the control of the side. */
+  /** Puts the checkbox beside the control of the side. */
   build(panel: Panel): void {
     const words = t('scale_all_title');
     const help = make('span', { class: 'said', id: 'scale-all-help' }, words);
@@ -45,23 +45,23 @@ export class Scaling {
     for (const [, group] of panel.groupings()) group.querySelector(`[data-key=${SIDE}]`)?.append(make('div', { class: 'option' }, label, help));
   }
 
-  /** The side's new value; `held` while its slider is still on its way. */
+  /** Sets a new side; `held` while its slider still moves. */
   set(text: string, held: boolean): void {
     const { engine } = this.work;
     if (!this.check.checked) return this.work.set(SIDE, text, held);
     const now = this.lengths();
     const { own } = this;
     const values = own && isSame(own.scaled, now) ? own.values : now;
-    // The side's own limits come first: all go by what it really is.
+    // The side's own limits apply first: the lengths follow the side as it really is.
     engine.set(SIDE, text);
     const ratio = Number(engine.get(SIDE)) / Number(valueOf(values, SIDE));
     const lengths = values.filter(([key]) => key !== SIDE).map(([key, value]) => [key, scaled(value, ratio)] as const);
-    // Once more, with all that depends on it in place: what it says now is of the side alone.
+    // Set everything again with the lengths in place. Notices are then about the side alone.
     notice('value', ...this.work.setAll([...lengths, [SIDE, text]], held));
     this.own = { values, scaled: this.lengths() };
   }
 
-  /** The side, and all lengths in pixels that count, or were chosen. */
+  /** The side, and all lengths in pixels that apply or were changed. */
   private lengths(): Values {
     const { engine } = this.work;
     const recipe = recipeOf(engine);
@@ -79,7 +79,7 @@ function valueOf(values: Values, key: string): string | undefined {
   return values.find(([name]) => name === key)?.[1];
 }
 
-/** In thousandths of a pixel, which is finer than anything that is to be seen, and short in a link. */
+/** Rounds to thousandths of a pixel: finer than anything visible, and short in a link. */
 function scaled(value: string, ratio: number): string {
   return ratio === 1 ? value : String(Math.round(Number(value) * ratio * 1000) / 1000);
 }

@@ -1,10 +1,10 @@
-/** The seed: type it, throw it, the next one, the one before, and a lock that keeps it. */
+/** The seed: type it, randomise it, step to the next or previous one, or lock it. */
 import { byId, byIdAs } from '../base/dom';
 import type { Engine } from '../state/engine';
 import { isLocked, onLocks, toggleLock } from '../state/locks';
 import type { Work } from '../state/work';
 
-/** The largest seed, and how many are kept for the way back. */
+/** The largest seed, and the number of seeds kept to go back to. */
 const MOST = 4_294_967_295;
 const KEPT = 200;
 
@@ -16,11 +16,11 @@ export class Seed {
   private readonly lock = byId('seed-lock');
   private readonly work: Work;
   private readonly engine: Engine;
-  /** The seeds before the one at hand (`now`). */
+  /** The seeds before the present one (`now`). */
   private before: string[] = [];
   private now: string;
 
-  /** `push` is called before a change that the browser's Back button shall take back. */
+  /** `push` is called before a change that the browser's Back button should undo. */
   constructor(work: Work, push: () => void) {
     const { engine, store } = work;
     this.work = work;
@@ -28,7 +28,7 @@ export class Seed {
     this.now = engine.get(SEED);
     this.box.addEventListener('change', () => {
       const text = this.box.value;
-      // Only an empty box is filled with what the engine made of the text.
+      // Only an empty box shows the engine's value for the text.
       this.box.value = '';
       this.take(text);
     });
@@ -60,7 +60,7 @@ export class Seed {
     const seed = this.engine.get(SEED);
     if (seed !== this.now) this.before = [...this.before, this.now].slice(-KEPT);
     this.now = seed;
-    // A disabled button would lose the focus: the way on takes it.
+    // A disabled button would lose the focus: move it to the next button.
     if (!this.before.length && document.activeElement === this.back) byId('seed-next').focus();
     this.back.disabled = !this.before.length;
     if (document.activeElement !== this.box || this.box.value === '') this.box.value = seed;
