@@ -1,4 +1,4 @@
-/** A forming that somebody watches: its pace, the words about it, and for scripts the same recipe ahead of it. */
+/** A forming that the visitor watches: its pace, its subtitle, and the same recipe computed ahead for scripts. */
 import { isEnd } from '../module/stages';
 import type { Engine } from '../state/engine';
 import { Ahead } from './ahead';
@@ -7,17 +7,17 @@ import { Subtitle } from './subtitle';
 import { Watch } from './watch';
 
 export class Forming {
-  /** The recipe at work, worked out unseen; only while what the page begins with forms for a newcomer. */
+  /** Computes the present recipe unseen, only while the page's first picture forms for a new visitor. */
   ahead: Ahead | undefined;
   private readonly engine: Engine;
   private readonly loop: Loop;
   private readonly work: (tell: () => void) => Ahead;
   private readonly told: () => void;
   private readonly subtitle = new Subtitle();
-  /** What the page begins with is for a newcomer, and not worked out ahead yet. */
+  /** A new visitor watches the page's first picture, which is not computed ahead yet. */
   private newcomer = false;
 
-  /** `work` begins to work a recipe out ahead; `told` is called whenever there is more to tell scripts of that. */
+  /** `work` starts to compute a recipe ahead. `told` is called when scripts can know more of it. */
   constructor(engine: Engine, loop: Loop, work: (tell: () => void) => Ahead, told: () => void) {
     this.engine = engine;
     this.loop = loop;
@@ -25,7 +25,7 @@ export class Forming {
     this.told = told;
   }
 
-  /** From now on the work goes at the pace of who watches. */
+  /** The work now goes at the pace of a viewer. */
   begin(newcomer = this.newcomer): void {
     if (!this.engine.generator.offers.includes('forming')) return;
     this.newcomer = newcomer;
@@ -43,13 +43,13 @@ export class Forming {
     this.subtitle.end(true);
   }
 
-  /** What is worked out ahead is not what is asked for any more, or is there on the screen as well. */
+  /** Ends the computation ahead: its recipe is no longer the present one, or the screen shows the result as well. */
   endAhead(): void {
     this.ahead?.end();
     this.ahead = undefined;
   }
 
-  /** After a frame; `begun` tells that cells were shown. */
+  /** Updates pace and subtitle after a frame. `begun`: the first cells are visible. */
   follow(stage: string, begun: boolean): void {
     const { loop } = this;
     if (isEnd(stage)) {
@@ -68,7 +68,7 @@ export class Forming {
     this.newcomer = false;
   }
 
-  /** Once it is known how many steps the packing takes, it is spread over those. */
+  /** Spreads the watched time over the packing's steps, once their number is known. */
   private expect(): void {
     if (this.ahead?.planes && this.loop.watch) this.loop.watch.expected = this.ahead.planes.status.steps;
   }

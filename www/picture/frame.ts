@@ -1,7 +1,7 @@
-/** What of the picture is in its frame: styles/stage.css lays the pane so. */
+/** Computes which part of the picture is in its frame. styles/stage.css lays the pane out in the same way. */
 import type { Zoomed } from '../state/viewing';
 
-/** From here on the picture's pixels are shown as squares. */
+/** From this zoom on, the picture's pixels are shown as squares. */
 export const CRISP = 3;
 
 export function layInFrame(sheet: HTMLElement, { scale, x, y }: Zoomed): void {

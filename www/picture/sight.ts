@@ -1,14 +1,14 @@
 /**
- * On a narrow page the picture stays in sight above the controls, and shrinks as the page goes under it. Its frame keeps
- * its height and sticks by the lower edge (styles/layout.css), so that nothing else moves; here is only the scale.
+ * On a narrow page the picture stays visible above the controls, and shrinks as the page scrolls under it. Its frame keeps
+ * its height and sticks by its lower edge (styles/layout.css), so nothing else moves. This file computes only the scale.
  */
 import { byId, wantsStill } from '../base/dom';
 import type { State, Store } from '../state/store';
 
-/** A picture of less than this part of its size is to be looked at only: a press brings it back. */
+/** A picture below this share of its size is only for viewing: a press scrolls back to it. */
 const SMALL = 0.9;
 
-/** What is done on the picture itself, and wants it large. */
+/** Tools on the picture itself, which need it large. */
 const ON_PICTURE = ['editing', 'light', 'compare', 'turn'] as const satisfies readonly (keyof State)[];
 
 export function keepInSight(store: Store): void {
@@ -40,18 +40,18 @@ export function keepInSight(store: Store): void {
   }
 }
 
-/** Scrolls back to where the picture is large, where it is small now. */
+/** Scrolls back to where the picture is large, if it is small now. */
 function show(behavior: ScrollBehavior): void {
   if (byId('enlarge').hidden) return;
   scrollTo({ top: scrollY + byId('head').getBoundingClientRect().bottom, behavior: wantsStill() ? 'instant' : behavior });
 }
 
-/** Some browsers lay their keyboard over the page: what is left of it is told to the styles, and how much is hidden above it. */
+/** Some browsers lay their keyboard over the page. Tells the styles the visible height, and how much is hidden above. */
 function followKeyboard(changed: (above: number) => void): void {
   const seen = window.visualViewport;
   if (!seen) return;
   const follow = (): void => {
-    // A page that is zoomed by two fingers is another thing.
+    // A zoom of the page by two fingers also shrinks the viewport, and is no keyboard.
     const covered = seen.scale < 1.01 && seen.height < innerHeight - 1;
     const { style } = document.documentElement;
     style.setProperty('--seen-height', covered ? `${seen.height}px` : '');

@@ -1,4 +1,4 @@
-/** One line of words on the picture about what is seen while it forms. */
+/** A subtitle on the picture that describes its forming. */
 import { t } from '../words/words';
 import { byId, make, say } from '../base/dom';
 import { PHASES, type Phase } from './watch';
@@ -11,7 +11,7 @@ export class Subtitle {
   private parts: HTMLElement[] = [];
   private timer = 0;
 
-  /** A new forming begins: ears get the whole sentence now, eyes its parts as they come. */
+  /** A new forming begins. Screen readers get the whole sentence now; the screen shows its parts one by one. */
   begin(skin: boolean): void {
     clearTimeout(this.timer);
     this.timer = 0;
@@ -23,13 +23,13 @@ export class Subtitle {
     say(said, words.join(''));
   }
 
-  /** What is seen now. */
+  /** Shows the words up to this phase. */
   show(phase: Phase): void {
     this.line.toggleAttribute('data-on', true);
     this.parts.forEach((part, at) => part.toggleAttribute('data-shown', at <= PHASES.indexOf(phase)));
   }
 
-  /** The forming is over; where it was ended by the visitor, so are the words. */
+  /** The forming is over. If the visitor ended it, the words go at once. */
   end(early: boolean): void {
     if (this.timer || !this.parts.length) return;
     this.timer = window.setTimeout(() => this.line.toggleAttribute('data-on', false), early ? 0 : READ);

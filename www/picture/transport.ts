@@ -8,7 +8,7 @@ interface TransportNeeds {
   speed(stepsPerFrame: number): void;
 }
 
-/** What the first button does. */
+/** The actions of the first button. */
 type Main = 'pause' | 'play' | 'again';
 
 export class Transport {
@@ -28,7 +28,7 @@ export class Transport {
     for (const radio of this.speeds) radio.checked = Number(radio.value) === pace;
   }
 
-  /** Full speed, without the slow forming. */
+  /** The steps per frame at full speed, without the slow forming. */
   fastest(): number {
     return Number(this.speeds.at(-1)?.value ?? 1);
   }

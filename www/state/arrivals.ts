@@ -1,11 +1,11 @@
-/** Links whose generator may still have to be loaded: until it is here, all stays as it is. */
+/** Links whose generator may not be loaded yet. Everything stays as it is until it is. */
 import { loadModule, moduleFor } from '../module/load';
 import { t, type Word } from '../words/words';
 import { make } from '../base/dom';
 import { reasonOf } from '../base/errors';
 import { alertOf, clear, underWay } from '../base/messages';
 
-/** Milliseconds; what comes sooner is not told of. */
+/** Milliseconds. A faster load is not announced. */
 const SOON = 250;
 
 /** Whether a link can be opened at once. */
@@ -25,23 +25,23 @@ export async function load(link: string, lost: Word = 'lost_wasm'): Promise<void
 
 export class Arrivals {
   private readonly tell: (link: string) => void;
-  /** Counts what was asked for: what comes for an earlier one is let be. */
+  /** Counts the requests. A load for an earlier one is ignored when it ends. */
   private turn = 0;
   private timer = 0;
 
-  /** `tell` gets the link that is waited for, and '' once none is. */
+  /** `tell` gets the link that is waited for, and '' once there is none. */
   constructor(tell: (link: string) => void = () => undefined) {
     this.tell = tell;
   }
 
-  /** Calls `act` once the link can be opened: at once where its generator is here. What was waited for before is let be. */
+  /** Calls `act` once the link can be opened: at once where its generator is loaded. Cancels any earlier wait. */
   reach(link: string, act: () => void): void {
     this.cancel();
     if (isHere(link)) act();
     else void this.bring(link, act);
   }
 
-  /** What was waited for is not wanted any more. */
+  /** Cancels the wait. */
   cancel(): void {
     this.turn += 1;
     clearTimeout(this.timer);

@@ -1,20 +1,20 @@
-/** Whether the picture is shown as finely as the screen can: a choice of the visitor's. */
+/** The visitor's choice to see the picture as finely as the screen can. */
 import { keep, kept } from '../base/storage';
 import type { Store } from './store';
 
 const CHOICE = 'fine';
 
-/** The choice of the last visit; at first it is so, but where data is to be spared. */
+/** The choice of the last visit. By default it is on, unless the browser saves data. */
 export function wantsFine(): boolean {
   const choice = kept(CHOICE);
   const { connection } = navigator as { connection?: { saveData?: boolean } };
   return choice === undefined ? !connection?.saveData : choice === 'yes';
 }
 
-/** The views that end with the picture, which alone can be painted finer. */
+/** Only these views end with the picture, which alone can be painted finer. */
 const PICTURES = ['auto', 'picture'];
 
-/** Whether a view, in the words of the module, is the picture and nothing over it, once it is finished. */
+/** Whether a view, in the module's words, is the finished picture without overlays. */
 export function isPicture(view: string): boolean {
   return PICTURES.includes(view);
 }

@@ -1,4 +1,4 @@
-/** What the page begins with: what its address asks for, and the last work, whose history goes on. */
+/** The page's first state: from its address, and from the last work, whose history goes on. */
 import type { Engine } from './engine';
 import { wantsFine } from './fine';
 import { fragment, isReload } from './link';
@@ -8,19 +8,19 @@ import type { State } from './store';
 import { PACE, parted, WHOLE } from './viewing';
 import { presetOf } from './work';
 
-/** The recipe and the view that the address asks for; a page that is loaded anew may have been ahead of its address. */
+/** The recipe and the view in the address. Before a reload, the work may have been ahead of the address. */
 export function askedFor(last: LastWork | undefined): { recipe: string; words: string } {
   const asked = parted(fragment());
   const isBehind = last && isReload() && asked.recipe !== last.recipe && last.past.includes(asked.recipe);
   return isBehind ? { recipe: last.recipe, words: '' } : asked;
 }
 
-/** What is opened: where the address asks for nothing, the visitor's own last work. */
+/** The recipe to open: the visitor's own last work, where the address has none. */
 export function openedFirst(asked: string, last: LastWork | undefined): string {
   return asked === '' && last?.own ? last.recipe : asked;
 }
 
-/** The engine has the recipe by now. */
+/** The first state. The engine already has the recipe. */
 export function firstState(engine: Engine, asked: string, last: LastWork | undefined): State {
   const recipe = engine.link();
   const same = last?.recipe === recipe;

@@ -1,11 +1,11 @@
 /**
- * Undo and redo of every change of the recipe. All changes of a drag are one step, which ends when it is let go.
+ * Undo and redo of every change of the recipe. A drag is one step, which ends when the pointer rises.
  *
- * A link that is opened is a step like any other, so the work that was there is one step back.
+ * Opening a link is a step like any other, so undo brings the previous work back.
  */
 import type { Store } from './store';
 
-/** Steps that are kept. */
+/** Largest number of steps. */
 const DEPTH = 400;
 
 export class History {

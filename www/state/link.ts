@@ -1,20 +1,20 @@
 /** The state in the address: the only file that touches `location` and `history`. */
 
-/** Browsers refuse addresses that change too often; Safari allows a hundred in half a minute. */
+/** Milliseconds between two changes of the address. Browsers limit their rate; Safari allows a hundred in half a minute. */
 const THROTTLE = 500;
 
-/** Marks the entries of the browser's history that the page wrote. */
+/** Marks the entries that the page wrote into the browser's history. */
 const OURS = 'ours';
 
 export class Link {
-  /** How the next state is written: as a new entry, so that the browser's Back button leads to the one before, or in place of it. */
+  /** How to write the next state: as a new entry, to which Back returns, or in place of the present one. */
   next: 'push' | 'replace' = 'replace';
   private written = fragment();
   private waiting: string | undefined;
   private timer = 0;
   private last = -THROTTLE;
 
-  /** `open` gets the fragment of an address that the visitor came to; `ours` says that the page had written it before. */
+  /** `open` gets the fragment of an address that the visitor went to; `ours` tells that the page wrote it. */
   constructor(open: (fragment: string, ours: boolean) => void) {
     const moved = (): void => {
       if (fragment() === this.written) return;
@@ -28,7 +28,7 @@ export class Link {
     addEventListener('pagehide', () => this.flush());
   }
 
-  /** Writes the state into the address: soon, or as a new entry at once. */
+  /** Writes the state into the address: soon, or at once as a new entry. */
   write(state: string): void {
     const how = this.next;
     this.next = 'replace';
@@ -68,7 +68,7 @@ export class Link {
   }
 }
 
-/** The word in the query that asks for the picture alone, without the page around it. */
+/** The word in the query that shows the picture alone, without the page around it. */
 const EMBED = 'embed';
 
 export function isEmbedded(): boolean {
@@ -91,13 +91,13 @@ export function pageAddress(state: string): string {
   return url.href;
 }
 
-/** A state with other values. */
+/** The state with other values. */
 export function withValues(state: string, values: readonly (readonly [key: string, text: string])[]): string {
   const kept = state.split('&').filter((piece) => piece !== '' && !values.some(([key]) => piece.startsWith(`${key}=`)));
   return [...kept, ...values.map(([key, text]) => `${key}=${text}`)].join('&');
 }
 
-/** The values that a state holds, as `key=value`. */
+/** The values of a state, as `key=value`. */
 export function valuesIn(state: string): string[] {
   return state.split('&').filter((piece) => piece !== '' && !piece.startsWith('v='));
 }
@@ -107,7 +107,7 @@ export function fragment(): string {
   return location.hash.replace(/^#/, '');
 }
 
-/** Whether the visitor loads the page anew: its address may be a moment behind the work. */
+/** Whether the visitor reloads the page. Its address may be a moment behind the work. */
 export function isReload(): boolean {
   const [entry] = performance.getEntriesByType('navigation');
   return entry instanceof PerformanceNavigationTiming && entry.type === 'reload';
@@ -119,7 +119,7 @@ export function address(state: string): string {
   return state ? `${bare}#${state}` : bare;
 }
 
-/** Loads the page anew with a state. */
+/** Reloads the page with a state. */
 export function reopen(state: string): void {
   history.replaceState(null, '', address(state));
   location.reload();

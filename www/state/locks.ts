@@ -1,4 +1,4 @@
-/** What chance and presets leave alone: groups of parameters, and the seed. Kept as a choice of the visitor's. */
+/** Locks against randomising and presets: groups of parameters, and the seed. The browser remembers them. */
 import { keep, kept } from '../base/storage';
 import type { Store } from './store';
 
@@ -20,7 +20,7 @@ export function toggleLock(store: Store, name: string): void {
   store.update({ locks: after });
 }
 
-/** Shows the locks now and whenever one is turned. */
+/** Shows the locks now and after each change. */
 export function onLocks(store: Store, show: () => void): void {
   store.on(['locks'], show);
   show();

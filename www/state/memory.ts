@@ -4,7 +4,7 @@ import type { State, Store } from './store';
 
 const WORK = 'work';
 
-/** Milliseconds between two writings. */
+/** Milliseconds between two writes. */
 const THROTTLE = 400;
 
 export type LastWork = Pick<State, 'recipe' | 'past' | 'future' | 'own'>;
@@ -24,14 +24,14 @@ function areLinks(list: unknown): list is string[] {
   return Array.isArray(list) && list.every((link) => typeof link === 'string');
 }
 
-/** Writes each step of the work into the storage, soon, and says in the store whether it is there. */
+/** Writes each step of the work into the storage, soon after it, and notes in the store whether that worked. */
 export function remember(store: Store): void {
   let timer = 0;
   const write = (): void => {
     clearTimeout(timer);
     timer = 0;
     const { recipe, past, future, own } = store.state;
-    // Where there is no place for it, the link in the address still holds the work.
+    // Where the storage is full or forbidden, the link in the address still holds the work.
     if (keep(WORK, JSON.stringify({ recipe, past, future, own }))) store.update({ stored: true });
   };
   store.on(['recipe', 'past', 'future', 'own', 'held'], ({ held }) => {

@@ -1,16 +1,16 @@
-/** Which parameters, and which of the editor's tools, have an effect in a recipe. */
+/** Decides which parameters, and which tools of the editor, have an effect in a recipe. */
 import type { Parameter } from '../module/types';
 import type { Engine } from './engine';
 
-/** A recipe's values, or those of one that is still to be. */
+/** A recipe's values, or those of a recipe in the making. */
 export interface Recipe {
   readonly schema: readonly Parameter[];
-  /** A parameter's value, or several where it differs from part to part. */
+  /** A parameter's value, or several where parts of the picture differ. */
   valuesOf(key: string): readonly string[];
   defaultOf(parameter: Parameter): string;
 }
 
-/** Whether a parameter does anything, as the schema's rule and that of the parameter it names say. */
+/** Whether a parameter has an effect, by its rule in the schema and by the rule of the parameter that it names. */
 export function applies({ shownFor: rule }: Parameter, recipe: Recipe): boolean {
   if (!rule) return true;
   const other = recipe.schema.find(({ key }) => key === rule.key);
@@ -19,12 +19,12 @@ export function applies({ shownFor: rule }: Parameter, recipe: Recipe): boolean 
   return recipe.valuesOf(rule.key).some(fits) && applies(other, recipe);
 }
 
-/** Whether a value is not the default, however the number is written. */
+/** Whether a value differs from the default, however the number is written. */
 export function differs({ kind }: Parameter, value: string, standard: string): boolean {
   return kind === 'number' || kind === 'int' ? Number(value) !== Number(standard) : value !== standard;
 }
 
-/** The recipe at hand: of the kind of cells it has those of parts as well. */
+/** The present recipe. The kind of cells includes the kinds of its parts. */
 export function recipeOf(engine: Engine): Recipe {
   return {
     schema: engine.schema,
@@ -38,7 +38,7 @@ function kindsIn(engine: Engine): string[] {
   return [engine.get('kind'), ...engine.list('parts').map((row) => words[row[2] ?? 0] ?? '')];
 }
 
-/** Whether a tool does something now: parts need lines, a tile has no outline. */
+/** Whether a tool has an effect now: parts need lines, and a tile has no outline. */
 export function toolApplies(engine: Engine, tool: string): boolean {
   if (tool === 'parts') return engine.get('lines') !== '';
   if (tool === 'stretch') return kindsIn(engine).some((kind) => kind === 'rectangle' || kind === 'ellipse');

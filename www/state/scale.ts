@@ -1,7 +1,7 @@
 /** How the place 0..1 on a slider maps to a parameter's range, and how values are rounded. */
 import type { Parameter } from '../module/types';
 
-/** Ranges that span this factor or more get a logarithmic slider, so that small values have room. */
+/** Ranges with this ratio of greatest to least, or more, get a logarithmic slider so that small values have room. */
 const LOGARITHMIC_FROM = 12;
 
 export function isLogarithmic(parameter: Parameter): boolean {
@@ -24,7 +24,7 @@ export function fromPlace(parameter: Parameter, place: number): number {
   return onStep(parameter, value);
 }
 
-/** The nearest value on the parameter's step, inside its range. */
+/** The nearest value on the parameter's step, within its range. */
 export function onStep(parameter: Parameter, value: number): number {
   const step = stepOf(parameter);
   const rounded = Number((Math.round(value / step) * step).toFixed(decimals(step)));

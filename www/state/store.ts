@@ -1,9 +1,9 @@
 /**
- * The one place of all that the page knows by itself. What the visitor does changes the store; the engine and whatever
- * is seen follow it: recipe -> studio -> view, never the other way.
+ * The page's state. The visitor's actions change the store; the engine and everything visible follow it: recipe ->
+ * studio -> view, never the other way.
  *
- * The recipe in it is a link, which the engine checks and writes. So a step of the history is a link, undo opens one,
- * and the whole history fits into the browser's storage (history.ts, memory.ts).
+ * The recipe in the store is a link, which the engine checks and writes. So a step of the history is a link, undo opens
+ * one, and the whole history fits into the browser's storage (history.ts, memory.ts).
  */
 
 import type { Preset } from '../module/types';
@@ -12,49 +12,49 @@ import type { Camera, Zoomed } from './viewing';
 export interface State {
   /** The recipe's link, without '#', as the engine writes it. */
   readonly recipe: string;
-  /** The word of the generator at work. */
+  /** The word of the present generator. */
   readonly make: string;
-  /** The link that is to be opened once its generator has come; '' where none is waited for. */
+  /** The link to open once its generator is loaded; '' where there is none. */
   readonly coming: string;
-  /** Something is being dragged (a slider, a point): the recipe still changes, and is no step of the history yet. */
+  /** Something is being dragged (a slider, a point): the recipe changes without making steps of the history. */
   readonly held: boolean;
-  /** Recipes before and after this one, the nearest last and first. */
+  /** The recipes before this one, nearest last, and after it, nearest first. */
   readonly past: readonly string[];
   readonly future: readonly string[];
-  /** The preset that the recipe is, or was made from by hand, and its recipe; undefined of recipes that came otherwise. */
+  /** The preset that was opened, and its recipe. Undefined where the recipe does not come from a preset. */
   readonly preset: { shown: Preset; recipe: string } | undefined;
-  /** The recipe is the visitor's own work, not just a link or a preset that was opened. */
+  /** The recipe is the visitor's own work, not only an opened link or preset. */
   readonly own: boolean;
   /** The work is stored in this browser. */
   readonly stored: boolean;
-  /** Packing steps a frame; below 1, several frames share one. */
+  /** Packing steps per frame; below 1, one step takes several frames. */
   readonly pace: number;
   readonly paused: boolean;
-  /** What is shown: a word of the views. */
+  /** The view's word. */
   readonly view: string;
-  /** What is drawn over it. */
+  /** The words of its overlays. */
   readonly overlays: readonly string[];
-  /** How much closer than all of the picture, and where. */
+  /** The zoom and its middle. */
   readonly zoom: Zoomed;
-  /** So many copies of the picture stand along each side, as of a tile. */
+  /** The number of copies of the picture along each side, to show a tile. */
   readonly repeat: number;
   /** The finished picture is shown as finely as the screen can. */
   readonly fine: boolean;
-  /** Tools for looking closer that are shown. */
+  /** The tools for a closer look that are open. */
   readonly light: boolean;
   readonly layers: boolean;
   readonly compare: boolean;
-  /** What is compared stands beside the picture, and forms together with it; else under a divider. */
+  /** The compared picture stands beside the own one and forms in step; otherwise it is under a divider. */
   readonly beside: boolean;
-  /** The stage of what stands beside the picture; 'done' while nothing does. */
+  /** The stage of the picture beside; 'done' while there is none. */
   readonly other: string;
   readonly plots: boolean;
-  /** The picture's bodies are seen from a slant, and where from; undefined until that was chosen. */
+  /** The bodies are shown by a camera, and its place; undefined until the visitor chose one. */
   readonly turn: boolean;
   readonly camera: Camera | undefined;
-  /** One body alone, while it is shown how that is made: the number and the step (`ID:STEP`), and where it is seen from. */
+  /** The single body whose making is shown: its number and step (`ID:STEP`), and the camera. */
   readonly body: { readonly subject: string; readonly camera: Camera } | undefined;
-  /** What chance and presets leave alone: groups of parameters, and the seed. */
+  /** Locks against randomising and presets: groups of parameters, and the seed. */
   readonly locks: readonly string[];
   /** The sort of figures whose points are shown; undefined while nothing is edited. */
   readonly editing: string | undefined;
@@ -76,7 +76,7 @@ export class Store {
     return this.now;
   }
 
-  /** Takes changes over, and tells those who listen to what did change. */
+  /** Applies changes, and calls the listeners of the values that really changed. */
   update(change: Partial<State>): void {
     const before = this.now;
     this.now = { ...before, ...change };
@@ -87,7 +87,7 @@ export class Store {
     }
   }
 
-  /** `listener` is called after changes of any of these; in the order in which listeners came. */
+  /** Calls `listener` after changes of any of these values. Listeners are called in the order in which they were added. */
   on(keys: readonly (keyof State)[], listener: Listener): void {
     this.listeners.push({ keys, listener });
   }

@@ -1,4 +1,4 @@
-/** The recipe in the store, which the engine follows: everything that changes it goes this way. */
+/** Every change of the recipe in the store goes through here; the engine follows. */
 import type { Preset, Ring } from '../module/types';
 import { clear, notice } from '../base/messages';
 import { Arrivals } from './arrivals';
@@ -7,17 +7,17 @@ import type { State, Store } from './store';
 
 /** How a link is opened. */
 interface Opening {
-  /** It is the visitor's own work. */
+  /** The link is the visitor's own work. */
   own?: boolean;
-  /** What it is called where it is not exactly a preset's link. */
+  /** The preset to name, where the link is not exactly a preset's. */
   preset?: Preset;
   /** Called once it is open. */
   then?: () => void;
 }
 
-/** Another picture that goes along with the one at work. */
+/** A second picture that changes with the page's own. */
 export interface Partner {
-  /** Takes over what was changed by a control: the recipe in the store has it. */
+  /** Takes a control's change over from the recipe in the store. */
   follow(): void;
   step(): void;
   restart(): void;
@@ -41,44 +41,47 @@ export class Work {
     this.arrivals = new Arrivals((coming) => store.update({ coming }));
   }
 
-  /** Calls `act` once a link can be opened, at once or when its generator has come; a change that the visitor makes meanwhile comes first. */
+  /**
+   * Calls `act` once a link can be opened: now, or when its generator is loaded. Another change by the visitor
+   * cancels the wait.
+   */
   reach(link: string, act: () => void): void {
     this.arrivals.reach(link, act);
   }
 
-  /** Stays with what there is, whatever was on its way. */
+  /** Keeps the present recipe and cancels a link that is still loading. */
   stay(): void {
     this.arrivals.cancel();
   }
 
-  /** A parameter's new value; `held` while a slider is still on its way. */
+  /** Sets a parameter; `held` while a slider still moves. */
   set(key: string, text: string, held = false): void {
     notice('value', ...this.engine.set(key, text).sentences);
     this.changed(held);
   }
 
-  /** The same, but answers what is to be told instead of telling it. */
+  /** The same, but returns the notices instead of showing them. */
   write(key: string, text: string, held = false): Told {
     const told = this.engine.set(key, text);
     this.changed(held);
     return told;
   }
 
-  /** Many values in one step; those that do not fit are kept within their limits, and the answer is what is to be told of that. */
+  /** Sets many values in one step, clamped to their limits. Returns the notices. */
   setAll(values: readonly (readonly [key: string, text: string])[], held = false): string[] {
     const sentences = values.flatMap(([key, text]) => this.engine.set(key, text).sentences);
     this.changed(held);
     return sentences;
   }
 
-  /** Rings of a free outline: whether they were refused, and what is to be said. */
+  /** Sets the rings of a free outline. Returns whether they were refused, and the notices. */
   outline(rings: Ring[], held = false): Told {
     const told = this.engine.setOutline(rings);
     this.changed(held);
     return told;
   }
 
-  /** A whole other recipe; a link's mistakes are told. */
+  /** Opens another recipe, and shows the link's faults. */
   open(link: string, { own = false, preset, then }: Opening = {}): void {
     const { engine, store } = this;
     this.reach(link, () => {
@@ -92,13 +95,13 @@ export class Work {
     });
   }
 
-  /** Exactly one packing step. */
+  /** Makes exactly one packing step. */
   step(): void {
     this.engine.step();
     this.partner?.step();
   }
 
-  /** All stages again. */
+  /** Runs all stages again. */
   restart(): void {
     this.engine.restart();
     this.partner?.restart();
@@ -111,7 +114,7 @@ export class Work {
   }
 }
 
-/** The preset that a recipe is. */
+/** The preset with exactly this recipe. */
 export function presetOf(presets: Preset[], recipe: string): State['preset'] {
   const found = presets.find(({ link }) => link.replace(/^#/, '') === recipe);
   return found && { shown: found, recipe };

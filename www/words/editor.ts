@@ -1,4 +1,4 @@
-/** The editor's words, in the language in use. They come with it, in both languages. */
+/** The editor's words in the page's language. They are loaded with the editor, in both languages. */
 import { en, ja } from '../strings/editor.json';
 import { wordsOf } from './words';
 

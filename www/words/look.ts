@@ -1,4 +1,7 @@
-/** The words for looking closer, in the language in use: the page's, and those that come later, in both languages. */
+/**
+ * The words of the tools for a closer look, in the page's language, and those of the page. They are loaded with the
+ * tools, in both languages.
+ */
 import { en, ja } from '../strings/look.json';
 import { t as common, wordsOf, type Word as Common } from './words';
 
@@ -6,7 +9,7 @@ const own = wordsOf({ en, ja });
 
 export type Word = Common | keyof typeof en;
 
-/** A drawing's name, and the sentence about what one sees; its own word and nothing where there are none. */
+/** An overlay's name, and a sentence about it. Where there are none, its word and ''. */
 export function overlayIn(word: string): [name: string, note: string] {
   const known = (key: string): string | undefined => (key in en ? own(key as keyof typeof en) : undefined);
   return [known(`over_${word}`) ?? word, known(`note_over_${word}`) ?? ''];

@@ -1,4 +1,4 @@
-/** The words of what is taken away, in the language in use. They come with it, in both languages. */
+/** The words of sharing and saving, in the page's language. They are loaded with them, in both languages. */
 import { en, ja } from '../strings/take.json';
 import { wordsOf } from './words';
 

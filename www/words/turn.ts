@@ -1,4 +1,4 @@
-/** The words of the turntable, in the language in use. They come with it, in both languages. */
+/** The words of the turntable, in the page's language. They are loaded with it, in both languages. */
 import { en, ja } from '../strings/turn.json';
 import { wordsOf } from './words';
 
@@ -6,7 +6,7 @@ export type Word = keyof typeof en;
 
 export const t = wordsOf({ en, ja });
 
-/** Whether there are such words: of a step that is not known there are none. */
+/** Whether the word is known. Some steps have none. */
 export function isWord(word: string): word is Word {
   return word in en;
 }

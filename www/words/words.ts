@@ -1,10 +1,10 @@
 /**
- * The page's words in the language in use. All of them stand in strings/; English is at hand.
+ * The page's words in its language. All are in strings/; English is always loaded.
  *
- * strings/en.json has two lists: `page`, which the build writes into the HTML and no script carries, and `words`.
- * Parts that are loaded later bring their own. The English of parameters and presets stands in the module; other
- * languages translate it by key (strings/ja-module.ts). Notices come from the module as a code with arguments, and
- * src/notice/words.txt has their words in all languages. Tests see to it that none is missing.
+ * strings/en.json has two lists: `page`, which the build writes into the HTML, and `words`, which scripts use. Lazy parts
+ * bring their own words. The module has the English of parameters and presets; other languages translate it by key
+ * (strings/ja-module.ts). The module sends notices as a code with arguments; src/notice/words.txt has their words in all
+ * languages. Tests check that no word is missing.
  */
 import type { Notice, Parameter, Preset } from '../module/types';
 import { words as english } from '../strings/en.json';
@@ -15,7 +15,7 @@ export type Word = keyof typeof english;
 let words: Record<Word, string> = english;
 let foreign: Foreign | undefined;
 
-/** The code of the language in use. */
+/** The code of the page's language. */
 export function language(): string {
   return document.documentElement.lang;
 }
@@ -25,7 +25,7 @@ export function t(key: Word, values: Record<string, string | number> = {}): stri
   return filled(words[key], values);
 }
 
-/** The same for a late part, which brings its words in all languages. */
+/** The same for a lazy part, which brings its words in all languages. */
 export function wordsOf<Key extends string>(by: { en: Record<Key, string>; ja: Record<Key, string> }) {
   return (key: Key, values: Record<string, string | number> = {}): string => filled(by[language() === 'ja' ? 'ja' : 'en'][key], values);
 }
@@ -35,23 +35,23 @@ function filled(text: string, values: Record<string, string | number>): string {
   return text.replace(/\{(\w+)\}/g, (whole, name: string) => String(values[name] ?? whole));
 }
 
-/** Goes over to another language. */
+/** Changes the language. */
 export function translate(code: string, to: { words: Record<Word, string>; foreign: Foreign }): void {
   ({ words, foreign } = to);
   document.documentElement.lang = code;
 }
 
-/** A stage's name in the language in use; its own word where there is none. */
+/** A stage's name in the page's language; its own word where there is none. */
 export function stageIn(word: string): string {
   return known(`stage_${word}`) ?? word;
 }
 
-/** The same of a view. */
+/** The same for a view. */
 export function viewIn(word: string): string {
   return known(`view_${word}`) ?? word;
 }
 
-/** The same of what can be made; in English, as the build was told, where there are no words of the page's own. */
+/** The same for a generator; in English, the schema's title where the page has no words for it. */
 export function makeIn(word: string, title: string): string {
   return foreign?.makes[word] ?? title;
 }
@@ -60,7 +60,7 @@ function known(key: string): string | undefined {
   return (words as Partial<Record<string, string>>)[key];
 }
 
-/** A parameter of a generator with its names and help in the language in use. */
+/** A parameter with its names and help in the page's language. */
 export function parameterIn(generator: string, parameter: Parameter): Parameter {
   const own = foreign?.parameters[`${generator}.${parameter.key}`] ?? foreign?.parameters[parameter.key];
   if (!foreign || !own) return parameter;
@@ -73,12 +73,12 @@ export function parameterIn(generator: string, parameter: Parameter): Parameter 
   };
 }
 
-/** A group's title in the language in use. */
+/** A group's title in the page's language. */
 export function groupIn(group: string): string {
   return foreign?.groups[group] ?? group;
 }
 
-/** A preset with its title and note in the language in use. */
+/** A preset with its title and note in the page's language. */
 export function presetIn(preset: Preset): Preset {
   const own = foreign?.presets[preset.name];
   return foreign && own ? { ...preset, title: own.title || foreign.figure(preset.figure), note: own.note, figure: foreign.figure(preset.figure) } : preset;
