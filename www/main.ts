@@ -18,10 +18,10 @@ async function start(): Promise<void> {
     document.documentElement.toggleAttribute('data-embed', embedded);
     if (!embedded) hearMakes();
     const link = embedded ? fragment : firstLink;
-    // What a view in the link needs comes beside the rest; where it does not, that is told later.
+    // Load the code for the link's view in parallel. A failure shows up later, where the code is used.
     if (!embedded && askedFor(lastWork()).words) void import('./look/linked').catch(() => undefined);
     const [embed] = await Promise.all([embedded ? import('./shell/embed') : undefined, load(link()), takeLanguage()]);
-    // The address may have changed meanwhile.
+    // The address may have changed while the module was loading.
     while (!isHere(link())) await load(link());
     if (embed) window.bubblestone = new embed.Embed().scripts.face;
     else await begin();
@@ -44,13 +44,13 @@ async function begin(): Promise<void> {
   void app.finished.then(storeSite);
 }
 
-/** The first picture is done: now there is time for the next visit. */
+/** Stores the site for the next visit, after the first picture is done. */
 async function storeSite(): Promise<void> {
-  // What does not come, a lost connection or a page that is left already: the next visit stores it.
+  // If this fails, as the connection or the page is gone, the next visit stores the site.
   const offline = await import('./shell/offline').catch(() => undefined);
   offline?.register((what) => {
     if (what === 'newer') passing('offline', t('offline_newer'));
-    // Nothing to do about it: it stands at the foot of the page.
+    // No message is needed: the page's foot says it.
     else byId('offline').textContent = t('offline_stored');
   });
 }

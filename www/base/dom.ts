@@ -1,11 +1,11 @@
 /** Small helpers for plain elements. */
 
-/** The element with this id; the page's own markup promises it. */
+/** The element with this id, which the page's markup guarantees. */
 export function byId(id: string): HTMLElement {
   return byIdAs(id, HTMLElement);
 }
 
-/** The same, of a certain class. */
+/** The same, as an instance of a class. */
 export function byIdAs<T extends Element>(id: string, kind: new () => T): T {
   const found = document.getElementById(id);
   if (!(found instanceof kind)) throw new Error(`The page has no element “${id}” that is a ${kind.name}.`);
@@ -26,7 +26,7 @@ export function make<K extends keyof HTMLElementTagNameMap>(
   return element;
 }
 
-/** Arrow keys go from button to button of a toolbar; only one of them is a stop for Tab. */
+/** Moves by arrow keys from button to button of a toolbar. Only one of them is a stop for Tab. */
 export function walkByArrows(toolbar: HTMLElement): void {
   toolbar.addEventListener('keydown', (event) => {
     const step = { ArrowDown: 1, ArrowRight: 1, ArrowUp: -1, ArrowLeft: -1 }[event.key];
@@ -40,17 +40,17 @@ export function walkByArrows(toolbar: HTMLElement): void {
   });
 }
 
-/** A click beside a dialog closes it: what is there is its own ground, too. */
+/** Closes a dialog by a click outside its content. The backdrop counts as the dialog itself. */
 export function closeFromBeside(dialog: HTMLDialogElement): void {
   dialog.addEventListener('click', ({ target }) => target === dialog && dialog.close());
 }
 
-/** Whether an element is laid out now: neither it nor what it is in is hidden. */
+/** Whether an element is laid out: neither it nor an ancestor is hidden. */
 export function isShown(element: Element): boolean {
   return element.getClientRects().length > 0;
 }
 
-/** Whether the visitor asks for less motion. */
+/** Whether the visitor prefers reduced motion. */
 export function wantsStill(): boolean {
   return matchMedia('(prefers-reduced-motion: reduce)').matches;
 }
@@ -63,7 +63,7 @@ export function frame(): Promise<void> {
   });
 }
 
-/** The browser has nothing to do; where it does not tell, as Safari, some milliseconds pass. */
+/** Waits until the browser is idle. Where it does not say, as in Safari, waits some milliseconds. */
 export function idle(otherwise: number): Promise<void> {
   return new Promise((resolve) => {
     if ('requestIdleCallback' in window) requestIdleCallback(() => resolve());
@@ -71,12 +71,12 @@ export function idle(otherwise: number): Promise<void> {
   });
 }
 
-/** Sets a text only when it differs, so that idle frames touch nothing. */
+/** Sets a text only if it differs, so that idle frames change nothing. */
 export function say(element: Element, text: string): void {
   if (element.textContent !== text) element.textContent = text;
 }
 
-/** A paper's symbol, the way it is printed: first letter in italics, the rest lowered. */
+/** A paper's symbol as it is printed: the first letter in italics, the rest as a subscript. */
 export function symbol(text: string): HTMLElement {
   const sign = make('i', { class: 'symbol' }, text.slice(0, 1));
   if (text.length > 1) sign.append(make('sub', {}, text.slice(1)));

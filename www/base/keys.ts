@@ -1,29 +1,29 @@
-/** Keys that work anywhere on the page, except where the element in focus needs them itself, and the list of them. */
+/** Keys that work anywhere on the page unless the focused element needs them itself, and the list of them. */
 import { t, type Word } from '../words/words';
 import { byId, byIdAs, closeFromBeside, make } from './dom';
 
 interface Binding {
-  /** By `KeyboardEvent.key` in lower case, with `ctrl+` and `shift+` before it; of Ctrl and Cmd either does. */
+  /** `KeyboardEvent.key` in lower case, after `ctrl+` and `shift+`. `ctrl+` means Ctrl or Cmd. */
   keys: string[];
-  /** How the list shows them, where not just in capitals. */
+  /** The keys as the list shows them, where capitals are not enough. */
   shown?: string[];
-  /** What they do, for the list. */
+  /** Their effect, for the list. */
   word: Word;
-  /** The part of the page that they serve, where only some generators offer it: without it there are no such keys. */
+  /** The part of the page that the keys serve. Where a generator does not offer it, the keys do nothing. */
   part?: string;
   act: (key: string) => void;
-  /** Holding the key down acts again and again. */
+  /** Holding the key down repeats the action. */
   repeats?: boolean;
 }
 
 const bindings: Binding[] = [];
 
-/** Adds keys; the list has them in this order. */
+/** Adds keys. The list shows them in this order. */
 export function bindKeys(...more: Binding[]): void {
   bindings.push(...more);
 }
 
-/** The keys that mean something only on the picture, or while points are edited, with their parts; they are told in the same list. */
+/** Keys that work only on the picture, or while points are edited, with their parts. The same list shows them. */
 const ON_PICTURE: readonly [shown: string[], word: Word, part: string][] = [
   [['← ↑ → ↓'], 'key_walk', 'probe'],
   [['← ↑ → ↓'], 'key_orbit', 'turn'],
@@ -39,7 +39,7 @@ const ON_PICTURE: readonly [shown: string[], word: Word, part: string][] = [
   [['Esc'], 'key_escape', 'outline'],
 ];
 
-/** Listens from now on, and shows the list under `?` and its button. */
+/** Starts to listen, and shows the list under `?` and its button. */
 export function listenToKeys(): void {
   document.addEventListener('keydown', (event) => {
     if (event.defaultPrevented || event.altKey) return;
@@ -59,7 +59,7 @@ export function listenToKeys(): void {
       ...ON_PICTURE.filter(([, , part]) => isOffered(part)).map(([shown, word]) => row([...shown], word)),
     );
     dialog.showModal();
-    // The button to close it has the focus, and may be below what is to be seen.
+    // The focused close button may be below the visible part.
     dialog.scrollTop = 0;
   };
   bindKeys({ keys: ['?'], word: 'key_keys', act: show });
@@ -67,12 +67,12 @@ export function listenToKeys(): void {
   closeFromBeside(dialog);
 }
 
-/** Whether the page has this part now. */
+/** Whether the page offers this part now. */
 function isOffered(part?: string): boolean {
   return part === undefined || (document.documentElement.dataset['offers'] ?? '').split(' ').includes(part);
 }
 
-/** Letters are bound with `shift+` only together with Ctrl; signs such as `?` need Shift anyway. */
+/** The name of a key press. Letters have `shift+` only together with Ctrl, as signs such as `?` need Shift anyway. */
 function shifted({ key, ctrlKey, metaKey, shiftKey }: KeyboardEvent): string {
   const letter = key.toLowerCase();
   return shiftKey && letter.length === 1 && (ctrlKey || metaKey) ? `shift+${letter}` : letter;

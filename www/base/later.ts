@@ -1,9 +1,9 @@
-/** Parts of the page that are loaded when they are first asked for. */
+/** Lazy parts of the page, loaded at their first use. */
 import { t } from '../words/words';
 import { alertOf, clear } from './messages';
 
 export class Later<T> {
-  /** The part, once it is here. */
+  /** The part, once it is loaded. */
   here: T | undefined;
   private readonly bring: () => Promise<T>;
   private coming: Promise<T | undefined> | undefined;
@@ -12,7 +12,7 @@ export class Later<T> {
     this.bring = bring;
   }
 
-  /** Loads the part, once; tells where that failed, so that it can be tried again. */
+  /** Loads the part once. Reports a failure, after which the next call tries again. */
   load(): Promise<T | undefined> {
     this.coming ??= this.bring().then(
       (part) => {
@@ -28,7 +28,7 @@ export class Later<T> {
     return this.coming;
   }
 
-  /** Calls `act` with the part: at once where it is here, else when it is loaded. */
+  /** Calls `act` with the part: now if it is loaded, else as soon as it is. */
   ask(act: (part: T) => void): void {
     if (this.here !== undefined) act(this.here);
     else void this.load().then((part) => part !== undefined && act(part));

@@ -1,27 +1,27 @@
-/** Words to the visitor over the canvas: notices that may go, and errors that stay until dismissed. */
+/** Messages over the canvas: notices that may go by themselves, and errors that stay until dismissed. */
 import { t } from '../words/words';
 import { byId, make } from './dom';
 
 /** Notices of the same topic replace each other. */
 export type Topic = 'link' | 'value' | 'outline' | 'done' | 'files' | 'busy' | 'replaced' | 'offline' | 'trouble' | 'module' | 'part' | 'language' | 'remarks';
 
-/** Milliseconds that a passing word stays; longer texts stay until dismissed. */
+/** Milliseconds that a passing message stays. Longer texts stay until dismissed. */
 const PASSING = 4000;
 
 const alerts = byId('alerts');
 const notices = byId('notices');
 
-/** One or more sentences about something that needs no action. */
+/** Shows one or more sentences that need no action. */
 export function notice(topic: Topic, ...sentences: string[]): void {
   put(notices, topic, sentences);
 }
 
-/** Something that may be taken back or followed; `actions` are offered below the sentence. */
+/** Shows a sentence with `actions` below it, such as a way back. */
 export function offerOf(topic: Topic, sentence: string, ...actions: HTMLElement[]): void {
   put(notices, topic, [sentence])?.append(make('div', { class: 'actions' }, ...actions));
 }
 
-/** Work that goes on until it ends or is stopped: it cannot be dismissed. */
+/** Shows that work goes on. The message stays until the work ends or is stopped. */
 export function underWay(topic: Topic, sentence: string, ...actions: HTMLElement[]): HTMLElement | undefined {
   const note = put(notices, topic, [sentence]);
   note?.querySelector('.close')?.remove();
@@ -29,19 +29,19 @@ export function underWay(topic: Topic, sentence: string, ...actions: HTMLElement
   return note;
 }
 
-/** A short message that goes by itself. */
+/** Shows a short message that goes by itself. */
 export function passing(topic: Topic, sentence: string): void {
   const note = put(notices, topic, [sentence]);
   setTimeout(() => note?.remove(), PASSING);
 }
 
-/** Something went wrong; `actions` are offered below the sentence. */
+/** Shows an error, with `actions` below the sentence. */
 export function alertOf(topic: Topic, sentence: string, ...actions: HTMLElement[]): void {
   const note = put(alerts, topic, [sentence]);
   if (note && actions.length) note.append(make('div', { class: 'actions' }, ...actions));
 }
 
-/** Takes back what was said on a topic. */
+/** Removes the messages of a topic. */
 export function clear(topic: Topic): void {
   for (const note of document.querySelectorAll(`.message[data-topic="${topic}"]`)) note.remove();
 }

@@ -1,4 +1,4 @@
-/** What is told of a cell: its numbers, each with its name. */
+/** The numbers of a cell, each with its name. */
 import type { Probe } from '../module/types';
 import { t } from '../words/look';
 import { make } from '../base/dom';

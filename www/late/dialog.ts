@@ -1,7 +1,7 @@
-/** Dialogs made by script. They go when they are closed, and give the focus back to where it was. */
+/** Dialogs made by script. A closed dialog is removed and returns the focus to its former place. */
 import { closeFromBeside, make } from '../base/dom';
 
-/** A heading and what it holds, shown at once. Escape and a click beside it close it. */
+/** Shows a dialog with a heading and a body. Escape and a click outside close it. */
 export function dialogOf(id: string, look: string, title: string, ...body: HTMLElement[]): HTMLDialogElement {
   const dialog = make('dialog', { id, class: look, 'aria-labelledby': `${id}-title` }, make('h2', { id: `${id}-title` }, title), ...body);
   closeFromBeside(dialog);

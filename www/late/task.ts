@@ -1,17 +1,17 @@
-/** Work that goes on for a while: how far it is, and a way to stop it. */
+/** A task that takes a while: its progress, and a way to stop it. */
 import { make } from '../base/dom';
 import { underWay, type Topic } from '../base/messages';
 
-/** Milliseconds; shorter work shows no bar. */
+/** Milliseconds. A shorter task shows no bar. */
 const SOON = 250;
 
 export interface Task {
-  /** How much is done, 0..1; until this is called the bar does not tell. */
+  /** Reports the share that is done, 0..1. Until the first call, the bar shows no share. */
   progress(done: number): void;
   readonly signal: AbortSignal;
 }
 
-/** Shows a bar and a button to stop the work while it goes on; throws what the work throws, and when it was stopped. */
+/** Shows a bar and a stop button while the work goes on. Throws the work's error, and an error when it is stopped. */
 export async function stoppable<T>(
   { topic, sentence, name, stop }: { topic: Topic; sentence: string; name: string; stop: string },
   stopping: AbortController,

@@ -1,21 +1,21 @@
-/** Workers that do one thing each: how they are asked, and how they answer. */
+/** Workers with one job each: the request and the answer. */
 import { reasonOf } from '../base/errors';
 import type { Task } from './task';
 
-/** It broke, and why. */
+/** The worker failed, and why. */
 interface Broken {
   broken: string;
 }
 
-/** What a worker says: how far it is, 0..1, then what it ends with. */
+/** A worker's messages: its progress, 0..1, and at last its answer or its failure. */
 type Said<Answer> = { progress: number } | Answer | Broken;
 
-/** The least step of the progress that is told. */
+/** The least step of a reported progress. */
 const STEP = 0.01;
 
 /**
- * In a worker: does what the page orders, and answers. The order is what the page gave to `answerOf`; `moved` are
- * the parts of the answer that are handed over, not copied.
+ * In a worker: does the job that the page requests by `answerOf`, and answers. Parts of the answer in `moved` are
+ * transferred, not copied.
  */
 export function serve<Answer extends object>(
   work: (order: never, progress: (done: number) => void) => Answer | Promise<Answer>,
@@ -34,7 +34,7 @@ export function serve<Answer extends object>(
   });
 }
 
-/** On the page: has a worker do its work, and ends it with that, or when the task is stopped, so that all it held is free. */
+/** On the page: sends a job to a worker. Ends the worker with its answer, or when the task is stopped, to free its memory. */
 export async function answerOf<Answer extends object>(worker: Worker, order: unknown, task: Task): Promise<Answer | Broken> {
   const answer = new Promise<Answer | Broken>((resolve, reject) => {
     worker.addEventListener('error', ({ message }) => resolve({ broken: message }));

@@ -1,23 +1,23 @@
 /**
- * The service worker: keeps the site's files, so that the page works offline from the second visit on.
+ * The service worker. It stores the site's files, so that the page works offline from the second visit on.
  *
- * Each build has a cache of its own, and a file goes into it only with the contents that the build gave it: a page never
- * gets parts of two builds. A new build is stored while the old one is shown, and taken at the next visit.
+ * Each build has its own cache. A file enters it only with the contents that the build gave it, so a page never gets parts
+ * of two builds. A new build is stored while the old one is shown, and used from the next visit on.
  */
 
-/** Put in by the build. */
+/** The build replaces this. */
 declare const SITE: {
   version: string;
-  /** The first half of SHA-256, in hexadecimal, of the files by their paths; '' is the page. */
+  /** The first half of each file's SHA-256, in hexadecimal, by path; '' is the page. */
   files: Record<string, string>;
-  /** What the page needs to begin with. */
+  /** The files that the page needs at its start. */
   first: string[];
 };
 
 const worker = self as unknown as ServiceWorkerGlobalScope;
 const { scope } = worker.registration;
 
-// Other sites may be on the same host.
+// The host may serve other sites, too.
 const PREFIX = `bubblestone ${scope} `;
 const CACHE = PREFIX + SITE.version;
 
@@ -35,7 +35,7 @@ worker.addEventListener('fetch', (event) => {
   if (path !== undefined) event.respondWith(answer(path, event.request));
 });
 
-/** A page tells the path of its own script, and so which build it is of, and asks for all that is left to store. */
+/** A page sends the path of its own script, which names its build, and asks to store all remaining files. */
 worker.addEventListener('message', (event: ExtendableMessageEvent) => {
   const isOld = !(String(event.data) in SITE.files);
   const reply = (what: string): void => event.source?.postMessage(what);
@@ -43,18 +43,18 @@ worker.addEventListener('message', (event: ExtendableMessageEvent) => {
   const stored = store(Object.keys(SITE.files)).then(() => {
     if (!isOld) reply('stored');
   });
-  // What does not come now comes another time.
+  // Files that fail now are stored another time.
   event.waitUntil(stored.catch(() => undefined));
 });
 
 async function takeOver(): Promise<void> {
   const others = (await caches.keys()).filter((name) => name.startsWith(PREFIX) && name !== CACHE);
-  // Pages of the build before may still be open.
+  // Pages of the previous build may still be open.
   for (const name of others.slice(0, -1)) await caches.delete(name);
   await worker.clients.claim();
 }
 
-/** The path of a file that may be stored. */
+/** The path of a request that may be stored. */
 function pathOf({ method, url }: Request): string | undefined {
   if (method !== 'GET' || !url.startsWith(scope)) return undefined;
   const path = new URL(url).pathname.slice(new URL(scope).pathname.length).replace(/^index\.html$/, '');
@@ -63,14 +63,14 @@ function pathOf({ method, url }: Request): string | undefined {
 
 async function answer(path: string, request: Request): Promise<Response> {
   const url = scope + path;
-  // The names of other builds' files are of no other contents.
+  // Files of other builds have other names, as names contain a hash of the contents.
   if (!(path in SITE.files)) return (await caches.match(url)) ?? fetch(request);
   const cache = await caches.open(CACHE);
   const stored = (await cache.match(url)) ?? (await bring(path).catch(() => undefined));
   return stored ?? fetch(request);
 }
 
-/** One after another, so that they are in nobody's way. */
+/** Stores files one after another, so that they slow nothing down. */
 async function store(paths: string[]): Promise<void> {
   const cache = await caches.open(CACHE);
   for (const path of paths) {
@@ -78,7 +78,10 @@ async function store(paths: string[]): Promise<void> {
   }
 }
 
-/** Puts a file into the cache: from an older one, from the browser's own, which has what the page loaded, or from the host. */
+/**
+ * Puts a file into the cache: from an older cache, from the browser's own, or from the host. The browser's has the
+ * files that the page loaded.
+ */
 async function bring(path: string): Promise<Response | undefined> {
   const url = scope + path;
   const sources = [

@@ -28,7 +28,7 @@ export class Embed {
   private readonly engine: Engine;
   private readonly loop: Loop;
   private readonly still = wantsStill();
-  /** What is drawn, in the words of the module. */
+  /** The view and its overlays, in the module's words. */
   private view = 'auto';
   private zoom = WHOLE;
   /** What makes the finished picture finer; it comes when there is time, and without it there is the picture. */
@@ -65,7 +65,7 @@ export class Embed {
     this.opened(words);
   }
 
-  /** Who asks for less motion sees what is finished or held only. */
+  /** The view of a stage. Visitors who prefer reduced motion see only finished or paused pictures. */
   private shownAt(stage: string): string | undefined {
     return !this.still || isEnd(stage) || this.loop.paused ? this.view : undefined;
   }

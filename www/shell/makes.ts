@@ -20,7 +20,7 @@ export function hearMakes(): void {
   });
 }
 
-/** `push` is called before a change that the browser's Back button shall take back. */
+/** `push` is called before a change that the browser's Back button should undo. */
 export function offerMakes(work: Work, push: () => void): void {
   const { engine, store } = work;
   /** The last recipe of each, for the way back. */

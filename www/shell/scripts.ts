@@ -11,7 +11,7 @@ export interface Bubblestone {
   link(): string;
   get(key: string): string;
   status(): Status;
-  /** The cell at a place in picture units. */
+  /** The cell at a place, in units of the picture. */
   probe(x: number, y: number): Probe | undefined;
   /** The hash of a frame of all bodies, as large as the picture: seen from here, or from where the turntable is. */
   frame(camera?: string): Promise<string>;

@@ -1,9 +1,9 @@
-/** The module's words in Japanese. The terms are those of Miyata, Itoh and Shimada (2001). */
+/** The Japanese for the module's words. The terms are those of Miyata, Itoh and Shimada (2001). */
 import type { Foreign } from './foreign';
 import { japanese } from './ja-notices';
 import * as surface from './ja-surface';
 
-/** By key: the name, the help, and the choices' labels. */
+/** By key: the name, the help, and the labels of choices. */
 const parameters: Foreign['parameters'] = {
   ...surface.parameters,
   outline: {

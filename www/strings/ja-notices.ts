@@ -1,9 +1,9 @@
-/** What the module says, in Japanese. */
+/** The Japanese for the module's notices. */
 import notices from 'virtual:notices-ja';
 import type { Notice, NoticeArg } from '../module/types';
 import type { Foreign } from './foreign';
 
-/** `parameters` have the names of parameters and of the words of choices. */
+/** `parameters` has the names of parameters and of their choices. */
 export function japanese(parameters: Foreign['parameters']): Foreign['said'] {
   const value = (arg: NoticeArg | undefined): string => {
     if (arg === undefined || typeof arg === 'string') return arg ?? '';

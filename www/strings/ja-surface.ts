@@ -1,7 +1,7 @@
-/** The words of surfaces in space in Japanese: those that are other ones than a pavement's, by generator and key. */
+/** The Japanese for surfaces in space, by generator and key, where it differs from that for pavements. */
 import type { Foreign } from './foreign';
 
-/** Numbers of shapes, by shape. */
+/** The numbers of shapes, by shape. */
 const SHAPES: Record<string, Record<string, string>> = {
   terrain: { hills: '丘の数', height: '丘の幅に対する高さ', lane: '小道の深さ', wind: '小道の曲がり', hill: 'どの丘か' },
   slope: { rise: '坂の角度', landing: '両端の平らな所', width: '長さに対する幅', round: '曲がり目の丸み' },

@@ -1,4 +1,4 @@
-/** The Japanese of src/notice/words.txt by code, which the build takes from there. */
+/** The Japanese of src/notice/words.txt by code. The build provides it. */
 declare module 'virtual:notices-ja' {
   const notices: Record<string, string>;
   export default notices;
