@@ -2,13 +2,13 @@ import { defineConfig, globalIgnores } from 'eslint/config';
 import { dirname, join, relative, resolve, sep } from 'node:path';
 import { configs } from 'typescript-eslint';
 
-/** The page's folders from the ground up: each imports only those before it (ARCHITECTURE.md). */
+/** The page's folders, lowest first. Each imports only folders before it (ARCHITECTURE.md). */
 const floors = [
   'module', 'strings', 'words', 'base', 'late', 'state', 'picture', 'panel',
   'take/files', 'take', 'turn', 'look', 'editor/geometry', 'editor/svg', 'editor/import', 'editor/letters', 'editor', 'space/paint', 'space', 'shell',
 ];
 
-/** @param {string} file @returns {number} its floor; -1 for what is no part of the page's scripts */
+/** @param {string} file @returns {number} its place in `floors`; -1 for a file that is no part of the page's scripts */
 function floorOf(file) {
   const folder = relative(join(import.meta.dirname, 'www'), dirname(file)).split(sep).join('/');
   return folder === '' ? floors.length : floors.indexOf(folder);
@@ -56,7 +56,7 @@ export default defineConfig(
     languageOptions: { parserOptions: { projectService: true, tsconfigRootDir: import.meta.dirname } },
     rules: {
       'page/one-way': 'error',
-      // `() => act()` is the plain way to say what an event does.
+      // `() => act()` is the plain way to write an event's action.
       '@typescript-eslint/no-confusing-void-expression': [
         'error',
         { ignoreArrowShorthand: true, ignoreVoidReturningFunctions: true },

@@ -1,33 +1,33 @@
 /**
- * `<bubble-stone link="...">`: a picture that forms where it stands, while it is seen.
+ * `<bubble-stone link="...">`: an element that shows how a picture forms.
  *
- * It loads the module when it first comes near the window, works and draws between frames only while it is seen, and
- * frees all it took when it is removed. Attributes: `link`, `view`, `paused`, `label`. Events: `done`, `error`.
+ * It loads the module when it first comes near the window, and works only while it is visible. After its removal it frees
+ * all its memory. Attributes: `link`, `view`, `paused`, `label`. Events: `done`, `error`.
  */
 import { Bubblestone, isEnd, load, type Status } from './index.js';
 
-/** Milliseconds of work in a frame, and packing steps, so that it is seen how bubbles settle. */
+/** Milliseconds and packing steps per frame: few steps, so that the viewer sees bubbles settle. */
 const SLICE = 8;
 const STEPS = 3;
 const ALL_STEPS = 100_000;
 
-/** So near to the window it begins. */
+/** The distance to the window at which it loads the module. */
 const NEAR = '25%';
 
-/** What the event `done` tells. */
+/** The detail of the event `done`. */
 export interface Done {
   /** The recipe, complete and without '#'. */
   link: string;
-  /** Of the planes. */
+  /** The digest of the planes. */
   digest: string;
   status: Status;
-  /** Sentences on what of the link did not fit and was mended or left out. */
+  /** Sentences about parts of the link that were mended or left out. */
   notices: string[];
 }
 
-/** What the event `error` tells. */
+/** The detail of the event `error`. */
 export interface Failure {
-  /** A sentence, which the element shows, too. */
+  /** A sentence, which the element shows as well. */
   message: string;
 }
 
@@ -36,7 +36,7 @@ interface Events {
   error: CustomEvent<Failure>;
 }
 
-/** Where there is no document, as in Node, there is nothing to be an element of: to import this does no harm there. */
+/** There are no elements outside documents, as in Node. Importing this file there must not fail. */
 const { HTMLElement: Native, customElements: registry } = globalThis as Partial<typeof globalThis>;
 const Base = Native ?? (Object as unknown as typeof HTMLElement);
 
@@ -60,9 +60,9 @@ export class BubbleStone extends Base {
   #seen = false;
   #coming = false;
   #frame = 0;
-  /** What is on the canvas is not what there is. */
+  /** The canvas is out of date. */
   #due = false;
-  /** How it ended was told. */
+  /** The event at the end was sent. */
   #told = false;
 
   constructor() {
@@ -90,7 +90,7 @@ export class BubbleStone extends Base {
     this.setAttribute('link', link);
   }
 
-  /** Words of a view, joined by '+', as `Bubblestone.draw` has them; 'auto' shows how it forms. */
+  /** The words of a view, joined by '+', as for `Bubblestone.draw`; 'auto' shows how it forms. */
   get view(): string {
     return this.getAttribute('view') ?? 'auto';
   }
@@ -99,7 +99,7 @@ export class BubbleStone extends Base {
     this.setAttribute('view', view);
   }
 
-  /** While it is paused it does no work. */
+  /** While paused, it does no work. */
   get paused(): boolean {
     return this.hasAttribute('paused');
   }
@@ -108,7 +108,7 @@ export class BubbleStone extends Base {
     this.toggleAttribute('paused', on);
   }
 
-  /** What those hear who do not see it; '' for a mere ornament. */
+  /** The text for screen readers; '' for an ornament. */
   get label(): string {
     return this.getAttribute('label') ?? 'A picture of stones';
   }
@@ -117,7 +117,10 @@ export class BubbleStone extends Base {
     this.setAttribute('label', label);
   }
 
-  /** What works for it, to be asked, not freed or kept: nothing before it was seen, and after it was removed. */
+  /**
+   * Its studio. Read from it, but neither free nor keep it. Undefined before the element is first visible and after
+   * its removal.
+   */
   get studio(): Bubblestone | undefined {
     return this.#studio;
   }
@@ -134,7 +137,7 @@ export class BubbleStone extends Base {
   }
 
   disconnectedCallback(): void {
-    // Who is only moved elsewhere in the document is connected again by then.
+    // An element that was only moved is connected again by then.
     queueMicrotask(() => {
       if (!this.isConnected) this.#leave();
     });
@@ -146,7 +149,7 @@ export class BubbleStone extends Base {
     if (name === 'link') {
       this.#guarded((studio) => this.#open(studio));
       this.#anew();
-      // What could not be loaded is tried again.
+      // A failed load is tried again.
       if (this.#seen) void this.#begin();
       return;
     }
@@ -190,7 +193,7 @@ export class BubbleStone extends Base {
     this.#notices = studio.open(this.link).map(({ text }) => text);
   }
 
-  /** Another picture is to be made. */
+  /** Starts another picture. */
   #anew(): void {
     this.#told = false;
     this.#due = true;
@@ -208,7 +211,7 @@ export class BubbleStone extends Base {
     this.#studio = undefined;
   }
 
-  /** Goes on in the next frame, where it is seen and there is something to do. */
+  /** Continues in the next frame, if it is visible and there is something to do. */
   readonly #wake = (): void => {
     if (this.#frame || !this.#seen || !this.#studio) return;
     this.#frame = requestAnimationFrame(() => {
@@ -218,10 +221,10 @@ export class BubbleStone extends Base {
   };
 
   #goOn(studio: Bubblestone): void {
-    // What is drawn in pieces is finished before there is more work.
+    // A drawing that was begun is finished before further work.
     if (!this.#due && !this.paused && !isEnd(studio)) this.#due = studio.tick(SLICE, this.#still.matches ? ALL_STEPS : STEPS);
     const ended = isEnd(studio);
-    // Who asks for less motion sees finished pictures only.
+    // Visitors who prefer reduced motion see finished pictures only.
     const shown = ended || this.paused || !this.#still.matches;
     if (!shown) this.#due = false;
     if (this.#due && studio.prepare(this.view, SLICE)) this.#draw(studio);
@@ -251,7 +254,7 @@ export class BubbleStone extends Base {
     this.dispatchEvent(new CustomEvent<Failure>('error', { detail: { message } }));
   }
 
-  /** A module that has broken is not called again. */
+  /** Calls the module, but never again after a call has failed. */
   #guarded(act: (studio: Bubblestone) => void): void {
     if (!this.#studio) return;
     try {
@@ -269,5 +272,5 @@ declare global {
   }
 }
 
-// Two copies of this on one page make one element.
+// Two copies of this file on one page define the element once.
 if (registry && !registry.get('bubble-stone')) registry.define('bubble-stone', BubbleStone);

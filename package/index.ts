@@ -1,15 +1,14 @@
 /**
  * Bubblestone for other pages and programs: the WebAssembly module, and pictures made with it.
  *
- * Call `load` once and wait for it; then everything here can be used. All of it runs where it is called and asks no
- * server for anything but the module's own file.
+ * Call `load` once and await it before anything else here. Everything runs locally; the only file fetched is the module.
  */
 import init, { Bubblestone, type InitInput, type Status } from './bubblestone.js';
 
 export { Bubblestone, generators, presets, schema } from './bubblestone.js';
 export type { Answer, Generator, Histogram, Histograms, MeshSlice, Notice, NoticeArg, Parameter, PictureSlice, PixelMap, Preset, Probe, Rings, Rows, Series, Status } from './bubblestone.js';
 
-/** Milliseconds of work at a time, after which a page may do other things. */
+/** Milliseconds of a slice, after which the page can do other things. */
 const SLICE = 8;
 
 /** More packing steps than fit into a slice. */
@@ -18,10 +17,10 @@ const STEPS = 100_000;
 let loading: Promise<void> | undefined;
 
 /**
- * Loads the module, once however often it is called. Without `source` it is the file beside this script, which bundlers
- * know how to bring along; else an address, a response, bytes, or a compiled module.
+ * Loads the module once, however often it is called. Without `source` it loads the file beside this script, which bundlers
+ * bring along. `source` may be an address, a response, bytes, or a compiled module.
  *
- * Throws an Error with a sentence where the module cannot be had; the next call tries again.
+ * Throws an Error with a sentence where loading fails. The next call tries again.
  */
 export function load(source?: InitInput | Promise<InitInput>): Promise<void> {
   return (loading ??= begin(source));
@@ -37,30 +36,30 @@ async function begin(source?: InitInput | Promise<InitInput>): Promise<void> {
   }
 }
 
-/** How a picture is painted. */
+/** Options of `paint`. */
 export interface Painting {
-  /** Words of a view, joined by '+', as `Bubblestone.draw` has them; 'picture' unless given. */
+  /** The words of a view, joined by '+', as for `Bubblestone.draw`; 'picture' by default. */
   view?: string;
   /** Stops the work: `paint` then throws the signal's reason. */
   signal?: AbortSignal;
-  /** Called after each slice of work; what it gets may be asked, not kept. */
+  /** Called after each slice of work. Read from the studio, but do not keep it. */
   progress?: (studio: Bubblestone) => void;
 }
 
-/** What was painted. */
+/** The result of `paint`. */
 export interface Painted {
   /** The recipe, complete and without '#': the same link gives the same picture on every machine. */
   link: string;
-  /** Of the planes. */
+  /** The digest of the planes. */
   digest: string;
   status: Status;
-  /** Sentences on what of the link did not fit and was mended or left out. */
+  /** Sentences about parts of the link that were mended or left out. */
   notices: string[];
 }
 
 /**
- * Makes the picture of a link (an address, a fragment, or '' for the default recipe) and paints it on a canvas, which
- * becomes as large as the picture. Works in slices of some milliseconds and frees what it took.
+ * Makes the picture of a link (an address, a fragment, or '' for the default recipe) and paints it on a canvas, which it
+ * resizes. It works in slices of some milliseconds and frees its memory at the end.
  *
  * Throws an Error with a sentence where the recipe gives no picture.
  */
@@ -81,7 +80,7 @@ export async function paint(canvas: HTMLCanvasElement | OffscreenCanvas, link: s
     canvas.width = canvas.height = studio.side();
     const context = canvas.getContext('2d');
     if (!context) throw new Error('The canvas has no context for two dimensions.');
-    // Nothing is called but what both kinds of canvas have.
+    // Only methods are called that both kinds of canvas have.
     studio.draw(context as CanvasRenderingContext2D, view);
     return { link: studio.link(), digest: studio.digest(), status: studio.status(), notices: studio.notices().map(({ text }) => text) };
   } finally {

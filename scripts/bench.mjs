@@ -28,7 +28,7 @@ await start(async () => {
   print(native, wasm);
 });
 
-/** One JSON object a line; other lines are for people. @returns {Timing[]} */
+/** Reads one JSON object per line; other lines are for people. @returns {Timing[]} */
 function runNative() {
   say('Running the benchmarks natively');
   const { status, stdout } = spawnSync('cargo', ['run', '--release', '--example', 'bench'], {

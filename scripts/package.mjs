@@ -1,4 +1,4 @@
-// `npm run package`: the npm package as a tarball, from a module that the page gets.
+// `npm run package`: the npm package as a tarball, with the page's full module.
 import { buildPackage } from './lib/package.mjs';
 import { start } from './lib/run.mjs';
 import * as setup from './lib/setup.mjs';

@@ -1,4 +1,4 @@
-// `npm run setup`: all that the other commands need, and nothing else.
+// `npm run setup`: installs everything that the other commands need, and nothing else.
 import { start } from './lib/run.mjs';
 import * as setup from './lib/setup.mjs';
 

@@ -1,10 +1,10 @@
-// `npm start`: sets up what is missing, builds the module and the site, and serves the site: the very files that the tests open.
+// `npm start`: sets up what is missing, builds the module and the site, and serves the site. The tests open the same files.
 import { start } from './lib/run.mjs';
 import * as setup from './lib/setup.mjs';
 import { keepBuilt, serveSite } from './lib/site.mjs';
 import { buildModules } from './lib/wasm.mjs';
 
-/** The first port that is tried. */
+/** The first port to try. */
 const PORT = 5173;
 
 await start(async () => {

@@ -1,4 +1,4 @@
-// `npm test`: everything, ending at the first failure. `npm test -- types lint`: these steps alone, without the set-up.
+// `npm test`: all steps, up to the first failure. `npm test -- types lint`: only these steps, without the set-up.
 import { spawn } from 'node:child_process';
 import { once } from 'node:events';
 import { fileURLToPath } from 'node:url';
@@ -7,8 +7,8 @@ import { ask, say, start, Stop } from './lib/run.mjs';
 import { nativeEnv } from './lib/rust.mjs';
 import * as setup from './lib/setup.mjs';
 
-// The two rows of a pair go side by side, as much of a build keeps one core busy only; each builds in a folder of its own,
-// which cargo locks. The second pair needs the module. Browsers come last, one kind at a time: two of them keep two cores busy.
+// The two rows of a pair run side by side, as much of a build uses only one core. Each builds in its own folder, as cargo
+// locks it. The second pair needs the module. The browsers come last, one kind at a time, as each keeps two cores busy.
 const pairs = [
   [['cargo fmt', 'clippy, native', 'cargo doc', 'dependencies'], ['wasm build']],
   [['cargo test', 'types', 'page in Node', 'lint'], ['page build', 'specimen build', 'modules as sent', 'clippy, wasm32', 'wasm-pack test']],
@@ -104,7 +104,7 @@ async function step(name, output, tell) {
   const shown = [];
   for (const stream of [child.stdout, child.stderr]) stream?.on('data', (piece) => shown.push(piece));
   const [code] = await once(child, 'close');
-  // Another one has failed, and said so.
+  // Another step has failed, and has said so.
   if (!running.delete(child)) throw new Stop(`${name} was stopped.`);
   if (shown.length) say(`== ${name} has ended:\n${Buffer.concat(shown).toString().trim()}`);
   if (code === 0) return;
@@ -112,7 +112,7 @@ async function step(name, output, tell) {
   throw new Stop(`\`npm test -- '${name}'\` failed.`);
 }
 
-/** Ends the steps that are running with all that they have started. */
+/** Stops all running steps with their child processes. */
 function stopAll() {
   for (const child of running) {
     if (process.platform === 'win32' || !child.pid) child.kill();

@@ -1,8 +1,8 @@
-// Debian packages, for what rustup or npm cannot bring.
+// Installs Debian packages for programs that rustup and npm cannot bring.
 import { readFileSync } from 'node:fs';
 import { ask, run, say, tryRun, which } from './run.mjs';
 
-/** Whether this is Debian itself: its derivatives ship other packages under the same names. */
+/** Whether this is Debian itself. Its derivatives ship other packages under the same names. */
 export function isDebian() {
   try {
     return /^ID=debian$/m.test(readFileSync('/etc/os-release', 'utf8')) && Boolean(which('apt-get'));
@@ -11,7 +11,7 @@ export function isDebian() {
   }
 }
 
-/** The words before a command that needs root, or undefined where we cannot be root. */
+/** The words before a command that needs root; undefined where root is out of reach. */
 function rootPrefix() {
   if (process.getuid?.() === 0) return [];
   return ask('sudo', ['-n', 'true']) === undefined ? undefined : ['sudo', '-n'];
@@ -33,7 +33,7 @@ let listsAreFresh = false;
 function refreshLists() {
   if (listsAreFresh) return;
   const [program, ...args] = [...(rootPrefix() ?? []), 'apt-get', 'update', '-qq'];
-  tryRun(program, args); // Old lists may do: the installation itself tells.
+  tryRun(program, args); // The lists may be old; the installation itself fails if they are too old.
   listsAreFresh = true;
 }
 
@@ -44,7 +44,7 @@ export function hasPackage(name) {
 }
 
 /**
- * The newest of the numbered packages of a name, such as lld-22 of lld.
+ * The package with the highest number in its name, such as lld-22 for lld.
  * @param {string} name
  */
 export function newestNumbered(name) {

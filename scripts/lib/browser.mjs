@@ -1,9 +1,9 @@
-// Finding the browsers that the tests drive.
+// Finds the browsers that the tests drive.
 import { isProgram, which } from './run.mjs';
 
 /** @typedef {'chromium' | 'firefox'} Kind */
 
-/** What to look for, where, and the Debian packages that bring it. */
+/** Names, folders and Debian packages of the browsers. */
 export const browsers = {
   chromium: {
     title: 'Chromium (or Google Chrome)',

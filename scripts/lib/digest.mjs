@@ -1,4 +1,4 @@
-// What files hold, as one short text.
+// A short digest of the contents of files.
 import { createHash } from 'node:crypto';
 import { readFileSync } from 'node:fs';
 

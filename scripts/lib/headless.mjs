@@ -1,9 +1,9 @@
-// The page's module in Node: its script runs here as it is.
+// The page's module in Node.
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 
-/** Milliseconds and packing steps of one slice of work: all at once. */
+/** Milliseconds and packing steps of one slice that does all the work. */
 export const all = /** @type {const} */ ([1e9, 1e9]);
 
 /** @typedef {{ data: Uint8ClampedArray<ArrayBuffer>, width: number, height: number }} Pixels */
@@ -20,7 +20,7 @@ export async function moduleIn(folder, bytes = readFileSync(join(folder, 'bubble
   return module;
 }
 
-/** What the module needs of a canvas. */
+/** The part of a canvas that the module uses. */
 export class Canvas {
   /** @type {Pixels} */
   pixels = { data: new Uint8ClampedArray(), width: 0, height: 0 };
@@ -31,7 +31,7 @@ export class Canvas {
   }
 }
 
-/** The browser's class of this name; the module hands over a view of its own memory, which does not stay. */
+/** Replaces the browser's class. It copies the data, as the module passes a view of its own memory. */
 globalThis.ImageData ??= /** @type {any} */ (
   class {
     /** @param {Uint8ClampedArray} data @param {number} width @param {number} height */

@@ -1,18 +1,18 @@
-// The icons of the installed page in www/public/icons/: the mark on the page's ground.
+// The icons of the installed page in www/public/icons/: the mark on the page's background.
 import { mkdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { root } from './run.mjs';
 
 const publicFiles = join(root, 'www', 'public');
 
-/** Their sides in pixels, the mark's share of it, and whether the system cuts its own shape out of a full square. */
+/** For each icon its side in pixels, the mark's share of it, and whether the system cuts its own shape out of a full square. */
 const icons = [
   { name: '192', side: 192, share: 0.66, full: false },
   { name: '512', side: 512, share: 0.66, full: false },
   { name: 'maskable', side: 512, share: 0.54, full: true },
 ];
 
-/** Draws them; that takes a blink. */
+/** Draws the icons. This takes well under a second. */
 export async function buildIcons() {
   const { default: sharp } = await import('sharp');
   const folder = join(publicFiles, 'icons');

@@ -1,4 +1,4 @@
-// The npm package: the page's module that makes all there is, unpacked, what loads it and makes pictures with it, and an element for other pages.
+// The npm package: the full module, unpacked, with the code that loads it and makes pictures, and an element for other pages.
 import { copyFileSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { digest } from './digest.mjs';
@@ -6,15 +6,15 @@ import { root, run, say } from './run.mjs';
 import { targetDir } from './rust.mjs';
 import { wholeModule } from './wasm.mjs';
 
-/** Its files, as they are sent. */
+/** The folder of its files. */
 export const packageFolder = join(targetDir, 'package');
 
-/** What wasm-pack makes, and what stands in the project. */
+/** Files that wasm-pack makes, and files of the project. */
 const MADE = ['bubblestone.js', 'bubblestone.d.ts', 'bubblestone_bg.wasm', 'bubblestone_bg.wasm.d.ts'];
 const SOURCES = ['package/index.ts', 'package/element.ts', 'package/tsconfig.json', 'package.json', 'scripts/lib/package.mjs'];
 const GIVEN = ['LICENSE-MIT', 'LICENSE-APACHE', 'package/README.md'];
 
-/** Puts the package together from the module, which is built before; answers the path of its tarball. */
+/** Puts the package together from the built module. Returns the path of its tarball. */
 export function buildPackage() {
   const about = manifest();
   const tarball = join(targetDir, `${about.name}-${about.version}.tgz`);
@@ -26,7 +26,7 @@ export function buildPackage() {
   mkdirSync(packageFolder, { recursive: true });
   run(process.execPath, [join(root, 'node_modules', 'typescript', 'bin', 'tsc'), '-p', join(root, 'package'), '--outDir', packageFolder]);
   for (const file of MADE) copyFileSync(join(wholeModule, file), join(packageFolder, file));
-  // Who compiles with older libraries of JavaScript has no word for what ends a `using`.
+  // Projects with older JavaScript libraries do not know the symbol that ends a `using`.
   const types = join(packageFolder, 'bubblestone.d.ts');
   writeFileSync(types, `/// <reference lib="esnext.disposable" />\n${readFileSync(types, 'utf8')}`);
   for (const file of GIVEN) copyFileSync(join(root, file), join(packageFolder, file.replace(/^.*\//, '')));
@@ -47,7 +47,7 @@ function manifest() {
     type: 'module',
     types: './index.d.ts',
     exports: { '.': entry('index'), './element': entry('element'), './bubblestone_bg.wasm': './bubblestone_bg.wasm', './package.json': './package.json' },
-    // Bundlers keep what only names an element.
+    // Bundlers must keep a script that only defines an element.
     sideEffects: ['./element.js'],
   };
 }

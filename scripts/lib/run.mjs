@@ -1,4 +1,4 @@
-// Running other programs and talking about it. Only Node's own modules: this runs before `npm ci`.
+// Runs other programs and reports on them. It uses Node's own modules only, as it runs before `npm ci`.
 import { spawnSync } from 'node:child_process';
 import { accessSync, constants, statSync } from 'node:fs';
 import { delimiter, dirname, join } from 'node:path';
@@ -6,25 +6,25 @@ import { fileURLToPath } from 'node:url';
 
 export const root = dirname(dirname(dirname(fileURLToPath(import.meta.url))));
 
-/** A failure whose message is meant for the person at the keyboard: printed without a stack. */
+/** A failure whose message is for the user: it is printed without a stack. */
 export class Stop extends Error {}
 
-/** Where the chatter of set-up and builds goes: 1 is the standard output, 2 the standard error. */
+/** The stream for messages of set-up and builds: 1 is the standard output, 2 the standard error. */
 let chatter = 1;
 
-/** Keeps the standard output for a command's answer. */
+/** Reserves the standard output for a command's answer. */
 export function keepOutputForAnswer() {
   chatter = 2;
 }
 
-/** Says in a line what happens now. @param {string} line */
+/** Prints a line about the next action. @param {string} line */
 export function say(line) {
   const talk = chatter === 1 ? console.log : console.error;
   talk(`\n> ${line}`);
 }
 
 /**
- * Runs a program with its output shown; stops when it fails.
+ * Runs a program with its output shown, and stops if it fails.
  * @param {string} program
  * @param {string[]} args
  * @param {{ env?: NodeJS.ProcessEnv, cwd?: string, otherwise?: string }} [options]
@@ -35,7 +35,7 @@ export function run(program, args, { env = process.env, cwd = root, otherwise } 
 }
 
 /**
- * Runs a program with its output shown; answers what went wrong, or an empty string.
+ * Runs a program with its output shown. Returns the reason of a failure, or an empty string.
  * @param {string} program
  * @param {string[]} args
  * @param {{ env?: NodeJS.ProcessEnv, cwd?: string }} [options]
@@ -53,7 +53,7 @@ export function tryRun(program, args, { env = process.env, cwd = root } = {}) {
 }
 
 /**
- * What a program prints, trimmed; undefined when it is missing or fails.
+ * Returns the trimmed output of a program; undefined where it is missing or fails.
  * @param {string} program
  * @param {string[]} args
  * @param {NodeJS.ProcessEnv} [env]
@@ -72,7 +72,7 @@ export function ask(program, args, env = process.env) {
 }
 
 /**
- * Where a program is on a PATH, or undefined.
+ * The path of a program found on a PATH; undefined where it is not there.
  * @param {string} program
  * @param {string} [path]
  */

@@ -1,4 +1,4 @@
-// Which Rust builds what: the one on PATH for native code, and for WebAssembly the first one that has the target.
+// Chooses the Rust for each build: the one on PATH for native code, the first one that has the target for WebAssembly.
 import { readFileSync, readdirSync } from 'node:fs';
 import { homedir } from 'node:os';
 import { delimiter, join } from 'node:path';
@@ -9,14 +9,14 @@ export const wasmTarget = 'wasm32-unknown-unknown';
 /** The folder of a distribution's programs, where a second Rust may be beside rustup's. */
 export const systemBin = '/usr/bin';
 
-/** Where cargo builds; a folder inside it is kept for WebAssembly so that two compilers never share one. */
+/** The folder of cargo's builds. A folder inside it is kept for WebAssembly, so that two compilers never share one. */
 export const targetDir = process.env.CARGO_TARGET_DIR ?? join(root, 'target');
 export const wasmTargetDir = join(targetDir, 'wasm');
 
-/** Where `cargo install` puts programs. */
+/** The folder in which `cargo install` puts programs. */
 export const cargoBin = join(process.env.CARGO_HOME ?? join(homedir(), '.cargo'), 'bin');
 
-/** Where the set-up puts a ready cargo-deny. */
+/** The folder in which the set-up puts a prebuilt cargo-deny. */
 export const cargoDenyFolder = join(targetDir, 'tools', 'cargo-deny');
 
 const linkerVariable = 'CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_LINKER';
@@ -34,14 +34,14 @@ export function neededRust() {
   return /^rust-version = "([^"]+)"/m.exec(readFileSync(join(root, 'Cargo.toml'), 'utf8'))?.[1] ?? '1.85';
 }
 
-/** Whether a rustc is there and new enough. @param {string} [rustc] */
+/** Whether a rustc exists and is new enough. @param {string} [rustc] */
 export function isRecent(rustc = 'rustc') {
   const [, major, minor] = /^rustc (\d+)\.(\d+)/.exec(ask(rustc, ['--version']) ?? '') ?? [];
   const [neededMajor, neededMinor] = neededRust().split('.').map(Number);
   return Number(major) > neededMajor || (Number(major) === neededMajor && Number(minor) >= neededMinor);
 }
 
-/** Cargo's programs after the caller's own, so that tools installed by cargo are found. @param {string[]} first */
+/** A PATH with cargo's programs after the caller's own, so that tools installed by cargo are found. @param {string[]} first */
 function pathWith(...first) {
   return [...first, join(root, 'node_modules', '.bin'), process.env.PATH ?? '', cargoBin, join(cargoDenyFolder, 'bin')].join(delimiter);
 }
@@ -83,13 +83,13 @@ function hasWasmStd(rustc) {
   }
 }
 
-/** Where a rustc looks for the libraries of the target. @param {string} rustc */
+/** The folder in which a rustc looks for the libraries of the target. @param {string} rustc */
 export function wasmLibraries(rustc) {
   return ask(rustc, ['--print', 'target-libdir', '--target', wasmTarget]);
 }
 
 /**
- * The linker to name to cargo: empty where rustc brings its own, undefined where there is none.
+ * The linker to name to cargo; empty where rustc brings its own, undefined where there is none.
  * @param {string} rustc
  */
 function wasmLinker(rustc) {

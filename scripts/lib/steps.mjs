@@ -1,4 +1,4 @@
-// What `npm test` does, step by step. Each step rests on the set-up, and on what the steps before it have built.
+// The steps of `npm test`. Each needs the set-up and the builds of the steps before it.
 import { spawn } from 'node:child_process';
 import { once } from 'node:events';
 import { readdirSync } from 'node:fs';
@@ -14,7 +14,7 @@ import { clippyMatches } from './setup.mjs';
 import { buildSite, buildSpecimenSite } from './site.mjs';
 import { buildModules, buildWasm } from './wasm.mjs';
 
-// It adds a generator and changes nothing else. The page's module and clippy for WebAssembly go without it.
+// The feature only adds a generator. The page's module, and clippy for WebAssembly, are built without it.
 const features = ['--features', 'specimen'];
 
 /** @type {Record<string, () => unknown>} */
@@ -63,7 +63,7 @@ async function cargoTest() {
 
 /** @param {NodeJS.ProcessEnv} env */
 function wasmLint(env) {
-  // With the measurements, which nothing else here builds.
+  // Include the benchmarks, which no other step builds.
   const what = ['--lib', '--tests', '--features', 'bench', '--target', wasmTarget];
   if (clippyMatches(env)) return clippy(what, env);
   console.log('The Rust for WebAssembly has no clippy here: its code is compiled with warnings denied instead.');
@@ -73,7 +73,7 @@ function wasmLint(env) {
 
 /** @param {NodeJS.ProcessEnv} env */
 function wasmTest(env) {
-  // wasm-pack first builds with the profile dev and then tests with the profile test: alike, they build once.
+  // wasm-pack builds with the profile dev and tests with the profile test. With equal settings it builds only once.
   for (const profile of ['DEV', 'TEST']) {
     env[`CARGO_PROFILE_${profile}_OPT_LEVEL`] = '2';
     env[`CARGO_PROFILE_${profile}_DEBUG`] = '0';
@@ -82,7 +82,7 @@ function wasmTest(env) {
   run('wasm-pack', ['test', '--node', '--mode', 'no-install', '--', '--test', 'properties', '--test', 'hostile', ...features], { env });
 }
 
-/** Whose they are, where they come from, and that none asks for a newer Rust than Cargo.toml does. */
+/** Checks licences, sources and duplicates of dependencies, and that none needs a newer Rust than Cargo.toml does. */
 function dependencies() {
   const env = nativeEnv();
   run('cargo', ['deny', '--all-features', 'check', '-D', 'warnings', 'bans', 'licenses', 'sources'], { env });
@@ -111,7 +111,7 @@ function tool(name, program, args) {
   run(process.execPath, [join(root, 'node_modules', name, program), ...args]);
 }
 
-// These take longest: they begin first, or one of them would end alone.
+// The longest tests begin first, so that none of them runs alone at the end.
 const long = ['axe', 'share', 'tools', 'controls', 'digests', 'look', 'import', 'layout'].map((name) => `${name}.test.mjs`);
 
 /** @param {import('./browser.mjs').Kind} kind */

@@ -1,5 +1,5 @@
-// The small pictures of the presets in www/public/thumbs/: each is the preset's own picture, drawn by the page's
-// module at its full size and scaled down; skipped where nothing has changed that they could be seen to depend on.
+// The small pictures of the presets in www/public/thumbs/. The page's module draws each preset at its full size, and the
+// picture is scaled down. They are made only after a change that can affect them.
 import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { digest } from './digest.mjs';
@@ -7,20 +7,20 @@ import { all, Canvas, moduleIn } from './headless.mjs';
 import { root, say, Stop } from './run.mjs';
 import { pageModule } from './wasm.mjs';
 
-/** Where they are. */
+/** The folder of the pictures. */
 const thumbs = join(root, 'www', 'public', 'thumbs');
 
-/** Sides in pixels: the page shows them half as large, so that they are sharp on a screen of twice the density. */
+/** The side in pixels. The page shows pictures half as large, so that they are sharp on screens of double density. */
 const side = 144;
 
-/** About 1.4 kB each. More effort than 3 takes ten times as long for no smaller files. */
+/** About 1.4 kB each. A higher effort than 3 takes ten times as long, and files are no smaller. */
 const coding = { quality: 30, effort: 3 };
 
-/** Groups of parameters that go along from one generator to another; the seed does, too. */
+/** Groups of parameters that keep their values in a change of generator. The seed does, too. */
 const CARRIED = ['Weather', 'Light'];
 
 /**
- * What these modules make, each generator with the first module that has it and the preset that stands for it.
+ * The generators of these modules, each with the first module that has it and the preset whose picture stands for it.
  * @param {string[]} folders
  */
 export async function generatorsOf(folders) {
@@ -38,7 +38,7 @@ export async function generatorsOf(folders) {
   return all;
 }
 
-/** Makes them where they are not up to date. */
+/** Makes the pictures where they are out of date. */
 export async function buildThumbs() {
   const stamp = join(root, 'www', '.thumbs-made-from');
   const source = digest(sources());
@@ -57,7 +57,7 @@ export async function buildThumbs() {
 }
 
 /**
- * Those of what a later module adds; kept while nothing of the program changes, as another build of it has the same.
+ * The pictures of the presets that a later module adds. They are kept until the program's sources change.
  * @param {string} folder of that module
  */
 export async function thumbsOfMore(folder) {
@@ -81,12 +81,12 @@ export async function thumbsOfMore(folder) {
 }
 
 /**
- * The pictures of a generator's presets; one is encoded while the next one is drawn.
+ * The pictures of a generator's presets. One is encoded while the next one is drawn.
  * @param {any} module
  * @param {string} word of the generator
  */
 async function thumbsOf({ presets, Bubblestone }, word) {
-  // Only here: this file is read before the npm packages are installed.
+  // Imported here, as this file is read before the npm packages are installed.
   const { default: sharp } = await import('sharp');
   const list = /** @type {{ name: string, link: string }[]} */ (presets(word));
   return Promise.all(
@@ -110,8 +110,8 @@ function filesIn(folder) {
 }
 
 /**
- * What decides the pictures of planes: the planes of all presets, by their digests, which tests compare; and what makes
- * pictures of planes. Any other change of the module needs no new ones.
+ * Everything that the pictures of planes depend on: the planes of all presets, by their digests, which tests compare, and
+ * the code that draws planes. Other changes of the module need no new pictures.
  */
 function sources() {
   const folders = ['recipe', 'generators', 'material', 'heightfield'].map((name) => join('src', name));

@@ -12,7 +12,7 @@ let module;
 /** @type {any} */
 let frames;
 
-/** A canvas that knows by name what was drawn on it. */
+/** A canvas that remembers the names of what was drawn on it. */
 class Canvas {
   name = '';
 
@@ -27,7 +27,7 @@ before(async () => {
   frames = await moduleOf('../../www/take/files/frames.ts');
 });
 
-/** A file of the page with all that it needs. @param {string} path beside this file */
+/** Loads a file of the page with its imports. @param {string} path beside this file */
 async function moduleOf(path) {
   const entry = fileURLToPath(new URL(path, import.meta.url));
   const built = await build({ configFile: false, logLevel: 'error', build: { write: false, minify: false, lib: { entry, formats: ['es'] } } });
@@ -35,7 +35,7 @@ async function moduleOf(path) {
   return import(`data:text/javascript,${encodeURIComponent(output[0].code)}`);
 }
 
-/** All frames of a film, each as what it shows, and for how long. @param {string} link */
+/** All frames of a film, each with its content and duration. @param {string} link */
 async function film(link) {
   const studio = new module.Bubblestone(link);
   while (studio.stage() !== 'done') studio.tick(...all);

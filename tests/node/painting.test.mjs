@@ -1,4 +1,4 @@
-// Lines that are painted on a surface, in numbers. `npm test -- 'page in Node'`.
+// The numbers of lines painted on a surface. `npm test -- 'page in Node'`.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { before, test } from 'node:test';
@@ -13,7 +13,7 @@ before(async () => {
   places = await import(`data:text/javascript,${encodeURIComponent(outputText)}`);
 });
 
-/** An arc of a ball of 1000 steps, as a hand draws it. */
+/** An arc of radius 1000, slightly unsteady like a hand. */
 const arc = Array.from({ length: 200 }, (_, k) => {
   const angle = (Math.PI * k) / 199;
   return [1000 * Math.cos(angle), 1000 * Math.sin(angle), 300 + 3 * Math.sin(7 * k)].map(Math.round);

@@ -1,4 +1,4 @@
-// The words of the view in a link, as the page parts, reads and writes them. `npm test -- 'page in Node'`.
+// The page splits, parses and writes the words of the view in a link. `npm test -- 'page in Node'`.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { before, test } from 'node:test';
@@ -12,7 +12,7 @@ before(async () => {
   viewing = { ...parting, ...asking };
 });
 
-/** A file of the page that needs no other one. @param {string} path beside this file */
+/** Loads a file of the page that imports nothing. @param {string} path beside this file */
 function moduleOf(path) {
   const source = readFileSync(new URL(path, import.meta.url), 'utf8');
   const { outputText } = typescript.transpileModule(source, { compilerOptions: { module: typescript.ModuleKind.ESNext, target: typescript.ScriptTarget.ES2022, verbatimModuleSyntax: true } });
