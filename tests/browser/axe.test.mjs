@@ -19,7 +19,7 @@ const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.mi
 
 const TAGS = ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa', 'best-practice'];
 
-// A picture of each state is kept here, to be looked at.
+// The pictures of all states, for people to look at.
 const pictures = join(targetDir, 'page-pictures', kind);
 
 const desk = { width: 1280, height: 800 };
@@ -45,7 +45,7 @@ after(async () => {
   await site?.close();
 });
 
-/** What axe finds with every rule of these tags, those that it leaves out by itself, too. */
+/** The findings of axe with every rule of these tags, even those that are off by default. */
 async function findings(page) {
   await page.evaluate(axe);
   return page.evaluate(async (tags) => {
@@ -64,7 +64,7 @@ for (const [turn, [name, state]] of Object.entries(states).entries()) {
       const { page, close } = await enter(state.several ? several : site, state, options);
       await page.screenshot({ path: join(pictures, `${name}-${screen}.png`) });
       const { found, count } = await findings(page);
-      // Behind a dialog, or beside the picture alone, there is little for them.
+      // Behind a dialog, or with the picture alone, few rules apply.
       const least = (await page.$('dialog[open]')) ? 20 : state.few ? 12 : 30;
       assert.ok(count > least, `only ${count} rules found something to look at`);
       assert.deepEqual(found, []);

@@ -1,4 +1,4 @@
-// Another picture to compare with: any preset under the divider, and two pictures side by side that form in step.
+// Comparing pictures: any preset under the divider, and two pictures side by side that form in step.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { sameEverywhere } from './browsers.mjs';
@@ -16,7 +16,7 @@ before(async () => {
 
 after(() => site?.close());
 
-/** Compares with a link, side by side. */
+/** Starts a comparison with a link, side by side. */
 async function beside(page, other) {
   await click(page, '#compare-button');
   await page.waitForSelector('#compare-with', { visible: true });
@@ -26,18 +26,18 @@ async function beside(page, other) {
   await page.waitForFunction(() => /steps/.test(document.querySelector('#beside-name span')?.textContent ?? ''));
 }
 
-/** The names below, and what is counted there: [name, cells, steps] of the other one, then of the own one. */
+/** The names and counts below the pictures: [name, cells, steps] of the second one, then of the own one. */
 const names = (page) =>
   page.$$eval('.beside-name', (lines) => lines.map((line) => [line.children[0].textContent, ...(line.children[1].textContent.match(/\d+(?= ·)/g) ?? []).map(Number)]));
 
-/** Waits until the transport's first button does this. */
+/** Waits until the transport's first button has this action. */
 const does = (page, what) => page.waitForFunction((word) => document.querySelector('#play').dataset.does === word, { timeout: 120_000 }, what);
 
-/** Does what has both begin anew, and waits until both are done. */
+/** Does something that starts both again, and waits until both are done. */
 async function formed(page, act) {
   const before = await page.evaluate(() => {
     window.ends ??= 0;
-    // A state that comes and goes between two looks counts, too.
+    // Count a state even if it comes and goes between two checks.
     window.ending ??= new MutationObserver(([{ target }]) => (window.ends += target.dataset.does === 'again' ? 1 : 0));
     window.ending.observe(document.querySelector('#play'), { attributeFilter: ['data-does'] });
     return window.ends;
@@ -60,7 +60,7 @@ test('any preset is compared under the divider', sameEverywhere, async () => {
   const [shown] = presets.find(([, preset]) => preset.replace('#', '') === own);
   for (const [name, same] of [[shown, true], ['tortoise', false]]) {
     await page.select('#compare-with', `preset:${name}`);
-    // Seldom, as it is made in idle moments.
+    // Seldom polled, as the picture is made in idle time.
     await page.waitForFunction(
       (wanted) => document.querySelector('.compare-progress').textContent === '' && (document.querySelector('.other').toDataURL() === document.querySelector('#canvas').toDataURL()) === wanted,
       { timeout: 120_000, polling: 400 },
@@ -87,12 +87,12 @@ test('two pictures form in step, are paused, stepped and zoomed together, and Es
   const [[other, , theirs], [mine, , ours]] = await names(page);
   assert.deepEqual([other, mine], ['The link', 'Your recipe']);
   assert.notEqual(theirs, ours);
-  // While both are packed neither is ahead.
+  // While both are packed, neither is ahead.
   const shared = Math.min(theirs, ours);
   const pairs = (await page.evaluate(() => window.pairs)).filter((pair) => Math.min(...pair) < shared);
   assert.ok(pairs.length > 3, JSON.stringify(pairs));
   for (const [a, b] of pairs) assert.equal(a, b, JSON.stringify(pairs));
-  // A step of both, from the start.
+  // One step of both, from the start.
   await click(page, '#step');
   await does(page, 'play');
   for (const step of [0, 1, 2]) {
@@ -101,7 +101,7 @@ test('two pictures form in step, are paused, stepped and zoomed together, and Es
   }
   await click(page, '#zoom-in');
   await page.waitForFunction(() => ['#sheet', '#beside'].every((sheet) => document.querySelector(sheet).style.getPropertyValue('--zoom') === '1.5'));
-  // The wheel over the other one zooms both.
+  // The wheel over the second picture zooms both.
   const at = await box(page, '#beside');
   await page.mouse.move(at.x + at.width / 4, at.y + at.height / 2);
   await page.mouse.wheel({ deltaY: -300 });
@@ -129,7 +129,7 @@ test('sliders change both, what differs stays until it is touched, and undo brin
   await does(page, 'again');
   const first = await names(page);
   assert.ok(first[0][1] < first[1][1] / 2, JSON.stringify(first));
-  // The seed is touched, the size is not.
+  // The control of the seed was used, that of the size was not.
   const seeded = await formed(page, () => click(page, '#seed-next'));
   assert.equal(seeded[0][0], 'After The link');
   assert.ok(seeded[0][1] < seeded[1][1] / 2, JSON.stringify(seeded));
@@ -138,7 +138,7 @@ test('sliders change both, what differs stays until it is touched, and undo brin
   assert.deepEqual(await formed(page, () => click(page, '#undo')), seeded);
   assert.deepEqual(await formed(page, () => click(page, '#undo')), first);
   assert.equal(await get(page, 'cs'), '16');
-  // A link is another recipe of the page's: the other one stays.
+  // A link changes the page's own recipe; the second one stays.
   const [other] = await formed(page, () => page.evaluate((fragment) => (location.hash = fragment), `${SQUARE}&seed=9&cs=20`));
   assert.deepEqual(other, first[0]);
   assert.deepEqual(problems, []);
@@ -170,7 +170,7 @@ test('two pictures hold the page up no longer than one', { skip }, async () => {
   await beside(page, '#size=320&cs=12&kind=ellipse&seed=4');
   await does(page, 'again');
   const runs = [];
-  // What comes first takes the browser longer.
+  // A browser's first run takes longer.
   while (runs.length < 3 && !(runs.at(-1) < 1)) runs.push(await longestTask(page, () => formed(page, () => click(page, '#play'))));
   assert.ok(runs.at(-1) < 1, `tasks of ${runs.join(', ')} times 50 ms`);
   await close();

@@ -1,4 +1,4 @@
-// The browsers that the tests drive, and what each of them wants said in its own way. BROWSER=firefox names Firefox.
+// The browsers that the tests drive, and the settings of each. BROWSER=firefox chooses Firefox.
 import { mkdtempSync } from 'node:fs';
 import { rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
@@ -10,11 +10,11 @@ import { browsers, findBrowser } from '../../scripts/lib/browser.mjs';
 /** @typedef {import('puppeteer-core').Page} Page */
 
 /**
- * What the system asks of pages.
+ * The system's settings that pages can read.
  * @typedef {object} System
  * @property {boolean} [dark] dark pages
  * @property {boolean} [still] less motion
- * @property {boolean} [touch] all is done by fingers
+ * @property {boolean} [touch] fingers instead of a mouse
  */
 
 /** The browser in use. @type {'chromium' | 'firefox'} */
@@ -36,29 +36,29 @@ const chromiumFlags = [
   '--disable-background-networking',
   '--disable-component-update',
   '--disable-sync',
-  // A page of the browser's own that it makes ready behind each window: a quarter of the cost of a test.
+  // Chromium prepares an internal page behind each window, which costs a quarter of a test.
   '--disable-features=WebUIOmniboxPopup,WebUIOmniboxAimPopup',
-  // Pages of a test go on painting while another page is in front.
+  // Pages go on painting while another page is in front.
   '--disable-background-timer-throttling',
   '--disable-backgrounding-occluded-windows',
   '--disable-renderer-backgrounding',
 ];
 
-/** Firefox has preferences for what Chromium is told page by page. @param {System} system */
+/** Firefox reads from preferences what Chromium is given per page. @param {System} system */
 const firefoxPreferences = ({ dark, still, touch }) => ({
   'ui.systemUsesDarkTheme': dark ? 1 : 0,
   'ui.prefersReducedMotion': still ? 1 : 0,
   // 1 is a coarse pointer; 6 a fine one that hovers.
   'ui.primaryPointerCapabilities': touch ? 1 : 6,
   'ui.allPointerCapabilities': touch ? 1 : 6,
-  // Those of a phone take no room.
+  // Scroll bars of a phone take no room.
   'ui.useOverlayScrollbars': touch ? 1 : 0,
   'dom.events.testing.asyncClipboard': true,
 });
 
 /**
- * Removes a folder. Some of a browser's processes end a little after it, and write new files while the
- * old ones are removed; what is left after a minute is not worth a failure.
+ * Removes a folder. Some processes of a browser end a little after it, and write new files while the old ones are removed. A
+ * rest after a minute is not worth a failure.
  * @param {string} folder
  */
 async function remove(folder) {
@@ -73,8 +73,8 @@ async function remove(folder) {
 
 /**
  * Starts a browser with an empty profile.
- * @param {System} system only Firefox has to know it by now
- * @param {string[]} [flags] more of them, for Chromium
+ * @param {System} system only Firefox needs it now
+ * @param {string[]} [flags] further flags for Chromium
  * @returns {Promise<{ browser: Browser, close: () => Promise<void> }>}
  */
 export async function launch(system, flags = []) {
@@ -103,10 +103,10 @@ export async function launch(system, flags = []) {
   };
 }
 
-/** A page of its own context. @param {Browser} browser @param {System} system */
+/** A page in its own context. @param {Browser} browser @param {System} system */
 export async function blankPage(browser, { dark, still }) {
   const context = await browser.createBrowserContext();
-  // In Firefox a tab behind another one rests.
+  // In Firefox a background tab sleeps.
   const page = await context.newPage(kind === 'firefox' ? { type: 'window' } : undefined);
   if (kind === 'chromium') {
     await page.emulateMediaFeatures([
@@ -117,7 +117,7 @@ export async function blankPage(browser, { dark, still }) {
   return { page, close: () => context.close() };
 }
 
-/** Lets a page read the clipboard; Firefox lets all of them. @param {Page} page @param {string} origin */
+/** Lets a page read the clipboard; Firefox allows that to all pages. @param {Page} page @param {string} origin */
 export async function allowClipboard(page, origin) {
   if (kind === 'firefox') return;
   await page.browserContext().overridePermissions(origin, ['clipboard-read', 'clipboard-write', 'clipboard-sanitized-write']);

@@ -13,7 +13,7 @@ before(async () => {
 
 after(() => site?.close());
 
-/** Texts whose contrast against what lies behind them is below 4.5, by WCAG 2's formula. */
+/** Texts whose contrast with their background is below 4.5, by WCAG 2's formula. */
 function faint() {
   const parse = (text) => {
     const [r, g, b, a = 1] = text.match(/[\d.]+/g).map(Number);

@@ -13,10 +13,10 @@ before(async () => {
 
 after(() => site?.close());
 
-// Not a control of the panel: tested elsewhere.
+// Parameters without a control in the panel, which other tests cover.
 const NO_CONTROL = new Set(['poly']);
 
-// What a parameter needs before it can be seen in the picture, as part of the link.
+// The context in which a parameter has a visible effect, as part of the link.
 const NEEDS = {
   on: 'outline=star',
   pop: 'start=quadtree',
@@ -30,10 +30,10 @@ const NEEDS = {
   flow: 'stone=skin&sc=1.5&dir=constant&strokes=0.9,0.5,0.1,0.5',
 };
 
-// Values that are sure to differ, where half the way to the end is not.
+// Values that surely differ. Half the way to the end, the usual one, may not.
 const OTHER = { cs: '21', on: '7', seed: '7', size: '256' };
 
-/** Another value than this one. */
+/** A value other than this one. */
 function another(parameter, value) {
   if (parameter.key in OTHER) return OTHER[parameter.key];
   if (parameter.kind === 'choice') {
@@ -73,7 +73,7 @@ test('every control reaches the picture', sameEverywhere, async (t) => {
       if (parameter.group === 'Light' || key === 'gloss') assert.equal(now.planes, before.planes, 'light changes the planes');
       else assert.notEqual(now.planes, before.planes, `${key}=${value} does not change the planes`);
       assert.match(await page.evaluate(() => window.bubblestone.link()), new RegExp(`(^|&)${key}=`));
-      // What is edited stands in the editor, which is not there before.
+      // A text opens the editor, which covers the other controls.
       if (parameter.kind === 'text') await page.$eval('#edit-done', (button) => button.click());
     });
   }
@@ -120,7 +120,7 @@ test('a double click or the reset button goes back to the default', sameEverywhe
   await close();
 });
 
-/** What the control of a number shows and offers. */
+/** The state of a number's control. */
 function told(page, key) {
   return page.$eval(`[data-key=${key}]`, (control) => ({
     value: control.querySelector('[type=number]').value,

@@ -1,4 +1,4 @@
-// Outlines with curves: few handles, which change nothing before they are moved, and only what is near them then.
+// Outlines with curves: the editor finds few handles. Finding them changes nothing, and moving one changes only its surroundings.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { sameEverywhere } from './browsers.mjs';
@@ -14,7 +14,7 @@ before(async () => {
 
 after(() => site?.close());
 
-/** A ring with a width and a turn of its own. */
+/** A ring with a width and a turn other than the defaults. */
 const RING = `${SMALL}&ow=0.8&oa=30`;
 
 /** The outer circle of the built-in ring, in sides. */
@@ -40,7 +40,7 @@ async function press(page, ...keys) {
 
 const closed = (page) => page.$eval('#editor', (layer) => layer.hidden);
 
-/** The free outline's rings in sides of the picture: the link's numbers, five bits a letter, each from the one before. */
+/** The rings of the free outline in sides of the picture. The link has differences of numbers, five bits per letter. */
 async function rings(page) {
   const letters = 'ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_';
   const last = [0, 0];
@@ -60,7 +60,7 @@ async function rings(page) {
   });
 }
 
-/** By how much a ring turns at each of its points, in radians. */
+/** The angles by which a ring turns at its points, in radians. */
 function turns(ring) {
   return ring.map(([x, y], k) => {
     const [a, b] = ring.at(k - 1);
@@ -149,7 +149,7 @@ test('a circle that is moved at one point stays smooth there and a circle elsewh
   assert.ok(outer.filter((point) => !near(point)).length > 60);
   const [smallest, largest] = [Math.min, Math.max].map((end) => end(...inner.map(([x, y]) => Math.hypot(x - 0.5, y - 0.5))));
   assert.ok(largest - smallest < 1e-4, 'the other circle stays one');
-  // Someone else gets few handles again, and changes nothing by that.
+  // Another visitor gets few handles again, and the outline does not change.
   const now = await link(page);
   const other = await site.newPage(`#${now}`);
   const moved = await digest(other.page);
@@ -223,7 +223,7 @@ test('a corner is made round and a corner again, by the keyboard and by its butt
   await page.click('#turn-point');
   await frames(page, 3);
   await square();
-  // All four of them make the square a disc.
+  // With all four corners smooth, the square is a disc.
   for (let k = 0; k < 4; k += 1) {
     await page.$$eval('button.handle', (all, at) => all[at].focus(), k);
     await press(page, 'Enter');

@@ -25,7 +25,7 @@ function handles(page) {
   );
 }
 
-/** Drags by the mouse. */
+/** Drags with the mouse. */
 async function drag(page, from, [dx, dy]) {
   await page.mouse.move(from.x, from.y);
   await page.mouse.down();
@@ -71,7 +71,7 @@ test('a whole line is moved by its middle, and a double click gives it a point',
   for (const k of [0, 1]) {
     assert.ok(Math.abs(now[k].x - before[k].x - 10) < 1.5 && Math.abs(now[k].y - before[k].y - 40) < 1.5);
   }
-  // Two presses are one double click where the page is not busy between them.
+  // Two presses count as a double click only where the page is not busy between them.
   await digest(page);
   await page.mouse.click(middle.x + 10, middle.y + 40, { count: 2 });
   assert.equal((await handles(page)).length, 3);
@@ -203,7 +203,7 @@ test('a part is tapped and gets a kind', async () => {
   await frames(page, 2);
   const both = await digest(page);
   assert.ok(both !== circles && both !== plain);
-  // The kind in one part is one that is stretched: now there is an aspect ratio.
+  // One part has a kind with an aspect ratio, so its control appears.
   assert.equal(await page.$eval('[data-key=ca]', (control) => control.hidden), false);
   await tap(0.02);
   assert.equal((await handles(page)).length, 2, 'outside there is no part');

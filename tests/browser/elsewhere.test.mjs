@@ -1,4 +1,4 @@
-// The npm package on pages of others: bundled from its tarball, and as plain files.
+// The npm package on other pages: bundled from its tarball, and as plain files.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
 import { cpSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -20,10 +20,10 @@ let bundled;
 /** @type {Awaited<ReturnType<typeof open>>} */
 let files;
 
-/** An element whose module did not come along. */
+/** A page with an element whose module is missing. */
 const BROKEN = '<!doctype html><link rel="icon" href="data:,"><script type="module" src="./bubblestone/element.js"></script><bubble-stone></bubble-stone>';
 
-/** A page of Vite's, which has nothing but the tarball. @param {string} tarball */
+/** A page built by Vite from nothing but the tarball. @param {string} tarball */
 async function bundle(tarball) {
   rmSync(folder, { recursive: true, force: true });
   cpSync(given, folder, { recursive: true });
@@ -34,7 +34,7 @@ async function bundle(tarball) {
   await build({ root: folder, configFile: false, logLevel: 'warn', base: './', build: { target: 'es2022' } });
 }
 
-/** The package's files beside a page that names them. */
+/** A page beside the package's plain files. */
 function unbundled() {
   rmSync(plain, { recursive: true, force: true });
   mkdirSync(plain, { recursive: true });
@@ -59,7 +59,7 @@ after(async () => {
   await files?.close();
 });
 
-/** What an element told last. @param {import('puppeteer-core').Page} page @param {string} id */
+/** The last event of an element. @param {import('puppeteer-core').Page} page @param {string} id */
 async function told(page, id) {
   const handle = await page.waitForFunction((name) => window.told?.[name], {}, id);
   return handle.jsonValue();
@@ -97,7 +97,7 @@ test('plain files do the same; an element follows its attributes, and frees what
   assert.ok(side === 128 && count > 100, `${side} ${count}`);
   assert.equal(await page.$eval('#near', (stone) => stone.shadowRoot.querySelector('canvas').ariaLabel), 'A ring of stones');
 
-  // A view is drawn of what is there; another link makes another picture.
+  // Another view shows the same picture's data; another link makes a new picture.
   await page.$eval('#near', (stone) => (stone.view = 'ids'));
   await page.waitForFunction((before) => {
     const canvas = document.querySelector('#near').shadowRoot.querySelector('canvas');
@@ -109,7 +109,7 @@ test('plain files do the same; an element follows its attributes, and frees what
   });
   assert.notEqual((await told(page, 'near')).digest, digest);
 
-  // While it is paused it does nothing.
+  // A paused element does no work.
   await page.evaluate(() => {
     window.told = {};
     const near = document.querySelector('#near');
@@ -123,7 +123,7 @@ test('plain files do the same; an element follows its attributes, and frees what
   await page.$eval('#near', (stone) => (stone.paused = false));
   assert.equal((await told(page, 'near')).kind, 'done');
 
-  // Moved, it goes on; removed, it has let go of its studio.
+  // A moved element goes on; a removed one has freed its studio.
   await page.$eval('#near', (stone) => document.body.append(stone));
   assert.equal(await page.$eval('#near', (stone) => stone.studio !== undefined), true);
   const left = await page.$eval('#near', async (stone) => {
@@ -141,7 +141,7 @@ test('an element that cannot have its module says so in a sentence', sameEverywh
   await page.waitForFunction(() => document.querySelector('bubble-stone').shadowRoot?.querySelector('[role=alert]').textContent !== '');
   const words = await page.$eval('bubble-stone', (stone) => stone.shadowRoot.querySelector('[role=alert]').textContent);
   assert.match(words, /^The WebAssembly module of Bubblestone could not be loaded \(.+\)\.$/);
-  // Another link tries again.
+  // Another link loads again.
   const again = await page.$eval(
     'bubble-stone',
     (stone) =>

@@ -1,4 +1,4 @@
-// What the page saves, but for meshes and maps.
+// Files that the page saves, except meshes and maps.
 import assert from 'node:assert/strict';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -55,7 +55,7 @@ test('a recipe saved as JSON and opened again, by dialog or drop, gives the same
   const folder = mkdtempSync(join(tmpdir(), 'bubblestone-recipe-'));
   const path = join(folder, name);
   writeFileSync(path, bytes);
-  // Another picture, then the file.
+  // Change the picture, then open the file.
   await click(page, '#dice');
   assert.notEqual(await digest(page), planes);
   await dialog(page);
@@ -68,7 +68,7 @@ test('a recipe saved as JSON and opened again, by dialog or drop, gives the same
   await drop(page, 'again.json', bytes, 'application/json');
   await message(page, 'status', /again\.json is open/);
   assert.equal(await digest(page), planes);
-  // Something else changes nothing.
+  // A file of another kind changes nothing.
   writeFileSync(path, '{"recipe": 3}');
   await dialog(page);
   const [again] = await Promise.all([page.waitForFileChooser(), click(page, '#open-recipe')]);
@@ -131,7 +131,7 @@ test('the forming is saved as a looping GIF, to its end, while the page stays fr
   assert.ok(pages >= 15 && pages <= 70, `${pages} frames`);
   assert.equal(loop, 0);
   assert.ok(delay.at(-1) >= 2000, 'the end is not held');
-  // The last frame is the picture: what is on the canvas, but for the palette.
+  // The last frame equals the canvas, up to the palette.
   const last = await sharp(file, { page: pages - 1 }).ensureAlpha().raw().toBuffer();
   const shown = await page.$eval('#canvas', (canvas) => Array.from(canvas.getContext('2d').getImageData(0, 0, 192, 192).data));
   const off = shown.reduce((sum, value, k) => sum + Math.abs(value - last[k]), 0) / shown.length;
@@ -168,7 +168,7 @@ test('saving is done beside the page, which is never held for long', { skip }, a
   await digest(page);
   for (const button of ['#save-png-2', '#save-maps']) {
     const runs = [];
-    // The page may be at something else, such as gathering what was freed, and at first its code is not the fastest.
+    // The page may be busy, for example with garbage collection, and its code is slow at first.
     while (runs.length < 6 && !(runs.at(-1) < 1)) {
       await dialog(page);
       await page.evaluate(() => (window.saved = undefined));

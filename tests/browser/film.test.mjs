@@ -1,4 +1,4 @@
-// The film of the forming: what browsers make and play, and how it is shared.
+// The film of the forming: browsers make it, play it, and share it.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { createFile } from 'mp4box';
@@ -16,22 +16,30 @@ before(async () => {
 
 after(() => site?.close());
 
-/** Where a film's frame has the picture: x, y, side. */
+/** The picture's place in a frame of the film: x, y, side. */
 const SQUARE = [0, 0, 1080];
 const UPRIGHT = [28, 356, 1024];
 
-/** A page that keeps the files it hands over. @param {string} fragment @param {{ shares?: boolean, films?: boolean, viewport?: typeof phone }} [options] */
+/**
+ * A page that keeps the files it saves.
+ * @param {string} fragment
+ * @param {{ shares?: boolean, films?: boolean, viewport?: typeof phone }} [options]
+ */
 const opened = (fragment, { shares = false, films = true, viewport } = {}) =>
   site.newPage(fragment, { ...(viewport && { viewport }), before: (fresh) => fresh.evaluateOnNewDocument(keeping).then(() => fresh.evaluateOnNewDocument(able, shares, films)) });
 
-/** Runs in the page: keeps what is shared where the system does; films may be none. @param {boolean} shares @param {boolean} films */
+/**
+ * Runs in the page: gives it the system's sharing, which keeps the files, or takes films away.
+ * @param {boolean} shares
+ * @param {boolean} films
+ */
 function able(shares, films) {
   navigator.canShare = ({ files = [] }) => shares && files.every(({ type }) => /^(image|video)\//.test(type));
   if (shares) navigator.share = async (data) => (window.shared = data);
   if (!films) delete window.VideoEncoder;
 }
 
-/** The bytes of a file that the page has. @param {import('puppeteer-core').Page} page @param {string} where such as `saved.blob` */
+/** The bytes of a file in the page. @param {import('puppeteer-core').Page} page @param {string} where such as `saved.blob` */
 async function bytesOf(page, where) {
   const text = await page.evaluate(async (path) => {
     const reader = new FileReader();
@@ -46,7 +54,7 @@ async function bytesOf(page, where) {
   return { type, bytes: Buffer.from(data, 'base64') };
 }
 
-/** Another page plays a film: its length, its size, and a coarse picture of its first and last frame. */
+/** Plays a film in another page. Returns its length, its size, and coarse pictures of its first and last frame. */
 async function played(page, { type, bytes }, box) {
   const player = await page.browserContext().newPage();
   await player.bringToFront();
@@ -56,7 +64,7 @@ async function played(page, { type, bytes }, box) {
   return found;
 }
 
-/** Runs in a page: gives it the means of red, green and blue of 24 by 24 parts of a picture. */
+/** Runs in a page: defines the mean colours of 24 by 24 parts of a picture. */
 function meaning() {
   window.coarse = (picture, x, y, side) => {
     const context = new OffscreenCanvas(side, side).getContext('2d');
@@ -74,7 +82,7 @@ function meaning() {
   };
 }
 
-/** Runs in a page. */
+/** Runs in a page: plays a film. */
 async function playing(url, [x, y, side]) {
   const video = document.createElement('video');
   video.muted = true;
@@ -88,7 +96,7 @@ async function playing(url, [x, y, side]) {
     const seeked = new Promise((resolve) => (video.onseeked = resolve));
     video.currentTime = time;
     await seeked;
-    // Decoded frames come to the page a little later than it is told: until then all is black.
+    // A decoded frame may reach the page after its event. Until then all pixels are black.
     let seen = [0];
     while (!seen.some((value) => value > 0)) {
       await new Promise((resolve) => requestAnimationFrame(resolve));
@@ -99,7 +107,7 @@ async function playing(url, [x, y, side]) {
   return { length: video.duration, size: [video.videoWidth, video.videoHeight], coarse };
 }
 
-/** The picture, saved at four times its side, as coarse as that: films are made of it. */
+/** A coarse picture of the one saved at four times its side, from which films are made. */
 async function coarsePicture(page) {
   await page.$eval('#save', (key) => key.click());
   await page.waitForSelector('#save-png-4');
@@ -113,7 +121,7 @@ async function coarsePicture(page) {
   });
 }
 
-/** Per channel the mean of what one has more than the other. */
+/** The mean difference per channel, with its sign. */
 function off(one, other) {
   return [0, 1, 2].map((channel) => {
     const here = (list) => list.filter((_, k) => k % 3 === channel);
@@ -122,7 +130,7 @@ function off(one, other) {
   });
 }
 
-/** The mean of what they differ by. */
+/** The mean of the absolute differences. */
 const apart = (one, other) => one.reduce((sum, value, k) => sum + Math.abs(value - other[k]), 0) / one.length;
 
 function assertSame(picture, frames) {
@@ -132,7 +140,7 @@ function assertSame(picture, frames) {
   }
 }
 
-/** What another reader finds in an MP4 file: that all frames are as long, and which stand for themselves. @param {Buffer} bytes */
+/** Another reader's facts about an MP4 file: the durations of its frames, and its key frames. @param {Buffer} bytes */
 function readMp4(bytes) {
   const file = createFile();
   const buffer = Object.assign(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.length), { fileStart: 0 });
@@ -174,7 +182,7 @@ test('a film of the forming loops from the finished picture to the finished pict
 });
 
 test('a film of the turntable goes round once, and loops', sameEverywhere, async () => {
-  // As an animation, which has a third of the frames.
+  // Saved as an animation, which has a third of the frames.
   const { page, problems, close } = await opened('#size=128&cs=26&camera=20,50', { films: false });
   await digest(page);
   await page.waitForSelector('#sheet[data-turn=fine]');
@@ -198,7 +206,7 @@ test('a film of the turntable goes round once, and loops', sameEverywhere, async
   });
   assert.deepEqual([count, loops, size], [60, true, [360, 360]]);
   const [first, half, last] = coarse;
-  // From the last frame to the first one it is a step like all others.
+  // The step from the last frame to the first is like all others.
   assert.ok(apart(first, last) < apart(first, half) / 3, `the last frame is ${apart(first, last)} off the first one, that half round ${apart(first, half)}`);
   assert.deepEqual(problems, []);
   await close();

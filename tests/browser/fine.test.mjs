@@ -1,4 +1,4 @@
-// The finished picture with the screen's own pixels, over the canvas.
+// The finished picture in the screen's own pixels, over the canvas.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { sameEverywhere } from './browsers.mjs';
@@ -15,14 +15,18 @@ before(async () => {
 
 after(() => site?.close());
 
-/** On a screen of two pixels for one the sheet wants three for one of the picture; closer by one press, five. */
+/** On a screen of double density, the sheet needs three times the picture's pixels; zoomed by one press, five times. */
 const LINK = '#size=384&cs=32&outline=square';
 const THREE = '1152';
 const CLOSER = '1920';
 
 const retina = { width: 1280, height: 840, deviceScaleFactor: 2 };
 
-/** A page where the picture becomes fine, which counts its workers. @param {string} [fragment] @param {import('./harness.mjs').PageOptions} [options] */
+/**
+ * A page with fine pictures, which counts its workers.
+ * @param {string} [fragment]
+ * @param {import('./harness.mjs').PageOptions} [options]
+ */
 async function opened(fragment = LINK, options = {}) {
   const counting = (/** @type {import('puppeteer-core').Page} */ fresh) => fresh.evaluateOnNewDocument(count);
   return site.newPage(fragment, { fine: true, still: true, viewport: retina, before: counting, ...options });
@@ -43,10 +47,10 @@ function count() {
   };
 }
 
-/** Waits for the fine picture, of so many pixels along a side. */
+/** Waits for the fine picture with this many pixels along a side. */
 const fine = (page, side = THREE) => page.waitForSelector(`#sheet[data-fine="${side}"]`);
 
-/** What there is of it. */
+/** The number and the size of fine pictures. */
 const there = (page) => page.evaluate(() => [document.querySelectorAll('.fine').length, document.querySelector('#sheet').dataset.fine ?? null]);
 
 test('the finished picture gets the pixels of the screen: those of its file, and where the canvas has them', async () => {
@@ -75,7 +79,8 @@ test('the finished picture gets the pixels of the screen: those of its file, and
     const { width: side } = canvas;
     const scale = over.width / side;
     const [coarse, finer, file] = [pixels(canvas, side), pixels(over, over.width), pixels(await createImageBitmap(window.saved), over.width)];
-    // How far the means over a pixel are from the pixels, where the picture is moved by some of its own.
+    // The difference between the pixels and the means of the fine pixels in them, with the fine picture shifted by
+    // some of its own.
     const apart = (dx, dy) => {
       let [sum, all] = [0, 0];
       for (let y = 4; y < side - 4; y += 1) {
@@ -107,7 +112,7 @@ test('the finished picture gets the pixels of the screen: those of its file, and
 test('it goes with the first change, and comes back once the picture stands still', sameEverywhere, async () => {
   const { page, problems, close } = await opened();
   await fine(page);
-  // A slider on its way, and let go.
+  // A slider while it moves, and when it is released.
   for (const kind of ['input', 'change']) {
     const left = await page.$eval(
       '[data-key=az] [type=range]',
@@ -122,7 +127,7 @@ test('it goes with the first change, and comes back once the picture stands stil
   }
   await fine(page);
   assert.deepEqual(await page.evaluate(() => [window.begun, window.ended]), [2, 2]);
-  // Other views than the picture, and what lies over it.
+  // Views other than the picture, and overlays.
   await page.keyboard.press('4');
   assert.deepEqual(await there(page), [0, null]);
   await page.keyboard.press('1');
@@ -147,7 +152,7 @@ test('closer it is finer, and all of the picture keeps what there is', sameEvery
   await frames(page, 2);
   assert.deepEqual(await there(page), [1, CLOSER]);
   assert.equal(await page.evaluate(() => window.begun), 2);
-  // Where even these pixels are seen one by one, they are squares as ever.
+  // Zoomed so far that single fine pixels are visible, they are squares.
   const rendering = () => page.$eval('.fine', (canvas) => getComputedStyle(canvas).imageRendering);
   assert.equal(await rendering(), 'auto');
   for (let k = 0; k < 7; k += 1) await click(page, '#zoom-in');
@@ -211,7 +216,7 @@ test('a page that is not seen makes none', sameEverywhere, async () => {
   assert.deepEqual(await there(page), [0, null]);
   await hide(false);
   await fine(page, '1536');
-  // What is there stays.
+  // The present fine picture stays.
   await hide(true);
   await hide(false);
   assert.deepEqual(await there(page), [1, '1536']);
@@ -224,7 +229,7 @@ test('the page is not held while it comes', { skip }, async () => {
   const { page, close } = await opened('#cs=24&zoom=1.8,0.5,0.5', { still: false });
   await fine(page, '2048');
   const runs = [];
-  // Once in a while the browser itself holds a page for long.
+  // Now and then the browser itself blocks a page for long.
   while (runs.length < 3 && !(runs.at(-1) < 1)) {
     await set(page, 'seed', String(10 + runs.length));
     await digest(page);

@@ -1,4 +1,4 @@
-// The forming as a newcomer sees it, and as it is watched again.
+// The forming as a new visitor sees it, and as it is watched again.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { sameEverywhere } from './browsers.mjs';
@@ -14,7 +14,7 @@ before(async () => {
 
 after(() => site?.close());
 
-/** Notes in every frame what is told and what is seen, where it is something new. */
+/** Records each change that is announced or visible, frame by frame. */
 function watchFrames() {
   window.film = [];
   const look = () => {
@@ -37,13 +37,13 @@ const visit = (fragment) => site.newPage(fragment, { before: (fresh) => fresh.ev
 
 const film = (page) => page.evaluate(() => window.film);
 
-/** Waits for the end of what is seen, and until the film has it: it is noted with the next frame. */
+/** Waits for the visible end, and until the record has it, which takes one more frame. */
 const rested = (page) => page.waitForFunction(() => window.film.at(-1)?.now.main === 'again', { timeout: 60_000 });
 
-/** Waits until the packing is seen. */
+/** Waits until the packing is visible. */
 const forms = (page) => page.waitForSelector('[data-word=packing][data-state=now]', { timeout: 60_000 });
 
-/** The steps that are told once they stay: a drawing may take some frames, and with it what is told. */
+/** The number of steps once it stays the same. A drawing, and the number with it, may take some frames. */
 const count = (page) =>
   page.evaluate(async () => {
     const told = () => Number(document.querySelector('#count-steps').textContent);
@@ -70,7 +70,7 @@ test('on a first visit the forming takes its time, and scripts need not wait for
   assert.ok(end - begin > 2500, `${end - begin} ms`);
   assert.equal(await page.$eval('#subtitle .said', (text) => text.textContent), 'Bubbles push each other into place, settle, and turn to stone.');
   assert.equal(await page.$eval('#play', (button) => button.textContent.trim()), 'Watch again');
-  // What scripts were told is what is seen in the end, and what the link gives anywhere.
+  // The final picture is the one that scripts were told of, and the same as from the link elsewhere.
   assert.deepEqual(await page.evaluate(() => [window.bubblestone.status().cells, window.bubblestone.status().steps]), [cells, steps]);
   assert.equal(await digest(page), planes);
   const shown = await canvas(page);
@@ -138,7 +138,7 @@ test('any picture is watched again, from its start', sameEverywhere, async () =>
     const words = new Set((await film(page)).map(({ now }) => now.words));
     for (const number of [1, 2, 3]) assert.ok(words.has(number), `${number} of the words are not seen`);
   }
-  // In the middle of it, it begins anew: its few first steps are soon over, and the film has them.
+  // Start again midway. The record shows the first few steps, which are over before a test could look.
   await page.evaluate(() => (window.film = []));
   await page.keyboard.press('r');
   await page.waitForFunction(() => window.film.some(({ now }) => now.seen === 'packing' && now.steps > 5));

@@ -1,4 +1,4 @@
-// A real browser on the built site, for the tests beside this file.
+// Opens the built site in a real browser, for the tests beside this file.
 //
 //   const site = await open();
 //   const { page, problems } = await site.newPage('#seed=7');
@@ -11,10 +11,10 @@ import { allowClipboard, blankPage, kind, launch } from './browsers.mjs';
 
 const dist = fileURLToPath(new URL('../../dist/', import.meta.url));
 
-// Not the root of the host: the site has to work from any folder.
+// A folder below the root, as the site must work from any folder.
 const folder = '/any/folder/';
 
-/** Chromium is one for all; Firefox is another one for each system. @typedef {Map<string, ReturnType<typeof launch>>} Launched */
+/** One Chromium serves all; each system has a Firefox of its own. @typedef {Map<string, ReturnType<typeof launch>>} Launched */
 
 /**
  * Serves dist/ and starts a browser with an empty profile.
@@ -22,7 +22,7 @@ const folder = '/any/folder/';
  * @param {string[]} [options.flags] more flags for Chromium
  * @param {string} [options.files] another folder than dist/
  * @param {(asked: (path: string) => void) => ReturnType<typeof host>} [options.serve] another host
- * @param {{ launched: Launched }} [options.beside] another site, whose browsers open this one, too, and which ends them
+ * @param {{ launched: Launched }} [options.beside] another site: this one uses its browsers, and that one closes them
  */
 export async function open({ flags = [], files = dist, serve = (asked) => host(files, { under: folder, asked }), beside } = {}) {
   /** The paths of all requests. @type {string[]} */
@@ -39,12 +39,12 @@ export async function open({ flags = [], files = dist, serve = (asked) => host(f
   return {
     origin,
     requests,
-    /** Ends the host, as if there were no connection any more. */
+    /** Stops the host, as if the connection was lost. */
     stop,
     /** The page's address. */
     address,
     /**
-     * A page of its own context, opened at the address with a fragment.
+     * A page in its own context, opened at the address with a fragment.
      * @param {string} [fragment] such as `#seed=7`
      * @param {PageOptions} [options]
      */
@@ -69,8 +69,8 @@ export async function open({ flags = [], files = dist, serve = (asked) => host(f
  * @property {import('puppeteer-core').Viewport} [viewport]
  * @property {boolean} [dark] whether the system asks for a dark page
  * @property {boolean} [still] whether the system asks for less motion
- * @property {boolean} [fine] whether the finished picture is painted once more, with the screen's own pixels
- * @property {boolean} [stores] whether the page may store the site, all of whose files it fetches for that
+ * @property {boolean} [fine] whether the finished picture is painted again in the screen's own pixels
+ * @property {boolean} [stores] whether the page may store the site, for which it fetches all files
  * @property {(page: import('puppeteer-core').Page) => Promise<unknown>} [before] runs before the page is opened
  */
 
@@ -94,14 +94,14 @@ async function newPage(browser, system, address, fragment, { viewport = { width:
   page.on('pageerror', (error) => problems.push(String(error)));
   page.on('requestfailed', (request) => {
     const why = request.failure()?.errorText ?? '';
-    // What the page, or its going away, did not wait for any more is no failure.
+    // An aborted request is no failure: the page, or the end of the page, no longer needs it.
     if (!/ABORT/.test(why)) problems.push(`${request.url()}: ${why}`);
   });
   page.on('request', (request) => {
     const url = request.url();
     if (!url.startsWith(`${origin}/`) && !/^(data|blob|about):/.test(url)) external.push(url);
   });
-  // States are waited for as long as a slow machine takes.
+  // A slow machine needs long to reach a state.
   page.setDefaultTimeout(120_000);
   await page.setViewport(viewport);
   if (!stores) await page.evaluateOnNewDocument(neverStored);
@@ -111,7 +111,7 @@ async function newPage(browser, system, address, fragment, { viewport = { width:
   return { page, problems, external, close };
 }
 
-/** The visitor has chosen to see the picture's own pixels, and nothing else is kept: the first visit is one all the same. */
+/** Chooses the picture's own pixels. Nothing else is stored, so the visit still counts as the first. */
 function plain() {
   const kept = Storage.prototype.getItem;
   Storage.prototype.getItem = function (name) {
@@ -119,8 +119,8 @@ function plain() {
   };
 }
 
-/** The time for the service worker never comes. */
+/** Keeps the page from registering its service worker. */
 function neverStored() {
-  // An empty page has none.
+  // An empty page has no service workers.
   if (navigator.serviceWorker) navigator.serviceWorker.register = () => new Promise(() => undefined);
 }

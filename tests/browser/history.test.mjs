@@ -36,7 +36,7 @@ test('each change is undone and redone, by buttons and by keys, and digests come
     await set(page, key, value);
     digests.push(await digest(page));
   }
-  // The light is not in the planes.
+  // The light does not change the planes.
   assert.equal(new Set(digests).size, 4);
   const last = digests.pop();
   for (const before of digests.toReversed()) {
@@ -150,7 +150,7 @@ test('a link opened over work of one’s own can be taken back', async () => {
   await frames(page, 2);
   assert.equal(await link(page), work);
   assert.doesNotMatch((await messages(page)).join(), /over the work/);
-  // Work that another tab has left meanwhile is none that a page loaded anew takes the place of.
+  // A reloaded page restores its own last work, not the work that another tab stored meanwhile.
   await page.evaluate((other) => {
     const kept = JSON.parse(localStorage.getItem('bubblestone.work'));
     addEventListener('pagehide', () => localStorage.setItem('bubblestone.work', JSON.stringify({ ...kept, recipe: other })));

@@ -1,4 +1,4 @@
-// Drawings become outlines as they are seen, or a sentence tells why not, and the page stays free meanwhile.
+// Drawings become outlines as they look, or a sentence says why not. The page stays responsive meanwhile.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { sameEverywhere } from './browsers.mjs';
@@ -15,7 +15,7 @@ before(async () => {
 
 after(() => site?.close());
 
-/** A drawing of the side 100. */
+/** A drawing of side 100. */
 const svg = (inner, more = '') => `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 100 100" ${more}>${inner}</svg>`;
 
 /** Squares side by side. */
@@ -25,7 +25,7 @@ function squares(count, width) {
   return svg(Array.from({ length: count }, (_, k) => `<rect x="${(k % columns) * step}" y="${Math.floor(k / columns) * step}" width="${width * step}" height="${width * step}"/>`).join(''));
 }
 
-/** What the outline, or these rings of it, cover, in the units of such a drawing. */
+/** The area of the outline, or of these rings, in the units of such a drawing. */
 async function area(page, known) {
   const sum = (ring) => ring.reduce((total, [x, y], k) => total + (x * ring[(k + 1) % ring.length][1] - y * ring[(k + 1) % ring.length][0]) / 2, 0);
   return 1e4 * (known ?? (await rings(page))).reduce((total, ring) => total + sum(ring), 0);
@@ -79,13 +79,13 @@ test('the icons of a well-known set come as they are drawn', sameEverywhere, asy
   const icon = (inner) => `<svg xmlns="http://www.w3.org/2000/svg" width="24" height="24" viewBox="0 0 24 24" fill="none" stroke="currentColor" stroke-width="2" stroke-linecap="round" stroke-linejoin="round">${inner}</svg>`;
   const unit = (100 / 24) ** 2;
   await bring(page, icon('<circle cx="11" cy="11" r="8"/><line x1="21" y1="21" x2="16.65" y2="16.65"/>'));
-  // The handle's round end lies in the ring of the glass by some hundredths only.
+  // The round end of the handle overlaps the ring of the glass by some hundredths only.
   const expected = unit * (2 * Math.PI * 8 * 2 + Math.hypot(4.35, 4.35) * 2 + Math.PI / 2);
   assert.ok(Math.abs((await area(page)) / expected - 1) < 0.02, `${await area(page)} instead of ${expected}`);
   await bring(page, icon('<polyline points="20 6 9 17 4 12"/>'));
   const check = unit * (2 * (Math.hypot(11, 11) + Math.hypot(5, 5)) + Math.PI - (1 - Math.PI / 4));
   assert.ok(Math.abs((await area(page)) / check - 1) < 0.01, `${await area(page)} instead of ${check}`);
-  // Points that are given are all taken.
+  // All given points are used.
   const points = Array.from({ length: 600 }, (_, k) => [50 + 40 * Math.cos((Math.PI * k) / 300), 50 + 40 * Math.sin((Math.PI * k) / 300)]);
   await bring(page, svg(`<polygon points="${points.join(' ')}"/>`));
   assert.deepEqual((await rings(page)).map((ring) => ring.length), [600]);
@@ -135,7 +135,7 @@ test('shapes of an SVG come with their transforms and sharp corners; scripts in 
   const circle = found.find((ring) => ring.length > 8 && ring.every(([x, y]) => Math.abs(Math.hypot(x - 0.25, y - 0.75) - 0.15) < 0.002));
   assert.ok(circle, 'the circle');
   assert.equal(await page.evaluate(() => window.bad), undefined);
-  // Pictures in the picture, what is used, lengths with units, and what is not to be seen.
+  // Nested pictures, used elements, lengths with units, and invisible elements.
   await bring(
     page,
     `<svg viewBox="0 0 200 200"><symbol id="dot" viewBox="0 0 10 10"><circle cx="5" cy="5" r="5"/></symbol><defs><path id="box" d="M0 0h20v20H0z"/></defs>
@@ -184,7 +184,7 @@ test('an outline is pasted, and other text is not', async () => {
     page.evaluate((content) => {
       const clipboardData = new DataTransfer();
       clipboardData.setData('text/plain', content);
-      // Firefox makes the event's clipboard of these two words.
+      // Firefox makes the event's clipboard from `data` and `dataType`.
       const given = { clipboardData, data: content, dataType: 'text/plain', bubbles: true };
       document.body.dispatchEvent(new ClipboardEvent('paste', given));
     }, text);
@@ -231,10 +231,10 @@ test('a drawing that is too much, or makes no sense, gets a sentence or a pictur
     await message(page, 'alert', words);
     assert.equal(await link(page), before);
   }
-  // What uses itself is drawn but for that; and a square beside numbers that are none is a square.
+  // An element that uses itself is drawn without that use. Numbers that are too small or too large do not hide a square.
   await bring(page, svg('<g id="a"><rect x="20" y="20" width="50" height="50"/><use href="#a" x="5"/></g><rect x="1e-400" width="1e-300" height="9"/><path transform="scale(0)" d="M0 0H9V9"/>'));
   assert.ok(Math.abs((await area(page)) - 55 * 50) < 3);
-  // As many squares as may be, and twice as many that overlap.
+  // The largest number of squares, and twice as many that overlap.
   await bring(page, squares(300, 0.7));
   assert.equal((await rings(page)).length, 300);
   await bring(page, squares(625, 1.1));
@@ -270,7 +270,7 @@ test('reading a busy drawing never holds the page for long', { skip }, async () 
   await digest(page);
   for (const drawing of [squares(5000, 0.8), squares(900, 0.8), squares(49, 0.8)]) {
     const runs = [];
-    // What comes first takes the browser longer.
+    // A browser's first run takes longer.
     while (runs.length < 6 && !(runs.at(-1) < 1)) {
       await unread(page);
       runs.push(await longestTask(page, () => paste(page, drawing)));
@@ -281,7 +281,7 @@ test('reading a busy drawing never holds the page for long', { skip }, async () 
   await close();
 });
 
-/** Pastes a drawing, and waits until the page has read it and shows it. */
+/** Pastes a drawing, and waits until the page has read and shown it. */
 async function paste(page, drawing) {
   await page.evaluate((text) => {
     const clipboardData = new DataTransfer();

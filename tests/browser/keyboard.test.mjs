@@ -12,7 +12,7 @@ before(async () => {
 
 after(() => site?.close());
 
-/** Presses Tab until an element that fits has the focus, and asks that the focus can be seen on the way. */
+/** Presses Tab until a matching element has the focus. Checks that the focus is visible at every stop. */
 async function tabTo(page, selector, most = 120) {
   for (let presses = 0; presses < most; presses += 1) {
     await page.keyboard.press('Tab');
@@ -61,7 +61,7 @@ test('single keys work anywhere but where they are text', async () => {
   const does = () => page.$eval('#play', (button) => button.textContent.trim());
   await page.keyboard.press('r');
   assert.equal(await does(), 'Pause');
-  // Begun anew and held at once, whatever the look took: the packing is over in two seconds.
+  // Started again and paused at once, however long the checks took: the packing lasts only two seconds.
   await page.keyboard.press('r');
   await page.keyboard.press(' ');
   assert.equal(await does(), 'Play');
@@ -92,7 +92,7 @@ test('listeners are told of the end of the work once, and only the first time th
             if (live && /^(live|stored)$/.test(live.id) && live.textContent && live.ariaLive !== 'off') window.told.push(live.id);
           }
         }).observe(document, { subtree: true, childList: true, characterData: true });
-        // While the test presses keys the page's waits do not end: the machine may be slow.
+        // On a slow machine, the page's timeouts could end between key presses: hold them back.
         const { setTimeout, clearTimeout } = window;
         const held = new Map();
         window.setTimeout = (work, wait, ...rest) => {

@@ -18,7 +18,7 @@ before(async () => {
 
 after(() => site?.close());
 
-/** A page in a browser that asks for Japanese. */
+/** A page in a browser that prefers Japanese. */
 function inJapanese(fragment, options = {}) {
   return site.newPage(fragment, {
     ...options,
@@ -34,9 +34,9 @@ function inJapanese(fragment, options = {}) {
 
 test('every word has its Japanese, with the same values in it', sameEverywhere, () => {
   const values = (text) => (text.match(/\{\w+\}/g) ?? []).sort();
-  // Signs and names of formats are the same in both.
+  // Signs and names of formats are the same in both languages.
   const same = (text) => !/[a-z]{3}/.test(text.replace(/\{\w+\}|PNG|OBJ|GLB|SVG|GIF|JSON|Bubblestone/g, ''));
-  // The last are of what is loaded later, both languages in one file.
+  // The last files are those of lazy parts, with both languages in one file.
   const parts = [...['page', 'words'].map((part) => [english[part], japanese[part]]), ...['take', 'look', 'turn', 'editor'].map(words).map(({ en, ja }) => [en, ja])];
   for (const [en, ja] of parts) {
     assert.deepEqual(Object.keys(ja).sort(), Object.keys(en).sort());
@@ -104,7 +104,7 @@ test('links that are wrong are answered in Japanese', sameEverywhere, async () =
   const said = await page.$$eval('.message p, .message li', (all) => all.map((item) => item.textContent));
   assert.ok(said.length >= 6, String(said));
   for (const sentence of said) assert.match(sentence, /[ぁ-ん]/, sentence);
-  // Choices are called as the page calls them.
+  // Notices name choices as the page does.
   assert.ok(said.includes('種類 (kind)は正方形 (square)、長方形 (rectangle)、円 (circle)、楕円 (ellipse)のどれかでなければなりません。"blob"が与えられたので、正方形 (square)にしました。'), String(said));
   assert.match(said.find((sentence) => sentence.includes('"donut"')), /輪 \(annulus\)、S字の道 \(road_s\)、/);
   await close();

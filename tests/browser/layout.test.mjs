@@ -23,16 +23,16 @@ after(() => site?.close());
 const speaking = (language) => (/** @type {Page} */ fresh) =>
   fresh.evaluateOnNewDocument((code) => localStorage.setItem('bubblestone.language', code), language);
 
-/** Where something is in the window. @param {Page} page @param {string} selector */
+/** The box of an element in the window. @param {Page} page @param {string} selector */
 const place = (page, selector) => page.$eval(selector, (element) => element.getBoundingClientRect().toJSON());
 
-/** Brings an element to the middle of what is left of the window. @param {Page} page @param {string} selector */
+/** Scrolls an element to the middle of the window's free part. @param {Page} page @param {string} selector */
 async function scrollTo(page, selector) {
   await page.$eval(selector, (element) => element.scrollIntoView({ block: 'center', behavior: 'instant' }));
   await frames(page, 3);
 }
 
-/** How the picture is to be seen: its place, and whether nothing lies over its middle. @param {Page} page */
+/** The place of the picture, and whether its middle is uncovered. @param {Page} page */
 const sight = (page) =>
   page.$eval('#canvas', (picture) => {
     const { left, top, right, bottom, width, height } = picture.getBoundingClientRect();
@@ -97,7 +97,7 @@ test('a keyboard on the screen leaves the picture and the controls in sight', as
   const { page, close } = await site.newPage(SMALL, { viewport: phone });
   await digest(page);
   await scrollTo(page, '#p-dr');
-  // One that makes the page lower moves nothing on it.
+  // A keyboard that shrinks the page moves nothing on it.
   const long = () => page.evaluate(() => [document.documentElement.scrollWidth, document.querySelector('#panel').getBoundingClientRect().top + scrollY]);
   const before = await long();
   await page.setViewport({ ...phone, height: 440 });
@@ -107,7 +107,7 @@ test('a keyboard on the screen leaves the picture and the controls in sight', as
   assert.ok(lower.top >= -1 && lower.bottom <= 0.4 * 440, JSON.stringify(lower));
   assert.deepEqual(await long(), before);
   await page.setViewport(phone);
-  // One that lies over it is told by the browser.
+  // A keyboard that covers the page is reported by the browser.
   await page.evaluate(() => {
     const seen = window.visualViewport;
     for (const [name, value] of Object.entries({ height: 440, offsetTop: 60 })) Object.defineProperty(seen, name, { value });
@@ -151,7 +151,7 @@ for (const [device, viewport] of Object.entries({ phone, 'upright tablet': table
     assert.deepEqual(tops, [...tops].sort(([, a], [, b]) => a - b), 'the order on the page');
     for (const selector of ['#language', '#theme', '#about-button', '#keys-button']) assert.ok((await place(page, selector)).bottom < 100, selector);
     assert.ok((await place(page, '#rail')).bottom < viewport.height, 'the presets are below the first screen');
-    // Tools stand side by side.
+    // The tools stand side by side.
     for (const box of ['.edit-tools', '.look-tools']) {
       const rows = await page.$$eval(`${box} > .key`, (buttons) => new Set(buttons.map((button) => button.getBoundingClientRect().top)).size);
       assert.ok(rows <= (viewport === phone ? 2 : 1), `${box} has ${rows} rows`);
@@ -188,7 +188,7 @@ test('rare tools come and go under More', async () => {
   const shown = () => page.$$eval('.edit-tools .key', (buttons) => buttons.filter((button) => button.getClientRects().length).map((button) => button.dataset.tool ?? button.id));
   const common = ['outline', 'road', 'hole', 'lines', 'strokes', 'text', 'import', 'more-tools'];
   assert.deepEqual(await shown(), common);
-  // By the keyboard: the arrow keys go to them, Escape takes them away.
+  // By keyboard: the arrow keys reach them, Escape closes them.
   await page.focus('[data-tool=outline]');
   await page.keyboard.press('ArrowLeft');
   assert.equal(await page.evaluate(() => document.activeElement.id), 'more-tools');
@@ -205,7 +205,7 @@ test('rare tools come and go under More', async () => {
   await close();
 });
 
-/** The colour of the page's ground, and what the browser's own frame is told. @param {Page} page */
+/** The page's background, and the colour that the browser's own frame gets. @param {Page} page */
 const colours = (page) =>
   page.evaluate(() => ({
     ground: getComputedStyle(document.body).backgroundColor,
@@ -227,7 +227,7 @@ for (const dark of [false, true]) {
     assert.deepEqual(await colours(page), own);
     await click(page, '#theme');
     assert.deepEqual(await colours(page), other);
-    // Whatever is painted first has the colours already.
+    // The first paint already has the colours.
     await page.evaluateOnNewDocument(() => {
       const look = () => {
         if (document.body) window.grounds = (window.grounds ?? new Set()).add(getComputedStyle(document.body).backgroundColor);
@@ -247,7 +247,7 @@ for (const dark of [false, true]) {
   });
 }
 
-/** The keys of the controls that are shown, and of those with sliders. @param {Page} page */
+/** The keys of the visible controls, and of those with sliders. @param {Page} page */
 const controls = (page) =>
   page.$$eval('#controls .control', (elements) => {
     const shown = elements.filter((control) => control.getClientRects().length);
@@ -261,7 +261,7 @@ test('Simple shows ten sliders, All the rest, and the choice is remembered', sam
   const simple = await controls(page);
   assert.equal(simple.sliders.length, 10, String(simple.sliders));
   assert.deepEqual(simple.keys.filter((key) => !simple.sliders.includes(key)), ['outline', 'kind', 'stone', 'palette']);
-  // What is not shown is there, and said.
+  // Hidden parameters are in the page, and a button counts them.
   assert.match(await page.$eval('#rest', (button) => button.textContent), /3 more/);
   await click(page, '#rest');
   assert.equal(await page.evaluate(() => document.activeElement.value), 'all');

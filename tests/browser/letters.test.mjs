@@ -10,7 +10,7 @@ let site;
 before(async () => void (site = await open()));
 after(() => site?.close());
 
-/** Opens the letters' dialog. @param {import('./harness.mjs').PageOptions} [options] @param {string} [fragment] */
+/** Opens the dialog for letters. @param {import('./harness.mjs').PageOptions} [options] @param {string} [fragment] */
 async function dialog(options, fragment = SQUARE) {
   const opened = await site.newPage(fragment, options);
   await digest(opened.page);
@@ -19,7 +19,7 @@ async function dialog(options, fragment = SQUARE) {
   return opened;
 }
 
-/** Writes another text, at once. @param {import('puppeteer-core').Page} page @param {string} text */
+/** Replaces the text at once. @param {import('puppeteer-core').Page} page @param {string} text */
 function write(page, text) {
   return page.$eval(
     '#letters',
@@ -36,7 +36,7 @@ function said(page, words, place = '.letters-side') {
   return page.waitForFunction((selector, source) => new RegExp(source).test(document.querySelector(selector)?.textContent ?? ''), {}, place, words.source);
 }
 
-/** Waits until the letters lie in stones beside the fields, none of their cells in the making. @param {import('puppeteer-core').Page} page */
+/** Waits until the dialog shows the letters in finished stones. @param {import('puppeteer-core').Page} page */
 function inStones(page) {
   return page.waitForSelector('#text-dialog[data-stage=done] canvas:not([hidden])');
 }
@@ -107,7 +107,7 @@ test('what is wrong, or more than allowed, is said in the dialog', sameEverywher
 
 test('lines break where Japanese and English let them', sameEverywhere, async () => {
   const { page, problems, close } = await dialog();
-  // The lines that were painted, by the worker's own canvas.
+  // The lines that the worker's canvas painted.
   const linesOf = async (/** @type {string} */ text) => {
     await page.evaluate(() => {
       if (window.asked) return;

@@ -1,4 +1,4 @@
-// Looking closer at the picture, as people do it.
+// The tools for a closer look, used as people do.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { sameEverywhere } from './browsers.mjs';
@@ -24,7 +24,7 @@ test('the sun is dragged: only the light is worked out anew, in one step of the 
   await page.keyboard.press('l');
   await page.waitForSelector('#light-sun', { visible: true });
   const sun = await box(page, '#light-sun');
-  // To the right of the middle, half way to the horizon.
+  // Halfway to the horizon, to the right.
   await drag(page, { x: sun.x + sun.width / 2, y: sun.y + sun.height / 2 }, await spot(page, 0.5 + 0.23, 0.5));
   assert.equal(await page.$eval('html', (html) => html.dataset.stage !== 'packing'), true);
   await page.mouse.up();
@@ -54,7 +54,7 @@ test('the sun and the lamp are moved by arrow keys', sameEverywhere, async () =>
   await page.keyboard.press('ArrowUp');
   assert.deepEqual([await get(page, 'az'), await get(page, 'el')], ['228', '45']);
   assert.match(await page.$eval('#light-sun', (sun) => sun.getAttribute('aria-valuetext')), /228°.*45°/);
-  // A filter there has the whole picture for its unit: painting it takes seconds where there is no graphics card.
+  // A filter would cover the whole picture. Painting that takes seconds without a graphics card.
   const filters = await page.$$eval('.light-layer svg *', (parts) => parts.map((part) => getComputedStyle(part).filter));
   assert.deepEqual([...new Set(filters)], ['none']);
   await page.evaluate(() => [...document.querySelectorAll('.light-kinds input')].at(-1).click());
@@ -79,7 +79,7 @@ test('the sun and the lamp are moved by arrow keys', sameEverywhere, async () =>
   await close();
 });
 
-/** The numbers of a cell at a place of the sheet, as the module tells them. */
+/** The module's numbers of the cell at a place of the sheet. */
 function probe(page, fx, fy) {
   return page.evaluate(
     (x, y) => {
@@ -122,7 +122,7 @@ test('arrow keys walk from cell to cell and say what each is', sameEverywhere, a
   }
   const [a, b, c, d] = places.map(({ x, y, width, height }) => ({ x: x + width / 2, y: y + height / 2 }));
   assert.ok(b.x > a.x + 5 && c.x > b.x + 5 && d.y > c.y + 5, JSON.stringify([a, b, c, d]));
-  // At the boundary there is no further cell.
+  // No cell lies beyond the boundary.
   for (let k = 0; k < 20; k += 1) await page.keyboard.press('ArrowRight');
   assert.equal(await said(), 'No cell is there.');
   await page.keyboard.press('ArrowLeft');
@@ -130,7 +130,7 @@ test('arrow keys walk from cell to cell and say what each is', sameEverywhere, a
   await close();
 });
 
-/** Waits until the canvas shows what none of these hashes is of, and adds its own. @param {Set<number>} seen */
+/** Waits until the canvas shows a picture whose hash is not in the set, and adds its hash. @param {Set<number>} seen */
 async function unseen(page, seen, what) {
   for (let tries = 0; tries < 600; tries += 1) {
     const { hash } = await canvas(page);
@@ -140,7 +140,7 @@ async function unseen(page, seen, what) {
   assert.fail(`${what} looks like another picture`);
 }
 
-/** Waits until the picture that is compared is the one that is shown. */
+/** Waits until the compared picture equals the own one. */
 const alike = (page) => page.waitForFunction(() => document.querySelector('.other').toDataURL() === document.querySelector('#canvas').toDataURL());
 
 test('layers are drawn over the picture, each with a sentence, and the canvas keeps its place', sameEverywhere, async () => {
@@ -267,7 +267,7 @@ test('the picture is repeated side by side, and cells are told of in each', same
   await page.waitForFunction(() => document.querySelector('.tiles').width === 576);
   await page.keyboard.press('t');
   assert.equal(await page.$eval('.tiles', (tiles) => tiles.hidden), true);
-  // Of points, repeats and a comparison, what was asked for last goes on.
+  // Editing, repeats and comparisons exclude each other: the one that was started last stays.
   await tool(page, 'strokes');
   await page.keyboard.press('t');
   await page.waitForSelector('.tiles', { visible: true });
@@ -294,14 +294,14 @@ test('another recipe is compared under a divider, made beside the shown one', as
   assert.notEqual(voronoi, await page.$eval('#canvas', (element) => element.toDataURL().length + element.toDataURL().slice(-400)));
   assert.equal(await digest(page), shown);
   assert.equal(await get(page, 'cells'), 'fitted');
-  // The keyboard moves the divider; what is left of it is the other one.
+  // The keyboard moves the divider. The second picture is visible left of it.
   const clip = () => page.$eval('.other', (element) => getComputedStyle(element).clipPath);
   const before = await clip();
   for (let k = 0; k < 10; k += 1) await page.keyboard.press('ArrowRight');
   assert.equal(await page.$eval('#divider', (divider) => divider.value), '60');
   assert.notEqual(await clip(), before);
   await page.select('#compare-with', 'before');
-  // The recipe as it was is the shown one, in any view.
+  // The previous recipe equals the own one in every view.
   await alike(page);
   const picture = new Set([(await canvas(page)).hash]);
   await page.keyboard.press('3');
@@ -311,7 +311,7 @@ test('another recipe is compared under a divider, made beside the shown one', as
   await page.type('#compare-link', 'https://example.org/#nonsense=1');
   await page.keyboard.press('Tab');
   await message(page, 'status', /nonsense/);
-  // What is said of it leaves its field free.
+  // A message about the link leaves its field uncovered.
   await click(page, '#compare-link', { count: 3 });
   await page.keyboard.type('https://example.org/#size=192&cs=24');
   await page.keyboard.press('Tab');
@@ -330,7 +330,7 @@ test('on a phone everything for looking closer can be touched, and nothing is wi
   const place = await box(page, '#canvas');
   for (const id of ['light', 'layers', 'plots', 'compare']) await page.$eval(`#${id}-button`, (button) => button.click());
   for (const selector of ['#light-sun', '#layers', '#plots canvas', '#divider']) await page.waitForSelector(selector, { visible: true });
-  // The page goes to the plots, where the picture is small: it is measured when it is large again.
+  // The page scrolls to the plots, and the picture shrinks: measure it when it is large again.
   const measured = await page.waitForFunction(
     (side) => {
       window.scrollTo({ top: 0, behavior: 'instant' });

@@ -1,4 +1,4 @@
-// Several generators on one page: the site of these tests has a specimen in its second module.
+// Several generators on one page. The second module of this site has a specimen.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { specimenSite } from '../../scripts/lib/site.mjs';
@@ -19,7 +19,7 @@ after(() => site?.close());
 
 const SQUARES = '#v=1&make=specimen&size=192&across=5';
 
-/** Waits until this generator is at work, and its picture done. @param {Page} page @param {string} word */
+/** Waits until this generator has finished its picture. @param {Page} page @param {string} word */
 async function made(page, word) {
   await page.waitForSelector(`.make[data-make=${word}][aria-current]`);
   return digest(page);
@@ -50,7 +50,7 @@ test('another generator is chosen at the top, and seed, light and weather go alo
   await page.waitForSelector('#save-dialog[open]');
   assert.deepEqual(await page.$$eval('#save-dialog section', (rows) => rows.map((row) => row.getAttribute('aria-label'))), ['Picture', 'Maps', 'Recipe']);
   await click(page, '#save-dialog [data-close]');
-  // Back again, as it was but for what went along.
+  // Back to the first one: as before, except for the values that both share.
   await click(page, '.make[data-make=pavement]');
   assert.equal(await made(page, 'pavement'), pavement);
   assert.equal(await get(page, 'stone'), 'flag');
@@ -110,7 +110,7 @@ test('all generators work without a host once the site is stored', async (t) => 
   await reloading(page, () => page.reload());
   assert.equal(await made(page, 'specimen'), squares);
   await click(page, '.make[data-make=pavement]');
-  // The recipe that comes first, as the page was left.
+  // The recipe that was open when the page was left.
   assert.notEqual(await made(page, 'pavement'), '');
   await page.evaluate((link) => (location.hash = link), SMALL);
   assert.equal(await made(page, 'pavement'), pavement);
@@ -119,9 +119,10 @@ test('all generators work without a host once the site is stored', async (t) => 
 });
 
 /**
- * The second module does not come to this page, neither its script nor the rest, until `isUp`; what is asked for while
- * `isSlow` waits. Where `up`, it comes until the session says `cut`.
- * @param {Page} fresh @param {boolean} [up]
+ * Keeps the second module, and its script, from this page until `isUp`. Requests made while `isSlow` wait. With `up`,
+ * the module can be loaded until the session stores `cut`.
+ * @param {Page} fresh
+ * @param {boolean} [up]
  */
 const cutOff = (fresh, up = false) =>
   fresh.evaluateOnNewDocument((comes) => {
@@ -137,7 +138,7 @@ const cutOff = (fresh, up = false) =>
     };
   }, up);
 
-/** The address and the recipe of what is shown, with what the history holds. @param {Page} page */
+/** The address, the shown recipe, and the length of the history. @param {Page} page */
 const state = (page) =>
   page.evaluate(() => ({
     hash: location.hash.slice(1),
@@ -174,7 +175,7 @@ test('a step back to a generator that does not arrive loses no step', sameEveryw
   await set(page, 'seed', '6');
   await click(page, '#undo');
   await page.waitForFunction(() => document.querySelector('#stored').textContent !== '');
-  // The page as it comes anew has the first module only.
+  // A fresh page has the first module only.
   await page.evaluate(() => sessionStorage.setItem('cut', 'yes'));
   await reloading(page, () => page.reload());
   await digest(page);
@@ -204,7 +205,7 @@ test('while a generator is on its way the page goes on, and what the visitor doe
   await page.waitForSelector('.make[data-make=specimen][aria-busy=true]');
   await message(page, 'status', /is being loaded/);
   assert.deepEqual(await state(page), before);
-  // The generator that is at work, chosen again: the visitor stays.
+  // Choosing the present generator again cancels the wait.
   await click(page, '.make[data-make=pavement]');
   await page.waitForSelector('.make[data-make=specimen][aria-busy=false]');
   await click(page, '.make[data-make=specimen]');
@@ -214,7 +215,7 @@ test('while a generator is on its way the page goes on, and what the visitor doe
   await page.evaluate(() => (window.isSlow = false));
   await digest(page);
   assert.equal(await get(page, 'seed'), '5');
-  // An address that was typed is that of the recipe once it is here, and one step back is what was there.
+  // A typed address stays until its recipe can be opened. One step back leads to the previous recipe.
   await page.evaluate((link) => (location.hash = link), SQUARES);
   await made(page, 'specimen');
   assert.equal((await state(page)).hash, SQUARES.slice(1));
@@ -251,7 +252,7 @@ test('a module that nobody uses any more goes, with its memory', { skip: kind ==
     const kinds = await page.evaluateHandle(() => WebAssembly.Memory.prototype);
     const found = await page.queryObjects(kinds);
     const count = await found.evaluate((all) => all.length);
-    // What is at hand here would stay there.
+    // A handle that is kept would keep the memory.
     await found.dispose();
     return count;
   };

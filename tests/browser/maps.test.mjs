@@ -1,4 +1,4 @@
-// Maps and pictures that the page saves, opened by other programs.
+// Maps and pictures that the page saves, read by other programs.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { unzipSync } from 'fflate';
@@ -35,7 +35,7 @@ test('maps for a program have its names and packing', sameEverywhere, async () =
   for (let k = 0; k < orm.length; k += 4) assert.deepEqual([...orm.subarray(k, k + 3)], [ao[k], rough[k], 0]);
   const green = [png(unreal['T_Bubblestone_N.png']), png(own['normal-opengl.png'])];
   assert.ok(green[0].every((v, k) => k % 4 !== 1 || Math.abs(v + green[1][k] - 255) <= 1));
-  // The heights are those of the map of 16 bits, in sides of the picture. Readers of this format have the lowest row first.
+  // The heights equal those of the 16-bit map, in sides of the picture. Readers of this format put the lowest row first.
   const blender = files(await saved(page, '#save-maps', { normals: 'blender' }));
   const { buffer } = Uint8Array.from(blender['Bubblestone_Displacement.exr']);
   const { width, height, data, format, type } = new EXRLoader().setDataType(FloatType).parse(buffer);
@@ -68,7 +68,7 @@ test('all maps come in one zip file, those of a tile without a seam', sameEveryw
     const { width, height, depth, data } = read[name];
     assert.deepEqual([width, height, depth], [192, 192, name === 'height' ? 16 : 8], name);
     assert.ok(new Set(data.filter((_, k) => k % 4 === 0)).size > 2, `${name} is flat`);
-    // Steps over the seam are as those inside.
+    // Differences across the seam are like those inside.
     const step = (from, to) => {
       let sum = 0;
       for (let y = 0; y < 192; y += 1) sum += Math.abs(data[4 * (192 * y + from)] - data[4 * (192 * y + to)]);
@@ -104,7 +104,11 @@ test('before the picture is done a sentence says so', sameEverywhere, async () =
   await close();
 });
 
-/** @param {any} small @param {any} large PNG files of a picture, of which the second has `scale` times the side @returns {number} how far the means of the reds are off each other */
+/**
+ * @param {any} small
+ * @param {any} large PNG files of a picture, of which the second has `scale` times the side
+ * @returns {number} how far the means of the reds are off each other
+ */
 function meanDifference(small, large, scale) {
   let off = 0;
   for (let y = 0; y < small.height; y += 1) {
@@ -133,12 +137,12 @@ test('maps come larger, and show the same', sameEverywhere, async () => {
   for (const name of Object.keys(own).filter((name) => name.endsWith('.png'))) {
     const [small, large] = [own, twice].map((zip) => png(zip, name.slice(0, -4)));
     assert.deepEqual([large.width, large.height, large.depth], [384, 384, small.depth], name);
-    // Ids change at once from cell to cell, and what is rough and shown by 16 bits differs more in numbers.
+    // Ids jump from cell to cell, and roughness in 16 bits differs more in numbers.
     if (name === 'albedo.png') assert.ok(meanDifference(small, large, 2) < 7, `${name} is ${meanDifference(small, large, 2)} off`);
   }
   const reports = [own, twice].map((zip) => JSON.parse(Buffer.from(zip['report.json']).toString()));
   assert.deepEqual([reports[1].scale, reports[1].hash], [2, reports[0].hash]);
-  // What was chosen stays, and the heights of 32 bits are those of 16.
+  // The choice was remembered. The 32-bit heights equal the 16-bit ones.
   const blender = files(await saved(page, '#save-maps', { normals: 'blender' }));
   const { width, height, data, format } = new EXRLoader().setDataType(FloatType).parse(Uint8Array.from(blender['Bubblestone_Displacement.exr']).buffer);
   assert.deepEqual([width, height], [384, 384]);
@@ -179,7 +183,7 @@ test('the picture is saved at one to eight times its side, and shows the same', 
     assert.equal(name, `bubblestone-annulus-1-${192 * scale}.png`);
     const large = PNG.sync.read(Buffer.from(bytes));
     assert.deepEqual([large.width, large.height], [192 * scale, 192 * scale]);
-    // The mean of the pixels over a pixel is about that pixel.
+    // The mean of the large picture's pixels over a pixel is close to that pixel.
     const off = meanDifference(small, large, scale);
     assert.ok(off < 20, `the picture at ${scale} times its side is ${off} off`);
   }

@@ -1,4 +1,4 @@
-// Meshes that the page saves, opened by other programs.
+// Meshes that the page saves, read by other programs.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { NodeIO } from '@gltf-transform/core';
@@ -40,7 +40,10 @@ test('the mesh is a valid GLB file and an OBJ file of as many triangles', sameEv
   await close();
 });
 
-/** How many triangles are open at a side, or turned over: of a closed surface none. @param {number[][]} corners x, y, z of three corners after each other */
+/**
+ * The number of triangle sides that are open or have the wrong orientation: 0 for a closed surface.
+ * @param {number[][]} corners x, y, z of three corners after each other
+ */
 function openSides(corners) {
   const sides = new Map();
   for (let k = 0; k < corners.length; k += 3) {
@@ -96,7 +99,7 @@ test('the dialog tells how large meshes are, and their files are so, in every re
       assert.equal(openSides(corners), 0, node.getName());
       assert.ok(volume(corners) > 0, node.getName());
       assert.ok(Math.abs(indices.length / 3 - triangles) < 0.3 * triangles);
-      // Its top has its colour in the map of ids.
+      // The colour of its top is in the map of ids.
       const uv = primitive.getAttribute('TEXCOORD_0').getArray();
       const top = places.reduce((best, [, y], k) => (y > places[best][1] ? k : best), 0);
       const [x, y] = [uv[2 * top], uv[2 * top + 1]].map((v) => Math.floor(v * 192));

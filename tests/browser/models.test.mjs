@@ -1,4 +1,4 @@
-// Surfaces in space from files: opened, kept by their digest, asked for by name, and inside a recipe's file; and painted on.
+// Surfaces from model files: opened, stored by digest, requested by name, and inside a recipe file. Painting on them.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { sameEverywhere } from './browsers.mjs';
@@ -20,14 +20,14 @@ after(() => site?.close());
 
 const EGG = '#v=1&make=surface&size=128&cn=60&form=egg';
 
-/** A box of this height as the text of a file. @param {number} height */
+/** A box of this height as an OBJ file. @param {number} height */
 function cube(height) {
   const corners = [0, 1, 2, 3, 4, 5, 6, 7].map((k) => `v ${k & 1} ${k & 2 ? height : 0} ${k & 4 ? 1 : 0}\n`);
   const faces = ['1 3 4 2', '5 6 8 7', '1 2 6 5', '3 7 8 4', '1 5 7 3', '2 4 8 6'].map((face) => `f ${face}\n`);
   return corners.join('') + faces.join('');
 }
 
-/** Whoever is asked for a file chooses this one. @param {Page} page @param {string} name @param {string} content */
+/** Chooses this file in the next file dialog. @param {Page} page @param {string} name @param {string} content */
 const chooses = (page, name, content) =>
   page.evaluate(
     (called, text) => {
@@ -42,10 +42,10 @@ const chooses = (page, name, content) =>
     content,
   );
 
-/** Waits until a value of the recipe is this. @param {Page} page @param {string} key @param {string} value */
+/** Waits until a parameter has this value. @param {Page} page @param {string} key @param {string} value */
 const until = (page, key, value) => page.waitForFunction((name, text) => /** @type {any} */ (window).bubblestone.get(name) === text, {}, key, value);
 
-/** Waits until the last frame is of what there is. @param {Page} page */
+/** Waits until the last frame shows the present state. @param {Page} page */
 const seen = (page) => page.waitForSelector('#sheet[data-turn=fine]');
 
 /** The link and the digest of a box with 60 cells, which the first test makes. */
@@ -101,7 +101,7 @@ test('a model dropped anywhere becomes a surface, and one that cannot be read sa
   await page.waitForSelector('.make[data-make=surface][aria-current]');
   await until(page, 'form', 'file');
   assert.notEqual(await digest(page), '');
-  // One side is turned over, and another one is there twice.
+  // One side is turned over, and another one occurs twice.
   await drop(page, 'mended.obj', `${cube(1.5).replace('f 1 2 6 5', 'f 5 6 2 1')}f 2 4 8 6\n`, '');
   await message(page, 'status', /mended\.obj is open, and this of it was mended.*left out: 2.*turned: 2/);
   await drop(page, 'half.obj', 'v 0 0 0\nv 1 0 0\nv 1\n', '');
@@ -153,7 +153,7 @@ test('strokes are painted on the surface, one step each, and taken away by a cli
   await click(page, '#paint-erase');
   await page.mouse.click(cx, cy - 15);
   await until(page, 'strokes', '');
-  // By keys: two points in the middle of what is seen, and the end of the line.
+  // By keyboard: two points in the middle of the view, and the end of the line.
   await seen(page);
   await click(page, '#paint-lines');
   await page.focus('#turn');

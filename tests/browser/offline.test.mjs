@@ -12,7 +12,7 @@ import { digest, SMALL } from './page.mjs';
 
 const dist = fileURLToPath(new URL('../../dist/', import.meta.url));
 
-// Each test has a host of its own, whose requests it counts; one browser opens them all.
+// Each test has its own host, whose requests it counts. All use one browser.
 /** @type {Awaited<ReturnType<typeof open>>} */
 let beside;
 
@@ -22,10 +22,10 @@ before(async () => {
 
 after(() => beside?.close());
 
-/** Waits until the page says that it is stored, or that there is a newer one. */
+/** Waits until the page says that it is stored, or that a newer build is there. */
 const told = (page, what) => page.waitForFunction((word) => document.documentElement.dataset.offline === word, { timeout: 60_000 }, what);
 
-/** A file of the site, as the page gets it. */
+/** A file of the site, as the page receives it. */
 const fetched = (page, path) =>
   page.evaluate(async (name) => {
     const bytes = await (await fetch(name)).arrayBuffer();
@@ -39,17 +39,17 @@ test('after the first visit all works without a host, and nothing was fetched tw
   const { page, external, close } = await site.newPage(SMALL, { stores: true });
   const planes = await digest(page);
   await told(page, 'stored');
-  // That is told at the foot of the page: nothing lies over the picture.
+  // The foot of the page says so; nothing covers the picture.
   assert.match(await page.$eval('#offline', (text) => text.textContent), /works offline/);
   assert.equal(await page.$('.message'), null);
-  // Chromium keeps the tab's icon apart.
+  // Chromium fetches the tab's icon separately.
   const asked = site.requests.filter((path, at, all) => path !== 'sw.js' && (path !== 'favicon.svg' || all.indexOf(path) === at));
   assert.deepEqual(asked.filter((path, at) => asked.indexOf(path) !== at), []);
   assert.deepEqual(asked.sort(), filesOf(dist));
   site.stop();
   await page.reload({ waitUntil: 'load' });
   assert.equal(await digest(page), planes);
-  // Parts that were not loaded yet.
+  // Files that the page has not loaded yet.
   const { files } = listOf(dist);
   for (const [path, hash] of Object.entries(files)) assert.equal(await fetched(page, path || './'), hash, path);
   await page.evaluate(() => {
@@ -76,7 +76,7 @@ test('until the first picture is done only what it needs is fetched', async (t) 
   await digest(page);
   const needed = new Set([...firstOf(dist), 'index.html']);
   const others = site.requests.filter((path) => !needed.has(path) && !path.startsWith('thumbs/'));
-  // What stores the site itself.
+  // The script that stores the site.
   assert.ok(others.every((path) => /^assets\/offline-/.test(path)), others.join(' '));
   assert.ok(site.requests.filter((path) => path.startsWith('thumbs/')).length <= 8);
   await close();
@@ -90,7 +90,7 @@ test('a new build is told, taken at the next visit, and never mixed with the old
   const { page, problems, close } = await site.newPage(SMALL, { stores: true });
   const planes = await digest(page);
   await told(page, 'stored');
-  // The next build: its script has another name, and the old one is gone.
+  // The next build: its script has another name, and the old script is gone.
   const before = listOf(files);
   const script = before.first.find((path) => path.endsWith('.js'));
   const renamed = script.replace(/-[^-]*\.js$/, '-newbuild.js');
@@ -129,7 +129,7 @@ test('a file that is not of this build is not stored', async (t) => {
   t.after(() => site.close());
   const { page, close } = await site.newPage(SMALL, { stores: true });
   await digest(page);
-  // It is asked for again, past the browser's own cache, and then given up.
+  // The file is requested again, past the browser's own cache, and then given up.
   for (let waited = 0; site.requests.filter((path) => path === style).length < 2; waited += 1) {
     assert.ok(waited < 600, 'it is not asked for again');
     await new Promise((resolve) => setTimeout(resolve, 100));
@@ -163,7 +163,7 @@ test('the page can be installed: its manifest is valid, with icons of the sizes 
     await digest(page);
     await told(page, 'stored');
     const { installabilityErrors } = await session.send('Page.getInstallabilityErrors');
-    // Pages of a test are in a context of their own, as in a private window.
+    // Test pages run in a context of their own, like a private window.
     assert.deepEqual(installabilityErrors.map(({ errorId }) => errorId).filter((id) => id !== 'in-incognito'), []);
   }
   await close();

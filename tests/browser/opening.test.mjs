@@ -44,7 +44,7 @@ test('a pavement forms before the eyes, without errors or external requests', as
   await close();
 });
 
-/** Notes what jumps: how far, in shares of the screen, and what it is. Firefox does not measure it by itself. */
+/** Records layout shifts: each element and its distance, as a share of the screen. Firefox does not measure them itself. */
 function watchShifts() {
   window.shifts = [];
   if (PerformanceObserver.supportedEntryTypes.includes('layout-shift')) {
@@ -85,7 +85,7 @@ for (const [name, viewport] of Object.entries({
       viewport,
       before: async (fresh) => {
         await fresh.evaluateOnNewDocument(watchShifts);
-        // Where the scripts come slowly, some browsers paint what has come of the page.
+        // While scripts load slowly, some browsers paint an incomplete page.
         await fresh.setRequestInterception(true);
         fresh.on('request', async (request) => {
           if (/\/assets\/.*\.js$/.test(request.url())) await new Promise((resolve) => setTimeout(resolve, 400));
@@ -98,7 +98,7 @@ for (const [name, viewport] of Object.entries({
     const shifts = await page.evaluate(() => window.shifts);
     const sum = shifts.reduce((total, { value }) => total + value, 0);
     assert.ok(sum < 0.01, JSON.stringify(shifts));
-    // The watch does see a jump.
+    // Proof that the recorder sees a shift.
     await page.evaluate(() => (document.querySelector('#frame').style.marginTop = '90px'));
     await page.waitForFunction((count) => window.shifts.length > count, { timeout: 60_000 }, shifts.length);
     await close();
@@ -131,7 +131,7 @@ test('a digest is told when its picture is shown, also where drawing is slow', a
   for (const [key, value] of Object.entries({ hs: '60', el: '70', seed: '9' })) {
     const before = await canvas(page);
     await set(page, key, value);
-    // Asked in every frame, the answer comes as soon as it can.
+    // Polled in every frame, so that the answer comes as early as possible.
     const [told, later] = await page.evaluate(async () => {
       const shown = () => document.querySelector('#canvas').toDataURL();
       let told = '';
@@ -219,9 +219,9 @@ test('each preset has a small picture, and only those in sight are fetched', asy
     });
   }
   assert.equal(await arrived(), total);
-  // The choice at the top has pictures of presets, too.
+  // The choice of generators also shows pictures of presets.
   const shown = await page.$$eval('[data-preset] img, .make img', (all) => all.map((image) => image.src));
-  // The last answer may be told after it is seen.
+  // The last response may be reported after its picture is visible.
   for (let waited = 0; new Set(fetched).size < new Set(shown).size && waited < 600; waited += 1) await new Promise((resolve) => setTimeout(resolve, 100));
   assert.deepEqual(new Set(fetched), new Set(shown));
   assert.deepEqual(problems, []);
@@ -246,7 +246,7 @@ test('one group of presets is unfolded, with the preset that is shown in sight',
   await page.evaluate((fragment) => (location.hash = fragment), last.link);
   await page.waitForSelector(`[data-preset="${last.name}"][aria-current]`, { timeout: 60_000 });
   assert.deepEqual(await open(), [groups[0]]);
-  // It is brought into sight with the next frame.
+  // It scrolls into view in the next frame.
   await page.waitForFunction(() => {
     const button = document.querySelector('.rail [aria-current]');
     const [box, frame] = [button.getBoundingClientRect(), button.closest('ul').getBoundingClientRect()];

@@ -23,7 +23,7 @@ after(() => {
   return site?.close();
 });
 
-/** Gives the page an outline file. */
+/** Opens an outline file in the page. */
 async function load(page, content) {
   const path = join(folder, 'outline.json');
   writeFileSync(path, content);
@@ -84,7 +84,7 @@ test('points are moved, added and removed by the keyboard, and an edge takes a p
   await page.keyboard.press('Delete');
   assert.equal((await handles(page)).length, count);
   const [from, to] = await handles(page);
-  // Two presses are one double click where the page is not busy between them.
+  // Two presses count as a double click only where the page is not busy between them.
   await digest(page);
   await page.mouse.click(from.x * 0.4 + to.x * 0.6, from.y * 0.4 + to.y * 0.6, { count: 2 });
   assert.equal((await handles(page)).length, count + 1);
@@ -104,7 +104,7 @@ test('a bad outline is told in words, and the last good one stays until it is me
   const sheet = await page.$eval('#sheet', (element) => element.getBoundingClientRect().toJSON());
   const middle = { x: sheet.x + sheet.width / 2, y: sheet.y + sheet.height / 2 };
   const beyond = { x: middle.x + (middle.x - points[0].x) * 0.4, y: middle.y + (middle.y - points[0].y) * 0.4 };
-  // Dragged through the opposite corner's edges, the ring crosses itself.
+  // Dragged through the opposite edges, the ring crosses itself.
   await page.mouse.move(points[0].x, points[0].y);
   await page.mouse.down();
   await page.mouse.move(points[1].x + (points[1].x - middle.x) * 0.1, middle.y, { steps: 2 });

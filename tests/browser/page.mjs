@@ -1,9 +1,9 @@
-// What the tests do with an open page, in the words of the page.
+// Actions and queries of the tests on an open page.
 import assert from 'node:assert/strict';
 
 /** @typedef {import('puppeteer-core').Page} Page */
 
-/** A recipe that takes a blink. */
+/** A recipe that takes little time. */
 export const SMALL = '#size=192&cs=16';
 
 /** The same in a square. */
@@ -22,14 +22,14 @@ export async function done(page) {
   await page.waitForFunction(() => document.documentElement.dataset.stage === 'done', { timeout: 240_000 });
 }
 
-/** Lets some frames pass. @param {Page} page @param {number} count */
+/** Waits for some frames. @param {Page} page @param {number} count */
 export async function frames(page, count) {
   await page.evaluate(async (left) => {
     while (left-- > 0) await new Promise(requestAnimationFrame);
   }, count);
 }
 
-/** A hash of what is on the canvas, and how many colours there are. @param {Page} page */
+/** A hash of the canvas, and its number of colours. @param {Page} page */
 export function canvas(page) {
   return page.evaluate(() => {
     const canvas = /** @type {HTMLCanvasElement} */ (document.querySelector('#canvas'));
@@ -52,14 +52,18 @@ export function link(page) {
   return page.evaluate(() => /** @type {any} */ (window).bubblestone.link());
 }
 
-/** Does what loads the page anew, and waits for that; an address that is only rewritten is no load. @param {Page} page @param {() => Promise<unknown>} act */
+/**
+ * Does something that reloads the page, and waits for the load. Rewriting the address is no load.
+ * @param {Page} page
+ * @param {() => Promise<unknown>} act
+ */
 export async function reloading(page, act) {
   const loaded = new Promise((resolve) => page.once('load', resolve));
   await act();
   await loaded;
 }
 
-/** Packing steps taken. @param {Page} page @returns {Promise<number>} */
+/** The number of packing steps. @param {Page} page @returns {Promise<number>} */
 export function steps(page) {
   return page.evaluate(() => /** @type {any} */ (window).bubblestone.status().steps);
 }
@@ -69,7 +73,7 @@ export async function all(page) {
   await page.$eval('#extent [value=all]', (radio) => /** @type {HTMLElement} */ (radio).click());
 }
 
-/** Shows them where the control of this one is not among the simple ones. @param {Page} page @param {string} key */
+/** Shows all parameters if the control of this one is not a simple one. @param {Page} page @param {string} key */
 async function reveal(page, key) {
   const hidden = await page.$eval(`[data-key="${key}"]`, (control) => /** @type {HTMLElement} */ (control).hidden);
   if (hidden) await all(page);
@@ -77,7 +81,9 @@ async function reveal(page, key) {
 
 /**
  * Sets a parameter through its control.
- * @param {Page} page @param {string} key @param {string} value
+ * @param {Page} page
+ * @param {string} key
+ * @param {string} value
  */
 export async function set(page, key, value) {
   if (key !== 'seed') await reveal(page, key);
@@ -97,12 +103,21 @@ export async function set(page, key, value) {
   assert.ok(found, `no control for ${key}`);
 }
 
-/** The texts of all messages on the page, but that the site is stored, which comes at any time. @param {Page} page @returns {Promise<string[]>} */
+/**
+ * The texts of all messages, except that the site is stored, which may come at any time.
+ * @param {Page} page
+ * @returns {Promise<string[]>}
+ */
 export function messages(page) {
   return page.$$eval('.message:not([data-topic=offline])', (notes) => notes.map((note) => note.textContent));
 }
 
-/** Waits for a message of a role that has these words. @param {Page} page @param {'alert' | 'status'} role @param {RegExp} words */
+/**
+ * Waits for a message with this role and these words.
+ * @param {Page} page
+ * @param {'alert' | 'status'} role
+ * @param {RegExp} words
+ */
 export async function message(page, role, words) {
   await page.waitForFunction(
     (wanted, source, flags) =>
@@ -114,7 +129,7 @@ export async function message(page, role, words) {
   );
 }
 
-/** Chooses a tool of the editor by the mouse, or by a finger. @param {Page} page @param {string} name @param {boolean} [finger] */
+/** Chooses a tool of the editor by mouse or finger. @param {Page} page @param {string} name @param {boolean} [finger] */
 export async function tool(page, name, finger = false) {
   const button = `[data-tool=${name}]`;
   const folded = await page.$eval(button, (element) => element.closest('.rare') !== null && !element.getClientRects().length);
@@ -126,8 +141,10 @@ export async function tool(page, name, finger = false) {
 }
 
 /**
- * Clicks what a selector names, once it has a place on the page and is enabled: a page under load builds its parts a little later.
- * @param {Page} page @param {string} selector @param {import('puppeteer-core').ClickOptions} [options]
+ * Clicks an element once it is laid out and enabled. Under load, the page builds its parts a little later.
+ * @param {Page} page
+ * @param {string} selector
+ * @param {import('puppeteer-core').ClickOptions} [options]
  */
 export function click(page, selector, options) {
   return page.locator(selector).setWaitForStableBoundingBox(false).setTimeout(60_000).click(options);
@@ -135,7 +152,10 @@ export function click(page, selector, options) {
 
 /**
  * Drops a file on the sheet.
- * @param {Page} page @param {string} name @param {string | Uint8Array} content @param {string} type
+ * @param {Page} page
+ * @param {string} name
+ * @param {string | Uint8Array} content
+ * @param {string} type
  */
 export async function drop(page, name, content, type) {
   await page.evaluate(
@@ -151,7 +171,11 @@ export async function drop(page, name, content, type) {
   );
 }
 
-/** Opens a list over the canvas by its control in the panel; the editor is loaded first. @param {Page} page @param {string} key */
+/**
+ * Opens a list over the canvas by its control in the panel. The editor is loaded first.
+ * @param {Page} page
+ * @param {string} key
+ */
 export async function edit(page, key) {
   await reveal(page, key);
   await page.$eval(`#p-${key}`, (button) => {
@@ -162,7 +186,7 @@ export async function edit(page, key) {
   await frames(page, 2);
 }
 
-/** Brings text to the page as the import's dialog takes it, and waits until it is taken or refused. @param {Page} page @param {string} text */
+/** Gives text to the import's dialog, and waits until it is taken or refused. @param {Page} page @param {string} text */
 export async function bring(page, text) {
   await begin(page, text);
   await read(page);
@@ -184,7 +208,7 @@ export async function begin(page, text) {
   await click(page, '#take-text');
 }
 
-/** From now on `read` waits for the end of the next reading, which is that of its worker, or a message in its place. @param {Page} page */
+/** Lets `read` wait for the end of the next reading: the end of its worker, or a message instead. @param {Page} page */
 export function unread(page) {
   return page.evaluate(() => {
     const all = /** @type {any} */ (window);
@@ -204,7 +228,7 @@ export async function read(page) {
   await frames(page, 3);
 }
 
-/** The handles of points, on the screen. @param {Page} page @returns {Promise<number[][]>} */
+/** The places of the handles on the screen. @param {Page} page @returns {Promise<number[][]>} */
 export function handles(page) {
   return page.$$eval('button.handle', (all) =>
     all.map((handle) => {

@@ -15,7 +15,7 @@ before(async () => {
 
 after(() => site?.close());
 
-/** A page on a phone, or a tablet, with all controls to be seen. */
+/** A page on a phone, or a tablet, with all controls visible. */
 async function unfolded(size = viewport) {
   const opened = await site.newPage(SMALL, { viewport: size });
   await digest(opened.page);
@@ -30,7 +30,7 @@ async function unfolded(size = viewport) {
   return opened;
 }
 
-/** Where things are. @param {import('puppeteer-core').Page} page @param {string[]} names */
+/** The boxes of elements. @param {import('puppeteer-core').Page} page @param {string[]} names */
 const places = (page, ...names) =>
   page.evaluate((all) => all.map((name) => document.querySelector(name).getBoundingClientRect().toJSON()), names);
 
@@ -83,11 +83,11 @@ test('nothing is wider than the screen', async () => {
   }));
   assert.deepEqual(wide, []);
   assert.equal(scroll, 390);
-  // Nor are letters of twice the size, or a screen of 320 pixels.
+  // Nor do letters of double size, or a screen of 320 pixels.
   for (const [width, size] of [[390, '200%'], [320, '100%']]) {
     await page.evaluate((percent) => document.documentElement.style.setProperty('font-size', percent), size);
     await page.setViewport({ ...viewport, width });
-    // The page is laid out a little later.
+    // Layout follows a little later.
     await page.waitForFunction((wide) => document.documentElement.scrollWidth === wide, { timeout: 20_000 }, width);
   }
   await close();
@@ -117,7 +117,7 @@ test('a finger pauses, steps and moves a slider', async () => {
   await page.waitForFunction(() => document.documentElement.dataset.stage === 'packing', { timeout: 60_000 });
   const before = await steps(page);
   await page.tap('#step');
-  // A finger's click may come a little later.
+  // The click of a finger may come a little later.
   await page.waitForFunction((count) => window.bubblestone.status().steps > count, {}, before);
   assert.equal(await steps(page), before + 1);
   await page.$eval('[data-key=el]', (control) => {
@@ -130,7 +130,7 @@ test('a finger pauses, steps and moves a slider', async () => {
   const [x, y] = [slider.x + slider.width * 0.85, slider.y + slider.height / 2];
   await page.touchscreen.tap(x, y);
   await page.waitForFunction((before) => window.bubblestone.get('el') !== before, {}, elevation);
-  // One that only begins there scrolls the page.
+  // A finger that only begins on a slider scrolls the page.
   if (kind !== 'firefox') {
     const chosen = await get(page, 'el');
     const before = await page.evaluate(() => scrollY);

@@ -1,4 +1,4 @@
-// The picture's side, with all lengths or alone.
+// The picture's side, changed with all lengths or alone.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { sameEverywhere } from './browsers.mjs';
@@ -14,7 +14,7 @@ before(async () => {
 
 after(() => site?.close());
 
-/** A finished page with all of its controls open. */
+/** A finished page with all controls open. */
 async function opened(fragment) {
   const found = await site.newPage(fragment, { still: true });
   await digest(found.page);
@@ -28,7 +28,7 @@ const values = async (page, ...keys) => Promise.all(keys.map((key) => get(page, 
 
 const stones = (page) => page.evaluate(() => window.bubblestone.status().stones);
 
-/** Moves the side's slider there, by its places; `kind` is 'input' on the way and 'change' at its end. */
+/** Moves the side's slider to a position; `kind` is 'input' while it moves and 'change' at its end. */
 const slide = (page, place, kind) =>
   page.$eval(
     '[data-key=size] [type=range]',
@@ -70,13 +70,13 @@ test('the same design comes with more pixels, in one step, and the first link on
 test('every way of the control takes the lengths along, and rounds nothing on the way', sameEverywhere, async () => {
   const { page, problems, close } = await opened('#v=1&size=256&cs=17.3&hs=9.7&af=1.15');
   const first = await link(page);
-  // Keys, there and back.
+  // By keyboard, there and back.
   await page.focus('[data-key=size] [type=range]');
   for (let k = 0; k < 5; k += 1) await page.keyboard.press('ArrowRight');
   assert.deepEqual(await values(page, 'size', 'cs'), ['576', '38.925']);
   for (let k = 0; k < 5; k += 1) await page.keyboard.press('ArrowLeft');
   assert.equal(await link(page), first);
-  // A slider on its way is one step.
+  // A slider's move is one step of the history.
   const undo = () => page.$eval('#undo', (button) => button.click());
   await set(page, 'seed', '9');
   const seeded = await link(page);
@@ -87,7 +87,7 @@ test('every way of the control takes the lengths along, and rounds nothing on th
   assert.notEqual(side, '256');
   await undo();
   assert.equal(await link(page), seeded);
-  // What was changed meanwhile is scaled as it is now; the reset is a way as any.
+  // A value that was changed meanwhile is scaled as it is now. The reset works as well.
   await set(page, 'size', '512');
   await set(page, 'cs', '40');
   await set(page, 'size', '256');
@@ -108,7 +108,7 @@ test('what meets a limit is told, and is as it was on the way back', sameEverywh
   await set(page, 'size', '256');
   assert.equal(await link(page), first);
   assert.deepEqual(await messages(page), []);
-  // So is the side itself, and all goes by what it really is.
+  // The side is clamped, too, and the lengths follow its real value.
   await set(page, 'size', '100');
   assert.deepEqual(await values(page, 'size', 'cs', 'hs'), ['128', '8', '50']);
   assert.match((await messages(page)).join(), /Picture side/);
@@ -128,7 +128,7 @@ test('without it the side is the side alone, and the choice is kept', sameEveryw
   await digest(page);
   await page.waitForSelector('#scale-all');
   assert.equal(await page.$eval('#scale-all', (check) => check.checked), false);
-  // The words are a way to it, too.
+  // A click on the words works as well.
   await page.$eval('[data-key=size] .option label span', (words) => words.click());
   await set(page, 'size', '512');
   assert.deepEqual(await values(page, 'size', 'cs'), ['512', '32']);

@@ -1,4 +1,4 @@
-// Links that keep a view: what is drawn, speed, the step that is held, zoom.
+// Links with a view: overlays, speed, the step to pause at, and zoom.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
@@ -17,7 +17,7 @@ after(() => site?.close());
 
 const VIEW = 'view=packed+forces&pace=0.25&step=7&zoom=2.5,0.31,0.62';
 
-/** Waits until the packing is held at a step, which is drawn, and scripts are answered. */
+/** Waits until the packing pauses at a step, the step is drawn, and scripts get an answer. */
 const held = (page, step) =>
   page.waitForFunction((count) => 'bubblestone' in window && document.querySelector('#play')?.dataset.does === 'play' && Number(document.querySelector('#count-steps')?.textContent) === count, { timeout: 60_000 }, step);
 
@@ -27,7 +27,7 @@ const addressed = (page, words) =>
 
 const zoom = (page) => page.$eval('#sheet', (sheet) => ['--zoom', '--pan-x', '--pan-y'].map((name) => Number(sheet.style.getPropertyValue(name))));
 
-/** What is shown, for comparison. */
+/** The visible state, for comparison. */
 const shown = (page) =>
   page.evaluate(() => ({
     view: document.querySelector('#view').value,

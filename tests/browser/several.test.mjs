@@ -1,5 +1,5 @@
-// What several generators ask of the page around them: its choice of them, its keys and its parts. The site of these tests
-// has a specimen in its second module.
+// Several generators on one page: the choice between them, and the keys and parts of each. The second module of this site has
+// a specimen.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { specimenSite } from '../../scripts/lib/site.mjs';
@@ -19,7 +19,7 @@ before(async () => {
 
 after(() => site?.close());
 
-/** The keys that the page lists. @param {Page} page */
+/** The keys in the page's list. @param {Page} page */
 async function listed(page) {
   await page.keyboard.press('?');
   await page.waitForSelector('#keys[open]');
@@ -40,7 +40,7 @@ test('a generator without a part of the page has no keys of it, and what was ope
   await digest(page);
   await page.waitForSelector('#layers', { hidden: true });
   for (const key of ['e', 'o', 'g', 't', 'v', 'p']) await page.keyboard.press(key);
-  // A key that there is comes after them.
+  // The next free key comes after them.
   await page.keyboard.press('l');
   await page.waitForSelector('#light-sun', { visible: true });
   await frames(page, 5);
@@ -71,7 +71,7 @@ test('a link of a generator without cells opens with no stop for Tab on them', s
   await close();
 });
 
-/** As many as there may be, in words as long as theirs. */
+/** The largest number of generators, with names of usual length. */
 const FIVE = {
   en: ['Pavements and hides', 'Surfaces', 'Piles', 'Masonry', 'Chapters'],
   ja: ['舗装と皮', '曲面', '積み石', '石積み', '各章'],
@@ -88,7 +88,7 @@ for (const [language, words] of Object.entries(FIVE)) {
       await page.setViewport({ ...phone, width, height });
       return page.evaluate(
         async (side, up) => {
-          // The page is laid out a little later.
+          // Layout follows a little later.
           for (let left = 100; left > 0 && (innerWidth !== side || innerHeight !== up); left -= 1) await new Promise(requestAnimationFrame);
           const boxes = [...document.querySelectorAll('.make')].map((button) => ({ ...button.getBoundingClientRect().toJSON(), cut: button.scrollWidth > button.clientWidth + 1 }));
           const heads = [...document.querySelectorAll('.head :is(button, select, h1)')].filter((element) => element.checkVisibility());
@@ -121,7 +121,7 @@ for (const [language, words] of Object.entries(FIVE)) {
         assert.deepEqual(await look(width, height), fits, `${count} on ${width} × ${height}`);
       }
     }
-    // Large letters take more rows, and still the page is no wider.
+    // Large letters take more rows, but the page is no wider.
     await page.evaluate(() => document.documentElement.style.setProperty('font-size', '200%'));
     for (const width of [390, 820]) {
       const { rows, ...others } = await look(width, phone.height);

@@ -21,7 +21,7 @@ async function share(page) {
   await page.waitForSelector('#share-dialog[open]');
 }
 
-/** What a camera in front of the screen would read. */
+/** The text that a camera would read from the screen. */
 async function scanned(page) {
   const { data, width, height } = await page.evaluate(async () => {
     const code = document.querySelector('.qr');
@@ -33,7 +33,7 @@ async function scanned(page) {
     picture.src = `data:image/svg+xml,${encodeURIComponent(new XMLSerializer().serializeToString(copy))}`;
     await picture.decode();
     const canvas = document.createElement('canvas');
-    // A dark page around it.
+    // With a dark page around it.
     canvas.width = Math.round(width) + 40;
     canvas.height = Math.round(height) + 40;
     const context = canvas.getContext('2d');
@@ -127,7 +127,7 @@ test("the system's share sheet gets the link and the picture, where there is one
   await digest(page);
   await page.tap('#share');
   await page.waitForSelector('#share-system');
-  // A browser writes the picture when it has nothing else to do.
+  // The browser writes the picture when it is idle.
   await page.waitForFunction(() => window.made);
   await page.tap('#share-system');
   await page.waitForFunction(() => window.shared);
@@ -141,7 +141,7 @@ test("the system's share sheet gets the link and the picture, where there is one
 });
 
 test('the embed code shows the picture alone, plays, and leads to the whole page', async () => {
-  // A hundred and sixty steps: there is time to hold them.
+  // A hundred and sixty steps leave time to pause.
   const { page, problems, close } = await site.newPage('#size=192&cs=12&vs=0.5&seed=9');
   const planes = await digest(page);
   await set(page, 'palette', 'marble');
@@ -153,7 +153,7 @@ test('the embed code shows the picture alone, plays, and leads to the whole page
   await page.select('#embed-height', '320');
   const code = await page.$eval('#embed-code', (box) => box.value);
   assert.match(code, /^<iframe .*width="640" height="320"/);
-  // Another page holds it.
+  // Another page embeds it.
   const host = await page.browserContext().newPage();
   await host.setViewport({ width: 800, height: 600 });
   await host.bringToFront();
@@ -168,7 +168,7 @@ test('the embed code shows the picture alone, plays, and leads to the whole page
     return { box: [x, y, width, height], visible: visible.map((each) => each.className), scroll: [document.documentElement.scrollHeight, innerHeight] };
   });
   assert.deepEqual(seen.box, [160, 0, 320, 320]);
-  // Upright frames are filled as well, whatever holds for phones.
+  // Upright frames are filled as well, although the page has rules for phones.
   await element.evaluate((iframe) => (iframe.height = '640'));
   await frame.waitForFunction(() => innerHeight === 640);
   assert.deepEqual(await frame.evaluate(() => Object.values(document.querySelector('#canvas').getBoundingClientRect().toJSON()).slice(0, 4)), [0, 0, 640, 640]);
@@ -176,9 +176,9 @@ test('the embed code shows the picture alone, plays, and leads to the whole page
   await frame.waitForFunction(() => innerHeight === 320);
   assert.deepEqual(seen.visible, ['embed-play', 'embed-home']);
   assert.equal(seen.scroll[0], seen.scroll[1]);
-  // A click plays again, another one holds.
+  // A click plays on, another one pauses.
   await frame.click('.embed-play');
-  // It is held from within: another process may have the frame, and the click come when it is over.
+  // Paused by a call inside the frame: a click from outside could come too late, as the frame may be in another process.
   await frame.evaluate(async () => {
     while (document.documentElement.dataset.stage !== 'packing') await new Promise(requestAnimationFrame);
     document.querySelector('.embed-play').click();
@@ -247,7 +247,7 @@ test('the seed: the next one, the ones before, and a lock that presets respect',
   await click(page, '#throw');
   await page.waitForFunction(() => window.bubblestone.get('outline') !== 'polygon' || window.bubblestone.get('cs') !== '98', { timeout: 60_000 });
   assert.equal(await seed(), '12');
-  // The lock is kept.
+  // The lock is stored.
   await page.reload();
   await page.waitForFunction(() => 'bubblestone' in window);
   assert.equal(await page.$eval('#seed-lock', (button) => button.getAttribute('aria-pressed')), 'true');

@@ -1,4 +1,4 @@
-// The picture under the pointer, for tests of what is done on it.
+// Pointer actions on the picture.
 import { digest, frames, SQUARE } from './page.mjs';
 
 /** @typedef {import('puppeteer-core').Page} Page */
@@ -21,7 +21,7 @@ export async function listening(site, fragment = SQUARE, options = {}) {
   return opened;
 }
 
-/** Where something is in the window. @param {Page} page @param {string} selector */
+/** The box of an element in the window. @param {Page} page @param {string} selector */
 export function box(page, selector) {
   return page.$eval(selector, (element) => element.getBoundingClientRect().toJSON());
 }
@@ -32,7 +32,12 @@ export async function spot(page, fx, fy) {
   return { x: x + fx * width, y: y + fy * height };
 }
 
-/** Drags, and holds at the end. @param {Page} page @param {{ x: number, y: number }} from @param {{ x: number, y: number }} to */
+/**
+ * Drags, and keeps the button down.
+ * @param {Page} page
+ * @param {{ x: number, y: number }} from
+ * @param {{ x: number, y: number }} to
+ */
 export async function drag(page, from, to) {
   await page.mouse.move(from.x, from.y);
   await page.mouse.down();

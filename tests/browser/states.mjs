@@ -1,5 +1,5 @@
-// The main states of the page, each with how to get there: tests look at all of them.
-// Their pictures are kept in target/page-pictures/.
+// The main states of the page, and how to reach them. Tests check all of them.
+// Their pictures are in target/page-pictures/.
 import { all, digest, frames, message, SMALL, SQUARE } from './page.mjs';
 
 /** @typedef {import('puppeteer-core').Page} Page */
@@ -7,24 +7,24 @@ import { all, digest, frames, message, SMALL, SQUARE } from './page.mjs';
 /**
  * @typedef {object} State
  * @property {string} [query] such as `?embed`
- * @property {string} [fragment] the link that is opened, a small picture unless given
- * @property {(fresh: Page) => Promise<unknown>} [before] before it is opened
- * @property {(page: Page) => Promise<unknown>} [arrange] once the picture is done
+ * @property {string} [fragment] the link to open, a small picture by default
+ * @property {(fresh: Page) => Promise<unknown>} [before] runs before the page is opened
+ * @property {(page: Page) => Promise<unknown>} [arrange] runs once the picture is done
  * @property {boolean} [few] most of the page is hidden, or behind a dialog
- * @property {boolean} [several] of the site that has a specimen, too
- * @property {boolean} [early] nothing waits for the picture
+ * @property {boolean} [several] needs the site with a specimen
+ * @property {boolean} [early] does not wait for the picture
  */
 
-/** Clicks without scrolling, whatever lies over it. @param {string} selector */
+/** Clicks without scrolling, even if something covers the element. @param {string} selector */
 const click = (selector) => (/** @type {Page} */ page) => page.$eval(selector, (element) => /** @type {HTMLElement} */ (element).click());
 
-/** Clicks, and waits for what that shows. @param {string} selector @param {string} what */
+/** Clicks, and waits for the element that this shows. @param {string} selector @param {string} what */
 const shown = (selector, what) => async (/** @type {Page} */ page) => {
   await click(selector)(page);
   await page.waitForSelector(what, { visible: true });
 };
 
-/** Clicks, and waits for what that opens. @param {string} selector @param {string} opened */
+/** Clicks, and waits for the dialog that this opens. @param {string} selector @param {string} opened */
 const opening = (selector, opened) => async (/** @type {Page} */ page) => {
   await click(selector)(page);
   await page.waitForSelector(opened);
@@ -33,7 +33,7 @@ const opening = (selector, opened) => async (/** @type {Page} */ page) => {
 /** @param {(document: Document) => void} change */
 const change = (change) => (/** @type {Page} */ page) => page.evaluate(`(${change})(document)`);
 
-/** A few squares: the specimen's. */
+/** A few squares of the specimen. */
 export const SQUARES = '#v=1&make=specimen&size=192&across=5';
 
 /** @param {string} code */
@@ -72,7 +72,7 @@ export const states = {
   error: {
     arrange: async (page) => {
       await page.evaluate(() => {
-        // Its own property hides that of all clocks until it is deleted.
+        // An own property hides the prototype's clock until it is deleted.
         performance.now = () => {
           throw new Error('The clock is broken.');
         };

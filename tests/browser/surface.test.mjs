@@ -1,4 +1,4 @@
-// Surfaces in space: bodies are all that is seen of them, from any side and at any time.
+// Surfaces in space: only their bodies are visible, from any side and at any time.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { sameEverywhere } from './browsers.mjs';
@@ -21,10 +21,10 @@ after(() => site?.close());
 /** Some stones on a ball. */
 const BALL = '#v=1&make=surface&form=sphere&size=128&cn=60';
 
-/** Waits until what is wished for is shown as smoothly as it can be, or as the word says. @param {Page} page */
+/** Waits until the wanted frame is shown as smoothly as possible, or in another state. @param {Page} page */
 const turned = (page, word = 'fine') => page.waitForSelector(`#sheet[data-turn="${word}"]`, { timeout: 60_000 });
 
-/** A frame, and how many colours it has. @param {Page} page @param {string} [canvas] */
+/** A hash of a frame, and its number of colours. @param {Page} page @param {string} [canvas] */
 const frame = (page, canvas = '#turn canvas') =>
   page.$eval(canvas, (element) => {
     const { width, height } = /** @type {HTMLCanvasElement} */ (element);
@@ -36,13 +36,13 @@ const frame = (page, canvas = '#turn canvas') =>
     return { hash, colours: new Set(pixels).size };
   });
 
-/** What is told of it. @param {Page} page */
+/** The sentence about the frame. @param {Page} page */
 const told = (page) => page.$eval('#turn-seen', (text) => text.textContent);
 
-/** Waits until that says so. @param {Page} page @param {RegExp} words */
+/** Waits until the sentence matches. @param {Page} page @param {RegExp} words */
 const tells = (page, words) => page.waitForFunction((source) => new RegExp(source).test(document.querySelector('#turn-seen')?.textContent ?? ''), { timeout: 60_000 }, words.source);
 
-/** Whether each of these is to be seen. @param {Page} page @param {string[]} ids */
+/** Whether each of these elements is visible. @param {Page} page @param {string[]} ids */
 const seen = (page, ids) => page.evaluate((names) => names.filter((id) => document.getElementById(id)?.checkVisibility({ visibilityProperty: true })), ids);
 
 test('a surface shows its stones and nothing else, and is not left', sameEverywhere, async () => {
@@ -55,12 +55,12 @@ test('a surface shows its stones and nothing else, and is not left', sameEverywh
   for (const key of ['Escape', 'g', 'e', 't', 'p', 'o']) await page.keyboard.press(key);
   assert.notEqual(await page.$('#turn'), null);
   assert.deepEqual(await seen(page, ['canvas', 'edit-tools', 'cells', 'layers-button', 'tile-button', 'turn-button', 'turn-end', 'plots-button', 'compare-button', 'light-button', 'turn']), ['compare-button', 'light-button', 'turn']);
-  // The panel has the numbers of this shape alone, and nothing that is drawn on a picture.
+  // The panel has only the numbers of this shape, and no parameter that is drawn on a picture.
   await all(page);
   const rows = await page.$$eval('.control', (controls) => controls.filter((control) => control.checkVisibility({ contentVisibilityAuto: true })).map((control) => control.getAttribute('data-key')));
   assert.deepEqual(rows.filter((key) => /^(sphere|torus|leg)_/.test(key ?? '')), ['sphere_height', 'sphere_depth', 'sphere_square']);
   assert.deepEqual(rows.filter((key) => ['size', 'strokes', 'spots', 'lines', 'model'].includes(key ?? '')), []);
-  // Another value, and the way back.
+  // Another value, and undo.
   await set(page, 'palette', 'marble');
   await page.waitForFunction(() => document.querySelector('#sheet')?.getAttribute('data-turn') !== 'fine');
   await turned(page);
@@ -85,7 +85,7 @@ test('it is turned while the cells are packed, held, and packed on', async () =>
   const { width } = await box(page, '#sheet');
   await drag(page, from, { x: from.x + (75 / 220) * width, y: from.y });
   await page.mouse.up();
-  // A quick hand throws it on from there.
+  // A quick release keeps it turning.
   await tells(page, /seen from the (?!front right)/);
   await turned(page);
   assert.notEqual((await frame(page)).hash, held.hash);
@@ -94,7 +94,7 @@ test('it is turned while the cells are packed, held, and packed on', async () =>
   await page.waitForFunction((made) => window.bubblestone.status().steps > made, {}, steps);
   await page.waitForFunction(() => document.documentElement.dataset['stage'] === 'packing');
   await turned(page);
-  // On it goes, and is turned meanwhile.
+  // It goes on forming, and is turned meanwhile.
   await click(page, '#play');
   await turned(page, 'moving');
   assert.notEqual((await frame(page)).hash, before.hash);

@@ -1,13 +1,12 @@
-// How long the page is held, in Chromium, which tells what its tasks cost.
+// Measures how long tasks block the page, in Chromium, which reports their cost.
 import { kind } from './browsers.mjs';
 
-/** For tests that ask. */
+/** Skips tests that need the measure. */
 export const skip = kind !== 'chromium' && 'only Chromium tells what tasks cost';
 
 /**
- * The longest task of the page's own thread while something is done, as a share of one that takes
- * some 50 milliseconds on a common machine: on a slow one that is longer, too. What counts is the
- * time with a processor, not what other programs take meanwhile.
+ * The longest task on the page's own thread during an action, as a multiple of a fixed task that takes about 50 milliseconds on
+ * a common machine. A slow machine needs longer for both. Only processor time counts, so other programs do not matter.
  * @param {import('puppeteer-core').Page} page
  * @param {() => Promise<unknown>} act
  */

@@ -1,4 +1,4 @@
-// The editor's tools: what is drawn over the canvas, and taken away.
+// The editor's tools: figures are drawn over the canvas, changed and removed.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { sameEverywhere } from './browsers.mjs';
@@ -14,13 +14,13 @@ before(async () => {
 
 after(() => site?.close());
 
-/** Places of the canvas, in parts of its side, on the screen. */
+/** Places of the canvas on the screen, from fractions of its side. */
 async function placesOf(page) {
   const box = await page.$eval('#sheet', (sheet) => sheet.getBoundingClientRect().toJSON());
   return (x, y) => [box.x + x * box.width, box.y + y * box.height];
 }
 
-/** What was said about the outline. */
+/** The messages about the outline. */
 const messages = (page) => page.$$eval('.message[data-topic=outline]', (notes) => notes.map((note) => note.textContent));
 
 async function drag(page, from, to, between = 6) {
@@ -60,7 +60,7 @@ test('a road is drawn point after point, widened, bent, and taken back step by s
   assert.equal(await get(page, 'outline'), 'square', 'nothing changes before it is finished');
   await page.keyboard.press('Enter');
   await frames(page, 3);
-  // Straight ends and sides: a rectangle of four corners, 16 hundredths broad.
+  // A road with straight ends and sides: a rectangle of four corners, 16 hundredths wide.
   const [straight, ...others] = await rings(page);
   assert.equal(others.length, 0);
   assert.equal(straight.length, 4, JSON.stringify(straight));
@@ -70,7 +70,7 @@ test('a road is drawn point after point, widened, bent, and taken back step by s
   }
   assert.notEqual(await digest(page), square);
   const first = await link(page);
-  // The width by its number, and by its handle.
+  // Change the width by its number, and by its handle.
   await page.$eval('#figure-value', (box) => {
     box.value = '24';
     box.dispatchEvent(new Event('change', { bubbles: true }));
@@ -85,7 +85,7 @@ test('a road is drawn point after point, widened, bent, and taken back step by s
   await drag(page, knob, at(0.5, knob[1] < at(0.5, 0.5)[1] ? 0.4 : 0.6));
   assert.ok(Math.abs(Number(await page.$eval('#figure-value', (box) => box.value)) - 20) <= 1);
   const knobbed = await link(page);
-  // A point between, by the middle of the edge.
+  // Add a point at the middle of the edge.
   await drag(page, at(0.5, 0.5), at(0.5, 0.25));
   assert.equal((await handles(page)).length, 3);
   const bent = await link(page);
@@ -165,7 +165,7 @@ test('a hole is drawn, dragged as a whole, and removed; each is one step', sameE
   const drawn = await link(page);
   const holed = await digest(page);
   assert.notEqual(holed, square);
-  // By its line, off the middle of the edge.
+  // Drag the line, away from the middle of an edge.
   const points = await handles(page);
   const [a, b] = [points[4], points[5]];
   const grab = [a[0] * 0.75 + b[0] * 0.25, a[1] * 0.75 + b[1] * 0.25];
@@ -203,7 +203,7 @@ test('a hole may be drawn on what is there, as an island in a hole', sameEverywh
   assert.equal(widths.length, 3);
   assert.ok(Math.abs(widths[1] - 0.25) < 0.01 && Math.abs(widths[2] - 0.12) < 0.01, JSON.stringify(widths));
   assert.deepEqual(await messages(page), [], 'whichever way round they run');
-  // A drag that holds nothing marks no words.
+  // A drag on nothing selects no text.
   await click(page, '#edit-done');
   await drag(page, at(0.04, 0.04), at(0.9, 1.2));
   assert.equal(await page.evaluate(() => String(getSelection())), '');
@@ -229,7 +229,7 @@ test('points come from the middles of edges and go by a double click', sameEvery
   assert.equal((await handles(page)).length, 4, 'the keyboard is on the point that came');
   await page.mouse.click(...middle);
   assert.equal((await handles(page)).length, 5);
-  // Two presses are one double click where the page is not busy between them.
+  // Two presses count as a double click only where the page is not busy between them.
   await digest(page);
   await page.mouse.click(...middle, { count: 2 });
   await frames(page, 2);

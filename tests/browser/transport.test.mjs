@@ -13,7 +13,7 @@ before(async () => {
 
 after(() => site?.close());
 
-/** Holds the packing at its very beginning. */
+/** Pauses the packing at its very start. */
 async function held() {
   const opened = await site.newPage(SMALL);
   await digest(opened.page);
@@ -30,7 +30,7 @@ test('a pause holds the packing, and a step is one step', sameEverywhere, async 
   for (let taken = 1; taken <= 3; taken += 1) {
     const before = await canvas(page);
     await click(page, '#step');
-    // It is told when it is drawn, which may take some frames.
+    // The number appears with the drawing, which may take some frames.
     await page.waitForFunction((count) => Number(document.querySelector('#count-steps').textContent) === count, {}, first + taken);
     assert.equal(await steps(page), first + taken);
     assert.notEqual((await canvas(page)).hash, before.hash, 'the step is not to be seen');

@@ -1,4 +1,4 @@
-// The turntable: a picture's bodies seen from a slant.
+// The turntable: a picture's bodies seen by a camera.
 import assert from 'node:assert/strict';
 import { cpSync, mkdtempSync, readdirSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -22,10 +22,10 @@ before(async () => {
 
 after(() => site?.close());
 
-/** Waits until what is wished for is shown as smoothly as it can be, or as the word says. @param {Page} page */
+/** Waits until the wanted frame is shown as smoothly as possible, or in another state. @param {Page} page */
 const turned = (page, word = 'fine') => page.waitForSelector(`#sheet[data-turn="${word}"]`);
 
-/** A frame, and how many colours it has. @param {Page} page */
+/** A hash of a frame, and its number of colours. @param {Page} page */
 const frame = (page) =>
   page.$eval('#turn canvas', (canvas) => {
     const { width, height } = /** @type {HTMLCanvasElement} */ (canvas);
@@ -37,7 +37,7 @@ const frame = (page) =>
     return { hash, colours: new Set(pixels).size, width, height };
   });
 
-/** What is told of it. @param {Page} page */
+/** The sentence about the frame. @param {Page} page */
 const told = (page) => page.$eval('#turn-seen', (text) => text.textContent);
 
 test('it is turned by keys, tells where it is seen from, and is no step of the recipe', async () => {
@@ -64,7 +64,7 @@ test('it is turned by keys, tells where it is seen from, and is no step of the r
   assert.equal((await frame(page)).hash, first.hash);
   assert.deepEqual([await link(page), await digest(page)], [recipe, planes]);
   assert.equal(await page.$eval('#undo', (undo) => /** @type {HTMLButtonElement} */ (undo).disabled), true);
-  // Another light is other frames.
+  // Another light gives other frames.
   await set(page, 'az', '45');
   await turned(page);
   assert.notEqual((await frame(page)).hash, first.hash);
@@ -89,7 +89,7 @@ test('a link with a camera opens on the slant, and shows the same when it is loa
   await reloading(page, () => page.reload());
   await turned(page);
   assert.deepEqual(await frame(page), first);
-  // Scripts are told the hash of the still: from there, and from elsewhere.
+  // Scripts can get the hash of the still frame, from this camera and from others.
   const [here, same, there] = await page.evaluate(() => Promise.all([undefined, '20,50,1.2', '200'].map((from) => /** @type {any} */ (window).bubblestone.frame(from))));
   assert.match(here, /^[0-9a-f]{16}$/);
   assert.deepEqual([same === here, there === here], [true, false]);
@@ -142,7 +142,7 @@ test('the page is scrolled over it, by one finger and by the wheel, and two fing
 test('a mouse turns it, moves its ground with Shift, and comes closer to what it points at', async () => {
   const { page, problems, close } = await site.newPage(`${SMALL}&outline=square&camera=330,45`, { still: true });
   await turned(page);
-  /** The body that is told at a place; 'none' where there is none. */
+  /** The body under the pointer at a place; 'none' where there is none. */
   const body = async ({ x, y }) => {
     await page.mouse.move(2, 2);
     await page.waitForSelector('#turn:not([data-body])');
@@ -153,7 +153,7 @@ test('a mouse turns it, moves its ground with Shift, and comes closer to what it
   };
   const { x, y } = await spot(page, 0.35, 0.6);
   const at = { x: Math.round(x), y: Math.round(y) };
-  // Well inside of a stone: a pixel more or less is no other one.
+  // Well inside a stone, a pixel more or less hits the same one.
   const near = (off) => body({ x: at.x + off, y: at.y + off });
   const inside = async () => {
     const first = await near(-6);
@@ -234,7 +234,7 @@ test('depth, normals, numbers and coverage are looked at instead of light', same
   }
   assert.equal(new Set([...seen.values()].map(({ hash }) => hash)).size, 5);
   assert.equal(seen.get('light').hash, light.hash);
-  // Each stone has a number of its own; what covers a pixel covers it whole, but for edges.
+  // Each stone has its own number. Except at edges, one body covers a whole pixel.
   assert.ok(seen.get('id').colours > 50, `${seen.get('id').colours} colours`);
   assert.ok(seen.get('alpha').colours <= 5, `${seen.get('alpha').colours} greys`);
   assert.deepEqual(problems, []);
@@ -259,7 +259,7 @@ test('pictures are saved with nothing behind the bodies, and their planes', same
   assert.equal(side, 1024);
   assert.ok(clear > 10_000 && full > 10_000, `${clear} clear, ${full} full`);
   const { bytes: depth } = await saved(page, '#save-turn-depth');
-  // Sides, bits, and the sort of pixels: grey.
+  // The sides, the bits, and the kind of pixels: grey.
   const head = new DataView(depth.buffer, depth.byteOffset);
   assert.deepEqual([head.getUint32(16), depth[24], depth[25]], [1024, 16, 0]);
   assert.deepEqual(problems, []);

@@ -1,4 +1,4 @@
-// Coming closer to the picture, by wheel, keys and fingers.
+// Zooming the picture by wheel, keys and fingers.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { open } from './harness.mjs';
@@ -25,7 +25,7 @@ test('the wheel zooms towards the pointer, dragging moves the picture, and a dou
   const zoom = await factor(page);
   assert.ok(zoom > 2 && zoom < 16, String(zoom));
   const near = await box(page, '#canvas');
-  // A quarter from the left, seven tenths from the top: still there.
+  // A place a quarter from the left and seven tenths from the top has stayed.
   assert.ok(Math.abs(near.x + 0.25 * near.width - at.x) < 1.5 && Math.abs(near.y + 0.7 * near.height - at.y) < 1.5);
   await drag(page, at, { x: at.x + 40, y: at.y - 30 });
   await page.mouse.up();
@@ -36,7 +36,7 @@ test('the wheel zooms towards the pointer, dragging moves the picture, and a dou
   assert.equal(await factor(page), 1);
   const sheet = await box(page, '#sheet');
   assert.deepEqual(await box(page, '#canvas'), sheet);
-  // At fit, dragging moves nothing, and a double click comes closer.
+  // All the way out, a drag moves nothing, and a double click zooms in.
   await drag(page, at, { x: at.x + 40, y: at.y });
   await page.mouse.up();
   assert.deepEqual(await box(page, '#canvas'), sheet);
