@@ -180,7 +180,7 @@ export class EditedFigures {
     else this.move(place, [point[0] + dx, point[1] + dy]);
   }
 
-  /** Makes a band as wide as a drag of its side to this place asks. */
+  /** Sets the width of a band so that its side passes through this place. */
   widen(index: number, at: Point): void {
     const figure = this.all[index];
     const value = this.sort?.value;

@@ -100,7 +100,7 @@ async function* inThrees(reader: ReadableStreamDefaultReader<Uint8Array<ArrayBuf
 
 function lettersOf(bytes: Uint8Array): string {
   let letters = '';
-  // A call may have so many arguments everywhere.
+  // A call of String.fromCharCode takes at most about 65,000 arguments; 8192 are safe in every browser.
   for (let at = 0; at < bytes.length; at += 8192) letters += String.fromCharCode(...bytes.subarray(at, at + 8192));
   return letters;
 }

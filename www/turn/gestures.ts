@@ -165,7 +165,7 @@ export class Gestures {
     this.hands.take(turned(this.hands.camera(), round, up, this.hands.heights()), true);
   }
 
-  /** One of two fingers moved: apart and together comes closer and goes, about each other and sideways turns, both up and down is height. */
+  /** Pinching zooms. Rotating two fingers, or moving them sideways, turns the camera. Moving both vertically tilts it. */
   private pinch(before: Point, now: Point, other: Point): void {
     const apart = (p: Point): number => Math.max(20, Math.hypot(p.x - other.x, p.y - other.y));
     const way = (p: Point): number => (Math.atan2(p.y - other.y, p.x - other.x) * 180) / Math.PI;

@@ -22,5 +22,5 @@ export const LEFT = ['text', 'image', 'mask', 'filter', 'pattern', 'marker', 'cl
 
 export type Left = (typeof LEFT)[number];
 
-/** The number of each that were left out. */
+/** How many of each feature were left out. */
 export type Count = Partial<Record<Left, number>>;
