@@ -1,8 +1,8 @@
-//! The islands of an outline of several outer rings.
+//! The islands of an outline with several outer rings.
 //!
-//! Cells of all islands move in one packing, but do not feel each other over a gap
-//! ([`Domain::is_parted`]). The rows along the rim, the mesh and the fitted cells are made island by
-//! island, each a domain of its own. The direction field is that of all rings together.
+//! One packing moves the cells of all islands, but they exert no force across a gap ([`Domain::is_parted`]).
+//! The boundary rows, the mesh and the fitted cells are made island by island, each as its own domain. The
+//! direction field is shared by all rings.
 
 use super::Domain;
 use super::nesting::owners;
