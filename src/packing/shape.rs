@@ -39,8 +39,8 @@ const AROUND: &[[f64; 2]] = &[
     [0.5, -SIN_60],
 ];
 
-/// The corner of a square or rectangle that does not stand along a wall may poke into it: the wall's distance
-/// is at most this times the half extent across.
+/// Limit of a corner's half extent towards a wall, in half extents of the cell's ellipse: a turned square or
+/// rectangle may poke its corner into the wall.
 const POKE: f64 = 1.15;
 
 impl Particle {
@@ -194,8 +194,8 @@ impl Shape {
         self.size * DVec2::new(x * self.root, y / self.root).length()
     }
 
-    /// Half its extent along a unit vector, but at most a little over half its side: a cell on its corner may
-    /// poke its tip into a wall.
+    /// Half its extent along a unit vector. For a cell with corners it is at most [`POKE`] times the half
+    /// extent of its ellipse, so that a turned cell may poke a corner into a wall.
     pub fn half_extent(&self, along: DVec2) -> f64 {
         let round = 0.5 * self.extent(along);
         if !self.kind.has_corners() || self.axis == DVec2::ZERO {
