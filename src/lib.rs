@@ -80,7 +80,7 @@ pub mod surface;
 #[cfg(target_arch = "wasm32")]
 pub mod web;
 
-// The measurements name this crate as the native program does.
+// The measurements use this crate under its public name, as the native program does.
 #[cfg(all(feature = "bench", target_arch = "wasm32"))]
 extern crate self as bubblestone;
 #[cfg(all(feature = "bench", target_arch = "wasm32"))]

@@ -151,7 +151,7 @@ fn real(mesh: &Mesh, k: u32) -> u32 {
     image.map_or(k, |image| mesh.images[image])
 }
 
-/// The edges; on a torus each once, ends at images stand for what those are images of.
+/// The edges. On a torus each occurs once, and ends at images are replaced by their originals.
 fn edges(mesh: &Mesh) -> Vec<MeshEdge> {
     let mut sides: Vec<([u32; 2], bool)> = Vec::new();
     for face in &mesh.faces {
