@@ -22,7 +22,7 @@
 //! A [`recipe`] is a checked value for every parameter, and its link. A generator
 //! ([`generators`]) is a schema of parameters, presets, and an engine, which wires the stages together;
 //! [`generators::ALL`] lists all generators. A [`studio`] runs the engine of a recipe in small slices.
-//! A [`notice`] is what is said to people, in any language. Random numbers come from [`random`] alone.
+//! A [`notice`] is a message for people, in any language. Random numbers come from [`random`] alone.
 //!
 //! ```
 //! use bubblestone::generators;

@@ -79,8 +79,7 @@ impl Graph {
     }
 
     /// The cells nearer to a cell than `within` stable distances that pass the test by index and length, with
-    /// their distances. Only cells shorter than it are certain to be found: no cell searches farther than its
-    /// own length requires.
+    /// their distances. A cell searches only as far as its own length requires, so it may miss longer neighbours.
     fn near(
         &self,
         domain: &Domain,

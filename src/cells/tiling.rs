@@ -43,7 +43,7 @@ impl Lined {
             let centre = real.centre + (p.centre - near.centre);
             Particle { centre, ..*p }
         });
-        // Of two in one region the first by id owns it, in the picture and in all images.
+        // If two are in one region, the first by id owns it, in the picture and in all images.
         let in_order = |mut particles: Vec<Particle>| {
             order::sort(&mut particles, |p| (p.id.into(), 0));
             split_fixed(particles)

@@ -1,4 +1,4 @@
-//! The constraint lines of a domain, and what is asked of them.
+//! The constraint lines of a domain, and queries about them.
 //!
 //! Itoh, Miyata, Shimada (2003): "boundary edges can be defined at a set of user-specified line
 //! segments inside the domain".
@@ -11,13 +11,13 @@ use super::{Domain, Nearest};
 use crate::planar::{closest_on_segment, crosses, orientation};
 use glam::DVec2;
 
-/// Parts smaller than the square of this part of that side are joined to a neighbour.
+/// Parts smaller than a square whose side is this share of that length are joined to a neighbour.
 const SMALLEST: f64 = 1.0 / 128.0;
 
 /// The constraint lines of a domain.
 #[derive(Clone, Debug)]
 pub(super) struct Network {
-    /// What is inside of each line: open polylines, or closed with the first point repeated.
+    /// The part of each line inside: a polyline, closed if its first point is repeated at the end.
     pub lines: Vec<Vec<DVec2>>,
     /// Their segments.
     pub segments: Vec<[DVec2; 2]>,

@@ -85,9 +85,9 @@ impl Walls {
         !self.grid.at(p - self.space.tile(p)).is_empty()
     }
 
-    /// The projections of a point within `reach` (at most the prepared reach), nearest first. Of walls in
-    /// nearly the same direction only the nearest counts, and a wall behind a constraint line does not.
-    /// Overwrites `found`.
+    /// The projections of a point within `reach` (at most the prepared reach), nearest first. If several
+    /// walls lie in nearly the same direction, only the nearest counts. Walls behind a constraint line do
+    /// not count. Overwrites `found`.
     pub fn project(&self, p: DVec2, reach: f64, found: &mut Vec<Projection>) {
         found.clear();
         let shift = self.space.tile(p);

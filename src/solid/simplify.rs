@@ -37,7 +37,7 @@ struct Simplifier<'a> {
     square: f64,
 }
 
-/// Removes triangles from a closed surface until at most `most` are left, or none can be removed. Removed
+/// Removes triangles from a closed surface until at most `most` are left, or no more can be removed. Removed
 /// ones become `[0, 0, 0]`. Errors below the height `floor` count a tenth.
 pub(crate) fn simplify(positions: &[Vec3], triangles: &mut [[u32; 3]], most: usize, floor: f32) {
     simplify_between(positions, triangles, (most, f64::INFINITY), floor, |_| {
