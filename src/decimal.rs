@@ -1,15 +1,16 @@
-//! Reading and writing decimal numbers, rounded as the standard library does. Its own code is quicker, but a
-//! twentieth of the WebAssembly module (docs/size.md): numbers in links, sentences and reports are few.
+//! Reads and writes decimal numbers, rounded like the standard library. The standard library is faster but
+//! takes a twentieth of the WebAssembly module (docs/size.md), and numbers in links, sentences and reports
+//! are few.
 
 use std::cmp::Ordering;
 
-/// Beyond these powers of ten of the first digit a number is infinite or 0 in any case.
+/// If the first digit's power of ten is outside this range, the number is infinite or 0.
 const POWERS: std::ops::RangeInclusive<i64> = -330..=310;
-/// More digits than any double's halfway point has.
+/// More digits than any halfway point between doubles has.
 const DIGITS: usize = 800;
 
-/// The double nearest to a decimal number such as `-12.5e-3`, ties to even; none for any other text,
-/// words for infinity among them. What is too large for a double is infinite.
+/// The double nearest to a decimal number such as `-12.5e-3`, ties to even; `None` for any other text,
+/// including words for infinity. Numbers too large for a double give infinity.
 pub(crate) fn parse(text: &str) -> Option<f64> {
     let (negative, plain) = match text.as_bytes() {
         [b'-', rest @ ..] => (true, rest),
@@ -77,7 +78,7 @@ fn nearest(digits: &[u8], power: i64) -> f64 {
     for _ in 0..power.abs() {
         if power > 0 { &mut over } else { &mut under }.scale(10, 0);
     }
-    // Bring the quotient into 1..2, times two to the exponent.
+    // Scale the quotient into 1..2, adjusting the exponent.
     let mut exponent = 0i32;
     while over.compare(&under) != Ordering::Less {
         under.scale(2, 0);
@@ -87,7 +88,7 @@ fn nearest(digits: &[u8], power: i64) -> f64 {
         over.scale(2, 0);
         exponent -= 1;
     }
-    // The smallest doubles have fewer bits.
+    // Subnormal doubles have fewer bits.
     let lowest = (exponent - 52).max(-1074);
     let mut bits = 0u64;
     for _ in lowest..=exponent {
@@ -98,7 +99,7 @@ fn nearest(digits: &[u8], power: i64) -> f64 {
         bits = 2 * bits + u64::from(one);
         over.scale(2, 0);
     }
-    // Where not one bit fits, the quotient itself is half of the smallest double or less.
+    // If no bit fits, the quotient is at most half of the smallest double.
     if lowest > exponent + 1 {
         return 0.0;
     }
@@ -108,14 +109,14 @@ fn nearest(digits: &[u8], power: i64) -> f64 {
         Ordering::Greater => true,
     };
     bits += u64::from(up);
-    // Two exact factors: the first product is exact, and so is the last one where it is not infinite.
+    // Two exact factors: the first product is exact, and so is the second unless it is infinite.
     let two_to = |n: i32| f64::from_bits(((n + 1023) as u64) << 52);
     let half = lowest / 2;
     bits as f64 * two_to(half) * two_to(lowest - half)
 }
 
-/// The shortest decimal text that reads back as the same bits, with a power of ten where that is
-/// shorter by far: `0.1`, `-23`, `1e300`.
+/// The shortest decimal text that reads back as the same bits, in scientific notation if that is much
+/// shorter: `0.1`, `-23`, `1e300`.
 pub(crate) fn text(x: f64) -> String {
     if !x.is_finite() {
         return "not a finite number".to_owned();
@@ -160,10 +161,10 @@ fn shortest(x: f64) -> (Vec<u8>, i64) {
     rounded(&digits, first, MOST)
 }
 
-/// So many digits tell any two doubles apart.
+/// Digits that distinguish any two doubles.
 const MOST: usize = 17;
 
-/// The first digits of a double greater than 0, one more than needed, and the power of the first.
+/// The first digits of a positive double, one more than needed, and the power of the first.
 fn exact(x: f64) -> (Vec<u8>, i64) {
     let (exponent, fraction) = ((x.to_bits() >> 52) as i32, x.to_bits() << 12 >> 12);
     let hidden = u64::from(exponent > 0) << 52;
@@ -197,7 +198,7 @@ fn exact(x: f64) -> (Vec<u8>, i64) {
     ((0..=MOST).map(digit).collect(), first)
 }
 
-/// The first `count` of the digits, rounded, and the power of the first.
+/// The first `count` digits, rounded, and the power of the first.
 fn rounded(digits: &[u8], first: i64, count: usize) -> (Vec<u8>, i64) {
     let mut kept = digits[..count].to_vec();
     if digits[count] < 5 {
@@ -236,7 +237,7 @@ impl Natural {
         length.then_with(|| self.0.iter().rev().cmp(other.0.iter().rev()))
     }
 
-    /// Takes away one that is not greater.
+    /// Subtracts a number that is not greater.
     fn subtract(&mut self, other: &Self) {
         let mut borrow = false;
         for (k, limb) in self.0.iter_mut().enumerate() {

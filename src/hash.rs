@@ -1,4 +1,4 @@
-//! Digests of what was made.
+//! Digests of results.
 
 /// FNV-1a on words of 64 bits, finished as SplitMix64.
 #[derive(Clone)]
@@ -11,7 +11,7 @@ impl Hash {
 
     pub fn add(&mut self, word: u64) {
         let mixed = (self.0 ^ word).wrapping_mul(0x0000_0100_0000_01B3);
-        // Plain FNV on whole words never brings high bits down.
+        // Plain FNV on whole words never carries high bits down.
         self.0 = mixed ^ (mixed >> 29);
     }
 

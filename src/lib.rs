@@ -22,7 +22,7 @@
 //! A [`recipe`] is a checked value for every parameter, and its link. A generator
 //! ([`generators`]) is a schema of parameters, presets, and an engine, which wires the stages together;
 //! [`generators::ALL`] lists all generators. A [`studio`] runs the engine of a recipe in small slices.
-//! A [`notice`] is what is said to people, in any language. Random numbers come from [`random`] alone.
+//! A [`notice`] is a message for people, in any language. Random numbers come from [`random`] alone.
 //!
 //! ```
 //! use bubblestone::generators;
@@ -80,7 +80,7 @@ pub mod surface;
 #[cfg(target_arch = "wasm32")]
 pub mod web;
 
-// The measurements name this crate as the native program does.
+// The measurements use this crate under its public name, as the native program does.
 #[cfg(all(feature = "bench", target_arch = "wasm32"))]
 extern crate self as bubblestone;
 #[cfg(all(feature = "bench", target_arch = "wasm32"))]

@@ -1,18 +1,17 @@
 //! Comparing and sorting numbers, the same way everywhere and cheaply in WebAssembly.
 
-/// What items are sorted by: the first number, then the second.
+/// A sort key: the first number, then the second.
 pub(crate) type Key = (u64, u64);
 
-/// Sorts by a key, the smallest first; equal ones keep their order.
+/// Sorts by a key, the smallest first; the sort is stable.
 ///
-/// What is sorted are the keys, with the places of their items: all lists share that one sort. Each type of
-/// item with a sort of its own would bring a copy of the standard library's into the WebAssembly module
-/// (docs/size.md).
+/// It sorts the keys together with the items' indices, so all lists share one sort. A separate sort for each
+/// type of item would add copies of the standard library's sort to the WebAssembly module (docs/size.md).
 pub(crate) fn sort<T>(items: &mut [T], key: impl Fn(&T) -> Key) {
     items.sort_by_cached_key(key);
 }
 
-/// A number in the order of [`f64::total_cmp`].
+/// Maps a number to an integer with the order of [`f64::total_cmp`].
 pub(crate) fn rank(x: f64) -> u64 {
     let bits = x.to_bits();
     if bits >> 63 == 0 {
@@ -22,13 +21,13 @@ pub(crate) fn rank(x: f64) -> u64 {
     }
 }
 
-/// Two small numbers as one, the first the more important.
+/// Two small numbers as one; the first is more significant.
 pub(crate) fn pair(a: u32, b: u32) -> u64 {
     u64::from(a) << 32 | u64::from(b)
 }
 
-/// The greater of two numbers. `f32::max` is a call of a function on wasm32: a loop over pixels that
-/// could do four at a time takes seven times as long with it.
+/// The greater of two numbers. `f32::max` is a function call on wasm32: a loop over pixels that could do four
+/// at a time takes seven times as long with it.
 #[inline(always)]
 pub(crate) fn greater<T: PartialOrd>(a: T, b: T) -> T {
     if b > a { b } else { a }

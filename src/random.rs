@@ -1,16 +1,16 @@
-//! The one source of chance: a number stream for every (seed, purpose, item).
+//! The only source of random numbers: a stream for every (seed, purpose, item).
 //!
-//! A draw depends on nothing but these three, so that a stone keeps its colour whatever was drawn
-//! before it and on whatever machine. The generator is SplitMix64 (Steele, Lea, Flood 2014, Fast
-//! Splittable Pseudorandom Number Generators).
+//! A draw depends on nothing else, so a stone keeps its colour whatever was drawn before it, on every
+//! machine. The generator is SplitMix64 (Steele, Lea, Flood 2014, Fast Splittable Pseudorandom Number
+//! Generators).
 
 use std::f64::consts::TAU;
 
-/// What a stream is drawn for; each has its own numbers for the same seed and item.
+/// The purpose of a stream; each has its own numbers for the same seed and item.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u64)]
 pub enum Purpose {
-    /// Where cells are put when the packing starts, and their order.
+    /// Initial places of cells, and their order.
     Placement = 1,
     /// The size of a cell.
     Size = 2,

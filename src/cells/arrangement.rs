@@ -1,14 +1,14 @@
 //! A planar arrangement of lines and its regions.
 //!
-//! The lines become constraints of a Delaunay triangulation (spade), divided where they cross.
-//! Triangles not divided by a line make a region.
+//! The lines become constraints of a Delaunay triangulation (spade), divided where they cross. Triangles not
+//! separated by a line form a region.
 
 use crate::domain::cross;
 use crate::planar::{self, Delaunay, position};
 use glam::DVec2;
 use spade::Triangulation as _;
 
-/// One line to lay into the arrangement.
+/// A line of the arrangement.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Line {
     ends: [DVec2; 2],
@@ -33,34 +33,34 @@ impl Line {
     }
 }
 
-/// What divides two triangles.
+/// Separation of two adjacent triangles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Between {
-    /// Nothing.
+    /// None: both are in one region.
     Open,
     /// A line.
     Side,
-    /// The outline or a constraint line: no cell is on both its sides.
+    /// The outline or a constraint line: no cell lies on both sides.
     Wall,
 }
 
-/// Triangles, each in a region.
+/// Triangles, each labelled with its region.
 pub(super) struct Arrangement {
     mesh: Delaunay,
-    /// The triangles' corners, of positive shoelace area.
+    /// The triangles' corners, with positive shoelace area.
     pub corners: Vec<[DVec2; 3]>,
-    /// For each triangle, over its three edges: the neighbour and what is between them.
+    /// For each edge of each triangle, the neighbour and the separation from it.
     pub across: Vec<[(Option<u32>, Between); 3]>,
-    /// For each triangle its region.
+    /// The region of each triangle.
     pub region: Vec<u32>,
-    /// The regions' areas.
+    /// The area of each region.
     pub areas: Vec<f64>,
 }
 
 impl Arrangement {
-    /// Of these lines.
+    /// Builds the arrangement of these lines.
     pub fn new(lines: Vec<Line>) -> Self {
-        // The outline and the constraint lines first: they are told from the sides.
+        // The outline and the constraint lines come first, which tells them from the sides.
         let (boundary, sides): (Vec<Line>, Vec<Line>) = lines.into_iter().partition(|l| l.boundary);
         let all = boundary.iter().chain(&sides).map(|line| line.ends);
         let (mesh, walls) = planar::triangulate_lines(all, boundary.len());
@@ -127,7 +127,7 @@ impl Arrangement {
         0.5 * cross(a, b, c)
     }
 
-    /// For each region the middle of its largest triangle, which tells best where it lies.
+    /// For each region the centre of its largest triangle, a point that is safely inside.
     pub fn middles(&self) -> Vec<DVec2> {
         let mut largest: Vec<(f64, usize)> = vec![(-1.0, 0); self.areas.len()];
         for t in 0..self.region.len() {
@@ -143,7 +143,7 @@ impl Arrangement {
         largest.into_iter().map(middle).collect()
     }
 
-    /// A triangle that a place lies in; none outside all of them.
+    /// A triangle that contains a place; `None` outside all of them.
     pub fn triangle_at(&self, place: DVec2) -> Option<usize> {
         planar::triangles_at(&self.mesh, place).first().copied()
     }

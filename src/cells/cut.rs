@@ -1,9 +1,8 @@
-//! The cells of the dual, cut by the outline and by constraint lines.
+//! Cuts the cells of the dual by the outline and by constraint lines.
 //!
-//! Near the boundary the dual's polygons and the outline are laid over each other in one planar
-//! arrangement (`arrangement`), whose regions are then given to the cells (`ownership`); so the cells
-//! fill the outline without gap or overlap whatever its shape. Polygons that surely keep off it stay
-//! as they are.
+//! Near the boundary the dual's polygons and the outline form one planar arrangement (`arrangement`), whose
+//! regions are then assigned to the cells (`ownership`). So the cells fill the outline without gap or
+//! overlap, whatever its shape. Polygons that are certainly clear of it are left unchanged.
 
 use super::Cell;
 use super::arrangement::{Arrangement, Line};
@@ -16,14 +15,14 @@ use crate::packing::{Grid, Particle};
 use crate::planar::{closest_on_segment, divided};
 use glam::DVec2;
 
-/// A side of a cell whose ends lie on a constraint line runs along it where its middle is nearer to
-/// it than this share of its length.
+/// A side with both ends on a constraint line counts as part of it if its midpoint is nearer to the line than
+/// this share of its length.
 const ALONG: f64 = 0.15;
 
 impl Dual {
-    /// All cells, corners not straightened.
+    /// All cells, with corners not yet straightened.
     pub fn cells(&self, domain: &Domain) -> Vec<Cell> {
-        // Where there are neither walls nor constraint lines nothing is cut.
+        // Without walls and constraint lines nothing is cut.
         let is_cut = self.mixed.contains(&true);
         let band = if is_cut {
             self.band(domain)
@@ -42,9 +41,8 @@ impl Dual {
         cells
     }
 
-    /// Which cells take part in the arrangement: all but those whose polygon surely keeps off the
-    /// boundary, because no corner of it is as far from the centre as the boundary is; and what is
-    /// tangled, with all around it.
+    /// Selects the cells for the arrangement: all whose polygon may reach the boundary, because a corner is
+    /// as far from the centre as the boundary is, and tangled polygons with their neighbours.
     fn band(&self, domain: &Domain) -> Vec<bool> {
         let mut is_over = vec![false; self.vertices.len()];
         for k in 0..self.particles.len() {
@@ -69,7 +67,7 @@ impl Dual {
         cells.map(|cell| !inside(cell)).collect()
     }
 
-    /// The cells of the band: the outline and the polygons' sides laid over each other.
+    /// The cells of the band, from the arrangement of the outline and the polygons' sides.
     fn cut(&self, domain: &Domain, band: &[bool], inner: &[Cell]) -> Vec<Cell> {
         let mut lines = self.outline(domain);
         lines.extend(self.sides(domain, band));
@@ -81,8 +79,7 @@ impl Dual {
         owners.cells(&self.particles)
     }
 
-    /// The segments of the outline and of constraint lines, divided where a middle has been put on
-    /// them.
+    /// The segments of the outline and of constraint lines, divided at the dual's vertices on them.
     fn outline(&self, domain: &Domain) -> Vec<Line> {
         let (mut on_outline, mut on_lines) = (domain.junctions().to_vec(), Vec::new());
         for (&middle, on) in self.vertices.iter().zip(&self.anchors) {
@@ -98,7 +95,7 @@ impl Dual {
         lines.collect()
     }
 
-    /// The constraint lines divided at places on them, and their images as far as there are cells.
+    /// The constraint lines divided at places on them, and their images wherever there are cells.
     fn line_pieces(&self, domain: &Domain, mut on: Vec<(usize, DVec2)>) -> Vec<[DVec2; 2]> {
         let (segments, space) = (domain.line_segments(), domain.space());
         for (segment, place) in &mut on {
@@ -115,8 +112,8 @@ impl Dual {
         space.repeated_over(&pieces, [lo, hi]).collect()
     }
 
-    /// The sides of the band's polygons and of the ghosts'. A side between a cell and a ghost
-    /// whose ends both lie on the boundary is left out: the boundary itself divides the two.
+    /// The sides of the polygons of the band and of its ghosts. A side between a cell and a ghost with both
+    /// ends on the boundary is left out, because the boundary itself separates the two.
     fn sides(&self, domain: &Domain, band: &[bool]) -> Vec<Line> {
         let real = self.particles.len();
         let mut sides: Vec<([u32; 2], bool)> = Vec::new();
@@ -151,9 +148,9 @@ impl Dual {
         lines
     }
 
-    /// Do two vertices lie on walls, and the straight way between them along a wall? Where there are
-    /// constraint lines, the walls themselves divide cells there: lines that nearly coincide with
-    /// them would only do harm.
+    /// Whether two vertices lie on walls and the straight path between them runs along a wall. With
+    /// constraint lines, the walls themselves separate cells there; nearly coincident lines would only do
+    /// harm.
     fn runs_along_wall(&self, domain: &Domain, f: u32, g: u32) -> bool {
         let on = |f: u32| self.anchors[f as usize] != Anchor::Free;
         let [a, b] = [f, g].map(|f| self.vertices[f as usize]);
@@ -166,7 +163,7 @@ impl Dual {
     }
 }
 
-/// The cells that are not in the band, to be asked whether one of them holds a point.
+/// The cells outside the band, searched for one that contains a point.
 struct Inner<'a> {
     cells: &'a [Cell],
     grid: Grid,

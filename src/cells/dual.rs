@@ -1,7 +1,7 @@
-//! The dual of the mesh of the packed centres, and where its vertices are put at the boundary.
+//! The dual of the mesh of the packed centres, and the position of its vertices at the boundary.
 //!
-//! Itoh, Miyata, Shimada (2003), section 5.2: a node's cell joins the middles of the mesh elements
-//! around it; on the boundary and on constraint lines it ends at the middles of their sides.
+//! Itoh, Miyata, Shimada (2003), section 5.2: a node's cell joins the centres of the mesh elements around it;
+//! on the boundary and on constraint lines it ends at the midpoints of their sides.
 
 use super::ghosts;
 use super::visibility::{self, Visibility};
@@ -13,11 +13,11 @@ use crate::packing::Particle;
 use crate::planar::on_grain;
 use glam::DVec2;
 
-/// Middles of elements between inside and outside go onto the boundary where it is this near.
+/// Centres of elements between inside and outside move onto a boundary within this distance.
 const SNAP: f64 = 0.35;
 
-/// The cells, and those fixed on walls (the outline and constraint lines), which get no polygon
-/// (Itoh, Miyata, Shimada 2003, section 5.2): the others end there. Where all are fixed, all are cells.
+/// Separates the cells from those fixed on walls (the outline and constraint lines). The fixed ones get no
+/// polygon (Itoh, Miyata, Shimada 2003, section 5.2): the others end there. If all are fixed, all are cells.
 pub(super) fn split_fixed(particles: Vec<Particle>) -> (Vec<Particle>, Vec<Particle>) {
     let (fixed, cells): (Vec<Particle>, Vec<Particle>) = particles.iter().partition(|p| p.fixed);
     if cells.is_empty() {
@@ -27,7 +27,7 @@ pub(super) fn split_fixed(particles: Vec<Particle>) -> (Vec<Particle>, Vec<Parti
     }
 }
 
-/// A cell to be joined into the mesh; Voronoi polygons know no stretch.
+/// A cell as a node of the mesh; Voronoi polygons ignore stretch.
 pub(super) fn node(p: &Particle, is_voronoi: bool) -> Node {
     if is_voronoi {
         Node::plain(p.centre)
@@ -36,39 +36,39 @@ pub(super) fn node(p: &Particle, is_voronoi: bool) -> Node {
     }
 }
 
-/// Where one of the dual's vertices has been put.
+/// The place of one of the dual's vertices.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Anchor {
-    /// Where it was.
+    /// Not moved.
     Free,
-    /// On the outline's segment of that number.
+    /// On this segment of the outline.
     Outline(usize),
-    /// On the segment of that number of the constraint lines.
+    /// On this segment of the constraint lines.
     Line(usize),
 }
 
-/// The mesh of cells and ghosts with the middles of its elements.
+/// The mesh of cells and ghosts, with the centres of its elements.
 pub(super) struct Dual {
     pub particles: Vec<Particle>,
-    /// The sizes of the mesh's first vertices, which are cells.
+    /// The sizes of the mesh's first vertices, the cells.
     sizes: Vec<f64>,
     fans: Fans,
-    /// The dual's vertices: one per element, and more where a constraint line divides elements.
+    /// The dual's vertices: one for each element, and more for elements that a constraint line divides.
     pub vertices: Vec<DVec2>,
-    /// The element has a ghost among its nodes, or a constraint line divides it.
+    /// Whether the element has a ghost among its nodes, or a constraint line divides it.
     pub mixed: Vec<bool>,
     pub anchors: Vec<Anchor>,
-    /// (element, node, the vertex this node sees), for divided elements.
+    /// (element, node, the vertex for this node), for divided elements.
     own_vertices: Vec<[u32; 3]>,
     pub mesh_vertices: usize,
-    /// The Voronoi diagram as it is: middles are those of the circles around Delaunay's triangles,
-    /// no cell is too small, no corner straightened.
+    /// Whether it is the plain Voronoi diagram: vertices are the circumcentres of Delaunay triangles, small
+    /// cells are kept and corners not straightened.
     pub is_voronoi: bool,
 }
 
 impl Dual {
-    /// What is joined into a mesh within an outline in the plane: the cells, those fixed on walls, and
-    /// what lies outside. With the cells, and how many are fixed.
+    /// The nodes of the mesh within an outline in the plane: the cells, those fixed on walls, and ghosts
+    /// outside. Also the cells, and the number of fixed ones.
     pub fn nodes(
         domain: &Domain,
         particles: Vec<Particle>,
@@ -92,7 +92,7 @@ impl Dual {
         (nodes, cells, fixed.len())
     }
 
-    /// Of the mesh of [`Dual::nodes`].
+    /// The dual of the mesh of [`Dual::nodes`].
     pub fn within(
         domain: &Domain,
         mesh: &Mesh,
@@ -108,7 +108,7 @@ impl Dual {
         dual
     }
 
-    /// Without vertices yet.
+    /// Starts without vertices.
     pub fn of(particles: Vec<Particle>, sizes: Vec<f64>, mesh: &Mesh, is_voronoi: bool) -> Self {
         let count = mesh.faces.len();
         Self {
@@ -124,7 +124,7 @@ impl Dual {
         }
     }
 
-    /// The place of an element's vertex, before walls move it.
+    /// The vertex of an element, before walls move it.
     pub fn vertex(&self, mesh: &Mesh, face: &Face) -> DVec2 {
         match *face.nodes() {
             [a, b, c] if self.is_voronoi => {
@@ -137,13 +137,13 @@ impl Dual {
         }
     }
 
-    /// Where the corners' cells meet: the larger a cell, the farther from it; nothing where one of
-    /// them is no cell.
+    /// The meeting point of the corners' cells: the larger a cell, the farther away. `None` if a corner is
+    /// not a cell.
     fn meeting(&self, mesh: &Mesh, nodes: &[u32]) -> Option<DVec2> {
         let corner = |&k: &u32| Some((mesh.vertices[k as usize], *self.sizes.get(k as usize)?));
         let mut corners: Vec<(DVec2, f64)> = nodes.iter().map(corner).collect::<Option<_>>()?;
-        // In one order, by ways that are exact on the grain: an element's image on a torus has the
-        // vertex's image.
+        // Sorted by offsets that are exact on the grain, so that an element's image on a torus gets exactly
+        // the vertex's image.
         order::sort(&mut corners, |c| (order::rank(c.0.x), order::rank(c.0.y)));
         let first = corners[0].0;
         let (mut way, mut total) = (DVec2::ZERO, 0.0);
@@ -154,7 +154,7 @@ impl Dual {
         Some(first + on_grain(way / total))
     }
 
-    /// The vertices of all elements; of `fixed` cells, the nodes come next to those of the others.
+    /// Places the vertices of all elements. The nodes of `fixed` cells follow those of the others.
     pub fn place_vertices(&mut self, domain: &Domain, mesh: &Mesh, fixed: usize) {
         let real = self.particles.len();
         for face in &mesh.faces {
@@ -165,7 +165,7 @@ impl Dual {
             let mut on = Anchor::Free;
             if !self.is_voronoi && !sizes.is_empty() && sizes.len() < face.nodes().len() {
                 let size = sizes.iter().sum::<f64>() / sizes.len() as f64;
-                // Round the element, from a cell on.
+                // Goes round the element, starting from a cell.
                 let first = corners.clone().position(|k| k < real).unwrap_or(0);
                 let round = corners.cycle().skip(first).take(face.nodes().len());
                 let on_fixed = round.filter(|k| (real..real + fixed).contains(k));
@@ -176,8 +176,8 @@ impl Dual {
         }
     }
 
-    /// Where an element ends whose other nodes are ghosts, or fixed cells: there at the one
-    /// or in the middle of the two; of three the one between the others.
+    /// The end of an element with ghosts or fixed cells among its nodes: at the one fixed cell, midway
+    /// between two, or at the middle one of three.
     fn at_wall(
         &self,
         domain: &Domain,
@@ -210,7 +210,7 @@ impl Dual {
         self.anchors.push(on);
     }
 
-    /// Gives elements that constraint lines divide a vertex for each side.
+    /// Gives an element that constraint lines divide a vertex on each side.
     pub fn divide(&mut self, domain: &Domain, mesh: &Mesh) {
         let real = self.particles.len() as u32;
         for (index, face) in mesh.faces.iter().enumerate() {
@@ -263,7 +263,7 @@ impl Dual {
         order::sort(&mut self.own_vertices, |o| (order::pair(o[0], o[1]), 0));
     }
 
-    /// The vertex that a node sees of an element.
+    /// The vertex of an element, as seen from a node.
     fn seen(&self, element: u32, node: u32) -> u32 {
         let place = self
             .own_vertices
@@ -274,7 +274,7 @@ impl Dual {
         }
     }
 
-    /// The vertices around a cell or a ghost, clockwise on screen; none where they do not close.
+    /// The vertices around a cell or a ghost, clockwise on screen; empty if they do not close.
     pub fn around(&self, vertex: usize) -> Vec<u32> {
         let around = self.fans.around(vertex);
         if self.own_vertices.is_empty() {
@@ -288,7 +288,7 @@ impl Dual {
     pub fn ring(&self, vertex: usize) -> Vec<DVec2> {
         let around = self.around(vertex);
         let mut ring: Vec<DVec2> = around.iter().map(|&f| self.vertices[f as usize]).collect();
-        // Circles through the same four points have the same middle.
+        // Equal circumcircles give equal vertices.
         ring.dedup();
         if ring.len() > 1 && ring.first() == ring.last() {
             ring.pop();

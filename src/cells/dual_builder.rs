@@ -1,9 +1,8 @@
-//! From cells to the dual of their mesh, in slices.
+//! Builds the dual of the cells' mesh, in slices.
 //!
-//! The mesh for the dual joins no triangles where that would leave an inner node with three elements:
-//! its cell would be a wedge of three corners. On a torus it does so all the same, since a choice here
-//! would decide over pairs far away, beyond the seams. Meshes for their own sake take the best pairs,
-//! whatever becomes of the nodes.
+//! For the dual, triangles are not joined if that would leave an inner node with three elements: its cell
+//! would be a triangle. A torus has no such rule, because a choice here would affect pairs far away, beyond
+//! the seams. Meshes for display take the best pairs in any case.
 
 use super::Cell;
 use super::dual::Dual;
@@ -13,39 +12,39 @@ use crate::mesh::seams::{STRATEGIES, Strategy};
 use crate::mesh::{IncrementalDelaunay, Mesh};
 use crate::packing::Particle;
 
-/// The fewest corners that the mesh leaves to a cell: of three it would be a wedge.
+/// The fewest corners that the mesh leaves to a cell; with three it would be a triangle.
 const CORNERS: u32 = 4;
 
 /// Builds the dual.
 pub(super) struct DualBuilder {
     particles: Vec<Particle>,
     is_voronoi: bool,
-    /// Attempts begun so far.
+    /// The number of attempts begun.
     begun: usize,
     at_work: Option<(Attempt, Step)>,
 }
 
-/// How far an attempt is.
+/// The progress of an attempt.
 enum Step {
     Delaunay(IncrementalDelaunay),
     Mesh(Mesh),
 }
 
-/// An attempt, with what it needs beside the mesh.
+/// An attempt, with its inputs besides the mesh.
 enum Attempt {
     Within(Vec<Particle>, usize),
     Lines(Lined),
     Seams(Strategy, Vec<f64>),
 }
 
-/// What has been built: a dual whose cells are still to be cut, or cells that are cut already.
+/// The result: a dual whose cells are still to be cut, or finished cells.
 pub(super) enum Built {
     Dual(Dual),
     Cells(Vec<Cell>),
 }
 
 impl DualBuilder {
-    /// Of these particles; `is_voronoi` is the Voronoi diagram.
+    /// Starts from these particles; `is_voronoi` asks for the Voronoi diagram.
     pub fn new(domain: &Domain, mut particles: Vec<Particle>, is_voronoi: bool) -> Self {
         for p in &mut particles {
             p.centre = domain.space().wrap(p.centre);
@@ -58,14 +57,14 @@ impl DualBuilder {
         }
     }
 
-    /// One slice of the work; the dual, or the cells, with the last one.
+    /// Does one slice of the work; the last one gives the dual or the cells.
     pub fn advance(&mut self, domain: &Domain) -> Option<Built> {
         let (what, step) = match self.at_work.take() {
             Some(at_work) => at_work,
             None => self.begin(domain),
         };
         let is_voronoi = self.is_voronoi;
-        // On a torus the edges that stay would reach so far that cells do not close over the seams.
+        // On a torus, kept edges would have effects so far away that cells do not close over the seams.
         let within = matches!(what, Attempt::Within(..));
         let least = if within { CORNERS } else { 0 };
         let mesh = match step {
@@ -97,7 +96,7 @@ impl DualBuilder {
 
     fn begin(&mut self, domain: &Domain) -> (Attempt, Step) {
         let particles = &self.particles;
-        // In the plane ghosts end the mesh at the walls; a torus has none, but has to close.
+        // In the plane ghosts end the mesh at the walls. A torus has no walls but must close over the seams.
         let Some(side) = domain.space().period() else {
             let (nodes, cells, fixed) = Dual::nodes(domain, particles.clone(), self.is_voronoi);
             return (

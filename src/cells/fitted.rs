@@ -1,8 +1,8 @@
-//! Cells fitted into the outline: the dual of the mesh of the packed centres (`dual`), straightened.
+//! Fits cells into the outline: the dual of the mesh of the packed centres (`dual`), straightened.
 //!
-//! Near the boundary the dual's polygons and the outline are laid over each other in one
-//! planar arrangement (`arrangement`), whose regions are then given to the cells; so the cells
-//! fill the outline without gap or overlap whatever its shape.
+//! Near the boundary the dual's polygons and the outline form one planar arrangement (`arrangement`), whose
+//! regions are then assigned to the cells. So the cells fill the outline without gap or overlap, whatever its
+//! shape.
 
 use super::dual::Dual;
 use super::dual_builder::{Built, DualBuilder};
@@ -13,29 +13,29 @@ use crate::domain::Domain;
 use crate::order;
 use crate::packing::Particle;
 
-/// The dual of the packed cells, filling the outline, all at once; see [`Fitting`].
+/// The dual of the packed cells, filling the outline, in one call; see [`Fitting`].
 pub fn fitted(domain: &Domain, particles: &[Particle]) -> Vec<Cell> {
     let mut fitting = Fitting::new(particles.to_vec());
     while !fitting.advance(domain) {}
     fitting.finish()
 }
 
-/// The dual of the packed cells, filling the outline, in the making. Cells that would be slivers are
-/// joined to a neighbour, so there can be a few less than particles.
+/// The dual of the packed cells, filling the outline, in progress. Slivers are joined to a neighbour, so
+/// there can be fewer cells than particles.
 pub struct Fitting {
     cells: Vec<Cell>,
-    /// The islands to come, the next one last: their numbers and particles.
+    /// A stack of islands to do: their numbers and particles.
     left: Vec<(usize, Vec<Particle>)>,
     /// See [`Fitting::voronoi`].
     is_voronoi: bool,
     /// The largest id of a particle.
     largest: u32,
-    /// How many of the cells are not images of others.
+    /// The number of cells that are not images of others.
     count: usize,
     next: Next,
 }
 
-/// What the next slice of the work begins with.
+/// The next slice of the work.
 enum Next {
     Islands(Vec<Particle>),
     Build(usize, DualBuilder),
@@ -46,14 +46,14 @@ enum Next {
 }
 
 impl Fitting {
-    /// Cells for these particles, none made yet.
+    /// Starts the cells for these particles.
     pub fn new(particles: Vec<Particle>) -> Self {
         Self::of(particles, false)
     }
 
-    /// The plain Voronoi cells of these particles' centres within the outline, none made yet: each
-    /// holds what is nearer to its centre than to any other, however thin or small it is. Pieces that the
-    /// outline cuts off from their centre go to a neighbour, or are cells where they are large.
+    /// Starts the plain Voronoi cells of these particles' centres within the outline. Each has all points
+    /// nearer to its centre than to any other, however thin or small it is. Pieces that the outline cuts off
+    /// from their centre go to a neighbour, or become cells if they are large.
     pub fn voronoi(particles: Vec<Particle>) -> Self {
         Self::of(particles, true)
     }
@@ -85,8 +85,8 @@ impl Fitting {
         Next::Build(number, DualBuilder::new(island, particles, self.is_voronoi))
     }
 
-    /// The cells of all islands in the order of their ids; those that no particle stands for were
-    /// named in each island alike.
+    /// The cells of all islands in the order of their ids. Cells without a particle get new ids, because each
+    /// island numbered them in the same way.
     fn join_islands(&mut self) {
         let mut nameless = NAMELESS;
         for cell in self.cells.iter_mut().filter(|c| c.id > self.largest) {
@@ -96,7 +96,7 @@ impl Fitting {
         order::sort(&mut self.cells, |c| (c.id.into(), 0));
     }
 
-    /// One slice of the work; true when all is done.
+    /// Does one slice of the work; true when finished.
     pub fn advance(&mut self, domain: &Domain) -> bool {
         self.next = match std::mem::replace(&mut self.next, Next::Nothing) {
             Next::Islands(particles) if particles.is_empty() => Next::Nothing,

@@ -1,23 +1,22 @@
 //! Points outside the outline that make the dual mesh end at the boundary.
 //!
-//! A cell beside a wall has its mirror image behind the wall: the middle between the two, where
-//! their dual cells meet, is the wall itself. Beside two walls that meet in a corner there is also
-//! the image through both.
+//! A cell beside a wall has its mirror image behind the wall. Their dual cells meet midway, on the wall
+//! itself. Beside two walls that meet in a corner there is also the image through both.
 
 use crate::domain::{Domain, Projection, Walls};
 use crate::mesh::Node;
 use crate::packing::Particle;
 use glam::DVec2;
 
-/// Cells this near to a wall (in sizes) are mirrored: those of the first row, not of the second.
+/// Cells at most this far from a wall (in sizes) are mirrored: the first row, not the second.
 const MIRRORED: f64 = 0.9;
-/// Images nearer to each other than this (in sizes) are one.
+/// Images nearer to each other than this (in sizes) are merged.
 const SAME: f64 = 0.45;
-/// Two walls make a corner where their directions differ by more than this (cosine of 45 degrees).
+/// Two walls form a corner if their directions differ by more than this (cosine of 45 degrees).
 const CORNER: f64 = 0.707;
-/// A fixed cell this near to the boundary (in sizes) stands on it.
+/// A fixed cell at most this far from the boundary (in sizes) stands on it.
 const ON_BOUNDARY: f64 = 0.05;
-/// The frame of points around everything, in sides of the box around the outline.
+/// Distance of the frame of far points, in sides of the bounding box.
 const FRAME: f64 = 2.0;
 
 /// The images of all cells near a wall, and a frame of far points around everything.
@@ -29,7 +28,7 @@ pub(super) fn ghosts(domain: &Domain, particles: &[Particle]) -> Vec<Node> {
     for p in particles.iter().filter(|p| walls.is_near(p.centre)) {
         if p.fixed {
             let near = domain.nearest(p.centre);
-            // A cell that is fixed on a constraint line has neighbours on both sides.
+            // A cell fixed on a constraint line has neighbours on both sides.
             if near.distance.abs() > ON_BOUNDARY * p.size {
                 continue;
             }
@@ -49,14 +48,14 @@ pub(super) fn ghosts(domain: &Domain, particles: &[Particle]) -> Vec<Node> {
 /// A ghost and the size of the cell that it mirrors.
 type Image = (Node, f64);
 
-/// A cell's ghost, moved from its centre.
+/// A cell's ghost, at an offset from its centre.
 fn image(p: &Particle, by: DVec2) -> Image {
     let mut node = Node::of(p);
     node.at += by;
     (node, p.size)
 }
 
-/// Through each wall, and through each pair of walls that make a corner.
+/// Mirrors through each wall, and through each pair of walls that form a corner.
 fn mirror(p: &Particle, walls: &[Projection], images: &mut Vec<Image>) {
     for (k, wall) in walls.iter().enumerate() {
         let step = -2.0 * wall.distance * wall.inward;
@@ -71,9 +70,9 @@ fn mirror(p: &Particle, walls: &[Projection], images: &mut Vec<Image>) {
     }
 }
 
-/// The way out of the outline at a cell that stands on the boundary.
+/// The outward direction at a cell on the boundary.
 fn outward_of_boundary_cell(domain: &Domain, p: &Particle, tangent: DVec2) -> DVec2 {
-    // At a corner the two sides' normals are both tried: the farther outside wins.
+    // At a corner, tries the normals of both sides: the one that leads farther outside wins.
     let normal = tangent.perp();
     let candidates = [-normal, p.axis, -p.axis, p.axis.perp(), -p.axis.perp()];
     let depth = |d: &DVec2| domain.nearest(p.centre + 0.5 * p.size * *d).distance;
@@ -84,7 +83,7 @@ fn outward_of_boundary_cell(domain: &Domain, p: &Particle, tangent: DVec2) -> DV
         .unwrap_or(-normal)
 }
 
-/// Drops images that fell back inside the outline or onto another one.
+/// Drops images that lie inside the outline or on another one.
 fn thin_out(domain: &Domain, images: Vec<Image>, largest: f64) -> Vec<Node> {
     let (lo, hi) = domain.bounds();
     let mut grid = crate::packing::Grid::new(lo, hi, largest);
@@ -110,7 +109,7 @@ fn thin_out(domain: &Domain, images: Vec<Image>, largest: f64) -> Vec<Node> {
 pub(super) fn frame(domain: &Domain) -> Vec<DVec2> {
     let (lo, hi) = domain.bounds();
     let (middle, half) = (lo.midpoint(hi), FRAME * (hi - lo).max_element());
-    // Not on one circle, so that the frame's own triangles are unique.
+    // Not on a circle, so that the frame's own triangulation is unique.
     let mut points = Vec::with_capacity(16);
     let mut spoke = DVec2::splat(-half);
     for k in 1..=16 {

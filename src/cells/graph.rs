@@ -1,32 +1,32 @@
-//! The graph of neighbouring cells, for what spreads from cell to cell (patterns, flow).
+//! The graph of neighbouring cells, for anything that spreads from cell to cell (patterns, flow).
 //!
-//! Neighbours of any kind of cells, in rising order, and each the other's neighbour. None is seen
-//! across the boundary or a constraint line.
+//! Works for any kind of cells. The lists are in rising order and symmetric. Cells across the boundary or a
+//! constraint line are not neighbours.
 
 use super::Cell;
 use crate::domain::Domain;
 use crate::packing::{Grid, Particle};
 
-/// Neighbours are nearer than so many stable distances: the eight around a square (the farthest at
-/// 1.41), but of circles the six around only (the next are at 1.73).
+/// Neighbours are nearer than this, in stable distances: the eight around a square (the farthest at 1.41),
+/// but only the six around a circle (the next are at 1.73).
 const NEAR: f64 = 1.55;
-/// How far a cell without neighbours looks for one.
+/// Search radius for a cell without neighbours.
 const FAR: f64 = 4.0;
 
-/// The neighbours of every cell in the making.
+/// The neighbours of every cell, in progress.
 #[derive(Clone, Debug)]
 pub struct Graph {
     shapes: Vec<Particle>,
     grid: Grid,
-    /// The cells looked at so far.
+    /// The number of cells done.
     seen: usize,
     links: Vec<Vec<u32>>,
 }
 
-/// The neighbours of every cell, by its index, in rising order; the lists
-/// are symmetric. Distances are measured as the packing does, by the cells' sizes and aspect ratios; on a
-/// torus over the seams. None is seen over the boundary or over a constraint line. A cell that would
-/// have no neighbour has the nearest one that it sees within some cells.
+/// The neighbours of every cell, by index and in rising order; the lists are symmetric. Distances are
+/// measured as in the packing, by the cells' sizes and aspect ratios, and over the seams of a torus. Cells
+/// across the boundary or a constraint line are not neighbours. A cell without neighbours gets the nearest
+/// visible one within a few cells.
 pub fn graph(domain: &Domain, cells: &[Cell]) -> Vec<Vec<u32>> {
     let mut graph = Graph::new(domain, cells);
     graph.advance(domain, usize::MAX);
@@ -34,7 +34,7 @@ pub fn graph(domain: &Domain, cells: &[Cell]) -> Vec<Vec<u32>> {
 }
 
 impl Graph {
-    /// Neighbours to be found by [`Graph::advance`].
+    /// Starts the search; [`Graph::advance`] continues it.
     pub fn new(domain: &Domain, cells: &[Cell]) -> Self {
         let mut shapes: Vec<Particle> = cells.iter().map(particle).collect();
         for shape in &mut shapes {
@@ -56,7 +56,7 @@ impl Graph {
         }
     }
 
-    /// Finds the neighbours of about `count` more cells; true when all are found.
+    /// Finds the neighbours of about `count` more cells; true when finished.
     pub fn advance(&mut self, domain: &Domain, count: usize) -> bool {
         let end = self.shapes.len().min(self.seen.saturating_add(count));
         for k in self.seen..end {
@@ -78,9 +78,8 @@ impl Graph {
         self.links
     }
 
-    /// The cells nearer to a cell than `within` stable distances that pass the test by their index
-    /// and length, and how far they are. Only cells shorter than it are found for sure: no cell need
-    /// look farther than its own length asks for.
+    /// The cells nearer to a cell than `within` stable distances that pass the test by index and length, with
+    /// their distances. A cell searches only as far as its own length requires, so it may miss longer neighbours.
     fn near(
         &self,
         domain: &Domain,
@@ -94,7 +93,7 @@ impl Graph {
         let reach = within * own.length();
         self.grid.any_near(space, own.centre, reach, |j| {
             let other = &self.shapes[j];
-            // An image on a torus may be seen from several sides.
+            // A cell on a torus may be seen through several images.
             if j == k || !test(j, other.length()) || found.iter().any(|f| f.0 == j) {
                 return false;
             }
@@ -160,7 +159,7 @@ mod tests {
     use crate::field::Kind;
     use glam::DVec2;
 
-    /// Cells of a kind in rows: squares in a grid, circles like honeycombs.
+    /// Cells of a kind in rows: squares in a grid, circles in a honeycomb.
     fn rows(kind: Kind, aspect: f64, side: f64, count: usize) -> Vec<Cell> {
         let pitch = side / count as f64;
         let root = aspect.sqrt();

@@ -1,4 +1,4 @@
-//! Images of cells that reach over the edges of a picture that repeats, and of their corners.
+//! Images of cells that cross the edges of a periodic picture, and of their corners.
 
 use super::Cell;
 use crate::domain::Domain;
@@ -6,8 +6,8 @@ use crate::order;
 use crate::planar::Space;
 use glam::DVec2;
 
-/// Images of the cells that reach over the edges of the picture, with which every corner in the
-/// picture has all its cells around it.
+/// The images of cells that cross the edges of the picture. With them every corner in the picture has all its
+/// cells around it.
 pub(super) fn images(domain: &Domain, cells: &[Cell]) -> Vec<Cell> {
     let mut images = Vec::new();
     for cell in cells {
@@ -29,11 +29,11 @@ pub(super) fn images(domain: &Domain, cells: &[Cell]) -> Vec<Cell> {
     images
 }
 
-/// The points that are images of others: (the one in the picture, the image, the way there), by the
-/// first.
+/// Pairs of points that are images of each other: (the one in the picture, the image, the offset to it),
+/// sorted by the first.
 pub(super) fn twins(domain: &Domain, points: &[DVec2]) -> Vec<(u32, u32, DVec2)> {
     let space = domain.space();
-    // In the plane there are none: sorting all points to find none would take its time.
+    // The plane has none; skip the sorting.
     if space == Space::PLANE {
         return Vec::new();
     }

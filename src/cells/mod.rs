@@ -1,5 +1,5 @@
-//! One polygon per cell: the packed squares as they are, or the pseudo-Voronoi dual of the mesh
-//! fitted into the outline.
+//! One polygon for each cell: the packed shapes as they are, or the pseudo-Voronoi dual of the mesh, fitted
+//! into the outline.
 //!
 //! ```
 //! use bubblestone::cells::fitted;
@@ -21,7 +21,9 @@
 //! // One polygon for each of `particles`; together they fill `domain`.
 //! let cells = fitted(&domain, &particles);
 //! assert_eq!(cells.len(), particles.len());
-//! let covered: f64 = cells.iter().map(|cell| signed_area(&cell.ring)).sum();
+//! let covered: f64 = cells.iter().map(
+//! cell
+//! signed_area(&cell.ring)).sum();
 //! assert!((covered / domain.area() - 1.0).abs() < 1e-6);
 //! ```
 
@@ -56,24 +58,24 @@ use glam::DVec2;
 /// The ground plan of one stone.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cell {
-    /// Names the cell for ever: everything random about its stone is drawn by this number.
+    /// The cell's permanent number: it seeds everything random about its stone.
     pub id: u32,
     /// The packed particle's centre; inside the ring for any sensible cell.
     pub centre: DVec2,
     /// The packed particle's kind.
     pub kind: Kind,
-    /// The size the cell was asked to have (the side of its square), in picture units.
+    /// The size from the size field (the side of its square), in picture units.
     pub size: f64,
-    /// The length over width that it was asked to have; 1 for squares and circles.
+    /// Length over width from the field; 1 for squares and circles.
     pub aspect: f64,
-    /// Unit vector of the direction field at the centre, or zero where the field has none.
+    /// Unit vector of the direction field at the centre, or zero where the field vanishes.
     pub axis: DVec2,
-    /// A simple ring, not closed, of positive shoelace area (clockwise on screen), at least 3 points.
+    /// A simple ring, not closed, with positive shoelace area (clockwise on screen) and at least 3 points.
     pub ring: Vec<DVec2>,
 }
 
 impl Cell {
-    /// The cell that a particle gets.
+    /// The cell of a particle.
     pub(crate) fn new(p: &Particle, ring: Vec<DVec2>) -> Self {
         Self {
             id: p.id,

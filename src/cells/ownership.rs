@@ -1,10 +1,10 @@
-//! The regions of an arrangement, given to cells.
+//! Assigns the regions of an arrangement to cells.
 //!
-//! A region that holds a cell's centre is that cell's; the others go to the neighbour they share the
-//! longest border with. The triangles fill the outline exactly once, and so do the cells, whatever
-//! lines were given.
+//! A region that contains a cell's centre belongs to that cell; others go to the neighbour with the longest
+//! shared border. The triangles fill the outline exactly once, so the cells do, too, whatever lines were
+//! given.
 //!
-//! Cells that are too small go to a neighbour in the same way. A region around a hole is cut, so that
+//! Cells that are too small are joined to a neighbour in the same way. A region around a hole is cut, so that
 //! every cell is one ring.
 
 use super::Cell;
@@ -16,30 +16,30 @@ use crate::order;
 use crate::packing::Particle;
 use glam::DVec2;
 
-/// A region without a centre as large as this (in squared sizes) and as compact as `COMPACT`
-/// becomes a cell of its own.
+/// A region without a centre becomes a cell if it is at least this large (in squared sizes) and as compact as
+/// `COMPACT`.
 const OWN_AREA: f64 = 0.6;
 /// Least 4 pi area / perimeter^2 of such a region; a circle has 1, a square 0.79.
 const COMPACT: f64 = 0.45;
-/// Cells smaller than this (in squared sizes) join a neighbour.
+/// Cells smaller than this (in squared sizes) are joined to a neighbour.
 const SMALL: f64 = 0.45;
-/// Cells this near to a constraint line (picture units) stand on it.
+/// Cells at most this far from a constraint line (picture units) stand on it.
 const ON_LINE: f64 = 1e-4;
-/// The two halves of a cell on a line are looked for this far from it (in sizes).
+/// The two halves of a cell on a line are sought this far from it (in sizes).
 const ASIDE: f64 = 0.05;
-/// Ids of cells that no particle stands for count down from here.
+/// Ids of cells without a particle count down from here.
 pub(super) const NAMELESS: u32 = u32::MAX;
 
-/// What a region belongs to.
+/// The owner of a region.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Owner {
     /// Outside the outline.
     Outside,
-    /// The cells that take no part in the arrangement.
+    /// The cells outside the arrangement.
     Inner,
     /// The cell of this particle.
     Particle(u32),
-    /// A region that became a cell of its own.
+    /// Itself: a region that became a cell.
     Itself,
     /// Not decided yet.
     Nobody,
@@ -49,7 +49,7 @@ enum Owner {
 struct Region {
     owner: Owner,
     area: f64,
-    /// The size cells have here.
+    /// The size of cells at this region.
     size: f64,
 }
 
@@ -57,13 +57,13 @@ struct Region {
 pub(super) struct Ownership {
     plane: Arrangement,
     regions: Vec<Region>,
-    /// Regions are joined by pointing at another one.
+    /// Union-find: joined regions point at another one.
     joined: Vec<u32>,
 }
 
 impl Ownership {
-    /// Gives each region its first owner: the outside, the inner cells (where `inner` holds for a
-    /// point of it), or the band's particle whose centre it holds.
+    /// Gives each region its first owner: the outside, the inner cells (if `inner` holds for a point of it),
+    /// or the band's particle whose centre it contains.
     pub fn new(
         plane: Arrangement,
         domain: &Domain,
@@ -97,8 +97,7 @@ impl Ownership {
     /// Gives a particle the region of its centre, unless that has an owner.
     fn settle(&mut self, domain: &Domain, k: usize, p: &Particle) {
         let mut places = vec![p.centre];
-        // A cell that is fixed on a constraint line is one half on each side: the first keeps its
-        // name.
+        // A cell fixed on a constraint line has a half on each side: the first half keeps its id.
         let line = domain.nearest_line(p.centre).filter(|_| p.fixed);
         if let Some(near) = line.filter(|near| near.distance < ON_LINE) {
             let aside = ASIDE * p.size * near.tangent.perp();
@@ -129,13 +128,13 @@ impl Ownership {
         self.root(self.plane.region[triangle])
     }
 
-    /// Gives every region inside the outline to a cell, and where `join_small` says so joins small
-    /// cells to a neighbour.
+    /// Assigns every region inside the outline to a cell; with `join_small`, joins small cells to a
+    /// neighbour.
     pub fn assign(&mut self, join_small: bool) {
         self.found_own();
         let orphan = |r: &Region| r.owner == Owner::Nobody;
         while self.join_where(&orphan) {}
-        // What no cell borders on is a cell of its own.
+        // A region that borders on no cell becomes one.
         for k in 0..self.regions.len() {
             if self.root(k as u32) == k as u32 && self.regions[k].owner == Owner::Nobody {
                 self.regions[k].owner = Owner::Itself;
@@ -150,7 +149,7 @@ impl Ownership {
         self.split_around_holes();
     }
 
-    /// Large, compact regions that no centre fell into become cells.
+    /// Turns large, compact regions without a centre into cells.
     fn found_own(&mut self) {
         let mut perimeter = vec![0.0; self.regions.len()];
         for (a, _, length) in self.borders(true) {
@@ -165,8 +164,8 @@ impl Ownership {
         }
     }
 
-    /// The borders between different joined regions as (region, other, length), both ways; with
-    /// `all`, also those with the outside and across constraint lines.
+    /// The borders between different joined regions as (region, other, length), both ways. With `all`, also
+    /// those with the outside and across constraint lines.
     fn borders(&self, all: bool) -> Vec<(u32, u32, f64)> {
         let mut borders: Vec<(u32, u32, f64)> = Vec::new();
         for (t, across) in self.plane.across.iter().enumerate() {
@@ -198,8 +197,8 @@ impl Ownership {
         borders
     }
 
-    /// Joins every region for which `lost` holds to the cell it shares its longest border with;
-    /// true where any was joined. The longest borders first, and no chains in one round.
+    /// Joins every region for which `lost` holds to the cell with the longest shared border; true if any was
+    /// joined. Longest borders come first, and no chains form in one round.
     fn join_where(&mut self, lost: &dyn Fn(&Region) -> bool) -> bool {
         let mut borders: Vec<(u32, u32, f64)> = self
             .borders(false)
@@ -218,7 +217,7 @@ impl Ownership {
                 continue;
             }
             busy[from as usize] = true;
-            // A cell that swallowed one may swallow more, but not be swallowed in this round.
+            // In one round a cell may absorb several others, but not be absorbed after that.
             self.joined[from as usize] = to;
             let area = self.regions[from as usize].area;
             self.regions[to as usize].area += area;
@@ -227,10 +226,10 @@ impl Ownership {
         any
     }
 
-    /// A cell is one ring. A region that surrounds a hole of the outline is cut through the hole,
-    /// along the triangles' edges, into pieces that do not.
+    /// A cell is one ring. A region around a hole of the outline is cut through the hole, along the
+    /// triangles' edges, into pieces without holes.
     fn split_around_holes(&mut self) {
-        // Each cut takes at least one hole from a region.
+        // Each cut removes at least one hole from a region.
         let mut outlines: Vec<(u32, Vec<[DVec2; 2]>)> = (0..).zip(self.edges()).collect();
         while let Some((region, edges)) = outlines.pop() {
             let rings = rings(edges);
@@ -248,7 +247,7 @@ impl Ownership {
         }
     }
 
-    /// Divides a region by a line through `middle`, square to `across` where that gives pieces.
+    /// Divides a region by a line through `middle`, perpendicular to `across` if that separates it.
     fn halves(&mut self, mut region: u32, middle: DVec2, across: DVec2) -> Vec<u32> {
         let aslant = across + across.perp();
         for way in [across, across.perp(), aslant, aslant.perp()] {
@@ -260,14 +259,14 @@ impl Ownership {
             }
             region = pieces[0];
         }
-        // Few large triangles, all on one side: any of them makes the rest smaller.
+        // All of a few large triangles are on one side. Separating any one of them makes the rest smaller.
         let first = (0..self.plane.region.len()).find(|&t| self.root_of(t) == region);
         let first = first.map(|t| self.plane.corners[t]);
         self.cut(region, |corners| Some(corners) == first)
     }
 
-    /// Divides a region between its triangles on one `side` and those on the other. The largest
-    /// piece keeps the region's owner; all pieces are named.
+    /// Divides a region into its triangles on one `side` and the others. The largest piece keeps the region's
+    /// owner; all pieces are listed.
     fn cut(&mut self, region: u32, side: impl Fn([DVec2; 3]) -> bool) -> Vec<u32> {
         let side = |t: usize| side(self.plane.corners[t]);
         let mut piece = vec![u32::MAX; self.plane.region.len()];
@@ -314,7 +313,8 @@ impl Ownership {
         (first..self.regions.len() as u32).collect()
     }
 
-    /// For every region the edges around it, its inside at their hand; none where it is no cell.
+    /// For each region the edges around it, with the inside at their inward normal; empty if it is not a
+    /// cell.
     fn edges(&self) -> Vec<Vec<[DVec2; 2]>> {
         let mut edges = vec![Vec::new(); self.regions.len()];
         for (t, across) in self.plane.across.iter().enumerate() {
@@ -333,7 +333,7 @@ impl Ownership {
         edges
     }
 
-    /// The cells of the regions.
+    /// The cells made from the regions.
     pub fn cells(&self, particles: &[Particle]) -> Vec<Cell> {
         let mut nameless = NAMELESS;
         let mut cells = Vec::new();

@@ -3,15 +3,15 @@
 use super::Cell;
 use crate::packing::{Grid, Particle, force::Pair};
 
-/// A cell may overlap its nearest neighbour by this share of a size; where the packing pressed
-/// it closer (between walls that are no whole number of cells apart) it is drawn smaller.
+/// Allowed overlap with the nearest neighbour, as a share of the size. Cells pressed closer than that
+/// (between walls whose distance is not a whole number of cells) are drawn smaller.
 const OVERLAP: f64 = 0.11;
 /// Corners of a round cell.
 const CORNERS: u32 = 16;
-/// But never smaller than this share of its size.
+/// Lower limit of that shrinking.
 const SMALLEST: f64 = 0.8;
 
-/// One cell per particle, of its kind, along its axis.
+/// One cell for each particle, of its kind and along its axis.
 pub fn packed(particles: &[Particle]) -> Vec<Cell> {
     let Some(first) = particles.first() else {
         return Vec::new();
@@ -35,7 +35,7 @@ pub fn packed(particles: &[Particle]) -> Vec<Cell> {
         .collect()
 }
 
-/// How close the nearest neighbour is: 1 where the two just touch.
+/// The normalised distance of the nearest neighbour: 1 if the two just touch.
 fn nearest_distance(p: &Particle, particles: &[Particle], grid: &Grid, largest: f64) -> f64 {
     let mut least = 1.0_f64;
     grid.near(p.centre, largest * std::f64::consts::SQRT_2, |k| {

@@ -1,11 +1,11 @@
-//! Rings: chained of edges, and whether they are tangled.
+//! Chains edges to rings, and finds tangled rings.
 
 use crate::domain::signed_area;
 use crate::order;
 use crate::planar::crosses;
 use glam::DVec2;
 
-/// The rings that directed edges make: outer ones of positive area, holes of negative.
+/// Chains directed edges to rings: outer ones have positive area, holes negative.
 pub(super) fn rings(mut edges: Vec<[DVec2; 2]>) -> Vec<Vec<DVec2>> {
     let key = |p: DVec2| (p.x.to_bits(), p.y.to_bits());
     order::sort(&mut edges, |e| key(e[1]));
@@ -22,7 +22,7 @@ pub(super) fn rings(mut edges: Vec<[DVec2; 2]>) -> Vec<Vec<DVec2>> {
         while at[1] != ring[0] {
             let from = edges.partition_point(|e| key(e[0]) < key(at[1]));
             let ahead = at[1] - at[0];
-            // Where two parts touch in a point, turn sharply: the ring stays simple.
+            // Where two parts touch in a point, the sharper turn keeps the ring simple.
             let next = (from..edges.len())
                 .take_while(|&k| edges[k][0] == at[1])
                 .filter(|&k| !used[k])
@@ -51,7 +51,7 @@ fn angle_rank(u: DVec2, v: DVec2) -> f64 {
     }
 }
 
-/// Does a ring lie inside out, or cross itself?
+/// Whether a ring is inside out or crosses itself.
 pub(super) fn is_tangled(ring: &[DVec2]) -> bool {
     let n = ring.len();
     let side = |k: usize| (ring[k], ring[(k + 1) % n]);

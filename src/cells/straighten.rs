@@ -1,9 +1,9 @@
 //! Straightens the fitted cells: four-cornered ones towards rectangles along the direction field.
 //!
-//! The dual's corners are means of centres: where rows end or bend they wander. Each four-cornered
-//! cell asks for the rectangle that fits it best, turned along its axis; each corner moves to the
-//! mean of what its cells ask for; those on the boundary slide along it. This goes beyond the papers; it
-//! changes no connection, and never turns a corner inside out.
+//! The dual's corners are means of centres and wander where rows end or bend. Each four-cornered cell
+//! proposes the rectangle that fits it best along its axis, and each corner moves to the mean of its cells'
+//! proposals; corners on the boundary slide along it. This goes beyond the papers. It changes no connection
+//! and never turns a corner inside out.
 
 use super::Cell;
 use super::vertices::{Freedom, Rings, STRAIGHT};
@@ -11,30 +11,30 @@ use crate::domain::{Domain, cross};
 use crate::planar::on_grain;
 use glam::DVec2;
 
-/// Rounds of asking and moving.
+/// Rounds of proposing and moving.
 const ROUNDS: u32 = 12;
-/// How much of the way a corner goes in a round.
+/// Share of the way that a corner moves in a round.
 const PACE: f64 = 0.6;
-/// How strongly a cell asks for the mean area: 0 not at all, 1 at once.
+/// Pull towards the mean area: 0 none, 1 all at once.
 const EVEN_AREA: f64 = 0.7;
-/// What is farther from the boundary (picture units) does not lie on it.
+/// A point farther from the boundary (picture units) does not lie on it.
 const OFF: f64 = 1.0 / 4096.0;
-/// Corners whose sine is smaller are straight: only rounding decides their sign.
+/// A corner with a smaller sine is straight: rounding alone decides its sign.
 const FLAT: f64 = 1e-6;
-/// A vertex slides at most this share of the way to the next one on the boundary.
+/// Largest share of the distance to the next boundary vertex that a vertex may slide.
 const ROOM: f64 = 0.4;
-/// A cell may not be asked to be thinner than this share of its size.
+/// No proposed rectangle is thinner than this share of its cell's size.
 const THINNEST: f64 = 0.2;
 
 /// The straightening of cells, in rounds.
 pub(super) struct Straightening {
     rings: Rings,
-    /// The mean area of the cells, of what their sizes ask for.
+    /// The mean of the cells' areas over their squared sizes.
     share: f64,
     next: Next,
 }
 
-/// What the next slice of the work does.
+/// The next slice of the work.
 enum Next {
     Freedom,
     Corners,
@@ -55,7 +55,7 @@ impl Straightening {
         }
     }
 
-    /// One slice of the work on the cells it was begun with; true with the last one.
+    /// Does one slice of the work, always with the same cells; true with the last one.
     pub fn advance(&mut self, domain: &Domain, cells: &[Cell]) -> bool {
         self.next = match self.next {
             Next::Freedom => {
@@ -87,7 +87,7 @@ impl Straightening {
 }
 
 impl Rings {
-    /// How far along the boundary a vertex may slide: not up to the next one on either side.
+    /// How far a vertex may slide along the boundary: not up to the next vertex on either side.
     fn slide(&self, vertex: usize, along: DVec2, wanted: f64) -> f64 {
         let p = self.points[vertex];
         let (mut least, mut most) = (-f64::INFINITY, f64::INFINITY);
@@ -143,7 +143,7 @@ impl Rings {
         }
     }
 
-    /// Puts back onto the boundary what has left it, as pieces that hardly turn count as straight.
+    /// Puts vertices back onto the boundary, because slightly bent pieces count as straight.
     fn settle(&mut self, domain: &Domain) {
         for vertex in 0..self.points.len() {
             let old = self.points[vertex];
@@ -160,7 +160,7 @@ impl Rings {
         }
     }
 
-    /// Moves the images of a vertex after it.
+    /// Moves the images of a vertex with it.
     fn follow(&mut self, vertex: usize) {
         let first = self.twins.partition_point(|t| (t.0 as usize) < vertex);
         for &(home, image, by) in &self.twins[first..] {
@@ -171,7 +171,7 @@ impl Rings {
         }
     }
 
-    /// Has the vertex, come from `old`, turned no corner and no cell inside out?
+    /// Whether the move of a vertex from `old` has turned no corner and no cell inside out.
     fn is_sound(&self, vertex: usize, old: DVec2) -> bool {
         let at = |k: u32| self.points[k as usize];
         let before = |k: u32| if k as usize == vertex { old } else { at(k) };
@@ -183,14 +183,14 @@ impl Rings {
                 let turns = [turn(0), turn(1), turn(2)];
                 turns.iter().all(|&t| t > 0.0) || turns.iter().all(|&t| t < 0.0)
             };
-            // Neither of its sides may have gone over a corner that stays.
+            // Neither of its sides may sweep over a fixed corner.
             let swept = |&k: &u32| {
                 let held = self.free[k as usize] == Freedom::Fixed;
                 let past = |to: u32| to != k && inside(at(k), [old, at(vertex as u32), at(to)]);
                 let ends = [n - 1, 1].map(|shift| ring[(place as usize + shift) % n]);
                 held && k as usize != vertex && ends.into_iter().any(past)
             };
-            // Twice the area, seen from the vertex.
+            // Twice the area, as a fan from the vertex.
             let own = at(vertex as u32);
             let spans = (1..n - 1).map(|k| [k, k + 1].map(|k| ring[(place as usize + k) % n]));
             let area: f64 = spans.map(|[a, b]| cross(own, at(a), at(b))).sum();
@@ -210,7 +210,7 @@ impl Rings {
     }
 }
 
-/// The corners of the rectangle along a cell's axis that fits four corners best, its area drawn towards
+/// The corners of the rectangle along a cell's axis that fits four corners best, with its area drawn towards
 /// `mean_area` (in squared sizes).
 pub(crate) fn rectangle(
     corners: [DVec2; 4],

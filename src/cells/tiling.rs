@@ -1,4 +1,4 @@
-//! The dual of a torus, whose cells close over the seams.
+//! The dual on a torus, whose cells close over the seams.
 
 use super::Cell;
 use super::dual::{Anchor, Dual, node, split_fixed};
@@ -11,11 +11,11 @@ use crate::packing::Particle;
 use crate::planar::on_grain;
 use glam::DVec2;
 
-/// Corners that are as near to each other as this (picture units) are one: a place where a side
-/// crosses a line is rounded here and at its image, each on its own.
+/// Corners at most this far apart (picture units) are merged. The crossing of a side and a line is rounded
+/// separately in the picture and in each image.
 const SAME: f64 = 4.0 / 65536.0;
 
-/// The nodes of these particles and their images, and their sizes.
+/// The nodes of these particles and of their images, and their sizes.
 pub(super) fn nodes(
     side: f64,
     particles: &[Particle],
@@ -27,23 +27,23 @@ pub(super) fn nodes(
     (nodes.collect(), all.iter().map(|p| p.size).collect())
 }
 
-/// Cells and images of cells, and their nodes, to be cut by constraint lines.
+/// Cells and images of cells, with their nodes, to be cut by constraint lines.
 pub(super) struct Lined {
     cells: Vec<Particle>,
     fixed: usize,
 }
 
 impl Lined {
-    /// With the nodes to be joined.
+    /// Also gives the nodes of the mesh.
     pub fn new(side: f64, particles: &[Particle], strategy: Strategy) -> (Self, Vec<Node>) {
         let (all, of) = with_images(side, particles, strategy);
-        // The same images, but where they really are.
+        // The same images at their unrounded places.
         let placed = all.iter().zip(&of).map(|(p, &k)| {
             let (real, near) = (&particles[k as usize], &all[k as usize]);
             let centre = real.centre + (p.centre - near.centre);
             Particle { centre, ..*p }
         });
-        // Of two in one region the first by its id has it, here as at the images.
+        // If two are in one region, the first by id owns it, in the picture and in all images.
         let in_order = |mut particles: Vec<Particle>| {
             order::sort(&mut particles, |p| (p.id.into(), 0));
             split_fixed(particles)
@@ -56,8 +56,8 @@ impl Lined {
         (Self { cells, fixed }, nodes)
     }
 
-    /// The cells of a torus with constraint lines, where they agree over the seams: all images are cut
-    /// by the lines, then those in the picture are taken.
+    /// The cells of a torus with constraint lines, if they agree over the seams. The lines cut all images;
+    /// then the cells in the picture are taken.
     pub fn cells(self, domain: &Domain, mesh: &Mesh) -> Option<Vec<Cell>> {
         let sizes = self.cells.iter().map(|p| p.size).collect();
         let mut dual = Dual::of(self.cells, sizes, mesh, false);
@@ -65,7 +65,7 @@ impl Lined {
         dual.divide(domain, mesh);
         let mut cells = dual.cells(domain);
         cells.retain(|cell| domain.space().wrap(cell.centre) == cell.centre);
-        // Places where sides cross lines agree with their images but for rounding.
+        // Crossings of sides and lines agree with their images up to rounding.
         for cell in &mut cells {
             cell.ring.iter_mut().for_each(|p| *p = on_grain(*p));
         }
@@ -80,8 +80,8 @@ impl Lined {
 }
 
 impl Dual {
-    /// On the torus, of the mesh of [`nodes`], where the cells close over the seams or are those of
-    /// Delaunay's triangles.
+    /// The dual on the torus for the mesh of [`nodes`], if the cells close over the seams or the mesh is
+    /// plain Delaunay.
     pub fn over_seams(
         domain: &Domain,
         mesh: &Mesh,
@@ -99,7 +99,7 @@ impl Dual {
     }
 }
 
-/// Makes one corner of those that nearly coincide, over the seams, too.
+/// Merges corners that nearly coincide, also over the seams.
 fn weld(domain: &Domain, cells: &mut [Cell]) {
     let mut corners: Vec<(DVec2, u32, u32)> = Vec::new();
     for (index, cell) in cells.iter().enumerate() {
@@ -122,7 +122,7 @@ fn weld(domain: &Domain, cells: &mut [Cell]) {
     }
 }
 
-/// Takes repeated points out of a ring, and ways to a point and straight back.
+/// Removes repeated points from a ring, and spikes to a point and straight back.
 fn without_spikes(ring: &mut Vec<DVec2>) {
     let mut k = 0;
     while k < ring.len() && ring.len() >= 3 {
@@ -130,7 +130,7 @@ fn without_spikes(ring: &mut Vec<DVec2>) {
         let (next, after) = ((k + 1) % n, (k + 2) % n);
         if ring[k] == ring[next] || ring[k] == ring[after] {
             ring.remove(next);
-            // What is now beside it may be the same.
+            // Its new neighbours may coincide, too.
             k = 0;
         } else {
             k += 1;

@@ -1,4 +1,4 @@
-//! The corners of cells as shared vertices, and where each may go.
+//! The corners of cells as shared vertices, and the freedom of each to move.
 
 use super::{Cell, images};
 use crate::domain::Domain;
@@ -7,20 +7,20 @@ use glam::DVec2;
 
 /// A turn of the boundary sharper than this (cosine of 30 degrees) is a corner of the cell.
 const CORNER: f64 = 0.866;
-/// Two pieces of the boundary are one straight line up to this (cosine of 1 degree).
+/// Two pieces of the boundary are one straight line within this (cosine of 1 degree).
 pub(super) const STRAIGHT: f64 = 0.9998;
-/// The ends of a piece lie on the grain: a shorter one (picture units) tells the way only roughly.
+/// The ends of a piece are rounded to the grain, so a shorter one (picture units) has no reliable direction.
 const ROUGH: f64 = 1.0 / 64.0;
 
-/// Where a vertex may go.
+/// The freedom of a vertex to move.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Freedom {
-    /// Nowhere: a corner of the outline, or a point of it that only one cell has.
+    /// Not at all: a corner of the outline, or a point on it with only one cell.
     Fixed,
-    /// Along the boundary or a constraint line: two cells meet on a straight piece of it. Holds its
-    /// unit vector.
+    /// Along the boundary or a constraint line, on a straight piece where two cells meet. Holds its unit
+    /// vector.
     Slides(DVec2),
-    /// Anywhere.
+    /// In any direction.
     Free,
 }
 
@@ -28,13 +28,13 @@ pub(super) enum Freedom {
 pub(super) struct Rings {
     pub points: Vec<DVec2>,
     pub free: Vec<Freedom>,
-    /// The point lies on a constraint line.
+    /// Whether the point lies on a constraint line.
     pub on_line: Vec<bool>,
-    /// For each cell the indices of its ring.
+    /// For each cell, the vertices of its ring.
     pub rings: Vec<Vec<u32>>,
-    /// For each cell with exactly four corners, these.
+    /// For each cell with exactly four corners, the corners.
     pub quads: Vec<Option<[u32; 4]>>,
-    /// (vertex, cell, place in the ring), by vertex.
+    /// (vertex, cell, position in the ring), sorted by vertex.
     uses: Vec<[u32; 3]>,
     start: Vec<u32>,
     /// See [`images::twins`].
@@ -42,7 +42,7 @@ pub(super) struct Rings {
 }
 
 impl Rings {
-    /// Of these cells, every vertex fixed yet.
+    /// From these cells; every vertex is fixed at first.
     pub fn new(domain: &Domain, cells: &[Cell]) -> Self {
         let mut all: Vec<(u64, u64, u32, u32)> = Vec::new();
         for (cell, c) in cells.iter().enumerate() {
@@ -77,19 +77,19 @@ impl Rings {
         }
     }
 
-    /// Where a vertex is in rings: (vertex, cell, place in its ring).
+    /// The uses of a vertex: (vertex, cell, position in its ring).
     pub fn uses_of(&self, vertex: usize) -> &[[u32; 3]] {
         &self.uses[self.start[vertex] as usize..self.start[vertex + 1] as usize]
     }
 
-    /// The vertex after or before a place of a ring.
+    /// The vertex after or before a position of a ring.
     pub fn neighbour(&self, [_, cell, place]: [u32; 3], ahead: bool) -> u32 {
         let ring = &self.rings[cell as usize];
         let step = if ahead { 1 } else { ring.len() - 1 };
         ring[(place as usize + step) % ring.len()]
     }
 
-    /// The edges of rings that no other ring runs back along, as (from, to).
+    /// The edges of rings without a counterpart in another ring, as (from, to).
     fn lone_edges(&self) -> impl Iterator<Item = [u32; 2]> {
         let edges = self.rings.iter().flat_map(|ring| {
             let next = ring.iter().cycle().skip(1);
@@ -101,9 +101,9 @@ impl Rings {
         })
     }
 
-    /// A vertex is free where cells close a full turn around it, and slides where just one lone
-    /// edge arrives and one leaves, on a straight piece of the boundary. Lone edges elsewhere (where
-    /// one ring has a vertex on a side of another) hold their ends.
+    /// Finds the freedom of each vertex. It is free if cells close a full turn around it. It slides if
+    /// exactly one lone edge arrives and one leaves, on a straight piece of the boundary. Other lone edges
+    /// (at a vertex of one ring on a side of another) fix their ends.
     pub fn find_free(&mut self, domain: &Domain) {
         let mut arriving: Vec<Vec<u32>> = vec![Vec::new(); self.points.len()];
         let mut leaving = arriving.clone();
@@ -140,7 +140,7 @@ impl Rings {
         }
     }
 
-    /// A vertex on a constraint line slides where the line is straight and no other line meets it.
+    /// A vertex on a constraint line slides if the line is straight and no other line meets it.
     fn along_line(&self, domain: &Domain, vertex: usize, along: DVec2) -> Freedom {
         let p = self.points[vertex];
         let (mut ahead, mut behind) = (false, false);
@@ -171,8 +171,8 @@ impl Rings {
         self.quads = cells.map(|cell| self.four_corners(cell)).collect();
     }
 
-    /// The four corners of a cell: where three cells meet, where a side meets the boundary, or
-    /// where the boundary itself turns.
+    /// The four corners of a cell: where three cells meet, where a side meets the boundary, or where the
+    /// boundary itself turns.
     fn four_corners(&self, cell: usize) -> Option<[u32; 4]> {
         let ring = &self.rings[cell];
         let n = ring.len();
@@ -183,7 +183,7 @@ impl Rings {
             let [a, b, c] =
                 [ring[(k + n - 1) % n], vertex, ring[(k + 1) % n]].map(|v| self.points[v as usize]);
             let turn = (b - a).normalize().dot((c - b).normalize());
-            // A corner of cells beyond a constraint line is none of this one.
+            // A meeting of cells across a constraint line is not a corner of this one.
             let beyond = self.on_line[vertex as usize] && turn > STRAIGHT;
             let meets = count >= if free { 3 } else { 2 } && !beyond;
             let turns = turn < CORNER;

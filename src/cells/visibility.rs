@@ -1,32 +1,31 @@
-//! Mesh elements that a constraint line divides: each side of the line sees them as its own.
+//! Mesh elements that a constraint line divides: each side of the line has its own vertex.
 //!
-//! Cells on the two sides of a line are packed each against the line and need not face each other.
-//! Seen from its own side an element ends at the line, as if the cells were mirrored through it: its
-//! middle is the foot of the middle of the cells there. At the free end of a line, where cells see
-//! each other around it, all share the end.
+//! Cells on the two sides are packed against the line and need not face each other. Seen from one side, an
+//! element ends at the line as if its cells were mirrored: its vertex is the closest point of the line to the
+//! cells' centre. Around the free end of a line, where cells see each other, all share the end.
 
 use crate::domain::Domain;
 use glam::DVec2;
 
-/// Farther from the line than this (in sizes) cells do not end at it.
+/// Cells farther from the line than this (in sizes) do not end at it.
 const FAR: f64 = 1.2;
-/// The foot on a bent line may be this far (in sizes) from the line.
+/// On a bent line, the vertex may be this far (in sizes) off the line.
 const OFF: f64 = 0.3;
-/// The end of a line is shared by elements whose middle is this near to it (in sizes).
+/// Elements whose centre is this near to the end of a line (in sizes) share the end.
 const END: f64 = 0.75;
 
 /// Which cells of an element see each other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Visibility {
-    /// All do.
+    /// All of them.
     Whole,
-    /// Only those of the same number.
+    /// Those with the same number.
     Divided([u8; 4]),
-    /// Some see others that do not see each other.
+    /// Visibility is not transitive here: some see cells that do not see each other.
     Around,
 }
 
-/// What the constraint lines leave of an element with these corners.
+/// The visibility between the corners of an element, past the constraint lines.
 pub(super) fn visibility(domain: &Domain, corners: &[DVec2]) -> Visibility {
     let middle = corners.iter().sum::<DVec2>() / corners.len() as f64;
     let farthest = corners.iter().map(|p| p.distance(middle));
@@ -61,8 +60,8 @@ pub(super) fn visibility(domain: &Domain, corners: &[DVec2]) -> Visibility {
     }
 }
 
-/// Where an element ends at the line between cells with the middle `own` and others beyond it: the
-/// line's segment and the place.
+/// The end of an element at the line between cells with the centre `own` and others beyond it: the line's
+/// segment and the place.
 pub(super) fn foot(
     domain: &Domain,
     own: DVec2,
@@ -77,7 +76,7 @@ pub(super) fn foot(
     fits.then_some((near.segment, near.point))
 }
 
-/// The end of a line that is near to the middle of an element: its segment and the place.
+/// The end of a line near the centre of an element: its segment and the place.
 pub(super) fn end(domain: &Domain, middle: DVec2, size: f64) -> Option<(usize, DVec2)> {
     let mut best = None;
     let mut least = END * size;
@@ -98,8 +97,7 @@ pub(super) fn end(domain: &Domain, middle: DVec2, size: f64) -> Option<(usize, D
     best
 }
 
-/// The place where a line meets the outline that is near to the middle of an element: the outline's
-/// segment and the place.
+/// The junction of a line and the outline near the centre of an element: the outline's segment and the place.
 pub(super) fn junction(domain: &Domain, middle: DVec2, size: f64) -> Option<(usize, DVec2)> {
     let near = |&&(_, p): &&(usize, DVec2)| p.distance(middle) < END * size;
     let mut best: Option<(usize, DVec2)> = None;

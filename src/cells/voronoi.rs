@@ -1,12 +1,10 @@
-//! Points scattered over the outline and evened out, whose Voronoi cells stand beside the packed ones
-//! for comparison.
+//! Random points, evened out, whose Voronoi cells stand beside the packed ones for comparison.
 //!
-//! Lloyd (1982), Least squares quantization in PCM: every point moves to the centroid of its Voronoi
-//! cell, again and again. The cells are cut by the outline, exactly.
+//! Lloyd (1982), Least squares quantization in PCM: every point moves repeatedly to the centroid of its
+//! Voronoi cell. The cells are clipped to the outline exactly.
 //!
-//! They go the same way as the dual of a mesh: the middles of the triangles' circles instead of the
-//! elements' centres, a frame around the picture instead of ghosts, and nothing is joined or
-//! straightened.
+//! The cells are made like the dual of a mesh, with circumcentres of the triangles instead of the elements'
+//! centres and a frame around the picture instead of ghosts. Nothing is joined or straightened.
 
 use super::ghosts::frame;
 use crate::domain::Domain;
@@ -17,29 +15,29 @@ use crate::packing::Particle;
 use crate::random::{Purpose, Random};
 use glam::DVec2;
 
-/// So often a point is drawn in the box around the outline until it falls inside. Where the outline
-/// fills so little of its box, a point may be missing.
+/// Most draws in the bounding box for a point inside the outline. If the outline fills little of its box, a
+/// point may be missing.
 const MOST_TRIES: u32 = 4096;
 
-/// About so many points lie across a row, for the order in which they are triangulated.
+/// About this many points lie across a row, in the order of triangulation.
 const POINTS_ACROSS: f64 = 2.0;
 
-/// Images this far beyond the picture, in mean distances of points, are seen: two of random points
-/// with a common side are hardly ever farther from each other.
+/// Images this far beyond the picture, in mean distances of points, are used: two random points with a common
+/// side are hardly ever farther apart.
 const SIGHT: f64 = 6.0;
 
-/// What points are scattered from.
+/// Parameters of the scattered points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ScatterParams {
-    /// How many points.
+    /// Number of points.
     pub count: usize,
     /// Rounds of Lloyd's relaxation.
     pub rounds: u32,
-    /// Draws the points.
+    /// Seed of the points.
     pub seed: u64,
 }
 
-/// Scattered points on their way.
+/// Scattered points in progress.
 #[derive(Clone, Debug)]
 pub struct Scatter {
     points: Vec<DVec2>,
@@ -62,7 +60,7 @@ impl Scatter {
             }
         }
         points.extend(domain.empty_middles(&points));
-        // Row by row, there and back: each point is found from the one before it.
+        // Row by row, alternating the direction, so that spade locates each point from the previous one.
         let rows = (params.count as f64).sqrt() / POINTS_ACROSS;
         order::sort(&mut points, |p| {
             let row = ((p.y - lo.y) / (hi.y - lo.y) * rows) as u64;
@@ -77,7 +75,7 @@ impl Scatter {
         }
     }
 
-    /// One round of Lloyd's relaxation where any is left; true when none is left.
+    /// Does one round of Lloyd's relaxation if any is left; true when none is left.
     pub fn advance(&mut self, domain: &Domain) -> bool {
         if self.left > 0 {
             self.round(domain);
@@ -86,7 +84,7 @@ impl Scatter {
         self.left == 0
     }
 
-    /// The points as cells' centres, which ask for what the fields ask for at their place.
+    /// The points as cells' centres, with the fields' values at their place.
     pub fn particles(&self, fields: &Fields) -> Vec<Particle> {
         let points = self.points.iter().zip(0..);
         points
@@ -107,7 +105,7 @@ impl Scatter {
             let corners = t.map(|k| vertices[k as usize]);
             let centre = circumcentre(corners);
             for k in (0..3).filter(|&k| (t[k] as usize) < real) {
-                // The triangle's part of the cell: a kite, inside out where the angle is obtuse.
+                // The triangle's part of the cell: a kite, inside out if the angle is obtuse.
                 let (p, site) = (corners[k], t[k] as usize);
                 let to = centre - p;
                 cells[site].add((corners[(k + 1) % 3] - p) / 2.0, to);
@@ -126,7 +124,7 @@ impl Scatter {
         }
         for (p, cell) in self.points.iter_mut().zip(cells) {
             let to = *p + cell.centroid();
-            // On a bend a cell's centroid can lie outside.
+            // On a bend, the centroid of a cell can lie outside.
             if domain.contains(to) && !domain.is_gap_between(*p, to) {
                 *p = domain.space().wrap(to);
             }
@@ -134,7 +132,7 @@ impl Scatter {
     }
 }
 
-/// The images of points that lie a little beyond the picture's edges.
+/// The images of points slightly beyond the picture's edges.
 fn images(domain: &Domain, points: &[DVec2]) -> Vec<DVec2> {
     let sight = SIGHT * (domain.area() / points.len() as f64).sqrt();
     let space = domain.space();
@@ -146,11 +144,11 @@ fn images(domain: &Domain, points: &[DVec2]) -> Vec<DVec2> {
     images
 }
 
-/// For each of the first points those that it shares a side of a triangle with.
+/// For each of the first points, its neighbours in the triangulation.
 struct Links {
     /// The last entry of a point's chain.
     last: Vec<u32>,
-    /// (neighbour, the entry before).
+    /// (neighbour, the previous entry).
     entries: Vec<[u32; 2]>,
 }
 
@@ -182,7 +180,7 @@ impl Links {
     }
 }
 
-/// The middle of the circle through three points; their mean where they lie on a line.
+/// The circumcentre of three points; their mean if they are collinear.
 pub(super) fn circumcentre([a, b, c]: [DVec2; 3]) -> DVec2 {
     let (u, v) = (b - a, c - a);
     let from_a =
@@ -194,7 +192,7 @@ pub(super) fn circumcentre([a, b, c]: [DVec2; 3]) -> DVec2 {
     }
 }
 
-/// The area and the first moments of a cell, around its point.
+/// Area and first moments of a cell, relative to its point.
 #[derive(Clone, Copy, Debug, Default)]
 struct Moments {
     /// Twice the area.
@@ -204,14 +202,14 @@ struct Moments {
 }
 
 impl Moments {
-    /// Adds the triangle of the point, a and b (both from the point).
+    /// Adds the triangle of the point, a and b, both given relative to the point.
     fn add(&mut self, a: DVec2, b: DVec2) {
         let twice = a.perp_dot(b);
         self.area += twice;
         self.first += twice * (a + b);
     }
 
-    /// The centroid from the point; the point itself where there is no area.
+    /// The centroid relative to the point; zero if there is no area.
     fn centroid(self) -> DVec2 {
         if self.area > 0.0 {
             self.first / (3.0 * self.area)
@@ -221,7 +219,7 @@ impl Moments {
     }
 }
 
-/// Room for clipping rings.
+/// Scratch space for clipping rings.
 #[derive(Default)]
 struct Clip {
     ring: Vec<DVec2>,
@@ -229,9 +227,9 @@ struct Clip {
 }
 
 impl Clip {
-    /// What a point's cell has inside the outline: the outline's rings, cut by the lines half way to
-    /// the neighbours (Sutherland, Hodgman 1974). Where a ring falls apart, the double lines between
-    /// its parts have no area.
+    /// The area and moments of a point's cell inside the outline: the outline's rings, cut by the bisectors
+    /// to the neighbours (Sutherland, Hodgman 1974). If a ring falls apart, the double lines between its
+    /// parts have no area.
     fn moments(
         &mut self,
         domain: &Domain,
@@ -256,7 +254,7 @@ impl Clip {
         moments
     }
 
-    /// Keeps what is nearer to the origin than to `q`.
+    /// Keeps the points nearer to the origin than to `q`.
     fn cut(&mut self, q: DVec2) {
         let half = 0.5 * q.length_squared();
         let Some(&last) = self.ring.last() else {

@@ -1,37 +1,37 @@
-//! The segment nearest to a point, by a grid of those that can be it.
+//! Finds the segment nearest to a point, with a grid of candidates.
 
 use crate::order::lesser;
 use crate::planar::closest_on_segment;
 use glam::DVec2;
 
-/// For each square of a grid, the segments that can be the nearest to some point of it: those not
-/// farther from its middle than the nearest one by more than the square's diagonal.
+/// For each grid square, the segments that can be nearest to some point of it: those whose distance from its
+/// centre exceeds the least one by at most the square's diagonal.
 #[derive(Clone, Debug)]
 pub(super) struct CandidateGrid {
     origin: DVec2,
     step: f64,
     columns: usize,
     rows: usize,
-    /// For each square, from where to where its segments stand in `list`.
+    /// For each square, the range of its segments in `list`.
     spans: Vec<(u32, u32)>,
     list: Vec<u32>,
     all: Vec<u32>,
 }
 
-/// Squares along the longer side of the box around the outline.
+/// Squares along the longer side of the outline's bounding box.
 const SQUARES: f64 = 64.0;
-/// Squares along the side of a block, for which segments are sorted out first; a power of two.
+/// Squares along the side of a block, whose candidates are chosen first; a power of two.
 const BLOCK: usize = 8;
-/// So few segments are not sorted out any further.
+/// Lists this short are not narrowed any further.
 const FEW: usize = 4;
 
 impl CandidateGrid {
-    /// For segments that stay the same; there must be one.
+    /// For segments that do not change; there must be at least one.
     pub fn new(segments: &[[DVec2; 2]]) -> Self {
         Self::like(segments, None)
     }
 
-    /// With squares of another grid's side.
+    /// Takes the size of the squares from another grid.
     pub fn like(segments: &[[DVec2; 2]], other: Option<&Self>) -> Self {
         let all: Vec<u32> = (0..segments.len() as u32).collect();
         let (lo, hi) = segments
@@ -42,7 +42,7 @@ impl CandidateGrid {
             });
         let own = (hi - lo).max_element() / SQUARES;
         let step = other.map_or(own, |grid| grid.step);
-        // A margin of a few squares: the packing asks about points a little outside, too.
+        // A margin of a few squares: packing also asks about points a little outside.
         let origin = lo - DVec2::splat(4.0 * step);
         let columns = ((hi.x - lo.x) / step) as usize + 9;
         let rows = ((hi.y - lo.y) / step) as usize + 9;
@@ -59,7 +59,7 @@ impl CandidateGrid {
         grid
     }
 
-    /// Blocks of squares first, so that each square tries few segments.
+    /// Works on blocks of squares first, so that each square tries few segments.
     fn fill(&mut self, segments: &[[DVec2; 2]]) {
         self.spans = vec![(0, 0); self.columns * self.rows];
         for top in (0..self.rows).step_by(BLOCK) {
@@ -69,7 +69,7 @@ impl CandidateGrid {
         }
     }
 
-    /// Sorts out the segments for a block of squares, then for its quarters.
+    /// Narrows the candidates for a block of squares, then for its quarters.
     fn divide(
         &mut self,
         segments: &[[DVec2; 2]],
@@ -99,7 +99,7 @@ impl CandidateGrid {
         }
     }
 
-    /// The squared distance, the place and the number of the segment nearest to a point.
+    /// The squared distance, the closest point and the number of the nearest segment.
     pub fn nearest(&self, segments: &[[DVec2; 2]], p: DVec2) -> (f64, DVec2, usize) {
         let mut best = (f64::INFINITY, p, 0);
         for &index in self.candidates(p) {
@@ -124,8 +124,7 @@ impl CandidateGrid {
     }
 }
 
-/// Those of the segments in `among` that can be the nearest to a point of a square with this middle
-/// and side.
+/// The segments in `among` that can be nearest to a point of a square with this centre and side.
 fn nearest_to(segments: &[[DVec2; 2]], among: &[u32], middle: DVec2, side: f64) -> Vec<u32> {
     let mut least = f64::INFINITY;
     let squares: Vec<f64> = among

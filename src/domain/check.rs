@@ -1,5 +1,5 @@
-//! Checks outlines before they are paved. What can be mended is mended, with a notice; for the rest there
-//! is one notice, which names the ring and the place.
+//! Checks outlines before anything is packed into them. A fault is repaired, with a notice, or reported in
+//! one notice that names the ring and the place.
 
 use super::crossing::{Contact, first_contact};
 use super::nesting::around;
@@ -15,21 +15,21 @@ pub const MAX_POINTS: usize = 4096;
 /// Most points that the constraint lines of an outline may have together.
 pub const MAX_LINE_POINTS: usize = 512;
 
-/// The smallest ring has the area of a square of this part of the picture's side (4 px of 512).
+/// The smallest ring has the area of a square with this share of the picture's side (4 px of 512).
 const SMALLEST: f64 = 1.0 / 128.0;
-/// Points nearer than this part of the picture's side are one.
+/// Points nearer than this share of the picture's side are merged.
 const SAME: f64 = 1e-7;
-/// At most so many notices of things mended.
+/// Most notices of repairs.
 const TOLD: usize = 4;
-/// How far outside the picture a point may lie, in sides.
+/// How far outside the picture a point may lie, in sides of the picture.
 const OUTSIDE: f64 = 0.5;
 
-/// One of the rings of an outline, or of its constraint lines.
+/// A ring of an outline, or a constraint line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ring {
     /// The first ring.
     Outer,
-    /// A hole, by its place behind the first ring, counted from 1.
+    /// A hole, counted from 1.
     Hole(usize),
     /// A further outer ring, counted like a hole.
     Island(usize),
@@ -38,7 +38,7 @@ pub enum Ring {
 }
 
 impl Ring {
-    /// As sentences name it.
+    /// The ring's name in a sentence.
     fn said(self) -> Notice {
         let (code, number) = match self {
             Ring::Outer => return Code::OuterRing.into(),
@@ -50,19 +50,19 @@ impl Ring {
     }
 }
 
-/// What is said of a ring, or of a line.
+/// A notice about a ring or a line.
 fn of(code: Code, ring: Ring) -> Notice {
     Notice::new(code).with("ring", ring.said())
 }
 
-/// What is said of a place of it.
+/// A notice about a place on it.
 fn at(code: Code, ring: Ring, place: DVec2) -> Notice {
     of(code, ring).with("place", said(place))
 }
 
 /// A place in a sentence: tenths of a picture unit are fine enough to find it.
 fn said(place: DVec2) -> String {
-    // Far away in the wrong units there are no tenths. Adding 0 makes of -0 a 0.
+    // Far away, in the wrong units, tenths mean nothing. Adding 0 turns -0 into 0.
     let tenth = |x: f64| {
         if x.abs() < 1e6 {
             (x * 10.0).round() / 10.0 + 0.0
@@ -78,23 +78,23 @@ fn thousandths(x: f64) -> String {
     decimal::text((x * 1000.0).round() / 1000.0)
 }
 
-/// What is said of more points than there may be.
+/// The notice for too many points.
 fn too_many(code: Code, count: usize, most: usize) -> Notice {
     Notice::new(code).with("n", count).with("most", most)
 }
 
 impl Outline {
-    /// Checks the rings for a picture of a side: gives the outline with repeated points dropped and
-    /// the orientation of the module's doc, and a notice for each thing mended.
+    /// Checks the rings for a picture with this side. Gives the outline without repeated points, oriented as
+    /// the module's doc says, and a notice for each repair.
     ///
     /// # Errors
-    /// The first fault that cannot be mended: too many, non-finite or far points, rings that are
-    /// degenerate, cross or touch themselves or each other, or are smaller than a square of 1/128 of
-    /// the side.
+    /// The first fault that cannot be repaired: too many, non-finite or far points; rings that are
+    /// degenerate, cross or touch themselves or each other, or are smaller than a square of 1/128 of the
+    /// side.
     pub fn check(&self, side: f64) -> Result<(Outline, Vec<Notice>), Notice> {
         let lengths = self.rings.iter().map(Vec::len);
         let count: usize = lengths.clone().sum();
-        // Rings without points count, too.
+        // Rings without points count as well.
         if count.max(lengths.len()) > MAX_POINTS {
             let count = count.max(lengths.len());
             return Err(too_many(Code::OutlinePoints, count, MAX_POINTS));
@@ -124,7 +124,7 @@ impl Outline {
         for (k, ring) in rings.iter_mut().enumerate() {
             orient(ring, is_outer[k], names[k], side, &mut notices)?;
         }
-        // The first ring is an outer one.
+        // The outline starts with an outer ring.
         let first = is_outer.iter().position(|&outer| outer).unwrap_or(0);
         rings[..=first].rotate_right(1);
         if notices.len() > TOLD {
@@ -136,7 +136,7 @@ impl Outline {
     }
 }
 
-/// What sentences call the rings.
+/// The names of the rings in sentences.
 fn names(rings: &[Vec<DVec2>]) -> Vec<Ring> {
     let name = |(k, around): (usize, Vec<u32>)| match around.len() % 2 {
         _ if k == 0 => Ring::Outer,
@@ -149,8 +149,8 @@ fn names(rings: &[Vec<DVec2>]) -> Vec<Ring> {
 /// The constraint lines without repeated points.
 ///
 /// # Errors
-/// A line has too many points in all, a point that is not finite or far outside the picture, or no
-/// two different points.
+/// The lines have too many points together, a point is not finite or far outside the picture, or a line has
+/// fewer than two different points.
 pub fn check_lines(lines: &[Vec<DVec2>], side: f64) -> Result<Vec<Vec<DVec2>>, Notice> {
     let count = lines.iter().map(Vec::len).sum();
     if count > MAX_LINE_POINTS {
@@ -182,7 +182,7 @@ fn check_places(points: &[DVec2], which: Ring, side: f64) -> Result<(), Notice> 
     }
 }
 
-/// The ring without repeated points, if its points are fit for a ring at all.
+/// The ring without repeated points; an error if it has too few points or lies on one line.
 fn check_points(
     ring: &[DVec2],
     which: Ring,
@@ -235,7 +235,7 @@ fn check_corners(points: &[DVec2], which: Ring) -> Result<(), Notice> {
     }
 }
 
-/// Turns the ring to the orientation of its kind; refuses those too small.
+/// Gives the ring the orientation of its kind; refuses a ring that is too small.
 fn orient(
     ring: &mut [DVec2],
     is_outer: bool,

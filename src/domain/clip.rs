@@ -1,34 +1,34 @@
-//! Constraint lines as they are given, clipped to the inside and cut where they cross.
+//! Clips constraint lines to the inside of the outline and cuts them where they cross.
 //!
-//! This is done once for each domain: all later stages see the same clipped pieces.
+//! Each domain does this once, so that all later stages see the same pieces.
 
 use super::Domain;
 use crate::order;
 use crate::planar::{closest_on_segment, crosses, on_grain, orientation};
 use glam::DVec2;
 
-/// Points nearer to each other, or to a line or the outline, than this part of the larger side of
-/// the box around the outline are one, or lie on it.
+/// Points nearer to each other, or to a line or the outline, than this share of the longer side of the
+/// bounding box are merged, or moved onto it.
 const TOUCH: f64 = 1.0 / 2048.0;
-/// No more crossings than this are looked for.
+/// The search stops at this number of crossings.
 const MOST_NODES: usize = 4096;
-/// A piece that runs beside the outline at less than this slope is part of the outline.
+/// A piece that leaves the outline at less than this slope is part of the outline.
 const BESIDE: f64 = 0.1;
 
-/// Runs of points, each a line.
+/// Polylines.
 pub(super) type Lines = Vec<Vec<DVec2>>;
 
-/// The parts of lines inside the outline, cut wherever lines meet, and where they meet the outline: the
-/// number of its segment, and the place.
+/// The parts of lines inside the outline, cut wherever lines meet, and the places where they meet the
+/// outline, each with the number of the outline's segment.
 pub(super) fn clip(domain: &Domain, lines: &[Vec<DVec2>]) -> (Lines, Vec<(usize, DVec2)>) {
     Cutter::new(domain, lines).cut()
 }
 
-/// Cuts lines.
+/// Cuts lines at nodes.
 struct Cutter<'a> {
     domain: &'a Domain,
     near: f64,
-    /// All places where anything begins, ends or crosses; none near another.
+    /// All places where a line begins, ends or crosses; no two are near each other.
     nodes: Vec<DVec2>,
     lines: Vec<Vec<DVec2>>,
     junctions: Vec<(usize, DVec2)>,
@@ -50,7 +50,7 @@ impl Piece {
 }
 
 impl<'a> Cutter<'a> {
-    /// Points near each other, or near the outline, are drawn together.
+    /// Merges points near each other, and moves points near the outline onto it.
     fn new(domain: &'a Domain, lines: &[Vec<DVec2>]) -> Self {
         let (lo, hi) = domain.bounds();
         let mut cutter = Self {
@@ -73,14 +73,14 @@ impl<'a> Cutter<'a> {
         cutter
     }
 
-    /// The node at a place, a new one where there is none near: on the outline where that is near, so
-    /// that no node is so near to it without lying on it.
+    /// The node at a place; creates one if none is near. A new node near the outline is put on it, so a node
+    /// is either on the outline or well away from it.
     fn node(&mut self, p: DVec2) -> DVec2 {
         let wall = self.domain.nearest(p);
         let on_outline = wall.distance.abs() <= self.near;
         let p = on_grain(if on_outline { wall.point } else { p });
         for &node in &self.nodes {
-            // The node's image nearest to the place: exact, as all lies on the grain.
+            // The node's image nearest to the place. This is exact because both lie on the grain.
             let by = node - p;
             let image = p + self.domain.space().shortest(by);
             if image.distance(p) <= self.near {
@@ -125,7 +125,7 @@ impl<'a> Cutter<'a> {
         (self.chains(&mut pieces), self.junctions)
     }
 
-    /// Cuts a piece and the image of another where they meet.
+    /// Cuts a piece and an image of another piece where they meet.
     fn cut_pair(&mut self, pieces: &mut [Piece], k: usize, j: usize, shift: DVec2) {
         let [a, b] = pieces[k].ends;
         let [c, d] = pieces[j].ends.map(|p| p + shift);
@@ -152,7 +152,7 @@ impl<'a> Cutter<'a> {
         }
     }
 
-    /// The node where two segments cross.
+    /// The node at the crossing of two segments.
     fn crossing(&mut self, [a, b]: [DVec2; 2], [c, d]: [DVec2; 2]) -> Option<DVec2> {
         if self.nodes.len() >= MOST_NODES || !crosses(a, b, c, d) {
             return None;
@@ -161,7 +161,7 @@ impl<'a> Cutter<'a> {
         Some(self.node(a + (b - a) * (sa / (sa - sb))))
     }
 
-    /// The pieces inside, joined to lines again.
+    /// Joins the pieces inside to lines again.
     fn chains(&self, pieces: &mut [Piece]) -> Vec<Vec<DVec2>> {
         let mut chains: Vec<Vec<DVec2>> = Vec::new();
         let mut known: Vec<[DVec2; 2]> = Vec::new();
@@ -190,7 +190,7 @@ impl<'a> Cutter<'a> {
         chains
     }
 
-    /// Does a piece between two cuts lie inside, and not along the outline?
+    /// Whether a piece between two cuts lies inside and not along the outline.
     fn is_inside(&self, from: DVec2, to: DVec2) -> bool {
         let depth = self.domain.nearest(from.midpoint(to)).distance;
         depth > self.near.min(BESIDE * from.distance(to))

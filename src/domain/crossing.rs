@@ -1,15 +1,16 @@
-//! Do rings meet themselves or each other? Exact, by a grid of the segments' boxes.
+//! Finds whether rings meet themselves or each other. The test is exact and uses a grid of the segments'
+//! boxes.
 
 use super::ring::bounds;
 use crate::planar::orientation;
 use glam::DVec2;
 
-/// Where rings meet that should not; rings by their place among all.
+/// A forbidden contact of rings; numbers are positions among all rings.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Contact {
-    /// One ring with itself.
+    /// A ring meets itself.
     Within(usize, DVec2),
-    /// Two rings, the first one first.
+    /// Two rings meet; the lower number comes first.
     Between(usize, usize, DVec2),
 }
 
@@ -33,12 +34,12 @@ impl Segment {
     }
 }
 
-/// A place where two segments that are not neighbours meet, if there is any. Neighbours must be
-/// known not to turn back on each other.
+/// A place where two segments that are not neighbours meet, if there is one. Neighbours must not fold back on
+/// each other.
 pub fn first_contact(rings: &[Vec<DVec2>]) -> Option<Contact> {
     let segments = segments(rings);
     let mut grid = Grid::new(&segments);
-    // Entering one segment after the other, each meets only those before it.
+    // Segments enter the grid one by one, so each is tested against the earlier ones only.
     for (index, segment) in segments.iter().enumerate() {
         let mut found = None;
         grid.each_square(segment, |square| {
@@ -76,7 +77,7 @@ fn segments(rings: &[Vec<DVec2>]) -> Vec<Segment> {
     segments
 }
 
-/// Squares that hold the numbers of the segments that pass them.
+/// Squares with the numbers of the segments that pass through them.
 struct Grid {
     origin: DVec2,
     step: f64,
@@ -88,7 +89,7 @@ impl Grid {
     fn new(segments: &[Segment]) -> Self {
         let ends: Vec<DVec2> = segments.iter().map(|s| s.a).collect();
         let (low, high) = bounds(&ends);
-        // About one square a segment: short segments then share a square with few others.
+        // About one square for each segment: short segments then share a square with few others.
         let along = (segments.len() as f64).sqrt().ceil();
         let step = (high - low).max_element() / along;
         let columns = ((high.x - low.x) / step) as usize + 1;
@@ -105,7 +106,7 @@ impl Grid {
         (x / self.step) as usize
     }
 
-    /// Visits the squares that the segment passes, row by row; a few more where rounding is in doubt.
+    /// Visits the squares that the segment passes, row by row, and a few more where rounding leaves doubt.
     fn each_square(&mut self, segment: &Segment, mut visit: impl FnMut(&mut Vec<u32>)) {
         let (low, high) = (segment.low() - self.origin, segment.high() - self.origin);
         let (a, along) = (segment.a - self.origin, segment.b - segment.a);
@@ -131,7 +132,7 @@ impl Grid {
     }
 }
 
-/// A point that both segments have, if any. Whether there is one is exact, its place is rounded.
+/// A common point of two segments, if any. Its existence is exact, its place rounded.
 fn meet(s: &Segment, t: &Segment) -> Option<DVec2> {
     if s.low().cmpgt(t.high()).any() || t.low().cmpgt(s.high()).any() {
         return None;
@@ -143,7 +144,7 @@ fn meet(s: &Segment, t: &Segment) -> Option<DVec2> {
         return None;
     }
     if sa == 0.0 && sb == 0.0 {
-        // On one line, and the boxes overlap: an end of one lies on the other.
+        // The segments are collinear and their boxes overlap, so an end of one lies on the other.
         let on_both = |p: &DVec2| {
             let within = |s: &Segment| p.cmpge(s.low()).all() && p.cmple(s.high()).all();
             within(s) && within(t)
@@ -174,7 +175,7 @@ mod tests {
         let p = |x: f64, y: f64| DVec2::new(x, y);
         let bow = vec![p(0., 0.), p(4., 4.), p(4., 0.), p(0., 4.)];
         assert_eq!(first_contact(&[bow]), Some(Contact::Within(0, p(2., 2.))));
-        // On one falling line, one segment within the other.
+        // Collinear on a falling line, one segment within the other.
         let outer = vec![p(0., 9.), p(9., 0.), p(20., 20.)];
         let other = vec![p(3., 6.), p(5., 4.), p(4., 0.)];
         let Some(Contact::Between(0, 1, place)) = first_contact(&[outer, other]) else {
@@ -192,7 +193,7 @@ mod tests {
             let whole = |&(x, y): &(u8, u8)| DVec2::new(x.into(), y.into());
             let coarse: Vec<DVec2> = coarse.iter().map(whole).collect();
             let fine: Vec<DVec2> = fine.into_iter().map(DVec2::from).collect();
-            // Not all points in one place: the check has dropped repeated points.
+            // The points must not all coincide: the check has already dropped repeated points.
             prop_assume!(coarse.iter().any(|&p| p != coarse[0]));
             let cases: [Vec<Vec<DVec2>>; 3] =
                 [vec![coarse.clone()], vec![fine.clone()], vec![coarse, fine]];

@@ -1,17 +1,17 @@
-//! How deep the outline is: to its medial axis, and where it is deepest.
+//! Depth of the outline: the distance to its medial axis, and its innermost point.
 
 use super::Domain;
 use crate::order;
 use glam::DVec2;
 
-/// Places along a side of the raster on which the deepest one is looked for, a power of two.
+/// Points along a side of the raster that is searched for the deepest one; a power of two.
 const RASTER: u32 = 64;
-/// What rounding may do to a distance (picture units), and more.
+/// A bound, with reserve, on the rounding error of a distance (picture units).
 const ROUNDING: f64 = 1e-9;
 
 impl Domain {
-    /// How far one can go from a place of the boundary along its inward normal, `most` at the farthest,
-    /// until another place of the boundary is nearer: up to the medial axis.
+    /// The distance from a boundary point along its inward normal to the medial axis, where another boundary
+    /// point becomes nearer; at most `most`.
     pub(crate) fn medial_depth(&self, place: DVec2, inward: DVec2, most: f64) -> f64 {
         let stays = |t: f64| self.nearest(place + inward * t).distance >= 0.99 * t;
         if stays(most) {
@@ -29,12 +29,13 @@ impl Domain {
         low
     }
 
-    /// The innermost place (the pole of inaccessibility) of a coarse raster: where the only cell of a
-    /// narrow island goes.
+    /// The innermost point (pole of inaccessibility) of a coarse raster. A narrow island's only cell goes
+    /// there.
     pub(crate) fn deepest(&self) -> Option<DVec2> {
         let (lo, hi) = self.bounds();
         let step = (hi - lo) / f64::from(RASTER);
-        // A square of places: its first column and row, how many along a side, and its middle's depth.
+        // A square of raster points: its first column and row, the points along a side, and the depth at its
+        // centre.
         let square = |column: u32, row: u32, side: u32| {
             let at = |k: u32| f64::from(k) + f64::from(side) / 2.0;
             let middle = lo + step * DVec2::new(at(column), at(row));
@@ -43,7 +44,7 @@ impl Domain {
         let mut best = (0.0, 0, None);
         let mut open = vec![square(0, 0, RASTER)];
         while let Some((column, row, side, middle, depth)) = open.pop() {
-            // Nowhere is it deeper than here by more than the way there.
+            // Depth changes by at most the distance moved, so this bounds the depth in the square.
             let most = depth + step.length() * f64::from(side - 1) / 2.0;
             if most + ROUNDING < best.0 {
                 continue;
@@ -57,7 +58,7 @@ impl Domain {
                 continue;
             }
             let index = row * RASTER + column;
-            // Of equal ones the first, row by row.
+            // Among equal depths the first point, row by row, wins.
             if depth > best.0 || (depth == best.0 && index < best.1) {
                 best = (depth, index, Some(middle));
             }
@@ -76,7 +77,7 @@ mod tests {
         for seed in 0..40 {
             let mut random = Random::new(seed, Purpose::Placement, 0);
             let corners = 3 + random.below(9);
-            // Sometimes even, where many places are equally deep.
+            // Regular polygons occur too: many points are equally deep there.
             let spread = [0.0, 40.0][random.below(2)];
             let ring = (0..corners).map(|k| {
                 let turn = std::f64::consts::TAU * k as f64 / corners as f64;

@@ -1,33 +1,33 @@
-//! Inside or outside, and the exact nearest boundary point.
+//! Inside or outside, and the exact closest point on the boundary.
 
 use super::Domain;
 use glam::DVec2;
 
-/// How far the boundary is where there is none.
+/// Distance to the boundary if there is none.
 const NOWHERE: f64 = 1e30;
 
-/// The boundary as seen from a point.
+/// The closest point of the boundary, as seen from a query point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Nearest {
     /// Distance to the boundary, positive inside, negative outside.
     pub distance: f64,
-    /// The nearest point of the boundary.
+    /// The closest point.
     pub point: DVec2,
     /// Unit vector along which `distance` grows.
     pub inward: DVec2,
-    /// Unit tangent of the nearest segment, the paved side at its right on screen.
+    /// Unit tangent of the nearest segment; the inside is on its right on screen.
     pub tangent: DVec2,
     /// Index of the nearest segment in [`Domain::segments`].
     pub segment: usize,
 }
 
 impl Domain {
-    /// Is the point inside? Points on the boundary may count either way.
+    /// Whether the point is inside. A point on the boundary may count either way.
     pub fn contains(&self, p: DVec2) -> bool {
         self.nearest(p).distance > 0.0
     }
 
-    /// The exact nearest boundary point; on a torus the boundary is very far away.
+    /// The exact closest boundary point; on a torus the boundary is very far away.
     pub fn nearest(&self, p: DVec2) -> Nearest {
         let Some(grid) = &self.grid else {
             return Nearest {
@@ -58,7 +58,8 @@ impl Domain {
         }
     }
 
-    /// Which side of the boundary, by the nearest segment; at a corner by both segments that meet.
+    /// Whether the point is inside, by the nearest segment; if that is at a corner, by both segments that
+    /// meet there.
     fn side(&self, p: DVec2, segment: usize, foot: DVec2) -> bool {
         let [a, b] = self.segments[segment];
         let side = (b - a).perp_dot(p - a);

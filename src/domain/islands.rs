@@ -1,8 +1,8 @@
-//! The islands of an outline of several outer rings.
+//! The islands of an outline with several outer rings.
 //!
-//! Cells of all islands move in one packing, but do not feel each other over a gap
-//! ([`Domain::is_parted`]). The rows along the rim, the mesh and the fitted cells are made island by
-//! island, each a domain of its own. The direction field is that of all rings together.
+//! One packing moves the cells of all islands, but they exert no force across a gap ([`Domain::is_parted`]).
+//! The boundary rows, the mesh and the fitted cells are made island by island, each as its own domain. The
+//! direction field is shared by all rings.
 
 use super::Domain;
 use super::nesting::owners;
@@ -16,16 +16,16 @@ const SQUARES: f64 = 64.0;
 /// The islands of a domain that has more than one.
 #[derive(Clone, Debug)]
 pub(super) struct Islands {
-    /// Each as a domain of its own, with the lines inside; from the top, at equal heights from the
-    /// left.
+    /// Each island as its own domain, with the lines inside it. They are sorted from the top, and from the
+    /// left at equal heights.
     pub domains: Vec<Domain>,
-    /// For each segment of the outline its island.
+    /// The island of each segment of the outline.
     pub of: Vec<u32>,
     grid: SegmentGrid,
 }
 
 impl Islands {
-    /// Nothing where there is one island only.
+    /// `None` if there is only one island.
     pub fn new(domain: &Domain) -> Option<Self> {
         let rings = domain.rings();
         let owners = owners(rings);

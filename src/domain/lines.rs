@@ -1,4 +1,4 @@
-//! The constraint lines of a domain, and what is asked of them.
+//! The constraint lines of a domain, and queries about them.
 //!
 //! Itoh, Miyata, Shimada (2003): "boundary edges can be defined at a set of user-specified line
 //! segments inside the domain".
@@ -11,28 +11,28 @@ use super::{Domain, Nearest};
 use crate::planar::{closest_on_segment, crosses, orientation};
 use glam::DVec2;
 
-/// Parts smaller than the square of this part of that side are joined to a neighbour.
+/// Parts smaller than a square whose side is this share of that length are joined to a neighbour.
 const SMALLEST: f64 = 1.0 / 128.0;
 
 /// The constraint lines of a domain.
 #[derive(Clone, Debug)]
 pub(super) struct Network {
-    /// What is inside of each line: open polylines, or closed with the first point repeated.
+    /// The part of each line inside: a polyline, closed if its first point is repeated at the end.
     pub lines: Vec<Vec<DVec2>>,
     /// Their segments.
     pub segments: Vec<[DVec2; 2]>,
     /// The segments, then their other images up to a side away.
     pub images: Vec<[DVec2; 2]>,
-    /// Where lines meet the outline: the outline's segment and the place.
+    /// Junctions of lines and outline: the number of the outline's segment and the place.
     pub junctions: Vec<(usize, DVec2)>,
     pub parts: Parts,
-    /// To find the nearest image, and those near a place.
+    /// Finds the nearest image, and the images near a place.
     candidates: CandidateGrid,
     passing: SegmentGrid,
 }
 
 impl Network {
-    /// Nothing where no piece of a line lies inside.
+    /// `None` if no piece of a line lies inside.
     pub fn new(domain: &Domain, lines: &[Vec<DVec2>]) -> Option<Self> {
         let (mut lines, junctions) = clip(domain, lines);
         let (lo, hi) = domain.bounds();
@@ -54,7 +54,7 @@ impl Network {
         };
         let space = domain.space();
         let images: Vec<[DVec2; 2]> = space.repeated(&segments, 1).collect();
-        // The ways that are asked for may leave the picture so far.
+        // Queried paths may leave the picture by this much.
         let margin = space.overhang();
         Some(Self {
             parts,
@@ -67,7 +67,7 @@ impl Network {
         })
     }
 
-    /// Does the way from a to b cross a line?
+    /// Whether the path from a to b crosses a line.
     pub fn crosses(&self, a: DVec2, b: DVec2) -> bool {
         self.passing.any(a, b, |index| {
             let [c, d] = self.images[index];
@@ -75,7 +75,7 @@ impl Network {
         })
     }
 
-    /// The number among `images` of the segment that the way from a to b crosses first.
+    /// The index in `images` of the first segment that the path from a to b crosses.
     pub fn first_crossed(&self, a: DVec2, b: DVec2) -> Option<usize> {
         let mut best = (f64::INFINITY, None);
         for (index, &[c, d]) in self.images.iter().enumerate() {
@@ -90,13 +90,13 @@ impl Network {
         best.1
     }
 
-    /// The squared distance, the place and the number among `images` of the nearest segment.
+    /// The squared distance, the closest point and the index in `images` of the nearest segment.
     pub fn nearest(&self, p: DVec2) -> (f64, DVec2, usize) {
         self.candidates.nearest(&self.images, p)
     }
 }
 
-/// Takes the segment at a place out of the lines.
+/// Removes the segment at a place from the lines.
 fn take_out(domain: &Domain, lines: &mut Vec<Vec<DVec2>>, place: DVec2) {
     let mut nearest = (f64::INFINITY, 0, 0);
     for (index, line) in lines.iter().enumerate() {
@@ -116,8 +116,8 @@ fn take_out(domain: &Domain, lines: &mut Vec<Vec<DVec2>>, place: DVec2) {
 }
 
 impl Domain {
-    /// What lies inside of the constraint lines: each a run of points, closed where the first is
-    /// repeated at the end. Lines meet and touch the outline only at points of these.
+    /// The parts of the constraint lines inside the outline. Each is a polyline, closed if the first point is
+    /// repeated at the end. Lines meet each other and the outline only at their points.
     pub fn lines(&self) -> &[Vec<DVec2>] {
         self.network.as_ref().map_or(&[], |n| &n.lines)
     }
@@ -127,13 +127,13 @@ impl Domain {
         self.network.as_ref().map_or(&[], |n| &n.segments)
     }
 
-    /// Where constraint lines meet the outline: the number of the outline's segment, and the place.
+    /// The junctions of constraint lines and outline: the number of the outline's segment, and the place.
     pub fn junctions(&self) -> &[(usize, DVec2)] {
         self.network.as_ref().map_or(&[], |n| &n.junctions)
     }
 
-    /// The nearest place of a constraint line: `distance` is positive on both sides and `inward`
-    /// points away from the line, `segment` counts [`Domain::line_segments`]. Nothing without lines.
+    /// The closest point on a constraint line; `None` without lines. `distance` is positive on both sides,
+    /// `inward` points away from the line, and `segment` counts [`Domain::line_segments`].
     pub fn nearest_line(&self, p: DVec2) -> Option<Nearest> {
         let network = self.network.as_ref()?;
         let wrapped = self.space.wrap(p);
@@ -154,8 +154,8 @@ impl Domain {
         })
     }
 
-    /// Does the straight way from a to b cross a constraint line? On a torus b is the image that is
-    /// meant ([`super::Space::shortest`]), at most half a side away.
+    /// Whether the straight path from a to b crosses a constraint line. On a torus b has to be the nearest
+    /// image ([`super::Space::shortest`]), at most half a side away.
     #[inline]
     pub fn crosses_line(&self, a: DVec2, b: DVec2) -> bool {
         let Some(network) = &self.network else {
@@ -165,7 +165,7 @@ impl Domain {
         network.crosses(from, b - (a - from))
     }
 
-    /// The segment of a constraint line that the straight way from a to b crosses first.
+    /// The first segment of a constraint line that the straight path from a to b crosses.
     pub(crate) fn line_between(&self, a: DVec2, b: DVec2) -> Option<[DVec2; 2]> {
         let network = self.network.as_ref()?;
         let from = self.space.wrap(a);
@@ -174,8 +174,8 @@ impl Domain {
         Some(network.images[index].map(|p| p + shift))
     }
 
-    /// Adds the constraint lines' segments, with their images on a torus, to a list of walls; gives
-    /// for each whether its ends lie on the outline.
+    /// Appends the constraint lines' segments, with their images on a torus, to a list of walls; for each,
+    /// tells which of its ends lie on the outline.
     pub(super) fn line_walls(&self, walls: &mut Vec<[DVec2; 2]>) -> Vec<[bool; 2]> {
         let Some(network) = &self.network else {
             return Vec::new();
@@ -186,14 +186,15 @@ impl Domain {
         ends.collect()
     }
 
-    /// How many parts there are: the islands, and what constraint lines cut them into.
+    /// The number of parts: islands, divided further by constraint lines.
     pub fn parts(&self) -> usize {
         let network = self.network.as_ref();
         network.map_or(self.islands().len(), |n| n.parts.count().max(1))
     }
 
-    /// The part that a point lies in, numbered from 0 by their topmost points, at equal heights from
-    /// the left. A point on a line counts to the first part there, one outside to the nearest.
+    /// The part that contains a point. Parts are numbered from 0 by their topmost points, from the left at
+    /// equal heights. A point on a line belongs to the lowest-numbered part there, a point outside to the
+    /// nearest part.
     pub fn part(&self, p: DVec2) -> usize {
         let Some(network) = &self.network else {
             return self.island(p);

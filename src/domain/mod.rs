@@ -1,13 +1,12 @@
-//! The outline to be paved: islands and their holes, and the questions the later stages ask of it
-//! (inside? how far is the boundary, and in which direction?).
+//! The outline to be filled: islands with their holes, and the queries of later stages (is a point inside,
+//! and how far and in which direction is the boundary).
 //!
-//! A ring inside an even number of other rings is an outer one, the rim of an island; inside an odd
-//! number it is a hole. An island may lie in a hole of another. Nothing joins cells of two islands.
+//! A ring inside an even number of other rings is an outer ring, the rim of an island; a ring inside an odd
+//! number is a hole. An island may lie in a hole of another. Cells of two islands are never joined.
 //!
-//! All coordinates are picture units (pixels), x to the right, y down. An outer ring has a positive
-//! shoelace area sum(x0 y1 - x1 y0) / 2 on these numbers (it runs clockwise on screen), holes a
-//! negative one, so the paved side is always to the same hand of a segment: at its inward normal
-//! (-dy, dx).
+//! All coordinates are picture units (pixels), x to the right, y down. An outer ring has a positive shoelace
+//! area sum(x0 y1 - x1 y0) / 2 in these coordinates (it runs clockwise on screen) and a hole a negative one.
+//! So the inside is always on the same side of a segment: at its inward normal (-dy, dx).
 //!
 //! ```
 //! use bubblestone::domain::{Domain, Outline};
@@ -51,45 +50,44 @@ use glam::DVec2;
 use islands::Islands;
 use lines::Network;
 
-/// Rings as they were given, unchecked.
+/// Rings and lines as given, unchecked.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Outline {
     /// The rings, outer ones and holes, not closed (the last point differs from the first).
     pub rings: Vec<Vec<DVec2>>,
-    /// Constraint lines, which cells line up along: runs of points, closed where the last point is
-    /// the first again. They may touch and cross the rings and each other; what lies outside does
-    /// not count.
+    /// Constraint lines, which cells line up along: polylines, closed if the last point equals the first.
+    /// They may touch and cross the rings and each other; parts outside are ignored.
     pub lines: Vec<Vec<DVec2>>,
 }
 
-/// A checked outline with its look-up grid. See the module's doc for units and handedness.
+/// A checked outline with its search grid. See the module's doc for units and handedness.
 #[derive(Clone, Debug)]
 pub struct Domain {
     rings: Vec<Vec<DVec2>>,
     segments: Vec<[DVec2; 2]>,
     area: f64,
-    /// The smallest and the largest corner of the box around it.
+    /// The corners of the bounding box, the smallest and the largest.
     bounds: (DVec2, DVec2),
-    /// Nothing on a torus, which has no boundary.
+    /// `None` on a torus, which has no boundary.
     grid: Option<CandidateGrid>,
     space: Space,
-    /// Nothing where there are no constraint lines: they cost nothing then.
+    /// `None` without constraint lines, so that they cost nothing.
     network: Option<Box<Network>>,
-    /// Nothing where there is one island.
+    /// `None` if there is one island.
     islands: Option<Box<Islands>>,
 }
 
 impl Domain {
-    /// Takes rings that are already checked: simple, disjoint, oriented as the module says. Rings of an
-    /// unchecked [`Outline`] go through [`crate::domain::Outline::check`].
+    /// Takes rings that are already checked: simple, disjoint and oriented as the module says. Unchecked
+    /// rings go through [`crate::domain::Outline::check`] first.
     pub fn from_checked(outline: &Outline) -> Self {
         let mut domain = Self::of_rings(outline.rings.clone(), None).with_lines(&outline.lines);
         domain.islands = Islands::new(&domain).map(Box::new);
         domain
     }
 
-    /// One island, or several that are not told apart, without lines; or some rings of a `whole`, whose
-    /// grid is fine enough for them.
+    /// A domain without lines, treated as one island; or some rings of a `whole`, whose grid spacing is fine
+    /// enough for them.
     pub(super) fn of_rings(rings: Vec<Vec<DVec2>>, whole: Option<&Domain>) -> Self {
         let segments: Vec<[DVec2; 2]> = rings.iter().flat_map(|r| ring_segments(r)).collect();
         let area = rings.iter().map(|r| signed_area(r)).sum();
@@ -110,9 +108,9 @@ impl Domain {
         }
     }
 
-    /// The whole picture of a side, periodic: its left edge is its right edge, its top its bottom.
-    /// There are no rings, and the boundary is far away from everywhere. Lines that leave the picture
-    /// come back in at the other edge; they must be checked.
+    /// The whole picture as a torus: the left edge continues at the right one, the top at the bottom. It has
+    /// no rings, and the boundary is far away everywhere. Lines that leave the picture re-enter at the
+    /// opposite edge; they must be checked.
     pub fn torus(side: f64, lines: &[Vec<DVec2>]) -> Self {
         Self {
             rings: Vec::new(),
@@ -134,7 +132,7 @@ impl Domain {
         self
     }
 
-    /// Where it lies: in the plane, or all over a torus.
+    /// The space it lies in: the plane, or a torus that it covers.
     #[inline]
     pub fn space(&self) -> Space {
         self.space
@@ -150,26 +148,26 @@ impl Domain {
         &self.segments
     }
 
-    /// The paved area in square picture units.
+    /// The area inside, in square picture units.
     pub fn area(&self) -> f64 {
         self.area
     }
 
-    /// The smallest and the largest corner of the box around the outline.
+    /// The corners of the bounding box, the smallest and the largest.
     #[inline]
     pub fn bounds(&self) -> (DVec2, DVec2) {
         self.bounds
     }
 
-    /// Is a place inside the box around the outline, not on its edge?
+    /// Whether a point is strictly inside the bounding box.
     #[inline]
     pub(crate) fn is_in_box(&self, p: DVec2) -> bool {
         let (lo, hi) = self.bounds;
         p.cmpgt(lo).all() && p.cmplt(hi).all()
     }
 
-    /// Is there a constraint line or the gap between two islands on the straight way between two
-    /// places? On a torus as for [`Domain::crosses_line`].
+    /// Whether a constraint line or the gap between two islands separates two places. On a torus as for
+    /// [`Domain::crosses_line`].
     #[inline]
     pub fn is_parted(&self, a: DVec2, b: DVec2) -> bool {
         self.is_gap_between(a, b) || self.crosses_line(a, b)
@@ -180,14 +178,14 @@ fn ring_segments(ring: &[DVec2]) -> impl Iterator<Item = [DVec2; 2]> {
     (0..ring.len()).map(|k| [ring[k], ring[(k + 1) % ring.len()]])
 }
 
-/// Twice the signed area of the triangle a, b, c: positive where c lies at the inward hand of a to b.
+/// Twice the signed area of the triangle a, b, c: positive if c lies on the inward side of a to b.
 pub fn cross(a: DVec2, b: DVec2, c: DVec2) -> f64 {
     (b - a).perp_dot(c - a)
 }
 
 /// The shoelace area of a ring, positive where it runs clockwise on screen.
 pub fn signed_area(ring: &[DVec2]) -> f64 {
-    // Around the first point, so that rings far from the origin lose no digits.
+    // Relative to the first point, so that rings far from the origin keep their digits.
     let Some(&origin) = ring.first() else {
         return 0.0;
     };

@@ -1,7 +1,7 @@
-//! The parts that constraint lines cut the outline into.
+//! The parts into which constraint lines divide the outline.
 //!
-//! Parts are regions of one triangulation of the rings and the lines. The dual of the mesh keeps them
-//! apart, too: an element that a line divides has a vertex for each side (`cells::visibility`), and no
+//! A part is a connected region of one triangulation of the rings and the lines. The mesh's dual keeps the
+//! parts apart, too: an element that a line divides has a vertex on each side (`cells::visibility`), and no
 //! region is joined to another across a line.
 
 use super::{Domain, cross};
@@ -10,11 +10,11 @@ use crate::planar::{self, Delaunay, Space, position};
 use glam::DVec2;
 use spade::Triangulation as _;
 
-/// Triangles over the outline, each with its part.
+/// Triangles over the outline, each labelled with its part.
 #[derive(Clone, Debug)]
 pub(super) struct Parts {
     mesh: Delaunay,
-    /// By triangle; `OUTSIDE` where it is in none.
+    /// The part of each triangle; `OUTSIDE` if it is in none.
     part: Vec<u32>,
     count: usize,
 }
@@ -22,7 +22,7 @@ pub(super) struct Parts {
 const OUTSIDE: u32 = u32::MAX;
 
 impl Parts {
-    /// By the places where lines meet the outline, and the lines' segments.
+    /// Takes the junctions of lines and outline, and the lines' segments.
     pub fn new(domain: &Domain, junctions: &[(usize, DVec2)], segments: &[[DVec2; 2]]) -> Self {
         let mut lines = planar::divided(domain.segments(), junctions);
         let space = domain.space();
@@ -40,7 +40,7 @@ impl Parts {
         parts
     }
 
-    /// Writes to each triangle the first one of its region; gives for each triangle itself.
+    /// Labels each triangle with the first one of its region; gives the initial parent of each, itself.
     fn flood(&mut self) -> Vec<u32> {
         let mut across: Vec<[Option<u32>; 3]> = Vec::with_capacity(self.part.len());
         for face in self.mesh.inner_faces() {
@@ -64,8 +64,8 @@ impl Parts {
         (0..across.len() as u32).collect()
     }
 
-    /// Joins the regions that are images of each other. Every triangle is asked, so that a region that
-    /// leaves the pictures is found where it enters again.
+    /// Joins regions that are images of each other. It tests every triangle, so that a region that leaves the
+    /// picture is found where it enters again.
     fn fold(&self, space: Space, joined: &mut [u32]) {
         for face in self.mesh.inner_faces() {
             let here = self.part[face.fix().index() - 1];
@@ -79,7 +79,7 @@ impl Parts {
         }
     }
 
-    /// Numbers the parts from the top, and from the left where two begin at the same height.
+    /// Numbers the parts from the top, and from the left at equal heights.
     fn number(&mut self, domain: &Domain, joined: &[u32]) {
         // For each region its topmost point and its largest triangle.
         let mut first = vec![DVec2::INFINITY; joined.len()];
@@ -118,14 +118,14 @@ impl Parts {
         self.count = regions.len();
     }
 
-    /// The first part that a point lies in; nothing outside all of them.
+    /// The lowest-numbered part that contains a point; `None` outside all.
     pub fn at(&self, p: DVec2) -> Option<usize> {
         let triangles = planar::triangles_at(&self.mesh, p);
         let part = triangles.iter().map(|&t| self.part[t]).min()?;
         (part != OUTSIDE).then_some(part as usize)
     }
 
-    /// The middle of the longest edge between a part of an area below `least` and another part.
+    /// The midpoint of the longest edge between a part with an area below `least` and another part.
     pub fn sliver(&self, domain: &Domain, least: f64) -> Option<DVec2> {
         let mut areas = vec![0.0; self.count];
         for face in self.mesh.inner_faces() {
@@ -154,7 +154,7 @@ impl Parts {
         longest.1
     }
 
-    /// How many there are.
+    /// The number of parts.
     pub fn count(&self) -> usize {
         self.count
     }

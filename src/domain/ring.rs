@@ -1,9 +1,9 @@
-//! What can be asked of a ring alone.
+//! Bounding box and point test of a single ring.
 
 use crate::planar::orientation;
 use glam::DVec2;
 
-/// The smallest and the largest corner of the box around the points.
+/// The corners of the bounding box of points, the smallest and the largest.
 pub(super) fn bounds(points: &[DVec2]) -> (DVec2, DVec2) {
     points
         .iter()
@@ -12,13 +12,14 @@ pub(super) fn bounds(points: &[DVec2]) -> (DVec2, DVec2) {
         })
 }
 
-/// Is the point inside the ring, whatever its orientation? Exact; counts crossings of a ray to +x.
+/// Whether the point is inside the ring, for either orientation. Exact; counts crossings of a ray to +x.
 pub(crate) fn ring_contains(ring: &[DVec2], p: DVec2) -> bool {
     let mut inside = false;
     let mut a = ring.last().copied().unwrap_or(p);
     for &b in ring {
         if (a.y > p.y) != (b.y > p.y) {
-            // Always from the upper end, so that a point on a side that two rings share is in one.
+            // The side is taken from its upper end, so that a point on a side that two rings share is in
+            // exactly one of them.
             let (upper, lower) = if a.y < b.y { (a, b) } else { (b, a) };
             inside ^= orientation(upper, lower, p) > 0.0;
         }

@@ -1,9 +1,9 @@
-//! Which segments pass near a place: a uniform grid.
+//! Finds the segments near a place with a uniform grid.
 
 use crate::planar::closest_on_segment;
 use glam::DVec2;
 
-/// Squares over a box, each with the segments within a reach of any of its points.
+/// Squares over a box, each with the segments within a given reach of any of its points.
 #[derive(Clone, Debug, Default)]
 pub(super) struct SegmentGrid {
     origin: DVec2,
@@ -15,7 +15,7 @@ pub(super) struct SegmentGrid {
 }
 
 impl SegmentGrid {
-    /// Over a box widened by `margin`, in squares of the side `step`.
+    /// Covers a box widened by `margin` with squares of the side `step`.
     pub fn new(
         (lo, hi): (DVec2, DVec2),
         margin: f64,
@@ -59,7 +59,7 @@ impl SegmentGrid {
         for k in 1..self.start.len() {
             self.start[k] += self.start[k - 1];
         }
-        // The segments come in their order, so they stand in it in every square.
+        // The segments come in rising order, so every square lists them in that order.
         let mut free = self.start.clone();
         self.list = vec![0; entries.len()];
         for (square, index) in entries {
@@ -73,7 +73,7 @@ impl SegmentGrid {
         &self.list[self.start[square] as usize..self.start[square + 1] as usize]
     }
 
-    /// The segments within the reach of a point, and a few more; none beyond the squares.
+    /// The segments within the reach of a point, and a few more; none outside the grid.
     pub fn at(&self, p: DVec2) -> &[u32] {
         let at = (p - self.origin) / self.step;
         if !(at.x >= 0.0 && at.y >= 0.0 && at.x < self.columns as f64 && at.y < self.rows as f64) {
@@ -82,9 +82,10 @@ impl SegmentGrid {
         self.square(at.y as usize * self.columns + at.x as usize)
     }
 
-    /// Does it hold for any segment near the box around two points? Some are asked more than once.
+    /// Whether a test holds for any segment near the box around two points. It may be called more than once
+    /// for a segment.
     pub fn any(&self, a: DVec2, b: DVec2, test: impl Fn(usize) -> bool) -> bool {
-        // Casts of negative numbers give 0: what lies beyond the squares counts to the outermost.
+        // Casts of negative numbers give 0: places outside the grid use the outermost squares.
         let (lo, hi) = (
             (a.min(b) - self.origin) / self.step,
             (a.max(b) - self.origin) / self.step,

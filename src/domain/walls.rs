@@ -1,9 +1,9 @@
-//! Points projected onto the walls, which are the boundary and the constraint lines: the places of them
-//! where the distance to a point has a local minimum, seen from the paved side.
+//! Projects points onto the walls (the boundary and the constraint lines): the places where the distance to
+//! the point has a local minimum, seen from the inside.
 //!
-//! There is one place for each wall that a point sees: a cell in a corner feels both walls, a cell at a
-//! reflex corner its tip. The packing's soft wall pushes from these places, and the ghosts of the
-//! fitted cells are mirrored in them.
+//! Each wall that a point sees gives one projection: a cell in a corner feels both walls, a cell at a reflex
+//! corner its tip. The packing's soft wall pushes from these places, and the ghosts of the fitted cells are
+//! mirrored in them.
 
 use super::Domain;
 use super::segment_grid::SegmentGrid;
@@ -11,18 +11,18 @@ use crate::order;
 use crate::planar::{Space, crosses};
 use glam::DVec2;
 
-/// A local closest point of the walls to a point.
+/// A locally closest point of the walls.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Projection {
-    /// The place.
+    /// The closest point.
     pub point: DVec2,
     /// Its distance, positive.
     pub distance: f64,
-    /// Unit vector from the place to the point asked for, into the paved area.
+    /// Unit vector from the closest point to the query point, into the inside.
     pub inward: DVec2,
-    /// The place is one of a constraint line.
+    /// Whether it lies on a constraint line.
     pub on_line: bool,
-    /// The number of the island that the place belongs to.
+    /// The number of the island it belongs to.
     island: u32,
 }
 
@@ -30,13 +30,13 @@ pub struct Projection {
 #[derive(Clone, Debug)]
 pub struct Walls {
     grid: SegmentGrid,
-    /// The outline's, then those of the constraint lines.
+    /// The segments of the outline, then those of the constraint lines.
     segments: Vec<[DVec2; 2]>,
-    /// For each segment of the outline the one before it on its ring.
+    /// For each segment of the outline, the previous one on its ring.
     before: Vec<u32>,
-    /// For each segment of a line: does it end at the outline?
+    /// For each segment of a line, whether each of its ends lies on the outline.
     blunt: Vec<[bool; 2]>,
-    /// For each segment its island; empty where there is only one.
+    /// For each segment its island; empty if there is only one.
     island: Vec<u32>,
     space: Space,
     reach: f64,
@@ -45,7 +45,7 @@ pub struct Walls {
 /// Most squares along a side of the look-up grid.
 const MOST_SQUARES: f64 = 256.0;
 
-/// Projections whose directions differ by less than this (cosine of 30 degrees) are on one wall.
+/// Projections whose directions differ by less than this (cosine of 30 degrees) belong to one wall.
 const SAME_WALL: f64 = 0.866;
 
 impl Walls {
@@ -80,14 +80,14 @@ impl Walls {
         self.reach
     }
 
-    /// May a wall be within reach of the point? A quick no for most of the inside.
+    /// Whether a wall may be within reach of the point: a quick no for most of the inside.
     pub fn is_near(&self, p: DVec2) -> bool {
         !self.grid.at(p - self.space.tile(p)).is_empty()
     }
 
-    /// The projections of a point within `reach` (at most the reach prepared for), nearest first; of
-    /// walls that lie in nearly the same direction only the nearest, and none behind a constraint line.
-    /// `found` is overwritten.
+    /// The projections of a point within `reach` (at most the prepared reach), nearest first. If several
+    /// walls lie in nearly the same direction, only the nearest counts. Walls behind a constraint line do
+    /// not count. Overwrites `found`.
     pub fn project(&self, p: DVec2, reach: f64, found: &mut Vec<Projection>) {
         found.clear();
         let shift = self.space.tile(p);
@@ -109,7 +109,7 @@ impl Walls {
             }
         }
         order::sort(found, |p| (order::rank(p.distance), 0));
-        // Behind the gap there are other islands' walls, seen from their inside.
+        // Walls across the gap belong to other islands.
         let Some(own) = found.first().map(|nearest| nearest.island) else {
             return;
         };
@@ -130,7 +130,7 @@ impl Walls {
         found.truncate(kept);
     }
 
-    /// The projection of a point onto a segment, as far as it is one onto the walls.
+    /// The projection of a point onto a segment, if it is a local minimum for all walls.
     fn onto(&self, p: DVec2, index: usize, near: &[u32]) -> Option<DVec2> {
         if index < self.before.len() {
             return self.onto_outline(p, index);
@@ -144,7 +144,7 @@ impl Walls {
         let end = usize::from(t >= 1.0);
         let tip = [a, b][end];
         let blunt = self.blunt[index - self.before.len()][end];
-        // A tip where no other segment of a line that ends there comes nearer.
+        // A tip counts if no other segment that ends there comes nearer.
         let faces = |&other: &u32| {
             let [a, b] = self.segments[other as usize];
             let nearer = |end: DVec2, to: DVec2| end == tip && (to - end).dot(p - end) > 0.0;
@@ -153,12 +153,12 @@ impl Walls {
         (!blunt && near.iter().all(faces)).then_some(tip)
     }
 
-    /// Does a constraint line stand between a point and a place?
+    /// Whether a constraint line stands between a point and a place.
     fn is_hidden(&self, p: DVec2, place: DVec2, near: &[u32]) -> bool {
         if self.blunt.is_empty() {
             return false;
         }
-        // Not quite up to the place, which may lie on a line itself.
+        // Stops short of the place, which may itself lie on a line.
         let place = place + (p - place) * 1e-6;
         let lines = near.iter().filter(|&&k| k as usize >= self.before.len());
         lines.into_iter().any(|&k| {
@@ -185,7 +185,7 @@ impl Walls {
     }
 }
 
-/// For each segment the one before it on its ring.
+/// For each segment, the previous one on its ring.
 fn before(domain: &Domain) -> Vec<u32> {
     let mut before = Vec::new();
     for ring in domain.rings() {

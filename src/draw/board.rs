@@ -1,4 +1,4 @@
-//! Layers as pixels, with soft edges, by tiny-skia. A picture unit is a pixel.
+//! Renders layers to pixels, antialiased, with tiny-skia. A picture unit is a pixel.
 
 use super::colour::Colour;
 use super::layer::{Layer, Pen};
@@ -11,9 +11,9 @@ use tiny_skia::{Color, FillRule, Paint, Path, PathBuilder, Pixmap, PixmapMut, Sh
 #[derive(Clone, Debug)]
 pub struct Board {
     pixmap: Pixmap,
-    /// Does what reaches over an edge come in again at the opposite one?
+    /// Whether shapes that cross an edge continue at the opposite one.
     tile: bool,
-    /// The rows that are drawn on; all others stay as they are.
+    /// The rows to draw on; all others stay unchanged.
     rows: Range<usize>,
 }
 
@@ -21,7 +21,7 @@ impl Board {
     /// A blank board of `side` x `side` pixels, at least 1.
     ///
     /// # Panics
-    /// Where a picture of that size does not fit into memory.
+    /// If a picture of that size does not fit into memory.
     pub fn new(side: usize, ground: Colour) -> Self {
         let side = side.max(1) as u32;
         let mut pixmap = Pixmap::new(side, side).expect("a picture fits into memory");
@@ -38,7 +38,7 @@ impl Board {
         self.pixmap.width() as usize
     }
 
-    /// From now on what reaches over an edge comes in again at the opposite one.
+    /// From now on, shapes that cross an edge continue at the opposite one.
     pub fn repeat(&mut self) {
         self.tile = true;
     }
@@ -94,7 +94,7 @@ impl Board {
         self.fill_path(builder.finish(), pen.colour);
     }
 
-    /// Draws lines through points. They are filled bars: tiny-skia's own strokes are a twentieth of the
+    /// Draws lines through points, as filled bars: tiny-skia's own strokes would add a twentieth to the
     /// WebAssembly module.
     fn strokes(&mut self, lines: &[&[DVec2]], colour: Colour, width: f64) {
         let mut builder = PathBuilder::new();
@@ -119,8 +119,7 @@ impl Board {
         }
     }
 
-    /// Does a ring, or on a tile an image of it, reach into the rows that are drawn on, or `by`
-    /// pixels beside them?
+    /// Whether a ring, or on a tile an image of it, reaches within `by` pixels of the rows to draw on.
     fn reaches(&self, ring: &[DVec2], by: f64) -> bool {
         let side = self.side() as f64;
         let lo = ring.iter().fold(f64::INFINITY, |lo, p| lo.min(p.y)) - by;
@@ -134,7 +133,7 @@ impl Board {
         images.iter().any(|y| lo + y <= to && hi + y >= from)
     }
 
-    /// Adds rings to a path, of which the first one runs around the others; on a tile their copies, too.
+    /// Adds rings to a path, and on a tile their copies. The first ring encloses the others.
     fn trace(&self, builder: &mut PathBuilder, rings: &[&[DVec2]]) {
         let side = self.side() as f64;
         let around = rings.first().filter(|_| self.tile);
@@ -147,24 +146,24 @@ impl Board {
         }
     }
 
-    /// The pixels, red, green, blue, opacity, all opaque, row after row from the top.
+    /// The pixels: red, green, blue, opacity, all opaque, row by row from the top.
     pub fn rgba(&self) -> &[u8] {
         self.pixmap.data()
     }
 
-    /// The pixels, to be changed; they must stay opaque.
+    /// The pixels, for changes; they must stay opaque.
     pub fn rgba_mut(&mut self) -> &mut [u8] {
         self.pixmap.data_mut()
     }
 
-    /// Shows a finished opaque picture of the same size; what is missing of it stays as it was.
+    /// Copies a finished opaque picture of the same size; pixels it lacks stay as they were.
     pub fn show(&mut self, rgba: &[u8]) {
         let pixels = self.pixmap.data_mut();
         let length = pixels.len().min(rgba.len());
         pixels[..length].copy_from_slice(&rgba[..length]);
     }
 
-    /// Has the board `side` pixels along a side?
+    /// Whether the board has `side` pixels along a side.
     pub fn fits(&self, side: usize) -> bool {
         self.side() == side
     }
@@ -302,7 +301,7 @@ mod tests {
                 assert_eq!(before[..start], pieces.rgba()[..start]);
                 assert_eq!(before[end..], pieces.rgba()[end..]);
             }
-            // Lines that are cut at another row may pass another of a pixel's 16 samples.
+            // Lines cut at another row may cover another of a pixel's 16 samples.
             let pairs = whole.rgba().iter().zip(pieces.rgba());
             let others: Vec<u8> = pairs
                 .map(|(a, b)| a.abs_diff(*b))

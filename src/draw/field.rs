@@ -1,4 +1,4 @@
-//! The direction field with all that shapes it, and its singular points.
+//! Drawings of the direction field with its sources, and of its singular points.
 
 use super::shapes::{closed, round};
 use super::stages::{INK, lines};
@@ -9,7 +9,7 @@ use glam::DVec2;
 
 pub(crate) const CROSS: Colour = [0.54, 0.29, 0.16, 1.0];
 const NO_DIRECTION: Colour = [0.20, 0.42, 0.54, 1.0];
-/// Singular points of positive and of negative index.
+/// Colours of singular points with positive and with negative index.
 pub(crate) const WITH: Colour = [0.78, 0.25, 0.12, 1.0];
 pub(crate) const AGAINST: Colour = [0.13, 0.37, 0.58, 1.0];
 const CROSS_OVER: Colour = [1.0, 0.98, 0.94, 0.95];
@@ -19,8 +19,8 @@ pub(crate) const STROKE: Colour = [0.16, 0.46, 0.33, 1.0];
 const SIZE_SPOT: Colour = [0.62, 0.40, 0.08, 0.9];
 const ASPECT_SPOT: Colour = [0.45, 0.25, 0.55, 0.9];
 
-/// The field as crosses on a grid, as long as the cells wanted there as far as the grid has room, a dot
-/// where there is no direction; strokes, constraint lines, spots and singular points.
+/// The field as crosses on a grid, of the size of the cells there where the grid has room, with a dot where
+/// there is no direction; also strokes, constraint lines, spots and singular points.
 pub fn direction(domain: &Domain, fields: &Fields, side: f64) -> Vec<Layer> {
     let thin = (side / 360.0).clamp(1.0, 3.0);
     let params = fields.params();
@@ -66,7 +66,7 @@ pub fn singularities(domain: &Domain, fields: &Fields, side: f64) -> Vec<Layer> 
     let points = fields.singularities(domain);
     let middle = points.iter().map(|s| s.point.x).sum::<f64>() / points.len().max(1) as f64;
     for point in &points {
-        // Away from the others, as far as the picture has room.
+        // Away from the other labels, if the picture has room.
         let room = LABEL * unit;
         let x = point.point.x;
         let left = (x < middle - unit && x > room) || x + room > side;
@@ -79,7 +79,7 @@ pub fn singularities(domain: &Domain, fields: &Fields, side: f64) -> Vec<Layer> 
 
 fn spots(layers: &mut Vec<Layer>, spots: &[Spot], colour: Colour, width: f64) {
     for spot in spots {
-        // Where it has its full share, half of it and none.
+        // Circles at full weight, at half, and at zero.
         for share in [0.05, 0.54, 1.0] {
             let circle = round(spot.centre, share * spot.radius);
             layers.push(Layer::edges(vec![circle], colour, width));
@@ -104,9 +104,9 @@ fn crosses(domain: &Domain, fields: &Fields, side: f64, step: f64) -> (Vec<Vec<D
             dots.push(Shape::dot(p, step / 8.0, NO_DIRECTION));
             continue;
         }
-        // Inside the outline, too.
+        // The whole cross stays inside the outline.
         let arm = (0.46 * fields.size(p)).min(0.42 * step).min(room);
-        // A half turn of a cell looks alike, but no quarter turn: one arm is shorter.
+        // If a half turn of a cell looks alike but a quarter turn does not, one arm is shorter.
         let short = match fields.kind(p).symmetry() {
             4 => 1.0,
             _ => (1.0 / fields.aspect(p)).min(0.4),
@@ -121,7 +121,7 @@ fn crosses(domain: &Domain, fields: &Fields, side: f64, step: f64) -> (Vec<Vec<D
 /// The width of an index and its distance from the point, in units.
 const LABEL: f64 = 14.0;
 
-/// A disc where the index is positive, a square on its tip where it is negative.
+/// A disc for a positive index, a square on its tip for a negative one.
 fn mark(point: &Singularity, unit: f64) -> [Shape; 2] {
     let (p, turns_with) = (point.point, point.index > 0.0);
     let colour = if turns_with { WITH } else { AGAINST };

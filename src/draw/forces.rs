@@ -1,4 +1,4 @@
-//! The net force on each packed cell, and its potential energy.
+//! Drawings of the net force on each packed cell, and of its potential energy.
 
 use super::layer::CASING;
 use super::over::{fill_by_scale, lines_of, scale, shapes};
@@ -9,12 +9,12 @@ use crate::packing::{NetForce, Particle};
 const ARROW: Colour = [1.0, 0.36, 0.66, 1.0];
 /// An arrow's length, in cell sizes, for a force of 1 ...
 const LENGTH: f64 = 2.2;
-/// ... and the most.
+/// ... and its upper limit.
 const LONGEST: f64 = 1.3;
 /// Smaller forces are not drawn.
 const LEAST: f64 = 0.002;
 
-/// From cells that their neighbours hold all around to those that they press: least energy, half of it, none.
+/// Colours from cells held by their neighbours to cells pressed by them: least energy, half of it, zero.
 const HELD: Colour = [0.05, 0.28, 0.50, 0.72];
 const HALF: Colour = [0.98, 0.90, 0.55, 0.72];
 const PUSHED: Colour = [0.90, 0.16, 0.08, 0.72];
@@ -22,8 +22,8 @@ const PUSHED: Colour = [0.90, 0.16, 0.08, 0.72];
 const REST: [f64; 2] = [-0.20, -0.145];
 const STEPS: usize = 24;
 
-/// The net force on each cell as an arrow, as long as the root of the force, so that weak ones are still
-/// seen.
+/// The net force on each cell as an arrow. Its length is the root of the force, so that weak forces are
+/// visible.
 pub fn forces(loads: &[(Particle, NetForce)]) -> Vec<Layer> {
     let size = mean(loads.iter().map(|(p, _)| p.size));
     let width = 0.9 * line_width(size);
@@ -56,7 +56,7 @@ pub fn forces(loads: &[(Particle, NetForce)]) -> Vec<Layer> {
     vec![rim, rims, shaft, heads]
 }
 
-/// Is no force worth an arrow?
+/// Whether no force is large enough for an arrow.
 pub fn at_rest(loads: &[(Particle, NetForce)]) -> bool {
     !loads.iter().any(|(particle, load)| is_seen(particle, load))
 }
@@ -65,7 +65,7 @@ fn is_seen(particle: &Particle, load: &NetForce) -> bool {
     !particle.fixed && load.force.length() >= LEAST
 }
 
-/// Each cell filled by its energy: blue where its neighbours hold it, red where they press it.
+/// Each cell filled by its energy: blue if its neighbours hold it, red if they press it.
 pub fn energy(loads: &[(Particle, NetForce)]) -> Vec<Layer> {
     let rings = shapes(&mut loads.iter().map(|(p, _)| p), 0.94);
     let share = |(particle, load): &(Particle, NetForce)| {

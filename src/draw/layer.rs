@@ -1,23 +1,22 @@
-//! Drawings as data: layers of shapes, each over those before it.
+//! Drawings as data: a list of layers of shapes, each over those before it.
 //!
-//! Whoever draws says what is to be seen, in picture units, y down. A sink makes pixels or a file of it: a
-//! [`crate::draw::Board`] paints layers, [`crate::export::svg`] writes them.
+//! A drawing is described in picture units, y down. A sink renders it: a [`crate::draw::Board`] paints layers
+//! to pixels, [`crate::export::svg`] writes them to a file.
 
 use super::colour::Colour;
 use super::shapes::round;
 use glam::DVec2;
 
-/// Shapes that are filled one after the other, and then the lines of all of them.
+/// Shapes that are filled one by one, followed by the lines of all of them.
 #[derive(Clone, Debug, Default)]
 pub struct Layer {
     /// Its id in files.
     pub id: &'static str,
-    /// What the ids of its shapes in files begin with; their places in the list follow. Empty where the layer is
-    /// one thing.
+    /// Prefix of its shapes' ids in files, followed by their index. Empty if the layer is one object.
     pub item: &'static str,
     /// Its shapes.
     pub shapes: Vec<Shape>,
-    /// What their lines are drawn with.
+    /// The pen for their lines.
     pub pen: Option<Pen>,
 }
 
@@ -26,29 +25,29 @@ pub struct Layer {
 pub struct Shape {
     /// Rings, or with an open pen lines through these points.
     pub paths: Vec<Vec<DVec2>>,
-    /// Fills the area that the rings run around: what two rings of the same sense share is filled once,
-    /// what they share against each other is left out.
+    /// Fills the area inside the rings by the non-zero rule: an overlap of two rings with the same
+    /// orientation is filled once, with opposite orientation it is left out.
     pub fill: Option<Colour>,
-    /// Corners of the filled area are rounded by up to so much on the screen.
+    /// Corners of the filled area are rounded by up to this much on the screen.
     pub round: f64,
 }
 
-/// Draws all lines of a layer at once: where they meet or cross they are not darker.
+/// Draws all lines of a layer at once, so that they are not darker where they meet or cross.
 #[derive(Clone, Copy, Debug)]
 pub struct Pen {
     /// The lines' colour.
     pub colour: Colour,
     /// The lines' width.
     pub width: f64,
-    /// Corners of rings are rounded by up to so much on the screen.
+    /// Corners of rings are rounded by up to this much on the screen.
     pub round: f64,
-    /// Lines do not go on from their last point to their first.
+    /// Whether lines are open: they do not close from the last point to the first.
     pub is_open: bool,
 }
 
-/// The rim of lines over pictures.
+/// The dark rim of lines over pictures.
 pub(super) const CASING: Colour = [0.08, 0.06, 0.05, 0.50];
-/// The rim of thin lines over pictures.
+/// The dark rim of thin lines over pictures.
 const RIM: Colour = [0.06, 0.04, 0.07, 0.82];
 
 impl Layer {
@@ -60,7 +59,7 @@ impl Layer {
         }
     }
 
-    /// The area that rings run around.
+    /// The area inside rings.
     pub fn fill(rings: Vec<Vec<DVec2>>, colour: Colour, round: f64) -> Self {
         Self::shapes(vec![Shape::fill(rings, colour, round)])
     }
@@ -77,14 +76,14 @@ impl Layer {
         Self::shapes(vec![shape]).edged(colour, width, 0.0)
     }
 
-    /// Lines that stand out from whatever is below: light, with a dark rim.
+    /// Lines that contrast with any background: light, with a dark rim.
     pub fn cased(lines: Vec<Vec<DVec2>>, colour: Colour, width: f64) -> [Self; 2] {
         let rim = Self::lines(lines.clone(), CASING, 2.0 * width + 0.6);
         [rim, Self::lines(lines, colour, width)]
     }
 
-    /// The same for few thin lines: the rim is as wide as the line on each side, and nearly black, so that
-    /// pale stones do not swallow it.
+    /// The same for few thin lines: the rim is as wide as the line on each side and nearly black, so that the
+    /// lines stay visible on pale stones.
     pub fn rimmed(lines: Vec<Vec<DVec2>>, colour: Colour, width: f64) -> [Self; 2] {
         let rim = Self::lines(lines.clone(), RIM, 3.0 * width + 0.4);
         [rim, Self::lines(lines, colour, width)]
@@ -126,7 +125,7 @@ impl Layer {
 }
 
 impl Shape {
-    /// Nothing but paths for a pen.
+    /// Paths only, for a pen.
     pub fn bare(paths: Vec<Vec<DVec2>>) -> Self {
         Self {
             paths,
@@ -134,7 +133,7 @@ impl Shape {
         }
     }
 
-    /// The area that rings run around.
+    /// The area inside rings.
     pub fn fill(rings: Vec<Vec<DVec2>>, colour: Colour, round: f64) -> Self {
         Self {
             paths: rings,

@@ -1,9 +1,9 @@
-//! Drawings and diagrams of what the stages found: packed cells, cells, mesh, forces, energy, fields with
-//! their singular points, the potential of one cell, the planes.
+//! Drawings and diagrams of the stages' results: packed cells, cells, mesh, forces, energy, fields with their
+//! singular points, the potential of one cell, the planes.
 //!
-//! Most are said once, as [`Layer`]s, and handed to a sink: a [`Board`], which paints them, or a file of
-//! [`crate::export::svg`]. What varies from pixel to pixel (potentials, sizes, planes) is pictures. What
-//! is drawn is shown, never worked on: no result depends on it.
+//! Most are [`Layer`]s for a sink: a [`Board`], which paints them, or a file by [`crate::export::svg`].
+//! Values that vary from pixel to pixel (potentials, sizes, planes) become pictures. Drawings are output
+//! only: no result depends on them.
 
 mod board;
 mod colour;

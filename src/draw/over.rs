@@ -1,5 +1,5 @@
-//! Drawings over a picture: shapes, and light lines with dark rims, each in a hue of its own, so that several
-//! can be told apart.
+//! Drawings over a picture: shapes, and light lines with dark rims, each in its own hue, so that several can
+//! be distinguished.
 
 use super::shapes::closed;
 use super::stages::{elements, line_width, mean, mean_size, mesh_width};
@@ -15,18 +15,18 @@ const PACKED: Colour = [1.0, 0.97, 0.90, 0.95];
 const FREE: Colour = [1.0, 0.97, 0.90, 0.10];
 const PRESSED: Colour = [0.92, 0.16, 0.06, 0.62];
 const ALONE: Colour = [0.16, 0.50, 0.95, 0.62];
-/// Steps between the colours of fillings; even, so that there is one for cells at rest.
+/// Steps between the colours of fillings; even, so that one of them is for cells at rest.
 const STEPS: usize = 10;
 
 const CELL: Colour = [1.0, 0.80, 0.25, 1.0];
 const MESH: Colour = [0.45, 0.90, 1.0, 1.0];
 const LONE: Colour = [1.0, 0.45, 0.10, 0.50];
-/// The colours of an aspect ratio of 1 and of the greatest.
+/// The colours for an aspect ratio of 1 and for the greatest.
 const EVEN: Colour = [0.96, 0.90, 1.0, 0.16];
 const STRETCHED: Colour = [0.56, 0.22, 0.85, 0.71];
 const RIM: Colour = [0.96, 0.90, 1.0, 1.0];
 
-/// Rings filled in the colours of a scale, those of one colour together.
+/// Rings filled with the colours of a scale; rings of one colour form one shape.
 pub(super) fn fill_by_scale(rings: &[Vec<DVec2>], shares: &[f32], scale: &[Colour]) -> Layer {
     let top = scale.len().saturating_sub(1);
     let shape = |(step, &colour): (usize, &Colour)| {
@@ -38,18 +38,18 @@ pub(super) fn fill_by_scale(rings: &[Vec<DVec2>], shares: &[f32], scale: &[Colou
     Layer::shapes(scale.iter().enumerate().map(shape).collect())
 }
 
-/// The lines around rings, to be drawn as such.
+/// Rings as closed lines.
 pub(super) fn lines_of(rings: &[Vec<DVec2>]) -> Vec<Vec<DVec2>> {
     rings.iter().map(|ring| closed(ring)).collect()
 }
 
-/// What is filled, and light lines over it.
+/// A filled layer with light lines over it.
 fn with_lines(filled: Layer, lines: [Layer; 2]) -> Vec<Layer> {
     let [rim, line] = lines;
     vec![filled, rim, line]
 }
 
-/// A scale of colours, from low over middle to high.
+/// A scale of colours from low through middle to high.
 pub(super) fn scale([low, middle, high]: [Colour; 3], steps: usize) -> Vec<Colour> {
     let colour = |step: usize| {
         let t = 2.0 * step as f32 / steps as f32;
@@ -69,10 +69,10 @@ pub(super) fn shapes(
     particles.map(|p| p.ring(factor, 16)).collect()
 }
 
-/// Packed cells as outlines, red where neighbours stand in them and blue where they are alone.
+/// Packed cells as outlines, red where neighbours overlap them and blue where they are alone.
 pub fn packed(particles: &[Particle], stress: &[Stress]) -> Vec<Layer> {
     let rings = shapes(&mut particles.iter(), 1.0);
-    // From 0, all alone, to 1, deep in each other.
+    // From 0 for alone to 1 for deep overlap.
     let share = |s: &Stress| 0.5 + 0.5 * (s.pressed - if s.pressed > 0.0 { 0.0 } else { s.alone });
     let shares: Vec<f32> = stress.iter().map(share).collect();
     let filled = fill_by_scale(&rings, &shares, &scale([ALONE, FREE, PRESSED], STEPS));
@@ -96,8 +96,7 @@ pub fn mesh(mesh: &Mesh, fields: &Fields) -> Vec<Layer> {
     with_lines(filled, Layer::cased(lines, MESH, mesh_width(&elements)))
 }
 
-/// The aspect ratio that the field asks for as shapes of one area on a grid, deeper in colour the longer
-/// they are.
+/// The aspect ratio field as shapes of equal area on a grid, deeper in colour the longer they are.
 pub fn anisotropy(domain: &Domain, fields: &Fields, side: f64) -> Vec<Layer> {
     let step = (side / 20.0).max(14.0);
     let count = (side / step) as usize;

@@ -12,8 +12,8 @@ pub fn height(planes: &Planes) -> Vec<u8> {
     }))
 }
 
-/// Unit normals as colours: red = x, green = up on screen (-y), blue = towards the eye, -1..1 over
-/// 0..255, as normal maps have it. Opaque RGBA.
+/// Unit normals as colours: red = x, green = up on screen (-y), blue = towards the eye, mapped from -1..1 to
+/// 0..255 as in normal maps. Opaque RGBA.
 pub fn normals(planes: &Planes) -> Vec<u8> {
     let side = planes.side;
     opaque((0..planes.bump.len()).map(|at| {
@@ -27,7 +27,7 @@ pub fn normal(planes: &Planes, x: usize, y: usize) -> [f32; 3] {
     let side = planes.side;
     let bump = |x: usize, y: usize| planes.bump[y * side + x];
     let [[left, right], [above, below]] = [x, y].map(|k| beside(k, side, planes.tile));
-    // At the edges of a picture that does not repeat one of the two is missing.
+    // At the edges of a picture that does not repeat, one neighbour is missing.
     let steps = |k: usize| match planes.tile || (k > 0 && k + 1 < side) {
         true => 2.0,
         false => 1.0,
@@ -38,12 +38,12 @@ pub fn normal(planes: &Planes, x: usize, y: usize) -> [f32; 3] {
     [-dx * scale, -dy * scale, scale]
 }
 
-/// One colour per stone, unlike its neighbours', and a dark ground. Opaque RGBA.
+/// A colour for each stone, different from its neighbours', and a dark ground. Opaque RGBA.
 pub fn ids(planes: &Planes) -> Vec<u8> {
     opaque(planes.id.iter().map(|&id| id_colour(id)))
 }
 
-/// The colour of a stone's id: hues a golden section apart, three lightnesses in turn.
+/// The colour of a stone's id: hues a golden section apart, in three alternating lightnesses.
 pub fn id_colour(id: u32) -> [u8; 3] {
     if id == GROUND {
         return [38, 34, 30];

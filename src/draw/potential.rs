@@ -1,8 +1,8 @@
-//! The potential around one cell, for a neighbour like it: where neighbours come to rest.
+//! The potential around one cell for a neighbour like it: neighbours come to rest in its wells.
 //!
-//! Equations (3) and (4) of Miyata, Itoh, Shimada (2000), and the effective distances of Itoh,
-//! Miyata, Shimada (2003), section 5.1: a square has four wells at its edges, a circle or an ellipse
-//! a ring with room for six.
+//! Equations (3) and (4) of Miyata, Itoh, Shimada (2000), and the effective distances of Itoh, Miyata,
+//! Shimada (2003), section 5.1: a square has four wells at its edges, a circle or an ellipse a ring with room
+//! for six.
 
 use super::stages::INK;
 use super::{Board, Colour, Layer, SHEET, Shape, blend};
@@ -15,18 +15,18 @@ const WELL: Colour = [0.05, 0.33, 0.40, 1.0];
 const LIGHT: Colour = [1.0, 0.98, 0.94, 1.0];
 /// The cell itself.
 const OWN: Colour = [1.0, 0.98, 0.94, 0.30];
-/// Contours in wells are so much apart, in k0 ...
+/// Distance of contours in wells, in k0 ...
 const STEP: f64 = 0.008;
-/// ... and on the hill so many to a doubling.
+/// ... and contours for each doubling on the hill.
 const PER_DOUBLING: f64 = 3.0;
-/// Contours down to the deepest well and up to the hill's top, about.
+/// About the number of contours down to the deepest well and up to the hill's top.
 const RANGE: (f64, f64) = (9.0, 11.0);
-/// Rays on which wells are looked for; a multiple of 12.
+/// Rays that are searched for wells; a multiple of 12.
 const RAYS: usize = 120;
-/// Where the floor around a cell is as even as this, it is a ring.
+/// If the valley around a cell is as level as this, it is a ring.
 const EVEN: f64 = 0.02;
 
-/// Draws the potential of a cell of this kind and aspect ratio, its axis level.
+/// Draws the potential of a cell of this kind and aspect ratio, with a horizontal axis.
 pub fn potential(board: &mut Board, kind: Kind, aspect: f64, side: f64) {
     let root = if kind.is_stretched() {
         aspect.sqrt()
@@ -52,7 +52,7 @@ pub fn potential(board: &mut Board, kind: Kind, aspect: f64, side: f64) {
     ));
 }
 
-/// The cell, and neighbours of it at rest.
+/// The cell, and neighbours at rest.
 fn figures(cell: &Particle, wells: Vec<DVec2>, thin: f64) -> Vec<Layer> {
     let mut layers = Vec::new();
     let places = match cell.kind.has_corners() {
@@ -75,7 +75,8 @@ fn figures(cell: &Particle, wells: Vec<DVec2>, thin: f64) -> Vec<Layer> {
     layers
 }
 
-/// The level of a height. Contours lie halfway between whole levels, so that none is where there is no force.
+/// The level of a height. Contours lie halfway between whole levels, so that there is none where there is no
+/// force.
 fn level(height: f64) -> f64 {
     match height < 0.0 {
         true => height / STEP,
@@ -83,7 +84,7 @@ fn level(height: f64) -> f64 {
     }
 }
 
-/// Paints the levels, the same in all four quarters of the picture.
+/// Paints the levels, which are the same in all four quarters of the picture.
 fn contours(board: &mut Board, side: usize, level: impl Fn(DVec2) -> f64) {
     let half = side.div_ceil(2);
     let row = |y: usize| -> Vec<f64> {
@@ -123,8 +124,7 @@ fn shade(level: f64) -> Colour {
     }
 }
 
-/// The deepest places: those of the rays around the cell on which it is deepest, or of all rays
-/// where they are equally deep.
+/// The minima: the rays around the cell where the valley is deepest, or all rays if it is level.
 fn wells(cell: &Particle, height: impl Fn(DVec2) -> f64) -> Vec<DVec2> {
     let (e, f) = cell.half_axes();
     let floor = |k: usize| {

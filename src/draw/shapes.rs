@@ -1,8 +1,8 @@
-//! Polygons and lines: circles, rounded corners, lines with a width, images on a tile. Picture units, y down.
+//! Polygons and lines: circles, rounded corners, thick lines, images on a tile. Picture units, y down.
 
 use glam::DVec2;
 
-/// Where the images of a ring are that reach into a tile of that side from beyond its edges.
+/// Offsets of a ring's images that reach into a tile of that side.
 pub fn copies(ring: &[DVec2], side: f64) -> Vec<DVec2> {
     let lo = ring.iter().fold(DVec2::INFINITY, |lo, &p| lo.min(p));
     let hi = ring.iter().fold(DVec2::NEG_INFINITY, |hi, &p| hi.max(p));
@@ -14,14 +14,14 @@ pub fn copies(ring: &[DVec2], side: f64) -> Vec<DVec2> {
     shifts.filter(|&shift| shift != DVec2::ZERO).collect()
 }
 
-/// A ring as a line that ends where it begins.
+/// A ring as a line that ends at its start.
 pub(super) fn closed(ring: &[DVec2]) -> Vec<DVec2> {
     let mut line = ring.to_vec();
     line.extend(ring.first());
     line
 }
 
-/// The corners of a polygon that passes for a circle.
+/// A polygon that approximates a circle.
 pub(super) fn round(centre: DVec2, radius: f64) -> Vec<DVec2> {
     let count = if radius < 12.0 { 12 } else { 64 };
     let point = |k: i32| {
@@ -31,10 +31,10 @@ pub(super) fn round(centre: DVec2, radius: f64) -> Vec<DVec2> {
     (0..count).map(point).collect()
 }
 
-/// Corners that turn by less than the angle of this cosine are not rounded.
+/// Corners that turn by less than the angle with this cosine are not rounded.
 const FLAT: f64 = 0.9;
 
-/// The ring with its corners cut round, by up to `round` pixels.
+/// The ring with rounded corners, cut by up to `round` pixels.
 pub(super) fn rounded(ring: &[DVec2], round: f64) -> Vec<DVec2> {
     let n = ring.len();
     let mut points = Vec::with_capacity(3 * n);
@@ -48,16 +48,16 @@ pub(super) fn rounded(ring: &[DVec2], round: f64) -> Vec<DVec2> {
         }
         let start = corner + from.normalize_or_zero() * reach;
         let end = corner + to.normalize_or_zero() * reach;
-        // The middle of the parabola that touches both sides.
+        // The midpoint of the parabola that touches both sides.
         points.extend([start, 0.5 * corner + 0.25 * (start + end), end]);
     }
     points
 }
 
-/// Corners stand out at most this many times as far as sides.
+/// Limit of mitres, relative to the offset of the sides.
 pub(super) const MITRE: f64 = 2.0;
 
-/// The ring moved out by `by` pixels, or in where that is negative; of clockwise ones (on screen).
+/// The ring moved outwards by `by` pixels, or inwards if negative; for clockwise rings (on screen).
 pub(super) fn beside(ring: &[DVec2], by: f64) -> Vec<DVec2> {
     let n = ring.len();
     let out = |k: usize| -(ring[(k + 1) % n] - ring[k % n]).normalize_or_zero().perp();
@@ -69,7 +69,7 @@ pub(super) fn beside(ring: &[DVec2], by: f64) -> Vec<DVec2> {
     (0..n).map(moved).collect()
 }
 
-/// The corners of a line of some width; it reaches half of it beyond its ends, so that joints close.
+/// The corners of a line with a width; it extends half the width beyond its ends, so that joints close.
 pub(super) fn bar([from, to]: [DVec2; 2], width: f64) -> [DVec2; 4] {
     let along = (to - from).normalize_or_zero() * (width / 2.0);
     let across = along.perp();

@@ -1,13 +1,13 @@
-//! The size field as heat and contours over whatever is below.
+//! The size field as a heat map with contours, over whatever is below.
 //!
-//! The heat is kept from frame to frame, as it changes only with the fields.
+//! The heat map is kept from frame to frame, because it changes only with the fields.
 
 use super::{Board, Colour, blend};
 use crate::domain::Domain;
 use crate::field::Fields;
 use glam::DVec2;
 
-/// The smallest size there is, the middle, and the largest.
+/// Colours of the smallest size, the middle, and the largest.
 pub(crate) const SMALL: Colour = [0.04, 0.26, 0.56, 0.66];
 pub(crate) const MIDDLE: Colour = [0.98, 0.82, 0.40, 0.42];
 pub(crate) const LARGE: Colour = [0.80, 0.10, 0.10, 0.66];
@@ -15,22 +15,22 @@ const CONTOUR: Colour = [0.10, 0.07, 0.05, 0.80];
 const WIDTH: f32 = 1.1;
 /// Contours from the middle to the end of the scale.
 const CONTOURS: f32 = 5.0;
-/// The scale goes at least so many doublings of the size each way from the middle.
+/// The scale covers at least this many doublings of the size each way from the middle.
 const LEAST: f32 = 0.35;
-/// The field is asked at places so many pixels apart.
+/// Distance of sampled points, in pixels.
 const STEP: usize = 4;
 
-/// The size field as colours, kept from frame to frame: it stays as it is while cells are packed.
+/// The size field as colours, kept from frame to frame: it does not change while cells are packed.
 #[derive(Clone, Debug, Default)]
 pub struct HeatMap {
     stamp: u64,
     side: usize,
-    /// For each pixel colour times opacity, and the share of what is below, in 255ths.
+    /// For each pixel colour times opacity, and the remaining share of the background, in 255ths.
     pixels: Vec<[u8; 4]>,
 }
 
 impl HeatMap {
-    /// Draws it over a board; made anew where the stamp is another one.
+    /// Draws it over a board; computed again if the stamp has changed.
     pub fn draw(
         &mut self,
         board: &mut Board,
@@ -52,7 +52,7 @@ impl HeatMap {
     }
 }
 
-/// Where the outline is, as the opacity of white paint.
+/// The outline as opacity of white paint.
 fn mask(side: usize, domain: &Domain) -> Board {
     let mut board = Board::new(side, [0.0, 0.0, 0.0, 1.0]);
     let all = [DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y].map(|p| side as f64 * p);
@@ -97,7 +97,7 @@ fn pixels(side: usize, domain: &Domain, fields: &Fields) -> Vec<[u8; 4]> {
             f64::from(level(x, y + 1) - v),
         );
         let heat = blend(MIDDLE, if v < 0.0 { SMALL } else { LARGE }, v.abs());
-        // No contour in the middle: the size may be the same everywhere.
+        // There is no contour in the middle, because the size may be constant.
         let lines = CONTOURS * v;
         let off = (lines - lines.floor() - 0.5).abs() / (CONTOURS * slope.length() as f32 + 1e-6);
         let dark = (0.5 * WIDTH + 0.5 - off).clamp(0.0, 1.0) * CONTOUR[3];
@@ -114,7 +114,7 @@ fn pixels(side: usize, domain: &Domain, fields: &Fields) -> Vec<[u8; 4]> {
     pixels
 }
 
-/// What is between the nodes, `count` in a row.
+/// Interpolates between the nodes, `count` in a row.
 fn between(nodes: &[f32], count: usize, x: usize, y: usize) -> f32 {
     let at = (y / STEP) * count + x / STEP;
     let [s, t] = [x, y].map(|v| (v % STEP) as f32 / STEP as f32);

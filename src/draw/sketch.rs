@@ -1,18 +1,18 @@
-//! Drawings of many shapes, made some rows at a time, so that no piece of them takes long.
+//! Drawings of many shapes, painted a few rows at a time, so that no slice takes long.
 
 use super::{Board, Layer};
 
-/// So many pixels, about, are drawn at a time.
+/// About the number of pixels painted in a slice.
 const AT_A_TIME: usize = 32_768;
-/// Fewer rows than these are not worth their shapes that reach into other rows.
+/// Fewest rows of a slice: shapes across its edges are drawn again.
 const LEAST_ROWS: usize = 16;
 
-/// Layers, and the board that they are drawn on from the top down.
+/// Layers, and the board that they are painted on from the top down.
 #[derive(Clone, Debug)]
 pub struct Sketch {
     board: Board,
     layers: Vec<Layer>,
-    /// The rows that are finished.
+    /// The number of finished rows.
     rows: usize,
 }
 

@@ -1,4 +1,4 @@
-//! What the stages made, on paper: the outline, packed cells, cells, the mesh, constraint lines.
+//! Drawings of the stages on paper: the outline, packed cells, cells, the mesh, constraint lines.
 
 use super::{Colour, Layer, Paper, Shape, Tones, blend, lit};
 use crate::cells::Cell;
@@ -8,7 +8,7 @@ use crate::mesh::Mesh;
 use crate::packing::{Particle, Stress, stress};
 use glam::DVec2;
 
-/// The colour of cells that are deep in others, and its greatest share.
+/// The colour of cells with deep overlap, and its greatest share.
 const PRESSED: Colour = [0.74, 0.33, 0.20, 1.0];
 const MOST_PRESSED: f32 = 0.72;
 /// The colour of cells without neighbours, and its greatest share.
@@ -16,24 +16,24 @@ const ALONE: Colour = [0.36, 0.56, 0.68, 1.0];
 const MOST_ALONE: f32 = 1.0;
 /// Lines of cells before there are stones.
 const CELL_EDGE: Colour = [0.13, 0.10, 0.07, 0.55];
-/// Lightness of cells that are fixed on the boundary, of the others.
+/// Lightness of cells fixed on the boundary, relative to the others.
 const FIXED: f32 = 0.82;
-/// So far corners are rounded, of a cell's size.
+/// Rounding of corners, relative to a cell's size.
 const ROUND: f64 = 0.13;
 
 pub(crate) const FACE: Colour = [0.836, 0.800, 0.735, 1.0];
 pub(crate) const LONE: Colour = [0.800, 0.510, 0.350, 1.0];
 pub(crate) const INK: Colour = [0.33, 0.27, 0.21, 1.0];
 
-/// The outline's bed and boundary. Holes are rings that run against the outer one.
+/// The outline's area and boundary. Holes are rings with the opposite orientation.
 pub fn bed(rings: &[&[DVec2]], paper: &Paper) -> Layer {
     let rings = rings.iter().map(|ring| ring.to_vec()).collect();
     let bed = Layer::fill(rings, paper.bed, 0.0);
     bed.edged(paper.line, 1.25, 0.0).named("outline", "")
 }
 
-/// The packed cells in the tones of the stones to come: warmer and redder the deeper their
-/// neighbours stand in them, cooler the more of their sides are free.
+/// The packed cells in the tones of their future stones: redder with deeper overlap, cooler with more free
+/// sides.
 pub fn packed(domain: &Domain, particles: &[Particle], tones: &Tones) -> Layer {
     let cells = particles.iter().zip(stress(domain, particles));
     let cells = cells.map(|(particle, stress)| {
@@ -53,7 +53,7 @@ pub(crate) fn stressed(own: Colour, stress: Stress) -> Colour {
     blend(inside, PRESSED, MOST_PRESSED * stress.pressed)
 }
 
-/// Lines of small cells are drawn thinner, so that they do not swallow the cells.
+/// Lines of small cells are thinner, so that they do not hide the cells.
 pub(super) fn line_width(size: f64) -> f64 {
     (size / 15.0).clamp(0.5, 1.6)
 }
@@ -68,7 +68,7 @@ pub fn mean_size(cells: &[Cell]) -> f64 {
     mean(cells.iter().map(|c| c.size))
 }
 
-/// The cells' polygons in the tones of the stones to come, with joints in the bed's.
+/// The cells' polygons in the tones of their future stones, with joints in the colour of the bed.
 pub fn cells(cells: &[Cell], tones: &Tones) -> Layer {
     let filled = cells.iter().map(|cell| {
         let round = 0.5 * ROUND * cell.size;
@@ -81,7 +81,7 @@ pub fn cells(cells: &[Cell], tones: &Tones) -> Layer {
     cells.edged(joint, width, 0.5 * ROUND * size)
 }
 
-/// The elements of a mesh, and which of them are triangles among cells with corners.
+/// The elements of a mesh, and whether each is a triangle among cells with corners.
 pub(super) fn elements(mesh: &Mesh, fields: &Fields) -> Vec<(Vec<DVec2>, bool)> {
     let element = |nodes: &[u32]| {
         let place = |&n: &u32| mesh.vertices.get(n as usize).copied();
@@ -99,7 +99,7 @@ pub(super) fn mesh_width(elements: &[(Vec<DVec2>, bool)]) -> f64 {
     line_width(mean(elements.iter().map(|(ring, _)| first(ring))))
 }
 
-/// The mesh. Triangles among cells with corners, which found no partner, stand out.
+/// The mesh. Triangles among cells with corners, which found no partner, are highlighted.
 pub fn mesh(mesh: &Mesh, fields: &Fields) -> Layer {
     let elements = elements(mesh, fields);
     let width = mesh_width(&elements);
@@ -110,7 +110,7 @@ pub fn mesh(mesh: &Mesh, fields: &Fields) -> Layer {
     Layer::shapes(filled.collect()).edged(INK, width, 0.0)
 }
 
-/// The constraint lines, over what stands along them.
+/// The constraint lines, over the cells along them.
 pub fn lines(domain: &Domain, side: f64) -> Layer {
     let lines = domain.lines().iter();
     let lines = lines.map(|line| Shape::bare(vec![line.clone()])).collect();

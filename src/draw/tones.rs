@@ -1,4 +1,4 @@
-//! The colours of drawings: those of the ground and the stones to come, and the paper of figures.
+//! The colours of drawings: those of the future ground and stones, and the paper of figures.
 
 use super::{Colour, Paper, blend, lit};
 use crate::cells::Cell;
@@ -6,36 +6,36 @@ use crate::heightfield::TextureParams;
 use crate::material::{Coat, Ground, Palette, ground, palette, stone_colour};
 use crate::order;
 
-/// What figures (mesh, direction field) are drawn on.
+/// The paper of figures (mesh, direction field).
 pub const SHEET: Paper = Paper {
     surround: [0.886, 0.859, 0.812, 1.0],
     bed: [0.957, 0.941, 0.914, 1.0],
     line: [0.42, 0.36, 0.30, 1.0],
 };
 
-/// Mean lightness of stones in the picture, of their own colour.
+/// Mean lightness of stones in the picture, relative to their own colour.
 const STONE_LIGHT: f32 = 0.95;
-/// Lightness of the ground around the outline, of its mean colour.
+/// Lightness of the ground around the outline, relative to its mean colour.
 const GROUND_LIGHT: f32 = 0.97;
-/// Lightness of the bed, of the ground around it.
+/// Lightness of the bed, relative to the ground around it.
 const BED_LIGHT: f32 = 0.78;
 /// Share of grey in the ground's colour.
 const CALM: f32 = 0.10;
 
-/// The tones of one recipe's pavement.
+/// The tones of a recipe's pavement.
 #[derive(Clone, Debug)]
 pub struct Tones {
-    /// The ground to come, flat.
+    /// The future ground, flat.
     pub paper: Paper,
     palette: &'static Palette,
     seed: u64,
     vary: f32,
-    /// What cells wear by rule, in the order of their ids.
+    /// The coats of cells, in the order of their ids.
     coats: Vec<(u32, Coat)>,
 }
 
 impl Tones {
-    /// The tones of the pavement that these parameters make.
+    /// The tones of the pavement with these parameters.
     pub fn new(params: &TextureParams) -> Self {
         let palette = palette(params.palette);
         Self {
@@ -47,7 +47,7 @@ impl Tones {
         }
     }
 
-    /// The same with what the cells wear by rule, once that is known.
+    /// Adds the coats of the cells, once they are known.
     pub fn wearing(mut self, cells: &[Cell], coats: &[Coat]) -> Self {
         let named = cells.iter().map(|cell| cell.id).zip(coats.iter().copied());
         self.coats = named.collect();
@@ -65,7 +65,7 @@ impl Tones {
     }
 }
 
-/// The paper of a ground: its colour, a darker bed, and a line that stands out from both.
+/// The paper for a ground: its colour, a darker bed, and a line that contrasts with both.
 fn earth(ground: &Ground) -> Paper {
     let [a, b] = ground.colours;
     let [r, g, b] = [0, 1, 2].map(|k| (f32::from(a[k]) + f32::from(b[k])) / 510.0);

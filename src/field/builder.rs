@@ -1,8 +1,8 @@
 //! Samples the fields on the background grid.
 //!
-//! Nodes at every fourth place are worked out first, and those between them only where the direction
-//! bends: the result is 0.02 to 0.14 degrees off the plain sum. A second layer of directions is made
-//! only where parts have kinds of another symmetry.
+//! Every fourth node is computed first, and the nodes between only where the direction bends; elsewhere they
+//! are interpolated. The result is 0.02 to 0.14 degrees off the plain sum. A second layer of directions is
+//! made only if parts have kinds with another symmetry.
 
 use super::follow::{layers, ray};
 use super::formulas;
@@ -16,30 +16,30 @@ use crate::domain::Domain;
 use crate::planar::Space;
 use glam::DVec2;
 
-/// A node whose neighbours of the pass before see features of at least so many gaps between them, and
-/// have directions alike (cosine between representation vectors), has their mean.
+/// A node takes the mean of its neighbours from the pass before if their feature size is at least this many
+/// gaps between them and their directions agree (cosine between representation vectors).
 const FEATURES: f64 = 1.25;
 const ALIKE: f64 = 0.8;
 
-/// No cell ever stands farther outside than this many steps.
+/// Margin of the grid outside the outline, in grid steps: no cell is ever farther out.
 const OUTSIDE: f64 = 1.5;
 
-/// Where walls at right angles cancel exactly, cells lie along the x axis: this share decides.
+/// Where walls at right angles cancel exactly, this small share of the x axis decides the direction.
 const TIE: f64 = 1e-6;
 
-/// Makes [`Fields`] some rows of the grid at a time: first nodes that lie wide apart, then those
-/// between them, where the direction is smooth as means of their neighbours.
+/// Makes [`Fields`] a few rows of the grid at a time: first the coarse nodes, then those between, which take
+/// the mean of their neighbours where the direction is smooth.
 #[derive(Clone, Debug)]
 pub struct FieldBuilder {
     fields: Fields,
     space: Space,
-    /// The part of the size that is sampled as waves.
+    /// The part of the size that is sampled as waves, on a torus.
     waves: Option<Gradient>,
-    /// Of each layer.
+    /// The sources of each layer.
     sources: Vec<Sources>,
-    /// Of each node, at least as much as its distance to the boundary, negative outside.
+    /// For each node, an upper bound of its distance to the boundary, negative outside.
     inside: Vec<f64>,
-    /// Of each node, at most the size of the direction's features there.
+    /// For each node, a lower bound of the size of the direction's features there.
     feature_size: Vec<f64>,
     /// A point and its distance to the nearest source of each layer.
     last: [(DVec2, f64); 2],
@@ -71,8 +71,8 @@ impl FieldBuilder {
             (params.size, params.aspect, along) = (lattice.size, lattice.aspect, lattice.along);
             params.angle = libm::atan2(along.y, along.x);
         }
-        // A gradient does not repeat, so on a torus it becomes waves; their sines are too slow to be
-        // worked out wherever the size is asked for.
+        // A gradient does not repeat, so on a torus it becomes waves. Their sines are too slow for every
+        // query and are sampled.
         let gradient = Gradient::new(params.linear, params.radial, params.side);
         let (gradient, waves) = match space {
             Space::PLANE => (gradient, None),
@@ -110,7 +110,7 @@ impl FieldBuilder {
         }
     }
 
-    /// Works out one row of the grid; true when all are done.
+    /// Computes one row of the grid; true when all are done.
     pub fn advance(&mut self, domain: &Domain) -> bool {
         if self.stride == 0 {
             return true;
@@ -155,7 +155,7 @@ impl FieldBuilder {
         grid.close(aspects);
     }
 
-    /// The fields; rows not yet advanced to have no direction.
+    /// The fields; rows that were not computed have no direction.
     pub fn finish(self) -> Fields {
         self.fields
     }
@@ -167,7 +167,7 @@ impl FieldBuilder {
         builder.finish()
     }
 
-    /// The direction at a node of the row at work.
+    /// Computes the direction at a node of the current row.
     fn point(&mut self, column: usize, domain: &Domain) {
         let grid = self.fields.grid;
         let (row, stride) = (self.row, self.stride);
@@ -197,7 +197,7 @@ impl FieldBuilder {
         }
     }
 
-    /// Takes the mean of neighbours where they are alike in all layers.
+    /// Takes the mean of the neighbours if they agree in all layers.
     fn take_mean(&mut self, at: usize, parents: &[usize]) -> bool {
         let alike = self.fields.layers.iter().all(|Layer { nodes, .. }| {
             let first = nodes[parents[0]];
@@ -213,11 +213,12 @@ impl FieldBuilder {
         alike
     }
 
-    /// Sums up all that counts at a node; answers with the size of the direction's features there.
-    // Most nodes take the mean of others instead: in their loop this would cost a tenth of the fields' time.
+    /// Sums all sources at a node; gives the size of the direction's features there.
+    // Not inlined: most nodes take a mean instead, and in their loop this would cost a tenth of the fields'
+    // time.
     #[inline(never)]
     fn measure(&mut self, at: usize, p: DVec2, domain: &Domain) -> f64 {
-        // Sources see a point and its images around.
+        // Sources act on a point and on its images.
         let images = self.space.images(p, f64::INFINITY);
         let Fields {
             params,
@@ -262,7 +263,7 @@ impl FieldBuilder {
         feature_size * coherence
     }
 
-    /// Size and aspect ratio of a row.
+    /// Computes size and aspect ratio of a row.
     fn scalars(&mut self, domain: &Domain) {
         let Fields {
             params,
@@ -286,7 +287,7 @@ impl FieldBuilder {
     }
 }
 
-/// The neighbours of the pass before that a node lies between: two on a line, or four around it.
+/// The neighbours from the pass before: two on a line, or four around the node.
 fn parents(grid: &Grid, column: usize, row: usize, stride: usize) -> ([usize; 4], usize) {
     let at = row * grid.columns + column;
     let (across, down) = (stride, stride * grid.columns);
@@ -314,8 +315,8 @@ mod tests {
     use super::*;
     use crate::generators::pavement::{self, PavementRecipe};
 
-    /// Degrees between what the fields say and the plain sum over all sources, at points where
-    /// these agree with each other, away from singular places: mean and 95th percentile.
+    /// Mean and 95th percentile of the angle (degrees) between the fields and the plain sum over all sources,
+    /// away from singular places.
     fn errors(domain: &Domain, params: FieldParams) -> (f64, f64) {
         let fields = FieldBuilder::build(domain, params.clone());
         let n = params.kind.symmetry();

@@ -1,20 +1,20 @@
-//! The ends of the boundary: pieces across the direction that cells are to follow.
+//! The ends of the boundary: pieces across the direction that cells should follow.
 //!
-//! Two-fold directions along two walls at right angles cancel on the line between them. At the end
-//! of a road that line is a fault through the rows; without the end's weight they run straight up
-//! to it.
+//! Two-fold directions along two walls at right angles cancel on the bisector. At the end of a road that line
+//! would be a fault through the rows. Without weight on the end, the rows run straight up to it.
 
 use crate::domain::Domain;
 use glam::DVec2;
 
 /// The boundary turns at a corner by more than this (cosine of 40 degrees).
 const CORNER: f64 = 0.766;
-/// A piece this many times as long as the shorter of its neighbours is an end, or none at all.
+/// A piece is an end if its length is at most the first of these times the shorter of its neighbours, and no
+/// end at all from the second on.
 const END: (f64, f64) = (0.5, 1.0);
 
-/// The weight of each segment of [`Domain::segments`]: `ends` for the pieces between two convex
-/// corners that are at most half as long as the pieces beside them, 1 for those as long as the
-/// shorter one, in between for those in between.
+/// The weight of each segment of [`Domain::segments`]. Pieces between two convex corners that are at most
+/// half as long as their neighbours get `ends`, pieces as long as the shorter neighbour get 1, and others a
+/// value between.
 pub(super) fn strengths(domain: &Domain, ends: f64) -> Vec<f64> {
     let mut strengths = Vec::with_capacity(domain.segments().len());
     for ring in domain.rings() {
@@ -40,7 +40,7 @@ fn mark(ring: &[DVec2], ends: f64, strengths: &mut [f64]) {
     if count < 3 {
         return;
     }
-    // A piece goes from a corner to the next one; the last one goes over the ring's beginning.
+    // A piece runs from a corner to the next one; the last piece wraps around the ring's start.
     let (mut piece, mut piece_of, mut lengths) = (count - 1, vec![0; n], vec![0.0; count]);
     for k in 0..n {
         let next = (piece + 1) % count;

@@ -1,4 +1,4 @@
-//! The sources of the direction: what it follows.
+//! The sources of the direction field.
 
 use super::sources::{Source, Sources};
 use super::{Direction, FieldParams, ends};
@@ -6,12 +6,11 @@ use crate::domain::Domain;
 use crate::planar::Space;
 use glam::DVec2;
 
-/// Sources of less strength are left out.
+/// Weaker sources are left out.
 const FAINT: f64 = 0.02;
 
-/// The unit vector of the spiral's ray, and the distance to the nearest point where it has none. Rays
-/// from one point do not repeat: on a torus they are those of the sines, which have such points half a
-/// side apart.
+/// The unit vector of the spiral's ray, and the distance to the nearest point where it is undefined. On a
+/// torus rays from one point do not repeat; the rays of the sines do, with singular points half a side apart.
 pub(super) fn ray(space: Space, params: &FieldParams, p: DVec2) -> (DVec2, f64) {
     let from = p - params.centre;
     let Some(side) = space.period() else {
@@ -26,8 +25,8 @@ pub(super) fn ray(space: Space, params: &FieldParams, p: DVec2) -> (DVec2, f64) 
     )
 }
 
-/// The symmetries of the direction's layers and the sources of each; nothing where the direction is
-/// the same everywhere. `symmetries` are those that the cells' kinds have.
+/// The layers of the direction: the symmetry of each and its sources; empty if the direction is constant.
+/// `symmetries` are those of the cells' kinds.
 pub(super) fn layers(
     domain: &Domain,
     params: &FieldParams,
@@ -47,17 +46,17 @@ pub(super) fn layers(
     layers
 }
 
-/// All that the direction follows.
+/// All sources of the direction.
 pub(super) fn sources(domain: &Domain, params: &FieldParams, symmetry: u32) -> Vec<Source> {
     let mut list = Vec::new();
     let mut add = |segment, strength| {
-        // What is left out does not hide what is farther away.
+        // A source that is left out must not hide a farther one.
         if strength > FAINT {
             list.extend(Source::new(segment, strength, symmetry));
         }
     };
     if params.direction == Direction::Boundary {
-        // At right angles to a wall a square stands as well as along it.
+        // A square fits at right angles to a wall as well as along it.
         let ends = if symmetry == 4 { 1.0 } else { params.ends };
         let strengths = ends::strengths(domain, ends);
         for (&segment, strength) in domain.segments().iter().zip(strengths) {

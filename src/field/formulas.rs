@@ -1,10 +1,10 @@
-//! The formulas of size and aspect ratio, before they are sampled.
+//! The formulas of size and aspect ratio that are sampled on the grid.
 
 use super::{FieldParams, Grading, Spot};
 use crate::domain::Domain;
 use glam::DVec2;
 
-/// The factor of the size at a point, by the boundary's and the spots' share in it.
+/// The factor of the size at a point that comes from the boundary and the spots.
 pub(super) fn size_factor(params: &FieldParams, domain: &Domain, p: DVec2) -> f64 {
     let mut log = graded(&params.size_grading, domain, p);
     shares(&params.size_spots, domain, p, |share, value| {
@@ -22,7 +22,7 @@ pub(super) fn aspect(params: &FieldParams, domain: &Domain, p: DVec2) -> f64 {
     libm::exp(log)
 }
 
-/// The spots that count at a point: their share and value.
+/// Calls `each` with share and value of the spots that reach a point.
 fn shares(spots: &[Spot], domain: &Domain, p: DVec2, mut each: impl FnMut(f64, f64)) {
     for spot in spots {
         let share = spot.share(domain.space().shortest(p - spot.centre));

@@ -4,10 +4,10 @@ use crate::planar::Space;
 use glam::DVec2;
 use std::ops::{Add, Mul};
 
-/// Nodes of the first pass lie this many steps apart; both counts of squares are multiples of it.
+/// Nodes of the first pass are this many steps apart; the numbers of columns and rows are multiples of it.
 pub(super) const COARSE: usize = 4;
 
-/// Nodes at equal distances, row after row from the top.
+/// Evenly spaced nodes, row by row from the top.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Grid {
     pub origin: DVec2,
@@ -18,8 +18,8 @@ pub(super) struct Grid {
 }
 
 impl Grid {
-    /// A grid with about this step over a box: in the plane with two squares around it; on a torus a
-    /// whole number of squares goes round, and the last column and row are the first ones again.
+    /// A grid over a box with about this step. In the plane it extends two squares beyond. On a torus a whole
+    /// number of squares goes round, and the last column and row repeat the first.
     pub fn new(space: Space, (lo, hi): (DVec2, DVec2), step: f64) -> Self {
         if let Some(side) = space.period() {
             let squares = ((side / step) as usize).max(1).next_multiple_of(COARSE);
@@ -52,7 +52,7 @@ impl Grid {
         self.origin + self.step * DVec2::new(column as f64, row as f64)
     }
 
-    /// Makes the last column and row of a torus the same as the first; a grid over the plane has ends.
+    /// On a torus, copies the first column and row to the last; does nothing in the plane.
     pub fn close<T: Copy>(&self, values: &mut [T]) {
         if self.space != Space::PLANE && !values.is_empty() {
             for row in 0..self.rows {
@@ -63,7 +63,7 @@ impl Grid {
         }
     }
 
-    /// Values at the nodes interpolated bilinearly at a point; beyond the grid, as at its edge.
+    /// Bilinear interpolation of node values at a point; outside the grid, the value at its edge.
     pub fn interpolated<T>(&self, values: &[T], p: DVec2) -> T
     where
         T: Copy + Add<Output = T> + Mul<f64, Output = T>,

@@ -1,13 +1,13 @@
 //! The kinds of cells.
 
-/// The shape of a packed cell. One engine packs them all: a kind is this word and the metric that
-/// size and aspect ratio make of it.
+/// The shape of a packed cell. One packer serves all kinds: a kind only decides the metric that size and
+/// aspect ratio define.
 ///
-/// Itoh, Miyata, Shimada (2003), section 5.1: circles as in the bubble mesh, ellipses by effective
-/// distances, squares by four more potentials at the corners, rectangles by both.
+/// Itoh, Miyata, Shimada (2003), section 5.1: circles as in the bubble mesh, ellipses by effective distances,
+/// squares by four more potentials at the corners, rectangles by both.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Kind {
-    /// Four corners, as wide as long.
+    /// Four corners, equal sides.
     #[default]
     Square,
     /// Four corners, longer along the direction field than across.
@@ -19,8 +19,8 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// Squares and rectangles: they stand edge to edge, in rows and columns, and their mesh is of
-    /// quadrilaterals. The others stand in the gaps of their neighbours' rows, six around each.
+    /// Squares and rectangles. They stand edge to edge in rows and columns, and their mesh is of
+    /// quadrilaterals. Other kinds stand in the gaps of the neighbouring rows, six around each.
     pub const fn has_corners(self) -> bool {
         matches!(self, Kind::Square | Kind::Rectangle)
     }
@@ -30,9 +30,9 @@ impl Kind {
         matches!(self, Kind::Rectangle | Kind::Ellipse)
     }
 
-    /// How many turns of a cell in a full circle look alike, as the direction field sees it: a
-    /// quarter turn of a square, half a turn of a rectangle or an ellipse. A circle looks alike at
-    /// any turn; its rows follow the field as an ellipse's do.
+    /// Symmetry of the direction field: how many turns in a full circle leave a cell unchanged. It is 4 for
+    /// squares, and 2 for rectangles and ellipses. Circles look alike at any turn and use 2, so that their
+    /// rows follow the field as those of ellipses do.
     pub const fn symmetry(self) -> u32 {
         match self {
             Kind::Square => 4,
@@ -50,7 +50,7 @@ impl Kind {
         }
     }
 
-    /// The kind of a word.
+    /// The kind with this word in links.
     pub fn from_word(word: &str) -> Option<Self> {
         [Kind::Square, Kind::Rectangle, Kind::Circle, Kind::Ellipse]
             .into_iter()

@@ -1,14 +1,14 @@
-//! Lattices of cells that fit the space.
+//! Lattices of cells that repeat with the space.
 //!
-//! Where the direction is one angle everywhere, the rows of a torus must meet themselves again behind
-//! the seam in both directions. The lattice of the cells has the sides of the picture among its
-//! vectors only for some angles and sizes; the nearest ones are taken. In the plane all fit.
+//! If the direction is constant on a torus, the rows must meet themselves behind the seam in both directions.
+//! The sides of the picture are lattice vectors only for some angles and sizes; the nearest of these is
+//! taken. In the plane every lattice fits.
 
 use super::Kind;
 use crate::planar::Space;
 use glam::DVec2;
 
-/// The distance of hexagonal rows, in cell widths.
+/// Distance of hexagonal rows, in cell widths.
 const ROW: f64 = 0.866_025_403_784_438_6;
 
 /// A size, an aspect ratio and the unit vector of a direction.
@@ -19,8 +19,7 @@ pub(super) struct Lattice {
     pub along: DVec2,
 }
 
-/// The lattice nearest to the one asked for that repeats with the space; none in the plane, where
-/// nothing repeats.
+/// The nearest lattice that repeats with the space; `None` in the plane, where nothing repeats.
 pub(super) fn fitted(space: Space, kind: Kind, asked: Lattice) -> Option<Lattice> {
     let side = space.period()?;
     Some(match kind {
@@ -30,7 +29,7 @@ pub(super) fn fitted(space: Space, kind: Kind, asked: Lattice) -> Option<Lattice
 }
 
 fn squares(asked: Lattice, side: f64) -> Lattice {
-    // Steps of (p, q) / (p^2 + q^2) of the side: the nearest whole p and q.
+    // Steps are (p, q) / (p^2 + q^2) of the side, with the nearest whole p and q.
     let steps = (asked.along * side / asked.size).round();
     let steps = if steps == DVec2::ZERO {
         DVec2::X
@@ -44,8 +43,8 @@ fn squares(asked: Lattice, side: f64) -> Lattice {
     }
 }
 
-/// Cells in rows: one cell's length and one row's distance. Hexagonal rows are shifted by half a cell:
-/// half a length, and sums of steps that are even.
+/// Cells in rows. The unit is one cell's length and one row's distance. Hexagonal rows are shifted by half a
+/// cell, so they use half a length and need an even sum of steps.
 fn rows(kind: Kind, asked: Lattice, side: f64) -> Lattice {
     let root = asked.aspect.sqrt();
     let even = !kind.has_corners();
@@ -72,14 +71,13 @@ fn rows(kind: Kind, asked: Lattice, side: f64) -> Lattice {
     }
 }
 
-/// The vector along the rows and the rows' distance. The directions that meet themselves are those
-/// of (a, b) with whole numbers without a common divisor; along it the side can be divided by any
-/// multiple of their length, and across it as well.
+/// The vector along the rows and the rows' distance. A direction (a, b) of coprime whole numbers meets
+/// itself; the side can be divided by any multiple of its length, along it and across.
 fn nearest(along: DVec2, unit: f64, row: f64, side: f64, even: bool) -> (DVec2, f64) {
     let most = ((side / unit.min(row)) as i64).clamp(1, 200);
     let mut best = (f64::INFINITY, DVec2::X * unit, row);
     for a in -most..=most {
-        // b so near the direction that no other could be nearer, and both its neighbours.
+        // Tries the b nearest to the direction and both its neighbours; no other can be nearer.
         let slanted = along.x.abs() < along.y.abs();
         let tilt = if slanted {
             along.x / along.y
@@ -133,7 +131,7 @@ fn divisor(a: i64, b: i64) -> i64 {
 mod tests {
     use super::*;
 
-    /// Is (x, y) a sum of whole multiples of the lattice's two vectors?
+    /// Whether (x, y) is an integer combination of the lattice's two vectors.
     fn repeats(kind: Kind, lattice: Lattice, p: DVec2) -> bool {
         let root = lattice.aspect.sqrt();
         let (length, width) = (lattice.size * root, lattice.size / root);

@@ -1,13 +1,11 @@
 //! Size, direction, aspect ratio and kind of the cells as functions of the point.
 //!
-//! What is not a plain formula is sampled on a background grid. Directions have the symmetry of the
-//! cells, four-fold for squares and two-fold for the other kinds; what is stored of them is told in
-//! `symmetry.rs`.
+//! Values without a simple formula are sampled on a background grid. Directions have the symmetry of the
+//! cells: four-fold for squares, two-fold for the other kinds; `symmetry.rs` describes how they are stored.
 //!
-//! On a torus all of it repeats: sources count with their nearest images, gradients become waves, spots
-//! wrap, and rays about a point are those of (sin x, sin y). One direction everywhere takes the nearest
-//! size, angle and aspect ratio that fit the side (`lattice`), so the packing sees only values that
-//! fit.
+//! On a torus everything repeats: sources act through their nearest images, gradients become waves, spots
+//! wrap, and rays about a point are those of (sin x, sin y). A constant direction is replaced by the nearest
+//! size, angle and aspect ratio that fit the side (`lattice`), so the packing sees only values that fit.
 //!
 //! ```
 //! # use bubblestone::domain::{Domain, Outline};
@@ -19,8 +17,8 @@
 //! # let domain = Domain::from_checked(&Outline { rings, ..Outline::default() });
 //! // `domain` is a square from (14, 14) to (114, 114).
 //! let params = FieldParams {
-//!     size: 12.0,
-//!     ..FieldParams::default()
+//! size: 12.0,
+//! ..FieldParams::default()
 //! };
 //! let fields = FieldBuilder::build(&domain, params);
 //! let place = DVec2::new(24.0, 64.0);
@@ -54,27 +52,27 @@ use glam::DVec2;
 use grid::Grid;
 use scalar::Gradient;
 
-/// The fields, ready to be asked at any point.
+/// The sampled fields, defined at every point.
 #[derive(Clone, Debug)]
 pub struct Fields {
     params: FieldParams,
-    /// The direction where it is the same everywhere.
+    /// The direction if it is constant.
     along: DVec2,
     grid: Grid,
-    /// Sampled directions, none where it is the same everywhere, and two where the outline's parts
-    /// have kinds of different symmetry.
+    /// Sampled directions: none if the direction is constant, two if parts have kinds with different
+    /// symmetry.
     layers: Vec<Layer>,
-    /// The part of the size that is not sampled.
+    /// The part of the size that is evaluated, not sampled.
     gradient: Option<Gradient>,
-    /// Sampled factors of the size; empty where there are none.
+    /// Sampled factors of the size; empty if all are 1.
     size_factors: Vec<f64>,
-    /// Sampled aspect ratios of stretched cells; empty where it is one everywhere.
+    /// Sampled aspect ratios of stretched cells; empty if constant.
     aspects: Vec<f64>,
-    /// Where parts have kinds of their own: tells the part of a point, and the kinds by part.
+    /// For parts with their own kinds: a domain that finds the part of a point, and the kinds by part.
     parts: Option<(Domain, Vec<Kind>)>,
 }
 
-/// Representation vectors of directions of one symmetry at the nodes.
+/// Representation vectors of directions with one symmetry at the nodes.
 #[derive(Clone, Debug)]
 struct Layer {
     symmetry: u32,
@@ -83,20 +81,20 @@ struct Layer {
 
 /// Bounds of the size field as multiples of the mean size.
 const SIZE_RANGE: (f64, f64) = (0.2, 3.0);
-/// No field makes cells smaller than this part of the picture's side: 100,000 would fill it.
+/// Divisor of the picture's side that gives the smallest cell: 100,000 such cells would fill the picture.
 const FINEST: f64 = 320.0;
 /// Bounds of the aspect ratio.
 const ASPECT_RANGE: (f64, f64) = (1.0, 5.0);
 
 impl Fields {
-    /// What the fields were made from. On a torus with one direction everywhere size, angle and
-    /// aspect ratio are those that repeat with its side.
+    /// The parameters of the fields. On a torus with a constant direction, size, angle and aspect ratio are
+    /// adjusted to repeat with the side.
     pub fn params(&self) -> &FieldParams {
         &self.params
     }
 
-    /// The side a cell at this point should have; a stretched one has the area of a square of this
-    /// side.
+    /// The size of a cell at this point: its side, or for a stretched cell the side of the square with its
+    /// area.
     pub fn size(&self, p: DVec2) -> f64 {
         let FieldParams { size, side, .. } = self.params;
         if self.gradient.is_none() && self.size_factors.is_empty() {
@@ -113,8 +111,8 @@ impl Fields {
         wanted.max((side / FINEST).min(size))
     }
 
-    /// Unit vector along one side of a cell at this point, or zero where the field vanishes. Any
-    /// turn of it that leaves the cell's kind as it is ([`Kind::symmetry`]) means the same.
+    /// Unit vector along one side of a cell at this point, or zero where the field vanishes. It is defined up
+    /// to turns that leave the cell's kind unchanged ([`Kind::symmetry`]).
     pub fn direction(&self, p: DVec2) -> DVec2 {
         let layer = match self.layers.as_slice() {
             [] => return self.along,

@@ -1,69 +1,68 @@
-//! What the fields are made from.
+//! Parameters of the fields.
 
 use super::{Grading, Kind, Spot};
 use crate::domain::Domain;
 use glam::DVec2;
 
-/// Where the direction of the cells comes from.
+/// Source of the direction of the cells.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Direction {
-    /// Along the boundary, the constraint lines and the strokes: each piece counts with the inverse
-    /// power of its distance.
+    /// Along the boundary, the constraint lines and the strokes; each piece is weighted with an inverse power
+    /// of its distance.
     #[default]
     Boundary,
-    /// Along the strokes and the constraint lines only; one angle where there are none.
+    /// Along the strokes and the constraint lines only; a constant angle if there are none.
     Strokes,
-    /// One angle everywhere. Strokes count near them.
+    /// A constant angle. Strokes act near them.
     Constant,
-    /// At one angle to the rays from a point: 0 radial, a quarter turn circular, spirals in between.
-    /// Strokes count near them. On the torus, the rays are those of (sin x, sin y) with a wave as
-    /// long as the side: near the point the same, and half a side away from it three more singular
-    /// points.
+    /// A constant angle to the rays from a point: 0 is radial, a quarter turn circular, and angles between
+    /// give spirals. Strokes act near them. On the torus the rays are those of (sin x, sin y) with the side
+    /// as period: the same near the point, with three more singular points half a side away.
     Spiral,
     /// Equation (1) of Miyata, Itoh, Shimada (2000) to the letter: signed segment vectors are
     /// summed, so that the two sides of a road cancel on its middle line. For comparison.
     Printed,
 }
 
-/// What the fields are made from. Lengths and places are picture units, angles radians from +x
-/// towards +y (clockwise on screen).
+/// Parameters of the fields. Lengths and places are picture units, angles radians from +x towards +y
+/// (clockwise on screen).
 #[derive(Clone, Debug, PartialEq)]
 pub struct FieldParams {
     /// Source of the direction.
     pub direction: Direction,
-    /// The angle of [`Direction::Constant`], or that to the rays of [`Direction::Spiral`].
+    /// The angle of [`Direction::Constant`], or the angle to the rays of [`Direction::Spiral`].
     pub angle: f64,
     /// The point of [`Direction::Spiral`].
     pub centre: DVec2,
     /// Power of the distance in the weights of boundary, lines and strokes: 2 (as printed), 3 or 4.
     pub power: u32,
-    /// Weight of the boundary's ends for two-fold directions, 0..1: ends are pieces between two
-    /// corners shorter than the sides next to them, as at the end of a road.
+    /// Weight of the boundary's ends for two-fold directions, 0..1. An end is a piece between two corners
+    /// that is shorter than its neighbours, as at the end of a road.
     pub ends: f64,
-    /// Painted polylines that rows follow.
+    /// Painted polylines for rows to follow.
     pub strokes: Vec<Vec<DVec2>>,
-    /// In the constant and the spiral direction: a long stroke counts as much as these at this
-    /// distance.
+    /// For the constant and the spiral direction: the distance at which a long stroke weighs as much as the
+    /// background.
     pub reach: f64,
     /// Kind of the cells.
     pub kind: Kind,
-    /// Kinds of the parts that constraint lines cut the outline into, each with a place in its part;
-    /// later ones over earlier ones, `kind` where there is none.
+    /// Kinds of the parts made by constraint lines, each with a place in its part. Later entries override
+    /// earlier ones; other parts have `kind`.
     pub part_kinds: Vec<(DVec2, Kind)>,
     /// Aspect ratio of stretched cells (Ca), 1..5: length along the direction over width.
     pub aspect: f64,
-    /// The aspect ratio's change towards the boundary.
+    /// Change of the aspect ratio towards the boundary.
     pub aspect_grading: Grading,
-    /// Spots with an aspect ratio of their own, later ones over earlier ones.
+    /// Spots with their own aspect ratio; later ones override earlier ones.
     pub aspect_spots: Vec<Spot>,
-    /// Mean side of a cell (Cs): a stretched one has the area of a square of this side.
+    /// Mean size of a cell (Cs): its side, or the side of the square with its area.
     pub size: f64,
-    /// Relative change of the size from the picture's middle to its right and lower edge, -0.8..0.8.
-    /// On the torus the amplitudes of waves.
+    /// Relative change of the size from the picture's centre to its right and lower edge, -0.8..0.8. On the
+    /// torus, amplitudes of waves.
     pub linear: DVec2,
-    /// Relative change of the size towards the picture's rim (its middle changes the other way).
+    /// Relative change of the size towards the picture's rim (the centre changes the other way).
     pub radial: f64,
-    /// The size's change towards the boundary.
+    /// Change of the size towards the boundary.
     pub size_grading: Grading,
     /// Spots with a factor of the size; where they overlap, factors are multiplied.
     pub size_spots: Vec<Spot>,
@@ -72,7 +71,7 @@ pub struct FieldParams {
 }
 
 impl FieldParams {
-    /// The kinds by the index of the domain's part; none where all have the same.
+    /// The kinds by the index of the domain's part; empty if all are the same.
     pub(super) fn kinds(&self, domain: &Domain) -> Vec<Kind> {
         let mut kinds = vec![self.kind; domain.parts()];
         for &(place, own) in &self.part_kinds {
@@ -88,12 +87,12 @@ impl FieldParams {
         kinds
     }
 
-    /// Is the size other than a number and a gradient?
+    /// Whether the size needs more than a number and a gradient.
     pub(super) fn varies_size(&self) -> bool {
         !self.size_grading.is_flat() || !self.size_spots.is_empty()
     }
 
-    /// Is the aspect ratio other than a number?
+    /// Whether the aspect ratio needs more than a number.
     pub(super) fn varies_aspect(&self) -> bool {
         !self.aspect_grading.is_flat() || !self.aspect_spots.is_empty()
     }

@@ -2,12 +2,12 @@
 
 use glam::DVec2;
 
-/// How a value changes towards the boundary and the constraint lines.
+/// Change of a value towards the boundary and the constraint lines.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Grading {
     /// Factor of the value on the boundary.
     pub factor: f64,
-    /// Distance, in picture units, from which on the value is its own again.
+    /// Distance, in picture units, beyond which the value is unchanged.
     pub reach: f64,
 }
 
@@ -23,26 +23,26 @@ impl Grading {
     }
 }
 
-/// A soft spot: its value in the middle, falling off smoothly to nothing at the radius.
+/// A soft spot: full strength at the centre, falling smoothly to zero at the radius.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spot {
     /// The middle, picture units.
     pub centre: DVec2,
-    /// Where it ends, picture units.
+    /// Where the influence ends, picture units.
     pub radius: f64,
     /// A factor of the size, or an aspect ratio.
     pub value: f64,
 }
 
 impl Spot {
-    /// Its share at a point that lies `from` its middle: 1 there, 0 from the radius on.
+    /// Weight at an offset `from` the centre: 1 there, 0 from the radius on.
     pub(super) fn share(&self, from: DVec2) -> f64 {
         let rest = 1.0 - from.length_squared() / (self.radius * self.radius);
         if rest > 0.0 { rest * rest } else { 0.0 }
     }
 }
 
-/// A factor that changes from the picture's middle to its edges.
+/// A factor that changes from the picture's centre to its edges.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Gradient {
     linear: DVec2,
@@ -51,7 +51,7 @@ pub(super) struct Gradient {
 }
 
 impl Gradient {
-    /// In a picture of a side; nothing where the factor is one everywhere.
+    /// For a picture with this side; `None` if the factor is 1 everywhere.
     pub fn new(linear: DVec2, radial: f64, side: f64) -> Option<Self> {
         let gradient = Self {
             linear,
@@ -67,14 +67,14 @@ impl Gradient {
         self.mixed(off, 2.0 * off.length().min(1.0) - 1.0)
     }
 
-    /// Waves that repeat with the picture, alike up and down and as steep in the middle.
+    /// Waves that repeat with the picture: symmetric, and as steep at the centre as the gradient.
     pub fn waves_at(&self, p: DVec2) -> f64 {
         let turn = std::f64::consts::PI * self.off_middle(p);
         let across = DVec2::new(libm::sin(turn.x), libm::sin(turn.y));
         self.mixed(across, -0.5 * (libm::cos(turn.x) + libm::cos(turn.y)))
     }
 
-    /// -1 to 1 along each axis.
+    /// The offset from the centre, -1 to 1 along each axis.
     fn off_middle(&self, p: DVec2) -> DVec2 {
         2.0 * p / self.side - DVec2::ONE
     }

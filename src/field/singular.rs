@@ -1,28 +1,28 @@
-//! Points around which the direction turns.
+//! Singular points of the direction field.
 
 use super::{Fields, Layer};
 use crate::domain::Domain;
 use glam::DVec2;
 
-/// A point where the direction cannot be told, as on all sides of it cells stand otherwise.
+/// A point where the direction is undefined: cells around it turn by different angles.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Singularity {
-    /// The point, to about a step of the background grid.
+    /// The point, accurate to about a step of the background grid.
     pub point: DVec2,
-    /// Turns of the direction on the way once round the point, a multiple of 1/N: 1 in the middle
-    /// of a disc, 1/4 where three rows of squares meet, -1/4 where five do.
+    /// Turns of the direction along a small circle round the point, a multiple of 1/N: 1 in the middle of a
+    /// disc, 1/4 where three rows of squares meet, -1/4 where five do.
     pub index: f64,
 }
 
-/// Squares of the grid nearer to each other than so many steps are one singular point, of whose
-/// turn each sees only what is left between four nodes.
+/// Grid squares within this many steps are one singular point: each of them sees only a part of the turn,
+/// between its four nodes.
 const TOGETHER: f64 = 2.9;
-/// Two representation vectors farther apart (cosine) lie on both sides of a tear.
+/// Two representation vectors with a smaller cosine lie on opposite sides of a tear.
 const TORN: f64 = -0.985;
 
 impl Fields {
-    /// The singular points of the direction inside the outline, from the top downwards. Tears, the
-    /// lines where two-fold directions along two walls cancel, are none.
+    /// The singular points of the direction inside the outline, from top to bottom. Tears, the lines where
+    /// two-fold directions along two walls cancel, do not count.
     pub fn singularities(&self, domain: &Domain) -> Vec<Singularity> {
         let mut found = Vec::new();
         for layer in &self.layers {
@@ -38,7 +38,7 @@ impl Fields {
         found
     }
 
-    /// The squares of the grid around which a layer turns, with the turns of the representation.
+    /// The grid squares around which a layer turns, with the turns of the representation.
     fn turning(&self, layer: &Layer, domain: &Domain) -> Vec<(DVec2, i32)> {
         let grid = &self.grid;
         let mut squares = Vec::new();
@@ -65,7 +65,7 @@ impl Fields {
         }
     }
 
-    /// The squares that hang together with the first one.
+    /// The squares connected to the first one.
     fn group(
         &self,
         first: usize,
@@ -90,7 +90,7 @@ impl Fields {
         group
     }
 
-    /// A group of squares as one point, unless their turns cancel.
+    /// Merges a group of squares to one point, unless their turns cancel.
     fn gathered(
         &self,
         group: &[(DVec2, i32)],
@@ -107,8 +107,8 @@ impl Fields {
     }
 }
 
-/// How many times vectors in a circle turn clockwise on screen, each by the shorter way to the
-/// next; 0 where one is missing or a tear passes through.
+/// The winding number, clockwise on screen, of four vectors in a circle, taking the shorter way from each to
+/// the next; 0 if one is missing or a tear passes through.
 fn winding(around: &[DVec2; 4]) -> i32 {
     let (mut turns, mut torn) = (0, 0);
     for k in 0..4 {
@@ -120,7 +120,7 @@ fn winding(around: &[DVec2; 4]) -> i32 {
         if a.dot(b) < TORN * lengths {
             torn += 1;
         }
-        // The half line from 0 to +x is crossed downwards or upwards.
+        // Counts crossings of the half line from 0 to +x, downwards and upwards.
         let cross = a.perp_dot(b);
         if a.y < 0.0 && b.y >= 0.0 && cross > 0.0 {
             turns += 1;

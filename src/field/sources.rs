@@ -1,32 +1,32 @@
-//! The contributions of segments to the direction at a point.
+//! Contributions of segments to the direction at a point.
 //!
-//! Miyata, Itoh, Shimada (2000), eq. (1) adds s_i / d_i^2 over the boundary's segments. Two things
-//! are read differently: the sum is of representation vectors, and a segment's weight is the
-//! integral of 1 / distance^p along it, so that cutting a side into pieces changes nothing.
+//! Miyata, Itoh, Shimada (2000), eq. (1) adds s_i / d_i^2 over the boundary's segments. Two things differ
+//! here: the sum is of representation vectors, and a segment's weight is the integral of 1 / distance^p along
+//! it, so that cutting a side into pieces changes nothing.
 //!
-//! The segments stand in a tree, with the moments of each branch, so that far ones are summed together.
+//! The segments stand in a tree with moments of each branch, so that far ones are summed together.
 
 use super::symmetry::representation;
 use crate::planar::closest_on_segment;
 use glam::DVec2;
 
-/// Distances below this many picture units count as this many: the field is not asked closer.
+/// Smaller distances count as this one (picture units), so that the field stays finite.
 const NEAREST: f64 = 0.5;
 
-/// From this many segment lengths away two Gauss points give the integral to 1e-5.
+/// From this many segment lengths on, two Gauss points give the integral to 1e-5.
 const FAR: f64 = 2.0;
 
-/// Segments farther than this many times the nearest one's distance are left out at power 3 and 4:
-/// all of them together count for less than a hundredth.
+/// At power 3 and 4, segments farther than this many times the nearest distance are left out: together they
+/// weigh less than a hundredth.
 const NEGLIGIBLE: f64 = 8.0;
 
-/// From this many of its radii away a branch counts as one source, with the moments of its parts.
+/// From this many of its radii on, a branch counts as one source with moments.
 const OPENING: f64 = 3.0;
 
-/// Most sources of a branch that is not divided further.
+/// Most sources of a branch without children.
 const LEAF: usize = 3;
 
-/// A segment with what every point needs of it.
+/// A segment with its precomputed values.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Source {
     start: DVec2,
@@ -39,7 +39,7 @@ pub(super) struct Source {
 }
 
 impl Source {
-    /// `None` for a segment without length.
+    /// `None` for a segment of zero length.
     pub fn new([a, b]: [DVec2; 2], strength: f64, symmetry: u32) -> Option<Self> {
         let length = a.distance(b);
         let along = (b - a) / length;
@@ -53,7 +53,7 @@ impl Source {
         })
     }
 
-    /// Adds its part of the direction at a point.
+    /// Adds its contribution to the direction at a point.
     pub fn contribute(&self, p: DVec2, power: u32, sum: &mut Sum) {
         sum.add(self.strength * self.weight(p, power), self.representation);
     }
@@ -85,7 +85,7 @@ impl Source {
     }
 }
 
-/// The weight of an endless straight line at a distance.
+/// The weight of an infinite straight line at a distance.
 pub(super) fn line_weight(distance: f64, power: u32) -> f64 {
     let h = distance.max(NEAREST);
     match power {
@@ -109,12 +109,11 @@ impl Sum {
     }
 }
 
-/// Sources in a tree of neighbours, so that what is far is taken together (Barnes, Hut 1986), up to
-/// second moments.
+/// Sources in a tree, so that far ones are summed together up to second moments (Barnes, Hut 1986).
 #[derive(Clone, Debug, Default)]
 pub(super) struct Sources {
     list: Vec<Source>,
-    /// Each branch before its two halves.
+    /// Depth-first: each branch stands before its two halves.
     branches: Vec<Branch>,
 }
 
@@ -122,18 +121,18 @@ pub(super) struct Sources {
 struct Branch {
     first: usize,
     end: usize,
-    /// The branch after this one and its halves.
+    /// Index behind this branch and its descendants.
     next: usize,
     middle: DVec2,
     radius: f64,
     weight: f64,
-    /// Integrals of the representation over the segments: of 1, x, y, x², xy and y² times it, from
-    /// the middle.
+    /// Moments of the representation over the segments: its integrals times 1, x, y, x², xy and y², relative
+    /// to the centre.
     moments: [DVec2; 6],
 }
 
 impl Sources {
-    /// Sources that follow each other should be neighbours.
+    /// Consecutive sources should be neighbours in space.
     pub fn new(list: Vec<Source>) -> Self {
         let mut sources = Self {
             list,
@@ -192,7 +191,7 @@ impl Sources {
         self.branches[at].next = self.branches.len();
     }
 
-    /// Distance to the nearest source, or `most` where none is that near.
+    /// Distance to the nearest source, or `most` if none is that near.
     pub fn distance(&self, p: DVec2, most: f64) -> f64 {
         let mut least = most;
         let mut at = 0;
@@ -211,7 +210,7 @@ impl Sources {
         least
     }
 
-    /// Adds what the sources contribute at a point whose nearest source is `nearest` away.
+    /// Adds the contributions of all sources at a point whose nearest source is `nearest` away.
     pub fn sum(&self, p: DVec2, nearest: f64, power: u32, sum: &mut Sum) {
         let cut = if power > 2 {
             NEGLIGIBLE * nearest.max(1.0)
@@ -228,7 +227,7 @@ impl Sources {
                 at = branch.next;
             } else if square > opening * opening {
                 at = branch.next;
-                // Taylor's series of the inverse power around the branch's middle.
+                // Taylor series of the inverse power around the branch's centre.
                 let weight = inverse_power(square, power);
                 let p = f64::from(power);
                 let first = -p * weight / square;

@@ -1,11 +1,12 @@
-//! Directions that a part of a full turn leaves as they are, as representation vectors.
+//! Directions with rotational symmetry, as representation vectors.
 //!
-//! A quarter turn changes nothing of a square and half a turn nothing of a rectangle. So what is
-//! summed, stored and interpolated is (cos N t, sin N t) with N the symmetry, never an angle t.
+//! A quarter turn leaves a square unchanged, and half a turn a rectangle. So sums, storage and interpolation
+//! use (cos N t, sin N t) with N the symmetry, never the angle t.
 
 use glam::DVec2;
 
-/// The representation vector (cos N t, sin N t) of a unit vector at angle t; N is 1, 2 or 4, on surfaces 6 as well.
+/// The representation vector (cos N t, sin N t) of a unit vector at angle t; N is 1, 2 or 4, or on surfaces
+/// 6.
 pub(crate) fn representation(e: DVec2, symmetry: u32) -> DVec2 {
     match symmetry {
         #[cfg(house)]
@@ -16,8 +17,8 @@ pub(crate) fn representation(e: DVec2, symmetry: u32) -> DVec2 {
     }
 }
 
-/// The unit vector whose representation this unit vector is, of all that are alike the one with the
-/// smallest angle to +x; zero stays zero.
+/// A unit vector with this representation: among the equivalent ones the one with the smallest angle to +x.
+/// Zero stays zero.
 pub(crate) fn direction_of(r: DVec2, symmetry: u32) -> DVec2 {
     if r == DVec2::ZERO {
         return r;
@@ -35,7 +36,7 @@ fn twice(e: DVec2) -> DVec2 {
     DVec2::new(e.x * e.x - e.y * e.y, 2.0 * e.x * e.y)
 }
 
-/// By the half-angle formulas, each used where it loses no digits.
+/// Half the angle, by the half-angle formulas; each is used where it loses no digits.
 fn half(r: DVec2) -> DVec2 {
     if r.x >= 0.0 {
         let c = ((1.0 + r.x) / 2.0).sqrt();
@@ -47,8 +48,8 @@ fn half(r: DVec2) -> DVec2 {
     }
 }
 
-/// A third of an angle of at most a quarter turn: the chord's thirds as a guess, then Newton's steps on the circle,
-/// each of which leaves a part of the third power of the error.
+/// A third of an angle of at most a quarter turn. The chord's thirds are the first guess; Newton steps on the
+/// circle then converge cubically.
 #[cfg(house)]
 fn third(r: DVec2) -> DVec2 {
     let mut e = DVec2::new(2.0 + r.x, r.y).normalize();

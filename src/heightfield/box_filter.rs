@@ -1,22 +1,22 @@
 //! Means of the heights around each pixel: a box filter by running sums.
 //!
-//! Of the sums along rows only those around the row at hand are held: the heights may change behind it, row
-//! by row, while the filter goes on.
+//! It keeps sums along rows only for the rows around the current one. So heights behind it may change, row by
+//! row, while the filter goes on.
 
 use super::Planes;
 
-/// The mean height of the square around each pixel: sums of rows first, then running sums of these.
+/// The mean height of the square around each pixel: sums along rows first, then running sums of these.
 pub(super) struct BoxFilter {
     radius: usize,
     side: usize,
-    /// Sums along rows, that of row `y` at `y` modulo the rows that there is room for. Rows count on beyond the
-    /// edges.
+    /// Sums along rows, in a ring buffer: row `y` is at `y` modulo its length. Row numbers continue beyond
+    /// the edges.
     along: Vec<f32>,
-    /// On a tile the sums along its first rows, which follow its last ones.
+    /// On a tile, the sums along its first rows, which follow its last ones.
     first: Vec<f32>,
-    /// The rows that were entered, from `radius` rows above the picture on.
+    /// The number of rows entered, starting `radius` rows above the picture.
     entered: usize,
-    /// Sums of `along` over the rows around the one at hand.
+    /// Sums of `along` over the rows around the current one.
     sums: Vec<f64>,
 }
 
@@ -32,14 +32,14 @@ impl BoxFilter {
         }
     }
 
-    /// Sums some more of the rows that come before the first means; false when all of them are there.
+    /// Sums some of the rows that precede the first means; false when all are done.
     pub fn prepare(&mut self, planes: &Planes, rows: usize) -> bool {
         let around = 2 * self.radius + 1;
         let end = around.min(self.entered.saturating_add(rows));
         if self.entered >= around {
             return false;
         }
-        // One row more: that which leaves the sums.
+        // One row more: the one that leaves the sums.
         self.along.resize((around + 1) * self.side, 0.0);
         while self.entered < end {
             self.enter(planes);
@@ -47,7 +47,8 @@ impl BoxFilter {
         true
     }
 
-    /// The means of a row; rows must be asked for in turn, and their heights not change before that.
+    /// The means of a row. Rows must be requested in turn, and the heights of a row must not change before
+    /// that.
     pub fn row(&mut self, y: usize, planes: &Planes, out: &mut [f32]) {
         let reach = self.radius as i64;
         let y = y as i64;
@@ -91,7 +92,7 @@ impl BoxFilter {
         }
     }
 
-    /// Where the sums along a row are.
+    /// The position of a row's sums.
     fn slot(&self, y: i64) -> usize {
         let room = 2 * self.radius as i64 + 2;
         y.rem_euclid(room) as usize * self.side
@@ -105,7 +106,7 @@ impl BoxFilter {
     }
 }
 
-/// The pixel at a place beyond an edge: the last one there, or on a tile that at the other edge.
+/// The pixel for a position beyond an edge: the last one there, or on a tile the one at the opposite edge.
 fn place(at: i64, side: usize, tile: bool) -> usize {
     let side = side as i64;
     let at = if tile {

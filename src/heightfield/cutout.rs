@@ -1,7 +1,7 @@
-//! A pavement or a hide cut out of its plane: its stones as bodies on their ground, for [`crate::scene`].
+//! A pavement or a hide as a scene: its stones as bodies on a block of ground, for [`crate::scene`].
 //!
-//! Each stone is the closed surface that files have of it, at several degrees of detail, with the planes as its
-//! finish. The ground is a block with the picture's top, cut off at its edges like a cake.
+//! Each stone is the closed surface that exported files have, at several levels of detail, with the planes as
+//! its finish. The ground is a block with the picture's top, cut off straight at its edges.
 
 use super::relief::Relief;
 use super::sheet::GroundSheet;
@@ -12,44 +12,45 @@ use crate::scene::{Body, Instance, Place, Scene};
 use crate::solid::{Solids, Surface, joint_depth, top};
 use glam::Vec3;
 
-/// Triangles of all stones at their finest, about.
+/// About how many triangles all stones have at the finest level.
 const ALL: usize = 700_000;
-/// Triangles of a stone at its finest: at least and at most.
+/// Fewest and most triangles of a stone at the finest level.
 const EACH: [usize; 2] = [150, 1500];
-/// A level has so many times the triangles of the next one.
+/// Each level has this many times the triangles of the next one.
 const FINER: usize = 4;
-/// Fewer triangles than this are no stone any more.
+/// A stone with fewer triangles is not recognisable.
 const LEAST: usize = 28;
-/// Squares along a side of the ground, from the finest level on.
+/// Squares along a side of the ground at each level, finest first.
 const SQUARES: [usize; 3] = [192, 96, 48];
-/// Pixels of the planes that are taken over in one go.
+/// Pixels of the planes copied in one slice.
 const PIXELS: usize = 65_536;
-/// How far the block reaches below the base of the stones, of the picture's side.
+/// Depth of the block below the base of the stones, in sides of the picture.
 const THICK: f32 = 0.035;
-/// Colour of the cut, of the mean colour of the ground along its edges, at the top and at the bottom.
+/// Colour of the cut faces at the top and at the bottom, relative to the mean colour of the ground along the
+/// edges.
 const CUT: [f32; 2] = [1.0, 0.75];
-/// How far a stone holds light off others, of the size of stones.
+/// Distance at which a stone occludes others, in sizes of a stone.
 const REACH: f64 = 0.5;
 
-/// A scene in the making.
+/// A scene in progress.
 pub struct Cutout {
     params: TextureParams,
     solids: Solids,
     surfaces: Surfaces,
-    /// Triangles of a stone at its finest.
+    /// Triangles of a stone at the finest level.
     most: usize,
-    /// Whether any of a stone is in the picture.
+    /// For each stone, whether any of it is in the picture.
     is_seen: Vec<bool>,
     scene: Scene,
     cell: usize,
-    /// Of the ground, the levels that are there and the next one.
+    /// The finished levels of the ground and the current one.
     ground: Vec<Surface>,
     sheet: Option<GroundSheet>,
     relief: Option<Relief>,
 }
 
 impl Cutout {
-    /// Of planes that were made by these parameters from so many cells.
+    /// Takes the parameters that the planes were made with, and the number of cells.
     pub fn new(params: TextureParams, cells: usize, planes: &Planes) -> Self {
         let mut is_seen = vec![false; cells];
         for &id in &planes.id {
@@ -78,16 +79,16 @@ impl Cutout {
         }
     }
 
-    /// How much of it is done, 0..1.
+    /// The progress, 0..1.
     pub fn progress(&self, cells: &[Cell]) -> f64 {
         self.cell as f64 / (cells.len() + 1) as f64
     }
 
-    /// Adds the next stone, or after the last one some of the ground, and then some of the planes; true when all is
-    /// there. Cells and planes are those that it is of.
+    /// Adds the next stone; after the last one a part of the ground, then a part of the planes. True when
+    /// finished. Cells and planes must not change.
     pub fn advance(&mut self, cells: &[Cell], planes: &Planes) -> bool {
         if let Some(cell) = cells.get(self.cell) {
-            // Beyond the picture's edge a stone has no colours, and no ground.
+            // A stone beyond the picture's edge has neither colours nor ground.
             if self.is_seen[self.cell] || self.is_within(cell) {
                 self.add(cell, planes);
             }
@@ -106,7 +107,7 @@ impl Cutout {
         is_there
     }
 
-    /// The scene, once it is there.
+    /// The finished scene.
     pub fn finish(self) -> Scene {
         self.scene
     }
@@ -145,7 +146,7 @@ impl Cutout {
         }
     }
 
-    /// That of the stone's middle.
+    /// The material at the stone's centre.
     fn material(&self, cell: &Cell, planes: &Planes) -> u8 {
         let side = planes.side as f64;
         let scale = planes.pixel_scale as f64;
@@ -153,7 +154,7 @@ impl Cutout {
         planes.material[at(cell.centre.y) * planes.side + at(cell.centre.x)]
     }
 
-    /// Makes a row of the next level of the ground; with the last one it stands.
+    /// Makes a row of the current level of the ground; the last row completes it.
     fn advance_ground(&mut self, planes: &Planes, squares: usize) {
         let sheet = self.sheet.get_or_insert_with(|| GroundSheet::new(squares));
         if !sheet.advance(planes) {
@@ -177,14 +178,14 @@ impl Cutout {
         self.scene.bodies.push(body);
     }
 
-    /// In the scene, in which the picture's side is 1 and its middle the origin.
+    /// Maps a surface into scene coordinates: the picture's side is 1 and its centre the origin.
     fn upright(&self, surface: &Surface) -> Surface {
         let side = self.params.side as f32;
         surface.upright(|p| p / side - Vec3::new(0.5, 0.0, 0.5))
     }
 }
 
-/// Where the images of a body on a tile stand that reach into the picture; the first is the body itself.
+/// The positions of a body's images that reach into the picture of a tile; the first is the body itself.
 fn images(middle: Vec3, radius: f32, tile: bool) -> Vec<[f32; 2]> {
     let mut images = vec![[0.0, 0.0]];
     if !tile {
@@ -200,17 +201,17 @@ fn images(middle: Vec3, radius: f32, tile: bool) -> Vec<[f32; 2]> {
     images
 }
 
-/// Makes a block of a sheet of so many squares a side: walls down from its edges, and a bottom.
+/// Turns a sheet with `n` squares a side into a block: adds walls along its edges and a bottom.
 fn cut_off(sheet: &mut Surface, n: usize, thick: f32) {
     let row = n + 1;
-    // Clockwise on screen, seen from above, and where the wall looks to.
+    // Clockwise on screen, seen from above, with the wall's normal.
     let sides: [(Vec3, &dyn Fn(usize) -> usize); 4] = [
         (Vec3::NEG_Y, &|k| k),
         (Vec3::X, &|k| k * row + n),
         (Vec3::Y, &|k| n * row + n - k),
         (Vec3::NEG_X, &|k| (n - k) * row),
     ];
-    // Of one colour each: grains of sand would be streaks on the way down.
+    // Each wall has one colour: single grains of sand would make streaks.
     let mut mean = Vec3::ZERO;
     for (_, place) in &sides {
         let colours = (0..n).map(|k| sheet.colours[place(k)]);
@@ -256,7 +257,7 @@ mod tests {
         let mut sheet = ground(&planes, 5);
         cut_off(&mut sheet, 5, 1.0);
         assert_eq!(sheet.fault(), None);
-        // By the divergence theorem, with the picture's axes, which are left-handed.
+        // By the divergence theorem, in the picture's axes, which are left-handed.
         let six: f64 = sheet
             .triangles
             .iter()

@@ -1,6 +1,6 @@
-//! The bed of the pavement, between the stones and all around them: one periodic tile of heights and colours
-//! with swells and patches, grains, and some pebbles. Of the tile those rows are held that the picture's rows
-//! at hand lie on.
+//! The bed of the pavement, between and around the stones: a periodic tile of heights and colours with
+//! swells, patches, grains and some pebbles. Only the rows of the tile under the current rows of the picture
+//! are kept.
 
 use super::pixel_scale::PixelScale;
 use crate::material::{Ground, NoiseTile};
@@ -10,59 +10,58 @@ use std::ops::Range;
 
 /// Picture units along the tile's side, a power of two.
 const SIDE: usize = 512;
-/// Item, logarithm of the side, levels and dimension of its two noises, broad and fine.
+/// For the broad and the fine noise: random stream, logarithm of the side, levels and dimension.
 const NOISES: [(u64, u32, u32, f64); 2] = [(11, 9, 7, 1.35), (12, 8, 1, 1.9)];
-/// The side is divided in so many places, each of which may have a pebble.
+/// The side is divided into this many places, each with at most one pebble.
 const PLACES: usize = 64;
-/// Radius of pebbles, in picture units: from and to, small ones more often.
+/// Least and largest radius of pebbles, in picture units; small ones are more frequent.
 const PEBBLE: [f32; 2] = [0.7, 2.6];
-/// Height of a pebble over the ground, of its radius.
+/// Height of a pebble over the ground, relative to its radius.
 const STAND: f32 = 0.55;
 
-/// Height and colour of the ground at the pixels of some rows, the same whenever asked.
+/// Height and colour of the ground at the pixels of some rows, always the same for the same pixel.
 #[derive(Clone, Debug)]
 pub struct Bed {
     ground: Ground,
     level: f32,
     depth: f32,
     seed: u64,
-    /// The ground repeats after so many pixels.
+    /// Period of the ground in pixels, if it repeats.
     period: Option<usize>,
     pixel_scale: PixelScale,
-    /// Places of the tile for each picture unit, along a side: a power of two, not less than the
-    /// pixels.
+    /// Points of the tile for each picture unit, along a side: a power of two, not less than the pixels.
     dense: usize,
-    /// Noise, broad and fine.
+    /// The broad and the fine noise.
     tiles: [NoiseTile; 2],
-    /// What each place of [`PLACES`] has.
+    /// The pebble at each of the [`PLACES`], if any.
     pebbles: Vec<Option<Pebble>>,
-    /// The tile's rows that are held: the first, and how many.
+    /// The rows of the tile that are kept: the first, and their number.
     first: usize,
     held: usize,
-    /// Of the rows held, above the base level, in picture units.
+    /// Heights of these rows above the base level, in picture units.
     heights: Vec<f32>,
     /// Red, green and blue, 0..255.
     colours: Vec<[f32; 3]>,
 }
 
-/// A pebble; lengths in places of the tile.
+/// A pebble; lengths are in points of the tile.
 #[derive(Clone, Copy, Debug)]
 struct Pebble {
     middle: [f32; 2],
     radius: f32,
-    /// Height of the ground that it lies on, in picture units.
+    /// Height of the ground under it, in picture units.
     base: f32,
     colour: [f32; 3],
 }
 
 impl Pebble {
-    /// The places, columns or rows, that it may cover.
+    /// The columns or rows that it may cover.
     fn span(&self, axis: usize) -> Range<i32> {
         let (middle, reach) = (self.middle[axis] as i32, self.radius.ceil() as i32 + 1);
         middle - reach..middle + reach + 1
     }
 
-    /// The distance of a place from the middle, of the radius: below 1 where the pebble is.
+    /// The distance of a point from the centre, relative to the radius: below 1 inside the pebble.
     fn away(&self, [x, y]: [i32; 2]) -> f32 {
         let [dx, dy] = [
             x as f32 + 0.5 - self.middle[0],
@@ -71,15 +70,16 @@ impl Pebble {
         (dx * dx + dy * dy).sqrt() / self.radius
     }
 
-    /// Its height so far away from its middle, in picture units, which are so many places.
+    /// Its height in picture units at a relative distance from the centre; `unit` is the number of points in
+    /// a picture unit.
     fn height(&self, away: f32, unit: f32) -> f32 {
         self.base + STAND * self.radius * unit * (1.0 - away * away).sqrt()
     }
 }
 
 impl Bed {
-    /// Ground at `level`, its unevenness a part of the joints' `depth`; what is held
-    /// of it is made by [`Bed::advance`]. With a `period` it repeats after so many pixels.
+    /// Ground at `level`, with an unevenness in proportion to the joints' `depth`. Its rows are made by
+    /// [`Bed::advance`]. With a `period` it repeats after that many pixels.
     pub fn new(
         ground: Ground,
         [level, depth]: [f32; 2],
@@ -109,12 +109,12 @@ impl Bed {
         }
     }
 
-    /// Places along the tile's side.
+    /// Points along the tile's side.
     fn side(&self) -> usize {
         SIDE * self.dense
     }
 
-    /// From now on the ground under these rows of the picture is asked for, once it is made.
+    /// Selects the rows of the picture whose ground will be needed; [`Bed::advance`] makes them.
     pub fn hold(&mut self, rows: Range<usize>) {
         let [first, last] = [rows.start as i32, rows.end as i32 - 1].map(|y| self.stretched(y));
         self.first = first as usize & (self.side() - 1);
@@ -125,12 +125,12 @@ impl Bed {
         self.colours.reserve_exact(self.held * self.side());
     }
 
-    /// Lets go of the rows held: what is noise only can be asked for still.
+    /// Frees the rows kept; queries of the noise alone still work.
     pub fn drop_rows(&mut self) {
         (self.held, self.heights, self.colours) = (0, Vec::new(), Vec::new());
     }
 
-    /// Makes about `rows` rows of the tile; true when all that are to be held are made.
+    /// Makes about `rows` rows of the tile; true when all selected rows are made.
     pub fn advance(&mut self, rows: usize) -> bool {
         let made = self.heights.len() / self.side();
         let end = self.held.min(made.saturating_add(rows));
@@ -153,28 +153,28 @@ impl Bed {
         }
     }
 
-    /// The height without pebbles, where the noises are these.
+    /// The height without pebbles for these values of the noises.
     fn bare(&self, wave: f32, grain: f32) -> f32 {
         let swell = self.ground.swell * self.depth;
         self.level + swell * wave + self.ground.grain * grain
     }
 
-    /// Height above the base level, in picture units, in the rows held.
+    /// Height above the base level, in picture units, within the rows kept.
     pub fn height(&self, x: i32, y: i32) -> f32 {
         self.heights[self.index([x, y].map(|v| self.stretched(v)))]
     }
 
-    /// Red, green and blue, 0..255, in the rows held.
+    /// Red, green and blue, 0..255, within the rows kept.
     pub fn colour(&self, x: i32, y: i32) -> [f32; 3] {
         self.colours[self.index([x, y].map(|v| self.stretched(v)))]
     }
 
-    /// The noise of swells and patches at any pixel: deviation about 1.
+    /// The noise of swells and patches at any pixel, with standard deviation about 1.
     pub fn broad(&self, x: i32, y: i32) -> f32 {
         self.noise_at(0, x, y)
     }
 
-    /// The noise of grains at any pixel: deviation about 1.
+    /// The noise of grains at any pixel, with standard deviation about 1.
     pub fn grains(&self, x: i32, y: i32) -> f32 {
         self.noise_at(1, x, y)
     }
@@ -183,7 +183,7 @@ impl Bed {
         self.noise(which, [x, y].map(|v| self.stretched(v)))
     }
 
-    /// At a place of the tile.
+    /// A noise at a point of the tile.
     fn noise(&self, which: usize, place: [i32; 2]) -> f32 {
         let places = PixelScale::new(self.dense);
         let [x, y] = place.map(|v| places.noise_value(v));
@@ -195,8 +195,8 @@ impl Bed {
         self.ground.dirt.map(f32::from)
     }
 
-    /// Where in the tile, which repeats, a column or row of pixels is: tiles are stretched to a whole number in a
-    /// period.
+    /// The point of the periodic tile for a column or row of pixels. Tiles are stretched so that a period is
+    /// a whole number of them.
     fn stretched(&self, v: i32) -> i32 {
         let (pixels, dense) = (self.pixel_scale.per_unit(), self.dense as i32);
         match self.period {
@@ -211,7 +211,7 @@ impl Bed {
         }
     }
 
-    /// The column of a place of the tile, and its row from the first one held on.
+    /// The column of a point of the tile, and its row counted from the first one kept.
     fn in_held(&self, [x, y]: [i32; 2]) -> [usize; 2] {
         let last = self.side() - 1;
         [
@@ -252,11 +252,11 @@ impl Bed {
         }
     }
 
-    /// The height at the middle of a pebble to come, which may be on those before it.
+    /// The height at the centre of a new pebble, which may lie on earlier ones.
     fn base(&self, place: usize, middle: [i32; 2]) -> f32 {
         let [wave, grain] = [0, 1].map(|which| self.noise(which, middle));
         let mut base = self.bare(wave, grain);
-        // Pebbles are smaller than their places.
+        // Pebbles are smaller than their places, so the nine places around suffice.
         for k in 0..9 {
             let (column, row) = (
                 place % PLACES + PLACES + k % 3 - 1,
@@ -276,7 +276,7 @@ impl Bed {
         base
     }
 
-    /// Puts the pebbles into the rows held.
+    /// Adds the pebbles to the rows kept.
     fn put_pebbles(&mut self) {
         if self.pebbles.is_empty() {
             self.scatter_pebbles();

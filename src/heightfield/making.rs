@@ -1,14 +1,15 @@
-//! How a stone is made, to its end: after the steps of [`crate::solid::steps`] those that need the planes.
+//! The making of a stone, step by step: after the steps of [`crate::solid::steps`], those that need the
+//! planes.
 //!
-//! Stones: Miyata, Itoh, Shimada (2000), section 5.3 and fig. 12. Fractal noise lies on a grid by itself; the
-//! stone's shape seen from above masks it, and what is left is added to the stone's height. So the noise is a
-//! sheet of it around the stone, on which the mask's outline is drawn, the mask is what is left of the sheet,
-//! and the finished stone has it, with the colours of section 5.4.
+//! Stones: Miyata, Itoh, Shimada (2000), section 5.3 and fig. 12. Fractal noise exists on a grid of its own;
+//! the stone's shape seen from above masks it, and the masked noise is added to the stone's height. The steps
+//! show a sheet of noise around the stone with the mask's outline, then the masked part of the sheet, then
+//! the finished stone with it, in the colours of section 5.4.
 //!
 //! Skin: Itoh, Miyata, Shimada (2003), section 6.3 and figs. 12 and 13. Its noise is part of the solid, and
-//! scales overlap. So the mask is the part of the scale that no other one hides, at the heights of the planes.
+//! scales overlap. So the mask is the visible part of the scale, at the heights of the planes.
 //!
-//! Squares of the sheets are the planes' pixels, or some of them together where they were too many.
+//! A square of the sheet is a pixel of the planes, or several pixels where there would be too many squares.
 
 use super::{Planes, Surfaces};
 use crate::cells::Cell;
@@ -18,15 +19,15 @@ use crate::solid::{Making, PLAIN, Solids, Step, StoneKind, Surface, control_mesh
 use crate::solid::{step, steps};
 use glam::{DVec2, Vec3};
 
-/// Squares along a side of a sheet at most.
+/// Most squares along a side of a sheet.
 const MOST_SQUARES: f64 = 128.0;
-/// The side of a sheet, of the longer side of the box around the cell and its stone.
+/// The side of a sheet, relative to the longer side of the box around the cell and its stone.
 const SHEET: f64 = 1.12;
-/// How thick a sheet of noise is where it is lowest, of its side.
+/// Thickness of a sheet of noise at its lowest point, relative to its side.
 const THICK: f32 = 0.03;
 
 impl Surfaces {
-    /// All steps in the making of a cell's stone, in their order; none where the cell has no area to speak of.
+    /// All steps in the making of a cell's stone, in order; empty if the cell has no appreciable area.
     pub fn making(&self, cell: &Cell) -> Vec<Making> {
         let stone = &self.params.stone;
         let mut steps = steps(cell, stone);
@@ -39,9 +40,9 @@ impl Surfaces {
         steps
     }
 
-    /// One of these steps; None where the cell has no such step. `index` is the cell's place in the list that
-    /// the planes were painted from, `solids` keep the stencils. A mask is empty where nothing of the stone is to
-    /// be seen; the finished stone has as many triangles at most as these surfaces are made for.
+    /// One of these steps; `None` if the cell has no such step. `index` is the cell's index in the list that
+    /// the planes were painted from, and `solids` caches the stencils. A mask is empty if nothing of the
+    /// stone is visible. The finished stone has at most as many triangles as these surfaces are made for.
     pub fn step(
         &self,
         solids: &mut Solids,
@@ -79,22 +80,22 @@ impl Surfaces {
     }
 }
 
-/// A square grid of heights around a stone, along the rows and columns of the planes.
+/// A square grid of heights around a stone, aligned with the planes' rows and columns.
 struct Sheet {
     /// Squares along a side.
     side: usize,
-    /// Of each square, row after row, whether the stone is to be seen there.
+    /// For each square, row by row, whether the stone is visible there.
     own: Vec<bool>,
-    /// The grid's crossings, one more along a side than squares.
+    /// The grid's points, one more along a side than squares.
     points: Vec<Vec3>,
 }
 
 impl Sheet {
-    /// None where the cell has no area to speak of.
+    /// `None` if the cell has no appreciable area.
     fn new(surfaces: &Surfaces, cell: &Cell, index: usize, planes: &Planes) -> Option<Self> {
         let mesh = control_mesh(cell, &surfaces.params.stone)?;
         let (mut low, mut high) = (DVec2::MAX, DVec2::MIN);
-        // Loop's scheme stays in the box of the control mesh.
+        // Loop's scheme stays within the bounding box of the control mesh.
         let stone = mesh.vertices.iter().map(|v| v.truncate().as_dvec2());
         for p in stone.chain(cell.ring.iter().copied()) {
             (low, high) = (low.min(p), high.max(p));
@@ -126,7 +127,7 @@ impl Sheet {
         Some(sheet)
     }
 
-    /// Each crossing takes the mean of the heights that the squares around it have.
+    /// Each point takes the mean height of the squares around it.
     fn rise_to(&mut self, heights: &[Option<f32>]) {
         let mut sums = vec![(0.0, 0.0); self.points.len()];
         for (square, height) in heights.iter().enumerate() {
@@ -140,7 +141,7 @@ impl Sheet {
         }
     }
 
-    /// The relief alone, on a bottom so thick that there is no hole in it.
+    /// Sets heights to the relief alone, over a bottom thick enough to leave no hole.
     fn rise_by_relief(&mut self, surfaces: &Surfaces, cell: &Cell) {
         let face = surfaces.params.face(cell, Coat::default());
         let mut lowest = f32::MAX;
@@ -152,14 +153,14 @@ impl Sheet {
         self.points.iter_mut().for_each(|p| p.z += bottom - lowest);
     }
 
-    /// The corners of a square, clockwise on screen from the upper left one.
+    /// The corners of a square, clockwise on screen from the upper left.
     fn corners(&self, square: usize) -> [usize; 4] {
         let upper = square + square / self.side;
         let lower = upper + self.side + 1;
         [upper, upper + 1, lower + 1, lower]
     }
 
-    /// The sides of the squares in `part`, a mark for each, to squares that are not: clockwise on screen.
+    /// The sides between squares in `part` and others, clockwise on screen.
     fn borders(&self, part: &[bool]) -> Vec<[usize; 2]> {
         let n = self.side;
         let mut borders = Vec::new();
@@ -186,7 +187,7 @@ impl Sheet {
         self.borders(&self.own).into_iter().map(line).collect()
     }
 
-    /// The squares in `part` as a body: the sheet above, walls around it, and the base level below.
+    /// The squares in `part` as a body: the sheet on top, walls around it, and the base level below.
     fn body(&self, part: &[bool]) -> Surface {
         let mut surface = Surface::default();
         let squares = || (0..part.len()).filter(|&k| part[k]);
@@ -218,7 +219,7 @@ impl Sheet {
 }
 
 impl Surface {
-    /// Adds a flat one, clockwise on screen seen from where its normal points to.
+    /// Adds a flat square; corners run clockwise on screen, seen from the side its normal points to.
     fn add_square(&mut self, corners: [Vec3; 4], normal: Vec3) {
         let first = self.positions.len() as u32;
         self.positions.extend(corners);
@@ -228,12 +229,13 @@ impl Surface {
     }
 }
 
-/// Column and row of each place of a square of so many a side, row after row.
+/// Column and row of each cell of a square grid, row by row.
 fn places(side: usize) -> impl Iterator<Item = [usize; 2]> {
     (0..side * side).map(move |k| [k % side, k / side])
 }
 
-/// The height of the planes at a pixel, in the picture and of a tile beyond it, where the stone `id` is seen.
+/// The height of the planes at a pixel, on a tile also outside the picture, if the stone `id` is visible
+/// there.
 fn height_of(id: u32, planes: &Planes, mut pixel: [i32; 2]) -> Option<f32> {
     let side = planes.side as i32;
     if planes.tile {

@@ -1,5 +1,5 @@
-//! Solids as a height field: they are put into data planes (Miyata, Itoh, Shimada 2000, section 3.2) on the
-//! ground, the weather goes over these, and they are lit.
+//! Solids as a height field: they are scan-converted into data planes (Miyata, Itoh, Shimada 2000, section
+//! 3.2) on the ground, weathered, and lit.
 //!
 //! ```
 //! use bubblestone::cells::Cell;
@@ -26,9 +26,9 @@
 //! # let domain = Domain::from_checked(&Outline { rings, ..Outline::default() });
 //! // The planes: one stone, on a `cell` that fills `domain`, in a picture of 64 by 64 pixels.
 //! let texture = TextureParams {
-//!     side: 64,
-//!     size: cell.size,
-//!     ..TextureParams::default()
+//! side: 64,
+//! size: cell.size,
+//! ..TextureParams::default()
 //! };
 //! let mut painter = Painter::new(texture);
 //! painter.paint(&mut Solids::new(), &cell, 0);

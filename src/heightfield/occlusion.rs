@@ -1,7 +1,7 @@
-//! Ambient occlusion: how much of the sky a point sees past its surroundings.
+//! Ambient occlusion: the share of the sky that a point sees past its surroundings.
 //!
-//! For each of eight directions the horizon is the steepest rise to a few points at growing distance;
-//! the plane holds the mean of 1 - sin(elevation of the horizon), as maps do: all of it is 255.
+//! For each of eight directions the horizon is the steepest rise to a few points at growing distance. The
+//! plane holds the mean of 1 - sin(elevation of the horizon), as maps do; 255 is the whole sky.
 
 use super::Planes;
 use crate::order::greater;
@@ -17,18 +17,18 @@ const DIRECTIONS: [(i32, i32); 8] = [
     (0, -1),
     (1, -1),
 ];
-/// Distances looked at, as parts of the reach.
+/// Sampling distances, as shares of the reach.
 const STEPS: [f64; 6] = [0.0, 0.08, 0.18, 0.34, 0.6, 1.0];
-/// How far to look, in cell sizes.
+/// Search radius, in cell sizes.
 const REACH: f64 = 0.6;
 
-/// The occlusion plane in the making.
+/// The occlusion plane, in progress.
 #[derive(Clone, Debug)]
 pub struct Occlusion {
     /// Distances along an axis and along a diagonal, in pixels.
     straight: Vec<i32>,
     diagonal: Vec<i32>,
-    /// The picture is a torus.
+    /// Whether the picture is a torus.
     tile: bool,
     /// Pixels for each picture unit, along a side.
     pixel_scale: usize,
@@ -36,8 +36,8 @@ pub struct Occlusion {
 }
 
 impl Occlusion {
-    /// For cells of about `size` picture units, each of `pixel_scale` pixels along a side. With `tile` the
-    /// picture goes on beyond an edge at the opposite one.
+    /// For cells of about `size` picture units, with `pixel_scale` pixels a unit along a side. With `tile`
+    /// the picture continues at the opposite edge.
     pub fn new(size: f64, pixel_scale: usize, tile: bool) -> Self {
         let reach = (REACH * size).max(4.0) * pixel_scale as f64;
         let distances = |unit: f64| {
@@ -57,7 +57,7 @@ impl Occlusion {
         }
     }
 
-    /// The next `rows` rows; true when all are done.
+    /// Does the next `rows` rows; true when finished.
     pub fn advance(&mut self, planes: &mut Planes, rows: usize) -> bool {
         let side = planes.side;
         let end = side.min(self.row.saturating_add(rows));
@@ -81,7 +81,7 @@ impl Occlusion {
         end == side
     }
 
-    /// The steepest rises from a row in one direction: whole rows are compared at a time, shifted.
+    /// The steepest rises from a row in one direction; compares whole rows at a time, shifted.
     fn horizon(
         &self,
         bump: &[f32],
@@ -119,7 +119,7 @@ impl Occlusion {
             let (first, at) = if shift < 0 { (beyond, 0) } else { (0, beyond) };
             compare(first, at, span);
             if self.tile {
-                // The rest of the row lies at the other edge.
+                // The rest of the row continues at the opposite edge.
                 let (first, at) = if shift < 0 { (0, span) } else { (span, 0) };
                 compare(first, at, beyond);
             }

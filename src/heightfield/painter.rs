@@ -1,9 +1,9 @@
-//! Puts stone after stone into the data planes.
+//! Paints stones into the data planes, one by one.
 //!
-//! Miyata, Itoh, Shimada (2000), sections 5.3 and 5.4: heights by scan conversion, fractal noise added
-//! within the stone's mask, colour and material recorded at the same time. Where stones meet the higher
-//! surface wins, as in a depth buffer. A pixel has nine samples: its height and colour are blended by
-//! how many of them each stone and the ground have, which keeps rims smooth.
+//! Miyata, Itoh, Shimada (2000), sections 5.3 and 5.4: heights by scan conversion, fractal noise added within
+//! the stone's mask, colour and material recorded at the same time. Where stones meet the higher surface
+//! wins, as in a depth buffer. A pixel has nine samples: its height and colour are blended by the number of
+//! samples of each stone and of the ground, which keeps rims smooth.
 
 use super::ground::Bed;
 use super::pixel_scale::PixelScale;
@@ -18,7 +18,7 @@ use crate::solid::{Solid, Solids, StoneKind};
 use glam::{DVec2, Vec3};
 use std::ops::Range;
 
-/// The work of one slice, in triangles refined and scan converted or in pixels.
+/// Work of one slice, in triangles refined and scan-converted or in pixels.
 const SLICE: usize = 60_000;
 
 /// Makes the data planes, one cell at a time.
@@ -33,34 +33,34 @@ pub struct Painter {
     pixel_scale: PixelScale,
     /// Pixels along a side of the picture.
     side: usize,
-    /// The rows that stones are put into now, and their samples.
+    /// The rows being painted, and their samples.
     band: Range<usize>,
     samples: Samples,
     level: f32,
     depth: f32,
     relief: f32,
-    /// Rows of the picture with ground.
+    /// Rows of the picture whose ground is laid.
     laid: usize,
-    /// First and last row of each stone that was painted in a band before, in picture units.
+    /// First and last row of each stone that was painted in an earlier band, in picture units.
     spans: Vec<Option<[f32; 2]>>,
-    /// The stone at work.
+    /// The stone in progress.
     work: Option<Work>,
 }
 
-/// A stone of which a part is in the planes.
+/// A stone that is partly in the planes.
 struct Work {
     face: Face,
     solid: Solid,
-    /// The offsets of its images that are still to be painted, the next one last.
+    /// A stack of offsets of the images still to be painted.
     images: Vec<[i32; 2]>,
-    /// The offset of the image that is painted now, to which the solid is moved.
+    /// The offset of the current image; the solid is moved to it.
     offset: [i32; 2],
-    /// Rows of that image that are done; none while it is scan converted.
+    /// Rows of that image that are done; `None` while it is scan-converted.
     rows: Option<usize>,
 }
 
 impl Work {
-    /// Goes on with the next image; false where there is none left.
+    /// Continues with the next image; false if there is none.
     fn next_image(&mut self) -> bool {
         let Some(to) = self.images.pop() else {
             return false;
@@ -75,13 +75,13 @@ impl Work {
 }
 
 impl Painter {
-    /// Planes without ground or stones yet.
+    /// Starts with planes without ground or stones.
     pub fn new(params: TextureParams) -> Self {
         Self::banded(params, usize::MAX)
     }
 
-    /// The same, with ground and stones to be put into so many rows at a time only, from the top: the samples of
-    /// all pixels would take four times as much memory as the planes. [`Painter::next_band`] goes on.
+    /// The same, but paints only a band of rows at a time, from the top: samples of all pixels would take
+    /// four times the memory of the planes. [`Painter::next_band`] continues.
     pub fn banded(params: TextureParams, rows: usize) -> Self {
         let side = params.side * params.pixel_scale;
         let (level, depth) = (params.level() as f32, params.depth() as f32);
@@ -124,8 +124,8 @@ impl Painter {
         }
     }
 
-    /// Makes and lays the ground of the band, about `rows` rows of it; true when all are laid.
-    /// [`Painter::paint`] lays what is missing.
+    /// Makes and lays about `rows` rows of the band's ground; true when all are laid. [`Painter::paint`] lays
+    /// the missing ones.
     pub fn lay_ground(&mut self, rows: usize) -> bool {
         let (side, band_end) = (self.side, self.band.end);
         if self.laid == self.band.start && !self.bed.advance(rows) {
@@ -143,13 +143,12 @@ impl Painter {
         end == band_end
     }
 
-    /// The coats of the cells that are to be painted, by their index. Those that are not in the list are
-    /// plain.
+    /// Sets the coats of the cells to be painted, by index. Cells beyond the list are plain.
     pub fn set_coats(&mut self, coats: &[Coat]) {
         self.coats = coats.to_vec();
     }
 
-    /// Goes on to the next rows that ground and stones are put into; false where there are none left.
+    /// Continues with the next band; false if there is none.
     pub fn next_band(&mut self) -> bool {
         if self.band.end == self.side {
             self.samples.clear(0);
@@ -165,13 +164,13 @@ impl Painter {
         true
     }
 
-    /// Puts the stone of a cell into the planes, under the id `index` + 1.
+    /// Paints the stone of a cell into the planes, with the id `index` + 1.
     pub fn paint(&mut self, solids: &mut Solids, cell: &Cell, index: usize) {
         while !self.paint_slice(solids, cell, index) {}
     }
 
-    /// The same in slices, of which most stones need one; true when it is done. The next calls must
-    /// be for the same cell until then.
+    /// The same in slices, of which most stones need one; true when finished. Until then, calls must be for
+    /// the same cell.
     pub fn paint_slice(&mut self, solids: &mut Solids, cell: &Cell, index: usize) -> bool {
         let mut left = SLICE;
         let mut work = match self.work.take() {
@@ -221,7 +220,7 @@ impl Painter {
         }
     }
 
-    /// Whether nothing of a cell's stone can be in the rows that are painted now.
+    /// Whether no part of a cell's stone can be in the current band.
     fn is_beyond(&self, cell: &Cell, index: usize) -> bool {
         let rows =
             [self.band.start, self.band.end].map(|row| row as f64 / self.params.pixel_scale as f64);
@@ -243,7 +242,7 @@ impl Painter {
             (low, high) = (low.min(p), high.max(p));
         }
         let stone = &self.params.stone;
-        // A prism's corners are displaced by its scale, its skew, its distortion.
+        // Scale, skew and distortion displace a prism's corners.
         let reach = 1.0 + stone.scale + stone.skin.skew + stone.distortion;
         let reach = reach * (high - low).max_element();
         let side = self.params.side as f64;
@@ -251,13 +250,13 @@ impl Painter {
         !self.params.tile && (is_aside || is_off(low.y - reach, high.y + reach))
     }
 
-    /// The columns and rows that are painted now.
+    /// The columns and rows of the current band.
     fn window(&self) -> [Range<usize>; 2] {
         [0..self.side, self.band.clone()]
     }
 
-    /// Puts a stone and its images, which are moved by whole pixels and look alike, into the planes, for
-    /// about the work of `left` triangles; true when all are there.
+    /// Paints a stone and its images, which are shifted by whole pixels and look alike, with work for about
+    /// `left` triangles; true when finished.
     fn place(&mut self, work: &mut Work, index: usize, mut left: usize) -> bool {
         let mut raster = std::mem::take(&mut self.raster);
         let floor = self.level - 0.5 * self.depth - 2.0 * self.relief;
@@ -292,7 +291,7 @@ impl Painter {
         done
     }
 
-    /// Puts a row of the pixels of a stone's image into the planes.
+    /// Paints a row of pixels of a stone's image.
     fn place_row(&mut self, work: &Work, raster: &Raster, row: usize, id: u32) {
         let moved = work.offset.map(|v| v * self.pixel_scale.per_unit());
         for x in 0..raster.extent[0] {
@@ -303,17 +302,17 @@ impl Painter {
         }
     }
 
-    /// The planes as they are by now.
+    /// The present planes.
     pub fn planes(&self) -> &Planes {
         &self.planes
     }
 
-    /// Ids of the rows that are painted now.
+    /// Ids of the rows of the current band.
     pub fn band_ids(&self) -> &[u32] {
         &self.planes.id
     }
 
-    /// The planes with all stones in them, for the weather.
+    /// The finished planes, ready for the weather.
     pub fn finish(mut self) -> Painted {
         self.lay_ground(usize::MAX);
         if self.band.len() < self.side {
@@ -373,7 +372,7 @@ impl Painter {
     }
 }
 
-/// The offsets of the images of a stone on a tile that reach into the picture.
+/// The offsets of a stone's images on a tile that reach into the picture.
 fn images(vertices: &[Vec3], side: i32) -> Vec<[i32; 2]> {
     let (mut low, mut high) = ([f32::MAX; 2], [f32::MIN; 2]);
     for v in vertices {

@@ -1,4 +1,4 @@
-//! What the planes are made by, and what follows from it for all stones and for one.
+//! Parameters of the planes, and values derived from them for all stones and for one.
 
 use super::ground::Bed;
 use super::pixel_scale::PixelScale;
@@ -6,7 +6,7 @@ use crate::cells::Cell;
 use crate::material::{Coat, ColourParams, Face, ground, palette};
 use crate::solid::{StoneKind, StoneParams, joint_depth, lean, top};
 
-/// What the planes are made by; the papers' symbols in brackets.
+/// Parameters of the planes; the papers' symbols in brackets.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TextureParams {
     /// Picture units along a side of the picture.
@@ -15,9 +15,9 @@ pub struct TextureParams {
     pub pixel_scale: usize,
     /// Seed of colours, relief and ground.
     pub seed: u64,
-    /// The size cells were asked to have on average, in picture units (Cs).
+    /// The mean size of cells, in picture units (Cs).
     pub size: f64,
-    /// The stones.
+    /// Parameters of the stones.
     pub stone: StoneParams,
     /// Fractal dimension of profiles of the relief, 1..2 (Fd).
     pub dimension: f64,
@@ -29,27 +29,27 @@ pub struct TextureParams {
     pub ground: &'static str,
     /// Variation of tone between stones: 0 none, 1 as the palette has it.
     pub vary: f64,
-    /// Colours by rule.
+    /// Colour rules.
     pub colour: ColourParams,
-    /// The planes repeat without a seam: what reaches over an edge comes in at the other.
+    /// Whether the planes repeat without a seam: a stone across an edge continues at the opposite one.
     pub tile: bool,
 }
 
-/// Deviation of the relief at the scale of a stone, of its amplitude.
+/// Standard deviation of the relief at the scale of a stone, relative to its amplitude.
 const RELIEF: f64 = 0.3;
-/// The same at most, of the joints' depth: else the ground would swallow low stones.
+/// Upper limit of it, relative to the joints' depth: otherwise the ground would cover low stones.
 const MOST_RELIEF: f64 = 0.2;
-/// The ground stays below the stones' tops by at least this part of the joint.
+/// Highest level of the ground, as a share of the joint's depth.
 const FILL: f64 = 0.9;
-/// Joints deeper than this part of the size of cells do not make the ground more uneven: tall stones do not
+/// Joints deeper than this share of the cells' size do not make the ground more uneven, so tall stones do not
 /// stand on hills.
 const MOST_SWELL: f64 = 0.33;
-/// Stones lie as unevenly as they may where joints are so deep, of their size, and less where they are
-/// not.
+/// Depth of joints, relative to the size, from which stones are laid with full unevenness; with shallower
+/// joints they lie more even.
 const UNEVEN: f64 = 0.2;
 
 impl TextureParams {
-    /// Deviation of the relief that is added to stones, in picture units; skin brings its noise along.
+    /// Standard deviation of the relief added to stones, in picture units; skin has its own noise.
     pub(crate) fn relief(&self) -> f32 {
         match self.stone.kind {
             StoneKind::Skin => 0.0,
@@ -60,7 +60,7 @@ impl TextureParams {
         }
     }
 
-    /// How deep the ground lies below the stones' tops, in picture units.
+    /// Depth of the ground below the stones' tops, in picture units.
     pub(crate) fn depth(&self) -> f64 {
         joint_depth(&self.stone, self.size) * FILL
     }
@@ -70,7 +70,7 @@ impl TextureParams {
         top(&self.stone, self.size) - self.depth()
     }
 
-    /// The ground between and around the stones, still to be made.
+    /// The ground between and around the stones, not yet made.
     pub(crate) fn bed(&self) -> Bed {
         let most = match self.stone.kind {
             StoneKind::Skin => f64::INFINITY,
@@ -85,7 +85,7 @@ impl TextureParams {
         )
     }
 
-    /// How unevenly a stone of a cell of that size is laid, 0..1: low stones lie even.
+    /// Unevenness of a stone for a cell of that size, 0..1: low stones lie even.
     fn unevenness(&self, size: f64) -> f64 {
         let laid_deep = match self.stone.kind {
             StoneKind::Skin => 1.0,
@@ -94,7 +94,7 @@ impl TextureParams {
         (self.stone.distortion / 0.3).min(1.0) * laid_deep
     }
 
-    /// The face of a cell's stone.
+    /// The surface texture of a cell's stone.
     pub(crate) fn face(&self, cell: &Cell, coat: Coat) -> Face {
         Face::new(
             palette(self.palette),

@@ -1,9 +1,9 @@
-//! Pixels and picture units: a picture may have more than one pixel for each unit.
+//! Conversion between pixels and picture units: a picture may have several pixels for each unit.
 
-/// Levels of noise below the unit, in pictures with more than one pixel for each unit, and with more than four.
+/// Levels of noise finer than a unit: with more than one pixel for each unit, and with more than four.
 const DOUBLINGS: [u32; 2] = [2, 3];
 
-/// How many pixels a picture unit has.
+/// The number of pixels in a picture unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct PixelScale {
     /// Pixels for each picture unit, along a side.
@@ -25,13 +25,13 @@ impl PixelScale {
         self.per_unit
     }
 
-    /// The middle of a pixel, in picture units from that of the first pixel in pictures with a pixel for each.
+    /// The centre of a pixel in picture units, relative to the centre of the first pixel at one pixel a unit.
     #[inline(always)]
     pub fn centre(self, pixel: i32) -> f32 {
         (pixel as f32 + 0.5) * self.unit - 0.5
     }
 
-    /// Noise has `2^doublings` values for each picture unit, along a side.
+    /// The noise has `2^doublings` values for each picture unit, along a side.
     pub fn noise_doublings(self) -> u32 {
         match self.per_unit {
             1 => 0,
@@ -40,7 +40,7 @@ impl PixelScale {
         }
     }
 
-    /// The value of such a noise that lies nearest to a pixel's middle.
+    /// The index of the noise value nearest to a pixel's centre.
     #[inline(always)]
     pub fn noise_value(self, pixel: i32) -> i32 {
         if self.per_unit == 1 {

@@ -14,19 +14,19 @@ pub struct Planes {
     pub bump: Vec<f32>,
     /// Red, green, blue, 8 bits each, as shown (sRGB).
     pub colour: Vec<[u8; 3]>,
-    /// Index into the table of materials: the optics plane of the paper.
+    /// Index into the table of materials: the paper's optics plane.
     pub material: Vec<u8>,
-    /// 0 for the ground, cell index + 1 for a stone. In pictures that are painted in bands, of the band's rows
-    /// only.
+    /// 0 for the ground, cell index + 1 for a stone. In pictures painted in bands, only the current band's
+    /// rows.
     pub id: Vec<u32>,
-    /// Ambient occlusion as maps have it: 255 where all of the sky is seen. In pictures that are painted in bands
-    /// none before it is worked out.
+    /// Ambient occlusion, 255 where the whole sky is seen. In pictures painted in bands, empty until it is
+    /// computed.
     pub occlusion: Vec<u8>,
     /// Height of the ground without its swells, in picture units above the base level.
     pub ground: f32,
     /// Pixels for each picture unit, along a side.
     pub pixel_scale: usize,
-    /// They repeat: what lies beyond an edge of the picture is beyond the other.
+    /// Whether they repeat: the picture continues at the opposite edge.
     pub tile: bool,
 }
 
@@ -40,7 +40,7 @@ impl Planes {
         }
     }
 
-    /// Planes to be painted in bands of so many rows: those that are not needed all at once have no pixels yet.
+    /// Planes to be painted in bands of `rows` rows. Planes that are not needed as a whole start empty.
     pub(super) fn banded(side: usize, rows: usize) -> Self {
         let n = side * side;
         Self {
@@ -56,7 +56,7 @@ impl Planes {
         }
     }
 
-    /// The lowest and the highest value of the bump plane; (0, 0) where there is none.
+    /// The lowest and the highest value of the bump plane; (0, 0) if it is empty.
     pub fn height_range(&self) -> (f32, f32) {
         let heights = self.bump.iter().filter(|h| h.is_finite());
         let range = heights.fold((f32::INFINITY, f32::NEG_INFINITY), |(lo, hi), &h| {

@@ -1,7 +1,7 @@
-//! The planes as the finish of bodies in space: where a stone is seen from above it has the colour, the material, the
-//! slopes and the occlusion that its pixels have.
+//! The planes as a bump map of bodies in space: a stone seen from above has the colour, material, slope and
+//! occlusion of its pixels.
 //!
-//! Walls, which the planes do not see, keep what the surface has at its vertices.
+//! Walls, which the planes do not see, keep the values at the surface's vertices.
 
 use super::Planes;
 use super::slopes::beside;
@@ -10,34 +10,34 @@ use crate::order::{greater, lesser};
 use crate::scene::{Detail, Surfel};
 use glam::Vec3;
 
-/// From where surfaces slope so much (y of the normal) the planes begin to count, and where they count in full.
+/// Slope of the surface (y of the normal) at which the planes begin to count, and at which they count fully.
 const SLOPES: [f32; 2] = [0.25, 0.6];
-/// Where a pixel of the screen covers so many pixels of the planes, their slopes begin to fade, and are gone: they
-/// would only sparkle.
+/// Pixels of the planes for each pixel of the screen at which their slopes begin to fade, and at which they
+/// vanish: beyond they would only sparkle.
 const FADES: [f32; 2] = [1.5, 5.0];
-/// Slopes are no steeper: rims of stones are higher than any relief.
+/// Limit of slopes: the rims of stones are higher than any relief.
 const STEEPEST: f32 = 1.6;
 
-/// The planes of a picture that bodies stand in as [`crate::scene`] has it: the side is 1.
+/// The planes of a picture, in the coordinates of [`crate::scene`]: the side is 1.
 pub struct Relief {
     side: i32,
     tile: bool,
     pixels: Vec<Pixel>,
 }
 
-/// All that the planes have at a pixel, so that it lies together in memory.
+/// All values at a pixel, together in memory.
 #[derive(Clone, Copy)]
 struct Pixel {
     id: u32,
-    /// Rise to the right and down, by pixels of its own id.
+    /// Rise to the right and downwards, between pixels of the same id.
     slope: [f32; 2],
-    /// Red, green, blue, and the part of the sky that is seen.
+    /// Red, green, blue, and the share of the sky that is seen.
     look: [u8; 4],
     material: u8,
 }
 
 impl Relief {
-    /// Of such planes, once all their pixels are added.
+    /// Starts empty for these planes.
     pub fn new(planes: &Planes) -> Self {
         Self {
             side: planes.side as i32,
@@ -46,7 +46,7 @@ impl Relief {
         }
     }
 
-    /// Adds the next pixels of these finished planes, at most so many; true after the last ones.
+    /// Copies at most `most` further pixels of the finished planes; true after the last ones.
     pub fn add(&mut self, planes: &Planes, most: usize) -> bool {
         let (from, all) = (self.pixels.len(), planes.id.len());
         let pixel = |at: usize| {
@@ -63,7 +63,7 @@ impl Relief {
         self.pixels.len() == all
     }
 
-    /// The pixel at a column and row; beyond the picture one that is of nothing.
+    /// The pixel at a column and row; outside the picture, one without an owner.
     #[inline(always)]
     fn pixel(&self, x: i32, y: i32) -> &Pixel {
         let side = self.side;
@@ -79,7 +79,7 @@ impl Relief {
     }
 }
 
-/// No body has such an id.
+/// Its id belongs to no body.
 const NOTHING: Pixel = Pixel {
     id: u32::MAX,
     slope: [0.0; 2],
@@ -98,7 +98,7 @@ impl Detail for Relief {
         let y = (surfel.position.z + 0.5) * side - 0.5;
         let (fx, fy) = (floor(x), floor(y));
         let (tx, ty) = (x - fx as f32, y - fy as f32);
-        // All four without a branch: of pixels that are not its own, nothing.
+        // All four without a branch: pixels of other bodies get zero weight.
         let own: [(f32, &Pixel); 4] = std::array::from_fn(|k| {
             let (right, down) = (k & 1, k >> 1);
             let pixel = self.pixel(fx + right as i32, fy + down as i32);
@@ -137,7 +137,7 @@ impl Detail for Relief {
     }
 }
 
-/// By differences between pixels of one id: across its rim a stone has no slope.
+/// Differences between pixels of one id: a stone has no slope across its rim.
 fn slope(planes: &Planes, at: usize) -> [f32; 2] {
     let (side, tile) = (planes.side, planes.tile);
     let unit = planes.pixel_scale as f32;

@@ -1,7 +1,7 @@
 //! The nine samples of each pixel: a depth buffer, in which the highest surface wins.
 //!
-//! As the highest surface wins, the order in which stones are painted hardly matters. Scales of nearly
-//! one height share a sample's colour, or a difference as thin as a hair would decide.
+//! So the order in which stones are painted hardly matters. Scales of nearly equal height share a sample's
+//! colour: otherwise rounding would decide.
 
 use super::scan::ACROSS;
 use crate::order::lesser;
@@ -9,24 +9,24 @@ use crate::order::lesser;
 /// Samples of a pixel.
 pub(super) const PER_PIXEL: usize = ACROSS * ACROSS;
 
-/// Two stones whose heights differ by less, in picture units, share a sample's colour, which would else hang
-/// on rounding.
+/// Two stones whose heights differ by less, in picture units, share a sample's colour: otherwise rounding
+/// would decide.
 pub(super) const BLEND: f32 = 0.5;
 
 /// The samples of all pixels of a few rows.
 pub(super) struct Samples {
-    /// Those that a stone has, bit by bit; the others are the ground's.
+    /// A bit for each sample that a stone covers; the others belong to the ground.
     taken: Vec<u16>,
-    /// The height of each taken sample.
+    /// The height of each covered sample.
     heights: Vec<[f32; PER_PIXEL]>,
-    /// How many the stone that owns the pixel has.
+    /// The number of samples of the stone that owns the pixel.
     owned: Vec<u8>,
-    /// Share of a stone in a sample for each picture unit that it stands above the ground.
+    /// A stone's share in a sample for each picture unit above the ground.
     share_per_height: f32,
 }
 
 impl Samples {
-    /// Samples that are all the ground's.
+    /// All samples belong to the ground.
     pub fn new(pixels: usize, share_per_height: f32) -> Self {
         Self {
             taken: vec![0; pixels],
@@ -36,7 +36,7 @@ impl Samples {
         }
     }
 
-    /// Gives all samples back to the ground, of not more pixels than before.
+    /// Gives all samples back to the ground; `pixels` may not grow.
     pub fn clear(&mut self, pixels: usize) {
         self.taken.clear();
         self.taken.resize(pixels, 0);
@@ -48,8 +48,8 @@ impl Samples {
         }
     }
 
-    /// Puts a stone into the samples of pixel `i`: it has these heights, `raise` more by its relief, and the
-    /// ground's is `soil`.
+    /// Adds a stone to the samples of pixel `i`. It has these heights, plus `raise` from its relief, above a
+    /// ground of height `soil`.
     pub fn cover(
         &mut self,
         i: usize,
@@ -89,8 +89,8 @@ impl Samples {
         cover
     }
 
-    /// Whether pixel `i` belongs to the stone with this coverage from now on. It belongs to the one that has
-    /// most of its samples, of equals to the first; to the ground only where no stone has half of them.
+    /// Whether pixel `i` belongs to the stone with this coverage from now on. The stone with most samples
+    /// owns it, the first of equals; the ground owns it only if no stone has half the samples.
     pub fn is_owner(&mut self, i: usize, cover: &Coverage) -> bool {
         let count = cover.new + cover.won;
         let owned = self.owned[i].saturating_sub(cover.won);
@@ -100,19 +100,19 @@ impl Samples {
     }
 }
 
-/// What a stone gets of the samples of a pixel.
+/// A stone's coverage of the samples of a pixel.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Coverage {
-    /// Samples that were the ground's, the sum of the heights there, and its share in their colour.
+    /// Samples taken from the ground, the sum of the heights there, and their share in the colour.
     pub new: u8,
     pub new_heights: f32,
     pub new_share: f32,
-    /// Samples at which it is higher than stones before it, and by how much together.
+    /// Samples where it is higher than earlier stones, and the sum of the differences.
     won: u8,
     pub gained: f32,
-    /// Its share in the colour of samples that other stones have, too.
+    /// Its share in the colour of samples that other stones cover, too.
     pub shared: f32,
-    /// The sum of its heights where it is seen, weighted by its shares, and the sum of these.
+    /// The sum of its visible heights, weighted by its shares, and the sum of the weights.
     pub heights: f32,
     pub weight: f32,
 }

@@ -1,4 +1,4 @@
-//! Scan conversion of a stone: the height of its surface at nine points a pixel.
+//! Scan conversion of a stone: the height of its surface at nine points of each pixel.
 
 use crate::order::{greater, lesser};
 use crate::solid::Solid;
@@ -11,7 +11,7 @@ pub const ACROSS: usize = 3;
 /// No surface at a sample.
 pub const NOTHING: f32 = f32::NEG_INFINITY;
 
-/// Samples of a row that are looked at together; each row of the box has as many to spare.
+/// Samples of a row processed together; each row of the box has this many spare.
 const LANES: usize = 4;
 
 /// Tolerance of barycentric weights: closes the seams that rounding leaves between neighbouring triangles.
@@ -24,7 +24,7 @@ pub struct Raster {
     pub origin: [i32; 2],
     /// Columns and rows of pixels of the box.
     pub extent: [usize; 2],
-    /// Rows of pixels of the stone's own box above it: a stone is rounded alike whatever part of it is looked at.
+    /// Rows of pixels of the stone's full box above this one: rounding must not depend on the visible part.
     above: i32,
     /// Pixels for each picture unit, along a side.
     pixel_scale: f32,
@@ -33,12 +33,12 @@ pub struct Raster {
     heights: Vec<f32>,
     /// The stone's vertices, x and y in samples of the box.
     placed: Vec<Vec3>,
-    /// Triangles looked at so far.
+    /// The number of triangles done.
     drawn: usize,
 }
 
 impl Raster {
-    /// Begins the scan conversion of a stone within these columns and rows of a picture with `pixel_scale`
+    /// Starts the scan conversion of a stone within these columns and rows of a picture with `pixel_scale`
     /// pixels for each unit, along a side.
     pub fn begin(&mut self, solid: &Solid, window: [Range<usize>; 2], pixel_scale: f32) {
         self.drawn = 0;
@@ -57,8 +57,7 @@ impl Raster {
         self.placed = placed;
     }
 
-    /// Scan converts what of at most `most` more triangles of the stone stands above `floor`; true
-    /// when all are done.
+    /// Scan-converts the parts above `floor` of at most `most` further triangles; true when finished.
     pub fn advance(&mut self, solid: &Solid, floor: f32, most: usize) -> bool {
         if self.placed.is_empty() {
             return true;
@@ -76,7 +75,7 @@ impl Raster {
         end == solid.triangles.len()
     }
 
-    /// The heights of a pixel of the box, row after row; `None` where there is no surface.
+    /// The heights of a pixel of the box, row by row; `None` if there is no surface.
     pub fn pixel(&self, x: usize, y: usize) -> Option<[f32; ACROSS * ACROSS]> {
         let mut heights = [NOTHING; ACROSS * ACROSS];
         let mut highest = NOTHING;
@@ -109,7 +108,7 @@ impl Raster {
         self.extent = [columns, rows];
     }
 
-    /// Sample (0, 0) of the stone's own box lies at (0, 0).
+    /// Sample (0, 0) of the stone's full box lies at (0, 0).
     fn in_samples(&self, v: Vec3) -> Vec3 {
         let scale = ACROSS as f32;
         let top = self.origin[1] - self.above;
@@ -120,11 +119,11 @@ impl Raster {
         )
     }
 
-    /// Triangles are about a pixel large, so every sample of a triangle's box is tested.
+    /// Triangles are about the size of a pixel, so every sample of a triangle's box is tested.
     fn triangle(&mut self, [a, b, c]: [Vec3; 3]) {
         let (ab, ac) = (b - a, c - a);
         let area = ab.x * ac.y - ab.y * ac.x;
-        // Walls seen edge on, and what leans over, cover nothing from above.
+        // Vertical and overhanging faces cover nothing from above.
         if area <= 1e-9 {
             return;
         }
@@ -160,8 +159,7 @@ impl Raster {
     }
 }
 
-/// The first and last of the whole numbers from 0 and below `end` between the least and the greatest
-/// of three.
+/// The first and last integer from 0 to below `end` between the least and the greatest of three numbers.
 #[inline(always)]
 fn whole_between([a, b, c]: [f32; 3], end: i32) -> Option<(i32, i32)> {
     let first = from(lesser(lesser(a, b), c));
@@ -170,7 +168,7 @@ fn whole_between([a, b, c]: [f32; 3], end: i32) -> Option<(i32, i32)> {
     (greatest >= 0.0 && first <= last).then_some((first, last))
 }
 
-/// The first whole number from 0 not below `v`; `f32::ceil` is a call where the target has no rounding
+/// The first integer from 0 not below `v`; `f32::ceil` is a call where the target has no rounding
 /// instruction.
 fn from(v: f32) -> i32 {
     let whole = greater(v, 0.0) as i32;

@@ -1,5 +1,5 @@
-//! Heights at the crossings of a square grid over the picture, coarser or finer than its pixels, and the
-//! ground between and under the stones as a sheet over such a grid.
+//! Heights at the points of a square grid over the picture, coarser or finer than its pixels, and the ground
+//! between and under the stones as a sheet on such a grid.
 
 use super::{GROUND, Planes};
 use crate::order::{greater, lesser};
@@ -7,12 +7,12 @@ use crate::solid::{Surface, normals};
 use glam::Vec3;
 use std::ops::Range;
 
-/// The ground is looked for so far around a crossing, in pixels: right beside a stone its pixels show some of
-/// the stone, too.
+/// Search radius for the ground around a grid point, in pixels: pixels beside a stone show some of the stone,
+/// too.
 const AROUND: f32 = 1.5;
 
-/// The columns, or rows, around that numbered `k` of a grid of `n` squares a side, `reach` pixels to either side.
-/// Those of a tile go on beyond its edges.
+/// The columns, or rows, within `reach` pixels of grid line `k` of `n` squares a side. On a tile they
+/// continue beyond its edges.
 fn around(planes: &Planes, n: usize, k: usize, reach: f32) -> Range<i32> {
     let side = planes.side as i32;
     let middle = match planes.tile && k == n {
@@ -29,8 +29,8 @@ fn around(planes: &Planes, n: usize, k: usize, reach: f32) -> Range<i32> {
     }
 }
 
-/// The mean height around each crossing of a row of a grid of `n` squares a side, in picture units above the
-/// base level; `n` + 1 numbers, the first and the last of a tile alike.
+/// The mean heights around the points of a grid row, in picture units above the base level. The grid has `n`
+/// squares a side, so a row has `n` + 1 points; the first and the last of a tile are equal.
 pub fn means(planes: &Planes, n: usize, row: usize) -> Vec<f32> {
     let side = planes.side as i32;
     let half = greater(0.5 * side as f32 / n as f32, 0.5);
@@ -48,25 +48,25 @@ pub fn means(planes: &Planes, n: usize, row: usize) -> Vec<f32> {
     (0..=n).map(mean).collect()
 }
 
-/// The ground as a sheet of `n` by `n` squares over the whole picture. Under stones it is flat, where their
-/// base is deeper, and has the colour beside them.
+/// The ground as a sheet of `n` by `n` squares over the whole picture. Under stones it is flat, below their
+/// base, and has the colour of the ground beside them.
 pub fn ground(planes: &Planes, n: usize) -> Surface {
     let mut sheet = GroundSheet::new(n);
     while !sheet.advance(planes) {}
     sheet.finish(planes)
 }
 
-/// The sheet of [`ground`] in the making, row by row.
+/// The sheet of [`ground`], in progress, row by row.
 pub(super) struct GroundSheet {
     n: usize,
     row: usize,
-    /// The colour of the ground met last.
+    /// The last colour of the ground found.
     colour: [u8; 3],
     sheet: Surface,
 }
 
 impl GroundSheet {
-    /// Of so many squares along a side.
+    /// For a grid of `n` squares along a side.
     pub fn new(n: usize) -> Self {
         Self {
             n,
@@ -76,7 +76,7 @@ impl GroundSheet {
         }
     }
 
-    /// Makes the next row of crossings; true after the last one.
+    /// Makes the next row of points; true after the last one.
     pub fn advance(&mut self, planes: &Planes) -> bool {
         let (n, j, sheet) = (self.n, self.row, &mut self.sheet);
         let half = greater(0.5 * planes.side as f32 / n as f32, AROUND);
@@ -100,12 +100,12 @@ impl GroundSheet {
         self.row > n
     }
 
-    /// The sheet, once all rows are made.
+    /// The finished sheet.
     pub fn finish(self, planes: &Planes) -> Surface {
         let (n, mut sheet) = (self.n, self.sheet);
         sheet.normals = normals(&sheet.positions, &sheet.triangles);
         if planes.tile {
-            // Both ends of all columns, and then of all rows.
+            // Both ends of all columns, then of all rows.
             for (apart, step) in [(n * (n + 1), 1), (n, n + 1)] {
                 for a in (0..=n).map(|k| k * step) {
                     let mean = (sheet.normals[a] + sheet.normals[a + apart]).normalize_or(Vec3::Z);
@@ -117,7 +117,7 @@ impl GroundSheet {
     }
 }
 
-/// The height of the lowest pixel of the ground there and the colour of one, if there are any. The lowest may be
+/// The height of the lowest ground pixel there and the colour of one, if there is any. The lowest may be
 /// darker than the others.
 fn bare(planes: &Planes, columns: Range<i32>, rows: Range<i32>) -> Option<(f32, [u8; 3])> {
     let side = planes.side as i32;
@@ -138,7 +138,7 @@ fn bare(planes: &Planes, columns: Range<i32>, rows: Range<i32>) -> Option<(f32, 
 mod tests {
     use super::*;
 
-    /// Ground of the height 1 with a stone of the height 9 in its middle.
+    /// Ground of height 1 with a stone of height 9 at the centre.
     fn planes(tile: bool) -> Planes {
         let mut planes = Planes::new(16);
         planes.tile = tile;

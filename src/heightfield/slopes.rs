@@ -2,7 +2,7 @@
 
 use super::Planes;
 
-/// The pixels before and after one of `n`; at the ends itself, or on a tile that at the other end.
+/// The pixels before and after one of `n`; at an end the pixel itself, or on a tile the one at the other end.
 pub(crate) fn beside(k: usize, n: usize, tile: bool) -> [usize; 2] {
     if tile {
         [(k + n - 1) % n, (k + 1) % n]
@@ -11,8 +11,8 @@ pub(crate) fn beside(k: usize, n: usize, tile: bool) -> [usize; 2] {
     }
 }
 
-/// Rise of the surface to the right and downwards along a row of the bump plane; the two lists are as
-/// long as the row.
+/// Rise of the surface to the right and downwards along a row of the bump plane; both lists are as long as
+/// the row.
 pub(crate) fn row_slopes(planes: &Planes, y: usize, to: &mut [Vec<f32>; 2]) {
     let side = planes.side;
     let row = |y: usize| &planes.bump[y * side..][..side];
@@ -22,9 +22,8 @@ pub(crate) fn row_slopes(planes: &Planes, y: usize, to: &mut [Vec<f32>; 2]) {
 }
 
 /// Rise of the surface to the right and downwards, from the rows above, here and below, which have
-/// `pixel_scale` pixels for each picture unit.
-/// A derivative by central differences, smoothed across with the weights 1, 4, 1 (Sobel's are 1, 2, 1): without
-/// that rims would show the steps of pixels.
+/// `pixel_scale` pixels for each picture unit. Central differences, smoothed across with the weights 1, 4, 1
+/// (Sobel's are 1, 2, 1): otherwise rims would show the steps of pixels.
 fn slopes(rows: [&[f32]; 3], pixel_scale: f32, tile: bool, slopes: &mut [Vec<f32>; 2]) {
     let [up, row, down] = rows;
     let n = row.len();

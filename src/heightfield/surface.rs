@@ -1,12 +1,12 @@
 //! A cell's surface as it stands in the planes, closed to a solid.
 //!
-//! To the solid, which is open at its base, come a cap over the base, the relief that the painter adds
-//! to stones, and at each vertex the colour that the picture has there.
+//! The solid is open at its base. It gets a cap over the base, the relief that the painter adds to stones,
+//! and at each vertex the picture's colour there.
 //!
-//! The cap is a fan. The relief is taken between the pixels' middles, and the colour from the planes
-//! wherever the cell's own id is to be seen; walls and hidden parts take theirs from their neighbours
-//! along the surface. Then triangles go until no more are left than are wanted, and what stays has the
-//! places and colours that it had.
+//! The cap is a fan. The relief is interpolated between the pixels' centres, and the colour is taken from the
+//! planes where the cell's own id is visible; walls and hidden parts take it from their neighbours along the
+//! surface. Then triangles are collapsed down to the wanted number; the remaining vertices keep their places
+//! and colours.
 
 use super::{Planes, TextureParams};
 use crate::cells::Cell;
@@ -15,22 +15,22 @@ use crate::order::{greater, lesser};
 use crate::solid::{Solid, Surface, boundary_edges, normals, simplify};
 use glam::Vec3;
 
-/// From the base up to this part of a stone's height the relief grows from nothing to its full size.
+/// The relief grows from nothing at the base to its full size at this share of a stone's height.
 const FOOT: f32 = 0.125;
 
-/// Makes surfaces, and keeps what those of all cells share.
+/// Makes surfaces, and keeps the data shared by all cells.
 pub struct Surfaces {
     pub(super) params: TextureParams,
     noise: FaceNoise,
-    /// Deviation of the relief, in picture units.
+    /// Standard deviation of the relief, in picture units.
     deviation: f32,
-    /// Triangles of each surface, about.
+    /// About the number of triangles of each surface.
     most: usize,
 }
 
 impl Surfaces {
-    /// For the planes made by these parameters, and so many triangles of each surface at most, as far as it
-    /// can be simplified to so few.
+    /// For planes made with these parameters, with at most `most` triangles for each surface, as far as
+    /// simplification reaches that.
     pub fn new(params: TextureParams, most: usize) -> Self {
         Self {
             most,
@@ -40,8 +40,8 @@ impl Surfaces {
         }
     }
 
-    /// The surface of a cell's solid, empty where that is; `index` is the cell's place in the list
-    /// that the planes were painted from.
+    /// The surface of a cell's solid, empty if the solid is; `index` is the cell's index in the list that the
+    /// planes were painted from.
     pub fn close(&self, solid: &Solid, cell: &Cell, index: usize, planes: &Planes) -> Surface {
         if solid.vertices.is_empty() {
             return Surface::default();
@@ -63,13 +63,13 @@ impl Surfaces {
         surface.tidy(solid.triangles.len())
     }
 
-    /// Noise that all stones share.
+    /// The noise shared by all stones.
     #[cfg(house)]
     pub(crate) fn noise(&self) -> &FaceNoise {
         &self.noise
     }
 
-    /// Adds what the painter adds to each pixel of a stone.
+    /// Adds the painter's relief to positions on a stone.
     pub(crate) fn roughen(&self, face: &Face, positions: &mut [Vec3]) {
         let top = positions.iter().fold(0.0, |top, p| greater(top, p.z));
         let foot = greater(FOOT * top, f32::MIN_POSITIVE);
@@ -79,14 +79,14 @@ impl Surfaces {
         }
     }
 
-    /// What the painter adds at a place, interpolated between the middles of pixels.
+    /// The painter's relief at a place, interpolated between the centres of pixels.
     fn raise(&self, face: &Face, x: f32, y: f32) -> f32 {
         between(x, y, |[x, y]| {
             self.relief_at(face, [x, y]) + face.lift([x as f32, y as f32])
         })
     }
 
-    /// The relief alone at a place, interpolated in the same way.
+    /// The relief at a place without the rest, interpolated in the same way.
     pub(super) fn relief(&self, face: &Face, x: f32, y: f32) -> f32 {
         between(x, y, |pixel| self.relief_at(face, pixel))
     }
@@ -96,7 +96,7 @@ impl Surfaces {
     }
 }
 
-/// Bilinear interpolation of what pixels have.
+/// Bilinear interpolation of values at pixels.
 pub(crate) fn between(x: f32, y: f32, value: impl Fn([i32; 2]) -> f32) -> f32 {
     let (ix, iy) = (floor(x), floor(y));
     let (tx, ty) = (x - ix as f32, y - iy as f32);
@@ -111,8 +111,8 @@ pub(crate) fn between(x: f32, y: f32, value: impl Fn([i32; 2]) -> f32) -> f32 {
 }
 
 impl Surface {
-    /// Makes the normals, of which the triangles from `cap` on have no say, and drops triangles without corners
-    /// and vertices without triangles.
+    /// Makes the normals, without regard to the triangles from `cap` on, and drops degenerate triangles and
+    /// unused vertices.
     fn tidy(self, cap: usize) -> Self {
         let normals = normals(&self.positions, &self.triangles[..cap]);
         let triangles = self.triangles.clone();
@@ -120,8 +120,8 @@ impl Surface {
     }
 }
 
-/// The colours of the picture at the vertices where the stone `id` is to be seen; walls and what lies
-/// under other stones go on in the colour that is nearest along the surface.
+/// The picture's colours at the vertices where the stone `id` is visible; walls and parts under other stones
+/// take the nearest colour along the surface.
 fn colours(positions: &[Vec3], triangles: &[[u32; 3]], id: u32, planes: &Planes) -> Vec<[u8; 3]> {
     let (side, pixels) = (planes.side as i32, planes.pixel_scale.max(1) as f32);
     let mut seen: Vec<Option<[u8; 3]>> = vec![None; positions.len()];
@@ -150,7 +150,7 @@ fn colours(positions: &[Vec3], triangles: &[[u32; 3]], id: u32, planes: &Planes)
             }
         }
     }
-    // A stone of which nothing is to be seen has the colours of what covers it.
+    // A completely hidden stone has the colours of the stones over it.
     let nearest = |p: &Vec3| {
         let [x, y] = [p.x, p.y].map(|v| floor(v * pixels).clamp(0, side - 1));
         planes.colour[(y * side + x) as usize]

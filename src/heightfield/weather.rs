@@ -1,7 +1,7 @@
 //! The weather over the planes: wear, dirt, moss, wet.
 //!
-//! One pass over the finished stones, and then one for the ambient occlusion. Tops and hollows are told
-//! apart by the mean height around each pixel.
+//! One pass over the finished stones, then one for the ambient occlusion. The mean height around each pixel
+//! tells tops from hollows.
 //!
 //! Height, colour and material change together, so that light and maps follow. The rows of the table of
 //! materials are the same for all palettes: every finish, dirt and moss dry, damp and wet, then water.
@@ -16,31 +16,31 @@ use crate::order::greater;
 use glam::DVec2;
 use std::rc::Rc;
 
-/// Distances to the boundary are worked out every so many picture units, and interpolated between.
+/// Distances to the boundary are computed every this many picture units, and interpolated between.
 const STEP: usize = 8;
-/// Half the widths of the two box filters, in cell sizes: of the smooth surface that wear leaves, and of the
-/// surroundings that tell a hollow.
+/// Radii of the two box filters, in cell sizes: of the smooth surface that wear leaves, and of the
+/// surroundings that define a hollow.
 const REACH: [f64; 2] = [0.1, 0.5];
-/// How trodden a tile is, which has no boundary.
+/// Treading of a tile, which has no boundary.
 const EVERYWHERE: f32 = 0.75;
-/// How fast treading grows from the boundary to the middle of the way.
+/// Growth of treading from the boundary to the middle of the way.
 const TRODDEN: f32 = 1.15;
-/// Broad noise is taken so far off that of the ground, in picture units.
+/// Offset of the broad noise from that of the ground, in picture units.
 const BROAD_OFF: [i32; 2] = [211, 97];
 
-/// Planes with all stones in them, before the weather and the ambient occlusion.
+/// Planes with all stones, before the weather and the ambient occlusion.
 #[derive(Clone)]
 pub struct Painted {
     /// The planes.
     pub planes: Planes,
     pub(super) bed: Rc<Bed>,
-    /// The size cells were asked to have on average, in picture units.
+    /// The mean size of cells, in picture units.
     pub(super) size: f64,
     /// The joints' depth, in picture units.
     pub(super) depth: f32,
 }
 
-/// The weather over all stones, and then how much of the sky's light comes to each place.
+/// Applies the weather to all stones, then computes the ambient occlusion.
 pub struct Weathering {
     planes: Planes,
     bed: Rc<Bed>,
@@ -49,7 +49,7 @@ pub struct Weathering {
 }
 
 impl Weathering {
-    /// Weather to come over planes as they were painted.
+    /// Starts with the planes as painted.
     pub fn new(params: WeatherParams, painted: Painted) -> Self {
         let Painted {
             mut planes,
@@ -57,7 +57,7 @@ impl Weathering {
             size,
             depth,
         } = painted;
-        // Planes painted in bands have none so far: it takes the place of what painting took.
+        // Planes painted in bands have none yet; it reuses the memory that painting has freed.
         planes.occlusion.resize(planes.bump.len(), 255);
         let effects = Effects::new(params, [planes.ground, depth], bed.dirt());
         Self {
@@ -68,43 +68,43 @@ impl Weathering {
         }
     }
 
-    /// Goes on by about `rows` rows; true when all is done. The domain must stay the same.
+    /// Does about `rows` rows; true when finished. The domain must not change.
     pub fn advance(&mut self, domain: &Domain, rows: usize) -> bool {
         let planes = &mut self.planes;
         let weathered = self.weather.advance(planes, &self.bed, domain, rows);
         weathered && self.occlusion.advance(planes, rows)
     }
 
-    /// The planes as they are by now.
+    /// The present planes.
     pub fn planes(&self) -> &Planes {
         &self.planes
     }
 
-    /// The planes, to keep.
+    /// The finished planes.
     pub fn finish(self) -> Planes {
         self.planes
     }
 }
 
-/// The weather at work.
+/// The weather in progress.
 struct Weather {
     effects: Effects,
-    /// Pixels along the picture's side, and for each picture unit.
+    /// Pixels along the picture's side, and in each picture unit.
     side: usize,
     pixel_scale: usize,
     /// Depth of the joints, in picture units.
     depth: f32,
     size: f32,
     means: [BoxFilter; 2],
-    /// Distances to the boundary at every [`STEP`]-th pixel; none on a tile.
+    /// Distances to the boundary at every [`STEP`]-th pixel; empty on a tile.
     distances: Vec<f32>,
     farthest: f32,
     row: usize,
 }
 
 impl Weather {
-    /// Effects between stones of about `size` with joints so deep, in a picture of `side` pixels, `pixel_scale`
-    /// for each unit.
+    /// For stones of about `size` with joints of this `depth`, in a picture of `side` pixels with
+    /// `pixel_scale` for each unit.
     fn new(effects: Effects, [side, pixel_scale]: [usize; 2], size: f64, depth: f32) -> Self {
         let radius = |reach: f64| (reach * size) as usize * pixel_scale + pixel_scale / 2;
         Self {
@@ -120,7 +120,7 @@ impl Weather {
         }
     }
 
-    /// Goes on by about `rows` rows; true when all is done.
+    /// Does about `rows` rows; true when finished.
     fn advance(&mut self, planes: &mut Planes, bed: &Bed, domain: &Domain, rows: usize) -> bool {
         if self.effects.is_none() {
             return true;
@@ -144,12 +144,12 @@ impl Weather {
         end == side
     }
 
-    /// Sums some more of the rows that come before the first means; false when all of them are there.
+    /// Sums some of the rows that precede the first means; false when all are done.
     fn prepare(&mut self, planes: &Planes, rows: usize) -> bool {
         self.means.iter_mut().any(|mean| mean.prepare(planes, rows))
     }
 
-    /// Some more rows of distances; false when all are there.
+    /// Computes some rows of distances; false when all are done.
     fn measure(&mut self, domain: &Domain, rows: usize) -> bool {
         let across = self.side / self.step() + 2;
         let made = self.distances.len() / across;
@@ -167,12 +167,12 @@ impl Weather {
         true
     }
 
-    /// Pixels from one distance to the next.
+    /// Pixels between distances.
     fn step(&self) -> usize {
         STEP * self.pixel_scale
     }
 
-    /// The distance to the boundary, below 0 outside; 0 or more everywhere on a tile.
+    /// The distance to the boundary, negative outside; 0 or more everywhere on a tile.
     fn distance(&self, [x, y]: [usize; 2]) -> f32 {
         let step = self.step();
         let across = self.side / step + 2;

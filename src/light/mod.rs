@@ -1,6 +1,6 @@
-//! What light is, whatever it falls on: the lamp and the sky, how a material answers them (Phong 1975,
-//! Illumination for Computer Generated Pictures; Miyata, Itoh, Shimada 2000, section 3.3), and the way from
-//! linear light to values of the screen.
+//! Light, independent of the surface it falls on: the lamp and the sky, the response of a material (Phong
+//! 1975, Illumination for Computer Generated Pictures; Miyata, Itoh, Shimada 2000, section 3.3), and tone
+//! mapping from linear light to values of the screen.
 
 mod finish;
 mod tone;
@@ -14,25 +14,25 @@ use crate::order::greater;
 pub(crate) const LAMP: [f32; 3] = [1.44, 1.38, 1.28];
 /// Colour of the sky, linear.
 pub(crate) const SKY: [f32; 3] = [0.33, 0.35, 0.38];
-/// Part of the sky's light that reaches a vertical face.
+/// Share of the sky's light that reaches a vertical face.
 pub(crate) const STEEP: f32 = 0.72;
-/// Part of the lamp's light lost where the sky is hidden: little is reflected there.
+/// Share of the lamp's light lost where the sky is hidden: little is reflected there.
 pub(crate) const GAP: f32 = 0.35;
-/// The point lamp's light is 1 at its foot. Of its inverse this part grows with the square of the
-/// distance, and the rest stays.
+/// The point lamp's light is 1 at its foot. This share of its inverse grows with the square of the distance;
+/// the rest is constant.
 const FALL_OFF: f32 = 0.55;
 
 /// The lamp.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Light {
-    /// Light from far away.
+    /// A light at infinity.
     Parallel {
-        /// Where the light comes from: radians from +x towards +y, so clockwise on screen.
+        /// The direction the light comes from: radians from +x towards +y, so clockwise on screen.
         azimuth: f64,
-        /// Radians above the horizon, 0 exclusive to a right angle.
+        /// Radians above the horizon, from 0 (exclusive) to a right angle.
         elevation: f64,
     },
-    /// A lamp at a place, in fractions of the picture's side, z above the ground. There is one lamp only, so a
+    /// A lamp at a place, in fractions of the picture's side, z above the ground. It is a single lamp, so a
     /// tile does not repeat.
     Point {
         /// From the left edge, any number.
@@ -44,7 +44,7 @@ pub enum Light {
     },
 }
 
-/// How the planes are lit.
+/// Parameters of the lighting.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ShadeParams {
     /// The lamp.
@@ -63,7 +63,7 @@ pub struct ShadeParams {
     pub occlusion: f64,
 }
 
-/// The unit vector from a point to a lamp, and the lamp's strength there; its height is the third number.
+/// The unit vector from a point to a lamp, and the lamp's strength there; the third coordinate is the height.
 #[inline(always)]
 pub(crate) fn lamp_from(p: [f32; 3], lamp: [f32; 3]) -> ([f32; 3], f32) {
     let d = [lamp[0] - p[0], lamp[1] - p[1], lamp[2] - p[2]];

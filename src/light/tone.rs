@@ -2,19 +2,19 @@
 
 /// Entries of the table from linear light to screen values.
 const STEPS: usize = 8192;
-/// Linear light at the table's end; what is brighter is white.
+/// Linear light at the table's end; anything brighter is white.
 const BRIGHTEST: f32 = 2.0;
 /// Above this screen brightness (linear) highlights are compressed.
 const SHOULDER: f64 = 0.55;
 
-/// sRGB (IEC 61966-2-1) to linear light and back, the latter with a soft shoulder as film has.
+/// Conversion of sRGB (IEC 61966-2-1) to linear light and back, the latter with a soft shoulder like film.
 pub struct Tone {
     linear: [f32; 256],
     screen: Vec<u8>,
 }
 
 impl Tone {
-    /// Works out both tables.
+    /// Computes both tables.
     pub fn new() -> Self {
         let screen = (0..STEPS).map(|i| {
             let light = (i as f64 + 0.5) / STEPS as f64 * f64::from(BRIGHTEST);
@@ -31,9 +31,9 @@ impl Tone {
         self.linear[usize::from(value)]
     }
 
-    /// The screen value of linear light, 1 being white paper in full light.
+    /// The screen value of linear light; 1 is white paper in full light.
     pub fn screen(&self, light: f32) -> u8 {
-        // Through i32: the cast to unsigned takes a detour on x86.
+        // Through i32: a cast to unsigned is slower on x86.
         let i = (light * (STEPS as f32 / BRIGHTEST)) as i32;
         self.screen[i.clamp(0, STEPS as i32 - 1) as usize]
     }

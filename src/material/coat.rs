@@ -1,11 +1,11 @@
-//! Coats: colours of cells by rule, the mark's and the belly's, over the base colour of their palette.
+//! Coats: cell patterns that add the mark's and the belly's colours to a palette's base colour.
 //!
-//! Itoh, Miyata, Shimada (2003) leave colours that follow the cells to future work (section 8). A
-//! rule gives each cell a value that is spread about evenly over 0..1; the share of cells asked for
-//! that have the highest are marked, with a soft border between them and the others.
+//! Itoh, Miyata, Shimada (2003) leave colours that follow the cells to future work (section 8). A pattern
+//! gives each cell a value, spread evenly over 0..1. The cells with the highest values, up to the requested
+//! share, are marked, with a soft border.
 //!
-//! Because values are spread evenly, share and sharpness mean the same for all rules. Coats draw no
-//! number that a stone draws for anything else: without its coat it looks as before.
+//! Because values are spread evenly, share and sharpness mean the same for all patterns. Coats use their own
+//! random stream: a stone without its coat looks as before.
 
 use super::noise::NoiseTile;
 use super::reaction::Reaction;
@@ -58,33 +58,31 @@ impl Pattern {
         (Pattern::Direction, "direction"),
     ];
 
-    /// The pattern of a word, [`Pattern::Plain`] where there is none.
+    /// The pattern with this word, or [`Pattern::Plain`].
     pub fn of_word(word: &str) -> Pattern {
         let found = Self::ALL.iter().find(|(_, w)| *w == word);
         found.map_or(Pattern::Plain, |&(pattern, _)| pattern)
     }
 }
 
-/// How cells are coloured.
+/// Parameters of the cells' colours.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ColourParams {
     /// The rule by which cells are marked.
     pub pattern: Pattern,
-    /// Distance from one mark to the next, or how far marks reach from the boundary or a line, in
-    /// picture units.
+    /// Distance between marks, or the reach of marks from the boundary or a line, in picture units.
     pub scale: f64,
-    /// Direction across bands, or the one that marked cells point in: radians from +x, clockwise on
-    /// screen.
+    /// Direction across bands, or the direction of marked cells: radians from +x, clockwise on screen.
     pub angle: f64,
     /// Sharpness of the border between marked cells and others, 0..1.
     pub sharpness: f64,
     /// Share of marked cells, 0..1.
     pub share: f64,
-    /// How much of the mark's colour marked cells have, 0..1.
+    /// Share of the mark's colour in marked cells, 0..1.
     pub amount: f64,
-    /// Darkens the rim of each cell above 0, its middle below, -1..1.
+    /// Darkens the rim of each cell if positive, its centre if negative, -1..1.
     pub rim: f64,
-    /// How much of the belly's colour there is on the belly's side, 0..1.
+    /// Share of the belly's colour on the belly's side, 0..1.
     pub belly: f64,
     /// Direction towards the belly, radians from +x, clockwise on screen.
     pub belly_angle: f64,
@@ -99,17 +97,17 @@ pub struct Coat {
     pub belly: f32,
 }
 
-/// How far bands and spots are bent, in their scale.
+/// Amplitude of the bends of bands and spots, in pattern scales.
 const WAVE: f64 = 0.2;
-/// How far spots are off their place in a grid, in its spacing.
+/// Displacement of spots from their grid points, in grid spacings.
 const SCATTER: f64 = 0.32;
-/// The sharpest border of marks: over this share of the cells. The softest is over all.
+/// The sharpest border of marks is this share of the cells wide; the softest covers all.
 const SHARPEST: f64 = 0.03;
 /// Values of the noise along one of its waves, and waves along the tile.
 const WAVELENGTH: f64 = 16.0;
 const WAVES: f64 = 4.0;
 
-/// The coats of all cells in the making.
+/// The coats of all cells, in progress.
 pub struct Coats {
     colour: ColourParams,
     seed: u64,
@@ -122,9 +120,9 @@ pub struct Coats {
 }
 
 impl Coats {
-    /// Coats to be made by [`Coats::advance`].
+    /// Starts the coats; [`Coats::advance`] continues.
     ///
-    /// `side` is the picture's, in picture units.
+    /// `side` is the picture's side, in picture units.
     pub fn new(colour: ColourParams, seed: u64, side: f64) -> Self {
         Self {
             colour,
@@ -138,8 +136,7 @@ impl Coats {
         }
     }
 
-    /// Goes on by the work of about `count` cells; true when all coats can be had. Domain and cells
-    /// must stay the same.
+    /// Does the work of about `count` cells; true when finished. Domain and cells must not change.
     pub fn advance(&mut self, domain: &Domain, cells: &[Cell], count: usize) -> bool {
         match self.colour.pattern {
             Pattern::Plain => true,
@@ -193,7 +190,7 @@ impl Coats {
         false
     }
 
-    /// The value of a cell under a rule that looks at this cell alone.
+    /// The value of a cell under a pattern that depends on this cell alone.
     fn value(&self, domain: &Domain, cell: &Cell) -> f64 {
         let ColourParams { scale, angle, .. } = self.colour;
         let period = domain.space().period();
@@ -211,7 +208,7 @@ impl Coats {
             Pattern::Boundary => near(domain.nearest(p).distance.abs()),
             Pattern::Lines => domain.nearest_line(p).map_or(0.0, |n| near(n.distance)),
             Pattern::Direction => {
-                // Turns by which the cell looks alike do not count.
+                // Turns that leave the cell unchanged do not count.
                 let full = TAU / f64::from(cell.kind.symmetry());
                 let turn = libm::atan2(cell.axis.y, cell.axis.x) - angle;
                 triangle(turn / full)
@@ -220,7 +217,7 @@ impl Coats {
         }
     }
 
-    /// Full turns of a wave along an angle; on a torus of the nearest one that repeats.
+    /// The phase, in full turns, of a wave along an angle; on a torus, of the nearest wave that repeats.
     fn turns(&self, p: DVec2, angle: f64, length: f64, period: Option<f64>) -> f64 {
         let along = DVec2::new(libm::cos(angle), libm::sin(angle));
         let Some(side) = period else {
@@ -233,7 +230,7 @@ impl Coats {
         (p / side).dot(waves)
     }
 
-    /// Noise whose waves are `1 / frequency` of the pattern's scale.
+    /// Noise with wavelengths of `1 / frequency` pattern scales.
     fn noise(&self, p: DVec2, period: Option<f64>, frequency: f64) -> f64 {
         let mut tiles = frequency * self.side / (self.colour.scale * WAVES);
         if period.is_some() {
@@ -243,7 +240,7 @@ impl Coats {
         f64::from(self.noise.between(at.x as f32, at.y as f32))
     }
 
-    /// 1 in the middle of a spot, 0 where the area around is as large as a spot's share of the plane.
+    /// 1 at the centre of a spot, 0 where the circle around it has a spot's share of the plane.
     fn spot(&self, p: DVec2, period: Option<f64>) -> f64 {
         let scale = self.colour.scale;
         let count = period.map(|side| greater((side / scale).round(), 1.0));
@@ -288,7 +285,7 @@ impl Coats {
 }
 
 impl ColourParams {
-    /// The share of the mark in a cell, by the value that the rule gave it.
+    /// The share of the mark in a cell, from its value.
     pub(crate) fn weight(&self, value: f64) -> f64 {
         let c = self;
         let width = 1.0 - (1.0 - SHARPEST) * c.sharpness;
@@ -304,12 +301,12 @@ impl ColourParams {
     }
 }
 
-/// How much of the belly there is from one side (0) to the other (1).
+/// The share of the belly, from one side (0) to the other (1).
 pub(crate) fn belly_at(down: f64) -> f64 {
     smoothstep((down - 0.3) / 0.5)
 }
 
-/// 1 at whole numbers, 0 at those and a half, straight between.
+/// A triangle wave: 1 at integers, 0 at half-integers.
 pub(crate) fn triangle(turns: f64) -> f64 {
     2.0 * (turns - turns.floor() - 0.5).abs()
 }

@@ -1,16 +1,16 @@
-//! What weather does to a place of a surface: wear, dirt, moss and wet, one after the other.
+//! Effects of the weather on a point of a surface: wear, dirt, moss and wet, in this order.
 //!
-//! Heights and thicknesses are parts of the joints' depth, noises have a deviation of about 1, and all
-//! that covers is a share, 0..1. Numbers are chosen by eye.
+//! Heights and thicknesses are shares of the joints' depth, noises have a standard deviation of about 1, and
+//! every cover is a share, 0..1. The numbers are chosen by eye.
 
 use super::phong::{DIRT, FINISHES, MOSS, ROWS, WATER};
 use super::smoothstep::smoothstep_f32 as smoothstep;
 use crate::order::{greater, lesser};
 
-/// How much of each, 0..1.
+/// Strength of each effect, 0..1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WeatherParams {
-    /// Trodden tops are lowered, rounded and polished, most of all along the middle of the way.
+    /// Trodden tops are lowered, rounded and polished, mostly along the middle of the way.
     pub wear: f64,
     /// Moss, in the joints first.
     pub moss: f64,
@@ -20,10 +20,10 @@ pub struct WeatherParams {
     pub wet: f64,
 }
 
-/// How much of a hollow level ground is, in the middle between tops (0) and joints (1).
+/// Hollowness of level ground, midway between tops (0) and joints (1).
 pub(crate) const LEVEL: f32 = 0.5;
 
-/// What is known of a place.
+/// The surroundings of a point.
 pub(crate) struct Place {
     pub is_stone: bool,
     /// [`LEVEL`] on level ground, towards 1 in joints and towards 0 on tops.
@@ -32,27 +32,27 @@ pub(crate) struct Place {
     pub near: f32,
     /// How much the place is walked on, 0..1.
     pub trodden: f32,
-    /// The distance to the boundary in cell sizes, below 0 outside.
+    /// The distance to the boundary in cell sizes, negative outside.
     pub inside: f32,
-    /// Noise, broad and fine.
+    /// Broad and fine noise.
     pub broad: f32,
     pub grains: f32,
     /// Another broad noise.
     pub patches: f32,
 }
 
-/// The surface there, which the weather changes.
+/// The surface at a point, which the weather changes.
 pub(crate) struct Sample {
     pub height: f32,
     /// 0..255.
     pub colour: [f32; 3],
     /// Index into the table of materials.
     pub material: u8,
-    /// Does it take water in, as stone does not?
+    /// Whether it absorbs water, as stone does not.
     pub soaks: bool,
 }
 
-/// The weather's strengths, and the joints that it works on.
+/// The strengths of the weather, and the joints that it works on.
 pub(crate) struct Effects {
     wear: f32,
     moss: f32,
@@ -61,7 +61,7 @@ pub(crate) struct Effects {
     /// Height of the joints' ground, and their depth, in picture units.
     level: f32,
     depth: f32,
-    /// The colour of what gathers in hollows, 0..255.
+    /// The colour of the dirt in hollows, 0..255.
     silt: [f32; 3],
 }
 
@@ -74,96 +74,96 @@ mod wear {
     pub const REACHED: [f32; 2] = [3.0, 1.0];
     /// The greatest loss of height.
     pub const LOSS: f32 = 0.44;
-    /// How far below and above the cut its edge is rounded.
+    /// Height below and above the cut over which its edge is rounded.
     pub const EDGE: f32 = 0.22;
-    /// The cut is complete from the inverse of this wear on.
+    /// The cut is complete at the inverse of this wear.
     pub const SOON: f32 = 4.0;
-    /// Wear from which a place has the next finish, and the one after that.
+    /// Wear at which a place gets the next finish, and the one after that.
     pub const POLISHED: [f32; 2] = [0.3, 0.6];
-    /// How much lighter worn stone is: dust and weathered crust are gone.
+    /// Gain in lightness of worn stone, which has lost dust and crust.
     pub const LIGHTER: f32 = 0.05;
 }
 
 mod dirt {
-    /// Amplitudes of the noise in where it lies, broad and fine.
+    /// Amplitudes of the broad and fine noise in its distribution.
     pub const NOISE: [f32; 2] = [0.10, 0.04];
-    /// It lies where hollow, noise and strength sum up to more than this.
+    /// It lies where the sum of hollowness, noise and strength exceeds this.
     pub const FROM: f32 = 0.96;
     /// How fast the cover grows beyond that.
     pub const SLOPE: f32 = 1.9;
-    /// Its share in the colour: at little strength, and what full strength adds.
+    /// Its share in the colour at low strength, and the gain at full strength.
     pub const COVER: [f32; 2] = [0.35, 0.6];
-    /// Amplitudes of the noise in its colour, fine and broad.
+    /// Amplitudes of the fine and broad noise in its colour.
     pub const TONE: [f32; 2] = [0.06, 0.05];
     /// Its thickness.
     pub const SILT: f32 = 0.06;
     /// It is thick in hollows only: slope and start of the ramp.
     pub const GATHERS: [f32; 2] = [2.0, 0.6];
-    /// From this cover on the surface is dirt.
+    /// Cover from which the surface material is dirt.
     pub const SOLID: f32 = 0.45;
 }
 
 mod moss {
-    /// What makes it grow: weight of hollows, amplitudes of noise, broad and fine; and weight of treading,
-    /// which keeps it away.
+    /// Growth: weight of hollows, amplitudes of broad and fine noise, and the weight of treading, which
+    /// prevents it.
     pub const HOLLOW: f32 = 0.72;
     pub const NOISE: [f32; 2] = [0.15, 0.06];
     pub const TRODDEN: f32 = 0.14;
-    /// It grows where that is more than this, less this part of its strength.
+    /// It grows where the sum exceeds this, minus this share of its strength.
     pub const FROM: f32 = 0.86;
     pub const STRENGTH: f32 = 0.98;
     /// How fast the cover grows beyond that.
     pub const SLOPE: f32 = 7.0;
     /// Its colours, in the shade and in the light.
     pub const GREENS: [[f32; 3]; 2] = [[54.0, 66.0, 30.0], [102.0, 108.0, 53.0]];
-    /// Share of the second on level ground; it is lighter on tops, and by noise of these amplitudes, fine and
+    /// Share of the second colour on level ground. Tops are lighter; the noise has these amplitudes, fine and
     /// broad.
     pub const EVEN: f32 = 0.5;
     pub const LIGHT: f32 = 0.55;
     pub const TONE: [f32; 2] = [0.2, 0.25];
     /// Amplitude of the fine noise in its colour.
     pub const GRAIN: f32 = 0.16;
-    /// Its thickness; the part of that which is everywhere, and the amplitude of fine noise in it.
+    /// Its thickness, the constant share of it, and the amplitude of its fine noise.
     pub const PAD: f32 = 0.13;
     pub const THICKNESS: [f32; 2] = [0.75, 0.22];
-    /// From this cover on the surface is moss.
+    /// Cover from which the surface material is moss.
     pub const SOLID: f32 = 0.5;
 }
 
 mod wet {
-    /// Dampness: weight of the strength, from this on, weight of hollows, amplitude of noise.
+    /// Dampness: weight and threshold of the strength, weight of hollows, amplitude of noise.
     pub const STRENGTH: f32 = 1.5;
     pub const FROM: f32 = 0.2;
     pub const HOLLOW: f32 = 0.5;
     pub const NOISE: f32 = 0.2;
-    /// All can be soaked from the inverse of this strength on.
+    /// Everything can be soaked from the inverse of this strength on.
     pub const SOON: f32 = 4.0;
-    /// How much darker wet surfaces are: those that take water in, and others.
+    /// Darkening of wet surfaces: absorbing ones, and others.
     pub const DARKER: [f32; 2] = [0.46, 0.36];
-    /// How much more saturated wet colours are.
+    /// Gain in saturation of wet colours.
     pub const VIVID: f32 = 0.3;
-    /// Dampness from which the damp materials count, and the wet ones.
+    /// Dampness from which the damp materials, and the wet ones, are used.
     pub const FINISHES: [f32; 2] = [0.33, 0.7];
-    /// Height of the water over the ground: rise with the strength, start below the ground, and how much
-    /// lower it is beyond the boundary.
+    /// Height of the water over the ground: rise with the strength, start below the ground, and the drop
+    /// beyond the boundary.
     pub const RISE: f32 = 0.85;
     pub const BELOW: f32 = 0.5;
     pub const RUNS_OFF: f32 = 0.6;
     /// Ramp from inside to beyond the boundary: start, and slope by the distance in cell sizes.
     pub const AWAY: [f32; 2] = [0.5, 2.0];
-    /// Greatest loss of light in deep water, and the depth of half of it, in picture units.
+    /// Greatest loss of light in deep water, and the depth at which half of it is reached, in picture units.
     pub const MURK: f32 = 0.35;
     pub const HALF: f32 = 2.0;
-    /// The sky in still water: its colour, and its share.
+    /// The sky's reflection in still water: its colour, and its share.
     pub const SKY: [f32; 3] = [126.0, 138.0, 148.0];
     pub const MIRROR: f32 = 0.42;
-    /// From this depth on, in picture units, the surface is water.
+    /// Depth from which the surface material is water, in picture units.
     pub const SOLID: f32 = 0.5;
 }
 
 impl Effects {
-    /// Effects on joints of a ground at `level` and of `depth`, in picture units, from which dirt of the
-    /// colour `silt` (0..255) is carried.
+    /// Effects on joints with the ground at `level` and this `depth`, in picture units, and with dirt of the
+    /// colour `silt` (0..255).
     pub fn new(params: WeatherParams, [level, depth]: [f32; 2], silt: [f32; 3]) -> Self {
         Self {
             wear: params.wear as f32,
@@ -176,12 +176,12 @@ impl Effects {
         }
     }
 
-    /// Is there none of them?
+    /// Whether there are no effects.
     pub fn is_none(&self) -> bool {
         [self.wear, self.moss, self.dirt, self.wet] == [0.0; 4]
     }
 
-    /// Wear, dirt, moss and wet, in this order: what comes later lies on what came before.
+    /// Applies wear, dirt, moss and wet in this order: later ones cover earlier ones.
     pub fn apply(&self, place: &Place, sample: &mut Sample) {
         if self.wear > 0.0 && place.is_stone {
             self.wear(place, sample);
@@ -212,7 +212,7 @@ impl Effects {
         );
         let [slope, start] = wear::REACHED;
         sample.height += (flat - sample.height) * worn * smoothstep(slope * stand - start);
-        // Tops are cut off; a parabola joins the slope and the cut without a kink.
+        // Tops are cut off; a parabola joins the slope and the cut smoothly.
         let stand = self.stand(sample);
         let ceiling = Self::ceiling(worn);
         let over = greater(wear::EDGE - (stand - ceiling).abs(), 0.0);
@@ -225,7 +225,7 @@ impl Effects {
         sample.colour = sample.colour.map(|v| v * (1.0 + wear::LIGHTER * worn));
     }
 
-    /// No top is higher above the joints' ground, of their depth, where so much is worn.
+    /// Greatest height above the joints' ground, relative to their depth, at this wear.
     pub fn ceiling(worn: f32) -> f32 {
         1.0 + wear::EDGE - (wear::LOSS + wear::EDGE) * worn
     }

@@ -1,4 +1,5 @@
-//! The face of one stone: what its id draws from the palette, and its colour and relief at every place.
+//! The texture of one stone: attributes drawn from the palette by its id, and its colour and relief at every
+//! place.
 
 use super::coat::Coat;
 use super::noise::NoiseTile;
@@ -10,10 +11,10 @@ use crate::order::{greater, lesser};
 use crate::random::{Purpose, Random};
 use glam::DVec2;
 
-/// Noise shared by all stones of a seed; each stone reads them at a place of its own.
+/// Noise shared by all stones of a seed; each stone reads it at an offset of its own.
 #[derive(Clone, Debug)]
 pub struct FaceNoise {
-    /// The relief of the surface, of the dimension asked for.
+    /// The relief of the surface, with the requested fractal dimension.
     pub relief: NoiseTile,
     broad: NoiseTile,
     grains: NoiseTile,
@@ -40,19 +41,19 @@ impl FaceNoise {
     }
 }
 
-/// Dust covers a stone up to this part of the joint's depth.
+/// Dust covers a stone up to this share of the joint's depth.
 const DUST_HEIGHT: f32 = 0.75;
 /// The dust's greatest share in the colour, at the rim.
 const DUST: f32 = 0.55;
-/// How much darker a stone is at its rim.
+/// Darkening at the rim of a stone.
 const RIM: f32 = 0.30;
-/// Change of lightness for a deviation of the relief: hollows are darker.
+/// Change of lightness for one standard deviation of the relief: hollows are darker.
 const CAVITY: f32 = 0.05;
-/// How much darker the darkest rim or middle of a cell is.
+/// Darkening of the darkest rim or centre of a cell.
 const SHADED: f32 = 0.66;
-/// How far subdivision leaves the middle of a top from that of its base, of how far the top leans.
+/// Offset of a top's centre from that of its base after subdivision, relative to the top's lean.
 const LEAN: f32 = 0.6;
-/// Frequency of bands along a stone, of that across it.
+/// Frequency of bands along a stone, relative to that across it.
 const BAND_STRETCH: f32 = 0.16;
 
 /// The attributes of one stone.
@@ -66,10 +67,10 @@ pub struct Face {
     turn: u64,
     tilt: [f32; 2],
     step: f32,
-    /// How far the rim is darkened, below 0 the middle.
+    /// Darkening of the rim; if negative, of the centre.
     rim: f32,
     lean: [f32; 2],
-    /// See [`sides`]; empty where neither rim nor middle is darkened.
+    /// See [`sides`]; empty if neither rim nor centre is darkened.
     sides: Vec<[f32; 2]>,
     /// Index into the table of materials.
     pub material: u8,
@@ -77,8 +78,8 @@ pub struct Face {
 
 impl Face {
     /// Draws the attributes of a cell's stone. `vary` scales differences in tone, `uneven` (0..1) those in
-    /// height and tilt. `rim` darkens the rim, below 0 the middle, of a top whose middle is off that of
-    /// the base by `lean`.
+    /// height and tilt. `rim` darkens the rim or, if negative, the centre of a top that is offset from the
+    /// base by `lean`.
     pub fn new(
         palette: &Palette,
         cell: &Cell,
@@ -112,21 +113,21 @@ impl Face {
         }
     }
 
-    /// A way far off, for noise of which each stone is to have its own part.
+    /// A large offset that gives each stone its own part of a noise.
     #[cfg(house)]
     pub fn own_offset(&self) -> [f32; 3] {
         let [x, y] = self.offset;
         [x, y, 0.0]
     }
 
-    /// How much higher than level this stone lies at a place of the picture, in picture units.
+    /// Height of this stone above level at a place of the picture, in picture units.
     pub fn lift(&self, [x, y]: [f32; 2]) -> f32 {
         let (dx, dy) = (x - self.centre[0], y - self.centre[1]);
         self.step + self.tilt[0] * dx + self.tilt[1] * dy
     }
 
-    /// The fractal relief at a place, which counts in values of the noise: deviation about 1. Turned and
-    /// mirrored, never interpolated, so that its roughness stays.
+    /// The fractal relief at a place on the noise's grid, with standard deviation about 1. It is turned and
+    /// mirrored, never interpolated, so that its roughness is kept.
     pub fn relief(&self, noise: &FaceNoise, [x, y]: [i32; 2]) -> f32 {
         let (x, y) = if self.turn & 1 == 0 { (x, y) } else { (y, x) };
         let x = if self.turn & 2 == 0 { x } else { -x };
@@ -135,8 +136,8 @@ impl Face {
         noise.relief.at(x + across, y + down)
     }
 
-    /// The stone's colour at a place of the picture, 0..255, where its relief is `relief`. `height` is that
-    /// of the surface above the ground, of the joint's depth; `dust` is the ground's colour.
+    /// The stone's colour at a place of the picture, 0..255, for a given `relief`. `height` is that of the
+    /// surface above the ground, relative to the joint's depth; `dust` is the ground's colour.
     pub fn colour(
         &self,
         palette: &Palette,
@@ -170,7 +171,7 @@ impl Face {
         })
     }
 
-    /// How much darker a place of the cell is, by its distance from the middle.
+    /// Darkening at a place of the cell, by its distance from the centre.
     fn shade(&self, [dx, dy]: [f32; 2]) -> f32 {
         let (dx, dy) = (dx - self.lean[0], dy - self.lean[1]);
         let reach = |s: &[f32; 2]| s[0] * dx + s[1] * dy;
@@ -183,7 +184,7 @@ impl Face {
         }
     }
 
-    /// Share of the palette's second colour: veins are the zero lines of a noise, patches its hills.
+    /// Share of the palette's second colour: veins are the zero lines of a noise, patches its peaks.
     fn second_share(&self, palette: &Palette, noise: &FaceNoise, at: (f32, f32), rim: f32) -> f32 {
         let (u, v) = at;
         let mut share = 0.0;
@@ -201,8 +202,8 @@ impl Face {
     }
 }
 
-/// For each side of a cell the normal from its centre to it, over its squared length: the dot product
-/// with a place relative to the centre is 1 on the side.
+/// For each side of a cell the normal from its centre, over its squared length: the dot product with a place
+/// relative to the centre is 1 on the side.
 fn sides(cell: &Cell) -> Vec<[f32; 2]> {
     let next = cell.ring.iter().cycle().skip(1);
     let side = |(&a, &b): (&DVec2, &DVec2)| {
@@ -214,13 +215,13 @@ fn sides(cell: &Cell) -> Vec<[f32; 2]> {
     cell.ring.iter().zip(next).map(side).collect()
 }
 
-/// The colour of the stone of the cell `id`, without its noise: red, green, blue, 0..255 for sensible
-/// palettes. `vary` scales what differs between stones, `coat` is what the cell wears by rule.
+/// The colour of the stone of the cell `id`, without noise: red, green, blue, 0..255 for sensible palettes.
+/// `vary` scales differences between stones; `coat` is the cell's pattern.
 pub fn stone_colour(palette: &Palette, id: u32, seed: u64, vary: f32, coat: Coat) -> [f32; 3] {
     draw_colour(palette, &mut attributes(seed, id), vary, coat)
 }
 
-/// The stream that a stone's attributes are drawn from, its colour first.
+/// The random stream of a stone's attributes; its colour comes first.
 fn attributes(seed: u64, id: u32) -> Random {
     Random::new(seed, Purpose::Attribute, u64::from(id))
 }
@@ -239,12 +240,12 @@ fn draw_colour(palette: &Palette, random: &mut Random, vary: f32, coat: Coat) ->
     })
 }
 
-/// Roughly normal with deviation 1, within -2..2.
+/// Roughly normal with standard deviation 1, within -2..2.
 fn spread(random: &mut Random) -> f32 {
     ((random.signed() + random.signed() + random.signed()) as f32).clamp(-2.0, 2.0)
 }
 
-/// Strengthens large values: single dark and bright grains rather than a haze.
+/// Strengthens large values, for single dark and bright grains instead of a haze.
 fn mineral(grain: f32) -> f32 {
     let g = grain.clamp(-2.5, 2.5);
     0.35 * g + 0.3 * g * g.abs()

@@ -1,4 +1,4 @@
-//! What lies between the stones.
+//! The ground between the stones.
 
 use super::palette::Ground;
 use super::phong::{EARTH, LEATHER};

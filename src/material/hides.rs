@@ -1,4 +1,4 @@
-//! The palettes of animals, of plants like them, and of creatures of tales.
+//! The palettes of animals, of plants like them, and of fabulous creatures.
 
 use super::palette::Palette;
 use super::phong::{DULL, FINISHES, HORN, LEATHER, Material, PEARL, SATIN};
@@ -130,7 +130,7 @@ pub(super) const HIDES: &[Palette] = &[
     ),
 ];
 
-/// What hides have in common; `others` are mark, belly and flesh.
+/// Values shared by hides; `others` are mark, belly and flesh.
 const fn hide(
     name: &'static str,
     bases: &'static [[u8; 3]],

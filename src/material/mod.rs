@@ -1,5 +1,5 @@
-//! What surfaces are made of: colours, noise, Phong's attributes, coats by rule, and what the weather does
-//! to a place. It knows cells, and neither solids nor pixels.
+//! Materials of surfaces: colours, noise, Phong's attributes, coats, and the weather at a point. It knows
+//! cells, but neither solids nor pixels.
 
 mod coat;
 mod effects;

@@ -1,45 +1,46 @@
 //! Fractal noise by midpoint displacement on a periodic grid.
 //!
-//! Miyata, Itoh, Shimada (2000), section 5.3; Fournier, Fussell, Carpenter (1982), Computer Rendering
-//! of Stochastic Models. Midpoints of the grid's squares and sides are set to the mean of their
-//! neighbours and displaced at random; the amplitude goes with distance^H, so it falls by 2^-H a
-//! level, H = 2 - Fd for profiles of fractal dimension Fd.
+//! Miyata, Itoh, Shimada (2000), section 5.3; Fournier, Fussell, Carpenter (1982), Computer Rendering of
+//! Stochastic Models. Midpoints of the grid's squares and sides are set to the mean of their neighbours and
+//! displaced at random. The amplitude is proportional to distance^H, so it falls by 2^-H a level, with H = 2
+//! - Fd for profiles of fractal dimension Fd.
 //!
-//! Pictures of more pixels a unit have more levels below the unit. These are flatter, and such that the
-//! mean over a unit stays: averaged, the bigger picture is the one of one pixel a unit. The finest of these
-//! levels would take most of the memory and is worked out whenever it is asked for.
+//! Pictures with more pixels a unit have more levels below the unit. These are flatter and preserve the mean
+//! over each unit, so the bigger picture, averaged, equals the one with one pixel a unit. The finest of these
+//! levels would take most of the memory and is computed on request.
 
 use crate::random::{Purpose, Random};
 
 /// Below the unit of length the amplitude falls by this factor each half level, whatever the dimension: more
 /// pixels must not make the picture rougher and darker.
 const BELOW: f32 = 0.6;
-/// So many levels below the unit are stored.
+/// Levels below the unit that are stored.
 const STORED: u32 = 2;
-/// The same factor for the level below these: it is seen in pictures of all its points only, and would darken them.
+/// The same factor for the next level: it is visible only at the highest resolution, which it would darken.
 const LAST: f32 = 0.4;
 
-/// A periodic square of noise: mean 0, and deviation 1 at the distance of the coarse grid's points.
+/// A periodic square of noise with mean 0, and standard deviation 1 at the distance of the coarse grid's
+/// points.
 #[derive(Clone, Debug)]
 pub struct NoiseTile {
     side: usize,
     /// Values for each unit of length, along a side.
     dense: f32,
     values: Vec<f32>,
-    /// The level between the values, if there is one.
+    /// The level between the values, if any.
     midpoints: Option<Midpoints>,
 }
 
 /// Points midway between the values.
 #[derive(Clone, Debug)]
 struct Midpoints {
-    /// How far those amid four values are displaced, and those between two.
+    /// Displacement amplitudes of points amid four values, and of points between two.
     amplitudes: [f32; 2],
     salt: u32,
 }
 
 impl Midpoints {
-    /// The displacement of a point amid so many values, the same whenever asked.
+    /// The displacement of a point amid this many values, always the same for the same point.
     fn displacement(&self, x: usize, y: usize, amid: usize) -> f32 {
         // Two rounds of a hash of 32 bits (Wellons 2018, Prospecting for Hash Functions).
         let mut bits = (x as u32).wrapping_mul(0x9E37_79B1) ^ (y as u32).wrapping_mul(0x85EB_CA77);
@@ -47,21 +48,21 @@ impl Midpoints {
         for factor in [0x7FEB_352D, 0x846C_A68B_u32] {
             bits = (bits ^ bits >> 16).wrapping_mul(factor) ^ bits >> 15;
         }
-        // Of deviation 1.
+        // Uniform with standard deviation 1.
         let uniform = bits as i32 as f32 * (3.0f32.sqrt() / 2_147_483_648.0);
         self.amplitudes[usize::from(amid == 2)] * uniform
     }
 }
 
 impl NoiseTile {
-    /// A tile of `2^log_side` values a side, begun on a grid of points `2^levels` apart (at most the
-    /// side), of fractal dimension `dimension`, 1 to 2. `item` tells tiles of one seed apart.
+    /// A tile with `2^log_side` values a side, starting from grid points `2^levels` apart (at most the side),
+    /// with fractal dimension `dimension`, 1 to 2. `item` selects the random stream.
     pub fn new(seed: u64, item: u64, log_side: u32, levels: u32, dimension: f64) -> Self {
         Self::finer(seed, item, [log_side, levels], dimension, 0)
     }
 
-    /// The same with so many levels more below the finest one: every value of the other is there, and
-    /// `2^doublings` of these, at most 8, go to a unit of length.
+    /// The same with more levels below the finest one. It contains every value of the coarser tile, and
+    /// `2^doublings` values, at most 8, make a unit of length.
     pub fn finer(
         seed: u64,
         item: u64,
@@ -80,7 +81,7 @@ impl NoiseTile {
             midpoints: None,
         };
         let mut random = Random::new(seed, Purpose::Noise, item);
-        // Uniform numbers of deviation 1.
+        // Uniform numbers with standard deviation 1.
         let mut draw = move || (random.signed() * 3.0f64.sqrt()) as f32;
         let coarse = 1usize << levels;
         for y in (0..side).step_by(coarse) {
@@ -90,8 +91,8 @@ impl NoiseTile {
         }
         let hurst = (2.0 - dimension).clamp(0.0, 1.0);
         let fall = libm::exp2(-hurst / 2.0) as f32;
-        // Displacement of a point whose neighbours are 1 coarse step apart (Fournier et al.): what is
-        // missing of the variance after averaging.
+        // Displacement of a point whose neighbours are 1 coarse step apart (Fournier et al.): the variance
+        // that averaging removes.
         let mut amplitude = (1.0 - libm::exp2(2.0 * hurst - 2.0)).max(0.0).sqrt() as f32;
         let mut step = coarse;
         let unit = 1usize << doublings;
@@ -121,7 +122,7 @@ impl NoiseTile {
         self.side << u32::from(self.midpoints.is_some())
     }
 
-    /// The value at a grid point, repeated in all directions.
+    /// The value at a grid point; the tile repeats in all directions.
     pub fn at(&self, x: i32, y: i32) -> f32 {
         match &self.midpoints {
             None => self.stored(x, y),
@@ -134,7 +135,7 @@ impl NoiseTile {
         self.values[(y as usize & mask) * self.side + (x as usize & mask)]
     }
 
-    /// The value at a place that counts in halves of the stored grid.
+    /// The value at a place on the grid with half the stored spacing.
     fn midway(&self, midpoints: &Midpoints, x: i32, y: i32) -> f32 {
         let (left, up) = (x >> 1, y >> 1);
         let (right, down) = (left + (x & 1), up + (y & 1));
@@ -149,7 +150,7 @@ impl NoiseTile {
         sum / 4.0 + midpoints.displacement(x as usize & mask, y as usize & mask, amid)
     }
 
-    /// The value between grid points, bilinear; x and y in units of length.
+    /// The value between grid points, bilinear; x and y are in units of length.
     pub fn between(&self, x: f32, y: f32) -> f32 {
         let (x, y) = (x * self.dense, y * self.dense);
         let (ix, iy) = (floor(x), floor(y));
@@ -189,8 +190,8 @@ impl NoiseTile {
         }
     }
 
-    /// Strengthens values that are whole units of length apart against their neighbours, so that the
-    /// means over units, with what comes between, are what they were.
+    /// Strengthens the values at whole units of length against their neighbours, so that means over units are
+    /// unchanged by the added levels.
     fn sharpen(&mut self, unit: usize) {
         let n = self.side / unit;
         let units = |values: &[f32]| -> Vec<f32> {
@@ -212,7 +213,7 @@ impl NoiseTile {
         }
     }
 
-    /// Takes off the mean of the values that are whole units of length apart.
+    /// Subtracts the mean of the values at whole units of length.
     fn centre(&mut self, unit: usize) {
         let rows = self.values.chunks_exact(self.side).step_by(unit);
         let values = rows.flat_map(|row| row.iter().step_by(unit));
@@ -223,8 +224,8 @@ impl NoiseTile {
     }
 }
 
-/// The mean of a line through each of n x n periodic values and those before and after it over the
-/// length from one to the next; `step` is 1 along rows and n down columns.
+/// The mean over one unit of length around each of n x n periodic values, along a line of values; `step` is 1
+/// along rows and n down columns.
 fn mean_with_next(values: &[f32], n: usize, step: usize) -> Vec<f32> {
     let last = n * n - 1;
     let beside = |k: usize| {
@@ -252,7 +253,7 @@ pub(crate) fn floor(v: f32) -> i32 {
 mod tests {
     use super::*;
 
-    /// Half the mean square difference of values `lag` apart along rows and columns.
+    /// Half the mean squared difference of values `lag` apart along rows and columns.
     fn variogram(tile: &NoiseTile, lag: i32) -> f64 {
         let side = tile.side() as i32;
         let mut sum = 0.0;
@@ -267,7 +268,7 @@ mod tests {
         sum / f64::from(4 * side * side)
     }
 
-    /// From the slope 2 H of the logarithm of the variogram, least squares over doubling lags.
+    /// From the slope 2 H of the variogram on logarithmic scales, by least squares over doubling lags.
     fn measured_dimension(tile: &NoiseTile) -> f64 {
         let points: Vec<(f64, f64)> = (0..6)
             .map(|k| (f64::from(k), libm::log2(variogram(tile, 1 << k))))

@@ -1,7 +1,7 @@
-//! What stones, hides and ground look like: colours, patterns, materials.
+//! The appearance of stones, hides and ground: colours, patterns, materials.
 //!
 //! Miyata, Itoh, Shimada (2000), section 5.4: a table given in advance, from which each stone draws at
-//! random. Colours are sRGB as in a photograph taken in even light; amounts are parts of the colour's own
+//! random. Colours are sRGB as in a photograph taken in even light; amounts are relative to the colour's own
 //! lightness.
 
 use super::phong::{FINISHES, Material};
@@ -11,19 +11,20 @@ use super::phong::{FINISHES, Material};
 pub struct Palette {
     /// The word of the link.
     pub name: &'static str,
-    /// Colours drawn per stone, all equally likely: name one twice to see it twice as often.
+    /// Base colours, drawn for each stone with equal probability. A colour listed twice occurs twice as
+    /// often.
     pub bases: &'static [[u8; 3]],
     /// Colour of veins, lichen or moss.
     pub second: [u8; 3],
-    /// Colour of cells that a rule marks.
+    /// Colour of marked cells.
     pub mark: [u8; 3],
     /// Colour of the belly's side.
     pub belly: [u8; 3],
     /// Colour of the bare skin between cells.
     pub flesh: [u8; 3],
-    /// Deviation of lightness between stones.
+    /// Standard deviation of lightness between stones.
     pub tone: f32,
-    /// Deviation of warmth between stones.
+    /// Standard deviation of warmth between stones.
     pub tint: f32,
     /// Blotches within a stone.
     pub mottle: f32,
@@ -35,13 +36,13 @@ pub struct Palette {
     pub veins: f32,
     /// Patches of the second colour, 0..1: moss, lichen, rust.
     pub patches: f32,
-    /// Scale of the relief the recipe asks for: sawn stone is smoother than hewn.
+    /// Factor of the recipe's relief: sawn stone is smoother than hewn.
     pub relief: f32,
     /// From rough to smooth.
     pub finishes: [Material; FINISHES],
 }
 
-/// What lies between the stones and around the pavement.
+/// The ground between the stones and around the pavement.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ground {
     /// The word of the link.
@@ -52,14 +53,14 @@ pub struct Ground {
     pub speckle: f32,
     /// Height of single grains, in pixels.
     pub grain: f32,
-    /// Height of unevenness, part of the joints' depth.
+    /// Height of unevenness, relative to the joints' depth.
     pub swell: f32,
-    /// Share of the places for a pebble that have one.
+    /// Share of the possible places that have a pebble.
     pub pebbles: f32,
     /// Colour of pebbles.
     pub pebble: [u8; 3],
-    /// Colour of the dirt that comes from it.
+    /// Colour of dirt from this ground.
     pub dirt: [u8; 3],
-    /// How the ground gives back light.
+    /// How the ground reflects light.
     pub material: Material,
 }

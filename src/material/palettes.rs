@@ -21,13 +21,13 @@ pub const PALETTES: &[Palette] = &{
     all
 };
 
-/// The palette of that name, the default where there is none.
+/// The palette with this name, or the default one.
 pub fn palette(name: &str) -> &'static Palette {
     let found = PALETTES.iter().find(|p| p.name == name);
     found.unwrap_or(&PALETTES[0])
 }
 
-/// The ground of that name, the default where there is none. Bare skin has the colour of the palette's flesh.
+/// The ground with this name, or the default one. Bare skin has the colour of the palette's flesh.
 pub fn ground(name: &str, palette: &Palette) -> Ground {
     let found = GROUNDS.iter().find(|g| g.name == name);
     let mut ground = *found.unwrap_or(&GROUNDS[0]);
@@ -41,8 +41,8 @@ pub fn ground(name: &str, palette: &Palette) -> Ground {
 /// The word of the ground that is bare skin.
 const HIDE: &str = "hide";
 
-/// The table of all materials of a picture: the ground first, then the palette's finishes,
-/// moss and dirt; the same rows damp, and wet; and at last water.
+/// The table of all materials of a picture: the ground, the palette's finishes, moss and dirt; the same rows
+/// damp, and wet; and finally water.
 pub fn material_table(palette_name: &str, ground_name: &str, gloss: Gloss) -> Vec<Material> {
     let palette = palette(palette_name);
     let mut table = vec![ground(ground_name, palette).material];
@@ -51,7 +51,7 @@ pub fn material_table(palette_name: &str, ground_name: &str, gloss: Gloss) -> Ve
     for wet in [0.45, 1.0] {
         for row in 0..usize::from(ROWS) {
             let dry = table[row];
-            // Loose and soft things soak water up.
+            // Loose and soft materials absorb water.
             let is_face = (1..=FINISHES).contains(&row);
             let gain = if is_face { 0.34 } else { 0.11 };
             table.push(Material {

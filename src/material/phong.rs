@@ -1,19 +1,19 @@
-//! Materials: how surfaces give back light, and the rows of the table of all that may be in a picture.
+//! Materials: how surfaces reflect light, and the rows of a picture's table of materials.
 
 /// Phong's optical attributes (Miyata, Itoh, Shimada 2000, section 3.2: A, D, S, N).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Material {
-    /// Part of the light of the sky given back, 0..1 (A).
+    /// Share of the sky's light reflected, 0..1 (A).
     pub ambient: f32,
-    /// Part of the lamp's light scattered, 0..1 (D).
+    /// Share of the lamp's light scattered, 0..1 (D).
     pub diffuse: f32,
-    /// Part of the lamp's light mirrored, 0..1 (S).
+    /// Share of the lamp's light mirrored, 0..1 (S).
     pub specular: f32,
     /// Exponent of the highlight, 1..200 (N).
     pub shininess: f32,
 }
 
-/// Finishes that a stone may have; each palette has as many materials.
+/// Finishes of a stone; each palette has this many materials.
 pub const FINISHES: usize = 3;
 
 const fn phong(ambient: f32, diffuse: f32, specular: f32, shininess: f32) -> Material {
@@ -87,10 +87,10 @@ pub(super) const EARTH: Material = phong(1.0, 1.0, 0.0, 4.0);
 /// Moss absorbs some light.
 pub(super) const PADS: Material = phong(0.97, 0.98, 0.0, 4.0);
 
-/// Still water: what it mirrors of the sky is in its colour.
+/// Still water: its colour contains the sky's reflection.
 pub(super) const POOL: Material = phong(1.15, 0.55, 0.85, 150.0);
 
-/// What a palette's finishes are made to shine like.
+/// Gloss of a palette's finishes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Gloss {
     /// As the palette has it.
@@ -105,7 +105,7 @@ pub enum Gloss {
 }
 
 impl Gloss {
-    /// The gloss of a word, [`Gloss::Own`] where there is none.
+    /// The gloss with this word, or [`Gloss::Own`].
     pub fn of_word(word: &str) -> Gloss {
         match word {
             "matt" => Gloss::Matt,
@@ -132,12 +132,12 @@ impl Gloss {
     }
 }
 
-/// Rows of the table: first the ground, which no stone is made of, ...
+/// Rows of the table: first the ground, ...
 pub(crate) const GROUND_ROW: u8 = 0;
 /// ... then the finishes from rough to smooth, then these two.
 pub(super) const MOSS: u8 = FINISHES as u8 + 1;
 pub(super) const DIRT: u8 = MOSS + 1;
-/// All these rows are there three times: dry, damp, wet.
+/// All these rows occur three times: dry, damp, wet.
 pub(super) const ROWS: u8 = DIRT + 1;
 /// The last row.
 pub(super) const WATER: u8 = 3 * ROWS;

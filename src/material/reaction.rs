@@ -1,48 +1,48 @@
 //! A reaction-diffusion system on the graph of the cells.
 //!
-//! Turk (1991), Generating Textures on Arbitrary Surfaces Using Reaction-Diffusion; Witkin and Kass
-//! (1991), Reaction-Diffusion Textures. An activator u makes itself and an inhibitor v that spreads
-//! twenty times as fast (Turing 1952, with the cubic term of FitzHugh 1961 and Nagumo 1962):
+//! Turk (1991), Generating Textures on Arbitrary Surfaces Using Reaction-Diffusion; Witkin and Kass (1991),
+//! Reaction-Diffusion Textures. An activator u produces itself and an inhibitor v that spreads twenty times
+//! as fast (Turing 1952, with the cubic term of FitzHugh 1961 and Nagumo 1962):
 //!
-//!   du/dt = Du Lu + r (u - u^3 - v + k),   dv/dt = Dv Lv + r (3 u - 2 v),
+//! du/dt = Du Lu + r (u - u^3 - v + k),   dv/dt = Dv Lv + r (3 u - 2 v),
 //!
-//! L being the mean of the neighbours less the own value. Around u = v = 0 waves grow fastest at
-//! Dv L = -r sqrt(Dv / Du), so the rate r sets the pattern's scale. Where that is many cells,
-//! the pattern is made on a thinned graph first and refined from graph to graph.
+//! where L is the mean of the neighbours minus the own value. Around u = v = 0 waves grow fastest at Dv L =
+//! -r sqrt(Dv / Du), so the rate r sets the pattern's scale. If that is many cells, the pattern is computed
+//! on a thinned graph first and refined from graph to graph.
 //!
-//! Thinning begins where a wave is more than eight cells long: the cost of one graph alone would grow
-//! with the square of the scale.
+//! Thinning begins where a wave is longer than eight cells: the cost on a single graph would grow with the
+//! square of the scale.
 
 use crate::order::{greater, lesser};
 use crate::random::{Purpose, Random};
 
-/// Diffusion of the inhibitor, and that of the activator as a part of it.
+/// Diffusion of the inhibitor, and of the activator relative to it.
 const SPREAD: f64 = 0.8;
 const RATIO: f64 = 0.05;
-/// k where all cells are to be marked.
+/// The value of k that marks all cells.
 const FEED: f64 = 0.17;
-/// Growth rate of the fastest wave, of r, and by how many factors of e it grows.
+/// Growth rate of the fastest wave, relative to r, and the exponent up to which it grows.
 const GROWTH: f64 = 0.336;
 const GROWTHS: f64 = 16.0;
 /// Most steps on the thinnest graph, and steps on each finer one.
 const MOST_STEPS: f64 = 2500.0;
 const REFINING: usize = 120;
-/// The graph is thinned where a wave is longer than this, in links, and it has more nodes than that.
+/// The graph is thinned where a wave is longer than this, in edges, and it has more nodes than that.
 const COARSE: f64 = 8.0;
 const FEWEST: usize = 60;
 
-/// One of the graphs.
+/// One graph of the hierarchy.
 struct Level {
-    /// Where each node's links begin in `to`, and where the last one's end.
+    /// The start of each node's neighbours in `to`, and the end of the last one's.
     starts: Vec<u32>,
     to: Vec<u32>,
-    /// The node of the next thinner graph that stands for each.
+    /// For each node, the node of the next thinner graph that represents it.
     parents: Vec<u32>,
     /// The rate r.
     rate: f64,
 }
 
-/// The system at work.
+/// The system in progress.
 pub(crate) struct Reaction {
     levels: Vec<Level>,
     feed: f64,
@@ -50,14 +50,14 @@ pub(crate) struct Reaction {
     v: Vec<f64>,
     next: Vec<f64>,
     spread: Vec<f64>,
-    /// Steps left on the graph at work, the last of `levels`.
+    /// Steps left on the current graph, the last of `levels`.
     left: usize,
 }
 
 impl Reaction {
-    /// The system at its beginning, random by the cells' `ids`. `square` is that of the distance from one cell to
-    /// another by their places in the list, `scale` the length of a wave in the same units, `share` the part of the
-    /// ground where u is high. Distances below `unit` are of no account.
+    /// The initial system, random by the cells' `ids`. `square` gives the squared distance between two cells
+    /// by index, `scale` is the wavelength in the same units, `share` the share of the area where u is high.
+    /// Distances below `unit` count as this.
     pub fn new(
         mut ids: Vec<u32>,
         mut links: Vec<Vec<u32>>,
@@ -98,7 +98,7 @@ impl Reaction {
         }
     }
 
-    /// Goes on by the work of about `count` cells; true when the pattern stands.
+    /// Does the work of about `count` cells; true when the pattern is finished.
     pub fn advance(&mut self, count: usize) -> bool {
         let mut done = 0;
         while done < count {
@@ -109,7 +109,7 @@ impl Reaction {
                 self.refine();
             }
             self.step();
-            // A step is much less work for a cell than finding its neighbours.
+            // A step costs much less for each cell than finding its neighbours.
             done += self.u.len() / 16 + 1;
         }
         false
@@ -140,7 +140,7 @@ impl Reaction {
         self.left -= 1;
     }
 
-    /// Goes to the next finer graph: each node takes the mean of those that stand for it and for its
+    /// Goes to the next finer graph: each node takes the mean of the representatives of itself and of its
     /// neighbours.
     fn refine(&mut self) {
         self.levels.pop();
@@ -168,7 +168,7 @@ impl Level {
             to.extend(list);
             starts.push(to.len() as u32);
         }
-        // L of a wave on links of mean square 1 is a quarter of its squared wave number.
+        // L of a wave, on edges with mean square 1, is a quarter of its squared wave number.
         let turn = std::f64::consts::TAU / greater(wave, 1.0);
         let fastest = lesser(0.25 * turn * turn, 1.0);
         Self {
@@ -184,7 +184,7 @@ impl Level {
         self.to[from..to].iter().map(|&j| j as usize)
     }
 
-    /// L: the mean of the neighbours less the own value.
+    /// L: the mean of the neighbours minus the own value.
     fn laplacian(&self, values: &[f64], out: &mut Vec<f64>) {
         out.clear();
         for (k, &own) in values.iter().enumerate() {
@@ -196,7 +196,7 @@ impl Level {
     }
 }
 
-/// The mean square of the links' lengths.
+/// The mean squared length of the edges.
 fn mean_square(
     square: &impl Fn(u32, u32) -> f64,
     unit: f64,
@@ -213,8 +213,8 @@ fn mean_square(
     greater(sum / greater(count, 1.0), unit * unit)
 }
 
-/// The nodes of a thinner graph, no two of them neighbours, and which of them stands for each node:
-/// the nearest among its neighbours.
+/// The nodes of a thinner graph, no two of them neighbours, and for each node its representative: the nearest
+/// one among its neighbours.
 fn thinned(
     square: &impl Fn(u32, u32) -> f64,
     places: &[u32],
@@ -234,7 +234,7 @@ fn thinned(
         let mut nearest = f64::MAX;
         for &j in list.iter().filter(|_| own[k] == NONE) {
             let far = square(places[k], places[j as usize]);
-            // The first of two that are as near but for rounding.
+            // Up to rounding, the first of two equally near ones.
             if own[j as usize] != NONE && far < 0.99 * nearest {
                 nearest = far;
                 parents[k] = own[j as usize];
@@ -244,7 +244,7 @@ fn thinned(
     (kept, parents)
 }
 
-/// The links of a thinner graph: between those that stand for neighbours.
+/// The edges of a thinner graph: between the representatives of neighbours.
 fn joined(links: &[Vec<u32>], parents: &[u32], count: usize) -> Vec<Vec<u32>> {
     let mut joined = vec![Vec::new(); count];
     for (k, list) in links.iter().enumerate() {

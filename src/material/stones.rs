@@ -3,7 +3,7 @@
 use super::palette::Palette;
 use super::phong::{DENSE, DULL, HEWN, POLISHED};
 
-/// What most have in common.
+/// Values shared by most.
 pub(super) const PLAIN: Palette = Palette {
     name: "",
     bases: &[],

@@ -1,30 +1,30 @@
-//! Polygons divided into quadrilaterals, as cheaply as can be.
+//! Divides polygons into quadrilaterals at the least cost.
 //!
-//! Dynamic programming over the polygon's chords, as for its cheapest triangulation (Klincsek 1980,
-//! Minimal triangulations of polygonal domains): what lies between two corners is divided in the best
-//! way whatever is done beyond them.
+//! Dynamic programming over the polygon's chords, as for its cheapest triangulation (Klincsek 1980, Minimal
+//! triangulations of polygonal domains): the best division on one side of a chord does not depend on the
+//! other side.
 
 use super::Nodes;
 use super::quads::{height, score};
 
 /// The most corners of a polygon.
 pub(super) const MOST: usize = 14;
-/// What a triangle costs; a quadrilateral costs what its score lacks to 1.
+/// Cost of a triangle; a quadrilateral costs 1 minus its score.
 pub(super) const TRIANGLE: f64 = 1.5;
 /// A new triangle is higher than this share of its longest side.
 const FLAT: f64 = 0.4;
 
-/// The cheapest divisions of one polygon, of at most [`MOST`] corners.
+/// The cheapest divisions of one polygon with at most [`MOST`] corners.
 pub(super) struct Division {
-    /// For each pair of corners i < j the least cost of what lies between them.
+    /// For each pair of corners i < j, the least cost of the part between them.
     cost: [[f64; MOST]; MOST],
-    /// The two corners between them of the quadrilateral beside the chord from i to j; one of a
-    /// triangle is there twice.
+    /// The other two corners of the quadrilateral beside the chord from i to j; for a triangle the corner
+    /// twice.
     apex: [[[u8; 2]; MOST]; MOST],
 }
 
 impl Division {
-    /// Nothing divided yet.
+    /// Starts empty.
     pub fn new() -> Self {
         Self {
             cost: [[0.0; MOST]; MOST],
@@ -32,8 +32,8 @@ impl Division {
         }
     }
 
-    /// Finds the cheapest division into quadrilaterals that score at least `worst` and at most one
-    /// triangle; answers what it costs.
+    /// Finds the cheapest division into quadrilaterals that score at least `worst`, with at most one
+    /// triangle; gives its cost.
     pub fn of<N: Nodes + ?Sized>(&mut self, nodes: &N, corners: &[u32], worst: f64) -> f64 {
         let n = corners.len();
         for span in 1..n {
@@ -58,8 +58,8 @@ impl Division {
                             }
                         }
                     }
-                    // One triangle at most: only in patches with an odd number of corners, where
-                    // one part of the rest is odd only by taking the triangle itself.
+                    // At most one triangle: it occurs only in patches with an odd number of corners, and only
+                    // the odd part of the rest takes it.
                     let inner = first + self.cost[a][j] + TRIANGLE;
                     if inner < least
                         && n % 2 == 1
@@ -75,7 +75,7 @@ impl Division {
         self.cost[0][n - 1]
     }
 
-    /// The elements of the division found for `n` corners, as places in the polygon.
+    /// The elements of the division found for `n` corners, as positions in the polygon.
     pub fn pieces(&self, n: usize, mut each: impl FnMut(&[u8])) {
         let mut open = vec![(0u8, n as u8 - 1)];
         while let Some((i, j)) = open.pop() {

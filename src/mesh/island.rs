@@ -8,36 +8,36 @@ use crate::domain::Domain;
 use crate::packing::Particle;
 use glam::DVec2;
 
-/// A triangle whose height is less than this share of its longest side is a sliver of the border.
+/// A triangle lower than this share of its longest side is a sliver of the border.
 const SLIVER: f64 = 0.12;
-/// Without an obtuse angle it is one if its height is less than this share.
+/// A triangle without an obtuse angle is a sliver only below this share.
 const NEEDLE: f64 = 0.01;
-/// Cells at a wall stand half their size from it; a triangle whose middle is nearer than this, in
-/// sizes, only bridges a bend.
+/// Cells at a wall are half their size away from it. A triangle whose centre is nearer than this, in sizes,
+/// only bridges a bend.
 const AT_WALL: f64 = 0.45;
 
-/// Lone triangles are left where they are at most this share of the elements ...
+/// Lone triangles are accepted up to this share of the elements ...
 const FEW_TRIANGLES: f64 = 0.037;
-/// ... and this many more, but ...
+/// ... plus this number, but ...
 const RIM_TRIANGLES: f64 = 6.0;
 /// ... at most this share.
 const MOST_TRIANGLES: f64 = 0.08;
-/// The least score of quadrilaterals that replace lone triangles, falling.
+/// Descending least scores of quadrilaterals that replace lone triangles.
 const STANDARDS: [f64; 6] = [0.5, 0.4, 0.3, 0.2, 0.2, 0.15];
 
-/// The meshes of all islands in the making.
+/// The meshes of all islands, in progress.
 pub(super) struct IslandMeshing {
     particles: Vec<Particle>,
-    /// The island at work, its cells, and their numbers.
+    /// The current island, its cells, and their numbers.
     island: usize,
     own: Vec<Particle>,
     names: Vec<usize>,
-    /// The meshes of the islands so far, side by side; the vertices keep the order of the centres.
+    /// The meshes of the islands so far; the vertices keep the order of the centres.
     whole: Mesh,
     step: Option<Step>,
 }
 
-/// How far the island at work is.
+/// The progress on the current island.
 enum Step {
     Delaunay(IncrementalDelaunay),
     Triangles(Vec<Node>, Triangles),
@@ -45,7 +45,7 @@ enum Step {
 }
 
 impl IslandMeshing {
-    /// Of these cells, nothing made yet.
+    /// Starts from these cells.
     pub fn new(particles: Vec<Particle>) -> Self {
         let whole = Mesh {
             vertices: particles.iter().map(|p| p.centre).collect(),
@@ -61,7 +61,7 @@ impl IslandMeshing {
         }
     }
 
-    /// One slice of the work; the mesh with the last one.
+    /// Does one slice of the work; the last one gives the mesh.
     pub fn advance(&mut self, domain: &Domain) -> Option<Mesh> {
         let step = match self.step.take() {
             Some(step) => step,
@@ -103,25 +103,25 @@ impl IslandMeshing {
         (nodes, triangles)
     }
 
-    /// The elements made of them.
+    /// The elements made from them.
     fn faces(&self, island: &Domain, nodes: &mut [Node], triangles: &Triangles) -> Faces {
         let keep = self.keep(island);
         let mut made = quads::pair(nodes, triangles, &keep, 0);
         made.leave_out(|face| is_sliver(face, nodes));
-        // Where no cell is fixed on the walls the mesh ends before them: it shows the rows, but is no
-        // mesh of the outline.
+        // If no cell is fixed on the walls, the mesh ends short of them: it shows the rows but does not mesh
+        // the outline.
         if self.own.iter().any(|p| p.fixed) {
             join_lone(nodes, &mut made, |k| self.own[k].fixed, keep);
         }
         made
     }
 
-    /// Sides from cell to cell along a constraint line are not dissolved.
+    /// A predicate for edges that must stay: those from cell to cell along a constraint line.
     fn keep(&self, island: &Domain) -> impl Fn([u32; 2]) -> bool {
         |side| lies_on_line(island, side.map(|k| &self.own[k as usize]))
     }
 
-    /// Puts the island's mesh beside those of the others.
+    /// Adds the island's mesh to those of the others.
     fn put(&mut self, island: &Domain, nodes: &[Node], mut made: Faces) {
         let vertices: Vec<DVec2> = nodes.iter().map(|n| n.at).collect();
         made.faces.retain(|face| {
@@ -137,13 +137,13 @@ impl IslandMeshing {
             self.whole.vertices[name] = vertex;
         }
         for node in made.faces.iter_mut().flat_map(|face| &mut face.nodes) {
-            // A triangle has no fourth node.
+            // A triangle's fourth entry is not a node.
             *node = self.names.get(*node as usize).map_or(0, |&k| k as u32);
         }
         self.whole.faces.extend(made.faces);
     }
 
-    /// Those of the next island.
+    /// The nodes of the next island.
     fn nodes(&mut self, domain: &Domain) -> Vec<Node> {
         let particles = &self.particles;
         let here = |&k: &usize| domain.island(particles[k].centre) == self.island;
@@ -153,8 +153,8 @@ impl IslandMeshing {
     }
 }
 
-/// Joins lone triangles over the elements between them while there are too many, first to good
-/// quadrilaterals only; in between the nodes that may move are smoothed, which makes room for more.
+/// Joins lone triangles through the elements between them while there are too many, first to good
+/// quadrilaterals only. In between, movable nodes are smoothed, which makes room for more.
 pub(super) fn join_lone(
     nodes: &mut [Node],
     made: &mut Faces,
@@ -187,7 +187,7 @@ pub(super) fn join_lone(
     }
 }
 
-/// How deep a triangle of cells that all stand at a wall has to lie; 0 where one is fixed on it.
+/// Least depth of a triangle whose cells all stand at a wall; 0 if one is fixed on it.
 fn at_wall(triangle: &Face, particles: &[Particle]) -> f64 {
     let nodes = triangle.nodes().iter().map(|&k| &particles[k as usize]);
     let depth = nodes.map(|p| {
@@ -200,7 +200,7 @@ fn at_wall(triangle: &Face, particles: &[Particle]) -> f64 {
     depth.fold(f64::INFINITY, f64::min)
 }
 
-/// Is this a flat triangle along the border? The needles of sharp tips stay.
+/// Whether this is a flat triangle along the border. Needles in sharp tips are kept.
 fn is_sliver(face: &Face, nodes: &[Node]) -> bool {
     let [a, b, c] = *face.nodes() else {
         return false;

@@ -1,4 +1,4 @@
-//! From the cells' centres to the mesh, in slices.
+//! Builds the mesh of the cells' centres, in slices.
 
 use super::Mesh;
 use super::island::IslandMeshing;
@@ -6,18 +6,18 @@ use super::seams::SeamMeshing;
 use crate::domain::Domain;
 use crate::packing::Particle;
 
-/// A mesh in the making.
+/// A mesh in progress.
 pub struct Meshing(Way);
 
-/// In the plane the mesh ends at the walls, lone triangles and slivers there are mended, and islands
-/// come one by one; on a torus it has to agree with itself over the seams, and nothing ends.
+/// In the plane, islands are meshed one by one, the mesh ends at the walls, and lone triangles and slivers
+/// there are repaired. On a torus the mesh must agree with itself over the seams and has no border.
 enum Way {
     Plane(IslandMeshing),
     Torus(SeamMeshing),
 }
 
 impl Meshing {
-    /// Of these cells, nothing made yet: see [`Mesh::build`].
+    /// Starts from these cells; see [`Mesh::build`].
     pub fn new(domain: &Domain, particles: Vec<Particle>) -> Self {
         Self(match domain.space().period() {
             Some(side) => Way::Torus(SeamMeshing::new(side, particles)),
@@ -25,7 +25,7 @@ impl Meshing {
         })
     }
 
-    /// One slice of the work; the mesh with the last one.
+    /// Does one slice of the work; the last one gives the mesh.
     pub fn advance(&mut self, domain: &Domain) -> Option<Mesh> {
         match &mut self.0 {
             Way::Plane(meshing) => meshing.advance(domain),

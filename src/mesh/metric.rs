@@ -1,9 +1,9 @@
-//! How lengths and angles are measured where cells are stretched.
+//! The metric of lengths and angles for stretched cells.
 
 use glam::DVec2;
 
-/// A symmetric 2 x 2 matrix of determinant 1: in it a stretched cell is as long as wide. Areas stay,
-/// so the cross product of two vectors is the same in every metric.
+/// A symmetric 2 x 2 matrix with determinant 1, in which a stretched cell is as long as wide. It preserves
+/// areas, so the cross product of two vectors is the same in every metric.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Metric {
     xx: f64,
@@ -12,14 +12,14 @@ pub struct Metric {
 }
 
 impl Metric {
-    /// The plain one, of squares and circles.
+    /// The Euclidean metric, of squares and circles.
     pub const EUCLIDEAN: Self = Self {
         xx: 1.0,
         xy: 0.0,
         yy: 1.0,
     };
 
-    /// That of cells `aspect` times as long (along the unit vector `axis`) as wide.
+    /// The metric of cells `aspect` times as long (along the unit vector `axis`) as wide.
     pub fn new(axis: DVec2, aspect: f64) -> Self {
         if aspect == 1.0 || axis == DVec2::ZERO {
             return Self::EUCLIDEAN;
@@ -32,7 +32,7 @@ impl Metric {
         }
     }
 
-    /// The mean of several, of determinant 1 again.
+    /// The mean of several metrics, scaled to determinant 1.
     pub fn mean(several: [Self; 4]) -> Self {
         if several == [Self::EUCLIDEAN; 4] {
             return Self::EUCLIDEAN;

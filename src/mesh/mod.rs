@@ -1,7 +1,7 @@
-//! Joins the cells' centres into a mesh of mostly quadrilaterals.
+//! Joins the cells' centres to a mesh of mostly quadrilaterals.
 //!
-//! Itoh, Miyata, Shimada (2003), section 5.2: Delaunay triangulation (spade), then pairs of
-//! triangles become quadrilaterals in the order of their quality; lone triangles may stay.
+//! Itoh, Miyata, Shimada (2003), section 5.2: Delaunay triangulation (spade), then pairs of triangles become
+//! quadrilaterals in the order of their quality; lone triangles may remain.
 //!
 //! ```
 //! # use bubblestone::domain::{Domain, Outline};
@@ -22,7 +22,9 @@
 //! // `particles` are 8 by 8 squares at rest: 7 by 7 quadrilaterals join their centres.
 //! let mesh = Mesh::build(&domain, &particles);
 //! assert_eq!((mesh.vertices.len(), mesh.faces.len()), (64, 49));
-//! assert!(mesh.faces.iter().all(|face| face.nodes().len() == 4));
+//! assert!(mesh.faces.iter().all(
+//! face
+//! face.nodes().len() == 4));
 //! ```
 
 mod constraints;
@@ -51,18 +53,18 @@ pub(crate) use triangles::IncrementalDelaunay;
 /// A point to be joined into a mesh.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Node {
-    /// Where it is, in picture units.
+    /// Its position, in picture units.
     pub at: DVec2,
-    /// Unit vector along a side of its cell; zero where it has no direction.
+    /// Unit vector along a side of its cell; zero if it has no direction.
     pub axis: DVec2,
-    /// How lengths are measured here.
+    /// The local metric.
     pub metric: Metric,
-    /// Its cell has corners: it may be a corner of quadrilaterals.
+    /// Whether its cell has corners and it may be a corner of quadrilaterals.
     pub corners: bool,
 }
 
 impl Node {
-    /// A point that stands for a square.
+    /// A point with the Euclidean metric and the corners of a square.
     pub fn plain(at: DVec2) -> Self {
         Self {
             at,
@@ -104,13 +106,13 @@ impl Face {
         Self { nodes, sides: 4 }
     }
 
-    /// Is it a place where an element has been?
+    /// Whether this is an emptied slot.
     #[cfg(house)]
     pub(crate) fn is_none(&self) -> bool {
         self.sides == 0
     }
 
-    /// Indices of the vertices, of positive shoelace area (clockwise on screen).
+    /// Indices of the vertices, with positive shoelace area (clockwise on screen).
     pub fn nodes(&self) -> &[u32] {
         &self.nodes[..usize::from(self.sides)]
     }
@@ -130,17 +132,16 @@ pub struct Mesh {
     pub vertices: Vec<DVec2>,
     /// Elements, each with at least three different vertices.
     pub faces: Vec<Face>,
-    /// On a torus the last vertices are images: for each of them the vertex that it is an image of.
+    /// On a torus, the last vertices are images: for each of them, the vertex it is an image of.
     pub images: Vec<u32>,
 }
 
 impl Mesh {
-    /// The mesh of the cells' centres within the outline: elements whose middle lies outside,
-    /// slivers along the border, and triangles that lie between the outermost cells and the wall they
-    /// stand at, are left out.
+    /// The mesh of the cells' centres within the outline. It omits elements whose centre lies outside,
+    /// slivers along the border, and triangles between the outermost cells and the wall they stand at.
     ///
-    /// On a torus every element is there once, and images follow the centres where elements reach
-    /// over a seam: the mesh closes over the seams. Lone triangles stay as they are.
+    /// On a torus every element occurs once, and images follow the centres where elements cross a seam, so
+    /// the mesh closes over the seams. Lone triangles are kept.
     pub fn build(domain: &Domain, particles: &[Particle]) -> Self {
         let mut meshing = Meshing::new(domain, particles.to_vec());
         loop {
@@ -150,9 +151,9 @@ impl Mesh {
         }
     }
 
-    /// The mesh of all points over their convex hull. Edges for which `keep` holds are never
-    /// dissolved into a quadrilateral, and `least` edges around each inner node stay. Points that
-    /// coincide with an earlier one get no element.
+    /// The mesh of all points over their convex hull. Edges for which `keep` holds are never dissolved, and
+    /// at least `least` edges stay around each inner node. Points that coincide with an earlier one get no
+    /// element.
     pub(crate) fn whole(
         delaunay: IncrementalDelaunay,
         keep: impl Fn([u32; 2]) -> bool,
@@ -168,14 +169,14 @@ impl Mesh {
         }
     }
 
-    /// For every vertex the elements around it in order, where they close a full turn; empty for
-    /// vertices on the border of the mesh.
+    /// For every vertex the elements around it in order, if they close a full turn; empty for vertices on the
+    /// border.
     pub(crate) fn fans(&self) -> Fans {
         Fans::new(self)
     }
 }
 
-/// Delaunay triangles, each of positive shoelace area, in an order that depends on the points only.
+/// Delaunay triangles with positive shoelace area, in an order that depends on the points only.
 pub(crate) fn triangulate(points: &[DVec2]) -> Vec<[u32; 3]> {
     let nodes: Vec<Node> = points.iter().copied().map(Node::plain).collect();
     IncrementalDelaunay::new(nodes).finish().1.nodes
@@ -240,7 +241,7 @@ impl Fans {
         }
     }
 
-    /// The elements around a vertex, clockwise on screen; empty where they do not close.
+    /// The elements around a vertex, clockwise on screen; empty if they do not close.
     pub fn around(&self, vertex: usize) -> &[u32] {
         &self.faces[self.start[vertex] as usize..self.start[vertex + 1] as usize]
     }

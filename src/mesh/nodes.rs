@@ -1,17 +1,16 @@
-//! Where nodes are, as they are seen from each other.
+//! Positions of nodes relative to each other.
 
 use super::Node;
 
-/// Nodes that are joined into elements: those of the plane, or of a surface, where a few that are near each other are
-/// laid into one plane.
+/// Nodes that are joined to elements. On a surface, a few nodes near each other are unfolded into one plane.
 pub(crate) trait Nodes {
-    /// How many there are.
+    /// The number of nodes.
     fn count(&self) -> usize;
 
-    /// May it be a corner of quadrilaterals?
+    /// Whether it may be a corner of quadrilaterals.
     fn has_corners(&self, node: u32) -> bool;
 
-    /// Some that are near each other, laid into one plane, the same whatever their order is.
+    /// A few nearby nodes, unfolded into one plane; the result does not depend on their order.
     fn laid<const N: usize>(&self, which: [u32; N]) -> [Node; N];
 }
 

@@ -1,4 +1,4 @@
-//! Patches of elements: how they grow, what dividing them anew gains, and the new elements in their places.
+//! Patches of elements: growing them, the gain of dividing them anew, and replacing their elements.
 
 use super::division::{MOST, TRIANGLE};
 use super::quads::score;
@@ -6,20 +6,20 @@ use super::requad::{On, Search};
 use super::triangles::NONE;
 use super::{Face, Nodes};
 
-/// What an inner node costs for each side that it has more or less than four.
+/// Cost of an inner node for each side more or less than four.
 const IRREGULAR: f64 = 0.12;
-/// Regular nodes make up for no more than this cost.
+/// Most cost that regular nodes can make up for.
 const SLACK: f64 = 0.5;
 
-/// A patch: a polygon of elements.
+/// A patch: a polygon of adjacent elements.
 #[derive(Clone)]
 pub(super) struct Patch {
     pub corners: Vec<u32>,
-    /// The element outside, across the side from each corner to the next.
+    /// The element across each side, from each corner to the next.
     pub outside: Vec<u32>,
     /// The elements of the patch.
     pub members: Vec<u32>,
-    /// What its elements cost.
+    /// The cost of its elements.
     pub cost: f64,
 }
 
@@ -31,8 +31,8 @@ impl Search {
         }
     }
 
-    /// The patch with an element added that is adjacent to its last member; none where a node would lie
-    /// inside, or the side between them is to be kept.
+    /// The patch extended by an element adjacent to its last member; `None` if a node would lie inside, or
+    /// the side between them must be kept.
     pub(super) fn grow<N: Nodes + ?Sized, K: Fn([u32; 2]) -> bool>(
         &self,
         on: &On<N, K>,
@@ -83,7 +83,7 @@ impl Search {
         Some(grown)
     }
 
-    /// The cost that dividing a patch anew would save.
+    /// The cost saved by dividing a patch anew.
     pub(super) fn gain<N: Nodes + ?Sized, K>(&mut self, on: &On<N, K>, patch: &Patch) -> f64 {
         let n = patch.corners.len();
         self.work += n * n;
@@ -91,7 +91,7 @@ impl Search {
         if cost >= patch.cost + SLACK {
             return 0.0;
         }
-        // Sides at each corner before and after, those within the patch.
+        // The sides within the patch at each corner, before and after.
         let mut change = [0; MOST];
         let before = |node: u32| {
             let uses = patch
@@ -123,7 +123,7 @@ impl Search {
         patch.cost - cost + IRREGULAR * f64::from(regular)
     }
 
-    /// Puts the division that was found in place of the patch's elements.
+    /// Replaces the patch's elements with the division found last.
     pub(super) fn apply(&mut self, patch: &Patch) {
         let n = patch.corners.len();
         for &f in &patch.members {
@@ -132,7 +132,7 @@ impl Search {
             }
         }
         let mut slots = patch.members.iter();
-        // Sides within: (from, to, element, place), to be matched with their other half.
+        // Half-edges within the patch (from, to, element, position), to be matched with their twins.
         let mut sides: Vec<(u8, u8, u32, usize)> = Vec::new();
         for &f in patch.members.iter().chain(&patch.outside) {
             if f != NONE {

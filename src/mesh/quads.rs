@@ -5,10 +5,10 @@ use super::{Face, Metric, Nodes};
 use crate::domain::cross;
 use crate::order;
 
-/// A pair scores the least sine of its four corners; worse ones stay two triangles.
+/// Least score (sine of the worst corner) of a pair; worse pairs stay two triangles.
 pub(crate) const WORST_SCORE: f64 = 0.5;
 
-/// Elements and what is adjacent to them.
+/// Elements and their adjacency.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Faces {
     pub faces: Vec<Face>,
@@ -17,7 +17,7 @@ pub(crate) struct Faces {
 }
 
 impl Faces {
-    /// Takes elements out; in their places are some without sides.
+    /// Empties the slots of bad elements.
     pub fn leave_out(&mut self, bad: impl Fn(&Face) -> bool) {
         for (f, face) in self.faces.iter_mut().enumerate() {
             if !bad(face) {
@@ -40,12 +40,12 @@ struct Candidate {
     score: f64,
     triangles: [u32; 2],
     nodes: [u32; 4],
-    /// What lies across its four sides.
+    /// The neighbours across its four sides.
     adjacent: [u32; 4],
 }
 
-/// The best pairs first; ties by the triangles' order. Edges for which `keep` holds stay, and so do
-/// triangles with a node that has no corners, and `least` edges around each inner node.
+/// Pairs triangles, best pairs first; ties go by the triangles' order. Edges for which `keep` holds stay, as
+/// do triangles with a node without corners, and at least `least` edges around each inner node.
 pub(super) fn pair<N: Nodes + ?Sized>(
     nodes: &N,
     triangles: &Triangles,
@@ -57,16 +57,16 @@ pub(super) fn pair<N: Nodes + ?Sized>(
     pairing.finish(nodes.count(), triangles, |_| least)
 }
 
-/// Triangles that are being paired.
+/// A pairing of triangles, in progress.
 #[derive(Default)]
 pub(crate) struct Pairing {
     candidates: Vec<Candidate>,
-    /// Triangles looked at so far.
+    /// The number of triangles done.
     done: usize,
 }
 
 impl Pairing {
-    /// Looks at the pairs that the next `count` triangles are in; true when all have been.
+    /// Scores the pairs of the next `count` triangles; true when finished.
     pub fn advance<N: Nodes + ?Sized>(
         &mut self,
         nodes: &N,
@@ -82,7 +82,7 @@ impl Pairing {
         end == triangles.nodes.len()
     }
 
-    /// The elements; a pair of a score leaves the `least` edges at each inner node that go with it.
+    /// Makes the elements. Pairs leave at least `least` edges at each inner node.
     pub fn finish(
         mut self,
         nodes: usize,
@@ -93,7 +93,7 @@ impl Pairing {
             let [a, b] = c.triangles;
             (!order::rank(c.score), order::pair(a, b))
         });
-        // The element that each triangle has become.
+        // The element that each triangle becomes.
         let mut into = vec![NONE; triangles.nodes.len()];
         let mut made = Faces::default();
         let mut valence = valences(nodes, triangles);
@@ -166,7 +166,7 @@ impl Pairing {
     }
 }
 
-/// How many edges meet at each node; without end at the border.
+/// The number of edges at each node; unlimited at the border.
 fn valences(nodes: usize, triangles: &Triangles) -> Vec<u32> {
     let mut valence = vec![0; nodes];
     for corners in &triangles.nodes {
@@ -176,7 +176,7 @@ fn valences(nodes: usize, triangles: &Triangles) -> Vec<u32> {
     }
     for (corners, sides) in triangles.nodes.iter().zip(&triangles.adjacent) {
         for k in (0..3).filter(|&k| sides[k] == NONE) {
-            // The side between the two corners that follow.
+            // The side between the next two corners.
             for s in [1, 2] {
                 valence[corners[(k + s) % 3] as usize] = u32::MAX;
             }
@@ -185,8 +185,8 @@ fn valences(nodes: usize, triangles: &Triangles) -> Vec<u32> {
     valence
 }
 
-/// The least sine of a quadrilateral's angles, in the mean metric of its nodes: 1 for a rectangle,
-/// negative where it is not convex. Negative also where a node has no corners.
+/// The least sine of a quadrilateral's angles, in the mean metric of its nodes: 1 for a rectangle, negative
+/// if it is not convex or a node has no corners.
 pub(crate) fn score<N: Nodes + ?Sized>(nodes: &N, quad: [u32; 4]) -> f64 {
     if quad.iter().any(|&k| !nodes.has_corners(k)) {
         return -1.0;
@@ -204,8 +204,8 @@ pub(crate) fn score<N: Nodes + ?Sized>(nodes: &N, quad: [u32; 4]) -> f64 {
     least
 }
 
-/// A triangle's height over its longest side in the mean metric of its nodes: 0.866 where all sides
-/// are equal, negative where it is turned over.
+/// A triangle's height over its longest side in the mean metric of its nodes: 0.866 if equilateral, negative
+/// if inverted.
 pub(crate) fn height<N: Nodes + ?Sized>(nodes: &N, triangle: [u32; 3]) -> f64 {
     let [a, b, c] = nodes.laid(triangle);
     let metric = Metric::mean([a.metric, b.metric, c.metric, c.metric]);
@@ -215,7 +215,7 @@ pub(crate) fn height<N: Nodes + ?Sized>(nodes: &N, triangle: [u32; 3]) -> f64 {
     cross(a.at, b.at, c.at) / longest
 }
 
-/// Is this a triangle that could be a part of a quadrilateral?
+/// Whether this is a triangle that could be part of a quadrilateral.
 pub(crate) fn is_lone<N: Nodes + ?Sized>(nodes: &N, face: &Face) -> bool {
     face.sides == 3 && face.nodes().iter().all(|&k| nodes.has_corners(k))
 }

@@ -1,14 +1,13 @@
 //! Local re-quadrangulation: patches of a few neighbouring elements are divided anew.
 //!
-//! Pairs taken in the order of their scores leave lone triangles that have no partner, where another
-//! choice nearby would have had one. Two lone triangles and the quadrilaterals on a path between them
-//! make a polygon with an even number of sides, which quadrilaterals alone can fill: the augmenting
-//! path of matching, but free to choose all diagonals. A lone triangle and a quadrilateral can
-//! change their common side, two quadrilaterals likewise. A patch changes only where its cost falls,
-//! so the search ends.
+//! Pairing by score leaves lone triangles without a partner, where another choice nearby would have given
+//! them one. Two lone triangles and the quadrilaterals on a path between them form a polygon with an even
+//! number of sides, which quadrilaterals alone can fill. This is like an augmenting path of a matching, but
+//! with free choice of all diagonals. A lone triangle and a quadrilateral can exchange their common side, and
+//! so can two quadrilaterals. A patch changes only if its cost falls, so the search ends.
 //!
-//! This is done only in meshes whose border is the boundary (`edge=on`), as they are made for their own
-//! sake. There, nodes near faults are no longer the packed centres.
+//! It runs only in meshes whose border is the boundary (`edge=on`), as they are made for display. There,
+//! nodes near faults leave the packed centres.
 
 use super::division::{Division, MOST};
 use super::patch::Patch;
@@ -18,15 +17,15 @@ use super::{Face, Nodes};
 
 /// The most elements of a patch.
 const LONGEST: usize = (MOST - 2) / 2;
-/// A smaller gain does not count.
+/// Smaller gains do not count.
 const LEAST_GAIN: f64 = 1e-3;
-/// A quadrilateral that costs less, among regular nodes, is left alone.
+/// A quadrilateral with a lower cost, among regular nodes, is left unchanged.
 const FINE: f64 = 0.15;
-/// The most times all patches are tried.
+/// Most rounds over all patches.
 const ROUNDS: usize = 6;
 
-/// Divides patches anew until none gains, or until triangles are at most `few`. The new
-/// quadrilaterals score at least `worst`. Sides for which `keep` holds are not dissolved.
+/// Divides patches anew until none gains, or until at most `few` triangles are left. New quadrilaterals score
+/// at least `worst`. Sides for which `keep` holds are not dissolved.
 pub(super) fn requadrangulate<N: Nodes + ?Sized>(
     nodes: &N,
     faces: &mut Faces,
@@ -40,21 +39,21 @@ pub(super) fn requadrangulate<N: Nodes + ?Sized>(
     *faces = search.finish();
 }
 
-/// What elements are made on.
+/// Context of the search: the nodes and the sides to keep.
 pub(crate) struct On<'a, N: ?Sized, K> {
     pub nodes: &'a N,
-    /// Sides that are not dissolved.
+    /// Predicate of sides that must not be dissolved.
     pub keep: K,
 }
 
-/// What is searched for.
+/// The goal of the search.
 #[derive(Clone, Copy)]
 pub(crate) struct Goal {
-    /// Quadrilaterals have at least this score.
+    /// Least score of quadrilaterals.
     pub worst: f64,
-    /// The search ends where triangles are at most as many.
+    /// The search ends with at most this many triangles.
     pub few: usize,
-    /// Sides that stay at each inner node.
+    /// Fewest sides at each inner node.
     pub least: i32,
 }
 
@@ -72,21 +71,21 @@ impl Goal {
 pub(crate) struct Search {
     pub(super) faces: Faces,
     pub(super) goal: Goal,
-    /// How many lone triangles there are.
+    /// The number of lone triangles.
     pub(super) triangles: usize,
-    /// Sides at each node.
+    /// The number of sides at each node.
     pub(super) valence: Vec<i32>,
-    /// Nodes on the border of the mesh.
+    /// Whether each node is on the border of the mesh.
     pub(super) border: Vec<bool>,
     /// Elements whose surroundings have changed since they were tried.
     pub(super) fresh: Vec<bool>,
-    /// How many elements away from the first one, for those in `reached`.
+    /// Distance from the first one in elements, for those in `reached`.
     pub(super) depth: Vec<u8>,
     pub(super) reached: Vec<u32>,
     pub(super) division: Box<Division>,
-    /// Corners of the patches that divisions have been looked for, squared.
+    /// Work done: squared numbers of corners of the patches tried.
     pub(super) work: usize,
-    /// The round, the element that is tried next in it, and whether one has gained in it.
+    /// The round, the next element in it, and whether one has gained in it.
     pub(super) round: usize,
     pub(super) next: usize,
     pub(super) again: bool,
@@ -128,7 +127,7 @@ impl Search {
         }
     }
 
-    /// Tries elements until about `count` divisions have been looked for; true when the search has ended.
+    /// Tries elements until about `count` divisions were sought; true when the search has ended.
     pub fn advance<N: Nodes + ?Sized, K: Fn([u32; 2]) -> bool>(
         &mut self,
         on: &On<N, K>,
@@ -154,12 +153,12 @@ impl Search {
         true
     }
 
-    /// The elements as they are now; those without sides are none.
+    /// The present elements; those without sides are empty slots.
     pub fn finish(self) -> Faces {
         self.faces
     }
 
-    /// Tries the patches that begin with this element, and takes the one that gains most.
+    /// Tries the patches that begin with this element and applies the one with the largest gain.
     fn try_from<N: Nodes + ?Sized, K: Fn([u32; 2]) -> bool>(
         &mut self,
         on: &On<N, K>,
@@ -196,7 +195,7 @@ impl Search {
         true
     }
 
-    /// A good quadrilateral among regular nodes is left alone.
+    /// Whether this is a good quadrilateral among regular nodes.
     fn is_fine<N: Nodes + ?Sized, K>(&self, on: &On<N, K>, face: &Face) -> bool {
         let regular = |&k: &u32| self.border[k as usize] || self.valence[k as usize] == 4;
         face.nodes().iter().all(regular) && self.cost(on, face) < FINE
@@ -267,7 +266,7 @@ impl Search {
         self.reached.clear();
     }
 
-    /// Goes on with a path from its far end back to the first element.
+    /// Follows a path from its far end back to the first element.
     fn trace<N: Nodes + ?Sized, K: Fn([u32; 2]) -> bool>(
         &mut self,
         on: &On<N, K>,

@@ -1,10 +1,10 @@
-//! The mesh of the periodic picture: it is made with images of the cells around the picture.
+//! The mesh of a periodic picture, made with images of the cells around the picture.
 //!
-//! Places are rounded to the grain, in which a picture's side is a whole number: an image is then
-//! exactly one side away, and what lies on the two sides of a seam agrees to the last bit.
+//! Places are rounded to the grain, in which the picture's side is a whole number. An image is then exactly
+//! one side away, and both sides of a seam agree to the last bit.
 //!
-//! Each element is in the mesh once. Where the elements do not close over the seams, more images are
-//! taken, then lone triangles are left as they are, and at last Delaunay's own triangles count.
+//! Each element occurs once. If the elements do not close over the seams, more images are used, then lone
+//! triangles are left as they are, and in the end plain Delaunay triangles are taken.
 
 use super::constraints::{is_cut, lies_on_line};
 use super::metric::Metric;
@@ -15,21 +15,21 @@ use crate::packing::Particle;
 use crate::planar::{Space, on_grain};
 use glam::DVec2;
 
-/// How cells and their images are joined into a mesh.
+/// A way to join cells and their images into a mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Strategy {
-    /// Triangles are paired where they can be; with images up to so many sizes around the picture.
+    /// Triangles are paired where possible; images reach this many sizes beyond the picture.
     Pairs(u32),
-    /// Lone triangles, made Delaunay in the local metric; with images as far.
+    /// Triangles only, Delaunay in the local metric; images reach as far.
     Lone(u32),
-    /// Lone triangles, plain Delaunay.
+    /// Triangles only, plain Delaunay.
     Delaunay,
 }
 
-/// What is tried in turn, until a mesh closes over the seams. Pairs are chosen and sides flipped one
-/// after the other, so images far from the picture may be joined in another way than it; should that
-/// reach as far as the seams, more images are taken. The last are plain Delaunay triangles, which depend
-/// on nothing but their own corners.
+/// Strategies, tried in turn until a mesh closes over the seams. Pairs are chosen and sides flipped one after
+/// another, so images far from the picture may be joined in another way than the picture. If that reaches the
+/// seams, more images are needed. Plain Delaunay triangles come last: they depend on nothing but their own
+/// corners.
 pub(crate) const STRATEGIES: [Strategy; 4] = [
     Strategy::Pairs(5),
     Strategy::Pairs(12),
@@ -37,20 +37,20 @@ pub(crate) const STRATEGIES: [Strategy; 4] = [
     Strategy::Delaunay,
 ];
 
-/// Images farther than this many pictures away are not made.
+/// No images farther than this many pictures away are made.
 const FARTHEST: f64 = 8.0;
-/// Around a triangle of points that repeat with the picture no circle without points is wider than
-/// its diagonal: with images as far as this (sides) all Delaunay triangles in it are there.
+/// Among points that repeat with the picture, no empty circle around a triangle is wider than its diagonal.
+/// With images this far (in sides) all Delaunay triangles in it are found.
 const DIAGONAL: f64 = 1.5;
-/// Axis and aspect ratio of the metric in which they are Delaunay, hardly other than the plain one: of
-/// four points on one circle, as a cell and its images can be, it chooses the same diagonal everywhere.
+/// Axis and aspect ratio of a metric that is hardly different from the Euclidean one. Among four points on
+/// one circle, as a cell and its images can be, it chooses the same diagonal everywhere.
 const TILT: (DVec2, f64) = (
     DVec2::new(0.809_016_994_374_947_5, 0.587_785_252_292_473_1),
     1.0001,
 );
 
 impl Strategy {
-    /// How far around the picture there are images, of cells up to a size.
+    /// Width of the margin with images, for cells up to a size.
     fn margin(self, side: f64, largest: f64) -> f64 {
         match self {
             Self::Pairs(sizes) | Self::Lone(sizes) => {
@@ -60,7 +60,7 @@ impl Strategy {
         }
     }
 
-    /// The node as this strategy sees it.
+    /// The node, adapted to this strategy.
     pub fn node(self, node: Node) -> Node {
         let node = match self {
             Self::Delaunay => Node {
@@ -74,10 +74,9 @@ impl Strategy {
     }
 }
 
-/// The cells with their places on the grain, then their images around the picture; and for each the
-/// number of the cell that it is, or is an image of. All are moved a little, by less than a thousandth
-/// of a picture unit and each by its id: on an even lattice it would be for chance to choose a diagonal,
-/// once here and once at the image.
+/// The cells with places on the grain, then their images around the picture; and for each the number of its
+/// cell. Each cell is moved by less than a thousandth of a picture unit, depending on its id: on an even
+/// lattice rounding would choose the diagonals, differently here and at an image.
 pub(crate) fn with_images(
     side: f64,
     particles: &[Particle],
@@ -107,13 +106,13 @@ pub(crate) fn with_images(
     (all, of)
 }
 
-/// Do the rings close up over the seams: has every side of one the same side of another, run the
-/// other way, and do they fill the picture once?
+/// Whether the rings close over the seams: every side has its reversed twin, and together they fill the
+/// picture once.
 pub(crate) fn closes(domain: &Domain, rings: &[Vec<DVec2>]) -> bool {
     let (space, key) = (domain.space(), |p: DVec2| {
         (order::rank(p.x), order::rank(p.y))
     });
-    // Every side by its start in the picture and the way to its end; adding 0 makes of -0 a 0.
+    // Every side by its start in the picture and its vector; adding 0 turns -0 into 0.
     let mut sides: Vec<[DVec2; 2]> = Vec::new();
     for ring in rings {
         let next = ring.iter().cycle().skip(1);
@@ -123,7 +122,7 @@ pub(crate) fn closes(domain: &Domain, rings: &[Vec<DVec2>]) -> bool {
     order::sort(&mut sides, |s| key(s[1]));
     order::sort(&mut sides, |s| key(s[0]));
     let name = |s: &[DVec2; 2]| (key(s[0]), key(s[1]));
-    // What closes covers the picture a whole number of times.
+    // Closed rings cover the picture a whole number of times.
     let times = rings.iter().map(|ring| signed_area(ring)).sum::<f64>() / domain.area();
     (times - 1.0).abs() < 0.5
         && rings.iter().all(|ring| ring.len() >= 3)
@@ -134,21 +133,21 @@ pub(crate) fn closes(domain: &Domain, rings: &[Vec<DVec2>]) -> bool {
         })
 }
 
-/// The mesh of a torus in the making: one attempt after the other, until one closes over the seams.
+/// The mesh of a torus, in progress: one attempt after another, until one closes over the seams.
 pub(super) struct SeamMeshing {
     side: f64,
     particles: Vec<Particle>,
-    /// Attempts begun so far.
+    /// The number of attempts begun.
     begun: usize,
-    /// The cells and their images, and the number of the cell that each is or is an image of.
+    /// The cells and their images, and for each the number of its cell.
     all: Vec<Particle>,
     of: Vec<u32>,
-    /// The attempt at work.
+    /// The current attempt.
     delaunay: Option<IncrementalDelaunay>,
 }
 
 impl SeamMeshing {
-    /// Nothing attempted yet.
+    /// Starts before the first attempt.
     pub fn new(side: f64, mut particles: Vec<Particle>) -> Self {
         for p in &mut particles {
             p.centre = Space::torus(side).wrap(p.centre);
@@ -163,7 +162,7 @@ impl SeamMeshing {
         }
     }
 
-    /// One slice of the work; the mesh with the last one.
+    /// Does one slice of the work; the last one gives the mesh.
     pub fn advance(&mut self, domain: &Domain) -> Option<Mesh> {
         let mut delaunay = match self.delaunay.take() {
             Some(delaunay) => delaunay,
@@ -185,8 +184,8 @@ impl SeamMeshing {
         nodes.map(|node| strategy.node(node)).collect()
     }
 
-    /// See [`Mesh::build`]; nothing where elements do not agree over the seams. The last
-    /// attempt is taken in any case.
+    /// See [`Mesh::build`]; `None` if elements do not agree over the seams. The last attempt is accepted in
+    /// any case.
     fn mesh(&self, domain: &Domain, delaunay: IncrementalDelaunay) -> Option<Mesh> {
         let Self {
             particles,
@@ -199,7 +198,7 @@ impl SeamMeshing {
             let place = |&k: &u32| all[k as usize].centre;
             k.iter().map(place).collect()
         };
-        // Of the images of an element that one is taken whose first node is in the picture.
+        // Among the images of an element, keeps the one whose first node is in the picture.
         let is_home = |nodes: &[u32]| {
             let first = nodes.iter().copied().min_by_key(|&k| {
                 let p = all[k as usize].centre;
@@ -223,7 +222,7 @@ impl SeamMeshing {
 }
 
 impl Mesh {
-    /// Of these elements, with only those images that are nodes of one.
+    /// A mesh of these elements, with only those images that are nodes of one.
     fn with_images(
         particles: &[Particle],
         (all, of): (&[Particle], &[u32]),

@@ -1,9 +1,9 @@
 //! Smoothing: moves nodes so that the quadrilaterals around irregular places become more rectangular.
 //!
-//! Where rows end the packed centres stand in equilibrium, but the elements between them lean. Each
-//! quadrilateral asks its corners onto the rectangle that fits it best: about its middle, with its
-//! diagonals made equally long. A node moves to the mean of what is asked of it, if its elements gain
-//! by that; so nothing is ever turned inside out.
+//! Where rows end the packed centres are in equilibrium, but the elements between them lean. Each
+//! quadrilateral proposes for its corners the rectangle that fits it best: around its centre, with diagonals
+//! made equally long. A node moves to the mean of the proposals if its elements gain by that, so nothing is
+//! ever turned inside out.
 
 use super::quads::{height, score};
 use super::{Face, Metric, Node};
@@ -11,14 +11,14 @@ use glam::DVec2;
 
 /// Passes over the nodes.
 const ROUNDS: u32 = 8;
-/// A node of which less than this is asked (in lengths of the side it belongs to) stays.
+/// A node whose proposed move is smaller than this (in lengths of the side it belongs to) stays.
 const LEAST_MOVE: f64 = 0.01;
-/// What a side costs that is turned 45 degrees from its cell's axis.
+/// Cost of a side at 45 degrees to its cell's axis.
 const TURNED: f64 = 0.3;
-/// A triangle whose height is less than this share of its longest side gains nothing from moves.
+/// A triangle lower than this share of its longest side has no value in a move.
 const FLAT: f64 = 0.4;
 
-/// Smooths the nodes that `free` says yes to. Nodes on the border should not be.
+/// Smooths the nodes marked in `free`. Nodes on the border should not be marked.
 pub(super) fn smooth(nodes: &mut [Node], faces: &[Face], free: &[bool]) {
     let mut start = vec![0u32; nodes.len() + 1];
     for &k in faces.iter().flat_map(Face::nodes) {
@@ -35,7 +35,7 @@ pub(super) fn smooth(nodes: &mut [Node], faces: &[Face], free: &[bool]) {
             at[k as usize] += 1;
         }
     }
-    // Those beside a node that has moved in the last pass.
+    // Nodes beside one that moved in the last pass.
     let mut awake = free.to_vec();
     for _ in 0..ROUNDS {
         let mut next = vec![false; nodes.len()];
@@ -54,7 +54,7 @@ pub(super) fn smooth(nodes: &mut [Node], faces: &[Face], free: &[bool]) {
     }
 }
 
-/// Moves a node if that betters its elements.
+/// Moves a node if that improves its elements.
 fn move_one(nodes: &mut [Node], faces: &[Face], around: &[u32], k: u32) -> bool {
     let old = nodes[k as usize].at;
     let (mut sum, mut count, mut longest) = (DVec2::ZERO, 0u32, 0.0_f64);
@@ -89,7 +89,7 @@ fn move_one(nodes: &mut [Node], faces: &[Face], around: &[u32], k: u32) -> bool 
     false
 }
 
-/// The sum of the elements' quality; bad ones count more.
+/// The sum of the elements' quality; bad elements weigh more.
 fn worth(nodes: &[Node], faces: &[Face], around: &[u32]) -> f64 {
     let mut sum = 0.0;
     for &f in around {

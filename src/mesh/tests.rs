@@ -70,7 +70,7 @@ fn degenerate_points_give_no_elements() {
     );
 }
 
-/// Points of a lattice, each moved by up to `jitter` on both axes.
+/// Points of a lattice, each displaced by up to `jitter` on both axes.
 fn jittered(n: u32, jitter: f64, seed: u64) -> Vec<Node> {
     let mut random = Random::new(seed, Purpose::Placement, 0);
     let mut nodes = even(lattice(n));
@@ -166,14 +166,14 @@ fn stretched_lattices_become_quads_and_round_cells_triangles() {
             node.metric = Metric::new(axis, aspect);
         }
         let mesh = Mesh::whole(IncrementalDelaunay::new(nodes.clone()), |_| false, 0);
-        // Slivers of rounding along the border are triangles, too.
+        // Slivers from rounding along the border are triangles, too.
         assert_eq!(mesh.faces.len() - lone(&mesh), 64);
         for node in &mut nodes {
             node.corners = false;
         }
         let mesh = Mesh::whole(IncrementalDelaunay::new(nodes.clone()), |_| false, 0);
         assert_eq!(mesh.faces.len(), lone(&mesh));
-        // One round cell keeps what lies around it in triangles.
+        // A single round cell keeps the elements around it triangles.
         let mut nodes = even(lattice(9));
         nodes[40].corners = false;
         let mesh = Mesh::whole(IncrementalDelaunay::new(nodes.clone()), |_| false, 0);
@@ -208,7 +208,7 @@ fn joining_leaves_few_triangles_and_a_valid_mesh() {
             sum += signed_area(&ring);
         }
         assert!((sum - area(&triangles, &before)).abs() < 1e-6 * sum);
-        // Neighbours know each other, over the same side.
+        // Adjacency is symmetric, over the same side.
         for (f, (face, adjacent)) in made.faces.iter().zip(&made.adjacent).enumerate() {
             let n = face.nodes().len();
             for k in (0..n).filter(|&k| face.sides > 0 && adjacent[k] != NONE) {

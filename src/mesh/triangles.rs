@@ -1,4 +1,4 @@
-//! The triangulation: Delaunay (spade), made Delaunay in the local metric by flips.
+//! The triangulation: Delaunay (spade), then flipped to be Delaunay in the local metric.
 
 use super::metric::Metric;
 use super::{Node, Nodes};
@@ -8,13 +8,13 @@ use spade::{Point2, Triangulation as _};
 
 /// No triangle.
 pub(crate) const NONE: u32 = u32::MAX;
-/// The most flips, per triangle: where the metric turns within a few cells flips can go in circles.
+/// Most flips for each triangle: where the metric turns within a few cells, flips can cycle.
 const MOST_FLIPS: usize = 4;
-/// An edge is flipped where its opposite angles add up to more than 180 degrees by this (their
-/// sine): ties stay as they are.
+/// An edge is flipped if its opposite angles add up to more than 180 degrees by this (their sine), so that
+/// ties stay.
 const TIE: f64 = 1e-9;
 
-/// Triangles of positive shoelace area and what is adjacent to them.
+/// Triangles with positive shoelace area, and their adjacency.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Triangles {
     pub nodes: Vec<[u32; 3]>,
@@ -22,20 +22,20 @@ pub(crate) struct Triangles {
     pub adjacent: Vec<[u32; 3]>,
 }
 
-/// Points that are inserted in one slice of the work.
+/// Points inserted in one slice of the work.
 const POINTS: usize = 2000;
 
-/// The Delaunay triangulation of nodes, which are inserted one after the other, in slices.
+/// The Delaunay triangulation of nodes, which are inserted one by one, in slices.
 pub(crate) struct IncrementalDelaunay {
     nodes: Vec<Node>,
     mesh: Delaunay,
-    /// The node that each vertex is.
+    /// The node at each vertex.
     node_of: Vec<u32>,
     inserted: usize,
 }
 
 impl IncrementalDelaunay {
-    /// None of them inserted yet.
+    /// Starts with no node inserted.
     pub fn new(nodes: Vec<Node>) -> Self {
         Self {
             node_of: Vec::with_capacity(nodes.len()),
@@ -45,10 +45,10 @@ impl IncrementalDelaunay {
         }
     }
 
-    /// Inserts some more; true when all are.
+    /// Inserts some more nodes; true when all are inserted.
     pub fn advance(&mut self) -> bool {
         let end = self.nodes.len().min(self.inserted + POINTS);
-        // One after the other in the order given: coinciding points are told apart by their handles.
+        // In the order given, so that handles tell coinciding points apart.
         for k in self.inserted..end {
             let at = self.nodes[k].at;
             if let Some(handle) = insert(&mut self.mesh, Point2::new(at.x, at.y))
@@ -61,7 +61,7 @@ impl IncrementalDelaunay {
         end == self.nodes.len()
     }
 
-    /// The nodes and their triangles, all at once where some are not inserted yet.
+    /// The nodes and their triangles; inserts the remaining nodes at once.
     pub fn finish(mut self) -> (Vec<Node>, Triangles) {
         while !self.advance() {}
         let triangles = Triangles::read(&self.mesh, &self.node_of);
@@ -70,11 +70,11 @@ impl IncrementalDelaunay {
 }
 
 impl Triangles {
-    /// Delaunay triangles in an order that depends on the points only. Points that coincide with an
+    /// Reads Delaunay triangles in an order that depends on the points only. Points that coincide with an
     /// earlier one get no triangle.
     fn read(mesh: &Delaunay, node_of: &[u32]) -> Self {
         let mut made = Self::default();
-        // Spade winds counter-clockwise with y up: a positive shoelace area on the same numbers. Its
+        // Spade winds anticlockwise with y up, which gives a positive shoelace area in our coordinates. Its
         // face 0 is the outer one.
         for face in mesh.inner_faces() {
             let sides = face.adjacent_edges();
@@ -91,7 +91,7 @@ impl Triangles {
         made
     }
 
-    /// Keeps the triangles that `good` says yes to.
+    /// Keeps the triangles for which `good` holds.
     pub fn retain(&mut self, good: impl Fn(&[u32; 3]) -> bool) {
         let mut kept = 0;
         let mut new = Vec::with_capacity(self.nodes.len());
@@ -117,14 +117,14 @@ impl Triangles {
         }
     }
 
-    /// Which side of `t` has `u` across it.
+    /// The side of `t` that borders on `u`.
     pub fn side_towards(&self, t: u32, u: u32) -> usize {
         let adjacent = &self.adjacent[t as usize];
         (0..3).find(|&k| adjacent[k] == u).unwrap_or(0)
     }
 
-    /// Lawson's flips in the local metric: the triangulation becomes Delaunay in it where that can be
-    /// had, and is valid wherever the flips end. Sides for which `keep` holds are not flipped.
+    /// Lawson's flips in the local metric. The triangulation becomes Delaunay in it where possible, and is
+    /// valid wherever the flips stop. Sides for which `keep` holds are not flipped.
     pub fn flip_to_metric(&mut self, nodes: &[Node], keep: impl Fn([u32; 2]) -> bool) {
         if nodes.iter().all(|n| n.metric == Metric::EUCLIDEAN) {
             return;
@@ -152,7 +152,7 @@ impl Triangles {
         }
     }
 
-    /// Exchanges the side between `t` (opposite to its node `k`) and `u` (to its node `j`) for the
+    /// Replaces the side between `t` (opposite to its node `k`) and `u` (opposite to its node `j`) by the
     /// other diagonal: `t` becomes (c, a, d), `u` (d, b, c).
     fn flip(&mut self, t: u32, k: usize, u: u32, j: usize) {
         let at = |t: u32, k: usize| (t as usize, k % 3);
@@ -160,7 +160,7 @@ impl Triangles {
         let side = |(t, k): (usize, usize)| self.adjacent[t][k];
         let (c, a, b) = (node(at(t, k)), node(at(t, k + 1)), node(at(t, k + 2)));
         let d = node(at(u, j));
-        // Across b-c and c-a of the one, across a-d and d-b of the other.
+        // The neighbours across b-c and c-a of `t`, and across a-d and d-b of `u`.
         let (bc, ca) = (side(at(t, k + 1)), side(at(t, k + 2)));
         let (ad, db) = (side(at(u, j + 1)), side(at(u, j + 2)));
         self.nodes[t as usize] = [c, a, d];
@@ -176,7 +176,7 @@ impl Triangles {
     }
 }
 
-/// Would the diagonal from `c` to `d` of the quadrilateral c, a, d, b be better than that from a to b?
+/// Whether the diagonal from `c` to `d` of the quadrilateral c, a, d, b is better than that from a to b.
 pub(crate) fn wants_flip([c, a, d, b]: &[Node; 4]) -> bool {
     let metric = Metric::mean([c.metric, a.metric, d.metric, b.metric]);
     let (u, v) = (a.at - c.at, b.at - c.at);
@@ -187,7 +187,7 @@ pub(crate) fn wants_flip([c, a, d, b]: &[Node; 4]) -> bool {
     sum < -TIE * scale && is_convex(c.at, a.at, d.at) && is_convex(d.at, b.at, c.at)
 }
 
-/// Has the triangle a positive area, beyond rounding?
+/// Whether the triangle has a positive area, beyond rounding.
 fn is_convex(a: DVec2, b: DVec2, c: DVec2) -> bool {
     let (u, v) = (b - a, c - a);
     u.perp_dot(v) > TIE * (u.length_squared() + v.length_squared())

@@ -1,4 +1,4 @@
-//! The figures of cells' polygons.
+//! Quality measures of cells' polygons.
 
 use super::cover::cover;
 use super::{Cover, Histogram, MOST_SIDES, Tally, angle, median, ring_edges};
@@ -7,37 +7,37 @@ use crate::domain::{Domain, signed_area};
 use crate::field::{Fields, Kind};
 use glam::DVec2;
 
-/// A corner turns by more than this, degrees: so a cell cut by a curved boundary has no side for
-/// each piece of it.
+/// A corner turns by more than this, in degrees. So the pieces of a curved boundary do not count as sides.
 const CORNER: f64 = 10.0;
-/// An edge whose ends are this near to the boundary or a constraint line (in roots of the mean area)
-/// lies on it.
+/// An edge whose ends are this near to the boundary or a constraint line (in roots of the mean area) lies on
+/// it.
 const ON_BOUNDARY: f64 = 0.02;
 /// Cells at least this much longer than wide have a long axis.
 const LONG: f64 = 1.2;
 
-/// How good cells are.
+/// Quality of cells.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CellMetrics {
-    /// How many there are.
+    /// The number of cells.
     pub count: usize,
-    /// How they fill the outline.
+    /// Cover of the outline.
     pub cover: Cover,
-    /// The mean of |area / asked area - 1|. A cell with corners asks for its size squared, any other
-    /// for what a circle of this diameter takes in a honeycomb, 0.866 of that.
+    /// The mean of
+    /// area / requested area - 1
+    /// . For cells with corners the requested area is the size squared, for others the area of a circle with
+    /// this diameter in a honeycomb, 0.866 of that.
     pub size_error: f64,
     /// Standard deviation over mean of the area.
     pub area_cv: f64,
     /// Share of cells smaller than half the median cell.
     pub small: f64,
-    /// Mean angle, by length, of the cells' edges to the direction field: of squares and rectangles
-    /// 0..45 degrees (22.5 at random); of circles and ellipses that of the edges' normals, seen in
-    /// the metric that makes circles of ellipses, 0..30 degrees (15 at random): 0 for honeycombs
-    /// whose rows run along the field. Edges that lie on the boundary or on constraint lines are left
-    /// out.
+    /// Mean angle between the cells' edges and the direction field, weighted by length. For squares and
+    /// rectangles it is 0..45 degrees (22.5 at random). For circles and ellipses it is the angle of the
+    /// edges' normals, in the metric that turns ellipses into circles, 0..30 degrees (15 at random); 0 for
+    /// honeycombs whose rows follow the field. Edges on the boundary or on constraint lines are left out.
     pub edge_angle: Option<f64>,
-    /// Mean angle of the long axis to the direction field over cells that are asked to be longer
-    /// than wide and are (by 1.2), 0..90 degrees (45 at random).
+    /// Mean angle of the long axis to the direction field, over cells that should be longer than wide and are
+    /// (by 1.2), 0..90 degrees (45 at random).
     pub axis_angle: Option<f64>,
     /// The median aspect ratio: the root of the ratio of the two principal second moments.
     pub aspect: Option<f64>,
@@ -89,7 +89,7 @@ fn asked_area(cell: &Cell) -> f64 {
     share(cell.kind) * cell.size * cell.size
 }
 
-/// The area that a cell of size 1 asks for.
+/// The area requested by a cell of size 1.
 pub(super) fn share(kind: Kind) -> f64 {
     if kind.has_corners() {
         1.0
@@ -117,7 +117,7 @@ fn edges_to_field(domain: &Domain, fields: &Fields, cell: &Cell, near: f64, tall
         let degrees = if cell.kind.has_corners() {
             angle(b - a, direction, 90.0)
         } else {
-            // As long as the circle's would be, along and across.
+            // As long as for a circle, along and across.
             let stretch = cell.aspect.sqrt();
             let along = direction.dot(b - a) / stretch;
             let across = direction.perp_dot(b - a) * stretch;

@@ -1,34 +1,34 @@
-//! How well polygons fill an outline, by scan lines.
+//! Cover of an outline by polygons, with scan lines.
 //!
-//! Between the heights of all corners the borders are straight, so areas are exact wherever polygons do
-//! not cross.
+//! Between the heights of all corners the borders are straight, so areas are exact wherever polygons do not
+//! cross.
 
 use crate::domain::Domain;
 use crate::order;
 use crate::planar::Space;
 use glam::DVec2;
 
-/// Areas as shares of the outline's.
+/// Areas as shares of the outline's area.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Cover {
-    /// The part of the outline that is covered: 1 is all of it.
+    /// The covered share of the outline, 1 for all.
     pub coverage: f64,
-    /// Area that is covered more than once, counted once for each time too many.
+    /// Area covered more than once, counted for each extra cover.
     pub overlap: f64,
-    /// Area that is covered outside the outline.
+    /// Area covered outside the outline.
     pub outside: f64,
 }
 
-/// At least so many scan lines, evenly spaced ...
+/// Fewest scan lines, evenly spaced ...
 const FEWEST_LINES: f64 = 4096.0;
-/// ... and about so many at most.
+/// ... and about the most.
 const MOST_LINES: f64 = 16384.0;
 
-/// An edge that scan lines can cross, from above to below.
+/// An edge for the scan lines, from above to below.
 struct ScanEdge {
     upper: DVec2,
     lower: DVec2,
-    /// What an edge changes of the number of polygons that cover a point, from left to right.
+    /// Change in the number of polygons that cover a point, from left to right across the edge.
     step: i32,
     /// The same for the outline.
     domain_step: i32,
@@ -36,7 +36,7 @@ struct ScanEdge {
 
 impl ScanEdge {
     fn new([from, to]: [DVec2; 2], of_domain: bool) -> Option<Self> {
-        // The inside is at the hand (-dy, dx): left of an edge that goes down.
+        // The inside is in the direction (-dy, dx): to the left of an edge that goes down.
         let (upper, lower, step) = if from.y < to.y {
             (from, to, -1)
         } else {
@@ -51,23 +51,22 @@ impl ScanEdge {
         })
     }
 
-    /// Where the line at the height y crosses it: for the same two ends the same bits, whichever
-    /// way the edge goes.
+    /// The crossing with the line at height y: the same bits for the same ends, in either direction.
     fn crossing(&self, y: f64) -> f64 {
         let t = (y - self.upper.y) / (self.lower.y - self.upper.y);
         self.upper.x + t * (self.lower.x - self.upper.x)
     }
 }
 
-/// Measures polygons given by all their directed edges, the inside at the hand (-dy, dx).
+/// Measures polygons given by all their directed edges, with the inside in the direction (-dy, dx).
 ///
-/// Between two heights at which edges end, the lengths that a scan line finds change linearly with
-/// its height unless edges cross: so a line in the middle between any two such heights gives the
-/// exact areas of polygons that do not overlap each other or the outline. Where edges cross, and
-/// where more than 16,384 lines would be needed, it is an approximation, good to about 1e-5.
+/// Between two heights where edges end, the lengths on a scan line change linearly with its height unless
+/// edges cross. So a line midway between any two such heights gives the exact areas of polygons that do not
+/// overlap each other or the outline. If edges cross, or more than 16,384 lines would be needed, the result
+/// is an approximation, good to about 1e-5.
 pub(super) fn cover(domain: &Domain, polygons: impl Iterator<Item = [DVec2; 2]>) -> Cover {
     let mut edges: Vec<ScanEdge> = polygons.filter_map(|e| ScanEdge::new(e, false)).collect();
-    // A torus has no outline: there the picture is filled, by what is in it of polygons and images.
+    // A torus has no outline: the picture is measured instead, with the parts of polygons and images in it.
     let picture = domain.space().period();
     if let Some(side) = picture {
         edges = unrolled(edges, side);
@@ -89,7 +88,7 @@ pub(super) fn cover(domain: &Domain, polygons: impl Iterator<Item = [DVec2; 2]>)
         for (x, edge) in &mut active {
             *x = edge.crossing(y);
         }
-        // By insertion: hardly any change places.
+        // Insertion sort: hardly any edges change places.
         for k in 1..active.len() {
             let mut at = k;
             while at > 0 && active[at - 1].0 > active[at].0 {
@@ -102,8 +101,7 @@ pub(super) fn cover(domain: &Domain, polygons: impl Iterator<Item = [DVec2; 2]>)
     lengths.cover()
 }
 
-/// On a torus: the edges in all images that can be seen in the picture, and the picture's rim as
-/// the outline.
+/// On a torus: the edges in all images that are visible in the picture, and the picture's rim as the outline.
 fn unrolled(edges: Vec<ScanEdge>, side: f64) -> Vec<ScanEdge> {
     let mut images = Vec::new();
     for shift in Space::torus(side).shifts(1) {
@@ -120,8 +118,8 @@ fn unrolled(edges: Vec<ScanEdge>, side: f64) -> Vec<ScanEdge> {
     images
 }
 
-/// Scan lines as (y, the height they stand for): in the middle between the heights of the edges'
-/// ends, and at least [`FEWEST_LINES`].
+/// Scan lines as (y, the height they represent): midway between the heights of the edges' ends, and at least
+/// [`FEWEST_LINES`].
 fn lines(edges: &[ScanEdge]) -> Vec<(f64, f64)> {
     let mut heights: Vec<f64> = edges.iter().flat_map(|e| [e.upper.y, e.lower.y]).collect();
     order::sort(&mut heights, |&y| (order::rank(y), 0));
@@ -152,7 +150,7 @@ struct Lengths {
 }
 
 impl Lengths {
-    /// Adds what a line finds; with `cropped`, only within the outline.
+    /// Adds the lengths on a line; with `cropped`, only those within the outline.
     fn add_line(&mut self, crossings: &[(f64, &ScanEdge)], height: f64, cropped: bool) {
         let (mut cells, mut domain) = (0, 0);
         for w in crossings.windows(2) {

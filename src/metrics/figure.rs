@@ -1,4 +1,4 @@
-//! The figures of one cell.
+//! Measures of one cell.
 
 use super::cells::{corners, principal_axis, share};
 use super::{angle, ring_edges};
@@ -7,18 +7,18 @@ use crate::domain::signed_area;
 use crate::field::Kind;
 use glam::DVec2;
 
-/// What can be told of a cell by its polygon.
+/// Measures of a cell by its polygon.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Figure {
     /// Area in square picture units.
     pub area: f64,
-    /// The size that a cell of its kind and area has, in picture units.
+    /// The size of a cell with its kind and area, in picture units.
     pub size: f64,
     /// Length over width by the second moments, at least 1.
     pub aspect: f64,
-    /// Corners that turn by more than 10 degrees.
+    /// The number of corners that turn by more than 10 degrees.
     pub sides: usize,
-    /// Unit vector along its rows (squares) or its long axis (rectangles and ellipses); none of circles.
+    /// Unit vector along its rows (squares) or its long axis (rectangles and ellipses); `None` for circles.
     pub axis: Option<DVec2>,
 }
 
@@ -42,7 +42,7 @@ impl Figure {
         }
     }
 
-    /// The angle between its axis and a direction, degrees, 0..45 of squares, else 0..90; none where
+    /// The angle between its axis and a direction in degrees, 0..45 for squares, otherwise 0..90; `None` if
     /// one of them is missing.
     pub fn misalignment(&self, kind: Kind, direction: DVec2) -> Option<f64> {
         let axis = self.axis.filter(|_| direction != DVec2::ZERO)?;
@@ -50,12 +50,12 @@ impl Figure {
     }
 }
 
-/// A turn by so many degrees leaves a cell of a kind as it is.
+/// The smallest turn, in degrees, that leaves a cell of a kind unchanged.
 pub(crate) fn symmetry_angle(kind: Kind) -> f64 {
     360.0 / f64::from(kind.symmetry())
 }
 
-/// The mean direction of the edges by their length, where quarter turns look alike.
+/// The mean direction of the edges, weighted by length, up to quarter turns.
 fn square_axis(ring: &[DVec2]) -> Option<DVec2> {
     let mut sum = DVec2::ZERO;
     for [a, b] in ring_edges(ring) {

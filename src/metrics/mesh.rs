@@ -1,4 +1,4 @@
-//! The figures of a mesh.
+//! Quality measures of a mesh.
 
 use super::cover::cover;
 use super::{Cover, Histogram, MOST_SIDES, Tally, angle, ring_edges};
@@ -11,14 +11,14 @@ use glam::DVec2;
 /// Edges up to this far from the boundary (in roots of the mean area) are compared with it.
 const NEAR: f64 = 2.0;
 
-/// How good a mesh is.
+/// Quality of a mesh.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MeshMetrics {
     /// Elements.
     pub faces: usize,
     /// Share of quadrilaterals among the elements.
     pub quads: f64,
-    /// How they fill the outline.
+    /// Cover of the outline.
     pub cover: Cover,
     /// Standard deviation over mean of the elements' area.
     pub area_cv: f64,
@@ -26,27 +26,26 @@ pub struct MeshMetrics {
     pub jacobian: Option<Jacobian>,
     /// Figures of the triangles.
     pub triangles: Option<TriangleQuality>,
-    /// Nodes by the number of edges at them; only nodes inside, not on an edge that one element
-    /// only has.
+    /// Histogram of the number of edges at inner nodes, those without an edge that has only one element.
     pub valence: Histogram,
-    /// Share of these that have four edges where the cell has corners, six where it has none.
+    /// Share of inner nodes with four edges if the cell has corners, or six if not.
     pub ideal_valence: Option<f64>,
-    /// Mean angle to the nearest boundary of the quadrilaterals' inner edges up to two cells from
-    /// it, 0..45 degrees (22.5 at random).
+    /// Mean angle between the quadrilaterals' inner edges and the nearest boundary, up to two cells from it,
+    /// 0..45 degrees (22.5 at random).
     pub quads_to_boundary: Option<f64>,
-    /// The same of the triangles' inner edges, 0..30 degrees (15 at random).
+    /// The same for the triangles' inner edges, 0..30 degrees (15 at random).
     pub triangles_to_boundary: Option<f64>,
 }
 
-/// The scaled Jacobian of a quadrilateral: the least sine of its four corners, 1 for a rectangle,
-/// not positive where it is not convex.
+/// The scaled Jacobian of a quadrilateral: the least sine of its four corners, 1 for a rectangle, zero or
+/// negative if it is not convex.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Jacobian {
     /// Over all quadrilaterals.
     pub mean: f64,
-    /// The worst one's.
+    /// The minimum.
     pub min: f64,
-    /// How many are not positive.
+    /// How many are zero or negative.
     pub not_positive: usize,
 }
 
@@ -55,21 +54,21 @@ pub struct Jacobian {
 pub struct TriangleQuality {
     /// Over all triangles.
     pub mean: f64,
-    /// The worst one's.
+    /// The minimum.
     pub min: f64,
 }
 
 /// An edge of the mesh.
 struct MeshEdge {
     nodes: [u32; 2],
-    /// Elements that have it.
+    /// The number of elements at it.
     faces: usize,
     of_quad: bool,
     of_triangle: bool,
 }
 
 impl MeshMetrics {
-    /// Measures a mesh. The mesh's vertices are the particles' centres, in the same order, then images.
+    /// Measures a mesh. Its vertices are the particles' centres, in the same order, then images.
     pub fn new(domain: &Domain, particles: &[Particle], mesh: &Mesh) -> Self {
         let polygon = |face: &Face| -> Vec<DVec2> {
             let places = face.nodes().iter().map(|&k| mesh.vertices[k as usize]);
@@ -145,14 +144,14 @@ fn triangle_quality(corners: &[DVec2]) -> f64 {
     4.0 * 3.0_f64.sqrt() * signed_area(corners).abs() / squares.max(1e-12)
 }
 
-/// The vertex itself, or the one that it is an image of.
+/// The vertex itself, or the original of an image.
 fn real(mesh: &Mesh, k: u32) -> u32 {
     let first = mesh.vertices.len() - mesh.images.len();
     let image = (k as usize).checked_sub(first);
     image.map_or(k, |image| mesh.images[image])
 }
 
-/// The edges; on a torus each once, ends at images stand for what those are images of.
+/// The edges. On a torus each occurs once, and ends at images are replaced by their originals.
 fn edges(mesh: &Mesh) -> Vec<MeshEdge> {
     let mut sides: Vec<([u32; 2], bool)> = Vec::new();
     for face in &mesh.faces {

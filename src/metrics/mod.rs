@@ -1,7 +1,7 @@
-//! Figures by which packings, meshes and cells are compared, from whatever made them.
+//! Quality measures that compare packings, meshes and cells, whatever made them.
 //!
-//! All are pure functions of the cells or the mesh, the outline and the fields. Areas are shares of
-//! the outline's area, angles degrees. Nothing here is worked out unless it is asked for.
+//! All are pure functions of the cells or the mesh, the outline and the fields. Areas are shares of the
+//! outline's area, angles degrees. Nothing is computed unless it is requested.
 
 mod cells;
 mod cover;
@@ -22,18 +22,18 @@ use crate::order;
 use crate::packing::Particle;
 use glam::DVec2;
 
-/// Sides of a cell and edges at a node are counted up to this; more count as this many.
+/// Sides of a cell and edges at a node are counted up to this; larger numbers count as this.
 pub const MOST_SIDES: usize = 12;
 
-/// Items by their number of sides (or edges): `[k]` of them have k.
+/// Numbers of items by their number of sides (or edges): entry k counts those with k.
 pub type Histogram = [usize; MOST_SIDES + 1];
 
-/// The figures of a pavement.
+/// Quality measures of a pavement.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Metrics {
-    /// Figures of the cells' polygons.
+    /// Measures of the cells' polygons.
     pub cells: CellMetrics,
-    /// Figures of the mesh of their centres.
+    /// Measures of the mesh of their centres.
     pub mesh: MeshMetrics,
 }
 
@@ -72,12 +72,12 @@ impl Tally {
         self.squares += weight * x * x;
     }
 
-    /// `None` of nothing.
+    /// `None` if empty.
     fn mean(&self) -> Option<f64> {
         (self.weight > 0.0).then(|| self.sum / self.weight)
     }
 
-    /// The standard deviation over the mean, 0 of nothing.
+    /// The standard deviation over the mean, 0 if empty.
     fn variation(&self) -> f64 {
         let mean = self.mean().unwrap_or(0.0);
         if mean > 0.0 {
@@ -88,7 +88,7 @@ impl Tally {
     }
 }
 
-/// The middle number; of an even count the mean of the two in the middle.
+/// The median; for an even count the mean of the two in the middle.
 fn median(mut numbers: Vec<f64>) -> Option<f64> {
     order::sort(&mut numbers, |&x| (order::rank(x), 0));
     let n = numbers.len();
@@ -96,15 +96,14 @@ fn median(mut numbers: Vec<f64>) -> Option<f64> {
     Some(0.5 * (upper + numbers[(n - 1) / 2]))
 }
 
-/// The angle between a line and a direction, both without an orientation, where `period` degrees make no
-/// difference: 0..period / 2.
+/// The angle between a line and a direction, both unoriented, modulo `period` degrees: 0..period / 2.
 fn angle(line: DVec2, direction: DVec2, period: f64) -> f64 {
     let turn = libm::atan2(direction.perp_dot(line), direction.dot(line)).to_degrees();
     let rest = turn - period * (turn / period).floor();
     rest.min(period - rest)
 }
 
-/// The directed edges of a ring, its inside at their hand as in the outline's outer ring.
+/// The directed edges of a ring, with the inside on the same hand as in the outline's outer ring.
 fn ring_edges(ring: &[DVec2]) -> impl Iterator<Item = [DVec2; 2]> {
     let back = crate::domain::signed_area(ring) < 0.0;
     let n = ring.len();

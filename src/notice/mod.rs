@@ -1,5 +1,5 @@
-//! What is said to people, as data: a code and its arguments. The words stand in `words.txt`, in all
-//! languages; English is a part of the program.
+//! Messages for people, as data: a code and its arguments. `words.txt` has the sentences in all languages;
+//! English is compiled into the program.
 
 use std::fmt;
 
@@ -8,7 +8,7 @@ include!(concat!(env!("OUT_DIR"), "/notices.rs"));
 /// A sentence, or a part of one.
 #[derive(Clone, PartialEq)]
 pub struct Notice {
-    /// Which sentence of the table it is.
+    /// The sentence in the table.
     pub code: Code,
     /// The arguments by their names in the table.
     pub args: Vec<(&'static str, Arg)>,
@@ -17,38 +17,38 @@ pub struct Notice {
 /// An argument.
 #[derive(Clone, PartialEq)]
 pub enum Arg {
-    /// What is the same in all languages: numbers, places, what was given.
+    /// Text that is the same in all languages: numbers, places, user input.
     Text(String),
     /// A parameter, by its key in the link, with its English name.
     Parameter {
-        /// As in the link.
+        /// The key in the link.
         key: &'static str,
-        /// As on the page.
+        /// The name on the page.
         name: &'static str,
     },
     /// A word of a choice.
     Choice {
         /// The choice's key.
         key: &'static str,
-        /// As in the link.
+        /// The word in the link.
         word: &'static str,
-        /// As on the page, in English.
+        /// The label on the page, in English.
         label: &'static str,
     },
     /// A part of the sentence.
     Part(Notice),
-    /// One of these.
+    /// A list of alternatives.
     AnyOf(Vec<Arg>),
 }
 
 impl Notice {
-    /// Without arguments.
+    /// A notice without arguments.
     pub fn new(code: Code) -> Self {
         let args = Vec::new();
         Self { code, args }
     }
 
-    /// With one more argument.
+    /// Adds an argument.
     pub fn with(mut self, name: &'static str, arg: impl Into<Arg>) -> Self {
         self.args.push((name, arg.into()));
         self
@@ -79,17 +79,17 @@ impl From<Notice> for Arg {
     }
 }
 
-/// In English.
+/// The English text.
 impl From<Notice> for String {
     fn from(notice: Notice) -> Self {
         english(&notice)
     }
 }
 
-/// Characters of a foreign text that a sentence repeats.
+/// Most characters of foreign text quoted in a sentence.
 const QUOTED: usize = 24;
 
-/// Foreign text made fit for a sentence: short and without control characters.
+/// Makes foreign text fit for a sentence: short and without control characters.
 pub fn quote(text: &str) -> String {
     let mut short: String = text
         .chars()
@@ -102,20 +102,20 @@ pub fn quote(text: &str) -> String {
     format!("\"{short}\"")
 }
 
-/// Many of them, one after the other.
+/// The texts of several notices, joined.
 pub fn text(notices: &[Notice]) -> String {
     let texts: Vec<String> = notices.iter().map(english).collect();
     texts.join(" ")
 }
 
-/// In English.
+/// The English text.
 impl fmt::Display for Notice {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&english(self))
     }
 }
 
-/// The same: what is looked at is read.
+/// The same as `Display`, for readable test output.
 impl fmt::Debug for Notice {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         fmt::Display::fmt(self, f)
@@ -135,7 +135,7 @@ fn english(notice: &Notice) -> String {
         rest = after;
     }
     text += rest;
-    // Sentences begin with a capital, whatever stands there.
+    // Sentences begin with a capital, whatever the first word is.
     match template.ends_with('.') {
         true => {
             let mut letters = text.chars();
@@ -173,7 +173,7 @@ impl Arg {
 mod tests {
     use super::*;
 
-    /// Codes with their English and their Japanese.
+    /// Codes with their English and Japanese sentences.
     fn table() -> Vec<[&'static str; 3]> {
         let lines = include_str!("words.txt").lines();
         let lines: Vec<&str> = lines

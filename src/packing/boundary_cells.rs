@@ -1,4 +1,4 @@
-//! The cells along the boundary.
+//! Placement of the cells along the boundary.
 
 use super::clearance::is_clear;
 use super::grid::Grid;
@@ -8,20 +8,20 @@ use super::shape::Shape;
 use crate::field::Fields;
 use glam::DVec2;
 
-/// The ring is cut into pieces where it turns by more than this (cosine of 25 degrees).
+/// The ring is divided where it turns by more than this (cosine of 25 degrees).
 const CORNER: f64 = 0.906;
 /// Boundary cells nearer to each other than this (in sizes) are dropped ...
 const BOUNDARY_GAP: f64 = 0.6;
-/// ... as are those nearer to the boundary than this share of their way in, where a bend is
-/// tighter than a cell.
+/// ... and so are those nearer to the boundary than this share of their inset, where a bend is tighter than a
+/// cell.
 const BOUNDARY_CLEARANCE: f64 = 0.8;
-/// How far in the first row stands, in sizes: half a cell, or less where the outline is narrow.
+/// Insets of the first row, in sizes: half a cell, or less where the outline is narrow.
 const DEPTHS: [f64; 4] = [0.5, 0.4, 0.3, 0.22];
 
-/// A ring's pieces between corners, each a run of points; a smooth ring is one closed piece.
+/// A piece of a ring between corners, as a polyline; a smooth ring is one closed piece.
 pub(super) struct Piece {
     points: Vec<DVec2>,
-    /// The directions with which the neighbouring pieces meet it at its ends.
+    /// The directions of the neighbouring pieces where they meet its ends.
     before: Option<DVec2>,
     after: Option<DVec2>,
 }
@@ -52,7 +52,7 @@ pub(super) fn pieces(points: &[DVec2], closed: bool) -> Vec<Piece> {
     }
     let runs = corners.windows(2).map(|w| (w[0], w[1]));
     runs.map(|(from, to)| {
-        // At the free ends of a line it goes straight on.
+        // The free ends of a line continue straight.
         let first = if !closed && from == 0 {
             from
         } else {
@@ -68,8 +68,8 @@ pub(super) fn pieces(points: &[DVec2], closed: bool) -> Vec<Piece> {
     .collect()
 }
 
-/// The pieces of a constraint line: there and back, a row along each side; or there only, for cells
-/// that stand on it.
+/// The pieces of a constraint line: there and back, for a row along each side; or there only, for cells that
+/// stand on it.
 pub(super) fn line_pieces(line: &[DVec2], fixed: bool) -> Vec<Piece> {
     let closed = line.first() == line.last();
     let mut points = line.to_vec();
@@ -92,7 +92,7 @@ pub(super) fn boundary_cells(
     fixed: bool,
 ) {
     let Surroundings { domain, fields, .. } = around;
-    // Narrow: with a row half a cell in, most of it would not be clear of the other side.
+    // The inset fits if most of the row is clear of the opposite side.
     let is_wide = |depth: &&f64| {
         let line = offset_line(piece, fields, **depth);
         let clear = |p: &&DVec2| is_clear(**p, BOUNDARY_CLEARANCE * **depth, fields, domain);
@@ -118,7 +118,7 @@ pub(super) fn boundary_cells(
     }
 }
 
-/// Where the outline is narrower than the cells: in its middle, as the wall goes along.
+/// Where the outline is narrower than the cells: places them on its centre line, following the wall.
 fn narrow_cells(placed: &mut Placed<DVec2, Grid>, piece: &Piece, around: Surroundings) {
     let Surroundings { domain, fields, .. } = around;
     for (p, along) in spaced(&piece.points, fields, 0.5) {
@@ -131,10 +131,10 @@ fn narrow_cells(placed: &mut Placed<DVec2, Grid>, piece: &Piece, around: Surroun
     }
 }
 
-/// Places along a line at whole numbers of cells, the first `from` of a cell's way from its start,
-/// the last as far from its end; each with the unit vector of the line there.
+/// Places along a line at whole numbers of cells, each with the line's unit vector. The first is the share
+/// `from` of a cell away from the start, the last equally far from the end.
 fn spaced(line: &[DVec2], fields: &Fields, from: f64) -> Vec<(DVec2, DVec2)> {
-    // Lengths in cells: a step is shorter where cells are smaller.
+    // Lengths in cells: steps are shorter where cells are smaller.
     let mut reached = vec![0.0];
     for w in line.windows(2) {
         let cells = Shape::metric_at(fields, w[0].midpoint(w[1])).cells_along(w[1] - w[0]);
@@ -161,7 +161,7 @@ fn spaced(line: &[DVec2], fields: &Fields, from: f64) -> Vec<(DVec2, DVec2)> {
     (0..places).map(place).collect()
 }
 
-/// The piece moved inwards by `depth` cells. At its ends it meets the neighbouring pieces' lines.
+/// The piece moved inwards by `depth` cells. At its ends it meets the neighbouring pieces' offset lines.
 fn offset_line(piece: &Piece, fields: &Fields, depth: f64) -> Vec<DVec2> {
     let points = &piece.points;
     let last = points.len() - 1;
@@ -186,8 +186,8 @@ fn offset_line(piece: &Piece, fields: &Fields, depth: f64) -> Vec<DVec2> {
         .collect()
 }
 
-/// Where the inward offsets by 1 of two lines meet, seen from their common point; at tips sharper
-/// than about 40 degrees not quite so far in.
+/// The intersection of two lines' inward offsets by 1, relative to their common point. At tips sharper than
+/// about 40 degrees it is pulled back.
 fn mitre(earlier: DVec2, later: DVec2) -> DVec2 {
     let normal = (earlier.perp() + later.perp()).normalize_or(later.perp());
     normal / normal.dot(later.perp()).max(0.35)

@@ -1,4 +1,4 @@
-//! Whether walls leave room for a cell.
+//! Tests whether walls leave room for a cell.
 
 use super::BoundaryCondition;
 use super::placed::FRONT_GAP;
@@ -8,17 +8,17 @@ use crate::domain::{Domain, Nearest};
 use crate::field::Fields;
 use glam::DVec2;
 
-/// The fewest sizes from the boundary at which a cell is placed inside.
+/// The least distance from the boundary at which a cell is placed, in sizes.
 const INSIDE_CLEARANCE: f64 = 0.35;
 
-/// Where it is nearer than this from the middle of an outline to its walls, in sizes, cells go into
-/// the middle ...
+/// If the centre line of the outline is nearer to the walls than this, in sizes, cells go onto the centre
+/// line ...
 const NARROW: f64 = 0.4;
 /// ... but not where it is nearer than this.
 const NARROWEST: f64 = 0.25;
 
-/// Where the outline is too narrow for a cell: the middle between its walls there. Nothing where it is
-/// wide enough, and where it is so narrow that a cell would be a sliver.
+/// The point on the centre line at a place too narrow for a cell. `None` if there is room, or so little that
+/// a cell would be a sliver.
 pub(super) fn middle_of_narrow(p: DVec2, around: Surroundings) -> Option<DVec2> {
     let Surroundings {
         domain,
@@ -36,7 +36,7 @@ pub(super) fn middle_of_narrow(p: DVec2, around: Surroundings) -> Option<DVec2> 
     is_narrow.then(|| near.point + near.inward * depth)
 }
 
-/// Is there room for a cell between the walls at this place?
+/// Whether the walls leave room for a cell at this place.
 pub(super) fn has_room(p: DVec2, around: Surroundings) -> bool {
     let Surroundings {
         domain,
@@ -52,13 +52,14 @@ pub(super) fn has_room(p: DVec2, around: Surroundings) -> bool {
     }
     let clearance = match boundary {
         BoundaryCondition::Wall => INSIDE_CLEARANCE,
-        // The first row inside keeps off the cells on the boundary by itself.
+        // The front's gap already keeps the first row off the cells on the boundary.
         BoundaryCondition::On => FRONT_GAP * 0.8,
     };
     is_clear(p, clearance, fields, domain)
 }
 
-/// Is a place inside, and this share of a cell's extent or more from the boundary and from lines?
+/// Whether a place is inside, and at least this share of a cell's extent away from the boundary and from
+/// lines.
 pub(super) fn is_clear(p: DVec2, clearance: f64, fields: &Fields, domain: &Domain) -> bool {
     let shape = Shape::metric_at(fields, p);
     let clear = |near: Nearest| near.distance >= clearance * shape.extent(near.inward);

@@ -1,8 +1,8 @@
 //! The bubble force and the potential of a pair of cells.
 //!
-//! Miyata, Itoh, Shimada (2000), section 4.2: code `bubble_force` = eq. (2), `bubble_potential` =
-//! eq. (3), `Pair::force` = the gradient of eq. (4). The units make a force a length: the spring
-//! constant k0 of a pair is l0 squared, so that k0 / l0 = l0, the pair's stable distance.
+//! Miyata, Itoh, Shimada (2000), section 4.2: code `bubble_force` = eq. (2), `bubble_potential` = eq. (3),
+//! `Pair::force` = the gradient of eq. (4). In these units a force is a length: the spring constant k0 of a
+//! pair is l0 squared, so that k0 / l0 = l0, the pair's stable distance.
 
 use super::Particle;
 use super::ground::Carry;
@@ -31,12 +31,12 @@ pub fn bubble_potential(w: f64) -> f64 {
     -(((0.3125 * w - 19.0 / 24.0) * w * w + 1.125) * w - 153.0 / 256.0)
 }
 
-/// What one cell does to another.
+/// The interaction of two cells.
 ///
-/// Squares and circles push along the line between their centres, as eq. (2) says; so do ellipses
-/// and rectangles, by their effective distance (Itoh, Miyata, Shimada 2003, section 5.1). Cells with
-/// corners have four more potentials there (eq. 4). Where cells are stretched, those are evaluated
-/// in the frame in which the cells would be squares.
+/// Squares and circles push along the line between their centres (eq. 2); so do ellipses and rectangles, by
+/// their effective distance (Itoh, Miyata, Shimada 2003, section 5.1). Cells with corners have four more
+/// potentials there (eq. 4). For stretched cells these are evaluated in the frame in which the cells are
+/// squares.
 #[derive(Clone, Copy, Debug)]
 pub struct Pair {
     /// Unit vector of the pair's frame, or zero where the field has no direction: then only the
@@ -44,9 +44,9 @@ pub struct Pair {
     axis: DVec2,
     /// Sizes of the two cells.
     sizes: (f64, f64),
-    /// Do their corners act?
+    /// Whether the corners of each act.
     corners: (bool, bool),
-    /// Present where one of them is stretched.
+    /// Present if one of them is stretched.
     stretch: Option<Stretch>,
 }
 
@@ -58,13 +58,13 @@ struct Stretch {
 }
 
 impl Pair {
-    /// The frame of two cells: the mean of the first one's axis and of that turn of the second one's
-    /// which looks alike and is nearest to it, so that forces are reciprocal.
+    /// The frame of two cells: the mean of the first one's axis and the second one's, turned by symmetry to
+    /// be nearest. Forces are then reciprocal.
     pub fn new(a: &Particle, b: &Particle) -> Self {
         Self::seen(a, b, InPlane)
     }
 
-    /// That of two cells on any ground, in the first one's frame.
+    /// The same on any domain, in the first one's frame.
     #[inline(always)]
     pub(crate) fn seen<P>(a: &Particle<P>, b: &Particle<P>, turn: impl Carry) -> Self {
         let sizes = (a.size, b.size);
@@ -101,14 +101,13 @@ impl Pair {
         }
     }
 
-    /// The stable distance l0 of the two centres, of stretched cells in the frame in which they
-    /// would be squares.
+    /// The stable distance l0 of the two centres; for stretched cells in the frame in which they are squares.
     pub fn stable_distance(&self) -> f64 {
         0.5 * (self.sizes.0 + self.sizes.1)
     }
 
-    /// The force on the second cell, whose centre is at `r` from the first one's; the first one
-    /// feels the opposite. Where sizes differ it is the mean of what each does to the other.
+    /// The force on the second cell, whose centre is at `r` from the first one's; the first one feels the
+    /// opposite. If sizes differ it is the mean of the two one-sided forces.
     #[inline(always)]
     pub fn force(&self, r: DVec2) -> DVec2 {
         let l0 = self.stable_distance();
@@ -141,8 +140,8 @@ impl Pair {
         force
     }
 
-    /// The pair's potential at `r`. [`Pair::force`] is minus its gradient where no cell is
-    /// stretched; where one is, minus the gradient in the frame in which it would not be.
+    /// The pair's potential at `r`. [`Pair::force`] is minus its gradient; for stretched cells the gradient
+    /// is taken in the frame in which they are squares.
     pub fn potential(&self, r: DVec2) -> f64 {
         let l0 = self.stable_distance();
         let w = match &self.stretch {
@@ -169,8 +168,8 @@ impl Pair {
         sum
     }
 
-    /// The depth to which the cells penetrate each other at `r`, in stable distances: 0 where they
-    /// touch, edge to edge if both have corners; negative where they are apart.
+    /// The penetration depth at `r`, in stable distances: 0 if they touch, edge to edge if both have corners;
+    /// negative if they are apart.
     pub fn penetration(&self, r: DVec2) -> f64 {
         if self.corners == (true, true) && self.axis != DVec2::ZERO {
             return 1.0 - self.framed(r).abs().max_element() / self.stable_distance();
@@ -213,7 +212,7 @@ impl Pair {
         let l0 = self.stable_distance();
         let reach = self.corner_distance();
         let half = 0.5 * size;
-        // By symmetry below the diagonal of the first quadrant; put back at the end.
+        // By symmetry, works below the diagonal of the first quadrant, and maps back at the end.
         let q = local.abs();
         let (x, y) = (greater(q.x, q.y), lesser(q.x, q.y));
         let per_reach = 1.0 / reach;
@@ -221,7 +220,7 @@ impl Pair {
         let (above, below) = (radial(x - half, y - half), radial(x - half, y + half));
         let mut along = (above + below) * (x - half);
         let mut across = above * (y - half) + below * (y + half);
-        // The corners behind are mostly too far away.
+        // The far corners are mostly out of reach.
         if x + half < CUT * reach {
             let (above, below) = (radial(x + half, y - half), radial(x + half, y + half));
             along += (above + below) * (x + half);
@@ -243,7 +242,7 @@ impl Pair {
         let l0 = self.stable_distance();
         let reach = self.corner_distance();
         let half = 0.5 * size;
-        // By symmetry in the first quadrant.
+        // By symmetry, works in the first quadrant.
         let q = local.abs();
         let radial = |x: f64, y: f64| {
             let square = DVec2::new(q.x - x, q.y - y).length_squared();
@@ -258,7 +257,7 @@ impl Pair {
     }
 }
 
-/// The force on the second of two cells of any kinds, `r` from the first, in whose frame it is.
+/// The force on the second of two cells of any kinds, `r` from the first, in the first one's frame.
 pub(super) fn force_between<P>(
     a: &Particle<P>,
     b: &Particle<P>,
@@ -279,8 +278,8 @@ pub(super) fn potential_between<P>(
     Pair::seen(a, b, turn).potential(r)
 }
 
-/// The mean of a vector and of that turn of another by a whole number of `symmetry`-th parts of a
-/// circle (2 or 4) which is nearest to it; zero where one of them is.
+/// The mean of a vector and another one, turned by the multiple of 1/`symmetry` (2 or 4) of a circle that
+/// brings it nearest; zero if one of them is zero.
 #[inline(always)]
 fn mean_axis(e: DVec2, f: DVec2, symmetry: u32) -> DVec2 {
     let (along, across) = (e.dot(f), e.perp_dot(f));
@@ -296,9 +295,9 @@ fn mean_axis(e: DVec2, f: DVec2, symmetry: u32) -> DVec2 {
     }
 }
 
-/// What a vector of this squared length is to be multiplied by to become the bubble force along it,
-/// of strength 1. Without branches: most pairs would take them by chance. The force is just zero at
-/// the cut, so that what lies beyond can be put there.
+/// The factor that turns a vector of this squared length into the bubble force along it, of strength 1. It
+/// has no branches, because most pairs would take them at random. The force is exactly zero at the cut, so
+/// distances are clamped to it.
 #[inline(always)]
 fn radial_strength(square: f64, per_reach: f64) -> f64 {
     let square = lesser(square * (per_reach * per_reach), CUT * CUT);

@@ -1,4 +1,4 @@
-//! A front of cells that grows over the inside.
+//! Fills the inside with a front of cells that grows.
 
 use super::ground::{Asks, GridOf, Ground, Sees};
 use super::placed::{FRONT_GAP, Placed};
@@ -8,34 +8,34 @@ use crate::random::{Purpose, Random};
 use glam::DVec2;
 use std::collections::VecDeque;
 
-/// Where the front has died out, a new one starts at a place this free.
+/// If the front has died out, a new one starts at a place with this much room.
 const SEED_GAP: f64 = 0.9;
 
-/// Where going to a place is work: none is gone to that a cell is nearer to than this.
+/// If paths are expensive, a place with a cell nearer than this is rejected before its path is traced.
 const TAKEN: f64 = 0.4;
 
 /// A front that grows from the boundary cells along the direction field, first come first served.
 pub(crate) struct Front {
     queue: VecDeque<usize>,
-    /// What begins to grow when the front has died out for the first time.
+    /// Cells that start growing when the front has died out for the first time.
     rows: VecDeque<usize>,
-    /// The directions of honeycombs' rows.
+    /// The row directions of honeycombs.
     honeycombs: Vec<DVec2>,
     random: Random,
-    /// How often a place is still looked for that the front could not reach.
+    /// Remaining random tries for places that the front could not reach.
     tries: u32,
 }
 
 impl Front {
     pub fn new<G: Ground>(placed: &mut Placed<G::Place, GridOf<G>>, ground: G, seed: u64) -> Self {
         if ground.has_parts() {
-            // Random places would seldom lie in a small one among many.
+            // Random places would seldom hit a small part.
             placed.fill_empty_parts(ground);
         }
         let mut queue: VecDeque<usize> = (0..placed.cells.len()).collect();
         let mut rows = VecDeque::new();
-        // Circles have no direction of their own: one honeycomb, from the middle outwards, has fewer
-        // faults than rows along the boundary that meet each other. Each island has its own.
+        // Circles have no direction of their own. One honeycomb from the centre outwards has fewer faults
+        // than rows along the boundary that meet each other. Each island has its own.
         let honeycombs = ground.honeycombs();
         let first = placed.cells.len();
         for p in ground.hearts() {
@@ -57,7 +57,7 @@ impl Front {
         }
     }
 
-    /// Grows around the next cell, or looks for a place to grow on from; true when that is over.
+    /// Grows around the next cell, or looks for a new place to start from; true when finished.
     pub fn grow<G: Ground>(&mut self, placed: &mut Placed<G::Place, GridOf<G>>, ground: G) -> bool {
         if self.queue.is_empty() {
             std::mem::swap(&mut self.rows, &mut self.queue);
@@ -109,14 +109,14 @@ impl Front {
     }
 }
 
-/// Does one of some cells, told by their ways and shapes, stand where a neighbour would touch?
+/// Whether one of some cells, given by offset and shape, stands where a neighbour would touch.
 pub(super) fn is_taken(shape: &Shape, to: DVec2, beside: &[(DVec2, Shape)]) -> bool {
     let slot = shape.size * to;
     let mut each = beside.iter();
     each.any(|(r, other)| shape.normalised_distance(other, *r - slot) < TAKEN)
 }
 
-/// The places of neighbours that touch a cell, where they are wanted.
+/// The wanted places of neighbours that touch a cell.
 pub(super) fn slots<G: Ground>(
     centre: G::Place,
     shape: Shape,

@@ -1,4 +1,4 @@
-//! Cell lists: buckets of points, to find neighbours in constant time.
+//! A spatial hash of points: finds neighbours in constant time.
 
 use crate::planar::Space;
 use glam::DVec2;
@@ -17,7 +17,7 @@ pub struct Grid {
 
 const NONE: u32 = u32::MAX;
 
-/// Most buckets along a side, so that tiny cells in a large picture do not cost memory.
+/// Most buckets along a side, so that tiny cells in a large picture do not cost much memory.
 const MOST: f64 = 1024.0;
 
 impl Grid {
@@ -38,25 +38,25 @@ impl Grid {
 
     fn place(&self, p: DVec2) -> (usize, usize) {
         let at = (p - self.origin) / self.step;
-        // `as` saturates, so that points outside go to the rim.
+        // `as` saturates, so points outside go to the outermost buckets.
         (
             (at.x as usize).min(self.columns - 1),
             (at.y as usize).min(self.rows - 1),
         )
     }
 
-    /// The number of the bucket a point lies in, row after row.
+    /// The number of a point's bucket, row by row.
     pub fn bucket(&self, p: DVec2) -> usize {
         let (x, y) = self.place(p);
         y * self.columns + x
     }
 
-    /// How many buckets there are.
+    /// The number of buckets.
     pub fn buckets(&self) -> usize {
         self.head.len()
     }
 
-    /// The buckets whose points may lie within `radius` of `p`, as runs in rising order.
+    /// The buckets whose points may lie within `radius` of `p`, as ranges in rising order.
     pub fn runs_near(&self, p: DVec2, radius: f64) -> impl Iterator<Item = Range<usize>> {
         let (x0, y0) = self.place(p - DVec2::splat(radius));
         let (x1, y1) = self.place(p + DVec2::splat(radius));
@@ -64,15 +64,15 @@ impl Grid {
         (y0..=y1).map(move |y| y * columns + x0..y * columns + x1 + 1)
     }
 
-    /// Adds the next point; points are numbered as they come, from 0.
+    /// Adds the next point; points are numbered from 0 in order of insertion.
     pub fn push(&mut self, p: DVec2) {
         let bucket = self.bucket(p);
         self.next.push(self.head[bucket]);
         self.head[bucket] = (self.next.len() - 1) as u32;
     }
 
-    /// Calls `visit` with the number of every point that may lie within `radius` of an image of `p`,
-    /// until it says true; then true.
+    /// Calls `visit` with the number of every point that may lie within `radius` of an image of `p`, until it
+    /// returns true; then true.
     pub fn any_near(
         &self,
         space: Space,

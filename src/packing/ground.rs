@@ -1,9 +1,9 @@
-//! What packing asks of the ground that cells are packed on: the plane within an outline (`plane`), or a surface in
+//! The domain that cells are packed on, as traits: the plane within an outline (`plane`), or a surface in
 //! space.
 //!
-//! What is between two cells is told as a vector of the plane in the frame of one of them, so forces and metrics know
-//! nothing of the ground. The code is compiled for each ground; in the plane, where all frames are one, nothing of
-//! what is told here costs anything, nor changes a bit.
+//! The offset between two cells is a plane vector in the tangent frame of one of them, so forces and metrics
+//! do not depend on the domain. The code is compiled for each domain. In the plane all frames are one, so the
+//! abstraction costs nothing there and changes no bit.
 
 use super::BoundaryCondition;
 use super::params::{TUNING, Tuning};
@@ -14,15 +14,15 @@ use glam::DVec2;
 use std::fmt::Debug;
 use std::ops::Range;
 
-/// Carries vectors from the frame of one place into that of another, by a turn.
+/// Parallel transport: rotates vectors from the frame of one place into that of another.
 pub(crate) trait Carry: Copy {
-    /// A vector of the first frame, in the second one.
+    /// Maps a vector of the first frame into the second.
     fn apply(self, v: DVec2) -> DVec2;
-    /// A vector of the second frame, in the first one.
+    /// Maps a vector of the second frame into the first.
     fn undo(self, v: DVec2) -> DVec2;
 }
 
-/// The place on a wall where its distance to a cell is least.
+/// The closest point of a wall to a cell.
 pub(crate) trait Foot {
     /// The distance, positive.
     fn distance(&self) -> f64;
@@ -30,21 +30,21 @@ pub(crate) trait Foot {
     fn inward(&self) -> DVec2;
 }
 
-/// Buckets of places, to find neighbours in constant time.
+/// A spatial hash of places.
 pub(crate) trait Buckets<P> {
-    /// The number of the bucket that a place lies in.
+    /// The number of a place's bucket.
     fn bucket(&self, p: P) -> usize;
-    /// How many there are.
+    /// The number of buckets.
     fn buckets(&self) -> usize;
-    /// The buckets whose places may lie within `radius` of `p`, as runs in rising order.
+    /// The buckets whose places may lie within `radius` of `p`, as ranges in rising order.
     fn runs_near(&self, p: P, radius: f64) -> impl Iterator<Item = Range<usize>>;
-    /// Adds the next place; they are numbered as they come, from 0.
+    /// Adds the next place; places are numbered from 0 in order of insertion.
     fn push(&mut self, p: P);
 }
 
-/// What cells are asked to be at a place.
+/// The fields of the cells: size, kind, direction and aspect ratio at a place.
 pub(crate) trait Asks: Copy {
-    /// Where a cell can be.
+    /// A location of a cell.
     type Place: Copy + Debug;
 
     fn kind(self, p: Self::Place) -> Kind;
@@ -52,59 +52,61 @@ pub(crate) trait Asks: Copy {
     fn aspect(self, p: Self::Place) -> f64;
     /// Unit vector along a side, in the frame of the place; zero where the field vanishes.
     fn direction(self, p: Self::Place) -> DVec2;
-    /// The mean size asked for.
+    /// The mean size.
     fn mean_size(self) -> f64;
 }
 
-/// What places see of each other. Vectors are in the frame of the place that comes first.
+/// The metric between places. Vectors are in the frame of the first place.
 pub(crate) trait Sees: Copy {
     type Place: Copy + Debug;
     type Turn: Carry;
     type Grid: Buckets<Self::Place>;
-    /// Is it work to go from place to place?
+    /// Whether tracing a path from place to place is expensive.
     const WALKS: bool;
 
-    /// The area that is packed.
+    /// The area to be packed.
     fn area(self) -> f64;
-    /// The way to another place, and what carries vectors from there; nothing where the one cannot see the other.
+    /// The offset to another place, and the parallel transport from there; `None` if a wall separates them.
     fn way(self, from: Self::Place, to: Self::Place) -> Option<(DVec2, Self::Turn)>;
-    /// The images of a place that may be within reach of others at home.
+    /// The images of a place that may be within reach of places in the domain.
     fn images(self, p: Self::Place, reach: f64) -> impl Iterator<Item = Self::Place>;
-    /// The way from an image, where no other image is nearer; nothing where it is certainly longer than `reach`.
+    /// The offset from an image, if no other image is nearer; `None` if it is certainly longer than `reach`.
     fn way_from(
         self,
         image: Self::Place,
         to: Self::Place,
         reach: f64,
     ) -> Option<(DVec2, Self::Turn)>;
-    /// The same from a place itself, to that image which is nearest.
+    /// The same from a place itself, to the nearest image.
     fn way_within(
         self,
         from: Self::Place,
         to: Self::Place,
         reach: f64,
     ) -> Option<(DVec2, Self::Turn)>;
-    /// Where a way leads that goes straight on, past walls, and what carries vectors there.
+    /// The place at the end of a straight path that ignores walls, and the parallel transport to it (the
+    /// exponential map).
     fn beyond(self, from: Self::Place, by: DVec2) -> (Self::Place, Self::Turn);
-    /// At home, where places repeat.
+    /// The representative of a place, if places repeat.
     fn home(self, p: Self::Place) -> Self::Place;
-    /// How far a cell has moved.
+    /// The distance a cell has moved.
     fn distance(self, from: Self::Place, to: Self::Place) -> f64;
-    /// Has a cell moved at least as far as this squared?
+    /// Whether a cell has moved at least this far; `square` is the squared distance.
     fn has_left(self, from: Self::Place, to: Self::Place, square: f64) -> bool;
 
-    /// Is there a wall between a place and another one, `r` away?
+    /// Whether a wall separates a place from another one at offset `r`.
     fn is_parted(self, p: Self::Place, r: DVec2) -> bool;
-    /// Is there a line between a place and another one, `r` away, that a cell does not look over?
+    /// Whether a constraint line separates a place from another one at offset `r`.
     fn crosses_line(self, p: Self::Place, r: DVec2) -> bool;
-    /// Do they belong to parts that know nothing of each other?
+    /// Whether they belong to parts that do not interact.
     fn is_gap_between(self, p: Self::Place, q: Self::Place) -> bool;
 
-    /// Buckets over all of the ground.
+    /// A spatial hash over the whole domain.
     fn grid(self, step: f64) -> Self::Grid;
-    /// Buckets over these places.
+    /// A spatial hash over these places.
     fn grid_around(self, places: impl Iterator<Item = Self::Place>, step: f64) -> Self::Grid;
-    /// Calls `visit` with the number of every place that may lie within `radius`, until it says true; then true.
+    /// Calls `visit` with the number of every place that may lie within `radius`, until it returns true; then
+    /// true.
     fn any_near(
         self,
         grid: &Self::Grid,
@@ -114,20 +116,20 @@ pub(crate) trait Sees: Copy {
     ) -> bool;
 }
 
-/// Walls, and how they are seen from a place.
+/// The walls, and their closest points to a place.
 pub(crate) trait Walled: Copy {
     type Place: Copy;
     type Foot: Foot;
 
-    /// May walls be within reach of a place?
+    /// Whether walls may be within reach of a place.
     fn is_near(self, p: Self::Place) -> bool;
-    /// How far walls reach.
+    /// The reach of the walls.
     fn reach(self) -> f64;
-    /// The feet of a place on walls within reach, the nearest first; overwrites `feet`.
+    /// The closest points of the walls within reach of a place, nearest first; overwrites `feet`.
     fn feet(self, p: Self::Place, reach: f64, feet: &mut Vec<Self::Foot>);
 }
 
-/// See the head of this file.
+/// A domain with fields and walls; see the head of this file.
 pub(crate) trait Ground: Copy {
     type Place: Copy + Debug;
     type Fields: Asks<Place = Self::Place>;
@@ -139,10 +141,11 @@ pub(crate) trait Ground: Copy {
     fn fields(self) -> Self::Fields;
     fn sight(self) -> Self::Sight;
     fn walls(self) -> Self::Walls;
-    /// Are cells' centres, or their edges, on the boundary?
+    /// Whether cells have their centres or their edges on the boundary.
     fn boundary(self) -> BoundaryCondition;
 
-    /// Where a cell comes that moves, held by the walls, and what carries vectors there. `is_clear`: none is near.
+    /// The place of a cell after a move, held inside by the walls, and the parallel transport to it.
+    /// `is_clear`: no wall is near.
     fn moved(
         self,
         from: Self::Place,
@@ -150,22 +153,22 @@ pub(crate) trait Ground: Copy {
         shape: Shape,
         is_clear: bool,
     ) -> (Self::Place, TurnOf<Self>);
-    /// Is there room for a cell between the walls at this place?
+    /// Whether the walls leave room for a cell at this place.
     fn has_room(self, p: Self::Place) -> bool;
-    /// Where it is too narrow for a cell at a place, the middle between the walls there.
+    /// If a place is too narrow for a cell, the point midway between the walls.
     fn middle_of_narrow(self, p: Self::Place) -> Option<Self::Place>;
 
-    /// Middles of parts that none of these cells is in.
+    /// Centres of the parts without any of these cells.
     fn empty_parts(self, cells: &[Self::Place]) -> Vec<Self::Place>;
-    /// Are there several?
+    /// Whether there are several parts.
     fn has_parts(self) -> bool;
-    /// Where round cells begin to grow, rather than along the walls.
+    /// Seeds from which round cells grow, instead of growing from the walls.
     fn hearts(self) -> Vec<Self::Place>;
-    /// Directions of the rows of honeycombs, as many as there are of them.
+    /// The row direction of each honeycomb.
     fn honeycombs(self) -> Vec<DVec2>;
-    /// That of them which a place belongs to; nothing where rows follow the field.
+    /// The honeycomb that a place belongs to; `None` if rows follow the field.
     fn honeycomb(self, p: Self::Place) -> Option<usize>;
-    /// Any place, by chance.
+    /// A random place.
     fn anywhere(self, random: &mut Random) -> Self::Place;
 }
 

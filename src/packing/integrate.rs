@@ -13,8 +13,8 @@ use crate::order::greater;
 use glam::DVec2;
 use std::ops::Range;
 
-/// Viscous damping c. A honeycomb of circles has more faults to heal than rows and columns: circles
-/// keep swinging for longer.
+/// Viscous damping c. A honeycomb of circles has more faults to heal than rows and columns, so circles are
+/// damped less and keep moving for longer.
 const fn damping(kind: Kind) -> f64 {
     if matches!(kind, Kind::Circle) {
         0.2
@@ -24,16 +24,16 @@ const fn damping(kind: Kind) -> f64 {
 }
 /// Time step of the semi-implicit method.
 const SEMI_IMPLICIT_STEP: f64 = 0.5;
-/// Time step of the Runge-Kutta method; stable while damping times step stays below 2.
+/// Time step of the Runge-Kutta method; stable while damping times step is below 2.
 const RUNGE_KUTTA_STEP: f64 = 0.6;
 /// No cell moves farther than this share of its size in one step.
 const LONGEST_MOVE: f64 = 0.25;
-/// Neighbours are looked for this much farther than forces reach (in the largest size), and again
-/// when a cell has moved half as far (Verlet 1967).
+/// Margin of the neighbour list beyond the reach of forces, in the largest size. The list is renewed when a
+/// cell has moved half as far (Verlet 1967).
 const VERLET_MARGIN: f64 = 0.25;
 
-/// A move of less than this share of its size is none: a cell rests while neither it nor any of its
-/// neighbours moves. The force it is left with is far below the one at which a run ends.
+/// Moves below this share of a cell's size are not made: a cell rests while neither it nor any of its
+/// neighbours moves. The remaining force is far below the limit at which a run ends.
 const fn least_move(kind: Kind) -> f64 {
     if matches!(kind, Kind::Circle) {
         0.0
@@ -44,34 +44,34 @@ const fn least_move(kind: Kind) -> f64 {
 /// See [`least_move`].
 const REST: f64 = 0.002;
 
-/// How far a step has come.
+/// The progress of a step.
 #[derive(Clone, Debug, Default)]
 enum Doing<P> {
-    /// The list of neighbours is next.
+    /// Next: the neighbour list.
     #[default]
     Neighbours,
-    /// Who is awake is next.
+    /// Next: which bodies are awake.
     Waking,
-    /// The forces on the body of this number, and on those after it, are next.
+    /// Next: the forces on this body and those after it.
     Forces(usize, Option<RungeKutta<P>>),
-    /// The body of this number, and those after it, make their moves next.
+    /// Next: the moves of this body and those after it.
     Moves(usize, Vec<DVec2>),
 }
 
-/// The classical scheme on (x, v) on its way. Velocities and their slopes stay in the frames of the places that the
-/// cells start from.
+/// The classical Runge-Kutta scheme on (x, v), in progress. Velocities and their slopes stay in the frames of
+/// the starting places.
 #[derive(Clone, Debug)]
 struct RungeKutta<P> {
-    /// The number of the evaluation.
+    /// The number of the evaluation, from 0.
     stage: usize,
     start: Vec<(P, DVec2)>,
     velocity: Vec<DVec2>,
-    /// How far from the start they are looked at.
+    /// Offsets from the start at which forces are evaluated.
     ahead: Vec<DVec2>,
     sums: Vec<(DVec2, DVec2)>,
 }
 
-/// What the evaluations count for.
+/// Weights of the evaluations.
 const WEIGHTS: [f64; 4] = [1.0, 2.0, 2.0, 1.0];
 
 /// The neighbour list and the forces.
@@ -80,15 +80,15 @@ pub(super) struct Motion<P> {
     doing: Doing<P>,
     /// The largest move and the largest force of the step so far.
     largest: (f64, f64),
-    /// For body i the later neighbours are `list[start[i]..start[i + 1]]`.
+    /// The neighbours of body i with higher numbers are `list[start[i]..start[i + 1]]`.
     start: Vec<u32>,
     list: Vec<u32>,
-    /// Which bodies do not rest.
+    /// Bodies that are not at rest.
     awake: Vec<bool>,
     forces: Vec<DVec2>,
-    /// How far from the walls they were, at least, when the step began.
+    /// A lower bound of each body's distance to the walls at the start of the step.
     clear: Vec<f64>,
-    /// Where the bodies were when the list was made.
+    /// The places of the bodies when the list was made.
     made_at: Vec<P>,
     margin: f64,
     pair_data: Vec<PairData<P>>,
@@ -111,13 +111,13 @@ impl<P> Default for Motion<P> {
     }
 }
 
-/// What the forces of most pairs depend on, close together in memory.
+/// The inputs to the force of most pairs, close together in memory.
 #[derive(Clone, Copy, Debug)]
 struct PairData<P> {
     centre: P,
     axis: DVec2,
     size: f64,
-    /// Two cells farther apart than the sum of this do not touch.
+    /// Two cells do not touch if they are farther apart than the sum of their reaches.
     reach: f64,
     is_square: bool,
 }
@@ -140,17 +140,17 @@ impl<P: Copy> PairData<P> {
 }
 
 impl<P: Copy> Motion<P> {
-    /// The bodies have changed: make the list again.
+    /// Invalidates the list after a change of the bodies.
     pub fn forget(&mut self) {
         self.made_at.clear();
     }
 
-    /// Has a step been begun? Then bodies must stay in their order.
+    /// Whether a step is in progress. The bodies must then keep their order.
     pub fn is_in_a_step(&self) -> bool {
         !matches!(self.doing, Doing::Neighbours)
     }
 
-    /// Is the list of neighbours still right?
+    /// Whether the neighbour list is still valid.
     fn is_fresh<S: Sees<Place = P>>(&self, bodies: &[Body<P>], sight: S) -> bool {
         let limit = 0.25 * self.margin * self.margin;
         let mut each = bodies.iter().zip(&self.made_at);
@@ -158,8 +158,8 @@ impl<P: Copy> Motion<P> {
             && each.all(|(body, &at)| !sight.has_left(at, body.particle.centre, limit))
     }
 
-    /// Makes the neighbour list again where it may have become wrong; true where it did. The bodies are put in the
-    /// order of the grid's buckets first, so that neighbours lie near in memory too.
+    /// Renews the neighbour list if it may be outdated; true if it was renewed. The bodies are first sorted
+    /// by the grid's buckets, so that neighbours are close in memory, too.
     pub fn refresh<S: Sees<Place = P>>(&mut self, bodies: &mut [Body<P>], sight: S) -> bool {
         if bodies.is_empty() || self.is_fresh(bodies, sight) {
             return false;
@@ -184,8 +184,8 @@ impl<P: Copy> Motion<P> {
         true
     }
 
-    /// The bodies are in the order of the grid's buckets, so those of a run of buckets are a run of
-    /// bodies, and only the ones after the body itself are looked at.
+    /// The bodies are sorted by bucket, so a range of buckets is a range of bodies. Only bodies after the
+    /// body itself are looked at.
     fn collect_pairs<S: Sees<Place = P>>(
         &mut self,
         bodies: &[Body<P>],
@@ -245,7 +245,7 @@ impl<P: Copy> Motion<P> {
         }
     }
 
-    /// Before the forces on the first body are asked for.
+    /// Resets the forces before the first body.
     fn begin_forces(&mut self, bodies: &[Body<P>]) {
         self.forces.fill(DVec2::ZERO);
         self.pair_data.clear();
@@ -253,7 +253,7 @@ impl<P: Copy> Motion<P> {
             .extend(bodies.iter().map(|b| PairData::of(&b.particle)));
     }
 
-    /// The forces on those of these that are awake, and of these on later ones.
+    /// Adds the forces on the awake bodies of a range, and their reactions on later bodies.
     fn evaluate<G: Ground<Place = P>>(
         &mut self,
         bodies: &[Body<P>],
@@ -298,8 +298,8 @@ impl<P: Copy> Motion<P> {
         }
     }
 
-    /// Goes on with a step, over at most so many bodies; when it is whole, the largest move and the largest force on a
-    /// free cell, in its size.
+    /// Continues a step with at most this many bodies. When the step is complete: the largest move and the
+    /// largest force on a free cell, in its size.
     pub fn advance<G: Ground<Place = P>>(
         &mut self,
         bodies: &mut [Body<P>],
@@ -373,7 +373,7 @@ impl<P: Copy> Motion<P> {
         largest
     }
 
-    /// Of these bodies; the largest is kept.
+    /// Moves a range of bodies; keeps the largest move.
     fn make_moves<G: Ground<Place = P>>(
         &mut self,
         bodies: &mut [Body<P>],
@@ -411,7 +411,7 @@ impl<P: Copy> Motion<P> {
         .collect()
     }
 
-    /// After an evaluation: what is next.
+    /// Prepares the next evaluation, or the moves after the last one.
     fn runge_kutta<G: Ground<Place = P>>(
         &mut self,
         bodies: &mut [Body<P>],
@@ -458,7 +458,7 @@ impl<P: Copy> Motion<P> {
 }
 
 impl<P: Copy> RungeKutta<P> {
-    /// Of bodies whose first evaluation has been made.
+    /// Starts from bodies whose first evaluation is done.
     fn new(bodies: &[Body<P>]) -> Self {
         let start = bodies.iter().map(|b| (b.particle.centre, b.velocity));
         Self {
@@ -471,7 +471,7 @@ impl<P: Copy> RungeKutta<P> {
     }
 }
 
-/// Is there a wall between two cells, `r` apart? Those fixed on a constraint line see both its sides.
+/// Whether a wall separates two cells at offset `r`. Cells fixed on a constraint line see both its sides.
 fn is_walled_off<S: Sees>(
     body: &Body<S::Place>,
     other: &Body<S::Place>,
@@ -483,8 +483,7 @@ fn is_walled_off<S: Sees>(
     sight.is_gap_between(a.centre, b.centre) || (!sees_over && sight.crosses_line(a.centre, r))
 }
 
-/// Puts bodies in the order of the buckets they lie in, in a bucket by their ids. Answers where the
-/// bodies of each bucket begin.
+/// Sorts bodies by bucket, and within a bucket by id. Gives the start of each bucket.
 fn sort_by_bucket<P: Copy>(bodies: &mut [Body<P>], grid: &impl Buckets<P>) -> Vec<usize> {
     let buckets: Vec<usize> = bodies
         .iter()

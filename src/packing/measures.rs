@@ -1,8 +1,8 @@
-//! Measures of a packing: its energy, the net force on each cell, how cells are aligned with their
+//! Measures of a packing: its energy, the net force on each cell, the alignment of cells with their
 //! neighbours, and the record of the run.
 //!
-//! The record has the energy and the largest move of every step (of more than 2,000 cells, of every
-//! fourth), whether or not somebody looks on.
+//! The record has the energy and the largest move of every step, or of every fourth step with more than 2,000
+//! cells. It is kept whether or not anybody displays it.
 
 use super::force::{force_between, potential_between};
 use super::ground::{Carry, Sees, Walled};
@@ -13,28 +13,28 @@ use super::{Packing, Particle};
 use crate::domain::Domain;
 use glam::DVec2;
 
-/// The net force on a cell, and its share of the energy.
+/// The net force on a cell, and the cell's share of the energy.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct NetForce {
-    /// The sum of all forces on it, in its size (of a cell held on the boundary, too).
+    /// The sum of all forces on it, in its size. Fixed cells have one, too.
     pub force: DVec2,
-    /// Its half of the potentials (eq. 4) of the pairs that it is in, in its k0: below 0 where its
-    /// neighbours hold it, above where they press it.
+    /// Half the potentials (eq. 4) of its pairs, in its k0: below 0 if its neighbours hold it, above if they
+    /// press it.
     pub energy: f64,
 }
 
-/// How a cell is aligned with its neighbours.
+/// The alignment of a cell with its neighbours.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Alignment {
-    /// The mean distance of its nearest neighbours over the stable one; 1 where it has none.
+    /// The mean distance of its nearest neighbours over the stable distance; 1 without neighbours.
     pub spacing: f64,
-    /// The angle between its neighbours and its axis, degrees: of cells with corners that of the rows
-    /// and columns they stand in, 0..45; of ellipses that of the long axis of their places, 0..90.
-    /// None of circles, and where there is no neighbour or no axis.
+    /// The angle between its neighbours and its axis, in degrees. For cells with corners it is that of the
+    /// rows and columns, 0..45; for ellipses that of the long axis of the neighbours' places, 0..90. `None`
+    /// for circles, and without a neighbour or an axis.
     pub angle: Option<f64>,
 }
 
-/// A row of the record of a run.
+/// One row of a run's record.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Sample {
     /// Steps made.
@@ -45,17 +45,17 @@ pub struct Sample {
     pub largest_move: f64,
 }
 
-/// Of more cells than this ...
+/// With more cells than this ...
 const MANY: usize = 2000;
-/// ... the energy is worked out every so many steps.
+/// ... the energy is recorded only every this many steps.
 const STRIDE: u32 = 4;
 
-/// Neighbours in rows and columns, or the six around, are nearer than so many stable distances.
+/// Neighbours in rows and columns, or the six around, are nearer than this, in stable distances.
 const NEAR: f64 = 1.25;
 
 impl<P: Copy> Run<P> {
-    /// The potential energy of the cells among each other (eq. 4 summed over pairs), in units of
-    /// the mean cell's k0, by the last row of the record; of cells just placed, theirs.
+    /// The potential energy of the cells among each other (eq. 4 summed over pairs), in units of the mean
+    /// cell's k0, from the last row of the record; computed if there is none.
     pub fn energy<S: Sees<Place = P>>(&mut self, sight: S) -> f64 {
         match self.samples.last() {
             Some(last) => last.energy,
@@ -63,7 +63,7 @@ impl<P: Copy> Run<P> {
         }
     }
 
-    /// Writes a row of the record where it is time to: it depends on nothing but the run.
+    /// Adds a row to the record if it is due. The record depends on nothing but the run.
     pub(super) fn sample<S: Sees<Place = P>>(&mut self, sight: S) {
         let report = self.report;
         if report.cells <= MANY || report.step.is_multiple_of(STRIDE) || report.done {
@@ -87,8 +87,8 @@ impl<P: Copy> Run<P> {
         sum / stiffness.max(f64::MIN_POSITIVE)
     }
 
-    /// Calls `visit` with both bodies of each pair that may touch, the way from the first to the
-    /// second, and where they are in `bodies`.
+    /// Calls `visit` with both bodies of each pair that may touch, the offset from the first to the second,
+    /// and their indices in `bodies`.
     fn each_pair<S: Sees<Place = P>>(
         &mut self,
         sight: S,
@@ -105,7 +105,7 @@ impl<P: Copy> Run<P> {
         }
     }
 
-    /// The cells, in no special order, with the net force on each where it is now.
+    /// The cells, in no special order, with the net force on each at its present place.
     pub fn net_forces<S: Sees<Place = P>, W: Walled<Place = P>>(
         &mut self,
         sight: S,
@@ -130,7 +130,7 @@ impl<P: Copy> Run<P> {
         self.bodies.iter().map(|b| b.particle).zip(all).collect()
     }
 
-    /// The cells, in no special order, with how each is aligned.
+    /// The cells, in no special order, each with its alignment.
     pub fn alignments<S: Sees<Place = P>>(&mut self, sight: S) -> Vec<(Particle<P>, Alignment)> {
         let mut around = vec![Around::default(); self.bodies.len()];
         self.each_pair(sight, |a, b, (r, turn), (i, j)| {
@@ -149,8 +149,8 @@ impl<P: Copy> Run<P> {
 }
 
 impl Packing {
-    /// The potential energy of the cells among each other (eq. 4 summed over pairs), in units of
-    /// the mean cell's k0, by the last row of the record; of cells just placed, theirs.
+    /// The potential energy of the cells among each other (eq. 4 summed over pairs), in units of the mean
+    /// cell's k0, from the last row of the record; computed if there is none.
     pub fn energy(&mut self, domain: &Domain) -> f64 {
         self.run.energy(domain)
     }
@@ -160,18 +160,18 @@ impl Packing {
         &self.run.samples
     }
 
-    /// The cells, in no special order, with the net force on each where it is now.
+    /// The cells, in no special order, with the net force on each at its present place.
     pub fn net_forces(&mut self, domain: &Domain) -> Vec<(Particle, NetForce)> {
         self.run.net_forces(domain, &self.walls)
     }
 
-    /// The cells, in no special order, with how each is aligned.
+    /// The cells, in no special order, each with its alignment.
     pub fn alignments(&mut self, domain: &Domain) -> Vec<(Particle, Alignment)> {
         self.run.alignments(domain)
     }
 
-    /// The cell whose shape holds this place, and its place among the ids in rising order; where
-    /// several do, the one whose middle is nearest by its own measure.
+    /// The cell that contains this place, and its index among all cells in the order of ids. If several do,
+    /// the one whose centre is nearest in its own metric.
     pub fn at(&self, domain: &Domain, p: DVec2) -> Option<(usize, Particle)> {
         let bodies = &self.run.bodies;
         let mut best: Option<(f64, &Particle)> = None;
@@ -188,13 +188,13 @@ impl Packing {
     }
 }
 
-/// The neighbours of a cell, summed.
+/// Sums over the neighbours of a cell.
 #[derive(Clone, Copy, Debug, Default)]
 struct Around {
     count: f64,
     far: f64,
-    /// Of cells with corners the fourth powers of the unit vectors to them, in the frame in which
-    /// the cell is a square; of others the squares of the ways.
+    /// For cells with corners, the sum of fourth powers of the unit vectors to neighbours, in the frame in
+    /// which the cell is a square; for others, the sum of squared offsets.
     turn: DVec2,
 }
 

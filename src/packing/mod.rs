@@ -1,13 +1,13 @@
 //! Packs cells of all kinds into the outline by the forces between them.
 //!
-//! Miyata, Itoh, Shimada (2000), section 4, in its order: cells along the boundary and inside it
-//! (`placement`), forces between neighbours (`force`) and from the walls (`wall`), the equation of
-//! motion (`integrate`), population control (`population`). A [`Packing`] advances one step at a
-//! time; nothing in it knows of time or frames.
+//! The folders follow Miyata, Itoh, Shimada (2000), section 4: cells along the boundary and inside it
+//! (`placement`), forces between neighbours (`force`) and from the walls (`wall`), the equation of motion
+//! (`integrate`), population control (`population`). A [`Packing`] advances one step at a time; it knows
+//! nothing of clocks or frames.
 //!
-//! Particles are sorted by the neighbour grid's buckets whenever the list of neighbours is made, so
-//! that what is near in the plane is near in memory. Their ids stay, and whatever might depend on the
-//! order (population control, the result) goes by id.
+//! Particles are sorted by the neighbour grid's buckets whenever the neighbour list is made, so that
+//! neighbours in the plane are close in memory. Their ids stay. Whatever might depend on the order
+//! (population control, the result) goes by id.
 //!
 //! ```
 //! # use bubblestone::domain::{Domain, Outline};
@@ -21,12 +21,12 @@
 //! # let fields = FieldBuilder::build(&domain, params);
 //! // `domain` is a square of side 100, and `fields` ask for cells of side 12.5.
 //! let params = PackingParams {
-//!     integrator: Integrator::RungeKutta,
-//!     ..PackingParams::default()
+//! integrator: Integrator::RungeKutta,
+//! ..PackingParams::default()
 //! };
 //! let mut packing = Packing::new(&domain, &fields, params).expect("not too many cells");
 //! while !packing.done() {
-//!     packing.step(&domain, &fields);
+//! packing.step(&domain, &fields);
 //! }
 //! assert!(packing.report().converged);
 //! assert_eq!(packing.particles().len(), 64);
@@ -75,14 +75,14 @@ use shape::Shape;
 /// A packed cell.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Particle<P = DVec2> {
-    /// Names the cell: the number of its making, never used again.
+    /// The cell's number in order of creation, never reused.
     pub id: u32,
-    /// Its middle: in the plane, in picture units.
+    /// Its centre; in the plane, in picture units.
     pub centre: P,
     /// Its shape.
     pub kind: Kind,
-    /// The side of its square, the diameter of its circle; a stretched cell has half axes of
-    /// `size / 2` times and over the root of `aspect`.
+    /// The side of its square or the diameter of its circle. A stretched cell has the half axes `size / 2`
+    /// times and divided by the root of `aspect`.
     pub size: f64,
     /// Length along `axis` over width; 1 for squares and circles.
     pub aspect: f64,
@@ -93,7 +93,7 @@ pub struct Particle<P = DVec2> {
 }
 
 impl<P: Copy> Particle<P> {
-    /// A cell that has what the fields ask for at its place.
+    /// A cell with the fields' values at its place.
     pub(crate) fn new<A: Asks<Place = P>>(id: u32, centre: P, fixed: bool, asked: A) -> Self {
         Self {
             id,
@@ -107,12 +107,12 @@ impl<P: Copy> Particle<P> {
     }
 }
 
-/// What the last step did.
+/// The result of the last step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct StepReport {
     /// Steps made so far.
     pub step: u32,
-    /// Cells there are.
+    /// The number of cells.
     pub cells: usize,
     /// The largest move of a cell, in its size.
     pub largest_move: f64,
@@ -122,13 +122,13 @@ pub struct StepReport {
     pub added: u32,
     /// Cells removed so far.
     pub removed: u32,
-    /// Nothing more will happen.
+    /// Whether the run has ended.
     pub done: bool,
-    /// The run ended because forces and moves were small.
+    /// Whether it ended because forces and moves were small.
     pub converged: bool,
 }
 
-/// A packing on its way.
+/// A packing in progress.
 #[derive(Clone, Debug)]
 pub struct Packing {
     run: Run<DVec2>,
@@ -136,10 +136,10 @@ pub struct Packing {
 }
 
 impl Packing {
-    /// Places the first cells, all at once; see [`Placing`].
+    /// Places all the first cells at once; see [`Placing`].
     ///
     /// # Errors
-    /// A notice where the outline would take more cells than can be packed.
+    /// A notice if the outline would take more cells than can be packed.
     pub fn new(domain: &Domain, fields: &Fields, params: PackingParams) -> Result<Self, Notice> {
         let mut placing = Placing::new(domain, fields, params)?;
         while !placing.advance(domain, fields) {}
@@ -151,17 +151,17 @@ impl Packing {
         self.run.particles()
     }
 
-    /// What the last step did.
+    /// The result of the last step.
     pub fn report(&self) -> StepReport {
         self.run.report()
     }
 
-    /// Nothing more will happen.
+    /// Whether the run has ended.
     pub fn done(&self) -> bool {
         self.run.report().done
     }
 
-    /// One step of the equation of motion and, now and then, population control.
+    /// Makes one step of the equation of motion, with population control when it is due.
     pub fn step(&mut self, domain: &Domain, fields: &Fields) -> StepReport {
         let around = Surroundings {
             domain,
@@ -173,7 +173,7 @@ impl Packing {
     }
 }
 
-/// The greatest length that any cell can have in this outline.
+/// An upper bound of the length of any cell in this outline.
 fn greatest_length(domain: &Domain, fields: &Fields, params: &PackingParams) -> f64 {
     let (lo, hi) = domain.bounds();
     let mut largest = 0.0_f64;

@@ -1,4 +1,4 @@
-//! What a packing is asked for, and what of its making is fixed.
+//! Parameters of a packing, and its fixed constants.
 
 /// How the cells meet the boundary.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -9,12 +9,12 @@ pub enum BoundaryCondition {
     On,
 }
 
-/// How the inside is filled at first.
+/// How the inside is first filled.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Start {
     /// Cell by cell from the boundary inwards along the direction field.
     Stream,
-    /// One cell in every leaf of a quadtree, as the papers say.
+    /// One cell in every leaf of a quadtree, as in the papers.
     Quadtree,
 }
 
@@ -23,27 +23,27 @@ pub enum Start {
 pub enum Integrator {
     /// Semi-implicit Euler: one evaluation of the forces a step.
     SemiImplicit,
-    /// Fourth-order Runge-Kutta, as the papers say: four evaluations a step.
+    /// Fourth-order Runge-Kutta, as in the papers: four evaluations a step.
     RungeKutta,
 }
 
-/// How cells are added and removed on the way.
+/// How cells are added and removed during the run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Population {
-    /// A cell is added where an edge of another has an empty place for it.
+    /// A cell is added where another one has an empty neighbouring place.
     Slots,
     /// The papers' rule: a cell is added beside one whose nearest neighbour is far.
     Smallest,
-    /// The number of cells stays as it was placed.
+    /// The number of cells does not change.
     Off,
 }
 
-/// What a packing is made from, besides the outline and the fields.
+/// Parameters of a packing, besides the outline and the fields.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PackingParams {
     /// How the cells meet the boundary.
     pub boundary: BoundaryCondition,
-    /// How the inside is filled at first.
+    /// How the inside is first filled.
     pub start: Start,
     /// How the equation of motion is integrated.
     pub integrator: Integrator,
@@ -51,29 +51,29 @@ pub struct PackingParams {
     pub population: Population,
     /// Vs: the standard deviation of the cells' sizes over their mean, 0..0.5.
     pub variance: f64,
-    /// Draws the sizes and whatever placement leaves to chance.
+    /// Seed of the sizes and of random choices in placement.
     pub seed: u64,
 }
 
-/// The constants of the relaxation, in cell sizes where they are lengths.
+/// The constants of the relaxation; lengths are in cell sizes.
 pub(crate) struct Tuning {
-    /// A run has ended when no force is larger ...
+    /// A run ends when no force is larger than this ...
     pub force_end: f64,
-    /// ... nor any move of the last step ...
+    /// ... and no move of the last step larger than this ...
     pub move_end: f64,
     /// ... but not before this many steps.
     pub least_steps: u32,
-    /// Population is looked at every so many steps ...
+    /// Interval of population control, in steps ...
     pub population_every: u32,
-    /// ... and not after this many.
+    /// ... and its last step.
     pub population_until: u32,
-    /// From this step on the time step shrinks by `cooling` a step, so that a cell caught between
+    /// From this step on the time step is multiplied by `cooling` each step, so that a cell caught between
     /// two directions comes to rest.
     pub cooling_from: u32,
     pub cooling: f64,
-    /// The run ends here in any case.
+    /// The run ends at this step in any case.
     pub most_steps: u32,
-    /// The most cells that are packed: of more there is a notice.
+    /// The most cells in a packing; a larger number gives a notice.
     pub most_cells: f64,
 }
 

@@ -1,13 +1,13 @@
-//! The cells placed so far, none of them in motion yet.
+//! The cells placed so far, before any motion.
 
 use super::ground::{Asks, Buckets, Ground, Sees};
 use super::shape::Shape;
 use glam::DVec2;
 
-/// The front takes a place whose nearest cell is at least this far, in stable distances.
+/// The front takes a place if its nearest cell is at least this far, in stable distances.
 pub(crate) const FRONT_GAP: f64 = 0.75;
 
-/// Cells' centres, with the grid to find them.
+/// The cells, with the grid that finds them.
 pub(crate) struct Placed<P, B> {
     pub cells: Vec<P>,
     shapes: Vec<Shape>,
@@ -33,14 +33,14 @@ impl<P: Copy, B: Buckets<P>> Placed<P, B> {
         self.longest = self.longest.max(shape.length());
     }
 
-    /// Puts a cell into the middle of each part that has none.
+    /// Puts a cell at the centre of each part that has none.
     pub fn fill_empty_parts<G: Ground<Place = P, Sight: Sees<Grid = B>>>(&mut self, ground: G) {
         for p in ground.empty_parts(&self.cells) {
             self.push(ground.fields(), p);
         }
     }
 
-    /// The cells nearer than so many stable distances, as they are seen from a place.
+    /// The cells nearer than a number of stable distances, as offsets and shapes seen from a place.
     pub fn beside<G: Ground<Place = P, Sight: Sees<Grid = B>>>(
         &self,
         ground: G,
@@ -59,7 +59,7 @@ impl<P: Copy, B: Buckets<P>> Placed<P, B> {
         beside
     }
 
-    /// Is every cell at least `gap` stable distances away from this place?
+    /// Whether every cell is at least `gap` stable distances away from this place.
     pub fn is_free<G: Ground<Place = P, Sight: Sees<Grid = B>>>(
         &self,
         ground: G,

@@ -15,30 +15,30 @@ use crate::field::Fields;
 use crate::notice::{Code, Notice};
 use glam::DVec2;
 
-/// Places that are looked at in one slice of the work.
+/// Places tried in one slice of the work.
 const PLACES: usize = 2000;
 
-/// The first cells of a packing in the making.
+/// The first cells of a packing, being placed.
 pub struct Placing {
     params: PackingParams,
     walls: Walls,
     placed: Placed<DVec2, Grid>,
-    /// So many of them stand along the boundary.
+    /// The number of cells along the boundary.
     along: usize,
     inside: Inside,
 }
 
-/// How the inside fills.
+/// How the inside is filled.
 enum Inside {
     Front(Front),
     Quadtree(Quadtree),
 }
 
 impl Placing {
-    /// The cells along the boundary, none inside yet.
+    /// Places the cells along the boundary, none inside yet.
     ///
     /// # Errors
-    /// A notice where the outline would take more cells than can be packed.
+    /// A notice if the outline would take more cells than can be packed.
     pub fn new(domain: &Domain, fields: &Fields, params: PackingParams) -> Result<Self, Notice> {
         let size = fields.params().size;
         let expected = domain.area() / (size * size);
@@ -69,7 +69,7 @@ impl Placing {
         })
     }
 
-    /// One slice of the work; true when all places are filled.
+    /// Does one slice of the work; true when all places are filled.
     pub fn advance(&mut self, domain: &Domain, fields: &Fields) -> bool {
         let around = Surroundings {
             domain,
@@ -84,7 +84,7 @@ impl Placing {
         })
     }
 
-    /// The packing of the cells so far.
+    /// Makes the packing from the cells so far.
     pub fn finish(mut self, domain: &Domain, fields: &Fields) -> Packing {
         let around = Surroundings {
             domain,
@@ -108,7 +108,7 @@ fn along_boundary(around: Surroundings) -> Placed<DVec2, Grid> {
     let fixed = around.boundary == BoundaryCondition::On;
     let mut placed = Placed::new(around);
     let islands = || around.domain.islands().iter();
-    // Each for itself.
+    // Each island separately.
     let within = |domain| Surroundings { domain, ..around };
     for island in islands() {
         for piece in island.rings().iter().flat_map(|ring| pieces(ring, true)) {

@@ -1,4 +1,4 @@
-//! The plane within an outline, as the ground of a packing.
+//! The plane within an outline, as a domain for packing.
 
 use super::BoundaryCondition;
 use super::clearance::{has_room, middle_of_narrow};
@@ -21,7 +21,7 @@ pub(super) struct Surroundings<'a> {
     pub boundary: BoundaryCondition,
 }
 
-/// All frames are one.
+/// Parallel transport in the plane, the identity.
 #[derive(Clone, Copy)]
 pub(crate) struct InPlane;
 
@@ -253,11 +253,11 @@ impl<'a> Ground for Surroundings<'a> {
     }
 }
 
-/// Puts a centre that has moved too near to the boundary or a constraint line, or beyond it, back to
-/// its own side; on a torus, back into the picture.
+/// Moves a centre that has come too near to the boundary or a constraint line, or crossed it, back to its own
+/// side; on a torus, back into the picture.
 pub(super) fn keep_inside(from: DVec2, to: DVec2, shape: Shape, around: Surroundings) -> DVec2 {
     let domain = around.domain;
-    // After a move shorter than the reach of the walls, a cell beyond them is near them.
+    // After a move shorter than the reach of the walls, a cell that crossed them is still near them.
     let is_short = from.distance(to) < around.walls.reach();
     if is_short && domain.is_in_box(to) && !around.walls.is_near(to) {
         return to;
@@ -266,7 +266,7 @@ pub(super) fn keep_inside(from: DVec2, to: DVec2, shape: Shape, around: Surround
     let mut centre = to;
     let least = CLOSEST * shape.extent(near.inward);
     if near.distance < least {
-        // Where the outline is narrower than that, in its middle.
+        // If the outline is narrower than that, onto its centre line.
         let depth = domain.medial_depth(near.point, near.inward, least);
         centre = if depth > 0.0 {
             near.point + near.inward * depth
@@ -290,9 +290,8 @@ pub(super) fn keep_inside(from: DVec2, to: DVec2, shape: Shape, around: Surround
     domain.space().wrap(centre)
 }
 
-/// The direction in which a honeycomb's rows lie along as much of the boundary as can be: six turns
-/// of it look alike, so it is a sixth of the angle of the mean of the six-fold vectors. Without a
-/// boundary, that of the fields.
+/// The direction along which most of the boundary lies, for a honeycomb's rows. It is six-fold: a sixth of
+/// the angle of the mean six-fold vector. Without a boundary, the direction of the fields.
 fn along_most(domain: &Domain, fields: &Fields) -> DVec2 {
     if domain.segments().is_empty() {
         return fields.direction(DVec2::ZERO);

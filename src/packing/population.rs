@@ -1,10 +1,10 @@
-//! Adds cells where there is room and removes them where it is too tight.
+//! Adds cells where there is room and removes them where they are crowded.
 //!
-//! Miyata, Itoh, Shimada (2000), section 4.3; the rule with the smallest w is that of Itoh, Miyata,
-//! Shimada (2003), section 5.1. Attraction keeps the smallest w near 1 beside the largest gaps, so
-//! by default the places around a cell, four of squares and six of round cells, are tested for an empty
-//! one instead. Rows and columns hold a whole number of cells: what is left over may lie in several
-//! gaps, none of them as wide as a cell, so rows are measured over some cells, too.
+//! Miyata, Itoh, Shimada (2000), section 4.3; the rule by the smallest w is that of Itoh, Miyata, Shimada
+//! (2003), section 5.1. Attraction keeps the smallest w near 1 even beside the largest gaps. So by default
+//! the places around a cell, four for squares and six for round cells, are tested for an empty one instead.
+//! Rows and columns hold a whole number of cells. The remaining length may be spread over several gaps, none
+//! as wide as a cell, so rows are also measured over several cells.
 
 use super::front::{is_taken, slots};
 use super::ground::{Buckets, Carry, Foot, FootOf, GridOf, Ground, Sees, TurnOf, Walled};
@@ -15,9 +15,9 @@ use crate::field::Kind;
 use crate::order;
 use glam::DVec2;
 
-/// Two distances, in stable ones: a cell is removed where its nearest neighbour is nearer than the
-/// first, and one is added where the nearest is at least as far as the second. Round cells have six
-/// neighbours that share a gap: a smaller one takes a cell, and the six make room.
+/// Two limits in stable distances: a cell is removed if its nearest neighbour is nearer than the first, and
+/// one is added if the nearest is at least as far as the second. Round cells have six neighbours that share a
+/// gap: they accept a smaller gap, because all six make room.
 const fn limits(kind: Kind) -> (f64, f64) {
     if kind.has_corners() {
         (0.66, 0.72)
@@ -25,37 +25,37 @@ const fn limits(kind: Kind) -> (f64, f64) {
         (0.74, 0.63)
     }
 }
-/// The papers' rule adds beside a cell whose nearest neighbour is farther than this.
+/// The papers' rule adds a cell beside one whose nearest neighbour is farther than this.
 const LONELY: f64 = 1.02;
-/// Rows and columns: one more cell comes into the widest gap of a row that is looser than so many
-/// stable distances, gaps taken together ...
+/// Rows and columns: a cell is added in the widest gap of a row whose summed slack exceeds this, in stable
+/// distances, ...
 const LOOSE: f64 = 0.6;
-/// ... over so many gaps on each side of it ...
+/// ... over this many gaps on each side ...
 const WINDOW: usize = 3;
-/// ... where that gap is at least so wide ...
+/// ... if that gap is at least this wide ...
 const GAP: f64 = 1.2;
-/// ... and its middle at least so far from all cells.
+/// ... and its midpoint at least this far from all cells.
 const SQUEEZED: f64 = 0.58;
-/// Bodies that touch another leave no gap: they are at most so far from it.
+/// Bodies at most this far apart touch and leave no gap.
 const TOUCHING: f64 = 1.15;
-/// The next cell of a row is nearer than this to where it would touch.
+/// The next cell of a row is at most this far from where it would touch.
 const ROW: f64 = 0.55;
 /// The largest share of the cells that is removed, or added, at once.
 const MOST_CHANGED: f64 = 0.1;
 
-/// What to change: `remove[i]` for the body i, and the centres of new cells.
+/// Planned changes: `remove[i]` for body i, and the centres of new cells.
 #[derive(Clone, Debug)]
 pub(crate) struct Change<P> {
     pub remove: Vec<bool>,
     pub add: Vec<P>,
 }
 
-/// A place for one more cell.
+/// A candidate place for a new cell.
 struct Site<P> {
     place: P,
-    /// The shape of a cell there.
+    /// The shape of a cell at that place.
     shape: Shape,
-    /// All cells have to be this far from it, in stable distances.
+    /// The least distance to all cells, in stable distances.
     room: f64,
 }
 
@@ -66,16 +66,16 @@ impl<P> Site<P> {
     }
 }
 
-/// A look at all bodies on its way.
+/// A population scan in progress.
 #[derive(Clone, Debug)]
 pub(crate) struct Survey<P, B> {
     shapes: Vec<Shape>,
     grid: B,
     longest: f64,
     nearest: Vec<f64>,
-    /// In the order of ids, not of memory: the order in memory follows the moves of all.
+    /// Bodies in the order of ids: the order in memory depends on all moves.
     order: Vec<usize>,
-    /// How many of these have been looked at for room beside them.
+    /// How many of these have been scanned.
     seen: usize,
     most: usize,
     change: Change<P>,
@@ -90,7 +90,7 @@ struct Census<'a, G: Ground> {
 }
 
 impl<P: Copy, B: Buckets<P>> Survey<P, B> {
-    /// Nothing looked at yet.
+    /// Starts a scan.
     pub fn new<G>(ground: G, bodies: &[Body<P>]) -> Self
     where
         G: Ground<Place = P>,
@@ -119,7 +119,8 @@ impl<P: Copy, B: Buckets<P>> Survey<P, B> {
         }
     }
 
-    /// Looks at so many bodies more, which must be the same ones; the change, when all have been looked at.
+    /// Scans a number of bodies, which must not change during the scan; gives the change when all have been
+    /// scanned.
     pub fn advance<G>(
         &mut self,
         ground: G,
@@ -171,7 +172,7 @@ impl<P: Copy, B: Buckets<P>> Survey<P, B> {
     }
 }
 
-/// A new cell may not stand between two walls that are nearer to each other than a cell.
+/// Whether a new cell would not stand between two walls nearer to each other than a cell.
 fn clear_of_walls<G: Ground>(place: G::Place, shape: &Shape, ground: G) -> bool {
     let mut near = Vec::new();
     ground.walls().feet(place, shape.length(), &mut near);
@@ -186,15 +187,15 @@ fn clear_of_walls<G: Ground>(place: G::Place, shape: &Shape, ground: G) -> bool 
 /// The next body of a row.
 struct Next {
     body: usize,
-    /// The way to it, and the same way on from it.
+    /// The offset to it, and the same offset continued from it.
     way: DVec2,
     onwards: DVec2,
-    /// How far that is, in stable distances.
+    /// The distance to it, in stable distances.
     far: f64,
 }
 
 impl<G: Ground> Census<'_, G> {
-    /// The places for one more cell beside a body.
+    /// The candidate places beside a body.
     fn sites(&self, i: usize) -> Vec<Site<G::Place>> {
         let centre = self.bodies[i].particle.centre;
         let at = |p: G::Place| {
@@ -221,7 +222,7 @@ impl<G: Ground> Census<'_, G> {
         sites
     }
 
-    /// The bodies that touch one, as it sees them.
+    /// The bodies that touch one, as seen from it.
     fn beside(&self, i: usize) -> Vec<(DVec2, Shape)> {
         let mut beside = Vec::with_capacity(8);
         let (at, shape) = (self.bodies[i].particle.centre, &self.shapes[i]);
@@ -235,8 +236,8 @@ impl<G: Ground> Census<'_, G> {
         beside
     }
 
-    /// The place of a site where there is room for one more cell; where the outline is narrow, the
-    /// middle there.
+    /// The place of a candidate that has room for a cell; where the outline is narrow, moved onto its centre
+    /// line.
     fn fitting(
         &self,
         Site { place, shape, room }: Site<G::Place>,
@@ -261,8 +262,8 @@ impl<G: Ground> Census<'_, G> {
             .filter(|&middle| is_free(middle, &Shape::metric_at(ground.fields(), middle)))
     }
 
-    /// The middle of the gap between a body and the next one of its row at `to`, where the row
-    /// around is loose and has no wider gap.
+    /// The midpoint of the gap between a body and the next one of its row at `to`, if the row is loose there
+    /// and has no wider gap.
     fn in_loose_row(&self, i: usize, to: G::Place) -> Option<G::Place> {
         if !self.shapes[i].kind().has_corners() {
             return None;
@@ -302,7 +303,7 @@ impl<G: Ground> Census<'_, G> {
         (slack > LOOSE).then(|| middle().0)
     }
 
-    /// The next body of a row, that at the place where it would touch this one.
+    /// The next body of a row: the one at the place where it would touch this one.
     fn next(&self, i: usize, to: G::Place) -> Option<Next> {
         let (centre, shape) = (self.bodies[i].particle.centre, &self.shapes[i]);
         let mut best = None;
@@ -327,7 +328,7 @@ impl<G: Ground> Census<'_, G> {
         })
     }
 
-    /// The smallest w between a body and the others (2 where none is near).
+    /// The smallest w between a body and the others (2 if none is near).
     fn nearest(&self, i: usize) -> f64 {
         let (at, shape) = (self.bodies[i].particle.centre, &self.shapes[i]);
         let mut least = 2.0_f64;
@@ -341,7 +342,7 @@ impl<G: Ground> Census<'_, G> {
         least
     }
 
-    /// Is every body at least `room` stable distances away from this place?
+    /// Whether every body is at least `room` stable distances away from this place.
     fn is_free(&self, at: G::Place, shape: &Shape, room: f64) -> bool {
         !self.any_near(at, shape, room, |k, r, turn| {
             shape.is_closer(&self.shapes[k].seen(turn), r, room)
@@ -349,8 +350,8 @@ impl<G: Ground> Census<'_, G> {
         })
     }
 
-    /// Does it hold for any body that may be nearer than `w` stable distances? It is told the body's
-    /// number and the way to it, which walls may cut, with what carries vectors from there.
+    /// Whether a test holds for any body that may be nearer than `w` stable distances. The test gets the
+    /// body's number, the offset to it, which may cross walls, and the parallel transport from there.
     fn any_near(
         &self,
         at: G::Place,
@@ -366,7 +367,7 @@ impl<G: Ground> Census<'_, G> {
         })
     }
 
-    /// The bodies to remove: the tightest first, and no two neighbours at once.
+    /// The bodies to remove: the most crowded first, and never two neighbours at once.
     fn crowded(&self, nearest: &[f64], most: usize) -> Vec<bool> {
         let mut tight: Vec<usize> = (0..nearest.len())
             .filter(|&i| nearest[i] < limits(self.shapes[i].kind()).0)

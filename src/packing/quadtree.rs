@@ -1,4 +1,4 @@
-//! One cell in every leaf of a quadtree: the papers' way to fill the inside at first.
+//! Fills the inside with one cell in every leaf of a quadtree, as in the papers.
 
 use super::clearance::has_room;
 use super::grid::Grid;
@@ -8,13 +8,13 @@ use crate::domain::Domain;
 use crate::field::Fields;
 use glam::DVec2;
 
-/// The least distance at which a cell of a quadtree's leaf is put beside others.
+/// The least distance between a new cell and the others.
 const LEAF_GAP: f64 = 0.6;
 
-/// One cell in the middle of every leaf; a square is divided while it is larger than the size
-/// field asks for at its middle. For a constant size the leaves have just that size.
+/// One cell at the centre of every leaf. A square is divided while it is larger than the size field at its
+/// centre. For a constant size the leaves have exactly that size.
 pub(super) struct Quadtree {
-    /// Squares to come, the next one last: corner and side.
+    /// A stack of squares to visit: corner and side.
     open: Vec<(DVec2, f64)>,
 }
 
@@ -31,7 +31,7 @@ impl Quadtree {
         }
     }
 
-    /// Looks at the next square; true when there is none.
+    /// Visits the next square; true when none is left.
     pub fn grow(&mut self, placed: &mut Placed<DVec2, Grid>, around: Surroundings) -> bool {
         let fields = around.fields;
         let Some((corner, side)) = self.open.pop() else {

@@ -1,4 +1,4 @@
-//! The run of a packing on any ground: bodies in motion, population control, and the end.
+//! The run of a packing on any domain: motion, population control, and the end.
 
 use super::ground::{Asks, GridOf, Ground};
 use super::integrate::Motion;
@@ -12,11 +12,11 @@ use glam::DVec2;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Body<P> {
     pub particle: Particle<P>,
-    /// In the frame of its place.
+    /// Velocity, in the frame of its place.
     pub velocity: DVec2,
-    /// This cell's size over what the size field asks for.
+    /// Factor of this cell's size over the size field.
     pub factor: f64,
-    /// It has moved in the last step, or is new.
+    /// Whether it moved in the last step, or is new.
     pub has_moved: bool,
 }
 
@@ -30,7 +30,7 @@ impl<P: Copy> Body<P> {
     }
 }
 
-/// A packing on its way, without its ground.
+/// A packing in progress, without its domain.
 #[derive(Clone, Debug)]
 pub(crate) struct Run<P> {
     pub params: PackingParams,
@@ -45,7 +45,7 @@ pub(crate) struct Run<P> {
 }
 
 impl<P: Copy> Run<P> {
-    /// Of these centres; true where one is fixed.
+    /// Starts with these centres, each with whether it is fixed.
     pub fn of<A: Asks<Place = P>>(
         cells: impl Iterator<Item = (P, bool)>,
         asked: A,
@@ -81,8 +81,8 @@ impl<P: Copy> Run<P> {
         });
     }
 
-    /// Vs: cells are placed at equal sizes, then each gets its own. Drawing sizes while places are
-    /// filled would leave the large ones out.
+    /// Gives each cell its own size, by the variance Vs. Cells are placed with equal sizes first, because
+    /// drawn sizes would make the filling leave out large cells.
     pub fn assign_sizes<A: Asks<Place = P>>(&mut self, asked: A) {
         let variance = self.params.variance;
         if variance == 0.0 {
@@ -90,7 +90,7 @@ impl<P: Copy> Run<P> {
         }
         for body in &mut self.bodies {
             let mut random = Random::new(self.params.seed, Purpose::Size, body.particle.id.into());
-            // Uniform with the standard deviation Vs.
+            // Uniform, with the standard deviation Vs.
             body.factor = 1.0 + variance * 3.0_f64.sqrt() * random.signed();
             body.particle.size = body.factor * asked.size(body.particle.centre);
         }
@@ -103,19 +103,19 @@ impl<P: Copy> Run<P> {
         particles
     }
 
-    /// What the last step did.
+    /// The result of the last step.
     pub fn report(&self) -> StepReport {
         self.report
     }
 
-    /// One step of the equation of motion and, now and then, population control.
+    /// Makes one step of the equation of motion, with population control when it is due.
     pub fn step<G: Ground<Place = P>>(&mut self, ground: G) -> StepReport {
         while !self.advance(ground, &mut None, usize::MAX) {}
         self.report
     }
 
-    /// Goes on with a step, over some such number of bodies; true when it is whole. The survey is what it leaves for
-    /// the next time. What comes of it is the same, however large the portions.
+    /// Continues a step with about this many bodies; true when it is complete. `survey` keeps the population
+    /// scan between calls. The result does not depend on the portions.
     pub fn advance<G: Ground<Place = P>>(
         &mut self,
         ground: G,
@@ -158,18 +158,18 @@ impl<P: Copy> Run<P> {
         true
     }
 
-    /// Steps of the run that a step is late by.
+    /// Cooling steps that have passed at a step.
     fn late<G: Ground<Place = P>>(step: u32) -> u32 {
         step.saturating_sub(G::TUNING.cooling_from)
     }
 
-    /// Of the step that comes.
+    /// Pace of the coming step.
     fn pace<G: Ground<Place = P>>(&self) -> f64 {
         let late = Self::late::<G>(self.report.step + 1);
         (0..late).fold(1.0, |pace, _| pace * G::TUNING.cooling)
     }
 
-    /// Was the last step as small as the last ones are?
+    /// Whether the last step was small enough to end the run.
     fn is_small<G: Ground<Place = P>>(&self) -> bool {
         let last = &self.report;
         last.step >= G::TUNING.least_steps
@@ -177,7 +177,7 @@ impl<P: Copy> Run<P> {
             && (last.largest_force < G::TUNING.force_end || Self::late::<G>(last.step) > 0)
     }
 
-    /// Is it time to add and remove cells?
+    /// Whether population control is due.
     fn is_survey_due<G: Ground<Place = P>>(&self) -> bool {
         let step = self.report.step;
         let due = step - self.controlled >= G::TUNING.population_every;
@@ -186,7 +186,7 @@ impl<P: Copy> Run<P> {
             && (due || self.is_small::<G>())
     }
 
-    /// Adds and removes cells; true where any were.
+    /// Adds and removes cells; true if there were any.
     fn change<G: Ground<Place = P>>(&mut self, ground: G, change: Change<P>) -> bool {
         let mut index = 0;
         self.bodies.retain(|_| {
@@ -204,7 +204,7 @@ impl<P: Copy> Run<P> {
             self.motion.forget();
         }
         if removed > 0 {
-            // Their neighbours are not known any more.
+            // Their neighbours have changed.
             self.bodies
                 .iter_mut()
                 .for_each(|body| body.has_moved = true);

@@ -1,20 +1,19 @@
-//! The metric that a cell's kind, size and aspect ratio make.
+//! The metric of a cell.
 //!
-//! Kinds are data: kind, size and aspect ratio make a metric, in which distances between cells are
-//! measured, and a frame in which a stretched cell is a square, where `force` evaluates the corner
-//! potentials. Only the damping (`integrate`) and the thresholds of the population ask for the kind
-//! itself.
+//! Kind, size and aspect ratio define a metric, which measures distances between cells, and a frame in which
+//! a stretched cell is a square, where `force` evaluates the corner potentials. Only the damping
+//! (`integrate`) and the thresholds of the population depend on the kind itself.
 
 use super::Particle;
 use super::ground::{Asks, Carry};
 use crate::field::Kind;
 use glam::DVec2;
 
-/// Where the bubble force ends, in stable distances.
+/// End of the bubble force, in stable distances.
 pub(super) const CUT: f64 = 1.5;
 
-/// How far a square cell reaches, in stable distances of its pair: from a corner (half a diagonal)
-/// to where the corner's own force ends (eq. 2's cut at 1.5 corner distances).
+/// Reach of a square cell, in stable distances of its pair: half a diagonal to the corner, plus the reach of
+/// the corner's own force (eq. 2's cut at 1.5 corner distances).
 pub(super) const SQUARE_REACH: f64 = std::f64::consts::FRAC_1_SQRT_2 * (1.0 + CUT);
 
 /// A cell's kind, direction, size and aspect ratio, without its place.
@@ -23,7 +22,8 @@ pub(crate) struct Shape {
     kind: Kind,
     axis: DVec2,
     pub size: f64,
-    /// The root of the aspect ratio; 1 where the field has no direction to be stretched along.
+    /// The root of the aspect ratio; 1 if the direction field vanishes, so that there is nothing to stretch
+    /// along.
     pub root: f64,
 }
 
@@ -39,13 +39,12 @@ const AROUND: &[[f64; 2]] = &[
     [0.5, -SIN_60],
 ];
 
-/// How far a rectangle or square that does not stand along a wall may poke its corner into it: no
-/// more than this times its half extent is kept free.
+/// Limit of a corner's half extent towards a wall, in half extents of the cell's ellipse: a turned square or
+/// rectangle may poke its corner into the wall.
 const POKE: f64 = 1.15;
 
 impl Particle {
-    /// The cell's ring, `scale` times as large, clockwise on screen: its four corners, or so
-    /// many points on its ellipse.
+    /// The cell's ring, scaled, clockwise on screen: its four corners, or this many points of its ellipse.
     pub fn ring(&self, scale: f64, points: u32) -> Vec<DVec2> {
         let (e, f) = self.half_axes();
         let (e, f) = (scale * e, scale * f);
@@ -61,8 +60,8 @@ impl Particle {
         (0..points).map(around).collect()
     }
 
-    /// How far a place `way` off its centre is, over how far its edge is in that direction: 0 in the
-    /// middle, 1 on the edge.
+    /// The distance of an offset from the centre over the distance of the edge in that direction: 0 at the
+    /// centre, 1 on the edge.
     pub(crate) fn relative_radius(&self, way: DVec2) -> f64 {
         let (e, f) = self.half_axes();
         let local = DVec2::new(
@@ -80,12 +79,12 @@ impl Particle {
         Shape::of(self).length()
     }
 
-    /// The distance to another cell, `way` off, in stable distances of the two.
+    /// The distance to another cell at an offset, in stable distances of the two.
     pub(crate) fn normalised_distance(&self, other: &Particle, way: DVec2) -> f64 {
         Shape::of(self).normalised_distance(&Shape::of(other), way)
     }
 
-    /// Where neighbours of the same kind and size touch it: at its four edges, or six around.
+    /// Offsets at which neighbours of the same kind and size touch it: at its four edges, or six around.
     pub(crate) fn places(&self) -> impl Iterator<Item = DVec2> {
         let (centre, size) = (self.centre, self.size);
         Shape::of(self)
@@ -104,13 +103,13 @@ impl<P> Particle<P> {
 }
 
 impl Shape {
-    /// What a cell at this point should be.
+    /// The shape of a cell at this place, by the fields.
     pub fn at<A: Asks>(asked: A, p: A::Place) -> Self {
         let kind = asked.kind(p);
         Self::new(kind, asked.direction(p), asked.size(p), asked.aspect(p))
     }
 
-    /// Its metric only: without the axis where the cell is not stretched, which is quicker.
+    /// The metric only: omits the axis of unstretched cells, which is quicker.
     pub fn metric_at<A: Asks>(asked: A, p: A::Place) -> Self {
         let kind = asked.kind(p);
         if kind.is_stretched() {
@@ -120,7 +119,7 @@ impl Shape {
         }
     }
 
-    /// As it is seen from another place.
+    /// The shape in the frame of another place.
     #[inline(always)]
     pub fn seen(self, turn: impl Carry) -> Self {
         Self {
@@ -159,7 +158,7 @@ impl Shape {
         self.size * self.root
     }
 
-    /// The length of a vector in diameters of the cell along it: so many cells, end to end, are as long.
+    /// The length of a vector in diameters of the cell along it.
     pub fn cells_along(&self, r: DVec2) -> f64 {
         if self.root == 1.0 {
             return r.length() / self.size;
@@ -173,8 +172,8 @@ impl Shape {
         self.axis = axis;
     }
 
-    /// The places of neighbours that touch the cell, as vectors in stable distances: at its four
-    /// edges, or six around where it has no corners.
+    /// Offsets of neighbours that touch the cell, in stable distances: at its four edges, or six around if it
+    /// has no corners.
     pub fn places(self) -> impl Iterator<Item = DVec2> {
         let e = self.axis.normalize_or(DVec2::X);
         let (along, across) = (e * self.root, e.perp() / self.root);
@@ -195,8 +194,8 @@ impl Shape {
         self.size * DVec2::new(x * self.root, y / self.root).length()
     }
 
-    /// Half its extent along a unit vector, at least nearly half its side: a cell that stands on its
-    /// corner may poke its tip into a wall a little.
+    /// Half its extent along a unit vector. For a cell with corners it is at most [`POKE`] times the half
+    /// extent of its ellipse, so that a turned cell may poke a corner into a wall.
     pub fn half_extent(&self, along: DVec2) -> f64 {
         let round = 0.5 * self.extent(along);
         if !self.kind.has_corners() || self.axis == DVec2::ZERO {
@@ -207,7 +206,7 @@ impl Shape {
         support.min(POKE * round)
     }
 
-    /// Could the forces of two cells reach each other, had they come nearer by `margin`?
+    /// Whether the forces of two cells could reach each other after they approach by `margin`.
     pub fn may_touch(&self, other: &Shape, r: DVec2, margin: f64) -> bool {
         let reach = if self.kind.has_corners() || other.kind.has_corners() {
             SQUARE_REACH
@@ -223,7 +222,7 @@ impl Shape {
             || self.normalised_distance(other, r) * stable < reach * stable + margin
     }
 
-    /// Is their distance less than `w` of their stable one?
+    /// Whether their distance is below `w` stable distances.
     pub fn is_closer(&self, other: &Shape, r: DVec2, w: f64) -> bool {
         if self.root == 1.0 && other.root == 1.0 {
             let reach = w * (0.5 * (self.size + other.size));
@@ -232,15 +231,15 @@ impl Shape {
         self.normalised_distance(other, r) < w
     }
 
-    /// The distance of two cells over their stable one: w of eq. (2), by effective distances (Itoh,
-    /// Miyata, Shimada 2003, section 5.1): the stable distance is the sum of the two lengths that
-    /// the cells' ellipses cut out of the line between the centres.
+    /// The distance of two cells over their stable distance: w of eq. (2), by effective distances (Itoh,
+    /// Miyata, Shimada 2003, section 5.1). The stable distance is the sum of the two lengths that the cells'
+    /// ellipses cut out of the line between the centres.
     pub fn normalised_distance(&self, other: &Shape, r: DVec2) -> f64 {
         if self.root == 1.0 && other.root == 1.0 {
             return r.length() / (0.5 * (self.size + other.size));
         }
         let (a, b) = (self.cells_along(r), other.cells_along(r));
-        // Each cuts half a diameter out of the line: 1 / w = 1 / (2 a) + 1 / (2 b).
+        // Each ellipse cuts half a diameter out of the line: 1 / w = 1 / (2 a) + 1 / (2 b).
         2.0 * a * b / (a + b).max(f64::MIN_POSITIVE)
     }
 }

@@ -1,4 +1,4 @@
-//! The stress on each packed cell: how deep its neighbours overlap it, and how many of its sides are free.
+//! The stress on each packed cell: the depth of overlap with its neighbours, and the share of free sides.
 
 use super::Particle;
 use super::force::Pair;
@@ -9,28 +9,28 @@ use glam::DVec2;
 /// The stress on a packed cell, each 0..=1.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Stress {
-    /// How deep it and its neighbours stand in each other; 1 from a depth on.
+    /// Depth of overlap with its neighbours; 1 from a limit on.
     pub pressed: f32,
-    /// The share of its sides along which there is neither a neighbour nor the boundary.
+    /// The share of its sides without a neighbour or the boundary.
     pub alone: f32,
 }
 
-/// An overlap of this share of the stable distance counts in full ...
+/// An overlap of this share of the stable distance counts fully ...
 const DEEP: f64 = 0.40;
-/// ... and one of this share is what soft cells at rest have.
+/// ... and an overlap of this share, usual for soft cells at rest, not at all.
 const REST: f64 = 0.08;
-/// A side is open where no centre is within so many stable distances along it ...
+/// A side is free if no centre is within this many stable distances along it ...
 const OPEN: f64 = 1.35;
-/// ... and within this slope of it.
+/// ... and within this slope.
 const ASIDE: f64 = 0.75;
-/// Centres more than so many mean lengths of two cells apart neither press nor stand beside: the
-/// corner of what a side looks at is 1.55 off, and corners touch at 1.42.
+/// Centres farther apart than this many mean sizes neither press nor stand beside each other: the far corner
+/// of a side's search area is 1.55 off, and corners touch at 1.42.
 const FAR: f64 = 1.6;
-/// Sides of cells with corners, and ways around the others, at any turn.
+/// Sides of a cell with corners, and directions around any other.
 const SIDES: u32 = 4;
 const WAYS: u32 = 12;
 
-/// The stress on each particle, in their order.
+/// The stress on each particle, in the order of `particles`.
 pub fn stress(domain: &Domain, particles: &[Particle]) -> Vec<Stress> {
     let goes_on = |centre: DVec2, by: DVec2| {
         domain.contains(centre + by) && !domain.is_parted(centre, centre + by)
@@ -38,13 +38,13 @@ pub fn stress(domain: &Domain, particles: &[Particle]) -> Vec<Stress> {
     stress_on(domain, particles, |_, _| true, goes_on)
 }
 
-/// Cells that are farther apart than so many mean sizes, as both of them measure it in their own half axes, each half a
-/// size long, know nothing of each other, as long as their directions are not too far apart.
+/// Cells farther apart than this, in mean sizes, do not interact if their directions are similar. Both
+/// measure the distance in their own half axes.
 #[cfg(house)]
 pub(crate) const BEYOND: f64 = 1.7;
 
-/// The same on any ground, where `may_meet` is false of two particles that are [`BEYOND`] each other, and `goes_on`
-/// tells whether all the way from a place is ground.
+/// The same on any domain. `may_meet` is false for two particles farther apart than [`BEYOND`], and `goes_on`
+/// tells whether the whole path from a place stays on the domain.
 pub(crate) fn stress_on<S: Sees>(
     ground: S,
     particles: &[Particle<S::Place>],
@@ -62,15 +62,15 @@ pub(crate) fn stress_on<S: Sees>(
     (0..particles.len()).map(of).collect()
 }
 
-/// What is around one particle after the other.
+/// The surroundings of one particle after another.
 struct Surroundings<'a, S: Sees> {
     ground: S,
     particles: &'a [Particle<S::Place>],
     grid: S::Grid,
     reach: f64,
-    /// See [`FAR`], of the size.
+    /// See [`FAR`], in units of the size.
     far: f64,
-    /// The centres of the neighbours in the frame of the particle, in stable distances.
+    /// The neighbours' centres in the frame of the particle, in stable distances.
     around: Vec<DVec2>,
 }
 
@@ -93,7 +93,7 @@ impl<'a, S: Sees> Surroundings<'a, S> {
         }
     }
 
-    /// Finds the neighbours of a particle; gives the depth of its deepest overlap with one.
+    /// Finds the neighbours of a particle; gives the depth of the deepest overlap.
     fn meet(&mut self, own: usize, may_meet: &impl Fn(usize, usize) -> bool) -> f64 {
         let (ground, particle) = (self.ground, &self.particles[own]);
         let centre = particle.centre;
@@ -120,7 +120,7 @@ impl<'a, S: Sees> Surroundings<'a, S> {
         depth
     }
 
-    /// The share of the sides of a particle, whose neighbours were found before, that are free.
+    /// The share of free sides of a particle, whose neighbours were found before.
     fn free_share(&self, own: usize, goes_on: &impl Fn(S::Place, DVec2) -> bool) -> f32 {
         let particle = &self.particles[own];
         let (e, f) = particle.half_axes();

@@ -1,4 +1,4 @@
-//! The soft wall: the boundary keeps the cells' edges on it.
+//! The soft wall, which keeps the cells' edges on the boundary.
 
 use super::force::bubble_force;
 use super::ground::{Foot, Walled};
@@ -6,19 +6,19 @@ use super::run::Body;
 use super::shape::{CUT, Shape};
 use glam::DVec2;
 
-/// Strength of a wall over that of a neighbour.
+/// Strength of a wall relative to a neighbour.
 const STIFFNESS: f64 = 2.0;
 
-/// A centre is never left nearer to the boundary than this share of its cell's extent.
+/// A centre stays at least this share of its cell's extent away from the boundary.
 pub(crate) const CLOSEST: f64 = 0.2;
 
-/// How far from the boundary a cell of this length can feel it: a square's half diagonal times the
-/// cut.
+/// The distance at which a cell of this length begins to feel the boundary: a square's half diagonal times
+/// the cut.
 pub(crate) fn reach(length: f64) -> f64 {
     0.5 * std::f64::consts::SQRT_2 * length * CUT
 }
 
-/// The force of all walls on a cell, and how far away they are at least; `near` is room for them.
+/// The force of all walls on a cell, and a lower bound of their distance; `near` is scratch space.
 pub(super) fn wall_force<W: Walled>(
     body: &Body<W::Place>,
     walls: W,
@@ -36,11 +36,12 @@ pub(super) fn wall_force<W: Walled>(
         let half = shape.half_extent(wall.inward());
         force += wall.inward() * (STIFFNESS * 2.0 * half * bubble_force(wall.distance() / half));
     }
-    // None where it stands on the boundary.
+    // No force if it stands on the boundary.
     (force, near.first().map_or(0.0, Foot::distance))
 }
 
-/// Does a cell of this length stay clear of walls at least this far away when it moves by `by`?
+/// Whether a cell of this length, at least `distance` from all walls, stays clear of them when it moves by
+/// `by`.
 pub(super) fn stays_clear(distance: f64, by: f64, length: f64) -> bool {
     distance - by > CLOSEST * length
 }

@@ -1,5 +1,5 @@
-//! Starts a packing from the cells of another one: in another outline, or in other fields. While a point
-//! is dragged, the cells flow after it. Nothing of this ever reaches a finished picture.
+//! Starts a packing from the cells of another one, in another outline or other fields. While a point is
+//! dragged, the cells flow after it. Finished pictures never use it.
 
 use super::placement::on_boundary;
 use super::plane::Surroundings;
@@ -14,14 +14,14 @@ use crate::field::Fields;
 use crate::order;
 use glam::DVec2;
 
-/// Cells farther outside than this many sizes are dropped, nearer ones moved in.
+/// Cells farther outside than this many sizes are dropped; nearer ones are moved in.
 const FAR: f64 = 1.0;
 
 impl Packing {
-    /// Goes on with the same cells in another outline, with other fields or parameters: those just
-    /// outside are moved in, those far outside dropped, cells on the boundary placed anew, and all
-    /// take size, direction and aspect ratio from the fields. The next step looks at the population,
-    /// so that new room fills and crowds thin, and as many steps are to come as at the beginning.
+    /// Continues with the same cells in another outline, with other fields or parameters. Cells just outside
+    /// are moved in, those far outside dropped, cells on the boundary placed anew, and all take size,
+    /// direction and aspect ratio from the fields. The next step controls the population, so that new room
+    /// fills and crowds thin out. The number of remaining steps is reset.
     pub fn warm_start(&mut self, domain: &Domain, fields: &Fields, mut params: PackingParams) {
         if params.population == Population::Off {
             params.population = Population::Slots;
@@ -35,7 +35,7 @@ impl Packing {
         free.retain_mut(|body| move_in(body, domain, fields));
         run.bodies = free;
         if params.boundary == BoundaryCondition::On {
-            // Cells that stood there before keep their names, and so their colours.
+            // Earlier cells keep their ids, and so their colours.
             let mut names = held.iter().map(|body| body.particle.id);
             let around = Surroundings {
                 domain,
@@ -68,7 +68,7 @@ impl Packing {
     }
 }
 
-/// Puts a free cell where it may stand; false where it is too far from there.
+/// Moves a free cell inside; false if it is too far away.
 fn move_in(body: &mut Body<DVec2>, domain: &Domain, fields: &Fields) -> bool {
     let mut centre = domain.space().wrap(body.particle.centre);
     let near = domain.nearest(centre);

@@ -1,9 +1,9 @@
-//! What all geometry stands on: the space that places lie in, the grain they are rounded to, and the
-//! one triangulation of the program (spade).
+//! Planar geometry: the space of places (plane or torus), the grid that points are rounded to, and the
+//! program's one triangulation (spade).
 //!
-//! Points go into a triangulation one after the other, in the order of their ids. spade's bulk load
-//! would be quicker, but it sorts with an unstable sort, whose ties may fall differently where `usize`
-//! has another width; the result would then depend on the machine.
+//! Points are inserted one by one, in the order of their ids. spade's bulk load is quicker, but it sorts with
+//! an unstable sort: ties may fall differently where `usize` has another width, and the result would depend
+//! on the machine.
 
 mod rtree;
 mod segment;
@@ -22,26 +22,26 @@ use spade::{
     ConstrainedDelaunayTriangulation, Point2, PositionInTriangulation, Triangulation as _,
 };
 
-/// A triangulation, with or without constraints: two types would bring two copies of spade into the
+/// A triangulation, with or without constraints. One type for both keeps a second copy of spade out of the
 /// WebAssembly.
 pub(crate) type Delaunay = ConstrainedDelaunayTriangulation<Point2<f64>>;
 
-/// Points that are to be equal where they nearly are get rounded to this (picture units); a power
-/// of two, so that whole steps and pictures' sides add without rounding.
+/// Step of the grid that points are rounded to, so that nearly equal points become equal (picture units). It
+/// is a power of two: whole steps and sides of pictures add without rounding.
 const GRAIN: f64 = 1.0 / 65536.0;
 
-/// Lines are taken as far as this from the origin, along each axis (picture units): nothing that
-/// counts is farther, and products of three such ways, in steps of the grain, have 126 bits.
+/// Lines are clipped this far from the origin along each axis (picture units). Nothing farther out matters,
+/// and products of three coordinates, in steps of the grain, fit in 126 bits.
 const FAR: f64 = 8_388_608.0;
 
-/// Adds a point; nothing where it has no finite place.
+/// Inserts a point; `None` if a coordinate is not finite.
 pub(crate) fn insert(mesh: &mut Delaunay, p: Point2<f64>) -> Option<FixedVertexHandle> {
     mesh.insert(p).ok()
 }
 
-/// The constrained Delaunay triangulation of lines, rounded to the grain and divided where they cross,
-/// and the edges that the first `walls` of them have become: the numbers of two vertices, the smaller
-/// first, in rising order.
+/// The constrained Delaunay triangulation of lines, rounded to the grain and split where they cross. Also
+/// gives the edges that the first `walls` lines have become, as pairs of vertex numbers, the smaller first,
+/// in rising order.
 pub(crate) fn triangulate_lines(
     lines: impl Iterator<Item = [DVec2; 2]>,
     walls: usize,
@@ -72,12 +72,12 @@ pub(crate) fn edge_of(a: FixedVertexHandle, b: FixedVertexHandle) -> [u32; 2] {
     [a.min(b), a.max(b)]
 }
 
-/// What lies nearer than [`FAR`] of a line; nothing where its ends have no finite place.
+/// The part of a line within [`FAR`] of the origin; `None` if an end is not finite.
 fn clipped([a, b]: [DVec2; 2]) -> Option<[DVec2; 2]> {
     if a.abs().max(b.abs()).max_element() <= FAR {
         return Some([a, b]);
     }
-    // The parts of the way at which the box's sides are met; none where the line runs beside them.
+    // Line parameters at the sides of the box; infinite where the line runs parallel to a side.
     let (way, far) = (b - a, DVec2::splat(FAR));
     let (s, t) = ((-far - a) / way, (far - a) / way);
     let (from, to) = (
@@ -90,29 +90,29 @@ fn clipped([a, b]: [DVec2; 2]) -> Option<[DVec2; 2]> {
 
 /// Rounds a point to the grain.
 pub(crate) fn on_grain(p: DVec2) -> DVec2 {
-    // Halves always up, so that images of a place are rounded alike.
+    // Halves round up, so that all images of a place are rounded alike.
     (p / GRAIN + 0.5).floor() * GRAIN
 }
 
-/// A point as spade has it, rounded to the grain.
+/// The point as spade's type, rounded to the grain.
 pub(crate) fn grain(p: DVec2) -> Point2<f64> {
     let q = on_grain(p);
     Point2::new(q.x, q.y)
 }
 
-/// Positive where a, b, c run clockwise on screen, negative where they run the other way, 0 on one
-/// line: exact.
+/// Orientation of three points, exact: positive if a, b, c run clockwise on screen, negative if
+/// anticlockwise, 0 if collinear.
 pub(crate) fn orientation(a: DVec2, b: DVec2, c: DVec2) -> f64 {
     let coord = |p: DVec2| Coord { x: p.x, y: p.y };
     orient2d(coord(a), coord(b), coord(c))
 }
 
-/// A point of spade's.
+/// The coordinates of a spade point.
 pub(crate) fn position(p: Point2<f64>) -> DVec2 {
     DVec2::new(p.x, p.y)
 }
 
-/// The numbers of the triangles that a point lies in: more than one where it lies between them.
+/// The numbers of the triangles that contain a point; more than one if it lies on an edge or a vertex.
 pub(crate) fn triangles_at(mesh: &Delaunay, p: DVec2) -> Vec<usize> {
     // Inner faces are numbered from 1: 0 is the outer face.
     match mesh.locate(grain(p)) {

@@ -1,21 +1,21 @@
-//! Which segments come near a box: an R-tree, packed strip by strip (Leutenegger, Edgington, Lopez
-//! 1997, STR: a simple and efficient algorithm for R-tree packing).
+//! Finds the segments near a box with an R-tree, packed strip by strip (Leutenegger, Edgington, Lopez 1997,
+//! STR: a simple and efficient algorithm for R-tree packing).
 
 use crate::order;
 use glam::DVec2;
 
-/// Boxes that a box of the level above holds.
+/// Children of a box.
 const BRANCHES: usize = 4;
-/// Segments of a strip, about, for each strip.
+/// About how many leaves a strip has for each strip there is.
 const STRIP: f64 = 4.0;
 
 /// The smallest and the largest corner.
 type Corners = [DVec2; 2];
 
-/// The boxes around segments, and boxes around some of those, and so on, up to a few. How far from
-/// each other the segments lie does not matter: they are told apart by their places in order.
+/// An R-tree over the bounding boxes of segments. Segments that lie far apart are found as well as close
+/// ones: only the order of their places matters.
 pub(super) struct RTree {
-    /// The segments in the order of the boxes of the first level.
+    /// The segments, in the order of the leaves.
     order: Vec<u32>,
     levels: Vec<Vec<Corners>>,
 }
@@ -35,7 +35,7 @@ impl RTree {
         Self { order, levels }
     }
 
-    /// The numbers of the segments whose boxes share a point with this one.
+    /// Collects the numbers of the segments whose boxes meet this box.
     pub fn near(&self, lo: DVec2, hi: DVec2, found: &mut Vec<u32>) {
         found.clear();
         let top = self.levels.len() - 1;
@@ -55,8 +55,8 @@ impl RTree {
     }
 }
 
-/// The segments strip by strip, in each from top to bottom, so that those beside each other in the
-/// list are so in the plane.
+/// Sorts segments into strips, and each strip from top to bottom, so that neighbours in the list are
+/// neighbours in the plane.
 fn in_strips(segments: &[[DVec2; 2]]) -> Vec<u32> {
     let middle = |k: u32| segments[k as usize][0].midpoint(segments[k as usize][1]);
     let mut order: Vec<u32> = (0..segments.len() as u32).collect();

@@ -1,4 +1,4 @@
-//! What is asked of segments.
+//! Distances, crossings and divisions of segments.
 
 use super::orientation;
 use crate::order;
@@ -21,8 +21,8 @@ pub(crate) fn closest_on_segment(p: DVec2, a: DVec2, b: DVec2) -> DVec2 {
     }
 }
 
-/// Do a to b and the segment c to d cross? Not where a or b lies on it; its ends count so that a way
-/// through a point that two segments share crosses one of them.
+/// Whether a to b crosses the segment c to d. Touching in a or b does not count. Touching in c or d does, so
+/// that a path through the common end of two segments crosses one of them.
 pub(crate) fn crosses(a: DVec2, b: DVec2, c: DVec2, d: DVec2) -> bool {
     if a.min(b).cmpgt(c.max(d)).any() || c.min(d).cmpgt(a.max(b)).any() {
         return false;
@@ -32,7 +32,7 @@ pub(crate) fn crosses(a: DVec2, b: DVec2, c: DVec2, d: DVec2) -> bool {
     apart && (orientation(a, b, c) >= 0.0) != (orientation(a, b, d) >= 0.0)
 }
 
-/// Segments divided at places that lie on them, each place with its segment's number.
+/// Splits segments at points on them; each point comes with its segment's number.
 pub(crate) fn divided(segments: &[[DVec2; 2]], places: &[(usize, DVec2)]) -> Vec<[DVec2; 2]> {
     let mut on: Vec<Vec<DVec2>> = vec![Vec::new(); segments.len()];
     for &(segment, p) in places {

@@ -1,42 +1,42 @@
-//! Lines that cross, made lines between points of the grain that do not.
+//! Rounds lines that cross to pieces that meet only in their ends, on grid points.
 //!
-//! Snap rounding by hot pixels (Hobby 1999, Practical segment intersection with finite precision
-//! output; Guibas, Marimont 1998): every end and every crossing, rounded to the grain, makes the square
-//! of the grain around it hot, and each line goes through the middles of all hot squares that it
-//! passes. Whether it does is decided exactly, so no two of the new lines cross or overlap but in
-//! shared ends, none is farther from its line than a step of the grain, and images that are whole
-//! steps apart are rounded alike.
+//! The method is snap rounding by hot pixels (Hobby 1999, Practical segment intersection with finite
+//! precision output; Guibas, Marimont 1998). Every end and every crossing, rounded to the grain, makes the
+//! grid square around it hot, and each line goes through the centres of all hot squares that it passes. The
+//! passing test is exact. So no two new lines cross or overlap except in shared ends, none is farther from
+//! its line than one step of the grain, and images a whole number of steps apart are rounded alike.
 //!
-//! All crossings are made before anything is triangulated, so spade never has to divide a constraint,
-//! whose new point it would round in its own way.
+//! All crossings are found before anything is triangulated. spade never has to split a constraint, because it
+//! would round the new point in its own way.
 
 use super::rtree::RTree;
 use super::{GRAIN, orientation};
 use crate::order;
 use glam::DVec2;
 
-/// Points, and what joins two of them: pieces of one line follow each other.
+/// Points and the pieces between them; the pieces of one line follow each other.
 pub(super) struct Snapped {
-    /// All different: the ends of the lines as they come, then the crossings.
+    /// Distinct points: first the ends of the lines, in order, then the crossings.
     pub points: Vec<DVec2>,
-    /// The line's number and those of two points; more than one where lines run together.
+    /// The line's number and the numbers of its two points. A piece is listed once for each line that runs
+    /// along it.
     pub pieces: Vec<(u32, [u32; 2])>,
 }
 
-/// Rounds lines between points of the grain.
+/// Rounds lines whose ends are on the grain.
 pub(super) fn snap(lines: &[[DVec2; 2]]) -> Snapped {
     let tree = RTree::new(lines);
     let mut places: Vec<DVec2> = lines.iter().flatten().copied().collect();
     places.extend(crossings(lines, &tree));
     let points = distinct(&places);
-    // Line, how far along it, point.
+    // The line, the distance along it, and the point.
     let mut passed: Vec<(u32, f64, u32)> = Vec::new();
     let mut near = Vec::new();
     for (&p, number) in points.iter().zip(0..) {
         tree.near(p - HALF, p + HALF, &mut near);
         for &k in near.iter().filter(|&&k| passes(lines[k as usize], p)) {
-            // Of two squares on its way the line comes farther from its start in neither direction
-            // and less far in none.
+            // The sum of both coordinate distances from the start orders the squares: neither falls along the
+            // line, and one of them grows.
             let along = (p - lines[k as usize][0]).abs().element_sum();
             passed.push((k, along, number));
         }
@@ -49,11 +49,11 @@ pub(super) fn snap(lines: &[[DVec2; 2]]) -> Snapped {
 
 const HALF: DVec2 = DVec2::splat(GRAIN / 2.0);
 
-/// Does a line between points of the grain pass the square of the grain around one? Its left and its
-/// upper side belong to the square, without their other ends.
+/// Whether a line between grid points passes the grid square around a point. The left and upper sides belong
+/// to the square, without their far corners.
 fn passes([a, b]: [DVec2; 2], p: DVec2) -> bool {
     let (lo, hi) = (p - HALF, p + HALF);
-    // No end of the line lies on the way of a side, so the boxes share more than a side or nothing.
+    // No end of the line lies inside a side, so the boxes share more than a side or nothing.
     if a.max(b).cmplt(lo).any() || a.min(b).cmpgt(hi).any() {
         return false;
     }
@@ -63,11 +63,12 @@ fn passes([a, b]: [DVec2; 2], p: DVec2) -> bool {
         sides.iter().any(|&s| s > 0.0),
         sides.iter().any(|&s| s < 0.0),
     );
-    // One that touches the square only lies at a corner: lines along a side would end on its way.
+    // A line that only touches the square does so in a corner: a line along a side would end inside that
+    // side.
     (left && right) || sides[0] == 0.0
 }
 
-/// Where lines cross, rounded to the grain; not where they meet in an end of one of them.
+/// The crossings of lines, rounded to the grain, without those in an end of one of the lines.
 fn crossings(lines: &[[DVec2; 2]], tree: &RTree) -> Vec<DVec2> {
     let mut places = Vec::new();
     let mut near = Vec::new();
@@ -80,7 +81,7 @@ fn crossings(lines: &[[DVec2; 2]], tree: &RTree) -> Vec<DVec2> {
     places
 }
 
-/// The point of the grain next to where two lines cross.
+/// The grid point nearest to the crossing of two lines.
 fn crossing([a, b]: [DVec2; 2], [c, d]: [DVec2; 2]) -> Option<DVec2> {
     let apart = |a, b, c, d| orientation(a, b, c) * orientation(a, b, d) < 0.0;
     if !apart(a, b, c, d) || !apart(c, d, a, b) {
@@ -97,14 +98,14 @@ fn crossing([a, b]: [DVec2; 2], [c, d]: [DVec2; 2]) -> Option<DVec2> {
     Some(a + DVec2::new(step(u.0), step(u.1)))
 }
 
-/// The places without those that were there before, in their order.
+/// The points without duplicates, in order of first occurrence.
 fn distinct(places: &[DVec2]) -> Vec<DVec2> {
     let mut sorted: Vec<u32> = (0..places.len() as u32).collect();
     let at = |k: u32| places[k as usize];
     order::sort(&mut sorted, |&k| {
         (order::rank(at(k).x), order::rank(at(k).y))
     });
-    // Of equal ones the first stands first.
+    // Keeps the first of equal points.
     sorted.dedup_by(|next, first| at(*next) == at(*first));
     order::sort(&mut sorted, |&k| (k.into(), 0));
     sorted.into_iter().map(at).collect()
@@ -123,8 +124,8 @@ mod tests {
         DVec2::new(x as f64, y as f64) * GRAIN
     }
 
-    /// Lines among few steps of the grain, where nearly everything meets, in bundles that are nearly
-    /// one line, across pictures, and far out.
+    /// Lines of a few grid steps, where nearly everything meets; in bundles that are nearly one line; across
+    /// pictures; and far out.
     fn lines() -> impl Strategy<Value = Lines> {
         let places = |x: i64, y: i64| (-x..=x, -y..=y).prop_map(|(x, y)| point(x, y)).boxed();
         let place = prop_oneof![
@@ -139,7 +140,7 @@ mod tests {
         prop::collection::vec(line, 1..24)
     }
 
-    /// Do two pieces share more than an end of both?
+    /// Whether two pieces share more than an end of both.
     fn clash([a, b]: [DVec2; 2], [c, d]: [DVec2; 2]) -> bool {
         let within = |p: DVec2, a: DVec2, b: DVec2| {
             let boxed = p.cmpge(a.min(b)).all() && p.cmple(a.max(b)).all();
@@ -159,7 +160,7 @@ mod tests {
         pieces.into_iter().map(ends).collect()
     }
 
-    /// Whatever way round, in whatever order, and each once.
+    /// The pieces as a set: without directions and duplicates.
     fn as_set(pieces: &[[DVec2; 2]]) -> Vec<[(i64, i64); 2]> {
         let whole = |p: DVec2| ((p.x / GRAIN) as i64, (p.y / GRAIN) as i64);
         let mut set: Vec<[(i64, i64); 2]> = pieces.iter().map(|p| p.map(whole)).collect();
@@ -169,7 +170,7 @@ mod tests {
         set
     }
 
-    /// The runs of pieces that the lines have become, in the order of the lines.
+    /// The runs of pieces of each line, in the order of the lines.
     fn runs(lines: &[[DVec2; 2]]) -> Vec<Lines> {
         let mut left = pieces(lines).into_iter();
         let mut runs = Vec::new();
@@ -224,7 +225,7 @@ mod tests {
                 for [p, q] in run {
                     for r in [p, p.midpoint(q), q] {
                         let off = (r - closest_on_segment(r, a, b)).length() / GRAIN;
-                        // What the measure itself is off by grows with the line.
+                        // The error of the measurement itself grows with the line.
                         prop_assert!(off < 0.708 + 1e-15 * a.distance(b) / GRAIN, "{off}");
                     }
                 }

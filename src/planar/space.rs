@@ -1,21 +1,20 @@
-//! The space that places lie in: the plane, or a torus.
+//! The space of places: the plane, or a torus.
 //!
-//! Stages go over the images of a place (in the plane there is only one) and need not ask which space
-//! they are in. They ask only where something else is made: the grid and the lattice of the fields,
-//! rays and gradients that have to repeat (`field`), meshes that end at walls or close over seams
-//! (`mesh::meshing`, `cells::dual_builder`), and what fills a picture without an outline.
+//! Most stages loop over the images of a place (in the plane there is one) and need not know the space. They
+//! ask only where they make something different: the grid and the lattice of the fields, rays and gradients
+//! that must repeat (`field`), meshes that end at walls or close over seams (`mesh::meshing`,
+//! `cells::dual_builder`), and the filling of a picture without an outline.
 
 use glam::DVec2;
 
-/// The plane, or the torus that a square picture is when its left edge is its right edge and its top
-/// its bottom.
+/// The plane, or the torus that a square picture becomes when opposite edges are glued.
 ///
-/// On the torus a place is the same as all its images, which are whole sides away from it. The image in
-/// the picture, 0 <= x, y < side, is at home. In the plane every place is at home, and is its own only
-/// image: what goes over images is right there, too, so stages need not ask which of the two it is.
+/// On the torus a place is the same as all its images, which are whole sides away from it. Its representative
+/// is the image inside the picture, 0 <= x, y < side. In the plane every place is its own representative and
+/// its only image, so code that loops over images is right in both.
 ///
-/// The side of a torus is a whole number of steps of the grain to which places are rounded, as pictures
-/// have whole sides: images of places on the grain are exact.
+/// The side of a torus is a whole number of steps of the grain to which places are rounded, as pictures have
+/// whole sides. So the images of places on the grain are exact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Space {
     /// The side of the torus; nothing in the plane.
@@ -26,18 +25,18 @@ impl Space {
     /// The plane.
     pub const PLANE: Self = Self { period: None };
 
-    /// The torus of a side (picture units).
+    /// The torus with this side (picture units).
     pub fn torus(side: f64) -> Self {
         Self { period: Some(side) }
     }
 
-    /// The side of the torus, for what is done in another way there; nothing in the plane.
+    /// The side of the torus, for code that treats it differently; `None` in the plane.
     #[inline]
     pub fn period(self) -> Option<f64> {
         self.period
     }
 
-    /// The shortest of the differences that two places with this one have as images.
+    /// The shortest difference between the images of two places whose difference is `r`.
     #[inline]
     pub fn shortest(self, r: DVec2) -> DVec2 {
         match self.period {
@@ -46,14 +45,14 @@ impl Space {
         }
     }
 
-    /// Is this difference of two places the shortest between their images?
+    /// Whether this difference of two places is the shortest between their images.
     #[inline]
     pub(crate) fn is_shortest(self, r: DVec2) -> bool {
         let side = self.period.unwrap_or(f64::INFINITY);
         r.abs().max_element() <= 0.5 * side
     }
 
-    /// The image of a place at home.
+    /// The image of a place inside the picture.
     #[inline]
     pub fn wrap(self, p: DVec2) -> DVec2 {
         let Some(side) = self.period else { return p };
@@ -62,27 +61,27 @@ impl Space {
         DVec2::select(q.cmpge(DVec2::splat(side)), DVec2::ZERO, q)
     }
 
-    /// The shift from home to the copy of the picture that a place lies in.
+    /// The shift from the picture to its copy that contains a place.
     #[inline]
     pub(crate) fn tile(self, p: DVec2) -> DVec2 {
         let shift = |side: f64| (p / side).floor() * side;
         self.period.map_or(DVec2::ZERO, shift)
     }
 
-    /// How far beyond the picture a place can lie to which the way from one at home is the shortest;
-    /// 0 in the plane, whose places are all at home.
+    /// How far outside the picture the nearest image of a place inside can lie, seen from another place
+    /// inside; 0 in the plane.
     pub(crate) fn overhang(self) -> f64 {
         self.period.map_or(0.0, |side| side / 2.0)
     }
 
-    /// The shifts to images up to `far` sides away along each axis: none first, then row by row.
+    /// The shifts to images up to `far` sides away along each axis: zero first, then row by row.
     pub(crate) fn shifts(self, far: i32) -> impl Iterator<Item = DVec2> + Clone {
         let (side, far) = self.period.map_or((0.0, 0), |side| (side, far));
         Shifts { side, far, next: 0 }
     }
 
-    /// Those of the nine images of a place next to it that are at home or at most `reach` from there:
-    /// the place itself, which is at home, first.
+    /// The images of a place, of the nine around it, that lie in the picture or at most `reach` outside. The
+    /// place itself, which must be in the picture, comes first.
     #[inline]
     pub(crate) fn images(self, p: DVec2, reach: f64) -> impl Iterator<Item = DVec2> + Clone {
         const SHIFTS: [f64; 3] = [0.0, -1.0, 1.0];
@@ -92,13 +91,13 @@ impl Space {
             .filter(move |&q| self.is_near_home([q, q], reach))
     }
 
-    /// The shifts by which a box gets to share a point with the picture; in the plane only none.
+    /// The shifts that make a box meet the picture; in the plane only zero.
     pub(crate) fn shifts_home(self, [lo, hi]: [DVec2; 2]) -> impl Iterator<Item = DVec2> {
         let shifts = self.shifts(2);
         shifts.filter(move |&by| self.is_near_home([lo + by, hi + by], 0.0))
     }
 
-    /// Is any place of a box at home, or at most `reach` from there along each axis?
+    /// Whether part of a box lies in the picture, or at most `reach` outside along each axis.
     #[inline]
     pub(crate) fn is_near_home(self, [lo, hi]: [DVec2; 2], reach: f64) -> bool {
         self.period.is_none_or(|side| {
@@ -106,7 +105,7 @@ impl Space {
         })
     }
 
-    /// The images of segments up to `far` sides away: shift by shift, those given first.
+    /// The images of segments up to `far` sides away, shift by shift; the unshifted segments come first.
     pub(crate) fn repeated(
         self,
         segments: &[[DVec2; 2]],
@@ -116,8 +115,8 @@ impl Space {
         self.shifts(far).flat_map(image)
     }
 
-    /// The images of segments whose boxes share a point with a box around the picture; in the plane the
-    /// segments, wherever they are.
+    /// The images of segments whose boxes meet a box around the picture; in the plane the segments
+    /// themselves.
     pub(crate) fn repeated_over(
         self,
         segments: &[[DVec2; 2]],
@@ -130,7 +129,7 @@ impl Space {
         })
     }
 
-    /// The rim of what the picture and its images next to it cover; nothing in the plane.
+    /// The outer edge of the nine copies of the picture; nothing in the plane.
     pub(crate) fn frame(self) -> impl Iterator<Item = [DVec2; 2]> {
         let rim = |side| {
             let at = |x: f64, y: f64| DVec2::new(x, y) * side;

@@ -1,10 +1,10 @@
-//! Rows that generators share: a generator puts those that it has among its own, with another sentence
-//! and in another group where it has them.
+//! Rows shared by generators. A generator lists the ones it has among its own rows, with another help text or
+//! group if needed.
 
 use super::parameter::{Parameter, choice, int, number};
 use super::schema::choices;
 
-/// A table of rows that are no generator's own.
+/// Defines a table of rows that belong to no single generator.
 macro_rules! common {
     ($($word:ident $name:ident: $help:literal => $row:expr;)*) => {
         /// The keys of the common rows.

@@ -1,6 +1,6 @@
-//! The link: `v=1&cs=18&stone=flag`, in the page's fragment. It holds what differs from the default,
-//! in the order of the schema. Reading never fails: what does not fit is clamped or dropped, and a
-//! notice says so.
+//! The link: `v=1&cs=18&stone=flag`, in the page's fragment. It holds the values that differ from the
+//! default, in the order of the schema. Reading never fails: values that do not fit are clamped or dropped,
+//! with a notice.
 
 use super::value::chosen;
 use super::{Kind, Parameter, Recipe, Schema, common};
@@ -9,22 +9,23 @@ use crate::notice::{Arg, Code, Notice, quote};
 /// The version that links are written in.
 pub const VERSION: u32 = 1;
 
-/// At most so many notices are told one by one.
+/// Most notices listed one by one.
 const TOLD: usize = 12;
 
-/// At most so many pairs of a link are read; a link of this program has one for each parameter.
+/// Most pairs read from a link; a link of this program has at most one for each parameter.
 const PAIRS: usize = 200;
 
 /// The key that names the generator.
 const MAKE: &str = "make";
 
-/// The keys of the view: how the page shows the picture, which no recipe holds. They may stand in every
-/// link and mean nothing here (docs/parameters.md); no schema has a row of these names.
+/// The keys of the view: how the page shows the picture, which is not part of a recipe. Every link may have
+/// them, and they have no effect here (docs/parameters.md); no schema has a row with these names.
 pub const VIEW: [&str; 5] = ["view", "pace", "step", "zoom", "camera"];
 
 impl Recipe {
-    /// Reads a whole address, a fragment with its `#`, or a bare fragment, for one of the generators
-    /// whose schemas these are (at least one), the first where the link names none; with what was clamped or dropped.
+    /// Reads a whole address, a fragment with its `#`, or a bare fragment. The generator is one of those with
+    /// these schemas (at least one), the first if the link names none. Also gives notices about clamped or
+    /// dropped values.
     pub fn from_link(schemas: &[&'static Schema], link: &str) -> (Recipe, Vec<Notice>) {
         let mut notices = Vec::new();
         let mut pieces = fragment(link).split('&').filter(|p| !p.trim().is_empty());
@@ -81,7 +82,7 @@ impl Recipe {
         link
     }
 
-    /// Takes one pair of a link.
+    /// Reads one pair of a link.
     fn read(
         &mut self,
         key: &str,
@@ -109,8 +110,8 @@ impl Recipe {
         notices
     }
 
-    /// What is said where a pair chooses a word that something is drawn for: what is drawn chooses it by
-    /// itself, without it there is nothing to choose. None for other words.
+    /// The notice for a pair that chooses a word for drawn input: drawn input chooses it by itself, and
+    /// without input there is nothing to choose. `None` for other words.
     fn chooses_drawn(
         &self,
         row: &'static Parameter,
@@ -126,7 +127,7 @@ impl Recipe {
         }))
     }
 
-    /// What is said of something drawn where the link chooses another word.
+    /// The notice for drawn input if the link chooses another word.
     fn is_drawn_in_vain(
         &self,
         row: &'static Parameter,
@@ -146,13 +147,13 @@ impl Recipe {
     }
 }
 
-/// Do limits or defaults of other parameters depend on this one?
+/// Whether limits or defaults of other parameters depend on this one.
 fn is_early(schema: &Schema, key: &str) -> bool {
     let hangs = |row: &Parameter| row.default_while.is_some_and(|(k, ..)| k.0 == key);
     key == common::keys::SIZE.0 || schema.rows.iter().any(hangs)
 }
 
-/// The part of an address that holds the recipe: after `#`, or after `?` where there is no `#`.
+/// The part of an address with the recipe: after `#`, or after `?` if there is no `#`.
 fn fragment(link: &str) -> &str {
     let link = link.trim();
     match link.split_once('#') {
@@ -165,7 +166,7 @@ fn fragment(link: &str) -> &str {
     }
 }
 
-/// Undoes percent-encoding; what is not encoded well stays as it is.
+/// Undoes percent-encoding; invalid codes stay unchanged.
 fn decode(text: &str) -> String {
     let bytes = text.as_bytes();
     let digit = |at: usize| bytes.get(at).and_then(|&b| (b as char).to_digit(16));
@@ -186,7 +187,7 @@ fn decode(text: &str) -> String {
     String::from_utf8_lossy(&plain).into_owned()
 }
 
-/// Takes the version out of the pairs; a notice where it is not one that this program writes.
+/// Removes the version from the pairs; a notice if this program does not write it.
 fn take_version(pairs: &mut Vec<(String, String)>) -> Option<Notice> {
     let about = |code| Notice::new(code).with("known", VERSION.to_string());
     let mut notice = None;
@@ -205,7 +206,7 @@ fn take_version(pairs: &mut Vec<(String, String)>) -> Option<Notice> {
     notice
 }
 
-/// Takes the generator out of the pairs: its schema, and a notice where the word names none.
+/// Removes the generator from the pairs: its schema, and a notice if the word is unknown.
 fn take_schema(
     schemas: &[&'static Schema],
     pairs: &mut Vec<(String, String)>,

@@ -1,6 +1,6 @@
-//! Texts of a recipe: rows of whole numbers, which hold rings, lines, spots or seeds.
+//! Text values of a recipe: rows of whole numbers for rings, lines, spots or seeds.
 //!
-//! They are kept as the whole numbers of the link, so they grow with the picture by themselves.
+//! They are stored as the whole numbers of the link, so they scale with the picture.
 
 use super::rows::{self, BOX_STEPS, Form, POINTS, Rows, STEPS};
 use super::{Item, Key, Recipe, Schema};
@@ -8,14 +8,14 @@ use crate::decimal;
 use crate::notice::{Code, Notice};
 use glam::DVec2;
 
-/// Most rows of a text, but of rings.
+/// Most rows of a text, except for rings.
 pub const MAX_ROWS: usize = 64;
-/// Most points in all rows of a text, but of rings.
+/// Most points in all rows of a text, except for rings.
 pub const MAX_ROW_POINTS: usize = 256;
 
-/// What 1 is in a spot's value.
+/// Scale of a spot's value.
 const VALUE: f64 = 1024.0;
-/// How far outside the picture a point may lie, in sides.
+/// How far outside the picture a point may lie, in sides of the picture.
 const OUTSIDE: f64 = 0.5;
 /// Smallest and largest radius of a spot, in sides.
 const RADIUS: (f64, f64) = (0.01, 2.0);
@@ -27,12 +27,13 @@ const IN_BOX: Form = Form {
     steps: BOX_STEPS,
     units: &[],
 };
-/// How far outside its box a place on a surface may lie, in sides: what is simplified may have been larger.
+/// How far outside its box a place on a surface may lie, in sides of the box: a simplified model may have
+/// been larger.
 const BEYOND: f64 = 1.0 / 64.0;
 /// The most characters of a file's name.
 pub const MAX_NAME: usize = 80;
 
-/// The row of points, each moved to the nearest one of the grid of 1/32768 of the side.
+/// The row of points, each rounded to the grid of 1/32768 of the side.
 pub fn row(points: &[DVec2], side: f64) -> Vec<i64> {
     let steps = |p: &DVec2| (*p * STEPS / side).round().to_array();
     points.iter().flat_map(steps).map(|x| x as i64).collect()
@@ -79,7 +80,7 @@ impl Item {
         }
     }
 
-    /// Why a row is none of these, but for its number.
+    /// The fault of a row, if any, without its number.
     fn flaw(self, row: &[i64], schema: &Schema) -> Option<Notice> {
         let coordinates = &row[..row.len().min(self.form().coordinates)];
         let form = self.form();
@@ -110,7 +111,7 @@ impl Item {
             (Item::Spot(min, max), &[_, _, radius, value])
             | (Item::Patch(min, max), &[_, _, _, radius, value]) => {
                 let (radius, value) = (radius as f64 / form.steps, value as f64 / VALUE);
-                // The limits themselves may lie between two of the numbers that a link can hold.
+                // The limits themselves may lie between two numbers that a link can hold.
                 let within = |x: f64, min: f64, max: f64| x > min - 1e-3 && x < max + 1e-3;
                 if !within(radius, RADIUS.0, RADIUS.1) {
                     Some(between(Code::RowRadius, RADIUS.0, RADIUS.1))
@@ -147,10 +148,10 @@ impl Recipe {
         rows::encode(self.rows(key), self.form(key))
     }
 
-    /// Reads rows; none of an empty text.
+    /// Reads rows; an empty text has none.
     ///
     /// # Errors
-    /// A part of a sentence that says what is wrong.
+    /// A part of a sentence that describes the fault.
     pub(super) fn read_rows(&self, key: Key, text: &str) -> Result<Rows, Notice> {
         match self.item(key) {
             Some(item) if !text.is_empty() => rows::decode(text, item.form(), item.most_points()),
@@ -158,8 +159,8 @@ impl Recipe {
         }
     }
 
-    /// The rows of a text in decimal numbers: lengths in sides of the picture, values as they are, the
-    /// numbers that its readable text has.
+    /// The rows of a text in decimal numbers, as in its readable form: lengths in sides of the picture,
+    /// values unscaled.
     pub fn list(&self, key: Key) -> Vec<Vec<f64>> {
         let form = self.form(key);
         let decimal = |(k, &number): (usize, &i64)| number as f64 / form.unit(k);
@@ -167,10 +168,10 @@ impl Recipe {
         self.rows(key).iter().map(row).collect()
     }
 
-    /// Takes rows of lines, spots or seeds.
+    /// Sets rows of lines, spots or seeds.
     ///
     /// # Errors
-    /// A part of a sentence that says what is wrong; the old rows stay.
+    /// A part of a sentence that describes the fault; the old rows stay.
     pub fn set_rows(&mut self, key: Key, rows: Rows) -> Result<(), Notice> {
         let Some(item) = self.item(key) else {
             return Ok(());
@@ -186,7 +187,7 @@ impl Recipe {
         Ok(())
     }
 
-    /// Takes rows that were checked.
+    /// Sets rows that were checked.
     pub fn put_rows(&mut self, key: Key, rows: Rows) {
         if let Some(place) = self.schema.place(key) {
             self.values[place].rows = rows;
@@ -228,7 +229,7 @@ impl Recipe {
     }
 }
 
-/// What is said of limits.
+/// A notice with limits.
 fn between(code: Code, min: f64, max: f64) -> Notice {
     let limits = Notice::new(code).with("min", decimal::text(min));
     limits.with("max", decimal::text(max))

@@ -1,8 +1,7 @@
 //! All parameters of a picture in one checked value, and its link.
 //!
-//! Everything that comes from outside passes here: a [`Recipe`] only ever holds values that fit its
-//! generator's [`Schema`]. What did not fit is told by notices. The codec knows no generator: it is
-//! handed the schemas that there are.
+//! All outside input passes here: a [`Recipe`] only ever holds values that fit its generator's [`Schema`].
+//! Notices report everything that did not fit. The codec knows no generator: it receives the schemas.
 
 pub mod common;
 mod link;
@@ -27,7 +26,7 @@ pub struct Recipe {
     values: Vec<Value>,
 }
 
-/// A number or the place of a word among the choices; of a text, rows of whole numbers.
+/// A number or the index of a word among the choices; for a text, rows of whole numbers.
 #[derive(Clone, PartialEq)]
 struct Value {
     number: f64,
@@ -60,12 +59,12 @@ impl Recipe {
         }
     }
 
-    /// The schema whose parameters it has values for.
+    /// The schema of its parameters.
     pub fn schema(&self) -> &'static Schema {
         self.schema
     }
 
-    /// Is it one of this schema?
+    /// Whether it has this schema.
     pub fn is_of(&self, schema: &Schema) -> bool {
         self.schema.word == schema.word
     }
@@ -74,8 +73,8 @@ impl Recipe {
         self.values.get(self.schema.place(key)?)
     }
 
-    /// The value of a number or whole number; of a choice, the place of its word. The schema must have
-    /// such a row, which debug builds check.
+    /// The value of a number or whole number; for a choice, the index of its word. The schema must have such
+    /// a row, which debug builds check.
     pub fn number(&self, key: Key) -> f64 {
         let value = self.value(key);
         debug_assert!(value.is_some(), "no row {}", key.0);
@@ -91,7 +90,7 @@ impl Recipe {
         choice.map_or("", |choice| choice.word)
     }
 
-    /// The rows of a text; none for the keys of other values.
+    /// The rows of a text; empty for the keys of other values.
     pub fn rows(&self, key: Key) -> &[Vec<i64>] {
         self.value(key).map_or(&[], |value| &value.rows)
     }
@@ -101,7 +100,7 @@ impl Recipe {
         self.number(common::keys::SIZE)
     }
 
-    /// The limits of a number in this recipe: those of its row, or those that the picture's side gives.
+    /// The limits of a number in this recipe: those of its row, or those that depend on the picture's side.
     pub fn limits(&self, row: &Parameter) -> (f64, f64) {
         row.side_limits.map_or((row.min, row.max), |limits| {
             let least = (self.side() / limits.finest).floor().max(limits.least);
@@ -109,7 +108,7 @@ impl Recipe {
         })
     }
 
-    /// The default of a number in this recipe; of a choice, 0: its first word.
+    /// The default of a number in this recipe; for a choice 0, its first word.
     pub fn default_of(&self, row: &Parameter) -> f64 {
         match row.default_while {
             Some((key, word, own)) if self.choice(key) == word => own,

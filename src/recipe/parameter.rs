@@ -1,10 +1,10 @@
-//! What a row of a schema tells of a parameter.
+//! A row of a schema: one parameter.
 
-/// Names a parameter: its word in the link.
+/// The name of a parameter: its word in the link.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Key(pub &'static str);
 
-/// What kind of value a parameter takes.
+/// The kind of value of a parameter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// Any finite number between the limits.
@@ -13,7 +13,7 @@ pub enum Kind {
     Int,
     /// One of [`Parameter::choices`].
     Choice,
-    /// Rows of numbers as compact text; what a row holds is [`Parameter::item`].
+    /// Rows of numbers as compact text; [`Parameter::item`] describes a row.
     Text,
 }
 
@@ -29,17 +29,18 @@ impl Kind {
     }
 }
 
-/// What a row of numbers holds. Places in the plane are x and y in 1/32768 of the picture's side, y down; places on a
-/// surface are x, y and z in 1/4096 of the longest side of the box around its model, from the box's least corner.
+/// The content of a row of numbers. Places in the plane are x and y in 1/32768 of the picture's side, y down.
+/// Places on a surface are x, y and z in 1/4096 of the longest side of the box around its model, from the
+/// box's least corner.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Item {
-    /// A closed ring of points; at most so many points in all rings.
+    /// A closed ring of points; holds the most points in all rings.
     Ring(usize),
     /// A polyline.
     Line,
     /// A place, a radius, and a value between two limits.
     Spot(f64, f64),
-    /// A place, and the place of a word among the words of a choice.
+    /// A place, and the index of a word among the words of a choice.
     Seed(Key),
     /// A line on a surface: places on it.
     Trace,
@@ -49,23 +50,23 @@ pub enum Item {
     Model,
 }
 
-/// One of the words a choice can take.
+/// One of the words of a choice.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Choice {
     /// The word in the link.
     pub word: &'static str,
-    /// The words on the page.
+    /// The label on the page.
     pub label: &'static str,
 }
 
-/// Limits of a length in pixels that move with the picture's side.
+/// Limits of a length in pixels that depend on the picture's side.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SideLimits {
-    /// The smallest goes so many times into the side, rounded down to whole pixels ...
+    /// The least length is the side divided by this, rounded down to whole pixels ...
     pub finest: f64,
-    /// ... but has at least so many pixels.
+    /// ... but at least this many pixels.
     pub least: f64,
-    /// The largest goes so many times into the side.
+    /// The greatest length is the side divided by this.
     pub coarsest: f64,
 }
 
@@ -84,35 +85,34 @@ pub struct Parameter {
     pub min: f64,
     /// Largest value (numbers).
     pub max: f64,
-    /// Limits that take the place of both in pictures of another side than the default:
-    /// [`super::Recipe::limits`].
+    /// Limits that replace both in pictures whose side is not the default: [`super::Recipe::limits`].
     pub side_limits: Option<SideLimits>,
     /// Step of the control; a link may hold values between the steps.
     pub step: f64,
     /// Default of a number; the default of a choice is its first word.
     pub default: f64,
-    /// Another default of a number, while a choice has this word: [`super::Recipe::default_of`]. Links
-    /// leave out whichever default holds, so they are read choice first.
+    /// Another default of a number while a choice has this word: [`super::Recipe::default_of`]. Links omit
+    /// the default in force, so the choice is read first.
     pub default_while: Option<(Key, &'static str, f64)>,
     /// Unit, or empty.
     pub unit: &'static str,
     /// One sentence for the page.
     pub help: &'static str,
-    /// The group of controls that it belongs to.
+    /// The group of its control.
     pub group: &'static str,
-    /// Is it one of the few that matter most? They are shown first.
+    /// Whether it is one of the few most important ones, which are shown first.
     pub is_main: bool,
-    /// Does *Randomise* leave it as it is?
+    /// Whether *Randomise* leaves it unchanged.
     pub is_steady: bool,
     /// The words of a choice, the default first.
     pub choices: &'static [Choice],
-    /// What the rows of a text hold.
+    /// The content of the text's rows.
     pub item: Option<Item>,
-    /// The text is drawn for this word of a choice: to set it chooses the word, and links have it only
-    /// with the word.
+    /// The word of a choice that this text belongs to: setting the text chooses the word, and links hold the
+    /// text only with the word.
     pub drawn_for: Option<(Key, &'static str)>,
-    /// Only worth showing while the choice `.0` is one of the words `.1`, or, where there are no
-    /// words, while the value of `.0` is not its default.
+    /// Shown only while the choice `.0` is one of the words `.1`, or, if there are no words, while the value
+    /// of `.0` is not its default.
     pub shown_for: Option<(Key, &'static [&'static str])>,
 }
 
@@ -141,7 +141,7 @@ impl Parameter {
         }
     }
 
-    /// Under this key, with its sentence for the page.
+    /// With this key and help text.
     pub const fn named(mut self, key: Key, help: &'static str) -> Self {
         (self.key, self.help) = (key, help);
         self
@@ -153,49 +153,49 @@ impl Parameter {
         self
     }
 
-    /// Limits that move with the picture's side.
+    /// With limits that depend on the picture's side.
     pub const fn per_side(mut self, limits: SideLimits) -> Self {
         self.side_limits = Some(limits);
         self
     }
 
-    /// Has another default while a choice has this word.
+    /// With another default while a choice has this word.
     pub const fn default_while(mut self, key: Key, word: &'static str, default: f64) -> Self {
         self.default_while = Some((key, word, default));
         self
     }
 
-    /// Measured in this unit.
+    /// With this unit.
     pub const fn unit(mut self, unit: &'static str) -> Self {
         self.unit = unit;
         self
     }
 
-    /// Called otherwise.
+    /// With another name.
     pub const fn called(mut self, name: &'static str) -> Self {
         self.name = name;
         self
     }
 
-    /// Among the controls of this group.
+    /// In this group of controls.
     pub const fn group(mut self, group: &'static str) -> Self {
         self.group = group;
         self
     }
 
-    /// One of those that matter most.
+    /// Marked as one of the most important ones.
     pub const fn main(mut self) -> Self {
         self.is_main = true;
         self
     }
 
-    /// Left as it is by chance.
+    /// Not changed by *Randomise*.
     pub const fn steady(mut self) -> Self {
         self.is_steady = true;
         self
     }
 
-    /// Drawn for this word of a choice.
+    /// Belongs to this word of a choice.
     pub const fn drawn_for(mut self, key: Key, word: &'static str) -> Self {
         self.drawn_for = Some((key, word));
         self
@@ -212,13 +212,13 @@ impl Parameter {
         self.only_for(key, &[])
     }
 
-    /// The place of a word among the choices.
+    /// The index of a word among the choices.
     pub fn choice(&self, word: &str) -> Option<usize> {
         self.choices.iter().position(|c| c.word == word)
     }
 }
 
-/// A number, with the papers' symbol or none.
+/// A number, with the papers' symbol or an empty one.
 pub const fn number(symbol: &'static str, name: &'static str) -> Parameter {
     Parameter::new(symbol, name, Kind::Number)
 }
@@ -228,7 +228,7 @@ pub const fn int(symbol: &'static str, name: &'static str) -> Parameter {
     Parameter::new(symbol, name, Kind::Int)
 }
 
-/// One of these words, the default first.
+/// A choice of these words, the default first.
 pub const fn choice(name: &'static str, choices: &'static [Choice]) -> Parameter {
     let mut row = Parameter::new("", name, Kind::Choice);
     row.choices = choices;

@@ -1,11 +1,10 @@
 //! Lists of rows of numbers as compact text: the free polygon, lines, strokes, spots, seeds.
 //!
-//! Points lie on a grid of 1/32768 of the picture's side, so all of them scale with the picture
-//! without any rounding. A row is the sequence of its numbers, coordinates (x and y in turn) as
-//! differences from the point before (the first from the last of the row before, or the origin),
-//! each number mapped to 0, -1, 1, -2, 2 ... = 0, 1, 2, 3, 4 ... and written in groups of five bits,
-//! lowest first, 32 added to all but the last group, as characters of the base64url alphabet. A dot
-//! divides rows.
+//! Points lie on a grid of 1/32768 of the picture's side, so all of them scale with the picture without
+//! rounding. A row is a sequence of numbers. Coordinates (x and y in turn) are differences from the point
+//! before; the first point is relative to the last one of the row before, or to the origin. Each number is
+//! mapped from 0, -1, 1, -2, 2 ... to 0, 1, 2, 3, 4 ... and written in groups of five bits, lowest first,
+//! with 32 added to all but the last group, as characters of the base64url alphabet. A dot separates rows.
 //!
 //! Rows may also be given in decimal numbers, with commas between them and semicolons between rows.
 
@@ -23,32 +22,31 @@ pub type Rows = Vec<Vec<i64>>;
 
 const ALPHABET: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
 
-/// Numbers beyond this are refused: they reach far beyond any picture, and sums of them stay exact.
+/// Larger numbers are refused: they are far outside any picture, and sums of smaller ones stay exact.
 const MOST: i64 = 1 << 29;
 
-/// What the numbers of a row are.
+/// The format of the numbers in a row.
 #[derive(Clone, Copy, Debug)]
 pub struct Form {
-    /// How many numbers at the row's beginning are coordinates.
+    /// The number of coordinates at the row's beginning.
     pub coordinates: usize,
-    /// How many coordinates a place has, 2 or 3.
+    /// The number of coordinates of a place, 2 or 3.
     pub dimension: usize,
-    /// Grid steps of coordinates for a unit of them.
+    /// Grid steps for each unit of a coordinate.
     pub steps: f64,
-    /// By what decimal numbers are multiplied to make whole ones: coordinates first, then each number
-    /// behind them.
+    /// Factors from decimal numbers to whole ones: for coordinates first, then for each number after them.
     pub units: &'static [f64],
 }
 
 impl Form {
-    /// What 1 is in whole numbers at a place of a row.
+    /// The factor at an index of a row.
     pub fn unit(&self, place: usize) -> f64 {
         let extra = place.checked_sub(self.coordinates);
         *extra.and_then(|k| self.units.get(k)).unwrap_or(&self.steps)
     }
 }
 
-/// Rows of points and nothing else.
+/// Rows of points only.
 pub const POINTS: Form = Form {
     coordinates: usize::MAX,
     dimension: 2,
@@ -92,10 +90,10 @@ fn push(text: &mut String, value: i64) {
     }
 }
 
-/// Reads what [`encode`] writes, or decimal numbers.
+/// Reads the output of [`encode`], or decimal numbers.
 ///
 /// # Errors
-/// A part of a sentence that says why the text cannot be read.
+/// A part of a sentence that explains why the text cannot be read.
 pub fn decode(text: &str, form: Form, most_points: usize) -> Result<Vec<Vec<i64>>, Notice> {
     let readable = text.contains(',');
     let mut rows = Vec::new();
@@ -125,7 +123,7 @@ pub fn decode(text: &str, form: Form, most_points: usize) -> Result<Vec<Vec<i64>
     Ok(rows)
 }
 
-/// What is said of a place without all its coordinates.
+/// The notice for a place with missing coordinates.
 fn lost(form: Form) -> Code {
     match form.dimension {
         2 => Code::LostY,
@@ -158,7 +156,7 @@ fn numbers(text: &str) -> Result<Vec<i64>, Notice> {
     Ok(numbers)
 }
 
-/// The whole numbers of a row in decimal numbers.
+/// The whole numbers of a row given in decimal numbers.
 fn decimals(text: &str, form: Form) -> Result<Vec<i64>, Notice> {
     let mut row = Vec::new();
     for word in text.split(',') {

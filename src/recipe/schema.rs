@@ -1,4 +1,4 @@
-//! All that a generator's recipes hold: its rows, and rules that go beyond them.
+//! The schema of a generator's recipes: its rows, and rules beyond single rows.
 
 use super::{Key, Parameter, Recipe, Rows};
 use crate::notice::{Code, Notice, quote};
@@ -8,27 +8,27 @@ use std::panic::RefUnwindSafe;
 pub struct Schema {
     /// The generator's name in a link, the value of `make`.
     pub word: &'static str,
-    /// Do links name it? One of all generators, pavements, goes without a name.
+    /// Whether links name it. Pavements alone are not named.
     pub is_named: bool,
     /// Its parameters, in the order in which links are written.
     pub rows: &'static [Parameter],
-    /// What goes beyond single rows.
+    /// Rules beyond single rows.
     pub rules: &'static dyn Rules,
 }
 
-/// What goes beyond the single rows of a schema.
+/// Rules beyond the single rows of a schema.
 pub trait Rules: Sync + RefUnwindSafe {
-    /// Turns a key and its value, as a link has them, into those of the schema. Links of former versions
-    /// are brought up to date here.
+    /// Maps a key and its value, as a link has them, to those of the schema. Links of former versions are
+    /// migrated here.
     fn modern(&self, key: String, value: String) -> Vec<(String, String)> {
         vec![(key, value)]
     }
 
-    /// Takes what was drawn for a word of a choice ([`Parameter::drawn_for`]), and chooses the word;
-    /// without rows, what is there before is to be drawn anew. Answers with what was mended.
+    /// Sets the drawn input for a word of a choice ([`Parameter::drawn_for`]), and chooses the word. Without
+    /// rows, the present shape becomes the input. Gives notices about repairs.
     ///
     /// # Errors
-    /// Why it cannot be taken; the recipe stays as it was.
+    /// The reason for a refusal; the recipe is unchanged.
     fn draw(
         &self,
         recipe: &mut Recipe,
@@ -37,7 +37,7 @@ pub trait Rules: Sync + RefUnwindSafe {
     ) -> Result<Vec<Notice>, Notice>;
 }
 
-/// The rules of a schema whose rows say all: nothing is drawn.
+/// The rules of a schema without rules beyond its rows and without drawn input.
 pub struct NoRules;
 
 impl Rules for NoRules {
@@ -47,20 +47,20 @@ impl Rules for NoRules {
 }
 
 impl Schema {
-    /// The place of a key's row.
+    /// The index of a key's row.
     pub(super) fn place(&self, key: Key) -> Option<usize> {
         self.rows.iter().position(|row| row.key == key)
     }
 
-    /// The row of a link's word.
+    /// The row for a link's word.
     pub fn row(&self, word: &str) -> Option<&'static Parameter> {
         self.rows.iter().find(|row| row.key.0 == word)
     }
 }
 
-/// Makes a constant of each row's key, in a module `keys`, and `ROWS`, the list of all rows. A row of
-/// its own is `word CONSTANT: "Help." => row;`, a common one `word CONSTANT => row;`, or with a sentence of
-/// its own as the others.
+/// Defines a constant for each row's key, in a module `keys`, and `ROWS`, the list of all rows. A row of its
+/// own is `word CONSTANT: "Help." => row;`, a shared one `word CONSTANT => row;`, or with a help text of its
+/// own like the others.
 macro_rules! rows {
     ($($word:ident $name:ident $(: $help:literal)? => $row:expr;)*) => {
         /// The keys of the rows.
@@ -76,7 +76,7 @@ macro_rules! rows {
     };
 }
 
-/// Choices of `word: "Label"`.
+/// Defines choices from `word: "Label"`.
 macro_rules! choices {
     ($($word:ident: $label:literal),* $(,)?) => {
         &[$($crate::recipe::Choice { word: stringify!($word), label: $label }),*]

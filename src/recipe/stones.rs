@@ -1,16 +1,16 @@
-//! Rows that generators of stones and scales share: what a cell becomes, and which cells are marked.
+//! Rows shared by generators of stones and scales: the shape of a cell's stone, and the marking of cells.
 
 use super::common::common;
 use super::parameter::{Parameter, choice, int, number};
 use super::schema::choices;
 
-/// The word for skin cells among the stones.
+/// The word for skin among the kinds of stones.
 pub const SKIN: &str = "skin";
 
-/// The word of the stones that are skin.
+/// The words of kinds that are skin.
 const SKINS: &[&str] = &[SKIN];
 
-/// The words of those that are not, and of those with bevels.
+/// The words of the other kinds, and of those with bevels.
 const HARD: &[&str] = &["cobble", "flag"];
 const FLAG: &[&str] = &["flag"];
 
@@ -89,7 +89,7 @@ common! {
             .group("Colour").only_with(keys::BELLY);
 }
 
-/// The patterns, and those that have a scale.
+/// The patterns, and those with a scale.
 const PATTERNS: &[&str] = &[
     "bands",
     "spots",

@@ -1,19 +1,19 @@
-//! Values as text: reading one parameter with a notice where it does not fit, and writing it.
+//! Values as text: reading one parameter, with a notice if it does not fit, and writing it.
 
 use super::{Key, Kind, Parameter, Recipe, common};
 use crate::decimal;
 use crate::notice::{Arg, Code, Notice, quote};
 
-/// What became of a text that was meant as a value; see [`Recipe::set`].
+/// The result of reading a value; see [`Recipe::set`].
 type Taken = Result<Vec<Notice>, Notice>;
 
 impl Recipe {
-    /// Sets one parameter from text: `Ok` holds what was clamped to the limits or mended. Choosing a
-    /// word that something is drawn for, where nothing is drawn yet, draws what the choice before shows.
+    /// Sets one parameter from text: `Ok` holds notices about clamped or repaired values. Choosing a word for
+    /// drawn input, if there is no input yet, takes the present shape as input.
     ///
     /// # Errors
-    /// The text does not fit and the old value stays. Every notice says what was given, what is
-    /// allowed and what was kept.
+    /// The text does not fit and the old value stays. Every notice says what was given, what is allowed and
+    /// what was kept.
     pub fn set(&mut self, key: &str, text: &str) -> Taken {
         let Some(row) = self.schema().row(key) else {
             return Err(Notice::new(Code::NotAParameter).with("given", quote(key)));
@@ -32,7 +32,7 @@ impl Recipe {
         }
     }
 
-    /// The value as the link writes it; empty for an unknown key, or where there are no rows.
+    /// The value as the link writes it; empty for an unknown key or if there are no rows.
     pub fn get(&self, key: &str) -> String {
         let row = self.schema().row(key);
         row.map_or(String::new(), |row| self.text(row))
@@ -47,7 +47,7 @@ impl Recipe {
         }
     }
 
-    /// The value of a row for a notice; of what is drawn, the choice that it is drawn for.
+    /// The value of a row for a notice; for drawn input, the choice it belongs to.
     pub(super) fn shown(&self, row: &'static Parameter) -> Arg {
         let drawn_for = row.drawn_for.and_then(|(key, _)| self.schema().row(key.0));
         match (row.kind, drawn_for) {
@@ -62,7 +62,7 @@ impl Recipe {
         }
     }
 
-    /// What is said of a value that does not fit.
+    /// The notice for a value that does not fit.
     fn must_be(&self, row: &'static Parameter, given: String, kept: Arg) -> Notice {
         let notice = Notice::new(Code::MustBe).with("what", row);
         let notice = notice.with("allowed", self.allowed(row));
@@ -71,7 +71,7 @@ impl Recipe {
 
     fn put(&mut self, key: Key, value: f64) {
         if let Some(place) = self.schema().place(key) {
-            // Adding 0 makes of -0 a 0, so that the link tells all that the bits do.
+            // Adding 0 turns -0 into 0, so that the link determines every bit.
             self.values[place].number = value + 0.0;
         }
     }
@@ -105,7 +105,7 @@ impl Recipe {
         Ok(notices)
     }
 
-    /// What a value may be.
+    /// The allowed values of a row.
     fn allowed(&self, row: &'static Parameter) -> Arg {
         if row.kind == Kind::Choice {
             let all = row.choices.iter();
@@ -130,7 +130,7 @@ impl Recipe {
         }
     }
 
-    /// Brings what depends on the picture's side back into its limits.
+    /// Clamps values whose limits depend on the picture's side.
     fn settle(&mut self) -> Vec<Notice> {
         let mut notices = Vec::new();
         for row in self
@@ -165,13 +165,13 @@ impl Recipe {
         Ok(Vec::new())
     }
 
-    /// What is drawn for a word of a choice.
+    /// The drawn input that belongs to a word of a choice.
     pub(super) fn drawn_for(&self, key: Key, word: &str) -> Option<&'static Parameter> {
         let is_drawn = |row: &&Parameter| row.drawn_for.is_some_and(|of| of == (key, word));
         self.schema().rows.iter().find(is_drawn)
     }
 
-    /// Numbers that were at a default that depends on the choice go to its new default.
+    /// Numbers at a default that depends on the choice change to its new default.
     fn put_choice(&mut self, row: &Parameter, place: usize) {
         let depends = |other: &&Parameter| other.default_while.is_some_and(|(k, ..)| k == row.key);
         let rows = self.schema().rows.iter().filter(depends);

@@ -1,17 +1,17 @@
-//! What is seen where no body is: a floor that fades into the air above it, a sky, or nothing.
+//! The background of a scene: a floor that fades into the air above it, a sky, or nothing.
 
 use crate::order::{greater, lesser};
 use glam::Vec3;
 
-/// What lies behind the bodies.
+/// The background behind the bodies.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Backdrop {
-    /// A floor under the lowest body, without an end, as in a photographer's studio.
+    /// An infinite floor under the lowest body, as in a photographer's studio.
     #[default]
     Floor,
-    /// The sky, and what lies far below it.
+    /// The sky, and land far below it.
     Sky,
-    /// Nothing: the picture is transparent there.
+    /// None: the picture is transparent there.
     Nothing,
 }
 
@@ -26,20 +26,20 @@ impl Backdrop {
 
 /// Colour of the floor before light (sRGB).
 pub(super) const FLOOR_COLOUR: [f32; 3] = [172.0, 168.0, 161.0];
-/// The floor fades from here to there, in radii of the ball around all bodies.
+/// The floor fades between these distances, in radii of the ball around all bodies.
 const FADES: [f32; 2] = [1.1, 3.2];
-/// Straight up a studio is so much nearer to white than the floor is where it fades; from where one looks down so much,
-/// as the sine of the angle, it begins to.
+/// Brightening of a studio towards white: its share straight up, and the sine of the elevation at which it
+/// begins.
 const LIGHTER: f32 = 0.5;
 const BEGINS: f32 = -0.7;
-/// Colours on the screen by how high one looks, as the sine of the angle: low and high.
+/// Colours on the screen for low and high elevation, by its sine.
 type Gradient = [[f32; 3]; 2];
 const AIR: Gradient = [[214.0, 224.0, 233.0], [104.0, 146.0, 198.0]];
 /// Air and land meet in haze.
 const LAND: Gradient = [AIR[0], [126.0, 123.0, 114.0]];
 
-/// The colour on the screen in a direction (a unit vector); black for [`Backdrop::Nothing`]. `far` is that of the floor
-/// where it fades.
+/// The colour on the screen in a direction (a unit vector); black for [`Backdrop::Nothing`]. `far` is the
+/// colour of the floor where it fades.
 pub(super) fn behind(backdrop: Backdrop, way: Vec3, far: [f32; 3]) -> [f32; 3] {
     let high = greater(way.y, 0.0);
     match backdrop {
@@ -57,12 +57,12 @@ fn between([low, high]: Gradient, part: f32) -> [f32; 3] {
     std::array::from_fn(|k| low[k] + (high[k] - low[k]) * part)
 }
 
-/// So far from the middle of a ball of this radius the floor is gone.
+/// The distance from the centre of a ball with this radius at which the floor is gone.
 pub(super) fn end_of_floor(radius: f32) -> f32 {
     FADES[1] * radius
 }
 
-/// How much of the floor is seen at a place so far from the middle of a ball of this radius, 0..1.
+/// Opacity of the floor at a distance from the centre of a ball with this radius, 0..1.
 pub(super) fn floor_part(away: f32, radius: f32) -> f32 {
     let [from, to] = FADES.map(|part| part * radius);
     let part = ((to - away) / greater(to - from, f32::MIN_POSITIVE)).clamp(0.0, 1.0);

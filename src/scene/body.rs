@@ -1,4 +1,4 @@
-//! What a scene is made of: bodies, and where they stand.
+//! The contents of a scene: bodies, and where they stand.
 
 use crate::notice::{Code, Notice};
 use crate::order::{greater, lesser};
@@ -6,21 +6,21 @@ use crate::scene::Detail;
 use crate::solid::Surface;
 use glam::Vec3;
 
-/// Something solid, at several degrees of detail.
+/// A solid at several levels of detail.
 #[derive(Clone, Debug, Default)]
 pub struct Body {
-    /// Its surface from the finest to the coarsest, at least one; right-handed, y up, triangles
+    /// Its surface from the finest level to the coarsest, at least one; right-handed, y up, triangles
     /// counter-clockwise seen from outside.
     pub levels: Vec<Surface>,
     /// Row of the table of materials.
     pub material: u8,
-    /// The middle of the box around it.
+    /// The centre of its bounding box.
     pub middle: Vec3,
-    /// No vertex is farther from the middle.
+    /// Largest distance of a vertex from the centre.
     pub radius: f32,
-    /// Seen at less than a pixel it is a dot of this colour.
+    /// The colour of the dot that replaces it below a pixel.
     pub colour: [u8; 3],
-    /// No vertex has a smaller y.
+    /// The smallest y of its vertices.
     pub lowest: f32,
 }
 
@@ -59,12 +59,12 @@ fn mean(colours: &[[u8; 3]]) -> [u8; 3] {
     })
 }
 
-/// Where a body stands: turned, scaled alike in all directions, moved.
+/// The placement of a body: rotated, uniformly scaled, moved.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Place {
-    /// Where the body's axes point to: orthogonal, of one length, right-handed.
+    /// The body's axes in the world: orthogonal, of one length, right-handed.
     pub axes: [Vec3; 3],
-    /// Where the body's origin is.
+    /// The body's origin in the world.
     pub origin: Vec3,
 }
 
@@ -78,7 +78,7 @@ impl Default for Place {
 }
 
 impl Place {
-    /// Not turned, not scaled.
+    /// Neither rotated nor scaled.
     pub fn at(origin: Vec3) -> Self {
         Self {
             origin,
@@ -86,19 +86,19 @@ impl Place {
         }
     }
 
-    /// A point of the body, in the world.
+    /// Maps a point of the body into the world.
     #[inline(always)]
     pub fn of(&self, p: Vec3) -> Vec3 {
         self.origin + self.turned(p)
     }
 
-    /// A direction of the body, in the world; as long as the axes make it.
+    /// Maps a direction of the body into the world; its length is scaled, too.
     #[inline(always)]
     pub fn turned(&self, v: Vec3) -> Vec3 {
         self.axes[0] * v.x + self.axes[1] * v.y + self.axes[2] * v.z
     }
 
-    /// How many times as large the body is.
+    /// The scale factor.
     pub fn scale(&self) -> f32 {
         self.axes[0].length()
     }
@@ -107,31 +107,31 @@ impl Place {
 /// A body in its place.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Instance {
-    /// Its place in the list of bodies.
+    /// Index in the list of bodies.
     pub body: u32,
     /// Where it stands.
     pub place: Place,
-    /// What it is called in the plane of ids; 0 is nothing, or the ground.
+    /// Its id in the plane of ids; 0 is the background or the ground.
     pub id: u32,
 }
 
-/// All that is seen.
+/// Bodies, their placements, and details.
 #[derive(Default)]
 pub struct Scene {
-    /// Each once, however many there are of it.
+    /// The distinct bodies; each may have many instances.
     pub bodies: Vec<Body>,
-    /// Where they stand.
+    /// The placements of the bodies.
     pub instances: Vec<Instance>,
-    /// What surfaces have beyond their triangles; none where those are all.
+    /// Surface details beyond the triangles, if any.
     pub detail: Option<Box<dyn Detail>>,
     /// Lines over the surfaces, such as the edges of a control mesh.
     pub lines: Vec<[Vec3; 2]>,
-    /// How far light is held off by what is near, in the world: about half of a body.
+    /// Range of ambient occlusion in the world: about half of a body.
     pub reach: f32,
 }
 
 impl Scene {
-    /// What is wrong with it, if anything is: with a surface, or an instance that has no body or no place.
+    /// The first fault, if any: of a surface, or of an instance without a body or with an invalid placement.
     pub fn fault(&self) -> Option<Notice> {
         let surfaces = self.bodies.iter().flat_map(|body| &body.levels);
         let mut faults = surfaces.filter_map(Surface::fault);
@@ -149,7 +149,7 @@ impl Scene {
         })
     }
 
-    /// The middle and the radius of a ball with all bodies in it.
+    /// The centre and the radius of a ball around all bodies.
     pub fn ball(&self) -> (Vec3, f32) {
         let balls = || self.instances.iter().map(|instance| self.ball_of(instance));
         let (mut low, mut high) = (Vec3::MAX, Vec3::MIN);
@@ -167,7 +167,7 @@ impl Scene {
         (middle, radius)
     }
 
-    /// Where the ball around a body is.
+    /// The ball around an instance.
     #[inline(always)]
     pub fn ball_of(&self, instance: &Instance) -> (Vec3, f32) {
         let body = &self.bodies[instance.body as usize];
@@ -175,17 +175,17 @@ impl Scene {
         (place.of(body.middle), body.radius * place.scale())
     }
 
-    /// The lowest point of all bodies; 0 where there are none.
+    /// The lowest y of all bodies; 0 if there are none.
     pub fn lowest(&self) -> f32 {
         let heights = self.instances.iter().map(|i| self.lowest_of(i).0);
         let low = heights.fold(f32::MAX, lesser);
         if low == f32::MAX { 0.0 } else { low }
     }
 
-    /// The lowest point of a body, and how many there were to look at.
+    /// The lowest y of an instance, and the number of vertices inspected.
     pub(super) fn lowest_of(&self, instance: &Instance) -> (f32, usize) {
         let (body, place) = (&self.bodies[instance.body as usize], &instance.place);
-        // To the bit what all points would give: rounding keeps their order.
+        // Bit for bit the minimum over all points: rounding preserves their order.
         if place.axes.map(|axis| axis.y) == [0.0, 1.0, 0.0] {
             return (place.origin.y + body.lowest, 1);
         }

@@ -1,28 +1,28 @@
-//! Where a scene is seen from, and where its points are on the screen then.
+//! The camera, and the projection of points onto the screen.
 //!
-//! The world is right-handed with y up. The camera goes round its target: the angle counts clockwise seen from
-//! above, and at 0 the viewer stands where z is large and looks along -z, with x to the right.
+//! The world is right-handed with y up. The camera orbits its target. Its angle counts clockwise seen from
+//! above; at 0 the viewer stands at large z and looks along -z, with x to the right.
 
 use crate::notice::{Code, Notice, quote};
 use crate::order::{greater, lesser};
 use glam::{DVec3, Vec3};
 
-/// A viewer who looks at a target. It is a view of a scene and no part of it.
+/// A viewer who looks at a target. It is a view of a scene and not a part of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
-    /// Where the viewer stands: degrees, 0..360.
+    /// Direction of the viewer from the target: degrees, 0..360.
     pub angle: f64,
-    /// How high: degrees above the horizon, -90..90.
+    /// Elevation: degrees above the horizon, -90..90.
     pub height: f64,
-    /// How far from the target, in units of the scene: 0.05..20.
+    /// Distance from the target, in units of the scene: 0.05..20.
     pub distance: f64,
     /// The angle of view along the shorter side of the frame: degrees, 5..100.
     pub lens: f64,
-    /// What is in the middle of the frame, each -2..2 units of the scene.
+    /// The point at the centre of the frame, each coordinate -2..2 units of the scene.
     pub target: [f64; 3],
 }
 
-/// The numbers of a camera by their names, in their order, each with the least and the greatest.
+/// The camera's numbers by name, in order, each with its least and greatest value.
 pub const LIMITS: [(&str, f64, f64); 7] = [
     ("angle", 0.0, 360.0),
     ("height", -90.0, 90.0),
@@ -33,11 +33,11 @@ pub const LIMITS: [(&str, f64, f64); 7] = [
     ("z", -2.0, 2.0),
 ];
 
-/// Nothing nearer than this part of the distance to the target is seen.
+/// Near limit of the view, relative to the distance to the target.
 const NEAR: f64 = 0.01;
 
 impl Default for Camera {
-    /// A little from the left, as one looks at a floor: all of a square of the side 1 is in the frame.
+    /// Slightly from the left, as one looks at a floor: a square with side 1 fits in the frame.
     fn default() -> Self {
         Self {
             angle: 330.0,
@@ -50,9 +50,9 @@ impl Default for Camera {
 }
 
 impl Camera {
-    /// Reads numbers with commas between: angle, height, distance, lens, and the target's x, y and z. Those
-    /// that are missing at the end are taken from `self`; what is no number is, too, and one that is too small
-    /// or too large is brought to its limit, both with a notice.
+    /// Reads numbers separated by commas: angle, height, distance, lens, and the target's x, y and z. Missing
+    /// numbers at the end, and texts that are not numbers, keep the values of `self`; numbers outside their
+    /// limits are clamped. Faults give notices.
     pub fn read(self, text: &str) -> (Self, Vec<Notice>) {
         let mut numbers = self.numbers();
         let mut notices = Vec::new();
@@ -100,7 +100,7 @@ impl Camera {
         }
     }
 
-    /// The view from here into a frame of so many pixels, at least 1 each.
+    /// The view into a frame with this many pixels, at least 1 each.
     pub fn view(&self, width: usize, height: usize) -> View {
         let (angle, rise) = (self.angle.to_radians(), self.height.to_radians());
         let flat = libm::cos(rise);
@@ -109,7 +109,7 @@ impl Camera {
             libm::sin(rise),
             libm::cos(angle) * flat,
         );
-        // Straight from above there is an up, too.
+        // Looking straight down needs an up direction, too.
         let right = DVec3::new(libm::cos(angle), 0.0, libm::sin(angle));
         let eye = DVec3::from(self.target) + back * self.distance;
         let half = 0.5 * width.min(height) as f64;
@@ -128,7 +128,7 @@ impl Camera {
     }
 }
 
-/// An angle within 0..360 degrees.
+/// An angle reduced to 0..360 degrees.
 fn turned(angle: f64) -> f64 {
     let turns = libm::floor(angle / 360.0);
     let left = angle - 360.0 * turns;
@@ -142,36 +142,36 @@ fn turned(angle: f64) -> f64 {
 /// A camera and a frame: a perspective projection.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
-    /// Where it is seen from.
+    /// The position of the eye.
     pub eye: Vec3,
-    /// Unit vectors to the right of the frame, up it, and into it.
+    /// Unit vector to the right in the frame; `up` points up in it and `ahead` into it.
     pub right: Vec3,
     /// See [`View::right`].
     pub up: Vec3,
     /// See [`View::right`].
     pub ahead: Vec3,
-    /// Pixels for a unit at a depth of a unit.
+    /// Pixels for a unit at unit depth.
     pub focal: f32,
-    /// Units for a pixel at a depth of a unit.
+    /// Units for a pixel at unit depth.
     pub slope: f32,
-    /// What is less deep is not seen.
+    /// Smallest visible depth.
     pub near: f32,
-    /// The pixel coordinates of what is straight ahead.
+    /// The pixel coordinates of the frame's centre.
     pub middle: [f32; 2],
     /// Width and height in pixels.
     pub size: [usize; 2],
 }
 
 impl View {
-    /// Where a point is seen from here: to the right, up, and how deep, in units of the scene.
+    /// A point in view coordinates: to the right, up, and depth, in units of the scene.
     #[inline(always)]
     pub fn of(&self, p: Vec3) -> Vec3 {
         let d = p - self.eye;
         Vec3::new(d.dot(self.right), d.dot(self.up), d.dot(self.ahead))
     }
 
-    /// The pixel coordinates (y down) of a point that [`View::of`] gave, and the inverse of its depth, which
-    /// must not be 0.
+    /// The pixel coordinates (y down) of a point from [`View::of`], and the inverse of its depth, which must
+    /// not be 0.
     #[inline(always)]
     pub fn on_screen(&self, seen: Vec3) -> [f32; 3] {
         let inverse = 1.0 / seen.z;
@@ -183,7 +183,7 @@ impl View {
         ]
     }
 
-    /// The direction from the eye through a place of the frame; of depth 1, so not a unit vector.
+    /// The direction from the eye through a point of the frame, with depth 1 (not a unit vector).
     #[inline(always)]
     pub fn ray(&self, x: f32, y: f32) -> Vec3 {
         let across = (x - self.middle[0]) * self.slope;
@@ -191,7 +191,7 @@ impl View {
         self.ahead + self.right * across - self.up * down
     }
 
-    /// How many pixels wide a ball looks; infinite where the eye may be inside of it, 0 where all of it is behind.
+    /// The width of a ball in pixels; infinite if the eye may be inside it, 0 if it is wholly behind.
     pub fn diameter(&self, seen: Vec3, radius: f32) -> f32 {
         if seen.z <= -radius {
             return 0.0;
@@ -222,7 +222,7 @@ impl View {
         lesser(greater(across, down), f32::MAX) <= radius
     }
 
-    /// The same view of a frame whose places are moved by a part of a pixel.
+    /// The same view with the frame shifted by a fraction of a pixel.
     pub fn moved(mut self, [x, y]: [f32; 2]) -> Self {
         self.middle = [self.middle[0] + x, self.middle[1] + y];
         self
@@ -250,7 +250,7 @@ mod tests {
                 assert!((back - p).length() < 1e-5, "{back}");
             }
         }
-        // At the left edge one looks to the right.
+        // The left edge of the frame looks to the right.
         let left = Camera {
             angle: 90.0,
             height: 0.0,

@@ -1,25 +1,26 @@
-//! Triangles cut to what can be drawn of them.
+//! Clips triangles and lines to the drawable part.
 
 use super::View;
 use glam::Vec3;
 
-/// So many times the frame's larger side, at least, lies beyond the frame on each side before a triangle is cut there: nearly none is.
+/// Guard band: the frame is extended on each side by at least this many times its longer side before a
+/// triangle is clipped, so hardly any is.
 const GUARD: f32 = 2.0;
-/// At most so many corners: three, and one more for each of five planes.
+/// Most corners of a clipped triangle: three, and one more for each of five planes.
 pub(super) const MOST: usize = 8;
 
-/// A convex polygon; the first `count` corners count.
+/// A convex polygon; only the first `count` corners are valid.
 #[derive(Clone, Copy)]
 pub(super) struct Polygon {
     pub corners: [Vec3; MOST],
     pub count: usize,
 }
 
-/// The planes that triangles are cut by: `distance` of a point in the view is not negative inside.
+/// The clipping planes: `distance` of a point in the view is not negative inside.
 #[derive(Clone, Copy)]
 pub(super) struct Planes {
     near: f32,
-    /// How far to the side, for a unit of depth.
+    /// Lateral extent for a unit of depth.
     across: f32,
     down: f32,
 }
@@ -47,7 +48,7 @@ impl Planes {
         }
     }
 
-    /// Which planes a point is beyond, a bit each.
+    /// A bit for each plane that a point is outside of.
     #[inline(always)]
     pub fn beyond(&self, p: Vec3) -> u32 {
         let mut bits = 0;
@@ -57,8 +58,8 @@ impl Planes {
         bits
     }
 
-    /// The part of a triangle on the inner side of those planes. Two triangles with a common edge are cut at the
-    /// same point of it, to the bit: cuts are worked out from the inner end.
+    /// The part of a triangle inside these planes. Two triangles with a common edge are cut at the same point
+    /// of it, bit for bit, because cuts are computed from the inner end.
     pub fn cut(&self, triangle: [Vec3; 3], planes: u32) -> Polygon {
         let [a, b, c] = triangle;
         let mut corners = [Vec3::ZERO; MOST];
@@ -70,7 +71,7 @@ impl Planes {
         polygon
     }
 
-    /// The part of a line between the planes, if there is one.
+    /// The part of a line between the planes, if any.
     pub fn part_of_line(&self, [mut a, mut b]: [Vec3; 2]) -> Option<[Vec3; 2]> {
         for plane in 0..5 {
             let (here, there) = (self.distance(plane, a), self.distance(plane, b));
@@ -84,7 +85,7 @@ impl Planes {
         Some([a, b])
     }
 
-    /// Where the line between two points meets a plane that is between them.
+    /// The crossing of a line with a plane between its ends.
     #[inline(always)]
     fn crossing(&self, plane: usize, inner: Vec3, outer: Vec3) -> Vec3 {
         let (from, to) = (self.distance(plane, inner), self.distance(plane, outer));

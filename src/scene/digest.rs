@@ -1,12 +1,12 @@
-//! What a scene is made of, in one word.
+//! The digest of a scene.
 
 use super::Scene;
 use crate::hash::Hash;
 use glam::Vec3;
 
 impl Scene {
-    /// 16 hex digits that change with any bit of the bodies, of where they stand and of what they are made of; details
-    /// do not count.
+    /// 16 hex digits that change with any bit of the bodies, their placements and their materials; details
+    /// are not included.
     pub fn digest(&self) -> String {
         let mut hash = Hash::new();
         for body in &self.bodies {

@@ -1,4 +1,4 @@
-//! Triangles of a view, from their corners in the world to pixels.
+//! Rasterises the triangles of a view, from world coordinates to pixels.
 
 use super::View;
 use super::clip::Planes;
@@ -6,10 +6,10 @@ use super::four::Four;
 use super::raster::{Corner, Grid};
 use glam::Vec3;
 
-/// So many pixels are about the work of one triangle.
+/// Pixels that cost about as much as one triangle.
 const PIXELS: usize = 32;
 
-/// A corner in the view, on the screen, and which planes it is beyond.
+/// A corner in the view and on the screen, and the planes it is outside of.
 #[derive(Clone, Copy)]
 pub(super) struct Vertex {
     seen: Vec3,
@@ -18,7 +18,7 @@ pub(super) struct Vertex {
 }
 
 impl Vertex {
-    /// One that is on the screen for sure.
+    /// A corner that is certainly on the screen.
     pub fn on_screen(screen: Corner) -> Self {
         Self {
             seen: Vec3::ZERO,
@@ -28,7 +28,7 @@ impl Vertex {
     }
 }
 
-/// A view with the planes that triangles are cut by.
+/// A view with its clipping planes.
 #[derive(Clone, Copy)]
 pub(super) struct Fill {
     pub view: View,
@@ -51,12 +51,12 @@ impl Fill {
         }
     }
 
-    /// The part of a line that lies between the planes, if there is one.
+    /// The part of a line between the planes, if any.
     pub fn part_of_line(&self, line: [Vec3; 2]) -> Option<[Vec3; 2]> {
         self.planes.part_of_line(line.map(|p| self.view.of(p)))
     }
 
-    /// Draws a triangle (see [`Grid::triangle`]); answers with the work that it was.
+    /// Draws a triangle (see [`Grid::triangle`]); gives the work done.
     #[inline(always)]
     pub fn triangle(&self, [a, b, c]: [Vertex; 3], mut put: impl FnMut(Four)) -> usize {
         if a.beyond & b.beyond & c.beyond != 0 {
@@ -76,8 +76,8 @@ impl Fill {
     }
 }
 
-/// Goes on with a list of triangles from one of them, for about so much work: answers with the next one and the
-/// work that it was.
+/// Draws a list of triangles from an index on, for about this much work; gives the next index and the work
+/// done.
 #[inline(always)]
 pub(super) fn some_of(
     triangles: &[[u32; 3]],

@@ -1,12 +1,12 @@
-//! Four pixels beside each other, worked on at once.
+//! Four adjacent pixels, processed together.
 
 use wide::bytemuck::cast;
 use wide::{f32x4, i32x4, u32x4};
 
-/// Pixels that are looked at together: those from a multiple of this on in a row.
+/// Pixels processed together; they start at a multiple of this in a row.
 pub(super) const LANES: usize = 4;
 
-/// Pixels beside each other: the place of the first in the grid, which of them are covered (all bits are set), and the
+/// Adjacent pixels: the index of the first in the grid, a mask of the covered ones (all bits set), and the
 /// inverse depths.
 pub(super) struct Four {
     pub at: usize,
@@ -15,7 +15,7 @@ pub(super) struct Four {
 }
 
 impl Four {
-    /// Those beyond the row's end, so many pixels on, are not covered.
+    /// Removes pixels beyond the row's end, `room` pixels on, from the mask.
     #[inline(always)]
     pub fn within(self, room: i32) -> Self {
         let inside = i32x4::new([0, 1, 2, 3]).simd_lt(i32x4::splat(room));
@@ -23,7 +23,7 @@ impl Four {
         Self { covered, ..self }
     }
 
-    /// Which are covered, and nearer than what is there.
+    /// The covered pixels that are nearer than the stored ones.
     #[inline(always)]
     pub fn wins(&self, there: &[f32; LANES]) -> Wins {
         let nearer = self.near.simd_gt(f32x4::from(*there));
@@ -31,24 +31,24 @@ impl Four {
     }
 }
 
-/// Which pixels a triangle is nearest at, of all until now, and how near it is there.
+/// The pixels where a triangle is the nearest so far, with its inverse depth.
 pub(super) struct Wins(i32x4, f32x4);
 
 impl Wins {
-    /// Is there any?
+    /// Whether there is any.
     #[inline(always)]
     pub fn any(&self) -> bool {
         self.0.any()
     }
 
-    /// How near it is.
+    /// Stores its inverse depth.
     #[inline(always)]
     pub fn near(&self, there: &mut [f32; LANES]) {
         let wins: f32x4 = cast(self.0);
         *there = wins.bitselect(self.1, f32x4::from(*there)).to_array();
     }
 
-    /// What it is.
+    /// Stores its number.
     #[inline(always)]
     pub fn put(&self, what: u32, there: &mut [u32; LANES]) {
         let wins: u32x4 = cast(self.0);
@@ -57,7 +57,7 @@ impl Wins {
     }
 }
 
-/// The list's places of pixels beside each other. It has [`LANES`] - 1 places more than the grid.
+/// The entries of adjacent pixels. The list has [`LANES`] - 1 more entries than the grid.
 #[inline(always)]
 pub(super) fn four_of<T>(list: &mut [T], at: usize) -> Option<&mut [T; LANES]> {
     list.get_mut(at..)?.first_chunk_mut()

@@ -1,4 +1,4 @@
-//! One picture of a scene, in slices: what is seen, how much of the sky each place sees, and its light.
+//! One picture of a scene, in slices: visibility, ambient occlusion, and light.
 
 use super::shade::{Ground, Shading, Studio, far_floor, find_floor};
 use super::sight::{FLOOR, Sight};
@@ -8,27 +8,27 @@ use crate::order::lesser;
 use glam::Vec3;
 use std::ops::Range;
 
-/// Pixels that are shaded with about the work of one triangle that is drawn: their inverse.
+/// Shading one pixel costs about as much as drawing this many triangles.
 const PIXEL_WORK: usize = 1;
-/// Where the samples of a pixel lie, from its middle.
+/// Offsets of a pixel's samples from its centre.
 const SAMPLES: [[f32; 2]; 4] = [[-0.25, -0.25], [0.25, -0.25], [-0.25, 0.25], [0.25, 0.25]];
 
-/// What frame is wanted.
+/// The frame to be made.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Order {
-    /// Where it is seen from.
+    /// The camera.
     pub camera: Camera,
     /// Width and height in pixels, 1 to 8192.
     pub size: [usize; 2],
-    /// Each pixel is the mean of two by two samples, or there is one.
+    /// Whether each pixel is the mean of two by two samples instead of one.
     pub is_fine: bool,
-    /// Something moves: bodies are a level coarser, and there is no occlusion.
+    /// Whether something moves: bodies are then one level coarser, without occlusion.
     pub is_moving: bool,
-    /// What is behind the bodies.
+    /// The background.
     pub backdrop: Backdrop,
 }
 
-/// A frame in the making.
+/// A frame in progress.
 pub struct Frame {
     order: Order,
     sight: Sight,
@@ -38,12 +38,12 @@ pub struct Frame {
     /// Sums over samples of red, green, blue and alpha.
     sums: Vec<[u16; 4]>,
     rgba: Vec<u8>,
-    /// By pixel: the normal of the surface there; zero where no body is.
+    /// The surface normal at each pixel; zero where there is no body.
     normals: Vec<Vec3>,
     ground: Ground,
 }
 
-/// What comes next; instances, rows or lines that are done.
+/// The next phase, with the number of instances, rows or lines done.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Phase {
     Ground(usize),
@@ -58,10 +58,10 @@ enum Phase {
 }
 
 impl Frame {
-    /// Bytes that a frame has for each pixel, at most.
+    /// Most bytes of memory for each pixel of a frame.
     pub const BYTES: usize = 38;
 
-    /// A frame to be made.
+    /// Prepares a frame.
     pub fn new(order: Order) -> Self {
         let view = order.camera.view(order.size[0], order.size[1]);
         let mut frame = Self {
@@ -79,7 +79,7 @@ impl Frame {
         frame
     }
 
-    /// Begins another frame in the same memory.
+    /// Starts another frame in the same memory.
     pub fn begin(&mut self, order: Order) {
         self.order = order;
         self.phase = Phase::Ground(0);
@@ -93,17 +93,17 @@ impl Frame {
         self.rgba.reserve_exact(4 * pixels);
     }
 
-    /// What frame it is.
+    /// The order of this frame.
     pub fn order(&self) -> &Order {
         &self.order
     }
 
-    /// Is it finished?
+    /// Whether it is finished.
     pub fn is_done(&self) -> bool {
         self.phase == Phase::Done
     }
 
-    /// How much of it is done, 0..1, by a rough estimate.
+    /// The progress, 0..1, a rough estimate.
     pub fn progress(&self) -> f64 {
         let rows = self.order.size[1] as f64;
         let part = match self.phase {
@@ -126,8 +126,8 @@ impl Frame {
         if self.order.is_fine { SAMPLES.len() } else { 1 }
     }
 
-    /// Goes on for about the work of so many triangles, or of as many pixels; true when it is done. Scene and light must be the same
-    /// from the first call to the last; the light must be ready.
+    /// Does the work of about this many triangles, or as many pixels; true when finished. Scene and light
+    /// must not change during a frame, and the light must be ready.
     pub fn advance(&mut self, scene: &Scene, light: &Lighting, amount: usize) -> bool {
         let [width, height] = self.order.size;
         let rows = (amount / (PIXEL_WORK * width)).clamp(1, height);
@@ -173,7 +173,7 @@ impl Frame {
         self.is_done()
     }
 
-    /// Finds out where bodies end, before the first sample.
+    /// Finds the lowest point of the bodies before the first sample.
     fn find_ground(&mut self, scene: &Scene, from: usize, amount: usize) -> Phase {
         if self.order.backdrop == Backdrop::Floor {
             if from == 0 {
@@ -216,7 +216,7 @@ impl Frame {
         self.normals.reserve_exact(width * height);
     }
 
-    /// Makes room for rows.
+    /// Allocates rows.
     fn make_room(&mut self, to: usize) -> Phase {
         let [width, height] = self.order.size;
         let pixels = to * width;
@@ -235,7 +235,7 @@ impl Frame {
         }
     }
 
-    /// Shades about so many rows; answers with the one that comes next.
+    /// Shades about this many rows; gives the next one.
     fn shade(&mut self, scene: &Scene, light: &Lighting, from: usize, rows: usize) -> usize {
         let studio = Studio {
             scene,
@@ -250,14 +250,14 @@ impl Frame {
         self.shading.advance(studio, from, rows, rgba, keep)
     }
 
-    /// Adds rows of this sample to the others; after the last one, what comes next.
+    /// Adds rows of this sample to the sums; after the last one, gives the next phase.
     fn sum(&mut self, from: usize, to: usize) -> Phase {
         let [width, height] = self.order.size;
         let last = self.sample + 1 == SAMPLES.len();
         let span = from * width..to * width;
         let pixels = self.rgba[4 * span.start..4 * span.end].chunks_exact_mut(4);
         for (sum, pixel) in self.sums[span].iter_mut().zip(pixels) {
-            // Colours count as far as something is there.
+            // Colours count only if the pixel is covered.
             let there = u16::from(pixel[3] > 0);
             for k in 0..3 {
                 sum[k] += there * u16::from(pixel[k]);
@@ -282,7 +282,8 @@ impl Frame {
         Phase::Room(0)
     }
 
-    /// What was seen last becomes the planes, in the same memory: inverse depths those of depth, triangles those of ids.
+    /// Turns the last visibility buffer into the planes, in the same memory: inverse depths become depths,
+    /// triangles become ids.
     fn make_planes(&mut self, scene: &Scene, pixels: Range<usize>) {
         let Sight {
             owner,
@@ -298,7 +299,7 @@ impl Frame {
         }
     }
 
-    /// The finished picture: red, green, blue and alpha (not multiplied in), row after row from the top.
+    /// The finished picture: red, green, blue and alpha (not premultiplied), row by row from the top.
     pub fn rgba(&self) -> &[u8] {
         &self.rgba
     }
@@ -316,23 +317,23 @@ impl Frame {
         hash.text()
     }
 
-    /// Of each pixel the depth of the body there, in units of the scene; 0 where none is. Of a finished frame, as the
-    /// other planes are: its only sample, or the last one.
+    /// The depth of the body at each pixel, in units of the scene; 0 where there is none. Like the other
+    /// planes it is valid for a finished frame, and has its only sample or the last one.
     pub fn depths(&self) -> &[f32] {
         &self.sight.inverse[..self.pixels()]
     }
 
-    /// Of each pixel the id of the body there; 0 where none is.
+    /// The id of the body at each pixel; 0 where there is none.
     pub fn ids(&self) -> &[u32] {
         &self.sight.triangle[..self.pixels()]
     }
 
-    /// Of each pixel the unit normal of the body there, in the world; zero where none is.
+    /// The unit normal of the body at each pixel, in the world; zero where there is none.
     pub fn normals(&self) -> &[Vec3] {
         &self.normals
     }
 
-    /// The place in the scene's list of the body at a pixel.
+    /// The index in the scene's list of the instance at a pixel.
     pub fn instance_at(&self, x: usize, y: usize) -> Option<usize> {
         let [width, height] = self.order.size;
         let owner = *self.sight.owner.get(y * width + x)?;

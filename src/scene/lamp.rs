@@ -1,4 +1,4 @@
-//! The light of a scene: the lamp of a recipe in space, its shadows, and Phong's shading of a place.
+//! The light of a scene: a recipe's lamp in space, its shadows, and Phong's shading of a point.
 
 use super::shadow::{Shadows, Spot};
 use super::{Order, Scene};
@@ -9,20 +9,20 @@ use glam::Vec3;
 
 /// The sides of the cube around a lamp have so many parts of that.
 const LAMP_SIDE: usize = 2;
-/// The sky's light from below, mirrored by what lies there, of that on a vertical face.
+/// Share of the sky's light that comes from below by reflection, relative to that on a vertical face.
 const BELOW: f32 = 0.45;
 
-/// Cosine below which a triangle is taken for a part of what its corners' normals say.
+/// Cosine below which a triangle's own normal is ignored in favour of its corners' normals.
 const TURNED: f32 = 0.05;
 
-/// Where light comes from.
+/// The source of light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Lamp {
-    /// From far away: the unit vector to it.
+    /// At infinity: the unit vector to it.
     Sun(Vec3),
-    /// From a place.
+    /// At a place.
     Bulb {
-        /// Where it is.
+        /// Its position.
         at: Vec3,
         /// How high it is over the ground at `at.y - height`, greater than 0.
         height: f32,
@@ -30,8 +30,8 @@ pub enum Lamp {
 }
 
 impl Lamp {
-    /// The lamp of a picture, for a scene in which the picture's side is 1, its middle the origin, its y the
-    /// scene's z, and `ground` the height of the ground.
+    /// The lamp of a picture, for a scene in which the picture's side is 1, its centre the origin and its y
+    /// the scene's z; `ground` is the height of the ground.
     pub fn over_picture(light: Light, ground: f32) -> Self {
         match light {
             Light::Parallel { azimuth, elevation } => {
@@ -64,10 +64,10 @@ impl Lamp {
     }
 }
 
-/// How finely shadows are drawn.
+/// Resolution of shadows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sharpness {
-    /// While something moves: softer, and of coarser bodies.
+    /// For moving views: softer, and with coarser bodies.
     Coarse,
     /// For frames whose larger side has at most [`Sharpness::SMALL`] pixels.
     Small,
@@ -76,10 +76,10 @@ pub enum Sharpness {
 }
 
 impl Sharpness {
-    /// What [`Sharpness::Small`] is for: a texel is no larger than a pixel where all bodies fill the frame.
+    /// Limit of [`Sharpness::Small`]: a texel is no larger than a pixel if all bodies fill the frame.
     pub const SMALL: usize = 720;
 
-    /// What a frame needs.
+    /// The sharpness that a frame needs.
     pub fn of(order: &Order) -> Self {
         match order.size[0].max(order.size[1]) {
             _ if order.is_moving => Self::Coarse,
@@ -98,7 +98,7 @@ impl Sharpness {
     }
 }
 
-/// What lights a scene, for all frames of it: it is kept while the camera moves.
+/// The lighting of a scene, kept for all frames while the camera moves.
 pub struct Lighting {
     lamp: Lamp,
     params: ShadeParams,
@@ -109,20 +109,20 @@ pub struct Lighting {
     is_ready: bool,
 }
 
-/// Light that arrives at a place.
+/// The light that arrives at a point.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Arriving {
-    /// Of the sky.
+    /// From the sky.
     sky: f32,
-    /// Of the lamp, straight on, and as the surface is turned to it.
+    /// From the lamp: at normal incidence, and with the cosine of incidence.
     lamp: f32,
     facing: f32,
-    /// The cosine between mirrored light and the way to the eye, 0..1.
+    /// The cosine between the mirrored light and the direction to the eye, 0..1.
     mirrored: f32,
 }
 
 impl Lighting {
-    /// The light of a scene whose surfaces are of these materials.
+    /// The lighting of a scene with these materials.
     pub fn new(
         scene: &Scene,
         lamp: Lamp,
@@ -146,12 +146,12 @@ impl Lighting {
         }
     }
 
-    /// How finely its shadows are drawn.
+    /// The resolution of its shadows.
     pub fn sharpness(&self) -> Sharpness {
         self.sharpness
     }
 
-    /// Goes on with the shadows, for about the work of so many triangles; true when they are there.
+    /// Draws the shadow maps, for the work of about this many triangles; true when finished.
     pub fn advance(&mut self, scene: &Scene, amount: usize) -> bool {
         if !self.is_ready {
             self.is_ready = self.shadows.advance(scene, amount);
@@ -159,7 +159,7 @@ impl Lighting {
         self.is_ready
     }
 
-    /// How much of the lamp is seen from a place, 0..1, `normal` being that of the surface's triangles.
+    /// The visible share of the lamp at a point, 0..1; `normal` is that of the triangle.
     pub fn visible(&self, point: Vec3, normal: Vec3) -> f32 {
         let (to, _) = self.lamp.from(point);
         match normal.dot(to) > 0.0 {
@@ -169,8 +169,8 @@ impl Lighting {
         }
     }
 
-    /// Where to look up how much of the lamp is seen from a place; none where it faces away. `flat` is the normal of its
-    /// triangle, and `spread` how far off it may be.
+    /// The shadow map position for a point; `None` if it faces away from the lamp. `flat` is the normal of
+    /// its triangle, and `spread` the tolerance of the point.
     #[inline(always)]
     pub(super) fn spot(
         &self,
@@ -179,14 +179,14 @@ impl Lighting {
         spread: f32,
     ) -> Option<Spot> {
         let (to, _) = self.lamp.from(position);
-        // Triangles that do not face the lamp may be part of a round surface that does.
+        // A triangle turned away from the lamp may be part of a round surface that faces it.
         let is_flat = flat.dot(to) > TURNED;
         let normal = if is_flat { flat } else { normal };
         let faces = normal.dot(to) > 0.0;
         faces.then(|| self.spot_of(position, normal, spread))
     }
 
-    /// The same of a surface that faces the lamp and may be off by so much.
+    /// The same for a surface that faces the lamp, with a tolerance.
     #[inline(always)]
     fn spot_of(&self, point: Vec3, normal: Vec3, spread: f32) -> Spot {
         match self.params.shadow <= 0.0 {
@@ -195,14 +195,14 @@ impl Lighting {
         }
     }
 
-    /// How much of the lamp is seen there, 0..1.
+    /// The visible share of the lamp there, 0..1.
     #[inline(always)]
     pub(super) fn seen(&self, spot: &Spot) -> f32 {
         self.shadows.visible(spot)
     }
 
-    /// What light arrives at a place. `seen` is what [`Lighting::seen`] gave, `to_eye` the unit vector to the eye, `open`
-    /// the part of the sky that is seen from there.
+    /// The light that arrives at a point. `seen` is the result of [`Lighting::seen`], `to_eye` the unit
+    /// vector to the eye, `open` the visible share of the sky.
     #[inline(always)]
     pub(super) fn arriving(
         &self,
@@ -219,7 +219,7 @@ impl Lighting {
         let above = STEEP + (1.0 - STEEP) * up;
         let below = STEEP * (1.0 + (1.0 - BELOW) * up);
         let mirrored = 2.0 * facing * normal.dot(to_eye) - to.dot(to_eye);
-        // Where the lamp is behind the surface there is no light to be mirrored.
+        // With the lamp behind the surface there is no mirrored light.
         let mirrored = if facing > 0.0 { mirrored } else { 0.0 };
         Arriving {
             sky: open * if up > 0.0 { above } else { below },
@@ -229,7 +229,7 @@ impl Lighting {
         }
     }
 
-    /// The colour on the screen of a surface of this colour and material.
+    /// The colour on the screen of a surface with this colour and material.
     #[inline(always)]
     pub(super) fn reflected(
         &self,
@@ -242,7 +242,7 @@ impl Lighting {
         };
         let ambient = finish.ambient * arriving.sky;
         let diffuse = finish.diffuse * arriving.facing;
-        // Through i32: the cast to unsigned takes a detour on x86.
+        // Through i32: a cast to unsigned is slower on x86.
         let shine = finish.shine[(arriving.mirrored * SHINE as f32) as i32 as usize];
         let shine = shine * arriving.lamp;
         std::array::from_fn(|k| {

@@ -1,15 +1,15 @@
-//! Lines over what is seen, hidden where surfaces are nearer.
+//! Lines over the surfaces, hidden where surfaces are nearer.
 
 use super::sight::Sight;
 use glam::Vec3;
 
 /// Colour of a line.
 const COLOUR: [u8; 3] = [38, 34, 30];
-/// Lines are seen up to this part of their depth behind a surface: they lie on it.
+/// Tolerance of visibility, as a share of the depth: lines lie on surfaces.
 const BEHIND: f32 = 0.004;
 
-/// Draws lines, a pixel wide, into a picture: from one of them on, for about so much work. Answers with the
-/// next one.
+/// Draws lines, a pixel wide, into a picture, from an index on, for about this much work. Gives the next
+/// index.
 pub(super) fn draw(
     sight: &Sight,
     lines: &[[Vec3; 2]],
@@ -30,7 +30,7 @@ pub(super) fn draw(
     at
 }
 
-/// Answers with the number of steps.
+/// Gives the number of steps.
 fn stroke(sight: &Sight, a: [f32; 3], b: [f32; 3], rgba: &mut [u8]) -> usize {
     let [width, height] = sight.view().size;
     let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
@@ -39,7 +39,7 @@ fn stroke(sight: &Sight, a: [f32; 3], b: [f32; 3], rgba: &mut [u8]) -> usize {
     } else {
         dy.abs()
     };
-    // Lines are cut a little beyond the frame.
+    // Lines are clipped slightly outside the frame.
     let steps = longest.clamp(1.0, 8.0 * (width + height) as f32) as usize;
     for step in 0..=steps {
         let part = step as f32 / steps as f32;

@@ -1,4 +1,4 @@
-//! Where rays from the eye meet what is seen.
+//! Intersections of eye rays with visible triangles.
 
 use super::Scene;
 use super::backdrop::FLOOR_COLOUR;
@@ -8,19 +8,19 @@ use crate::order::greater;
 use crate::solid::Surface;
 use glam::Vec3;
 
-/// A place of a surface, as its triangles have it.
+/// A hit: a point of a surface with its interpolated attributes.
 #[derive(Clone, Copy)]
 pub(super) struct Met {
-    /// Outwards, between those of the corners; of any length, or none.
+    /// Interpolated outward normal, of any length, possibly zero.
     pub normal: Vec3,
-    /// The unit vector of the triangle itself.
+    /// The triangle's unit normal.
     pub flat: Vec3,
     /// Red, green, blue, 0..255 (sRGB).
     pub colour: [f32; 3],
 }
 
 impl Met {
-    /// On the floor.
+    /// A hit on the floor.
     pub const FLOOR: Self = Self {
         normal: Vec3::Y,
         flat: Vec3::Y,
@@ -28,15 +28,15 @@ impl Met {
     };
 }
 
-/// What is seen in a square, each triangle once.
+/// The visible triangles of a tile, each listed once.
 pub(super) struct Facets {
     raw: Vec<Raw>,
     corners: Vec<Corners>,
-    /// Of each pixel the place in these lists.
+    /// The list index for each pixel.
     of: [Option<u8>; SQUARE],
 }
 
-/// What a surface has at the corners of a triangle, as it lies in memory.
+/// Attributes at the corners of a triangle, as in memory.
 struct Raw {
     instance: u32,
     positions: [Vec3; 3],
@@ -53,8 +53,8 @@ impl Facets {
         }
     }
 
-    /// Looks up what is seen in a square. First all that lies in memory, then what is worked out of it: the processor
-    /// goes on to the next triangles while it waits, which takes longest of all here.
+    /// Looks up the visible triangles of a tile. It first reads everything from memory, then computes: so the
+    /// processor can load the next triangles while it waits, which takes most of the time here.
     pub fn look_up(&mut self, scene: &Scene, sight: &Sight, square: Square) {
         self.raw.clear();
         self.corners.clear();
@@ -67,7 +67,7 @@ impl Facets {
                 continue;
             }
             seen[k] = this;
-            // Most are seen to the left, too, or above.
+            // Most pixels show the same triangle as the one to the left or above.
             let beside = [1, BAND, BAND - 1].map(|back| k.wrapping_sub(back));
             let same = beside.into_iter().find(|&k| seen.get(k) == Some(&this));
             self.of[k] = same.map(|k| self.of[k]).unwrap_or_else(|| {
@@ -79,7 +79,7 @@ impl Facets {
         self.corners.extend(self.raw.iter().map(corners));
     }
 
-    /// Where the ray of a pixel of the square, which is one of a body, meets it.
+    /// The intersection of a pixel's ray with the body visible there.
     #[inline(always)]
     pub fn met(&self, scene: &Scene, owner: u32, rays: &Vectors, k: usize) -> Met {
         let ray = get(rays, k);
@@ -127,13 +127,12 @@ impl Raw {
 
 /// A triangle, in the world.
 struct Corners {
-    /// What a ray from the eye is multiplied with for the parts that the last two corners have, and for what they are
-    /// parts of.
+    /// The dot products of an eye ray with these, and with `whole`, give the weights of the last two corners.
     parts: [Vec3; 2],
     whole: Vec3,
     normals: [Vec3; 3],
     colours: [[f32; 3]; 3],
-    /// The normal of the triangle.
+    /// The triangle's normal.
     flat: Vec3,
 }
 
@@ -142,8 +141,9 @@ impl Corners {
     fn new(raw: &Raw, scene: &Scene, eye: Vec3) -> Self {
         let place = &scene.instances[raw.instance as usize].place;
         let [a, b, c] = raw.positions.map(|p| place.of(p));
-        // Differences first: of corners that are far away and near each other little else would be left in f32
-        // (Möller and Trumbore 1997, Fast, Minimum Storage Ray/Triangle Intersection, all that no ray changes).
+        // Differences first: f32 would lose most digits of corners that are far away and near each other
+        // (Möller and Trumbore 1997, Fast, Minimum Storage Ray/Triangle Intersection; here everything
+        // independent of the ray).
         let (ab, ac, from) = (b - a, c - a, eye - a);
         let whole = ac.cross(ab);
         Self {
@@ -155,8 +155,8 @@ impl Corners {
         }
     }
 
-    /// The parts that the corners have in the place where a ray from the eye meets the triangle's plane; they add up to
-    /// 1, and none is far outside the triangle.
+    /// The barycentric weights of the intersection of an eye ray with the triangle's plane. They add up to 1,
+    /// and none is far outside the triangle.
     #[inline(always)]
     fn weights(&self, ray: Vec3) -> [f32; 3] {
         let whole = ray.dot(self.whole);

@@ -1,24 +1,25 @@
-//! The control mesh of a stone: rings of points about its axis, one above the other, and the top's middle.
+//! The control mesh of a stone: rings of points around its axis, one above another, and the centre of the
+//! top.
 //!
-//! Miyata, Itoh, Shimada (2000), A Method of Generating Pavement Textures Using the Square Packing
-//! Technique, section 5.1: the cell is scaled by Sv, swept by Hs, and its top corners are displaced by
-//! eq. (6). Sections 5.2.2 and eq. (7): a flagstone has further vertices around each corner.
+//! Miyata, Itoh, Shimada (2000), A Method of Generating Pavement Textures Using the Square Packing Technique,
+//! section 5.1: the cell is scaled by Sv, swept by Hs, and its top corners are displaced by eq. (6). Sections
+//! 5.2.2 and eq. (7): a flagstone has further vertices around each corner.
 //!
-//! Loop's scheme shrinks a bare box to a pebble far smaller than its cell. Every ring therefore has
-//! three points a corner, so that sides stay straight, and a stone has support rings between base and
-//! top, so that its outline stays. All stones of n corners have one connectivity, whatever their kind:
+//! Loop's scheme shrinks a bare box to a pebble far smaller than its cell. Therefore every ring has three
+//! points for each corner, so that sides stay straight, and a stone has support rings between base and top,
+//! which preserve its outline. All stones with n corners have the same connectivity, whatever their kind:
 //!
 //! ```text
-//!    ring of one corner: before - corner - after        rings: 4  top, inset
-//!    3 n points a ring, 5 rings, and the middle                3  shoulder
-//!                                                              2  just under it
-//!                                                              1  at the joint's floor
-//!                                                              0  base
+//! ring of one corner: before - corner - after        rings: 4  top, inset
+//! 3 n points a ring, 5 rings, and the middle                3  shoulder
+//! 2  just under it
+//! 1  at the joint's floor
+//! 0  base
 //! ```
 //!
-//! Heights count from the base of stones. The ground hangs below their tops by the joints' depth, which
-//! grows with Hs over its whole range and never beyond the cell's size ([`joint_depth`]). Relief,
-//! unevenness and swells keep within that depth, or the ground would swallow low stones.
+//! Heights count from the base of stones. The ground lies below their tops by the joints' depth, which grows
+//! with Hs over its whole range and never exceeds the cell's size ([`joint_depth`]). Relief, unevenness and
+//! swells keep within that depth: otherwise the ground would cover low stones.
 
 use super::footprint::Footprint;
 use super::{Distribution, StoneKind, StoneParams};
@@ -30,42 +31,43 @@ pub const RINGS: usize = 5;
 
 /// Half of a joint at Sv = 1, of the stone's size...
 const HALF_JOINT: f64 = 0.022;
-/// ... but at least so many pixels, or else joints come and go with the grid of pixels...
+/// ... but at least this many pixels, because thinner joints come and go with the pixel grid ...
 const LEAST_HALF_JOINT: f64 = 0.85;
-/// ... unless that were more than this part of a small stone.
+/// ... unless that were more than this share of a small stone.
 const MOST_HALF_JOINT: f64 = 0.065;
-/// Heights of top corners differ by so much of the joint's depth at Dr = 0.3.
+/// Difference in height of top corners at Dr = 0.3, relative to the joint's depth.
 const UNEVEN: f64 = 0.10;
-/// So much of a low stone's height stands over the ground; of a tall one no more than its size, as the
-/// joints' filling holds it.
+/// Share of a low stone's height that is above the ground. For a tall stone the exposed height is at most its
+/// size, because the joints' filling holds it.
 const EXPOSED: f64 = 0.7;
-/// The height over the ground of a flagstone half as high as wide, of its size: eq. (7) holds for it.
+/// The exposed height of a flagstone half as high as wide, relative to its size: eq. (7) holds for it.
 const USUAL_EXPOSED: f64 = 0.25;
-/// How deep the ground lies below the bevel of flagstones, of the height of cobbles over the ground.
+/// Depth of the ground below the bevel of flagstones, relative to the exposed height of cobbles.
 const FLAG_JOINT: f64 = 0.4;
-/// A joint's floor is never lower than this part of the stones' height.
+/// A joint's floor is never lower than this share of the stones' height.
 const DEEPEST: f64 = 0.92;
-/// How far a cobble's dome falls from its middle to half its width, of the joint's depth; here and below
+/// Drop of a cobble's dome from its centre to half its width, relative to the joint's depth; here and below
 /// for low stones and for tall ones.
 const DOME: [f64; 2] = [0.08, 0.26];
-/// Distance of a cobble's side points from the corner, of its size: how round its corners are.
+/// Distance of a cobble's side points from the corner, relative to its size: it sets the roundness of
+/// corners.
 const COBBLE_CORNER: [f64; 2] = [0.14, 0.26];
-/// A side's two points at least leave its middle free.
+/// Largest such distance: a side's two points leave its middle free.
 const LONGEST_CORNER: f64 = 0.42;
-/// Sine of the least turn of a corner that is displaced by itself.
+/// Sine of the least turn of a corner with its own displacement.
 const TRUE_TURN: f64 = 0.55;
 /// Least and greatest factor of eq. (6).
 const DISPLACEMENT: (f64, f64) = (0.3, 1.9);
-/// Normal random numbers are cut here, so that no stone is torn.
+/// Normal random numbers are limited to this, so that no stone is torn.
 const MOST_NORMAL: f64 = 2.5;
-/// Radius of the ellipse, between those that touch the sides (1) and the corners (root 2).
+/// Radius of the ellipse between the one that touches the sides (1) and the one through the corners (root 2).
 const BETWEEN: f64 = 1.12;
-/// Part of the scale's excess over 1 that is lost at the top.
+/// Share of the scale's excess over 1 that is lost at the top.
 const CROWDED: f64 = 0.8;
-/// Rings are inset by at most this part of the shorter half extent.
+/// Rings are inset by at most this share of the shorter half extent.
 const MOST_INSET: f64 = 0.72;
 
-/// How deep the ground lies below the tops of stones of `size`, in picture units.
+/// Depth of the ground below the tops of stones of `size`, in picture units.
 pub(super) fn joint_depth(params: &StoneParams, size: f64) -> f64 {
     let exposed = exposed_height(params.height, size);
     let wanted = match params.kind {
@@ -75,15 +77,15 @@ pub(super) fn joint_depth(params: &StoneParams, size: f64) -> f64 {
     wanted.min(DEEPEST * params.height)
 }
 
-/// The height of a stone over the ground: half the harmonic mean of a low stone's part and the size, so it
-/// grows with both, and never beyond the size.
+/// The height of a stone over the ground: half the harmonic mean of a low stone's share and the size. It
+/// grows with both and never exceeds the size.
 fn exposed_height(height: f64, size: f64) -> f64 {
     let low = EXPOSED * height;
     low * size / (low + size)
 }
 
-/// How far below the top the bevel of a flagstone begins: eq. (7), times the stone's height over the ground
-/// by the usual one.
+/// Height difference between the top and the start of a flagstone's bevel: eq. (7), times the stone's exposed
+/// height over the usual one.
 fn bevel_down(params: &StoneParams, exposed: f64) -> f64 {
     bevel(params.bevel_vertical, exposed / USUAL_EXPOSED)
 }
@@ -94,7 +96,7 @@ fn tallness(height: f64, size: f64) -> f64 {
     height / (height + size)
 }
 
-/// From what low stones have to what tall ones have.
+/// Interpolates from the value for low stones to that for tall ones.
 fn lerp([low, tall]: [f64; 2], tallness: f64) -> f64 {
     low + (tall - low) * tallness
 }
@@ -112,15 +114,15 @@ fn half_joint(size: f64) -> f64 {
 #[derive(Clone, Copy, Default)]
 struct RingProfile {
     height: f64,
-    /// Drawn in from the outline, in picture units.
+    /// Inset from the outline, in picture units.
     inset: f64,
-    /// The part of the top corners' displacement that reaches this ring.
+    /// Share of the top corners' displacement that reaches this ring.
     displaced: f64,
-    /// From the outline's shape (0) to an ellipse (1): a dome has no ridges from its corners.
+    /// Roundness, from the outline's shape (0) to an ellipse (1): a dome has no ridges from its corners.
     round: f64,
 }
 
-/// The rings from base to top, and how far a dome falls from the middle to half the stone's width.
+/// The rings from base to top, and the drop of a dome from its centre to half the stone's width.
 fn profile(params: &StoneParams, size: f64) -> ([RingProfile; RINGS], f64) {
     match params.kind {
         StoneKind::Flagstone => (flagstone(params, size), 0.0),
@@ -147,8 +149,9 @@ fn flagstone(params: &StoneParams, size: f64) -> [RingProfile; RINGS] {
     ]
 }
 
-/// Low setts have flat heads with edges all around, tall cobbles round ones. Of each ring the drop from
-/// the top, of the joint's depth, the inset, of the size, and the roundness, of low ones and of tall ones.
+/// Low setts have flat tops with edges all around, tall cobbles round ones. For each ring: the drop from the
+/// top, relative to the joint's depth, the inset, relative to the size, and the roundness, for low and for
+/// tall stones.
 fn cobble(params: &StoneParams, size: f64) -> ([RingProfile; RINGS], f64) {
     let (top, depth) = (params.height, joint_depth(params, size));
     let tall = tallness(top, size);
@@ -173,7 +176,7 @@ fn cobble(params: &StoneParams, size: f64) -> ([RingProfile; RINGS], f64) {
 struct OutlinePoint {
     at: DVec2,
     factor: f64,
-    /// Its share of what the top is uneven, -1..1.
+    /// Its share of the top's unevenness, -1..1.
     lift: f64,
 }
 
@@ -200,9 +203,9 @@ pub fn points(plan: &Footprint, params: &StoneParams, id: u32) -> Vec<Vec3> {
     points
 }
 
-/// The corners alone of the footprint swept to a height (Miyata, Itoh, Shimada 2000, fig. 8 (a)), of which
-/// `displaced` of eq. (6) reaches them: 0 straight over the base, 1 as the top has it (fig. 8 (b)). The mesh of
-/// [`points`] stands between such corners, and has a smaller top where the scale is above 1.
+/// The corners alone of the footprint swept to a height (Miyata, Itoh, Shimada 2000, fig. 8 (a)). `displaced`
+/// is the share of eq. (6) applied to them: 0 straight above the base, 1 as at the top (fig. 8 (b)). The mesh
+/// of [`points`] stands between such corners, and has a smaller top if the scale is above 1.
 pub fn corners(
     plan: &Footprint,
     params: &StoneParams,
@@ -223,36 +226,36 @@ pub fn corners(
     outline.iter().skip(1).step_by(3).map(corner).collect()
 }
 
-/// How far corners of the top differ in height at most, either way.
+/// Greatest difference in height of the top's corners from level, up or down.
 fn unevenness(plan: &Footprint, params: &StoneParams) -> f64 {
     UNEVEN * (params.distortion / 0.3).min(1.5) * joint_depth(params, plan.size)
 }
 
-/// The place of an arm, in the cell or in the cell enlarged by a scale above 1.
+/// The place of an offset, in the cell or in the cell enlarged by a scale above 1.
 fn placed(plan: &Footprint, scale: f64, arm: DVec2) -> DVec2 {
     let p = plan.centre + plan.axis * arm.x + plan.axis.perp() * arm.y;
     plan.kept_in(p, scale.max(1.0))
 }
 
-/// The scale at a ring. Above 1 it widens the foot more than the top: stones touch, and still show their
+/// The scale at a ring. Above 1 it widens the foot more than the top: stones touch and still show their
 /// joints.
 fn scale_at(scale: f64, displaced: f64) -> f64 {
     scale.min(1.0) + (scale - 1.0).max(0.0) * (1.0 - CROWDED * displaced)
 }
 
-/// From the axis of the stone to a control point, along and across the footprint's principal axis.
+/// The offset of a control point from the stone's axis, along and across the footprint's principal axis.
 fn arm(plan: &Footprint, scale: f64, point: &OutlinePoint, ring: &RingProfile) -> DVec2 {
     let factor = 1.0 + (point.factor - 1.0) * ring.displaced;
     let arm = (point.at - plan.centre) * scale * factor;
-    // Drawn in by the same length along and across, so that joints of long cells are even.
+    // Inset by the same length along and across, so that joints of long cells are even.
     let inset = ring.inset + half_joint(plan.size);
     let narrow = DVec2::ONE - (inset / plan.half).min(DVec2::splat(MOST_INSET));
     let arm = DVec2::new(arm.dot(plan.axis), arm.dot(plan.axis.perp())) * narrow;
     arm.lerp(rounded(arm, plan.half * narrow), ring.round)
 }
 
-/// A point of the ellipse that fits in between the sides and corners of a rectangle of half extents
-/// `half`, in direction of the arm.
+/// A point of the ellipse between the sides and corners of a rectangle with half extents `half`, in the
+/// direction of the offset.
 fn rounded(arm: DVec2, half: DVec2) -> DVec2 {
     let away = (arm / half).length();
     if away == 0.0 {
@@ -294,7 +297,7 @@ fn outline(plan: &Footprint, params: &StoneParams, id: u32) -> Vec<OutlinePoint>
     outline
 }
 
-/// Eq. (6), read as a factor of each top corner's distance from the stone's axis.
+/// Eq. (6), taken as a factor of each top corner's distance from the stone's axis.
 fn displacements(params: &StoneParams, random: &mut Random, n: usize) -> Vec<f64> {
     let mut number = || match params.distribution {
         Distribution::Uniform => random.signed(),
@@ -304,8 +307,8 @@ fn displacements(params: &StoneParams, random: &mut Random, n: usize) -> Vec<f64
     (0..n).map(|_| factor(number())).collect()
 }
 
-/// Interpolates what corners draw between the true ones: along a curved boundary numbers of their own would
-/// make the stone ragged.
+/// Interpolates the random values of flat corners between true corners: along a curved boundary, values of
+/// their own would make the stone ragged.
 fn interpolate_flat_corners(corners: &[DVec2], values: &mut [&mut Vec<f64>]) {
     let n = corners.len();
     let true_corners: Vec<usize> = (0..n).filter(|&i| is_true_corner(corners, i)).collect();
@@ -332,23 +335,23 @@ fn is_true_corner(corners: &[DVec2], i: usize) -> bool {
     turn > TRUE_TURN || (turn > 0.0 && into.dot(out) < 0.0)
 }
 
-/// How many points [`points`] gives for `n` corners.
+/// The number of points that [`points`] gives for `n` corners.
 pub fn point_count(n: usize) -> usize {
     RINGS * 3 * n + 1
 }
 
-/// How many triangles [`triangles`] gives for `n` corners.
+/// The number of triangles that [`triangles`] gives for `n` corners.
 pub fn triangle_count(n: usize) -> usize {
     (2 * RINGS - 1) * 3 * n
 }
 
-/// The triangles over the points of a stone with `n` corners, seen from above clockwise on screen.
-/// The base is open: nobody sees it.
+/// The triangles over the points of a stone with `n` corners, clockwise on screen seen from above. The base
+/// is open, because it is never seen.
 pub fn triangles(n: usize) -> Vec<[u32; 3]> {
     triangles_over(RINGS, n)
 }
 
-/// The same over so many rings.
+/// The same for a number of rings.
 pub fn triangles_over(rings: usize, n: usize) -> Vec<[u32; 3]> {
     let m = 3 * n;
     let at = |ring: usize, i: usize| (ring * m + i % m) as u32;

@@ -1,15 +1,14 @@
 //! Displacement of the vertices of a refined cell of skin: flat faces, keel, growth rings, fractal noise.
 //!
-//! Itoh, Miyata, Shimada (2003), section 6.3; Fournier, Fussell, Carpenter (1982), Computer Rendering
-//! of Stochastic Models: each subdivision puts a vertex in the middle of each edge, which takes the
-//! mean displacement of the edge's ends and one of its own, in vertical direction; the displacements
-//! of all levels are added to the smooth surface of the last. The amplitude falls by 2^-H a level, H =
-//! 2 - Fd.
+//! Itoh, Miyata, Shimada (2003), section 6.3; Fournier, Fussell, Carpenter (1982), Computer Rendering of
+//! Stochastic Models: each subdivision puts a vertex in the middle of each edge. It takes the mean
+//! displacement of the edge's ends plus one of its own, in vertical direction. The displacements of all
+//! levels are added to the smooth surface of the last level. The amplitude falls by 2^-H a level, with H = 2
+//! - Fd.
 //!
-//! Stencils of skin end on Loop's limit surface, and the noise ends at the level that a picture needs,
-//! so finer triangles change next to nothing. The variance of the noise takes into account that edges
-//! between two new vertices differ by two new numbers, and that a pixel averages over some of the last
-//! ones.
+//! Stencils of skin end on Loop's limit surface, and the noise ends at the level that a picture needs, so
+//! finer triangles change almost nothing. The variance of the noise allows for two facts: edges between two
+//! new vertices differ by two new numbers, and a pixel averages over some of the last ones.
 
 use super::prism::{Prism, turned};
 use super::subdivide::Stencil;
@@ -18,18 +17,18 @@ use crate::order::{greater, lesser};
 use crate::random::{Purpose, Random};
 use glam::{DVec2, Vec3};
 
-/// Deviation of the noise at the distance of a skin size, of its amplitude.
+/// Standard deviation of the noise at the distance of a skin size, relative to its amplitude.
 const DEVIATION: f64 = 0.5;
-/// How much stronger the last level is for the roughest noise. A pixel averages over some vertices:
-/// without this a surface would be smoother, by up to 0.15 of the dimension, than asked for.
+/// Gain of the last level for the roughest noise. A pixel averages over several vertices; without the gain a
+/// surface would be smoother than requested, by up to 0.15 of the dimension.
 const LAST: f64 = 2.0;
 /// Depth of growth rings, in skin sizes.
 const RING_DEPTH: f32 = 0.05;
-/// Part of the half width that a keel takes.
+/// Share of the half width that a keel takes.
 const KEEL_WIDTH: f32 = 0.85;
 
-/// Moves refined vertices towards where they were on the faces of the control mesh, by so much of the
-/// way: 1 gives the prism itself, with its flat top, its edges and corners.
+/// Moves refined vertices towards the faces of the control mesh by the share `flatness`: 1 gives the prism
+/// itself, with its flat top, edges and corners.
 pub(super) fn flatten(vertices: &mut [Vec3], stencil: &Stencil, control: &[Vec3], flatness: f64) {
     if flatness <= 0.0 {
         return;
@@ -69,7 +68,7 @@ pub(super) fn add_keel_and_rings(
     let depth = RING_DEPTH * prism.skin_size as f32;
     for (v, &radius) in vertices.iter_mut().zip(radii) {
         let mut z = v.z;
-        // Falls to 0 down the sides, at the base.
+        // Falls to 0 at the base.
         let upper = greater(lesser(2.0 - radius, 1.0), 0.0);
         if keel > 0.0 {
             let off = ((v.x - centre.x) * across.x + (v.y - centre.y) * across.y).abs() / half;
@@ -86,7 +85,7 @@ pub(super) fn add_keel_and_rings(
     }
 }
 
-/// Adds noise on the first `levels` levels, of the amplitude Af, to the heights of refined vertices.
+/// Adds noise of the first `levels` levels, with the amplitude Af, to the heights of refined vertices.
 pub(super) fn add_noise(
     vertices: &mut [Vec3],
     radii: &[f32],
@@ -99,15 +98,15 @@ pub(super) fn add_noise(
     }
     let hurst = (2.0 - params.skin.dimension).clamp(0.0, 1.0);
     let fall = libm::exp2(-hurst);
-    // Uniform numbers of deviation 1. The corners begin with noise, too: without it a surface of low
-    // dimension would miss its widest waves, and be too rough for what it has.
+    // Uniform numbers with standard deviation 1. The corners start with noise, too: without it a surface of
+    // low dimension would lack its widest waves, and be too rough for its amplitude.
     let mut amplitude = params.skin.amplitude * skin_size * DEVIATION * 3.0f64.sqrt();
     let mut random = Random::new(params.seed, Purpose::Noise, u64::from(id));
     let corner = |_| (amplitude * random.signed()) as f32;
     let mut noise: Vec<f32> = (0..stencil.sources()).map(corner).collect();
     noise.reserve(stencil.len());
-    // What is missing of the variance after averaging: of the two numbers that differ along an edge,
-    // one is new on the halves of old edges and both between them, so one and a half on average.
+    // The variance that averaging removes. An edge has one new number on the halves of old edges and two
+    // between them, one and a half on average.
     amplitude *= ((1.0 - libm::exp2(2.0 * hurst - 2.0)).max(0.0) * 2.0 / 1.5).sqrt();
     for (level, edges) in (1..=levels).zip(stencil.levels()) {
         amplitude *= fall;

@@ -1,6 +1,6 @@
-//! The edges of a triangle mesh, and each triangle divided at their middles.
+//! The edges of a triangle mesh, and the division of each triangle at their midpoints.
 
-/// An edge, its ends in rising order, with the corners opposite to it: two, or else it is a boundary.
+/// An edge, with its ends in rising order and the opposite corners: two, or one at a boundary.
 #[derive(Debug)]
 pub(super) struct Edge {
     pub ends: [u32; 2],
@@ -11,11 +11,11 @@ pub(super) struct Edge {
 #[derive(Debug)]
 pub(super) struct Edges {
     pub list: Vec<Edge>,
-    /// Those whose first end is vertex v begin at `starts[v]`.
+    /// The edges whose first end is vertex v begin at `starts[v]`.
     starts: Vec<u32>,
 }
 
-/// From counts to where each begins, with the end of the last one.
+/// Prefix sums: from counts to the start of each item, with the end of the last one.
 pub(super) fn starts(counts: impl Iterator<Item = u32>) -> Vec<u32> {
     let mut sum = 0;
     let mut starts = vec![0];
@@ -27,7 +27,7 @@ pub(super) fn starts(counts: impl Iterator<Item = u32>) -> Vec<u32> {
 }
 
 impl Edges {
-    /// Of a mesh of `vertices` vertices. Sorted by first ends in one pass: meshes are large, and few
+    /// The edges of a mesh with `vertices` vertices. A counting sort by first ends: meshes are large, and few
     /// edges begin at a vertex.
     pub fn new(vertices: usize, triangles: &[[u32; 3]]) -> Self {
         let sides = |&[a, b, c]: &[u32; 3]| [[a, b, c], [b, c, a], [c, a, b]];
@@ -64,7 +64,7 @@ impl Edges {
         }
     }
 
-    /// The place of the edge between two vertices.
+    /// The index of the edge between two vertices.
     fn place(&self, a: u32, b: u32) -> usize {
         let (first, second) = (a.min(b), a.max(b));
         let mut at = self.starts[first as usize] as usize;
@@ -85,7 +85,7 @@ fn by_insertion(few: &mut [(u32, u32)]) {
     }
 }
 
-/// Each triangle becomes four; the middles of edges come after the vertices.
+/// Each triangle becomes four; the midpoints of edges follow the vertices.
 pub(super) fn split(vertices: usize, triangles: &[[u32; 3]], edges: &Edges) -> Vec<[u32; 3]> {
     let middle = |a: u32, b: u32| (vertices + edges.place(a, b)) as u32;
     let mut fine = Vec::with_capacity(4 * triangles.len());

@@ -4,39 +4,38 @@ use crate::domain::{cross, signed_area};
 use crate::order;
 use glam::DVec2;
 
-/// At most so many corners make a stone; a ring along a curved boundary has more points.
+/// Most corners of a stone; a ring along a curved boundary has more points.
 pub const MOST_CORNERS: usize = 12;
 
-/// A convex corner that stands out less than this (of the root of the area) is dropped.
+/// A convex corner that stands out less than this (in roots of the area) is dropped.
 const FLAT: f64 = 0.035;
-/// The same for a corner that points inwards: dropping it costs area on both sides, so it is kept
-/// longer.
+/// The same for a reflex corner: dropping it costs area on both sides, so it is kept longer.
 const FLAT_REFLEX: f64 = 0.012;
-/// Candidate centres along a side of the ring's box, where neither centroid nor particle sees all.
+/// Candidate centres along a side of the ring's box, tried if neither centroid nor particle sees all corners.
 const CANDIDATES: usize = 12;
-/// Angle between the rays to either side of a corner, in radians.
+/// Angle between a corner and the rays to either side of it, in radians.
 const SIDE_RAY: f64 = 1e-5;
 
 /// The footprint of a stone: star-shaped about its centre and inside the cell's ring.
 #[derive(Clone, Debug)]
 pub struct Footprint {
-    /// Sees every corner.
+    /// A point that sees every corner.
     pub centre: DVec2,
     /// 3 to [`MOST_CORNERS`] corners, clockwise on screen.
     pub corners: Vec<DVec2>,
     /// Unit vector of the longer principal axis.
     pub axis: DVec2,
-    /// Half the extent along `axis` and across it, of the rectangle of equal second moments.
+    /// Half extents along `axis` and across it, of the rectangle with equal second moments.
     pub half: DVec2,
     /// Root of the ring's area: the stone's size.
     pub size: f64,
-    /// Whether the ring is convex, so that what is made of points in it stays in it.
+    /// Whether the ring is convex: then convex combinations of points in it stay in it.
     pub convex: bool,
     ring: Vec<DVec2>,
 }
 
 impl Footprint {
-    /// None where the ring has no area to speak of.
+    /// `None` if the ring has no appreciable area.
     pub fn new(ring: &[DVec2], hint: DVec2) -> Option<Self> {
         let ring = cleaned(ring)?;
         let area = signed_area(&ring);
@@ -55,12 +54,12 @@ impl Footprint {
         })
     }
 
-    /// How far the ring is from the centre in the direction of `towards` (any length but zero).
+    /// The distance from the centre to the ring in the direction of `towards` (of any length but zero).
     pub fn reach(&self, towards: DVec2) -> f64 {
         reach(&self.ring, self.centre, towards) * towards.length()
     }
 
-    /// `p` drawn towards the centre until it lies in the ring enlarged `scale` times.
+    /// `p`, moved towards the centre until it lies in the ring enlarged `scale` times.
     pub fn kept_in(&self, p: DVec2, scale: f64) -> DVec2 {
         let arm = p - self.centre;
         if arm == DVec2::ZERO {
@@ -75,7 +74,7 @@ impl Footprint {
     }
 }
 
-/// The ring without repeated points, clockwise; None where too little is left.
+/// The ring without repeated points, clockwise; `None` if too little is left.
 fn cleaned(ring: &[DVec2]) -> Option<Vec<DVec2>> {
     if ring.iter().any(|p| !p.is_finite()) {
         return None;
@@ -98,7 +97,7 @@ fn cleaned(ring: &[DVec2]) -> Option<Vec<DVec2>> {
     if area < 0.0 {
         kept.reverse();
     }
-    // Below this a stone is a hair line: nothing to see, and its frame would be noise.
+    // A thinner stone is invisible, and its frame would be noise.
     let thin = area.abs() < 1e-4 * extent * extent || area.abs() < 1e-4;
     (kept.len() >= 3 && !thin).then_some(kept)
 }
@@ -139,7 +138,7 @@ fn centroid(ring: &[DVec2]) -> DVec2 {
     origin + sum / (3.0 * twice)
 }
 
-/// The candidate of a regular grid that is inside and sees most: all corners, or else far walls.
+/// The grid point inside that sees most: all corners, or otherwise the farthest walls.
 fn deepest(ring: &[DVec2]) -> Option<DVec2> {
     let low = ring.iter().copied().fold(DVec2::MAX, DVec2::min);
     let high = ring.iter().copied().fold(DVec2::MIN, DVec2::max);
@@ -173,7 +172,7 @@ fn inside(ring: &[DVec2], p: DVec2) -> bool {
     crossings.count() % 2 == 1
 }
 
-/// The part of the ring that `centre` sees: first hits of rays just beside each corner.
+/// The part of the ring visible from `centre`: first hits of rays just beside each corner.
 fn seen_from(ring: &[DVec2], centre: DVec2) -> Vec<DVec2> {
     let mut angles: Vec<f64> = ring
         .iter()
@@ -184,7 +183,7 @@ fn seen_from(ring: &[DVec2], centre: DVec2) -> Vec<DVec2> {
     angles.dedup_by(|b, a| *b - *a < SIDE_RAY / 16.0);
     let hit = |&angle: &f64| {
         let ray = DVec2::new(libm::cos(angle), libm::sin(angle));
-        // Hits of one ray on a wall's two ends differ by rounding: a hair less is always inside.
+        // Hits of one ray on a wall's two ends differ by rounding; slightly less is always inside.
         centre + ray * first_hit(ring, centre, ray) * (1.0 - 1e-6)
     };
     angles.iter().map(hit).collect()
@@ -206,7 +205,7 @@ fn first_hit(ring: &[DVec2], centre: DVec2, ray: DVec2) -> f64 {
     if nearest == f64::MAX { 0.0 } else { nearest }
 }
 
-/// Distance of the ring along `arm`, in lengths of `arm`; the ring is star-shaped about `centre`.
+/// Distance to the ring along `arm`, in lengths of `arm`; the ring is star-shaped about `centre`.
 fn reach(ring: &[DVec2], centre: DVec2, arm: DVec2) -> f64 {
     let length = arm.length();
     if length == 0.0 {
@@ -215,14 +214,14 @@ fn reach(ring: &[DVec2], centre: DVec2, arm: DVec2) -> f64 {
     first_hit(ring, centre, arm / length) / length
 }
 
-/// How far corner `i` stands out over its neighbours' chord, times the chord: negative where reflex.
+/// Height of corner `i` over its neighbours' chord, times the chord: negative if reflex.
 fn bend(ring: &[DVec2], i: usize) -> f64 {
     let n = ring.len();
     let (before, after) = (ring[(i + n - 1) % n], ring[(i + 1) % n]);
     cross(before, ring[i], after)
 }
 
-/// Drops flat corners, flattest first, until those left stand out and are few.
+/// Drops flat corners, flattest first, until the rest stand out and are few.
 fn simplified(ring: &[DVec2], centre: DVec2, size: f64) -> Vec<DVec2> {
     let mut corners = ring.to_vec();
     while corners.len() > 3 {
@@ -252,8 +251,8 @@ fn simplified(ring: &[DVec2], centre: DVec2, size: f64) -> Vec<DVec2> {
     corners
 }
 
-/// The corner whose neighbours the centre sees best without it. Of more than four corners there is
-/// always one whose neighbours are less than half a turn apart.
+/// The corner whose removal leaves its neighbours best visible from the centre. Among more than four corners
+/// there is always one whose neighbours are less than half a turn apart.
 fn least_missed(corners: &[DVec2], centre: DVec2) -> usize {
     let n = corners.len();
     let seen = |i: usize| cross(centre, corners[(i + n - 1) % n], corners[(i + 1) % n]);
@@ -262,7 +261,7 @@ fn least_missed(corners: &[DVec2], centre: DVec2) -> usize {
         .unwrap_or(0)
 }
 
-/// Draws the ends of every side towards the centre until the side passes inside the ring's points.
+/// Moves the ends of every side towards the centre until the side passes inside the ring's points.
 fn contained(ring: &[DVec2], centre: DVec2, corners: Vec<DVec2>) -> Vec<DVec2> {
     let n = corners.len();
     let mut factor = vec![1.0f64; n];
@@ -305,7 +304,7 @@ fn principal(ring: &[DVec2], centre: DVec2) -> (DVec2, DVec2) {
         DVec2::new(xy, spread + (yy - xx) / 2.0)
     };
     let axis = long.try_normalize().unwrap_or(DVec2::X);
-    // A rectangle of half extent a has the moment a^2 / 3.
+    // A rectangle with half extent a has the moment a^2 / 3.
     let half = |moment: f64| (3.0 * moment.max(0.0)).sqrt();
     (
         axis,

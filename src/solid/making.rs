@@ -1,18 +1,18 @@
-//! How a stone is made: the steps from a cell's polygon to its smooth solid, as surfaces that can be drawn.
+//! The steps of making a stone, from a cell's polygon to its smooth solid, as surfaces that can be drawn.
 //!
 //! Stones: Miyata, Itoh, Shimada (2000), section 5.1 and fig. 8 (base, sweep, distortion), section 5.2 and
 //! figs. 9 to 11 (bevel, control mesh, subdivision). Skin: Itoh, Miyata, Shimada (2003), section 6.1 and
 //! figs. 8 to 10 (base, sweep, distortion, skew, taper), section 6.2 and fig. 11 (subdivision), section 6.3
 //! and figs. 12 and 13 (noise).
 //!
-//! Each step is what the makers of solids have where all later parameters are 0, so the random numbers are
-//! those of the solid itself. A step whose parameter is 0 is there and changes nothing. Steps before the last
-//! Loop step have flat facets, so that each triangle is seen.
+//! Each step is made like the solid, with all later parameters set to 0, so its random numbers are those of
+//! the solid itself. A step whose parameter is 0 exists and changes nothing. Steps before the last Loop step
+//! have flat facets, so that each triangle is visible.
 //!
-//! What is ours comes in where it belongs. The footprint has few corners, and a joint's half width off it. The
-//! tilt of skin comes with its skew, the flat faces, keel and growth rings with the Loop steps. The control mesh
-//! of stones brings the rings that hold their outline and the cobbles' dome; where Sv is above 1 its top is
-//! smaller than that of the prism before it.
+//! Additions to the papers come in where they belong. The footprint has few corners and is inset by a joint's
+//! half width. The tilt of skin comes with its skew; flat faces, keel and growth rings come with the Loop
+//! steps. The control mesh of stones adds the rings that hold their outline and the cobbles' dome; if Sv is
+//! above 1 its top is smaller than that of the prism before it.
 
 use super::edges::Edges;
 use super::footprint::Footprint;
@@ -23,14 +23,14 @@ use super::{TriangleMesh, control, control_mesh, normals, prism};
 use crate::cells::Cell;
 use glam::Vec3;
 
-/// The colour of surfaces that have none of their own yet: red, green, blue.
+/// The colour of surfaces without colours: red, green, blue.
 pub const PLAIN: [u8; 3] = [205, 200, 190];
 
-/// How thick the plate of the base is, of the stone's size.
+/// Thickness of the base plate, relative to the stone's size.
 const PLATE: f64 = 0.03;
 /// Up to this Loop step the edges of all triangles are drawn.
 const LINED: u32 = 2;
-/// The rings of a flagstone's control mesh that the bevel is between: base, shoulder and top.
+/// The rings of a flagstone's control mesh that bound the bevel: base, shoulder and top.
 const BEVEL: [usize; 3] = [0, 1, 3];
 
 /// A step in the making of a stone or a cell of skin.
@@ -42,21 +42,21 @@ pub enum Making {
     Sweep,
     /// The top's corners displaced at random (Dr).
     Distortion,
-    /// The top displaced along the flow: of skin (Sc).
+    /// The top displaced along the flow; for skin (Sc).
     Skew,
-    /// The top's corners displaced to the middle: of skin (Tc).
+    /// The top's corners displaced towards the centre; for skin (Tc).
     Taper,
-    /// New vertices around each corner of the top: of flagstones (Bh, Bv).
+    /// New vertices around each corner of the top; for flagstones (Bh, Bv).
     Bevel,
     /// The control mesh.
     Control,
-    /// So many of Loop's steps, 1 or more.
+    /// This number of Loop steps, 1 or more.
     Loop(u32),
-    /// The fractal noise (Fd, Af): of skin on it, of stones by itself.
+    /// The fractal noise (Fd, Af): on skin itself; for stones on its own.
     Noise,
-    /// What of it the planes have.
+    /// The part of the noise in the planes.
     Mask,
-    /// All of it, in its colours.
+    /// The finished stone, in its colours.
     Finish,
 }
 
@@ -81,7 +81,7 @@ impl Making {
         }
     }
 
-    /// How many Loop steps it is, where it is these.
+    /// The number of Loop steps, if it is one of these.
     pub fn level(self) -> Option<u32> {
         match self {
             Self::Loop(level) => Some(level),
@@ -90,20 +90,20 @@ impl Making {
     }
 }
 
-/// What a stone is after a step.
+/// The state of a stone after a step.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Step {
     /// The step.
     pub making: Making,
-    /// Closed: nothing is hollow from any side. It is empty only where a mask is.
+    /// The closed surface, solid from every side. Only a mask may be empty.
     pub surface: Surface,
-    /// Lines to be drawn over it: of a base its ring and the cell's, then edges of the prism or of all triangles;
-    /// of noise and mask the mask's outline.
+    /// Lines to draw over it: for a base its ring and the cell's; then edges of the prism or of all
+    /// triangles; for noise and mask the mask's outline.
     pub edges: Vec<[Vec3; 2]>,
 }
 
-/// The steps in the making of a cell's solid, in their order; none where the cell has no area to speak of. The
-/// last ones of each stone, which need the planes, are those of [`crate::heightfield::Surfaces::making`].
+/// The steps in the making of a cell's solid, in order; empty if the cell has no appreciable area. The last
+/// steps of each stone need the planes: see [`crate::heightfield::Surfaces::making`].
 pub fn steps(cell: &Cell, params: &StoneParams) -> Vec<Making> {
     let Some(last) = shown_level(cell, params) else {
         return Vec::new();
@@ -122,7 +122,7 @@ pub fn steps(cell: &Cell, params: &StoneParams) -> Vec<Making> {
     steps
 }
 
-/// One of these [`steps`]; None where the cell has no such step. `solids` keep the stencils.
+/// One of these [`steps`]; `None` if the cell has no such step. `solids` caches the stencils.
 pub fn step(
     solids: &mut Solids,
     cell: &Cell,
@@ -179,7 +179,7 @@ fn refined(solids: &mut Solids, cell: &Cell, params: &StoneParams, level: u32) -
     }
 }
 
-/// The prism after one of the steps before the control mesh; of a base a plate.
+/// The prism after one of the steps before the control mesh; for a base, a plate.
 fn swept(cell: &Cell, params: &StoneParams, making: Making) -> Option<(Surface, Vec<[Vec3; 2]>)> {
     let plan = Footprint::new(&cell.ring, cell.centre)?;
     let n = plan.corners.len();
@@ -209,7 +209,7 @@ fn swept(cell: &Cell, params: &StoneParams, making: Making) -> Option<(Surface, 
     Some((faceted(&mesh), edges))
 }
 
-/// The parameters of skin without those of later steps.
+/// The parameters of skin with those of later steps set to 0.
 fn until(params: &StoneParams, making: Making) -> StoneParams {
     let mut until = *params;
     if matches!(making, Making::Base | Making::Sweep) {
@@ -224,7 +224,7 @@ fn until(params: &StoneParams, making: Making) -> StoneParams {
     until
 }
 
-/// Base, top and the top's middle, in the order of those of skin.
+/// Base, top and the centre of the top, in the order that skin has.
 fn stone_prism(plan: &Footprint, params: &StoneParams, id: u32, making: Making) -> Vec<Vec3> {
     let displaced = if making == Making::Distortion {
         1.0
@@ -275,7 +275,7 @@ fn lines(mesh: &TriangleMesh) -> Vec<[Vec3; 2]> {
     edges.iter().map(|edge| line(edge.ends)).collect()
 }
 
-/// A mesh with its base closed, as yet without normals.
+/// A mesh with a closed base, still without normals.
 fn closed(mesh: &TriangleMesh) -> Surface {
     let mut surface = Surface {
         positions: mesh.vertices.clone(),
@@ -284,19 +284,19 @@ fn closed(mesh: &TriangleMesh) -> Surface {
         triangles: mesh.triangles.clone(),
     };
     surface.cap(&boundary_edges(&mesh.triangles, mesh.vertices.len()));
-    // A cap is flat, and moves what is a hair off: the mesh stays as it is.
+    // The cap is flat and moves points slightly; this restores the mesh.
     surface.positions[..mesh.vertices.len()].copy_from_slice(&mesh.vertices);
     surface
 }
 
-/// The mesh as a smooth surface: its points, and then the middle of the base.
+/// The mesh as a smooth surface: its points, then the centre of the base.
 fn round(mesh: &TriangleMesh) -> Surface {
     let mut surface = closed(mesh);
     surface.normals = normals(&surface.positions, &mesh.triangles);
     surface
 }
 
-/// The mesh as flat triangles with corners of their own, those without area left out.
+/// The mesh as flat triangles with separate corners, without degenerate ones.
 fn faceted(mesh: &TriangleMesh) -> Surface {
     let closed = closed(mesh);
     let mut surface = Surface::default();

@@ -1,7 +1,7 @@
-//! From cells to stones and scales: one refined triangle mesh per cell.
+//! From cells to stones and scales: one refined triangle mesh for each cell.
 //!
-//! Stones: Miyata, Itoh, Shimada (2000), sections 5.1 and 5.2; skin: Itoh, Miyata, Shimada (2003),
-//! section 6. Lengths are picture units, y down, heights above the base level.
+//! Stones: Miyata, Itoh, Shimada (2000), sections 5.1 and 5.2; skin: Itoh, Miyata, Shimada (2003), section 6.
+//! Lengths are picture units, y down, heights above the base level.
 //!
 //! ```
 //! use bubblestone::cells::Cell;
@@ -22,12 +22,16 @@
 //! # };
 //! // `cell` is a square from (8, 8) to (56, 56).
 //! let params = StoneParams {
-//!     kind: StoneKind::Cobble,
-//!     ..StoneParams::default()
+//! kind: StoneKind::Cobble,
+//! ..StoneParams::default()
 //! };
 //! let stone = Solids::new().solid(&cell, &params);
-//! assert!(stone.vertices.iter().all(|v| (8.0..=56.0).contains(&v.x)), "it stays in its cell");
-//! let highest = stone.vertices.iter().fold(0.0, |high: f32, v| high.max(v.z));
+//! assert!(stone.vertices.iter().all(
+//! v
+//! (8.0..=56.0).contains(&v.x)), "it stays in its cell");
+//! let highest = stone.vertices.iter().fold(0.0,
+//! high: f32, v
+//! high.max(v.z));
 //! assert!(f64::from(highest) < 1.5 * top(&params, cell.size));
 //! ```
 
@@ -63,7 +67,7 @@ pub use subdivide::{Stencil, TriangleMesh, beta, loop_subdivide};
 pub(crate) use surface::boundary_edges;
 pub use surface::{Surface, normals};
 
-/// The control mesh a stone begins with.
+/// The kind of control mesh of a stone.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum StoneKind {
     /// Domed, with rounded edges.
@@ -85,7 +89,7 @@ pub enum Distribution {
     Normal,
 }
 
-/// What the stones are made by; the papers' symbols in brackets.
+/// Parameters of the stones; the papers' symbols in brackets.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StoneParams {
     /// The control mesh.
@@ -94,7 +98,7 @@ pub struct StoneParams {
     pub height: f64,
     /// Scale of the base, 0.5..3; a stone leaves its cell only above 1 (Sv).
     pub scale: f64,
-    /// Displacement of the top corners, 0..1; 0 moves nothing (Dr).
+    /// Displacement of the top corners, 0..1 (Dr).
     pub distortion: f64,
     /// The random number of the displacement.
     pub distribution: Distribution,
@@ -108,23 +112,23 @@ pub struct StoneParams {
     pub seed: u64,
 }
 
-/// The shape of a cell of skin; lengths are parts of the cell's skin size, the mean distance of its
-/// corners from its middle (Itoh, Miyata, Shimada 2003, section 6.1).
+/// The shape of a cell of skin. Lengths are relative to the skin size: the mean distance of the cell's
+/// corners from its centre (Itoh, Miyata, Shimada 2003, section 6.1).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SkinParams {
     /// Height of the swept prism (Sr).
     pub sweep: f64,
-    /// How far the top is displaced along the flow (Sc).
+    /// Displacement of the top along the flow (Sc).
     pub skew: f64,
-    /// From the flow to where the top is displaced, clockwise, in radians.
+    /// Angle from the flow to the displacement of the top, clockwise, in radians.
     pub skew_angle: f64,
     /// Rise of the top along the flow, for each unit of length.
     pub tilt: f64,
-    /// How far the top corners are displaced to the middle, 0..1 (Tc).
+    /// Displacement of the top corners towards the centre, 0..1 (Tc).
     pub taper: f64,
-    /// From the rounded faces that subdivision gives (0) to the flat ones of the prism (1).
+    /// From the rounded faces after subdivision (0) to the flat faces of the prism (1).
     pub flatness: f64,
-    /// Height of the ridge along the flow, of the prism's height, 0..1.
+    /// Height of the ridge along the flow, relative to the prism's height, 0..1.
     pub keel: f64,
     /// Number of growth rings.
     pub rings: u32,
@@ -134,12 +138,12 @@ pub struct SkinParams {
     pub amplitude: f64,
 }
 
-/// Height of a cell's middle over its mean size, of the skin size of a hexagon or a square of area 1.
+/// The skin size of a hexagon or a square with area 1.
 const SKIN_SIZE: f64 = 0.66;
-/// Where the ground lies under skin, of its height.
+/// Height of the ground under skin, relative to the skin's height.
 const SKIN_GROUND: f64 = 0.1;
 
-/// How high the tops of stones of `size` are, in picture units above the base level.
+/// Height of the tops of stones of `size`, in picture units above the base level.
 pub fn top(params: &StoneParams, size: f64) -> f64 {
     match params.kind {
         StoneKind::Skin => SKIN_SIZE * size * params.skin.sweep,
@@ -147,7 +151,7 @@ pub fn top(params: &StoneParams, size: f64) -> f64 {
     }
 }
 
-/// How deep the ground lies below the tops of stones of `size`, in picture units.
+/// Depth of the ground below the tops of stones of `size`, in picture units.
 pub fn joint_depth(params: &StoneParams, size: f64) -> f64 {
     match params.kind {
         StoneKind::Skin => (1.0 - SKIN_GROUND) * top(params, size),

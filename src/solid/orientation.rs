@@ -1,19 +1,19 @@
-//! Orientation of the cells' axes: neighbours point alike, so that scales lean one way.
+//! Orients the cells' axes consistently: neighbours point alike, so that scales lean the same way.
 //!
 //! Itoh, Miyata, Shimada (2003), section 6.1, take an oriented flow vector as given. Axes of cells have no
-//! orientation: four of a square are alike, two of other cells. So neighbours are joined to groups, the
-//! pairs that agree best first (Kruskal's spanning forest), and each cell is turned to agree with the one
-//! that it is joined to. Each group as a whole is then turned so that most of its cells keep their axes.
-//! Beside a singular point two cells may agree the wrong way round; so a pair agrees as little as either
-//! does with a common neighbour.
+//! orientation: four directions of a square are equivalent, two of other cells. So neighbours are joined to
+//! groups, the pairs with the best agreement first (Kruskal's spanning forest), and each cell is turned to
+//! agree with the one it is joined to. Each group as a whole is then turned so that most of its cells keep
+//! their axes. Beside a singular point two cells may agree the wrong way round; therefore a pair's agreement
+//! is at most that of either cell with a common neighbour.
 
 use crate::cells::Cell;
 use crate::order;
 use glam::DVec2;
 
-/// The cells with their axes turned, by quarters for squares and by halves for others, so that
-/// neighbours point alike. `links` are the neighbours by index: see [`crate::cells::graph`].
-/// Groups as a whole point along the flow, as told for each cell; zero where it is not known.
+/// The cells with their axes turned, by quarter turns for squares and by half turns for others, so that
+/// neighbours point alike. `links` are the neighbours by index: see [`crate::cells::graph`]. Groups as a
+/// whole follow `flow`, which gives a vector for each cell, or zero where it is unknown.
 pub fn oriented(cells: &[Cell], links: &[Vec<u32>], flow: impl Fn(&Cell) -> DVec2) -> Vec<Cell> {
     let flow: Vec<DVec2> = cells.iter().map(flow).collect();
     let turns = turns_along(&axes(cells), links, &flow, |_, _, axis| axis);
@@ -32,17 +32,17 @@ fn axes(cells: &[Cell]) -> Vec<Axis> {
     cells.iter().map(axis).collect()
 }
 
-/// The axis of a cell of any ground.
+/// The axis of a cell on any domain.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Axis {
     /// Unit vector, or zero, in the cell's own frame.
     pub along: DVec2,
-    /// Can it be turned by half turns only?
+    /// Whether it can be turned by half turns only.
     pub is_stiff: bool,
 }
 
-/// By how many quarters each axis is to be turned so that neighbours point alike. `carried` takes two cells and a
-/// vector of the second one's frame into that of the first one; in a plane it changes nothing.
+/// The number of quarter turns of each axis that makes neighbours point alike. `carried` takes two cells and
+/// transports a vector from the second one's frame into the first one's; in the plane it is the identity.
 #[cfg(house)]
 pub(crate) fn turns_to_agree(
     axes: &[Axis],
@@ -53,7 +53,7 @@ pub(crate) fn turns_to_agree(
     turns_along(axes, links, &kept, carried)
 }
 
-/// The same; `flow` tells for each where it is to point to, as far as groups can as a whole.
+/// The same; `flow` gives the wanted direction of each, which groups follow as a whole.
 fn turns_along(
     axes: &[Axis],
     links: &[Vec<u32>],
@@ -89,7 +89,7 @@ fn turns_along(
     turns.iter().map(turn).collect()
 }
 
-/// By how many quarters each group, by its root, is turned so that most cells go with the flow.
+/// The number of quarter turns of each group, by its root, with which most cells follow the flow.
 fn whole_turns(axes: &[Axis], flow: &[DVec2], turns: &[(usize, u8)], stiff: &[bool]) -> Vec<u8> {
     let mut kept = vec![[0.0f64; 4]; axes.len()];
     for ((axis, flow), &(root, turn)) in axes.iter().zip(flow).zip(turns) {
@@ -102,7 +102,7 @@ fn whole_turns(axes: &[Axis], flow: &[DVec2], turns: &[(usize, u8)], stiff: &[bo
         let step = if stiff[root] { 2 } else { 1 };
         let mut best = 0;
         for whole in (0..4).step_by(step) {
-            // A hair more, or groups that go round would depend on rounding.
+            // A margin, because groups that close in a circle would otherwise depend on rounding.
             if kept[whole] > kept[best] + 1e-6 {
                 best = whole;
             }
@@ -112,7 +112,7 @@ fn whole_turns(axes: &[Axis], flow: &[DVec2], turns: &[(usize, u8)], stiff: &[bo
     kept.iter().enumerate().map(best).collect()
 }
 
-/// A vector turned by so many quarters, from x towards y.
+/// A vector after a number of quarter turns from x towards y.
 pub(crate) fn quarters(v: DVec2, count: u8) -> DVec2 {
     match count % 4 {
         0 => v,
@@ -122,7 +122,7 @@ pub(crate) fn quarters(v: DVec2, count: u8) -> DVec2 {
     }
 }
 
-/// The turn of `b`, in steps of so many quarters, in which it agrees best with `a`; and how well.
+/// The number of quarter turns of `b`, a multiple of `step`, that agrees best with `a`; and the agreement.
 pub(crate) fn best_turn(a: DVec2, b: DVec2, step: u8) -> (u8, f64) {
     let mut best = (0, f64::MIN);
     for own in (0..4).step_by(usize::from(step)) {
@@ -134,10 +134,10 @@ pub(crate) fn best_turn(a: DVec2, b: DVec2, step: u8) -> (u8, f64) {
     best
 }
 
-/// Cells joined to groups, each with its turn in quarters to the group's root.
+/// Cells joined to groups, each with its quarter turns relative to the group's root.
 struct Groups {
     parent: Vec<(usize, u8)>,
-    /// Of roots: can the group be turned by half turns only?
+    /// For roots: whether the group can be turned by half turns only.
     stiff: Vec<bool>,
 }
 
@@ -160,10 +160,10 @@ impl Groups {
             return;
         }
         let step = if self.stiff[a] && self.stiff[b] { 2 } else { 1 };
-        // As it stands in its group, `j` is turned by `other`; by so much more the group is turned.
+        // In its group `j` is already turned by `other`; the whole group is turned by the rest.
         let standing = quarters(seen, other);
         let (more, _) = best_turn(quarters(own, turn), standing, step);
-        // The stiff group stays as it is.
+        // A stiff group is not turned.
         if self.stiff[b] {
             self.parent[a] = (b, (4 - more) % 4);
         } else {
@@ -224,7 +224,7 @@ mod tests {
         let (mut cells, links) = ring(Kind::Rectangle, 12);
         cells.iter_mut().for_each(|c| c.axis = DVec2::new(0.6, 0.8));
         assert_eq!(oriented(&cells, &links, |cell| cell.axis), cells);
-        // All the other way round.
+        // With the reversed flow all are reversed.
         let back = oriented(&cells, &links, |cell| -cell.axis);
         let is_back = |(a, b): (&Cell, &Cell)| a.axis == -b.axis;
         assert!(back.iter().zip(&cells).all(is_back));

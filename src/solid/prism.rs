@@ -1,15 +1,15 @@
-//! The prism that a cell of skin begins with.
+//! The prism of a cell of skin.
 //!
-//! Itoh, Miyata, Shimada (2003), Generation of Organic Textures with Controlled Anisotropy and
-//! Directionality via Packing Rectangular and Elliptical Cells, section 6.1: the cell's polygon is
-//! scaled by Sv and swept by SkinSize x Sr; the corners of the top are displaced at random within
-//! SkinSize x Dr, by Sc along the flow, and by Tc (w - v) to the middle w from the corner v of the
-//! base. The flow's length is the skin size, so Sc counts in skin sizes as Sr does. A tilt of the top is
-//! ours: tops that only lean lie in one plane, and tiles of a roof do not.
+//! Itoh, Miyata, Shimada (2003), Generation of Organic Textures with Controlled Anisotropy and Directionality
+//! via Packing Rectangular and Elliptical Cells, section 6.1: the cell's polygon is scaled by Sv and swept by
+//! SkinSize x Sr. The corners of the top are displaced at random within SkinSize x Dr, by Sc along the flow,
+//! and by Tc (w - v) towards the centre w from the corner v of the base. The flow's length is the skin size,
+//! so Sc counts in skin sizes as Sr does. The tilt of the top is an addition: tops that are only skewed lie
+//! in one plane, and tiles of a roof do not.
 //!
 //! ```text
-//!    base: n points      top: n points      the top's middle
-//!    2 n triangles around the sides, n over the top; the base is open
+//! base: n points      top: n points      the top's middle
+//! 2 n triangles around the sides, n over the top; the base is open
 //! ```
 
 use super::footprint::Footprint;
@@ -19,10 +19,10 @@ use crate::random::{Purpose, Random};
 use glam::{DVec2, DVec3, Vec3};
 use std::f64::consts::{PI, TAU};
 
-/// Normal random numbers are cut here, so that no cell is torn.
+/// Normal random numbers are limited to this, so that no cell is torn.
 const MOST_NORMAL: f64 = 2.5;
 
-/// No corner is farther from the middle than so many times their mean.
+/// Largest distance of a corner from the centre, relative to the mean.
 const FARTHEST: f64 = 2.0;
 
 /// A prism in picture units, y down, z up from the base level.
@@ -30,17 +30,17 @@ const FARTHEST: f64 = 2.0;
 pub struct Prism {
     /// The scaled corners of the cell's polygon, clockwise on screen.
     pub base: Vec<DVec2>,
-    /// One corner for each of the base.
+    /// The corner above each corner of the base.
     pub top: Vec<DVec3>,
-    /// The middle of the top's corners.
+    /// The mean of the top's corners.
     pub middle: DVec3,
-    /// Mean distance of the cell's corners from its middle.
+    /// Mean distance of the cell's corners from its centre.
     pub skin_size: f64,
 }
 
 impl Prism {
-    /// The prism over a polygon with the middle `w`. `flow` is the unit vector of the direction that
-    /// skewed tops lean to, or zero: then they do not lean. `id` draws the random numbers.
+    /// The prism over a polygon with the centre `w`. `flow` is the unit vector in which skewed tops lean, or
+    /// zero for upright ones. `id` seeds the random numbers.
     pub fn new(polygon: &[DVec2], w: DVec2, flow: DVec2, params: &StoneParams, id: u32) -> Self {
         let skin = &params.skin;
         let n = polygon.len().max(1) as f64;
@@ -70,8 +70,8 @@ impl Prism {
         }
     }
 
-    /// The prism over a footprint. Where the footprint is not convex, or has a tip far out, it stands
-    /// over what is near it and is: skin may overlap, but not be torn.
+    /// The prism over a footprint. If the footprint is not convex, or has a distant tip, a nearby polygon
+    /// without these is used: skin may overlap, but must not be torn.
     pub(super) fn over(plan: &Footprint, flow: DVec2, params: &StoneParams, id: u32) -> Self {
         let (w, n) = (plan.centre, plan.corners.len() as f64);
         let mean = plan.corners.iter().map(|&p| (p - w).length()).sum::<f64>() / n;
@@ -103,7 +103,7 @@ impl Prism {
     }
 }
 
-/// How far the top of a cell's skin leans from its base; nothing of stones.
+/// Offset of the top of a cell's skin from its base; zero for stones.
 pub fn lean(cell: &Cell, params: &StoneParams) -> DVec2 {
     if params.kind != StoneKind::Skin {
         return DVec2::ZERO;
@@ -113,7 +113,7 @@ pub fn lean(cell: &Cell, params: &StoneParams) -> DVec2 {
     turned(cell.axis, params.skin.skew_angle) * params.skin.skew * skin_size
 }
 
-/// Moves corners that point inwards out to the line between those beside them.
+/// Moves reflex corners out to the line between their neighbours.
 fn fill_in(corners: &mut [DVec2]) {
     let n = corners.len();
     for _ in 0..n {
@@ -128,7 +128,7 @@ fn fill_in(corners: &mut [DVec2]) {
     }
 }
 
-/// A random way to go, within a ball of the radius Dr.
+/// A random offset within a ball of the radius Dr.
 fn displacement(params: &StoneParams, random: &mut Random) -> DVec3 {
     let amount = match params.distribution {
         Distribution::Uniform => random.unit(),
@@ -141,9 +141,9 @@ fn displacement(params: &StoneParams, random: &mut Random) -> DVec3 {
     way * params.distortion * amount
 }
 
-/// A vector turned clockwise on screen.
+/// A vector turned clockwise on screen by an angle.
 pub(super) fn turned(v: DVec2, angle: f64) -> DVec2 {
-    // A whole number of half turns keeps symmetric flows exact.
+    // Whole half turns are exact, which keeps symmetric flows exact.
     if angle == 0.0 {
         return v;
     }
@@ -153,17 +153,17 @@ pub(super) fn turned(v: DVec2, angle: f64) -> DVec2 {
     DVec2::new(libm::cos(angle), libm::sin(angle)).rotate(v)
 }
 
-/// How many points a control mesh of `n` corners has.
+/// The number of points of a control mesh with `n` corners.
 pub(super) fn point_count(n: usize) -> usize {
     2 * n + 1
 }
 
-/// How many triangles [`triangles`] gives for `n` corners.
+/// The number of triangles that [`triangles`] gives for `n` corners.
 pub(super) fn triangle_count(n: usize) -> usize {
     3 * n
 }
 
-/// The triangles of the control mesh, seen from above clockwise on screen.
+/// The triangles of the control mesh, clockwise on screen seen from above.
 pub(super) fn triangles(n: usize) -> Vec<[u32; 3]> {
     let at = |ring: usize, i: usize| (ring * n + i % n) as u32;
     let mut triangles = Vec::with_capacity(3 * n);
@@ -175,8 +175,8 @@ pub(super) fn triangles(n: usize) -> Vec<[u32; 3]> {
     triangles
 }
 
-/// How far from the middle the points of the control mesh are: 0 the middle, 1 the top's corners, 2
-/// the base's. Refined as the points are, it tells where on a cell a vertex is.
+/// Radial coordinate of the control mesh's points: 0 at the centre, 1 at the top's corners, 2 at the base's.
+/// Refined like the points, it tells where on a cell a vertex is.
 pub(super) fn radii(n: usize) -> Vec<Vec3> {
     let radius = |i: usize| Vec3::splat(2.0 - (i / n) as f32);
     (0..point_count(n)).map(radius).collect()

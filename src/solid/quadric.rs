@@ -1,13 +1,14 @@
-//! Distances to many planes at once: Garland, Heckbert (1997), Surface Simplification Using Quadric Error Metrics.
+//! Quadric error metrics: squared distances to many planes at once. Garland, Heckbert (1997), Surface
+//! Simplification Using Quadric Error Metrics.
 
 use glam::DVec3;
 
-/// The sum of the squared distances to some planes, weighted by areas: a symmetric matrix, row after row.
+/// The area-weighted sum of the squared distances to some planes: a symmetric matrix, row by row.
 #[derive(Clone, Copy, Default)]
 pub(crate) struct Quadric([f64; 10]);
 
 impl Quadric {
-    /// Of the plane of all points whose product with the unit vector `n` is `-d`.
+    /// The quadric of the plane n . x = -d, with a unit normal `n`.
     pub fn of_plane(n: DVec3, d: f64, weight: f64) -> Self {
         let p = [n.x, n.y, n.z, d];
         let [x, y, z, one] = p.map(|v| weight * v);
@@ -26,14 +27,14 @@ impl Quadric {
         ])
     }
 
-    /// Adds the planes of another one.
+    /// Adds another quadric.
     pub fn add(&mut self, other: &Self) {
         for (sum, more) in self.0.iter_mut().zip(other.0) {
             *sum += more;
         }
     }
 
-    /// The weights of all planes: their normals are unit vectors.
+    /// The sum of the planes' weights: their normals are unit vectors.
     pub fn weight(&self) -> f64 {
         self.0[0] + self.0[4] + self.0[7]
     }
@@ -46,8 +47,8 @@ impl Quadric {
         squares + 2.0 * (mixed + x * p.x + y * p.y + z * p.z) + one
     }
 
-    /// Where the sum is least; along directions in which it changes less than by `hold` for each weight, close to a
-    /// point.
+    /// The point of least value. Along directions in which the value changes by less than `hold` for each
+    /// weight, it stays close to `near`.
     #[cfg(house)]
     pub fn lowest(&self, near: DVec3, hold: f64) -> DVec3 {
         let [xx, xy, xz, x, yy, yz, y, zz, z, _] = self.0;
@@ -96,7 +97,7 @@ mod tests {
             assert_eq!(Quadric::default().lowest(meet, 1e-4), meet);
         }
         assert!(sum.at(meet).abs() < 1e-12);
-        // A unit along x: 1, 2 * 0.36 and nothing.
+        // One unit along x: 1, 2 * 0.36 and 0.
         assert!((sum.at(meet + DVec3::X) - 1.72).abs() < 1e-12);
         assert_eq!(sum.weight(), 3.5);
     }

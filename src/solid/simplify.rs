@@ -1,10 +1,10 @@
-//! Closed surfaces with fewer triangles.
+//! Simplifies closed surfaces.
 //!
-//! Garland, Heckbert (1997), Surface Simplification Using Quadric Error Metrics: edges go one after the
-//! other, each time the one whose end moves least off the planes of the triangles that it stood for. An end
-//! goes to the other end and nowhere else, so what is left is a part of the vertices, with all that they
-//! have. An edge goes only where the surface stays closed (its ends have two neighbours in common: Dey,
-//! Edelsbrunner, Guha, Nekhayev 1999) and no triangle turns over.
+//! Garland, Heckbert (1997), Surface Simplification Using Quadric Error Metrics: edges are collapsed one by
+//! one, always the one whose end moves least off the planes of the triangles it represents. An end moves to
+//! the other end and nowhere else, so the remaining vertices are a subset with all their attributes. An edge
+//! is collapsed only if the surface stays closed (its ends have two common neighbours: Dey, Edelsbrunner,
+//! Guha, Nekhayev 1999) and no triangle flips.
 
 use super::quadric::Quadric;
 use crate::order::{greater, rank};
@@ -12,41 +12,41 @@ use glam::{DVec3, Vec3};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// What an edge's length adds to its cost, of the square of it and the area around: on flat parts short
-/// edges go first, and triangles stay alike.
+/// Cost of an edge's length, as a factor of its square and the area around: on flat parts short edges are
+/// collapsed first, which keeps triangles well-shaped.
 const LENGTH: f64 = 1e-5;
-/// Cosine of how far a triangle may turn.
+/// Cosine of the largest turn of a triangle.
 const TURN: f64 = 0.2;
-/// A triangle of less area, in square units, may turn as it will.
+/// A triangle with a smaller area, in square units, may turn freely.
 const NO_AREA: f64 = 1e-9;
 
-/// An edge that may go: the rank of its cost, the end that goes and the one that stays, and how often both
-/// had changed when the cost was worked out.
+/// A candidate edge: the rank of its cost, the end that is removed and the one that stays, and how often both
+/// had changed when the cost was computed.
 type Edge = Reverse<(u64, [u32; 2], u32)>;
 
 struct Simplifier<'a> {
     places: Vec<DVec3>,
     triangles: &'a mut [[u32; 3]],
     quadrics: Vec<Quadric>,
-    /// The triangles around each vertex, and those that have gone.
+    /// The triangles around each vertex, including removed ones.
     around: Vec<Vec<u32>>,
-    /// How often each vertex has changed.
+    /// The number of changes of each vertex.
     changes: Vec<u32>,
     edges: BinaryHeap<Edge>,
-    /// The mean square of distances to the planes of before is at most this.
+    /// Upper limit of the mean squared distance to the original planes.
     square: f64,
 }
 
-/// Takes triangles out of a closed surface until at most `most` are left, or none can go. Those that go become
-/// `[0, 0, 0]`. What lies below the height `floor` counts a tenth.
+/// Removes triangles from a closed surface until at most `most` are left, or no more can be removed. Removed
+/// ones become `[0, 0, 0]`. Errors below the height `floor` count a tenth.
 pub(crate) fn simplify(positions: &[Vec3], triangles: &mut [[u32; 3]], most: usize, floor: f32) {
     simplify_between(positions, triangles, (most, f64::INFINITY), floor, |_| {
         false
     });
 }
 
-/// The same of a surface with borders, whose vertices must stay, as others may; nowhere does it come to lie much
-/// farther than `far` from where it was.
+/// The same for a surface with borders, whose vertices stay, as do those marked. No place moves much farther
+/// than `far` from the original.
 pub(crate) fn simplify_between(
     positions: &[Vec3],
     triangles: &mut [[u32; 3]],
@@ -72,7 +72,7 @@ pub(crate) fn simplify_between(
 
 impl<'a> Simplifier<'a> {
     fn new(positions: &[Vec3], triangles: &'a mut [[u32; 3]], far: f64, floor: f32) -> Self {
-        // Sums about a near place lose less.
+        // Sums relative to a nearby origin lose fewer digits.
         let origin = positions[0];
         let count = positions.len();
         let mut new = Self {
@@ -88,7 +88,7 @@ impl<'a> Simplifier<'a> {
         for k in 0..new.triangles.len() {
             new.weigh(k, floor);
         }
-        // Each edge comes once in each direction.
+        // Each edge occurs once in each direction.
         for k in 0..new.triangles.len() {
             let [a, b, c] = new.triangles[k];
             for [a, b] in [[a, b], [b, c], [c, a]] {
@@ -98,7 +98,7 @@ impl<'a> Simplifier<'a> {
         new
     }
 
-    /// Adds a triangle to its corners.
+    /// Adds a triangle's plane to its corners.
     fn weigh(&mut self, k: usize, floor: f64) {
         let triangle = self.triangles[k];
         let [a, b, c] = triangle.map(|v| self.places[v as usize]);
@@ -118,7 +118,7 @@ impl<'a> Simplifier<'a> {
         self.changes[a as usize] + self.changes[b as usize]
     }
 
-    /// `a` may go to `b`: works out what that costs.
+    /// Computes the cost of collapsing `a` to `b` and queues it.
     fn offer(&mut self, a: u32, b: u32) {
         let [qa, qb] = [a, b].map(|v| &self.quadrics[v as usize]);
         let [from, to] = [a, b].map(|v| self.places[v as usize]);
@@ -137,7 +137,7 @@ impl<'a> Simplifier<'a> {
         all.filter(move |(_, triangle)| triangle.contains(&v))
     }
 
-    /// The vertices beside one: in each of its triangles the next.
+    /// The neighbours of a vertex: in each of its triangles the next one.
     fn beside(&self, v: u32) -> Vec<u32> {
         let next = |[a, b, c]: [u32; 3]| match v {
             _ if a == v => b,
@@ -195,7 +195,7 @@ mod tests {
     use crate::solid::subdivide::TriangleMesh;
     use std::collections::HashSet;
 
-    /// A ball of so many Loop steps from an octahedron.
+    /// A sphere: an octahedron after some Loop steps.
     fn ball(steps: u32) -> TriangleMesh {
         let axes = [Vec3::X, Vec3::Y, Vec3::Z];
         let vertices = axes.into_iter().chain(axes.map(|v| -v)).map(|v| v * 10.0);

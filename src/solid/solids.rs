@@ -8,14 +8,14 @@ use crate::cells::Cell;
 use glam::{DVec2, Vec3};
 use std::rc::Rc;
 
-/// Triangles of a stone for a pixel of its area; nearly half of them stand in its walls.
+/// Triangles of a stone for each pixel of its area; nearly half of them are in its walls.
 const STONE_TRIANGLES: f64 = 1.2;
-/// Loop steps of a stone at most: its control mesh is fine.
+/// Most Loop steps of a stone: its control mesh is already fine.
 const STONE_LEVELS: u32 = 5;
-/// Triangles of a cell of skin for a pixel of its prism's surface, at least. Finer ones change
-/// nothing that can be seen.
+/// Fewest triangles of a cell of skin for each pixel of its prism's surface. Finer ones make no visible
+/// difference.
 const SKIN_TRIANGLES: f64 = 0.9;
-/// The last Loop step in a making has at least so many triangles, and more for a large cell, if not so many.
+/// Fewest triangles of the last Loop step shown, and of a large cell's.
 const SHOWN: [f64; 2] = [3000.0, 12_000.0];
 
 /// A stone or a cell of skin: its surface from the base up, open below.
@@ -23,7 +23,7 @@ const SHOWN: [f64; 2] = [3000.0, 12_000.0];
 pub struct Solid {
     /// x, y and height above the base level, in picture units.
     pub vertices: Vec<Vec3>,
-    /// Triangles, clockwise on screen seen from above; shared by all solids of one connectivity.
+    /// Triangles, clockwise on screen seen from above; shared by all solids with the same connectivity.
     pub triangles: Rc<[[u32; 3]]>,
 }
 
@@ -36,17 +36,17 @@ impl Solid {
     }
 }
 
-/// Makes the solids of cells, and keeps the stencils that they share.
+/// Makes the solids of cells, and caches the stencils they share.
 #[derive(Debug)]
 pub struct Solids {
     stencils: StencilCache,
-    /// Loop steps of skin more than a picture needs.
+    /// Additional Loop steps of skin beyond a picture's needs.
     finer: i32,
     /// Pixels for each square picture unit.
     pixels: f64,
-    /// Triangles of each solid that are enough, where not the picture decides.
+    /// Sufficient number of triangles for each solid, if it does not depend on the picture.
     enough: Option<usize>,
-    /// Loop steps of the solid asked for, where nothing else decides.
+    /// Exact number of Loop steps, overriding everything else.
     exactly: Option<u32>,
 }
 
@@ -62,8 +62,8 @@ impl Solids {
         Self::for_picture(1, 0)
     }
 
-    /// Solids for pictures with `pixel_scale` pixels for each picture unit, along a side. Skin has
-    /// `finer` Loop steps more than such a picture needs, or below 0 fewer.
+    /// Solids for pictures with `pixel_scale` pixels for each picture unit, along a side. Skin has `finer`
+    /// Loop steps more than such a picture needs, or fewer if negative.
     pub fn for_picture(pixel_scale: usize, finer: i32) -> Self {
         Self {
             stencils: StencilCache::new(),
@@ -74,8 +74,8 @@ impl Solids {
         }
     }
 
-    /// Solids to be simplified to so many triangles: they have twice as many or more, or as many as a picture
-    /// with a pixel for each picture unit needs, and never fewer than asked for.
+    /// Solids that will be simplified to this number of triangles. They have at least twice as many, or as
+    /// many as a picture with a pixel for each picture unit needs, but never fewer than requested.
     pub fn to_simplify(triangles: usize) -> Self {
         Self {
             enough: Some(triangles),
@@ -83,7 +83,7 @@ impl Solids {
         }
     }
 
-    /// Loop steps of a control mesh, where a picture needs `needed`.
+    /// Loop steps for a control mesh, if a picture needs `needed`.
     fn steps(&self, control: usize, needed: u32) -> u32 {
         if let Some(exactly) = self.exactly {
             return exactly;
@@ -95,9 +95,9 @@ impl Solids {
         steps(2 * enough).min(needed.max(steps(enough)))
     }
 
-    /// The solid of a cell, empty where the cell has no area to speak of. Stones lie inside the cell's
-    /// ring, or inside the ring enlarged by the scale where that is above 1. Skin leans along the cell's
-    /// axis: see [`super::oriented`].
+    /// The solid of a cell, empty if the cell has no appreciable area. Stones lie inside the cell's ring, or
+    /// if the scale is above 1 inside the ring enlarged by it. Skin leans along the cell's axis: see
+    /// [`super::oriented`].
     pub fn solid(&mut self, cell: &Cell, params: &StoneParams) -> Solid {
         loop {
             if let Some(solid) = self.solid_or_slice(cell, params) {
@@ -106,8 +106,8 @@ impl Solids {
         }
     }
 
-    /// The same after exactly so many Loop steps, or after [`MOST_LEVELS`] where that is fewer. Noise of skin
-    /// ends where it does in the solid that a picture needs.
+    /// The same after exactly `level` Loop steps, at most [`MOST_LEVELS`]. Noise of skin ends at the level of
+    /// the solid that a picture needs.
     pub fn solid_of_level(&mut self, cell: &Cell, params: &StoneParams, level: u32) -> Solid {
         self.exactly = Some(level.min(MOST_LEVELS));
         let solid = self.solid(cell, params);
@@ -115,7 +115,7 @@ impl Solids {
         solid
     }
 
-    /// The solid of a cell, or nothing where only a slice of the work on its stencil could be done.
+    /// The solid of a cell, or `None` if only a slice of the work on its stencil was done.
     pub fn solid_or_slice(&mut self, cell: &Cell, params: &StoneParams) -> Option<Solid> {
         let Some(plan) = Footprint::new(&cell.ring, cell.centre) else {
             return Some(Solid::empty());
@@ -169,7 +169,7 @@ impl Solids {
     }
 }
 
-/// The control mesh that a cell's solid is refined from; None where the cell has no area to speak of.
+/// The control mesh of a cell's solid; `None` if the cell has no appreciable area.
 pub fn control_mesh(cell: &Cell, params: &StoneParams) -> Option<TriangleMesh> {
     let plan = Footprint::new(&cell.ring, cell.centre)?;
     let corners = plan.corners.len();
@@ -185,8 +185,8 @@ pub fn control_mesh(cell: &Cell, params: &StoneParams) -> Option<TriangleMesh> {
     })
 }
 
-/// Loop steps until all of a cell's making is seen from near by: as many as a picture with a pixel for each unit
-/// needs, within limits; None where the cell has no area to speak of.
+/// The number of Loop steps that shows a cell's making at close range: as many as a picture with a pixel for
+/// each unit needs, within limits. `None` if the cell has no appreciable area.
 pub(super) fn shown_level(cell: &Cell, params: &StoneParams) -> Option<u32> {
     let plan = Footprint::new(&cell.ring, cell.centre)?;
     let corners = plan.corners.len();
@@ -211,7 +211,7 @@ fn area(plan: &Footprint, params: &StoneParams) -> f64 {
     plan.size * plan.size * params.scale * params.scale
 }
 
-/// Moves vertices back into the ring: smoothing cuts across reflex corners.
+/// Moves vertices back into the ring, because smoothing cuts across reflex corners.
 fn keep_in(plan: &Footprint, params: &StoneParams, vertices: &mut [Vec3]) {
     for v in vertices {
         let p = DVec2::new(f64::from(v.x), f64::from(v.y));
@@ -220,7 +220,7 @@ fn keep_in(plan: &Footprint, params: &StoneParams, vertices: &mut [Vec3]) {
     }
 }
 
-/// Loop steps until `triangles` have become as many as are wanted.
+/// Loop steps that turn `triangles` into the wanted number.
 fn levels(triangles: usize, wanted: f64) -> u32 {
     let mut triangles = triangles as f64;
     let mut levels = 0;

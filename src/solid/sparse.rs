@@ -42,8 +42,8 @@ impl Matrix {
     }
 }
 
-/// The product of two matrices, worked out row by row. The second one's columns are few: sums go into a
-/// dense row that is emptied after use.
+/// The product of two matrices, computed row by row. The second one has few columns: sums go into a dense row
+/// that is cleared after use.
 #[derive(Debug)]
 pub(super) struct Product {
     first: Matrix,
@@ -64,7 +64,7 @@ impl Product {
         }
     }
 
-    /// At most `most` rows, which it takes from that number; true when all are done.
+    /// Computes at most `most` rows and subtracts them from that number; true when finished.
     pub fn advance(&mut self, second: &Matrix, most: &mut usize) -> bool {
         let from = self.done.len();
         let to = self.first.len().min(from.saturating_add(*most));

@@ -1,35 +1,35 @@
-//! The stencils of all connectivities, each worked out once.
+//! The stencils of all connectivities, each computed once.
 //!
-//! All stones with the same number of corners share one connectivity, so subdividing one is a product
-//! of its few control points and cached weights.
+//! All stones with the same number of corners share one connectivity, so subdividing one multiplies its few
+//! control points with cached weights.
 
 use super::footprint::MOST_CORNERS;
 use super::subdivide::{Stencil, StencilBuilder};
 use super::{control, prism};
 use std::rc::Rc;
 
-/// At most so many Loop steps.
+/// Most Loop steps.
 pub const MOST_LEVELS: u32 = 8;
 
-/// Rows of a stencil that are worked out in one slice.
+/// Rows of a stencil that are computed in one slice.
 const ROWS: usize = 12_000;
 
 const SLOTS: usize = (MOST_CORNERS + 1) * (MOST_LEVELS as usize + 1);
 
-/// What all solids of one connectivity share.
+/// Data shared by all solids with the same connectivity.
 #[derive(Debug)]
 pub(super) struct Refinement {
     pub stencil: Stencil,
-    /// Of skin, how far from the middle each vertex is: see [`prism::radii`].
+    /// For skin, the radial coordinate of each vertex: see [`prism::radii`].
     pub radii: Vec<f32>,
 }
 
-/// Keeps what was worked out for each kind of control mesh, number of corners and level.
+/// Caches refinements by kind of control mesh, number of corners and level.
 #[derive(Debug)]
 pub(super) struct StencilCache {
-    /// By corners, then level; those of stones first, then those of skin.
+    /// By corners, then level; stones first, then skin.
     refinements: Vec<Option<Rc<Refinement>>>,
-    /// The one in the making, for this place.
+    /// The refinement in progress, with its index.
     building: Option<(usize, StencilBuilder)>,
 }
 
@@ -42,8 +42,8 @@ impl StencilCache {
         }
     }
 
-    /// The refinement of control meshes of so many corners in so many Loop steps; nothing where only a
-    /// slice of the work on it could be done.
+    /// The refinement of control meshes with this number of corners and Loop steps; `None` if only a slice of
+    /// the work on it was done.
     pub fn get(&mut self, skin: bool, corners: usize, levels: u32) -> Option<Rc<Refinement>> {
         let slot = corners * (MOST_LEVELS as usize + 1) + levels as usize;
         let slot = slot + if skin { SLOTS } else { 0 };
@@ -69,7 +69,7 @@ impl StencilCache {
         };
         let radii = radii.iter().map(|r| r.x).collect();
         let refinement = Rc::new(Refinement { stencil, radii });
-        // The solid of a large one is work for a slice of its own.
+        // The solid of a large refinement needs its own slice.
         let large = refinement.stencil.len() > ROWS;
         self.refinements[slot] = Some(refinement.clone());
         (!large).then_some(refinement)

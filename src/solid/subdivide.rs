@@ -1,20 +1,20 @@
 //! Loop's subdivision of triangle meshes, and its weights as a sparse matrix.
 //!
-//! Loop, C. (1987), Smooth subdivision surfaces based on triangles: an inner edge's new point takes
-//! 3/8 of its ends and 1/8 of the two opposite corners; a vertex of valence n keeps 1 - n beta(n) and
-//! takes beta(n) of each neighbour; along a boundary only the boundary counts, 1/2, 1/2 and
-//! 1/8, 3/4, 1/8. Every triangle becomes four.
+//! Loop, C. (1987), Smooth subdivision surfaces based on triangles: an inner edge's new point takes 3/8 of
+//! each end and 1/8 of each opposite corner. A vertex of valence n keeps 1 - n beta(n) and takes beta(n) of
+//! each neighbour. Along a boundary only the boundary counts, with 1/2, 1/2 and 1/8, 3/4, 1/8. Every triangle
+//! becomes four.
 //!
-//! A step is linear in the positions, and its weights follow from the connectivity alone. So one
-//! level is a sparse matrix, several levels are the product of theirs, and meshes of one connectivity
-//! share it: see [`Stencil`].
+//! A step is linear in the positions, and its weights follow from the connectivity alone. So one level is a
+//! sparse matrix, several levels are a product of matrices, and meshes with the same connectivity share it:
+//! see [`Stencil`].
 
 use super::edges::{Edge, Edges, split, starts};
 use super::sparse::{Matrix, Product};
 use glam::Vec3;
 use std::rc::Rc;
 
-/// A triangle mesh; triangles index `vertices` and go round alike seen from outside.
+/// A triangle mesh; triangles index `vertices` and have a consistent orientation seen from outside.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct TriangleMesh {
     /// x and y in picture units, z the height.
@@ -39,8 +39,8 @@ pub fn loop_subdivide(mesh: &TriangleMesh) -> TriangleMesh {
     }
 }
 
-/// The refined vertices of every mesh of one connectivity as weighted sums of its vertices
-/// (a matrix in compressed rows), and the refined triangles.
+/// The refined vertices of every mesh with one connectivity as weighted sums of its vertices (a matrix in
+/// compressed rows), and the refined triangles.
 #[derive(Clone, Debug)]
 pub struct Stencil {
     sources: usize,
@@ -48,22 +48,22 @@ pub struct Stencil {
     starts: Vec<u32>,
     columns: Vec<u32>,
     weights: Vec<f32>,
-    /// Level after level, the ends of the edges whose middles became vertices.
+    /// For each level, the ends of the edges whose midpoints became vertices.
     parents: Vec<[u32; 2]>,
-    /// Up to where in `parents` each level goes.
+    /// The end of each level in `parents`.
     ends: Vec<usize>,
-    /// The refined triangles, to be shared by all solids made with this stencil.
+    /// The refined triangles, shared by all solids made with this stencil.
     pub triangles: Rc<[[u32; 3]]>,
 }
 
 impl Stencil {
-    /// The weights of `levels` Loop steps on a mesh of `vertices` vertices.
+    /// The weights of `levels` Loop steps on a mesh with `vertices` vertices.
     pub fn new(vertices: usize, triangles: &[[u32; 3]], levels: u32) -> Self {
         Self::made(vertices, triangles.to_vec(), levels, false)
     }
 
-    /// The same with every refined vertex moved to where further steps would lead it, so that the
-    /// refined mesh lies on the limit surface and finer ones hardly differ.
+    /// The same, with every refined vertex moved to its limit under further steps. So the refined mesh lies
+    /// on the limit surface, and finer meshes hardly differ.
     pub fn to_limit(vertices: usize, triangles: &[[u32; 3]], levels: u32) -> Self {
         Self::made(vertices, triangles.to_vec(), levels, true)
     }
@@ -74,12 +74,12 @@ impl Stencil {
         builder.finish()
     }
 
-    /// How many vertices the unrefined mesh has.
+    /// The number of vertices of the unrefined mesh.
     pub fn sources(&self) -> usize {
         self.sources
     }
 
-    /// How many vertices the refined mesh has.
+    /// The number of vertices of the refined mesh.
     pub fn len(&self) -> usize {
         self.starts.len() - 1
     }
@@ -89,8 +89,8 @@ impl Stencil {
         self.len() == 0
     }
 
-    /// Level after level, the new vertices by the ends of the edges that they divide. They follow the
-    /// unrefined mesh's vertices in this order.
+    /// For each level, its new vertices as the ends of the edges that they divide. They follow the unrefined
+    /// mesh's vertices in this order.
     pub fn levels(&self) -> impl Iterator<Item = &[[u32; 2]]> + '_ {
         let starts = [0].into_iter().chain(self.ends.iter().copied());
         starts
@@ -98,22 +98,24 @@ impl Stencil {
             .map(|(start, &end)| &self.parents[start..end])
     }
 
-    /// The columns and weights that make refined vertex `i`; the weights sum to 1.
+    /// The columns and weights of refined vertex `i`; the weights sum to 1.
     pub fn row(&self, i: usize) -> impl Iterator<Item = (u32, f32)> + '_ {
         let span = self.starts[i] as usize..self.starts[i + 1] as usize;
         let columns = self.columns[span.clone()].iter().copied();
         columns.zip(self.weights[span].iter().copied())
     }
 
-    /// The refined vertices of the mesh whose vertices are `points`; panics where their number is
-    /// not [`Stencil::sources`].
+    /// The refined vertices of the mesh with the vertices `points`.
+    ///
+    /// # Panics
+    /// If their number is not [`Stencil::sources`].
     pub fn apply(&self, points: &[Vec3]) -> Vec<Vec3> {
         let mut refined = Vec::new();
         self.apply_to(points, &mut refined);
         refined
     }
 
-    /// As [`Stencil::apply`], into a list that is emptied first.
+    /// As [`Stencil::apply`], into a list that is cleared first.
     pub fn apply_to(&self, points: &[Vec3], refined: &mut Vec<Vec3>) {
         assert_eq!(points.len(), self.sources, "a stencil fits one mesh");
         refined.clear();
@@ -131,7 +133,7 @@ impl Stencil {
     }
 }
 
-/// A stencil in the making.
+/// A stencil in progress.
 #[derive(Debug)]
 pub(super) struct StencilBuilder {
     sources: usize,
@@ -139,10 +141,10 @@ pub(super) struct StencilBuilder {
     triangles: Vec<[u32; 3]>,
     parents: Vec<[u32; 2]>,
     ends: Vec<usize>,
-    /// Steps that are still to be begun, and whether the one to the limit is.
+    /// Steps not yet begun, and whether the step to the limit is still to do.
     levels: u32,
     limit: bool,
-    /// Of the step at work.
+    /// The edges of the current step.
     edges: Option<Edges>,
     product: Option<Product>,
 }
@@ -163,7 +165,7 @@ impl StencilBuilder {
         }
     }
 
-    /// Works out about so many rows; true when all are done.
+    /// Computes about `most` rows; true when finished.
     pub fn advance(&mut self, mut most: usize) -> bool {
         while most > 0 {
             if let Some(product) = &mut self.product {
@@ -200,7 +202,7 @@ impl StencilBuilder {
         step(count, edges)
     }
 
-    /// What was worked out.
+    /// The finished stencil.
     pub fn finish(self) -> Stencil {
         let rows = self.rows;
         Stencil {
@@ -215,7 +217,7 @@ impl StencilBuilder {
     }
 }
 
-/// The matrix of one step: the old vertices first, then one per edge in the order of their ends.
+/// The matrix of one step: the old vertices first, then one for each edge in the order of their ends.
 fn step(vertices: usize, edges: &Edges) -> Matrix {
     let mut rows = Matrix::empty();
     push_vertices(vertices, edges, step_share, &mut rows);
@@ -229,13 +231,13 @@ fn step(vertices: usize, edges: &Edges) -> Matrix {
     rows
 }
 
-/// What a step takes of each of `n` neighbours of a vertex, of which those on the boundary alone count
-/// where `rim` are.
+/// The weight in a step of each of `n` neighbours of a vertex; if `rim` of them are on the boundary, only
+/// those count.
 fn step_share(n: usize, rim: usize) -> f64 {
     if rim == 0 { beta(n) } else { 0.25 / rim as f64 }
 }
 
-/// What all steps together take of them, in the end.
+/// The weight of each in the limit of all steps.
 fn limit_share(n: usize, rim: usize) -> f64 {
     if rim == 0 {
         1.0 / (n as f64 + 0.375 / beta(n))
@@ -257,7 +259,7 @@ fn push_vertices(
     }
     let firsts = starts(counts.into_iter());
     let mut free = firsts.clone();
-    // Of each vertex its neighbours, which come in rising order, and whether on the boundary.
+    // For each vertex its neighbours in rising order, each with whether it is on the boundary.
     let mut spokes = vec![(0, false); 2 * edges.list.len()];
     for edge in &edges.list {
         let [a, b] = edge.ends;

@@ -1,30 +1,30 @@
-//! A surface of triangles, as it is drawn and written to files.
+//! A triangle surface for drawing and export.
 
 use super::simplify;
 use crate::notice::{Code, Notice};
 use crate::order::lesser;
 use glam::Vec3;
 
-/// A surface. Those of cells are closed: each side of a triangle is that of another one, in the other
-/// direction.
+/// A triangle surface. Those of cells are closed: each side of a triangle is that of exactly one other, in
+/// the opposite direction.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Surface {
     /// x, y (down) and height above the base level, in picture units.
     pub positions: Vec<Vec3>,
-    /// Unit vectors outwards; around the base those of the walls.
+    /// Unit vectors outwards; around the base, the normals of the walls.
     pub normals: Vec<Vec3>,
-    /// Red, green, blue, 8 bits each, before light (sRGB).
+    /// Red, green, blue, 8 bits each, before lighting (sRGB).
     pub colours: Vec<[u8; 3]>,
     /// Clockwise on screen seen from outside.
     pub triangles: Vec<[u32; 3]>,
 }
 
 impl Surface {
-    /// No coordinate may be larger: sums of products stay finite.
+    /// Largest coordinate: sums of products stay finite.
     pub const LARGEST: f32 = 1e9;
 
-    /// What is wrong with it, if anything is: lists of different lengths, a coordinate that is not a number, a
-    /// corner that is not there. One without a fault can be drawn.
+    /// The first fault, if any: lists of different lengths, a coordinate that is not a number, or a corner
+    /// without a vertex. A surface without faults can be drawn.
     pub fn fault(&self) -> Option<Notice> {
         let count = self.positions.len();
         let fault = |why: Notice| Some(Notice::new(Code::SurfaceFault).with("why", why));
@@ -44,8 +44,8 @@ impl Surface {
 }
 
 impl Surface {
-    /// The same in a scene, which is right-handed with y up, where pictures have x, y down and the height: each point
-    /// is placed by a function of where it lies in these axes.
+    /// The surface in scene coordinates, right-handed with y up; pictures have x, y down and the height.
+    /// `place` maps each point, given in these axes.
     pub fn upright(&self, place: impl Fn(Vec3) -> Vec3) -> Self {
         let swapped = |v: &Vec3| Vec3::new(v.x, v.z, v.y);
         let turned = |&[a, b, c]: &[u32; 3]| [a, c, b];
@@ -57,15 +57,15 @@ impl Surface {
         }
     }
 
-    /// The same with at most so many triangles, as far as it can be simplified to so few; what lies below `floor`
-    /// may be coarser. Vertices that stay have the normals and colours that they had.
+    /// The surface with at most `most` triangles, as far as simplification reaches that; parts below `floor`
+    /// may be coarser. The remaining vertices keep their normals and colours.
     pub fn coarser(&self, most: usize, floor: f32) -> Self {
         let mut triangles = self.triangles.clone();
         simplify(&self.positions, &mut triangles, most, floor);
         self.part(&triangles)
     }
 
-    /// These of its triangles (those that are none are left out), with the vertices that they have.
+    /// A surface of some of its triangles (without removed ones), with the vertices that they use.
     pub(crate) fn part(&self, triangles: &[[u32; 3]]) -> Self {
         let mut places = vec![u32::MAX; self.positions.len()];
         let mut kept = Self::default();
@@ -114,7 +114,7 @@ pub(crate) fn boundary_edges(triangles: &[[u32; 3]], vertices: usize) -> Vec<[u3
     let corners = triangles.as_flattened();
     // Corner k of the list and the next one of its triangle.
     let side = |k: usize| [corners[k], corners[if k % 3 == 2 { k - 2 } else { k + 1 }]];
-    // The ends of the sides from each vertex, those from vertex k at starts[k] .. starts[k + 1].
+    // The ends of the sides from each vertex; those of vertex k are at starts[k] .. starts[k + 1].
     let mut starts = vec![0usize; vertices + 1];
     for &a in corners {
         starts[a as usize + 1] += 1;
@@ -139,7 +139,7 @@ pub(crate) fn boundary_edges(triangles: &[[u32; 3]], vertices: usize) -> Vec<[u3
     open
 }
 
-/// Means of the normals of the triangles around each vertex, by their areas; down where there are none.
+/// Area-weighted means of the normals of the triangles around each vertex; downwards if there are none.
 pub fn normals(positions: &[Vec3], triangles: &[[u32; 3]]) -> Vec<Vec3> {
     let mut sums = vec![Vec3::ZERO; positions.len()];
     for triangle in triangles {

@@ -39,6 +39,7 @@ mod native {
     mod outlines;
     mod overlays;
     mod packing;
+    mod plain_words;
     mod recipes;
     mod samples;
     mod scene;

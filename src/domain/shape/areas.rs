@@ -15,7 +15,7 @@ fn box_around(centre: DVec2, half: DVec2) -> Vec<DVec2> {
         .to_vec()
 }
 
-/// Two circles with one centre.
+/// The area between two concentric circles.
 pub fn ring(width: f64) -> Outline {
     const RADIUS: f64 = 0.45;
     let inner = RADIUS * (1.0 - 0.55 * width);
@@ -27,7 +27,7 @@ pub fn ring(width: f64) -> Outline {
     }
 }
 
-/// A square; a lying rectangle where the width is below 1, a standing one above.
+/// A square; a wide rectangle if the width is below 1, a tall one above.
 pub fn rectangle(width: f64) -> Outline {
     let half = DVec2::new(1.0 / width.max(1.0), width.min(1.0)) / 2.0;
     Outline {
@@ -36,7 +36,7 @@ pub fn rectangle(width: f64) -> Outline {
     }
 }
 
-/// Two arms that meet below on the left.
+/// Two arms that meet at the lower left.
 pub fn l_shape(width: f64) -> Outline {
     let arm = 0.464 * width;
     let rest = 1.0 - arm;
@@ -53,7 +53,7 @@ pub fn l_shape(width: f64) -> Outline {
     }
 }
 
-/// A star with a tip above.
+/// A star with a tip at the top.
 pub fn star(width: f64, points: u32) -> Outline {
     let inner = 0.42 * width;
     let corner = |k: u32| {
@@ -66,9 +66,9 @@ pub fn star(width: f64, points: u32) -> Outline {
     }
 }
 
-/// A square place with round, rectangular and elliptic holes in a circle; one hole is in the middle.
+/// A square with round, rectangular and elliptic holes on a circle; a single hole is in the centre.
 pub fn plaza(width: f64, count: u32) -> Outline {
-    /// The first hole is above on the left.
+    /// Direction of the first hole: the upper left.
     const FIRST: f64 = -0.75 * PI;
     let step = TAU / f64::from(count);
     let away = match count {
@@ -76,12 +76,12 @@ pub fn plaza(width: f64, count: u32) -> Outline {
         2..=6 => 0.27,
         _ => 0.33,
     };
-    // Half of the room between two holes, or between a hole and the square's side.
+    // Half the gap between two holes, or between a hole and the square's side.
     let room = match count {
         1 => 0.4,
         _ => (away * libm::sin(step / 2.0)).min(0.5 - away),
     };
-    // Narrower ways have larger holes.
+    // Narrower passages leave room for larger holes.
     let size = 0.62 * room * (1.6 - 0.6 * width);
     let square = box_around(DVec2::ZERO, DVec2::splat(0.5));
     let hole = |k: u32| {

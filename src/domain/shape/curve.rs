@@ -3,15 +3,15 @@
 use glam::DVec2;
 use std::f64::consts::FRAC_PI_2;
 
-/// The chords of a curve leave it by at most this many sides of the picture (0.09 px of 512).
+/// Chords deviate from the curve by at most this many sides of the picture (0.09 px of 512).
 const SAGITTA: f64 = 1.0 / 6000.0;
 
-/// The unit vector at an angle, the same on every target.
+/// The unit vector at an angle, bit for bit the same on every target.
 pub fn unit(angle: f64) -> DVec2 {
     DVec2::new(libm::cos(angle), libm::sin(angle))
 }
 
-/// Into how many chords an arc of a radius is cut.
+/// The number of chords for an arc.
 pub fn chords(radius: f64, angle: f64) -> usize {
     let one = (8.0 * SAGITTA / radius).sqrt().min(FRAC_PI_2 / 3.0);
     ((angle.abs() / one).ceil() as usize).max(1)
@@ -32,7 +32,7 @@ pub fn ellipse(centre: DVec2, half: DVec2, turn: f64) -> Vec<DVec2> {
         .collect()
 }
 
-/// A pen that draws the two sides of a road while it goes along the middle line.
+/// A pen that draws both sides of a road along its centre line.
 pub struct Road {
     place: DVec2,
     heading: f64,
@@ -61,7 +61,7 @@ impl Road {
         self.left.push(self.place - across);
     }
 
-    /// Goes straight on.
+    /// Continues straight.
     pub fn straight(&mut self, length: f64) {
         if length > 0.0 {
             self.place += length * unit(self.heading);

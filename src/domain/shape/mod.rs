@@ -1,5 +1,5 @@
-//! The built-in outlines. Each is drawn in sides of the picture about any place, then turned and
-//! fitted into the picture with a small margin, so that it always uses the space.
+//! The built-in outlines. Each is drawn in units of the picture's side, then turned and fitted into the
+//! picture with a small margin, so that it fills the space.
 
 mod areas;
 mod curve;
@@ -8,14 +8,14 @@ mod roads;
 use super::{Outline, ring::bounds, signed_area};
 use glam::DVec2;
 
-/// What a built-in outline can be told.
+/// Parameters of a built-in outline.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ShapeParams {
     /// The picture's side in picture units.
     pub side: f64,
-    /// Factor of the shape's own width of the paved way, 0.3 to 1.7.
+    /// Factor of the shape's own width of road or rim, 0.3 to 1.7.
     pub width: f64,
-    /// Number of bends, turns, arms, holes, notches or points, 0 to 12; 0 for the shape's own.
+    /// Number of bends, turns, arms, holes, notches or points, 0 to 12; 0 gives the shape's own number.
     pub count: u32,
     /// Turn about the picture's centre in radians, clockwise on screen.
     pub turn: f64,
@@ -24,8 +24,8 @@ pub struct ShapeParams {
 /// The margin around the outline, in sides of the picture: 24 px of 512.
 const MARGIN: f64 = 3.0 / 64.0;
 
-/// The outline of that name; the ring for a name that is none of them. Within the ranges of
-/// [`ShapeParams`] it always passes [`Outline::check`].
+/// The outline with this name; the ring if the name is unknown. Within the ranges of [`ShapeParams`] it
+/// always passes [`Outline::check`].
 pub fn built_in(name: &str, params: &ShapeParams) -> Outline {
     let width = params.width;
     let count = |own: u32| if params.count == 0 { own } else { params.count };
@@ -116,7 +116,7 @@ mod tests {
         let (low, high) = bounds(&outline.rings[0]);
         let (margin, slack) = (MARGIN * side, 1e-9 * side);
         assert!(low.min_element() > margin - slack && high.max_element() < side - margin + slack);
-        // It uses the space in one direction at least, and is centred.
+        // The shape fills the space in at least one direction, and is centred.
         assert!(((high - low).max_element() - (side - 2.0 * margin)).abs() < slack);
         assert!(((low + high) / 2.0 - side / 2.0).abs().max_element() < slack);
     }

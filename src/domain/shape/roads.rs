@@ -12,14 +12,14 @@ fn without_holes(outer: Vec<DVec2>) -> Outline {
     }
 }
 
-/// A straight road, three times as long as wide.
+/// A straight road, three times as long as it is wide.
 pub fn straight(width: f64) -> Outline {
     let mut road = Road::new(0.0, width / 6.0);
     road.straight(1.0);
     without_holes(road.outline())
 }
 
-/// A road of one quarter bend, of two (an S), or a serpentine of more that fills a square.
+/// A road with one quarter bend, with two (an S), or a serpentine with more that fills a square.
 pub fn bends(width: f64, count: u32) -> Outline {
     /// Half the road's width and the straight ends, in bend radii.
     const HALF: f64 = 0.42;
@@ -28,7 +28,7 @@ pub fn bends(width: f64, count: u32) -> Outline {
     let long = 2.0 * (bends - 1.0) + 2.0 * ENDS;
     let radius = 0.9 / long.max(2.0);
     let half = HALF * width;
-    // Legs long enough that the whole is as wide as long.
+    // The legs are long enough to make the whole as wide as it is long.
     let leg = (long - 2.0 - 2.0 * half).max(0.0);
 
     let mut road = Road::new(FRAC_PI_2, half * radius);
@@ -48,15 +48,15 @@ pub fn bends(width: f64, count: u32) -> Outline {
 
 /// A road along an Archimedean spiral.
 pub fn spiral(width: f64, turns: f64) -> Outline {
-    /// Radius where the road begins, in distances from turn to turn.
+    /// Radius at the start, in distances between turns.
     const START: f64 = 0.6;
-    // Half the width in the same unit: a gap stays between the turns at any width.
+    // Half the width in the same unit; the turns keep a gap at any width.
     let half = 0.3 + 0.2 * (width - 1.0);
     let pitch = 0.47 / (START + turns + half);
     let n = chords((START + turns) * pitch, TAU * turns);
     let mut sides = [Vec::new(), Vec::new()];
     for k in 0..=n {
-        // Equal steps of area swept: nearly equal lengths of the chords.
+        // Equal swept areas give chords of nearly equal length.
         let t = k as f64 / n as f64;
         let radius = (START * START + t * turns * (turns + 2.0 * START)).sqrt();
         let angle = TAU * (radius - START);
@@ -71,13 +71,13 @@ pub fn spiral(width: f64, turns: f64) -> Outline {
     without_holes(outer)
 }
 
-/// Roads that meet in the middle, the first one at an angle, with rounded corners between them.
+/// Roads that meet in the centre, the first at an angle, with rounded corners between them.
 pub fn junction(width: f64, arms: u32, first: f64) -> Outline {
     const LENGTH: f64 = 0.45;
     let wedge = PI / f64::from(arms);
     let half = width * LENGTH * (0.45 * libm::sin(wedge)).min(0.25);
-    // Where the sides of neighbours would meet, along an arm, and the largest rounding that leaves
-    // a part of the arm straight.
+    // The distance along an arm at which the sides of neighbours would meet, and the largest rounding that
+    // leaves a part of the arm straight.
     let corner = half / libm::tan(wedge);
     let rounding = (0.9 * half).min(0.7 * (LENGTH - corner) * libm::tan(wedge));
     let mut ring = Vec::new();
@@ -95,7 +95,7 @@ pub fn junction(width: f64, arms: u32, first: f64) -> Outline {
     without_holes(ring)
 }
 
-/// A straight road with notches cut from its sides in turn, the first one from below.
+/// A straight road with notches cut alternately from its sides, starting below.
 pub fn notched(width: f64, count: u32) -> Outline {
     let road = 0.44 * width;
     let depth = 0.53 * road;

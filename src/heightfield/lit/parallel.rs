@@ -1,43 +1,43 @@
 //! The shadows of a parallel light.
 //!
-//! From line to line goes the height below which the lamp is not seen: that of the line before,
-//! interpolated between two pixels, less what the light falls from line to line; or the surface where that
-//! is higher.
+//! A shadow height passes from line to line: below it the lamp is hidden. It is the height of the previous
+//! line, interpolated between two pixels, minus the light's fall between lines; or the surface, if that is
+//! higher.
 
 use super::penumbra::{NOWHERE, visible};
 use super::scan_order::ScanOrder;
 use crate::order::greater;
 
-/// Half the angle under which the lamp is seen, in radians: more than the sun's, as in haze.
+/// Half the angular size of the lamp, in radians: more than the sun's, as in haze.
 const HALF_DISC: f64 = 0.055;
-/// Pixels before the first of a line that are kept, and after the last one.
+/// Pixels kept before the first of a line, and after the last one.
 const BEFORE: usize = 1;
 const AFTER: usize = 2;
 
-/// Shadow heights of the lamp's two rims, from line to line.
+/// Shadow heights of the lamp's two rims, passed from line to line.
 pub struct ParallelShadows {
-    /// How far along the line before the light comes from, in pixels, -1..1.
+    /// Offset along the previous line that the light comes from, in pixels, -1..1.
     shift: f32,
-    /// The end of a line is followed by its beginning.
+    /// Whether lines wrap around.
     tile: bool,
     fall: Rims<f32>,
-    /// Greater of surface and shadow along the line before, its ends repeated, or
-    /// on a tile the other end.
+    /// The greater of surface and shadow along the previous line; its ends are repeated, or on a tile
+    /// continue at the other end.
     before: Rims<Vec<f32>>,
     now: Rims<Vec<f32>>,
 }
 
-/// One for the lamp's upper rim (below its shadow it is dark) and one for the lower (above: lit).
+/// Values for the lamp's upper rim (below its shadow it is dark) and for the lower rim (above: lit).
 struct Rims<T> {
     dark: T,
     lit: T,
 }
 
 impl ParallelShadows {
-    /// Shadows of a light of this azimuth and elevation, in radians, in a picture with so many pixels along
-    /// its side and for each picture unit; and the order in which it crosses the lines.
+    /// Shadows of a light with this azimuth and elevation, in radians, in a picture with `side` pixels and
+    /// `pixel_scale` for each picture unit; also the order in which the light crosses the lines.
     pub fn new(azimuth: f64, elevation: f64, [side, pixel_scale]: [usize; 2]) -> (Self, ScanOrder) {
-        // Away from the light.
+        // Direction away from the light.
         let (x, y) = (-libm::cos(azimuth), -libm::sin(azimuth));
         let columns = x.abs() >= y.abs();
         let (along, across) = if columns { (x, y) } else { (y, x) };
@@ -63,15 +63,14 @@ impl ParallelShadows {
         (shadows, ScanOrder::new(columns, along < 0.0, 0..side))
     }
 
-    /// From here on what follows the end of a line is its beginning. Gives the number of lines that a shadow
-    /// of this height reaches over.
+    /// Makes lines wrap around from now on. Gives the number of lines that a shadow of this height reaches.
     pub fn wrap(&mut self, height: f32) -> usize {
         self.tile = true;
-        // Numbers too large become the greatest there is.
+        // A number that is too large saturates.
         (height / self.fall.lit) as usize + 2
     }
 
-    /// The next line: its heights, and what is seen of the lamp.
+    /// Does the next line: takes its heights, and writes the visible share of the lamp.
     pub fn line(&mut self, heights: &[f32], lit: &mut [u8]) {
         let n = heights.len();
         let whole = self.shift.floor();

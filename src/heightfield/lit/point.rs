@@ -1,13 +1,13 @@
 //! The shadows of a point light.
 //!
-//! The diagonals through the foot of the lamp part the picture in four quarters, each scanned outwards in
-//! lines: rows above and below, columns to the sides. From line to line goes the steepest slope, seen from
-//! the lamp's rims, of the surface so far. The ray from the lamp to a pixel `away` pixels along line k
-//! crosses line k - 1 nearer to the axis, between two of its pixels:
+//! The diagonals through the foot of the lamp divide the picture into four quarters, each scanned outwards in
+//! lines: rows above and below, columns to the sides. The steepest slope of the surface so far, seen from the
+//! lamp's rims, passes from line to line. The ray from the lamp to a pixel `away` pixels along line k crosses
+//! line k - 1 nearer to the axis, between two of its pixels:
 //!
 //! ```text
-//!   line k - 1   . inner . outer        inner has the weight away / k
-//!   line k       .       . pixel        (away = 0 is the axis, away = k the diagonal)
+//! line k - 1   . inner . outer        inner has the weight away / k
+//! line k       .       . pixel        (away = 0 is the axis, away = k the diagonal)
 //! ```
 
 use super::penumbra::{NOWHERE, visible};
@@ -15,7 +15,7 @@ use super::scan_order::ScanOrder;
 use crate::order::greater;
 use std::ops::Range;
 
-/// Half the height of the lamp, of its height.
+/// Half the vertical extent of the lamp, relative to its height.
 const HALF_LAMP: f32 = 0.10;
 
 /// The steepest slopes along the lines of one quarter.
@@ -23,20 +23,20 @@ pub struct PointShadows {
     side: usize,
     /// Column and row of the lamp's foot, in the picture or not.
     foot: [i32; 2],
-    /// The foot along the lines of this quarter, and their direction outwards.
+    /// The foot's coordinate along the lines of this quarter, and the outward direction.
     axis: i32,
     start: i32,
     /// Heights of the lamp's upper and lower rim.
     upper: f32,
     lower: f32,
-    /// Slopes from the two rims along the line before, with a pixel more on both sides.
+    /// Slopes from the two rims along the previous line, with one more pixel on both sides.
     before: [Vec<f32>; 2],
     now: [Vec<f32>; 2],
 }
 
 impl PointShadows {
-    /// Shadows of a lamp at a place in fractions of the picture's side, with so many pixels along the side
-    /// and for each picture unit; and the four quarters.
+    /// Shadows of a lamp at a place in fractions of the picture's side, in a picture with `side` pixels and
+    /// `pixel_scale` for each picture unit; also the four quarters.
     pub fn new(x: f64, y: f64, z: f64, [side, pixel_scale]: [usize; 2]) -> (Self, [ScanOrder; 4]) {
         let span = side as i32;
         let place = |v: f64| ((v * side as f64).floor() as i32).clamp(-8 * span, 8 * span);
@@ -65,13 +65,13 @@ impl PointShadows {
         (shadows, [up, down, left, right])
     }
 
-    /// Puts the lamp on a ground of this height.
+    /// Sets the lamp on ground of this height.
     pub fn raise(&mut self, ground: f32) {
         self.upper += ground;
         self.lower += ground;
     }
 
-    /// Begins a quarter, with the surface at the lamp's foot.
+    /// Starts a quarter, with the surface at the lamp's foot.
     pub fn begin(&mut self, order: &ScanOrder, bump: &[f32]) {
         let [x, y] = self.foot;
         (self.axis, self.start) = if order.columns { (y, x) } else { (x, y) };
@@ -83,15 +83,15 @@ impl PointShadows {
             let height = bump[y as usize * self.side + x as usize];
             let at = self.axis as usize;
             for (line, rim) in self.before.iter_mut().zip([self.upper, self.lower]) {
-                // The line to the foot stands upright: the least distance stands for none. The
-                // pixels beside it are as in `line`.
+                // The ray to the foot is vertical; a small distance replaces zero. The pixels beside it are
+                // as in `line`.
                 line[at..at + 3].fill((height - rim) / 0.5);
             }
         }
     }
 
-    /// The next line, which is line `index` of the picture: its heights, and what is seen of the lamp
-    /// in this quarter.
+    /// Does the next line, line `index` of the picture: takes its heights, and writes the visible share of
+    /// the lamp.
     pub fn line(&mut self, index: usize, heights: &[f32], lit: &mut [u8]) {
         let k = (index as i32 - self.start).abs();
         let side = self.side as i32;
@@ -107,16 +107,16 @@ impl PointShadows {
         self.half(k, first..axis, 2, heights, lit);
         self.half(k, axis..end, 0, heights, lit);
         std::mem::swap(&mut self.before, &mut self.now);
-        // Beyond the diagonal the next line meets nothing of this one: there the weight is all on
-        // the inner pixel, and any number will do that keeps the difference small.
+        // Beyond the diagonal the next line does not use this one: there all weight is on the inner pixel,
+        // and any number with a small difference will do.
         for line in &mut self.before {
             line[first] = line[first + 1];
             line[end + 1] = line[end];
         }
     }
 
-    /// The pixels of line `k` on one side of the axis; `inner` is 0 where the axis is to the left and
-    /// 2 where it is to the right.
+    /// Does the pixels of line `k` on one side of the axis; `inner` is 0 if the axis is to the left and 2 if
+    /// it is to the right.
     fn half(
         &mut self,
         k: i32,
@@ -151,7 +151,7 @@ impl PointShadows {
             let rise = |[outer, inner]: [&[f32]; 2]| outer[i] + (inner[i] - outer[i]) * weight;
             let (low, high) = (rise(dark), rise(light));
             let [a, b] = [self.upper + low * distance, self.lower + high * distance];
-            // The two lines cross only where a surface is above the lamp.
+            // The two lines cross only if the surface is above the lamp.
             lit[i] = visible(heights[i], if b < a { b } else { a }, greater(a, b));
             now_dark[i] = greater(low, (heights[i] - self.upper) * inverse);
             now_light[i] = greater(high, (heights[i] - self.lower) * inverse);

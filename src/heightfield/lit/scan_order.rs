@@ -2,15 +2,15 @@
 
 use std::ops::Range;
 
-/// Lines of one slice: as many columns are transposed at a time.
+/// Lines of one slice; this many columns are transposed at a time.
 const BLOCK: usize = 16;
 
-/// Neighbouring rows or columns, one after the other.
+/// Neighbouring rows or columns, one after another.
 #[derive(Clone, Debug)]
 pub struct ScanOrder {
-    /// Columns from left to right, else rows from top to bottom...
+    /// Columns from left to right, otherwise rows from top to bottom ...
     pub columns: bool,
-    /// ... or the other way.
+    /// ... or the reverse.
     pub backwards: bool,
     left: Range<usize>,
     fresh: bool,
@@ -26,7 +26,7 @@ impl ScanOrder {
         }
     }
 
-    /// The last `lines` of its lines, none taken.
+    /// The last `lines` of its lines, none done yet.
     pub fn last(&self, lines: usize) -> Self {
         let left = &self.left;
         let last = if self.backwards {
@@ -37,12 +37,12 @@ impl ScanOrder {
         Self::new(self.columns, self.backwards, last)
     }
 
-    /// Is no line taken yet?
+    /// Whether no line is done yet.
     pub fn is_fresh(&self) -> bool {
         self.fresh
     }
 
-    /// Are all lines taken?
+    /// Whether all lines are done.
     pub fn is_over(&self) -> bool {
         self.left.is_empty()
     }
@@ -65,7 +65,7 @@ impl ScanOrder {
     }
 }
 
-/// A few columns of heights and light, transposed: each is one slice.
+/// A few columns of heights and light, transposed so that each is contiguous.
 #[derive(Clone, Debug, Default)]
 pub struct ColumnBlock {
     side: usize,

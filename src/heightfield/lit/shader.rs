@@ -18,12 +18,12 @@ pub struct Shader {
     finishes: Vec<Finish>,
     row: usize,
     row_light: RowLight,
-    /// Rows of the picture that there is room for: all, or those that are handed out at a time.
+    /// Rows of the picture in memory: all, or as many as are handed out at a time.
     room: usize,
     rgba: Vec<u8>,
 }
 
-/// The light that reaches each pixel of a row, whatever its material and colour.
+/// The light that reaches each pixel of a row, independent of material and colour.
 #[derive(Default)]
 struct RowLight {
     /// Rise of the surface to the right and downwards.
@@ -33,7 +33,7 @@ struct RowLight {
     /// Light of the lamp: all of it, and the part that a matt surface scatters.
     lamp: Vec<f32>,
     matt: Vec<f32>,
-    /// The cosine between mirrored light and view, as an entry of the table of highlights.
+    /// The cosine between mirrored light and view, as an index into the table of highlights.
     mirrored: Vec<i32>,
 }
 
@@ -51,12 +51,12 @@ impl RowLight {
 }
 
 impl Shader {
-    /// A picture of `side` pixels, `pixel_scale` for each picture unit, to be shaded; black until it is.
+    /// For a picture of `side` pixels with `pixel_scale` for each picture unit; black at first.
     pub fn new(params: &ShadeParams, side: usize, pixel_scale: usize) -> Self {
         Self::banded(params, [side, pixel_scale], side)
     }
 
-    /// The same, of which not more than `room` rows are held.
+    /// The same with at most `room` rows in memory.
     pub fn banded(params: &ShadeParams, [side, pixel_scale]: [usize; 2], room: usize) -> Self {
         let mut rgba = vec![0; side * room * 4];
         rgba.iter_mut().skip(3).step_by(4).for_each(|a| *a = 255);
@@ -75,7 +75,7 @@ impl Shader {
         }
     }
 
-    /// Begins anew under other light, keeping what does not depend on it.
+    /// Starts again under another light, keeping the data that do not depend on it.
     pub fn restart(&mut self, params: &ShadeParams) {
         self.params = *params;
         self.shadows.restart(params.light);
@@ -89,8 +89,8 @@ impl Shader {
         self.side
     }
 
-    /// Goes on by about `rows` rows, first of the shadows, then of the picture; true when done. The
-    /// planes must be of the side given at first, and the table that of their materials.
+    /// Does about `rows` rows, first of the shadows, then of the picture; true when finished. The planes must
+    /// have the side given at first, and the table must be that of their materials.
     pub fn advance(&mut self, planes: &Planes, materials: &[Material], rows: usize) -> bool {
         if self.finishes.is_empty() {
             let finish = |o| Finish::new(o, &self.params);
@@ -109,12 +109,12 @@ impl Shader {
         end == self.side
     }
 
-    /// The picture: red, green, blue, 255 for each pixel, row after row.
+    /// The picture: red, green, blue, 255 for each pixel, row by row.
     pub fn rgba(&self) -> &[u8] {
         &self.rgba
     }
 
-    /// The rows of the picture that are shaded by now: of those that are held, once there is no room for all.
+    /// The rows that are shaded by now; if there is no room for all, only those in memory.
     pub fn finished(&self) -> &[u8] {
         let rows = match self.row % self.room {
             0 => self.row.min(self.room),
@@ -148,8 +148,8 @@ impl Shader {
         self.colour_row(planes, y);
     }
 
-    /// The light that reaches a row. `lamp` gives the unit vector to the lamp and its strength, for a
-    /// column and a height.
+    /// Computes the light that reaches a row. `lamp` gives the unit vector to the lamp and its strength, for
+    /// a column and a height.
     fn light_row(&mut self, planes: &Planes, y: usize, lamp: impl Fn(i32, f32) -> ([f32; 3], f32)) {
         let n = self.side;
         let here = y * n..(y + 1) * n;
@@ -169,7 +169,7 @@ impl Shader {
             let open = 1.0 - occlusion * (1.0 - f32::from(open[x]) * (1.0 / 255.0));
             let seen = 1.0 - shadow * (1.0 - f32::from(lit[x]) * (1.0 / 255.0));
             let arrives = seen * strength * (1.0 - GAP * (1.0 - open));
-            // Where the lamp is behind the surface there is no light to be mirrored.
+            // With the lamp behind the surface there is no mirrored light.
             let mirrored = if facing > 0.0 {
                 (2.0 * facing * upright - lz).clamp(0.0, 1.0)
             } else {
@@ -182,7 +182,7 @@ impl Shader {
         }
     }
 
-    /// The colours of a row, from the light that reaches it.
+    /// Computes the colours of a row from the light that reaches it.
     fn colour_row(&mut self, planes: &Planes, y: usize) {
         let n = self.side;
         let here = y * n..(y + 1) * n;

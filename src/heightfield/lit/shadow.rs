@@ -1,12 +1,12 @@
-//! Height-field shadows at constant cost a pixel.
+//! Height-field shadows at constant cost for each pixel.
 //!
-//! The height of the shadow is carried from line to line of pixels away from the light: rows, or columns
-//! where the light comes more from the side. The lamp has an extent: its upper and lower rim cast a
-//! shadow each, and the penumbra lies between the two.
+//! The shadow height passes from line to line of pixels away from the light: rows, or columns if the light
+//! comes more from the side. The lamp has an extent: its upper and lower rim cast a shadow each, and the
+//! penumbra lies between the two.
 //!
-//! On a tile the shadows of a parallel light come in again at the other edge: the lines from which they
-//! reach so far are scanned before the first one. Under a point light no picture can repeat, and nothing
-//! beyond its edges casts a shadow.
+//! On a tile the shadows of a parallel light continue at the opposite edge: the lines whose shadows reach so
+//! far are scanned before the first one. Under a point light no picture can repeat, and nothing beyond its
+//! edges casts a shadow.
 
 use super::parallel::ParallelShadows;
 use super::point::PointShadows;
@@ -15,30 +15,30 @@ use crate::heightfield::Planes;
 use crate::light::Light;
 use crate::order::{greater, lesser};
 
-/// Shadows are followed back through at most so many pictures of a tile.
+/// Shadows reach through at most this many periods of a tile.
 const FARTHEST: usize = 4;
 
-/// The lamp's visible part at each pixel, in the making.
+/// The lamp's visible part at each pixel, in progress.
 pub struct Shadows {
     side: usize,
     pixel_scale: usize,
-    /// 255 where the whole lamp is seen.
+    /// 255 where the whole lamp is visible.
     lit: Vec<u8>,
     caster: Caster,
-    /// Lines still to be done, the next ones last.
+    /// A stack of lines still to be done.
     orders: Vec<ScanOrder>,
     block: ColumnBlock,
     begun: bool,
 }
 
-/// What casts the shadows of a kind of light.
+/// The shadow algorithm for a kind of light.
 enum Caster {
     Parallel(ParallelShadows),
     Point(PointShadows),
 }
 
 impl Shadows {
-    /// Shadows of `light` in a picture of `side` pixels, `pixel_scale` for each picture unit.
+    /// Shadows of `light` in a picture of `side` pixels with `pixel_scale` for each picture unit.
     pub fn new(light: Light, side: usize, pixel_scale: usize) -> Self {
         let (caster, orders) = cast_by(light, side, pixel_scale);
         Self {
@@ -52,14 +52,14 @@ impl Shadows {
         }
     }
 
-    /// Begins anew under another light.
+    /// Starts again under another light.
     pub fn restart(&mut self, light: Light) {
         (self.caster, self.orders) = cast_by(light, self.side, self.pixel_scale);
         self.lit.fill(255);
         self.begun = false;
     }
 
-    /// Carries the shadows on by about `lines` lines; true when all are done.
+    /// Does about `lines` lines; true when finished.
     pub fn advance(&mut self, planes: &Planes, lines: usize) -> bool {
         let bump = &planes.bump;
         if !std::mem::replace(&mut self.begun, true) {
@@ -94,7 +94,7 @@ impl Shadows {
         &self.lit
     }
 
-    /// Lets the shadows of a parallel light come in from the pictures around.
+    /// Lets the shadows of a parallel light enter from neighbouring periods.
     fn wrap(&mut self, bump: &[f32]) {
         let (Caster::Parallel(parallel), [order]) = (&mut self.caster, &self.orders[..]) else {
             return;
