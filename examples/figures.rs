@@ -1,8 +1,9 @@
-//! Renders every preset and a contact sheet of them all.
+//! Renders every preset of every generator, and a contact sheet for each generator.
 //!
 //!     cargo run --release --example figures -- --out DIR
 //!
-//! Prints the seconds of the papers' table beside those of this machine.
+//! writes into DIR a folder for each preset, with the files that `render` writes of its link, and
+//! sheet-GENERATOR.png. Prints the seconds of the papers beside those of this machine.
 
 #[cfg(not(target_arch = "wasm32"))]
 mod native;
@@ -18,107 +19,69 @@ fn main() -> std::process::ExitCode {
 #[cfg(not(target_arch = "wasm32"))]
 mod figures {
     use super::native;
-    use bubblestone::export::StageTime;
-    use bubblestone::generators::ALL;
-    use bubblestone::generators::Preset;
-    use bubblestone::generators::pavement::{self, PAVEMENT};
-
+    use super::native::sheet::Sheet;
+    use bubblestone::export::Report;
+    use bubblestone::generators::{ALL, Generator, Part, Preset};
     use bubblestone::studio::Studio;
     use std::path::Path;
 
-    /// Pixels of a picture on the sheet, and of the gap around it.
-    const SMALL: usize = 256;
-    const GAP: usize = 8;
-    const COLUMNS: usize = 4;
-    /// How the work is divided where no paper does.
-    const PARTS: [&[&str]; 2] = [PAVEMENT.stages.split_at(3).0, PAVEMENT.stages.split_at(3).1];
-    const PAPER: [u8; 3] = [38, 34, 30];
-
     pub fn run() -> Result<(), String> {
+        const USAGE: &str = "Usage: figures --out DIR.";
         let words: Vec<String> = std::env::args().skip(1).collect();
-        let [option, out] = &words[..] else {
-            return Err("Usage: figures --out DIR.".into());
-        };
-        if option != "--out" {
-            return Err(format!(
-                "There is no option {option}. Usage: figures --out DIR."
-            ));
+        match &words[..] {
+            [option, out] if option == "--out" => {
+                ALL.iter().try_for_each(|one| generator(one, out.as_ref()))
+            }
+            [option, ..] if option != "--out" => {
+                Err(format!("There is no option {option}. {USAGE}"))
+            }
+            _ => Err(format!("Say where the files go. {USAGE}")),
         }
-        let out = Path::new(out);
-        println!(
-            "{:<12}{:>7}{:>7}{:>16}{:>9}{:>16}{:>9}  figure",
-            "preset", "cells", "steps", "cells: paper", "ours s", "texture: paper", "ours s"
-        );
-        let mut sheet = Sheet::new(PAVEMENT.presets.len());
-        for (k, preset) in PAVEMENT.presets.iter().enumerate() {
-            let picture = render(preset, &out.join(preset.name))?;
-            sheet.put(k, &picture);
-        }
-        let Sheet { width, pixels } = sheet;
-        native::write_rgb(out, "sheet.png", width, pixels.into_iter())
     }
 
-    fn render(preset: &Preset, dir: &Path) -> Result<Vec<u8>, String> {
-        let (recipe, notices) = pavement::recipe(preset.link);
-        let mut studio = Studio::new(ALL, recipe);
-        let mut clock = native::clock();
-        let finished = studio.finish(&mut clock);
+    fn generator(generator: &Generator, out: &Path) -> Result<(), String> {
+        let word = generator.schema.word;
+        println!("{word:<18}  cells  steps  seconds  of them, for a figure of a paper");
+        let mut sheet = Sheet::new(generator.presets.len());
+        for preset in generator.presets {
+            let mut studio = finished(preset)?;
+            let notices = ALL.recipe(preset.link).1;
+            native::write_all(&mut studio, notices, None, &out.join(preset.name))?;
+            print_row(preset, &studio.report());
+            let picture = studio.picture().unwrap_or_default();
+            sheet.add(preset.name, studio.side(), picture);
+        }
+        let name = format!("sheet-{word}.png");
+        native::write_rgb(out, &name, sheet.width, sheet.pixels.into_iter())
+    }
+
+    fn finished(preset: &Preset) -> Result<Studio, String> {
+        let mut studio = Studio::new(ALL, ALL.recipe(preset.link).0);
+        let finished = studio.finish(&mut native::clock());
         finished.map_err(|e| format!("{}: {e}", preset.name))?;
-        print_row(preset, &mut studio);
-        native::write_all(&mut studio, notices, dir)?;
-        Ok(studio.picture().unwrap_or_default().to_vec())
+        Ok(studio)
     }
 
     /// The work is divided as the paper divides it, as on the page.
-    fn print_row(preset: &Preset, studio: &mut Studio) {
-        let report = studio.report();
-        print!("{:<12}{:>7}{:>7}", preset.name, report.cells, report.steps);
-        for (k, &plain) in PARTS.iter().enumerate() {
-            let part = preset.timing.map(|timing| timing.parts[k]);
-            let stages = part.map_or(plain, |part| part.stages);
-            let is_of = |t: &&StageTime| stages.contains(&t.stage);
-            let ours: f64 = report.milliseconds.iter().filter(is_of).map(|t| t.ms).sum();
-            let paper = part.map_or("-".into(), |part| part.seconds.to_string());
-            print!("{paper:>16}{:>9.3}", ours / 1e3);
+    fn print_row(preset: &Preset, report: &Report) {
+        let Report { cells, steps, .. } = report;
+        let whole = seconds(report, |_| true);
+        print!("{:<18}{cells:>7}{steps:>7}{whole:>9.3}", preset.name);
+        for Part {
+            name,
+            stages,
+            seconds: paper,
+        } in preset.timing.iter().flat_map(|timing| &timing.parts)
+        {
+            let ours = seconds(report, |stage| stages.contains(&stage));
+            print!("  {name} {ours:.3} ({paper} in the paper)");
         }
         println!("  {}", preset.figure);
     }
 
-    /// All pictures side by side.
-    struct Sheet {
-        width: usize,
-        pixels: Vec<[u8; 3]>,
-    }
-
-    impl Sheet {
-        fn new(count: usize) -> Self {
-            let width = COLUMNS * (SMALL + GAP) + GAP;
-            let height = count.div_ceil(COLUMNS) * (SMALL + GAP) + GAP;
-            Self {
-                width,
-                pixels: vec![PAPER; width * height],
-            }
-        }
-
-        /// Puts a square RGBA picture into its place, each pixel the mean of those it stands for.
-        fn put(&mut self, place: usize, rgba: &[u8]) {
-            let side = ((rgba.len() / 4) as f64).sqrt() as usize;
-            let (left, top) = (place % COLUMNS, place / COLUMNS);
-            let (left, top) = (left * (SMALL + GAP) + GAP, top * (SMALL + GAP) + GAP);
-            let span =
-                |k: usize| k * side / SMALL..((k + 1) * side / SMALL).max(k * side / SMALL + 1);
-            for y in 0..SMALL {
-                for x in 0..SMALL {
-                    let mut sum = [0usize; 3];
-                    let (rows, columns) = (span(y), span(x));
-                    let count = rows.len() * columns.len();
-                    for at in rows.flat_map(|v| columns.clone().map(move |u| 4 * (v * side + u))) {
-                        (0..3).for_each(|c| sum[c] += usize::from(rgba[at + c]));
-                    }
-                    let mean = sum.map(|s| (s / count) as u8);
-                    self.pixels[(top + y) * self.width + left + x] = mean;
-                }
-            }
-        }
+    fn seconds(report: &Report, is_of: impl Fn(&str) -> bool) -> f64 {
+        let times = report.milliseconds.iter();
+        let ms: f64 = times.filter(|t| is_of(t.stage)).map(|t| t.ms).sum();
+        ms / 1e3
     }
 }

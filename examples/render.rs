@@ -77,8 +77,7 @@ fn run() -> Result<(), String> {
             out,
         )?);
     }
-    native::write_report(&mut studio, notices, frame, out)?;
-    native::write_made(&mut studio, out)?;
+    native::write_all(&mut studio, notices, frame, out)?;
     if wish.views {
         native::write_views(&mut studio, out)?;
     }

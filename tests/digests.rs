@@ -1,9 +1,12 @@
-//! The link is the picture: every preset has the same planes, bit for bit, natively and in
-//! WebAssembly. Both are compared with `digests.txt`. What else is asked of all presets is asked here,
-//! as each takes its time to be made.
+//! The link is the picture: every preset has the same planes, bit for bit, on every machine. They are compared with
+//! `digests.txt` here, and with the module as it is sent in `node/shipped.test.mjs`. Other properties of all presets are
+//! tested here, too, since each preset takes its time.
 //!
 //! After a change that is meant to change pictures:
 //! `BUBBLESTONE_UPDATE=1 cargo test --test digests`.
+
+// The tests under Node compare the digests in WebAssembly.
+#![cfg(not(target_arch = "wasm32"))]
 
 mod common;
 mod paving;
@@ -14,8 +17,6 @@ use bubblestone::heightfield::{GROUND, Planes};
 use common::finished;
 use paving::OfPavement;
 use std::sync::OnceLock;
-#[cfg(target_arch = "wasm32")]
-use wasm_bindgen_test::wasm_bindgen_test as test;
 
 const GOLDEN: &str = include_str!("digests.txt");
 
@@ -99,7 +100,6 @@ fn cracks(planes: &Planes) -> usize {
 fn every_preset_has_the_same_planes_everywhere() {
     let line = |made: &Made| format!("{} {}\n", made.name, made.digest);
     let found: String = presets().iter().map(line).collect();
-    #[cfg(not(target_arch = "wasm32"))]
     if std::env::var_os("BUBBLESTONE_UPDATE").is_some() {
         let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/digests.txt");
         std::fs::write(path, found).unwrap();

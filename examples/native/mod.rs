@@ -2,6 +2,7 @@
 #![allow(dead_code)] // Each program uses its part of it.
 
 pub mod model;
+pub mod sheet;
 pub mod slant;
 
 use bubblestone::domain::Outline;
@@ -128,10 +129,16 @@ fn ring_of(ring: &Value, name: &str) -> Result<Vec<glam::DVec2>, String> {
     points.iter().enumerate().map(read).collect()
 }
 
-/// Writes the pictures, what was made as text, and the report of a finished studio.
-pub fn write_all(studio: &mut Studio, notices: Vec<Notice>, dir: &Path) -> Result<(), String> {
+/// Writes what there is of every link: the report of a finished studio, the pictures, and the stages' work as text.
+/// The report has the hash of a still, `frame`, where one was made.
+pub fn write_all(
+    studio: &mut Studio,
+    notices: Vec<Notice>,
+    frame: Option<String>,
+    dir: &Path,
+) -> Result<(), String> {
     make(dir)?;
-    write_report(studio, notices, None, dir)?;
+    write_report(studio, notices, frame, dir)?;
     write_made(studio, dir)
 }
 
@@ -140,8 +147,7 @@ pub fn make(dir: &Path) -> Result<(), String> {
     std::fs::create_dir_all(dir).map_err(|e| format!("Cannot make {}: {e}.", dir.display()))
 }
 
-/// Writes report.json, with the hash of the still where one was made.
-pub fn write_report(
+fn write_report(
     studio: &mut Studio,
     notices: Vec<Notice>,
     frame: Option<String>,
@@ -155,8 +161,8 @@ pub fn write_report(
     write(dir, "report.json", report.json().as_bytes())
 }
 
-/// Writes the picture, three of its maps, and what the stages have made.
-pub fn write_made(studio: &mut Studio, dir: &Path) -> Result<(), String> {
+/// Writes the picture, three of its maps, and the stages' work as text.
+fn write_made(studio: &mut Studio, dir: &Path) -> Result<(), String> {
     for (name, text) in studio.engine().data() {
         write(dir, name, text.as_bytes())?;
     }

@@ -5,15 +5,10 @@ mod common;
 #[path = "../paving/mod.rs"]
 mod paving;
 
-// Natively and in WebAssembly.
-mod live;
-mod metrics;
-mod pipeline;
-mod scattered;
 #[cfg(target_arch = "wasm32")]
 mod web;
 
-/// What is the same bits in WebAssembly, as the digests say, or needs files.
+/// Everything else is native only: WebAssembly has the same bits, as the digests say, so nothing here can differ there.
 #[cfg(not(target_arch = "wasm32"))]
 mod native {
     mod bad_links;
@@ -29,19 +24,23 @@ mod native {
     mod line_cells;
     mod lines;
     mod links;
+    mod live;
     mod making;
     mod making_planes;
     mod maps;
     mod mesh_sizes;
+    mod metrics;
     mod model_files;
     mod models;
     mod outline_rings;
     mod outlines;
     mod overlays;
     mod packing;
+    mod pipeline;
     mod plain_words;
     mod recipes;
     mod samples;
+    mod scattered;
     mod scene;
     mod scene_cases;
     mod scene_light;

@@ -9,8 +9,6 @@ use bubblestone::mesh::{Face, Mesh};
 use bubblestone::metrics::{CellMetrics, MeshMetrics};
 use bubblestone::packing::Particle;
 use glam::DVec2;
-#[cfg(target_arch = "wasm32")]
-use wasm_bindgen_test::wasm_bindgen_test as test;
 
 fn p(x: f64, y: f64) -> DVec2 {
     DVec2::new(x, y)

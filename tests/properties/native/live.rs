@@ -1,5 +1,4 @@
-//! Dragging: the cells flow, and what stays is what the link gives. The same tests run natively and
-//! in WebAssembly.
+//! Dragging: the cells flow, and what stays is what the link gives.
 
 use crate::common::{finished_recipe, recipe};
 use crate::paving::OfPavement;
@@ -9,8 +8,6 @@ use bubblestone::generators::pavement::PavementRecipe;
 use bubblestone::recipe::Recipe;
 use bubblestone::studio::Studio;
 use glam::DVec2;
-#[cfg(target_arch = "wasm32")]
-use wasm_bindgen_test::wasm_bindgen_test as test;
 
 /// Small pavements of all kinds of cells, with lines, cells on the edge, parts, spots, as a tile.
 const LINKS: [&str; 8] = [

@@ -8,8 +8,6 @@ use bubblestone::domain::{Domain, signed_area};
 use bubblestone::field::{FieldBuilder, FieldParams};
 use bubblestone::studio::Studio;
 use glam::DVec2;
-#[cfg(target_arch = "wasm32")]
-use wasm_bindgen_test::wasm_bindgen_test as test;
 
 fn centroid(ring: &[DVec2]) -> DVec2 {
     let mut sum = DVec2::ZERO;

@@ -1,5 +1,4 @@
-//! The pipeline as a whole: slices, staleness, the latest recipe wins, views at any moment. The same
-//! tests run natively and in WebAssembly.
+//! The pipeline as a whole: slices, staleness, the latest recipe wins, views at any moment.
 
 use crate::common::{finished, finished_recipe, recipe};
 use crate::paving::OfPavement;
@@ -13,8 +12,6 @@ use bubblestone::recipe::Recipe;
 use bubblestone::studio::Studio;
 use glam::DVec2;
 use std::cell::Cell;
-#[cfg(target_arch = "wasm32")]
-use wasm_bindgen_test::wasm_bindgen_test as test;
 
 /// Small, and with everything switched on.
 const LINK: &str = "size=160&outline=annulus&cs=14&vs=0.1&gx=0.3";
