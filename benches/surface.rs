@@ -2,13 +2,14 @@
 
 use super::{Clock, Timing, shortest};
 use bubblestone::packing::PackingParams;
-use bubblestone::surface::cells::{Polish, SurfaceMesh};
-use bubblestone::surface::field::{
+use bubblestone::shapes::Shape;
+use bubblestone::surface_cells::{Polish, SurfaceMesh};
+use bubblestone::surface_field::{
     Amount, Bone, DirectionParams, SizeParams, SurfaceFieldBuilder, SurfaceFieldParams,
 };
-use bubblestone::surface::packing::{Site, SurfacePacking};
-use bubblestone::surface::refine::{Refining, SHARE};
-use bubblestone::surface::{Shape, TriMesh};
+use bubblestone::surface_packing::{Site, SurfacePacking};
+use bubblestone::trimesh::TriMesh;
+use bubblestone::trimesh::refine::{Refining, SHARE};
 use std::sync::Arc;
 
 /// The leg with edges short enough for so many squares, and what these are made from.

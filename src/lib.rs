@@ -15,6 +15,10 @@
 //! 7. [`heightfield`] puts these solids into planes of height, colour and material, lets the weather
 //!    go over them, and puts them in the [`light`].
 //!
+//! Cells on bodies in space go the same way, on a triangle mesh: `shapes` or `modelfiles` give its
+//! triangles, `trimesh` is the mesh, and `surface_field`, `surface_packing`, `surface_cells` and
+//! `surface_stones` do there what the folders without `surface_` do in the plane.
+//!
 //! [`draw`] shows what the stages have made, [`metrics`] measures it, and [`export`] writes it to files.
 //!
 //! # What is asked for, and what runs it
@@ -65,6 +69,8 @@ pub mod light;
 pub mod material;
 pub mod mesh;
 pub mod metrics;
+#[cfg(house)]
+pub mod modelfiles;
 pub mod notice;
 mod order;
 pub mod packing;
@@ -73,10 +79,22 @@ pub mod random;
 pub mod recipe;
 #[cfg(house)]
 pub mod scene;
+#[cfg(house)]
+pub mod shapes;
 pub mod solid;
 pub mod studio;
 #[cfg(house)]
-pub mod surface;
+pub mod surface_cells;
+#[cfg(house)]
+pub mod surface_field;
+#[cfg(house)]
+pub mod surface_packing;
+#[cfg(house)]
+pub mod surface_stones;
+#[cfg(house)]
+pub mod surface_views;
+#[cfg(house)]
+pub mod trimesh;
 #[cfg(target_arch = "wasm32")]
 pub mod web;
 

@@ -3,7 +3,7 @@
 use crate::cells::Cell;
 use crate::mesh::Mesh;
 #[cfg(house)]
-use crate::surface::SurfaceCell;
+use crate::surface_cells::SurfaceCell;
 use glam::DVec2;
 #[cfg(house)]
 use glam::DVec3;
@@ -136,7 +136,7 @@ mod tests {
     #[cfg(house)]
     #[test]
     fn cells_on_surfaces_have_rings_normals_and_sizes() {
-        let at = crate::surface::SurfacePoint {
+        let at = crate::trimesh::SurfacePoint {
             triangle: 0,
             at: DVec3::ZERO,
             normal: DVec3::Y,

@@ -6,8 +6,9 @@ use super::obj::Obj;
 use super::order::{MeshFormat, MeshOrder};
 use super::surface::{Writer, mean_roughness};
 use crate::material::Material;
-use crate::surface::stones::{Paving, Piece, Pieces, StonesParams};
-use crate::surface::{SurfaceCell, TriMesh};
+use crate::surface_cells::SurfaceCell;
+use crate::surface_stones::{Paving, Piece, Pieces, StonesParams};
+use crate::trimesh::TriMesh;
 
 /// A file of a model in the making.
 pub struct ModelFile {

@@ -2,7 +2,7 @@
 
 use super::fixed::push_whole;
 use super::json::number;
-use crate::surface::TriMesh;
+use crate::trimesh::TriMesh;
 
 /// Text: the vertices with numbers that read back as the same bits, then the triangles, in their order.
 pub fn model_obj(mesh: &TriMesh) -> String {

@@ -4,14 +4,14 @@ use super::loading::Loaded;
 use super::params::{On, Sizes, Source, SurfaceParams};
 use super::tracing;
 use crate::notice::{Code, Notice};
-use crate::surface::field::{
+use crate::shapes::{Bone as ShapeBone, Shape, ShapeMaking};
+use crate::surface_field::fit::check_count;
+use crate::surface_field::{
     Amount, Bone, SizeParams, SurfaceFieldBuilder, SurfaceFieldParams, SurfaceFields,
 };
-use crate::surface::fit::check_count;
-use crate::surface::refine::{Refining, SHARE};
-use crate::surface::repair::{Cutting, Filling};
-use crate::surface::shapes::{Bone as ShapeBone, Shape, ShapeMaking};
-use crate::surface::{MeshBuilding, Projector, Search, Simplifying, TriMesh};
+use crate::trimesh::refine::{Refining, SHARE};
+use crate::trimesh::repair::{Cutting, Filling};
+use crate::trimesh::{MeshBuilding, Projector, Search, Simplifying, TriMesh};
 use glam::DVec3;
 use std::sync::Arc;
 

@@ -4,12 +4,12 @@ use super::build::{Built, size_params};
 use super::params::{FieldParams, Follow};
 use super::tracing;
 use crate::notice::Notice;
-use crate::surface::field::{
+use crate::surface_field::fit::{Fitting, check_count};
+use crate::surface_field::{
     AspectParams, DirectionParams, FlowParams, Stroke, SurfaceFieldBuilder, SurfaceFieldParams,
     SurfaceFields,
 };
-use crate::surface::fit::{Fitting, check_count};
-use crate::surface::{Projector, Search};
+use crate::trimesh::{Projector, Search};
 
 /// Triangles that are put into a search in one slice.
 const SEARCHED: usize = 1 << 14;

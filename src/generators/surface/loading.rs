@@ -1,10 +1,10 @@
 //! The surface of a file: read, checked, mended.
 
 use super::models::{Model, Models};
+use crate::modelfiles::Reading;
 use crate::notice::{Code, Notice, quote};
-use crate::surface::TriMesh;
-use crate::surface::files::Reading;
-use crate::surface::repair::Mending;
+use crate::trimesh::TriMesh;
+use crate::trimesh::repair::Mending;
 use glam::DVec3;
 use std::sync::Arc;
 

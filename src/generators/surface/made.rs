@@ -7,8 +7,8 @@ use super::stages::{Packs, STONES, Stages, Task};
 use crate::graph::State;
 use crate::packing::StepReport;
 use crate::scene::Scene;
-use crate::surface::cells::SurfaceMesh;
-use crate::surface::packing::{Site, SurfacePacking};
+use crate::surface_cells::SurfaceMesh;
+use crate::surface_packing::{Site, SurfacePacking};
 use std::rc::Rc;
 
 /// How often some of it was made.

@@ -1,8 +1,8 @@
 //! Models of files that were given: a recipe names one by its digest.
 
 use crate::generators::GivenFile;
+use crate::modelfiles::Reading;
 use crate::recipe::{MAX_NAME, Recipe};
-use crate::surface::files::Reading;
 use std::sync::Arc;
 
 use super::schema::keys;

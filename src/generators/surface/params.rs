@@ -10,9 +10,9 @@ use crate::material::{ColourParams, WeatherParams};
 use crate::packing::{BoundaryCondition, Integrator, PackingParams, Population, Start};
 use crate::recipe::Recipe;
 use crate::recipe::common::keys as shared;
-use crate::surface::field::{Along, ByCurvature, Taper};
-use crate::surface::shapes::Shape;
-use crate::surface::stones::Open;
+use crate::shapes::Shape;
+use crate::surface_field::{Along, ByCurvature, Taper};
+use crate::surface_stones::Open;
 use glam::DVec3;
 
 /// Picture units along a cell of mean size: stones are as fine as those of a picture with such cells.

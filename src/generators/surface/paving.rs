@@ -3,10 +3,11 @@
 use super::build::Built;
 use super::params::{CellParams, UNIT};
 use crate::material::Coat;
-use crate::surface::cells::SurfaceMesh;
-use crate::surface::field::SurfaceFields;
-use crate::surface::stones::{Paving, SurfaceCoats, links, make_one_sense};
-use crate::surface::{Projector, SurfaceCell, SurfacePoint};
+use crate::surface_cells::SurfaceCell;
+use crate::surface_cells::SurfaceMesh;
+use crate::surface_field::SurfaceFields;
+use crate::surface_stones::{Paving, SurfaceCoats, links, make_one_sense};
+use crate::trimesh::{Projector, SurfacePoint};
 
 /// Cells whose coats are made in one slice.
 const CELLS: usize = 500;

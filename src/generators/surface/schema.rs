@@ -4,7 +4,7 @@ use crate::recipe::parameter::{Parameter, choice, int, number, text};
 use crate::recipe::schema::{choices, rows};
 use crate::recipe::stones::{self, SKIN};
 use crate::recipe::{Choice, Item, Key, common};
-use crate::surface::shapes::{ShapeNumber, numbers};
+use crate::shapes::{ShapeNumber, numbers};
 
 /// The word for the surface that a file gives.
 pub const FILE: &str = "file";

@@ -9,8 +9,8 @@ use crate::generators::turntable::{Stand, Turntable};
 use crate::generators::{Clock, FrameSlice, SeenBody, TurnOrder};
 use crate::notice::{Code, Notice};
 use crate::scene::Frame;
-use crate::surface::stones::Fit;
-use crate::surface::views::{Ground, MATERIALS};
+use crate::surface_stones::Fit;
+use crate::surface_views::{Ground, MATERIALS};
 use glam::DVec3;
 
 /// Places of the model are so deep under stones at most, in its box.

@@ -12,10 +12,10 @@ use crate::graph::{Node, State};
 use crate::notice::{Code, Notice};
 use crate::packing::PackingParams;
 use crate::scene::Scene;
-use crate::surface::SurfaceCell;
-use crate::surface::cells::{Polish, SurfaceMesh, SurfaceMeshing};
-use crate::surface::packing::{Site, SurfacePacking, SurfacePlacing};
-use crate::surface::stones::{Stones, StonesParams};
+use crate::surface_cells::SurfaceCell;
+use crate::surface_cells::{Polish, SurfaceMesh, SurfaceMeshing};
+use crate::surface_packing::{Site, SurfacePacking, SurfacePlacing};
+use crate::surface_stones::{Stones, StonesParams};
 use std::rc::Rc;
 
 /// The words of the stages.

@@ -5,8 +5,8 @@ use super::views::View;
 use crate::draw::Tones;
 use crate::notice::{Code, Notice};
 use crate::scene::Scene;
-use crate::surface::stones::Fit;
-use crate::surface::views::{
+use crate::surface_stones::Fit;
+use crate::surface_views::{
     CellsView, FieldView, Ground, MapView, MeshView, Particles, Quantity, Tally,
 };
 use std::rc::Rc;

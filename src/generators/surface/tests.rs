@@ -8,8 +8,8 @@ use crate::generators::ALL;
 use crate::notice::Code;
 use crate::recipe::Recipe;
 use crate::scene::Camera;
+use crate::shapes::Shape;
 use crate::studio::Studio;
-use crate::surface::shapes::Shape;
 
 const SMALL: &str = "make=surface&size=128&cn=60&form=";
 

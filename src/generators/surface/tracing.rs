@@ -1,8 +1,8 @@
 //! What is drawn on a surface: from the rows of a recipe to strokes and spots, and from a place to its numbers.
 
 use crate::recipe::BOX_STEPS;
-use crate::surface::field::{Stroke, SurfaceSpot};
-use crate::surface::{Search, TriMesh};
+use crate::surface_field::{Stroke, SurfaceSpot};
+use crate::trimesh::{Search, TriMesh};
 use glam::DVec3;
 
 /// The least corner of the box around a mesh, and its longest side.

@@ -4,8 +4,9 @@ use bubblestone::export::{MeshFormat, MeshOrder, ModelFile};
 use bubblestone::field::Kind;
 use bubblestone::heightfield::TextureParams;
 use bubblestone::material::{Gloss, WeatherParams, material_table};
-use bubblestone::surface::stones::{Paving, StonesParams, links};
-use bubblestone::surface::{Frame, SurfaceCell, SurfacePoint, TriMesh};
+use bubblestone::surface_cells::SurfaceCell;
+use bubblestone::surface_stones::{Paving, StonesParams, links};
+use bubblestone::trimesh::{Frame, SurfacePoint, TriMesh};
 use glam::{DVec2, DVec3};
 
 const SIDE: usize = 6;

@@ -1,0 +1,178 @@
+//! GLB, which is glTF 2.0 in one file: a head of JSON, and numbers.
+
+use super::json::Json;
+use super::scene::{Draw, Kind, Mode, Scene, View, broken};
+use super::{Reader, SLICE, add_strip, ends, too_large};
+use crate::notice::{Code, Notice};
+use crate::trimesh::{MOST_TRIANGLES, Soup};
+use glam::DVec3;
+
+/// Of chunks.
+const JSON: &[u8] = b"JSON";
+const BIN: &[u8] = b"BIN\0";
+
+#[derive(Default)]
+pub(super) struct Glb {
+    /// Nothing before the head is read.
+    draws: Option<Vec<Draw>>,
+    /// Where the numbers begin.
+    start: usize,
+    /// The draw at work, and its numbers that are read: first places, then corners.
+    draw: usize,
+    at: usize,
+    /// The first vertex of the draw.
+    first: usize,
+    corners: Vec<u32>,
+}
+
+impl Reader for Glb {
+    fn advance(&mut self, bytes: &[u8], soup: &mut Soup) -> Result<bool, Notice> {
+        let Some(draws) = self.draws.take() else {
+            self.draws = Some(self.read_head(bytes)?);
+            return Ok(false);
+        };
+        let mut left = SLICE / 4;
+        while left > 0 && self.draw < draws.len() {
+            left -= self.read(&draws[self.draw], bytes, left, soup)?;
+        }
+        let done = self.draw == draws.len();
+        self.draws = Some(draws);
+        Ok(done)
+    }
+
+    fn progress(&self, _: &[u8]) -> f64 {
+        let draws = self.draws.as_ref().map_or(1, Vec::len).max(1);
+        self.draw as f64 / draws as f64
+    }
+}
+
+fn u32_at(bytes: &[u8], at: usize) -> Option<u32> {
+    let bytes = bytes.get(at..at.checked_add(4)?)?;
+    Some(u32::from_le_bytes(bytes.try_into().ok()?))
+}
+
+impl Glb {
+    fn read_head(&mut self, bytes: &[u8]) -> Result<Vec<Draw>, Notice> {
+        let bad = || Notice::new(Code::FileHead).with("kind", "GLB".to_owned());
+        let version = u32_at(bytes, 4).ok_or_else(|| ends("GLB"))?;
+        let length = u32_at(bytes, 8).ok_or_else(|| ends("GLB"))? as usize;
+        if version != 2 {
+            return Err(bad());
+        }
+        if length > bytes.len() {
+            return Err(ends("GLB"));
+        }
+        let (mut json, mut numbers) = (None, 0..0);
+        let mut at = 12;
+        while let (Some(count), Some(kind)) = (u32_at(bytes, at), bytes.get(at + 4..at + 8)) {
+            let start = at + 8;
+            let end = start.saturating_add(count as usize);
+            let chunk = bytes.get(start..end).ok_or_else(|| ends("GLB"))?;
+            if kind == JSON && json.is_none() {
+                json = Some(Json::parse(chunk).ok_or_else(bad)?);
+            } else if kind == BIN && numbers.is_empty() {
+                numbers = start..end;
+            }
+            at = end.next_multiple_of(4);
+        }
+        self.start = numbers.start;
+        let draws = Scene::draws(&json.ok_or_else(bad)?, numbers.len())?;
+        let count = |draw: &Draw| draw.corners.unwrap_or(draw.places).count;
+        let triangles = |draw: &Draw| match draw.mode {
+            Mode::Triangles => count(draw) / 3,
+            _ => count(draw).saturating_sub(2),
+        };
+        // The same numbers may be drawn many times.
+        let add = |sum: usize, n: usize| sum.saturating_add(n);
+        let all = draws.iter().map(triangles).fold(0, add);
+        let vertices = draws.iter().map(|draw| draw.places.count).fold(0, add);
+        if all > MOST_TRIANGLES || vertices > 9 * MOST_TRIANGLES {
+            return Err(too_large(all.max(vertices / 3)));
+        }
+        Ok(draws)
+    }
+
+    /// Reads some numbers of a draw; how many.
+    fn read(
+        &mut self,
+        draw: &Draw,
+        bytes: &[u8],
+        most: usize,
+        soup: &mut Soup,
+    ) -> Result<usize, Notice> {
+        let places = draw.places.count;
+        let corners = draw.corners.map_or(places, |view| view.count);
+        if self.at < places {
+            let end = places.min(self.at + most);
+            for k in self.at..end {
+                let component = |j| self.number(bytes, &draw.places, k, j);
+                let [x, y, z] = [0, 1, 2].map(component);
+                soup.positions.push(draw.frame.place(DVec3::new(x, y, z)));
+            }
+            return Ok(end - std::mem::replace(&mut self.at, end));
+        }
+        let end = (places + corners).min(self.at + most);
+        for k in self.at - places..end - places {
+            let corner = match &draw.corners {
+                None => k as u32,
+                Some(view) => self.number(bytes, view, k, 0) as u32,
+            };
+            if corner as usize >= places {
+                return Err(broken("primitive", self.draw));
+            }
+            self.corners.push(self.first as u32 + corner);
+        }
+        let read = end - std::mem::replace(&mut self.at, end);
+        if end == places + corners {
+            self.finish(draw, soup);
+        }
+        Ok(read.max(1))
+    }
+
+    /// Adds the triangles of a draw.
+    fn finish(&mut self, draw: &Draw, soup: &mut Soup) {
+        let corners = std::mem::take(&mut self.corners);
+        let first = soup.triangles.len();
+        match draw.mode {
+            Mode::Triangles => soup.triangles.extend(corners.as_chunks::<3>().0),
+            Mode::Strip => add_strip(&corners, &mut soup.triangles),
+            Mode::Fan => {
+                let fan = corners.iter().skip(1).zip(corners.iter().skip(2));
+                soup.triangles
+                    .extend(fan.map(|(&b, &c)| [corners[0], b, c]));
+            }
+        }
+        if draw.frame.mirrors() {
+            for t in &mut soup.triangles[first..] {
+                t.swap(1, 2);
+            }
+        }
+        self.draw += 1;
+        self.at = 0;
+        self.first = soup.positions.len();
+    }
+
+    /// A component of a group; views are known to lie within the numbers.
+    fn number(&self, bytes: &[u8], view: &View, group: usize, component: usize) -> f64 {
+        let size = view.kind.bytes();
+        let at = self.start + view.start + view.stride * group + size * component;
+        let bytes = bytes.get(at..at + size).unwrap_or(&[]);
+        let bits = bytes
+            .iter()
+            .rev()
+            .fold(0u32, |bits, &b| bits << 8 | u32::from(b));
+        let (x, most) = match view.kind {
+            Kind::F32 => return f32::from_bits(bits).into(),
+            Kind::U32 => return bits.into(),
+            Kind::I8 => (f64::from(bits as u8 as i8), 127.0),
+            Kind::U8 => (f64::from(bits), 255.0),
+            Kind::I16 => (f64::from(bits as u16 as i16), 32767.0),
+            Kind::U16 => (f64::from(bits), 65535.0),
+        };
+        if view.is_normalized {
+            (x / most).max(-1.0)
+        } else {
+            x
+        }
+    }
+}

@@ -1,0 +1,136 @@
+//! Models of files: OBJ, GLB, PLY and STL.
+//!
+//! The readers are our own. What libraries there are (`tobj`, `gltf` with `serde_json`, `ply-rs`, `stl_io`) read a file
+//! in one go, which holds a page up for a second where a model has half a million triangles; they keep what no surface
+//! needs; some take the counts of a file's head for true, or end in a panic where it is broken; and the second alone
+//! weighs more than all of this. Only shapes are read: no colours, no joints.
+//!
+//! What is wrong with a file is a sentence. What is wrong with the model in it, [`crate::trimesh::repair`] says or mends.
+
+mod glb;
+mod json;
+mod obj;
+mod ply;
+#[cfg(test)]
+mod samples;
+mod scene;
+mod stl;
+mod text;
+
+#[cfg(test)]
+mod tests;
+
+use crate::notice::{Code, Notice};
+use crate::trimesh::{MOST_TRIANGLES, Soup};
+use std::sync::Arc;
+
+/// Bytes of text, or numbers of other files, of a slice.
+const SLICE: usize = 1 << 18;
+
+/// Takes a file to pieces.
+trait Reader {
+    /// Reads some more of it; true at its end.
+    fn advance(&mut self, bytes: &[u8], soup: &mut Soup) -> Result<bool, Notice>;
+    /// How much of it is read, 0 to 1.
+    fn progress(&self, bytes: &[u8]) -> f64;
+}
+
+/// A file being read.
+pub struct Reading {
+    bytes: Arc<Vec<u8>>,
+    soup: Soup,
+    reader: Box<dyn Reader>,
+}
+
+impl Reading {
+    /// Of a file's name, which counts where its content does not tell what it is, and its bytes.
+    ///
+    /// # Errors
+    /// Where it is none of the kinds that can be read.
+    pub fn new(name: &str, bytes: impl Into<Arc<Vec<u8>>>) -> Result<Self, Notice> {
+        let bytes = bytes.into();
+        let ending = name.rsplit('.').next().unwrap_or("").to_ascii_lowercase();
+        let start = text::trimmed(&bytes);
+        let reader: Box<dyn Reader> = if bytes.starts_with(b"glTF") {
+            Box::<glb::Glb>::default()
+        } else if bytes.starts_with(b"ply\n") || bytes.starts_with(b"ply\r") {
+            Box::<ply::Ply>::default()
+        } else if start.starts_with(b"{") {
+            return Err(match ending.as_str() {
+                "gltf" | "glb" => Code::FileInParts.into(),
+                _ => Code::FileUnknown.into(),
+            });
+        } else if let Some(reader) = stl::of(&bytes, ending == "stl") {
+            reader
+        } else if ending == "obj" || obj::is_one(start) {
+            Box::<obj::Obj>::default()
+        } else {
+            return Err(Code::FileUnknown.into());
+        };
+        Ok(Self {
+            bytes,
+            reader,
+            soup: Soup::default(),
+        })
+    }
+
+    /// Reads some more; what is in the file when it is done, or a sentence.
+    pub fn advance(&mut self) -> Option<Result<Soup, Notice>> {
+        let done = match self.reader.advance(&self.bytes, &mut self.soup) {
+            Ok(done) => done,
+            Err(why) => return Some(Err(why)),
+        };
+        let count = self.soup.triangles.len();
+        if count > MOST_TRIANGLES {
+            return Some(Err(too_large(count)));
+        }
+        done.then(|| Ok(std::mem::take(&mut self.soup)))
+    }
+
+    /// How much of the file is read, 0 to 1.
+    pub fn progress(&self) -> f64 {
+        self.reader.progress(&self.bytes)
+    }
+
+    /// All of a file at once.
+    ///
+    /// # Errors
+    /// What is wrong with it.
+    pub fn read(name: &str, bytes: Vec<u8>) -> Result<Soup, Notice> {
+        let mut reading = Self::new(name, bytes)?;
+        loop {
+            if let Some(done) = reading.advance() {
+                return done;
+            }
+        }
+    }
+}
+
+fn too_large(triangles: usize) -> Notice {
+    let too_large = Notice::new(Code::ModelTooLarge);
+    too_large.with("n", triangles).with("most", MOST_TRIANGLES)
+}
+
+/// A file that is not all there.
+fn ends(kind: &str) -> Notice {
+    Notice::new(Code::FileEnds).with("kind", kind.to_owned())
+}
+
+/// A line that says nothing.
+fn bad_line(kind: &str, number: usize, line: &[u8]) -> Notice {
+    let line = String::from_utf8_lossy(&line[..line.len().min(200)]);
+    Notice::new(Code::FileLine)
+        .with("kind", kind.to_owned())
+        .with("n", number)
+        .with("line", crate::notice::quote(line.trim()))
+}
+
+/// A strip of triangles, each of which begins at the next corner and turns the other way round.
+fn add_strip(corners: &[u32], triangles: &mut Vec<[u32; 3]>) {
+    for (k, t) in corners.windows(3).enumerate() {
+        triangles.push(match k % 2 {
+            0 => [t[0], t[1], t[2]],
+            _ => [t[1], t[0], t[2]],
+        });
+    }
+}

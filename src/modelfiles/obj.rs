@@ -1,0 +1,125 @@
+//! Wavefront OBJ: lines of text.
+
+use super::text::{number, words};
+use super::{Reader, SLICE, bad_line, too_large};
+use crate::notice::Notice;
+use crate::trimesh::{MOST_TRIANGLES, Soup, polygon};
+use glam::DVec3;
+
+/// What the lines of a file begin with.
+const WORDS: [&[u8]; 14] = [
+    b"v", b"vt", b"vn", b"vp", b"f", b"g", b"o", b"s", b"l", b"p", b"#", b"usemtl", b"mtllib",
+    b"#v",
+];
+
+/// Does text look like such a file?
+pub(super) fn is_one(start: &[u8]) -> bool {
+    let start = &start[..start.len().min(1 << 16)];
+    let has = |word: &[u8]| {
+        let mut lines = start.split(|&b| b == b'\n');
+        lines.any(|line| words(line).next() == Some(word))
+    };
+    let first = words(start).next().unwrap_or(b"");
+    (WORDS.contains(&first) || first.starts_with(b"#")) && has(b"v")
+}
+
+#[derive(Default)]
+pub(super) struct Obj {
+    at: usize,
+    line: usize,
+    corners: Vec<u32>,
+}
+
+impl Reader for Obj {
+    fn advance(&mut self, bytes: &[u8], soup: &mut Soup) -> Result<bool, Notice> {
+        let end = bytes.len().min(self.at + SLICE);
+        while self.at < end {
+            let rest = &bytes[self.at..];
+            let length = rest.iter().position(|&b| b == b'\n').unwrap_or(rest.len());
+            self.at += length + 1;
+            self.line += 1;
+            let line = &rest[..length];
+            let Some(first) = continued(line) else {
+                self.read(line, soup)?;
+                continue;
+            };
+            let number = self.line;
+            let mut whole = first.to_vec();
+            while self.at < bytes.len() {
+                let rest = &bytes[self.at..];
+                let length = rest.iter().position(|&b| b == b'\n').unwrap_or(rest.len());
+                self.at += length + 1;
+                self.line += 1;
+                whole.push(b' ');
+                match continued(&rest[..length]) {
+                    Some(part) => whole.extend_from_slice(part),
+                    None => {
+                        whole.extend_from_slice(&rest[..length]);
+                        break;
+                    }
+                }
+            }
+            let last = std::mem::replace(&mut self.line, number);
+            self.read(&whole, soup)?;
+            self.line = last;
+        }
+        Ok(self.at >= bytes.len())
+    }
+
+    fn progress(&self, bytes: &[u8]) -> f64 {
+        (self.at as f64 / bytes.len().max(1) as f64).min(1.0)
+    }
+}
+
+/// A line that goes on in the next one, without the sign for that.
+fn continued(line: &[u8]) -> Option<&[u8]> {
+    line.strip_suffix(b"\r").unwrap_or(line).strip_suffix(b"\\")
+}
+
+impl Obj {
+    fn read(&mut self, line: &[u8], soup: &mut Soup) -> Result<(), Notice> {
+        let bad = || bad_line("OBJ", self.line, line);
+        let mut words = words(line);
+        match words.next() {
+            Some(b"v") => {
+                let mut next = || words.next().and_then(number).ok_or_else(bad);
+                let place = DVec3::new(next()?, next()?, next()?);
+                soup.positions.push(place);
+                if soup.positions.len() > 9 * MOST_TRIANGLES {
+                    return Err(too_large(soup.positions.len() / 3));
+                }
+            }
+            Some(b"f") => {
+                self.corners.clear();
+                for word in words {
+                    // A comment may end the line.
+                    if word.starts_with(b"#") {
+                        break;
+                    }
+                    let corner = corner(word, soup.positions.len());
+                    self.corners.push(corner.ok_or_else(bad)?);
+                }
+                if self.corners.len() > MOST_TRIANGLES {
+                    return Err(too_large(self.corners.len()));
+                }
+                polygon::add(&soup.positions, &self.corners, &mut soup.triangles);
+            }
+            _ => {}
+        }
+        Ok(())
+    }
+}
+
+/// The vertex of a corner `v`, `v/vt`, `v//vn` or `v/vt/vn`: they count from 1, or back from the last with -1.
+fn corner(word: &[u8], vertices: usize) -> Option<u32> {
+    let vertex = word.split(|&b| b == b'/').next()?;
+    let at = match vertex.strip_prefix(b"-") {
+        Some(back) => vertices.checked_sub(whole(back).filter(|&n| n > 0)?)?,
+        None => whole(vertex)?.checked_sub(1)?,
+    };
+    u32::try_from(at).ok().filter(|&at| at < u32::MAX)
+}
+
+fn whole(word: &[u8]) -> Option<usize> {
+    super::text::whole(word).and_then(|n| usize::try_from(n).ok())
+}

@@ -1,0 +1,315 @@
+//! PLY, as text and as numbers of either order of bytes.
+
+use super::text::{next_word, number, whole, words};
+use super::{Reader, add_strip, bad_line, ends, too_large};
+use crate::notice::{Code, Notice};
+use crate::trimesh::{MOST_TRIANGLES, Soup, polygon};
+use glam::DVec3;
+
+/// Numbers of a slice.
+const NUMBERS: usize = 1 << 17;
+/// The longest head that is read.
+const HEAD: usize = 1 << 16;
+
+#[derive(Clone, Copy, PartialEq)]
+enum Format {
+    Text,
+    Little,
+    Big,
+}
+
+/// Bytes of a number, and what it is.
+#[derive(Clone, Copy)]
+enum Scalar {
+    Signed(usize),
+    Unsigned(usize),
+    Float,
+    Double,
+}
+
+#[derive(Clone, Copy, PartialEq)]
+enum Role {
+    /// Along an axis.
+    Place(usize),
+    Corners,
+    Strip,
+    None,
+}
+
+struct Property {
+    /// Of a list, the number of its items.
+    count: Option<Scalar>,
+    item: Scalar,
+    role: Role,
+}
+
+struct Element {
+    count: u64,
+    is_vertex: bool,
+    properties: Vec<Property>,
+}
+
+#[derive(Default)]
+pub(super) struct Ply {
+    head: Option<Head>,
+    at: usize,
+    element: usize,
+    /// Items of the element that are read.
+    item: u64,
+    list: Vec<u32>,
+    spent: usize,
+    has_faces: bool,
+}
+
+struct Head {
+    format: Format,
+    elements: Vec<Element>,
+}
+
+impl Reader for Ply {
+    fn advance(&mut self, bytes: &[u8], soup: &mut Soup) -> Result<bool, Notice> {
+        let Some(head) = self.head.take() else {
+            self.head = Some(self.read_head(bytes)?);
+            return Ok(false);
+        };
+        self.spent = 0;
+        while self.spent < NUMBERS {
+            let Some(element) = head.elements.get(self.element) else {
+                if !self.has_faces && !soup.positions.is_empty() {
+                    return Err(Notice::new(Code::FilePoints).with("kind", "PLY".to_owned()));
+                }
+                return Ok(true);
+            };
+            if self.item == element.count || element.properties.is_empty() {
+                (self.element, self.item) = (self.element + 1, 0);
+                continue;
+            }
+            self.read_item(bytes, head.format, element, soup)?;
+            self.item += 1;
+        }
+        self.head = Some(head);
+        Ok(false)
+    }
+
+    fn progress(&self, bytes: &[u8]) -> f64 {
+        self.at as f64 / bytes.len().max(1) as f64
+    }
+}
+
+fn bad_head() -> Notice {
+    Notice::new(Code::FileHead).with("kind", "PLY".to_owned())
+}
+
+fn scalar(word: &[u8]) -> Result<Scalar, Notice> {
+    Ok(match word {
+        b"char" | b"int8" => Scalar::Signed(1),
+        b"uchar" | b"uint8" => Scalar::Unsigned(1),
+        b"short" | b"int16" => Scalar::Signed(2),
+        b"ushort" | b"uint16" => Scalar::Unsigned(2),
+        b"int" | b"int32" => Scalar::Signed(4),
+        b"uint" | b"uint32" => Scalar::Unsigned(4),
+        b"float" | b"float32" => Scalar::Float,
+        b"double" | b"float64" => Scalar::Double,
+        _ => return Err(bad_head()),
+    })
+}
+
+impl Ply {
+    fn read_head(&mut self, bytes: &[u8]) -> Result<Head, Notice> {
+        let mut format = None;
+        let mut elements: Vec<Element> = Vec::new();
+        loop {
+            let rest = bytes.get(self.at..).unwrap_or(&[]);
+            let length = rest.iter().take(HEAD).position(|&b| b == b'\n');
+            let Some(length) = length.filter(|_| self.at < HEAD) else {
+                return Err(if rest.len() < HEAD {
+                    ends("PLY")
+                } else {
+                    bad_head()
+                });
+            };
+            self.at += length + 1;
+            let line: Vec<&[u8]> = words(&rest[..length]).collect();
+            match line[..] {
+                [b"format", kind, ..] => {
+                    format = Some(match kind {
+                        b"ascii" => Format::Text,
+                        b"binary_little_endian" => Format::Little,
+                        b"binary_big_endian" => Format::Big,
+                        _ => return Err(bad_head()),
+                    });
+                }
+                [b"element", name, count] => elements.push(Element {
+                    count: whole(count).ok_or_else(bad_head)?,
+                    is_vertex: name == b"vertex",
+                    properties: Vec::new(),
+                }),
+                [b"property", b"list", count, item, name] => {
+                    let role = match name {
+                        b"vertex_indices" | b"vertex_index" => match elements.last() {
+                            Some(last) if last.is_vertex => Role::None,
+                            _ => Role::Corners,
+                        },
+                        _ => Role::None,
+                    };
+                    let property = Property {
+                        count: Some(scalar(count)?),
+                        item: scalar(item)?,
+                        role,
+                    };
+                    let last = elements.last_mut().ok_or_else(bad_head)?;
+                    last.properties.push(property);
+                }
+                [b"property", item, name] => {
+                    let last = elements.last_mut().ok_or_else(bad_head)?;
+                    let axis = [b"x", b"y", b"z"].iter().position(|axis| *axis == name);
+                    let role = match axis {
+                        Some(axis) if last.is_vertex => Role::Place(axis),
+                        _ => Role::None,
+                    };
+                    last.properties.push(Property {
+                        count: None,
+                        item: scalar(item)?,
+                        role,
+                    });
+                }
+                [b"end_header"] => break,
+                [b"ply"] | [b"comment", ..] | [b"obj_info", ..] | [] => {}
+                _ => return Err(bad_head()),
+            }
+            // Those of strips are told by their element's name.
+            if let [b"element", b"tristrips", _] = line[..] {
+                self.has_faces = true;
+            }
+        }
+        let format = format.ok_or_else(bad_head)?;
+        let mut head = Head { format, elements };
+        check(&mut head, self.has_faces)?;
+        self.has_faces = false;
+        Ok(head)
+    }
+
+    fn read_item(
+        &mut self,
+        bytes: &[u8],
+        format: Format,
+        element: &Element,
+        soup: &mut Soup,
+    ) -> Result<(), Notice> {
+        let mut place = [0.0; 3];
+        for property in &element.properties {
+            let Some(count) = property.count else {
+                let x = self.read(bytes, format, property.item)?;
+                if let Role::Place(axis) = property.role {
+                    place[axis] = x;
+                }
+                continue;
+            };
+            let count = self.read(bytes, format, count)?;
+            // Each of them has a byte at least.
+            if !(count >= 0.0 && count <= (bytes.len() - self.at) as f64) {
+                return Err(ends("PLY"));
+            }
+            self.list.clear();
+            for _ in 0..count as usize {
+                let x = self.read(bytes, format, property.item)?;
+                let fits = x >= -1.0 && x < f64::from(u32::MAX) && x as i64 as f64 == x;
+                // What is no corner will not be found.
+                let corner = if fits { x as i64 as u32 } else { u32::MAX };
+                if property.role != Role::None {
+                    self.list.push(corner);
+                }
+            }
+            self.add(property.role, soup)?;
+        }
+        if element.is_vertex {
+            soup.positions.push(DVec3::from(place));
+            if soup.positions.len() > 9 * MOST_TRIANGLES {
+                return Err(too_large(soup.positions.len() / 3));
+            }
+        }
+        Ok(())
+    }
+
+    fn add(&mut self, role: Role, soup: &mut Soup) -> Result<(), Notice> {
+        if self.list.len() > 3 * MOST_TRIANGLES {
+            return Err(too_large(self.list.len()));
+        }
+        match role {
+            Role::Corners => polygon::add(&soup.positions, &self.list, &mut soup.triangles),
+            Role::Strip => {
+                // A corner of -1 ends a strip.
+                for strip in self.list.split(|&v| v == u32::MAX) {
+                    add_strip(strip, &mut soup.triangles);
+                }
+            }
+            _ => return Ok(()),
+        }
+        self.has_faces = true;
+        Ok(())
+    }
+
+    fn read(&mut self, bytes: &[u8], format: Format, scalar: Scalar) -> Result<f64, Notice> {
+        self.spent += 1;
+        if format == Format::Text {
+            let word = next_word(bytes, &mut self.at).ok_or_else(|| ends("PLY"))?;
+            let line = || 1 + bytes[..self.at].iter().filter(|&&b| b == b'\n').count();
+            // Some programs write what is no number: the model's check tells of it.
+            let is_none = |word: &[u8]| {
+                [&b"nan"[..], b"-nan", b"inf", b"-inf"]
+                    .iter()
+                    .any(|none| word.eq_ignore_ascii_case(none))
+            };
+            return match number(word) {
+                None if is_none(word) => Ok(f64::NAN),
+                x => x.ok_or_else(|| bad_line("PLY", line(), word)),
+            };
+        }
+        let size = match scalar {
+            Scalar::Signed(size) | Scalar::Unsigned(size) => size,
+            Scalar::Float => 4,
+            Scalar::Double => 8,
+        };
+        let bits = bytes
+            .get(self.at..self.at + size)
+            .ok_or_else(|| ends("PLY"))?;
+        self.at += size;
+        let add = |sum: u64, &byte: &u8| sum << 8 | u64::from(byte);
+        let bits = match format {
+            Format::Big => bits.iter().fold(0, add),
+            _ => bits.iter().rev().fold(0, add),
+        };
+        Ok(match scalar {
+            Scalar::Unsigned(_) => bits as f64,
+            // The sign is the highest bit.
+            Scalar::Signed(size) => ((bits << (64 - 8 * size)) as i64 >> (64 - 8 * size)) as f64,
+            Scalar::Float => f32::from_bits(bits as u32).into(),
+            Scalar::Double => f64::from_bits(bits),
+        })
+    }
+}
+
+/// Vertices need three coordinates.
+fn check(head: &mut Head, has_strips: bool) -> Result<(), Notice> {
+    let Some(vertex) = head.elements.iter().find(|e| e.is_vertex) else {
+        return Err(bad_head());
+    };
+    let has = |axis| {
+        vertex
+            .properties
+            .iter()
+            .any(|p| p.role == Role::Place(axis))
+    };
+    if !(has(0) && has(1) && has(2)) {
+        return Err(bad_head());
+    }
+    let faces = |e: &Element| e.properties.iter().any(|p| p.role == Role::Corners);
+    let lists = head.elements.iter().filter(|e| faces(e)).count();
+    if has_strips && lists == 1 {
+        let lists = head.elements.iter_mut().flat_map(|e| &mut e.properties);
+        for property in lists.filter(|p| p.role == Role::Corners) {
+            property.role = Role::Strip;
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,328 @@
+use super::samples::{files, glb, glb_of, model, obj, ply, stl, stl_text};
+use super::*;
+use crate::trimesh::repair::Mending;
+use crate::trimesh::testing;
+use glam::DVec3;
+
+fn read(name: &str, bytes: impl Into<Vec<u8>>) -> Soup {
+    Reading::read(name, bytes.into()).expect("a model")
+}
+
+fn refused(name: &str, bytes: impl Into<Vec<u8>>) -> Code {
+    Reading::read(name, bytes.into())
+        .expect_err("no model")
+        .code
+}
+
+#[test]
+fn files_of_all_kinds_hold_the_same_model() {
+    let (positions, triangles) = model();
+    let apart = testing::apart(&model());
+    for (name, bytes) in files() {
+        // The content tells what it is.
+        for named in [name, "model"] {
+            let soup = read(named, bytes.clone());
+            let wanted = if name.ends_with("stl") {
+                (&apart.0, &apart.1)
+            } else {
+                (&positions, &triangles)
+            };
+            assert!((&soup.positions, &soup.triangles) == wanted, "{name}");
+            assert_eq!(Mending::mend(soup).unwrap().mesh.euler(), 2);
+        }
+    }
+}
+
+#[test]
+fn a_file_is_read_in_slices() {
+    let raw = testing::ball(7);
+    let files = [
+        obj(&raw).into_bytes(),
+        ply(&raw, "ascii"),
+        ply(&raw, "binary_big_endian"),
+        stl(&raw, b""),
+        stl_text(&raw).into_bytes(),
+    ];
+    for bytes in files {
+        let mut reading = Reading::new("a.obj", bytes).unwrap();
+        let (mut slices, mut last) = (0, 0.0);
+        let soup = loop {
+            if let Some(done) = reading.advance() {
+                break done.unwrap();
+            }
+            assert!((last..=1.0).contains(&reading.progress()));
+            last = reading.progress();
+            slices += 1;
+        };
+        assert_eq!(soup.triangles.len(), raw.1.len());
+        assert!(slices > 2, "{slices}");
+    }
+}
+
+#[test]
+fn broken_files_are_a_sentence_or_a_model() {
+    let mut chance = testing::chance(8);
+    for (name, bytes) in files() {
+        let step = 1 + bytes.len() / 700;
+        for length in (0..bytes.len()).step_by(step) {
+            try_all(name, bytes[..length].to_vec());
+        }
+        for _ in 0..1500 {
+            let mut bytes = bytes.clone();
+            for _ in 0..=chance.below(4) {
+                // Heads more often than the rest.
+                let span = [bytes.len(), 1000][chance.below(2)].min(bytes.len());
+                let at = chance.below(span);
+                bytes[at] = match chance.below(3) {
+                    0 => bytes[at] ^ 1 << chance.below(8),
+                    1 => chance.bits() as u8,
+                    _ => b"0129-. \n\"{}[]"[chance.below(13)],
+                };
+            }
+            try_all(name, bytes);
+        }
+    }
+    for _ in 0..300 {
+        let noise: Vec<u8> = (0..chance.below(3000))
+            .map(|_| chance.bits() as u8)
+            .collect();
+        for name in ["a.obj", "a.stl", "a.ply", "a.glb", ""] {
+            try_all(name, noise.clone());
+        }
+    }
+}
+
+/// Whatever comes of it, it is no panic.
+fn try_all(name: &str, bytes: Vec<u8>) {
+    if let Ok(soup) = Reading::read(name, bytes) {
+        let _ = Mending::mend(soup);
+    }
+}
+
+#[test]
+fn what_an_obj_may_have_is_read() {
+    let text = "\u{FEFF}# comment\r\n\r\nv 0 0 0 1\r\nv 1 0 0 0.5 0.5 0.5\nv 1 1 0\n  v\t0 1 \\\n 0\n\
+        f 1 2 3 4\nf -4 -3 -2 # the same\nvt 0 0\nf 1/1 2/1 \\\r\n 3/1\nl 1 2\np 1\nf 1 2\ncurv 0 1 2";
+    let soup = read("a.obj", text);
+    assert_eq!(soup.positions.len(), 4);
+    assert_eq!(soup.positions[3], DVec3::new(0.0, 1.0, 0.0));
+    assert_eq!(soup.triangles.len(), 4);
+    assert_eq!(soup.triangles[2..], [[0, 1, 2], [0, 1, 2]]);
+    // A hollow polygon is cut within.
+    let text = "v 0 0 0\nv 2 1 0\nv 0 2 0\nv 0.5 1 0\nf 1 2 3 4\n";
+    let mesh = Mending::mend(read("a.obj", text)).unwrap().mesh;
+    assert!((mesh.area() - 1.5).abs() < 1e-12 && mesh.face_normal(0) == DVec3::Z);
+}
+
+#[test]
+fn bad_lines_are_told_by_their_numbers() {
+    for (text, n) in [
+        ("v 0 0 0\nv 0 one 0\n", "2"),
+        ("v 0 0\n", "1"),
+        ("v 0 0 0\n\nf 1 0 1\n", "3"),
+        ("v 0 0 0\nf -2 1 1\n", "2"),
+        ("v 0 0 0\nf 1 1 \\\n x\n", "2"),
+        ("v 0 0 nan\n", "1"),
+    ] {
+        let why = Reading::read("a.obj", text.as_bytes().to_vec()).unwrap_err();
+        assert_eq!(why.code, Code::FileLine, "{text}");
+        assert!(
+            why.to_string().starts_with(&format!("Line {n} of the OBJ")),
+            "{why}"
+        );
+    }
+    // A vertex beyond the last may still come: it is looked for at the end.
+    let soup = read("a.obj", "v 0 0 0\nv 1 0 0\nf 1 2 3\nv 0 1 0\n");
+    assert!(Mending::mend(soup).is_ok());
+    let soup = read("a.obj", "v 0 0 0\nv 1 0 0\nf 1 2 3\n");
+    assert_eq!(Mending::mend(soup).unwrap_err().code, Code::ModelCorner);
+}
+
+#[test]
+fn what_is_no_model_is_told_so() {
+    for (name, bytes, code) in [
+        ("a.txt", &b"hello"[..], Code::FileUnknown),
+        ("a.png", b"\x89PNG\r\n", Code::FileUnknown),
+        ("a.json", b"{}", Code::FileUnknown),
+        ("a.gltf", b"{\"asset\":{}}", Code::FileInParts),
+        ("", b"", Code::FileUnknown),
+        ("a.ply", b"ply\nformat ascii 1.0\n", Code::FileEnds),
+        (
+            "a.ply",
+            b"ply\nformat ascii 1.0\nend_header\n",
+            Code::FileHead,
+        ),
+        ("a.ply", b"ply\nformat utf 1.0\n", Code::FileHead),
+        ("a.glb", b"glTF\x01\0\0\0\x0C\0\0\0", Code::FileHead),
+        ("a.glb", b"glTF\x02\0\0\0\xFF\0\0\0", Code::FileEnds),
+    ] {
+        assert_eq!(refused(name, bytes), code, "{name}");
+    }
+    // What a name promises, and the file has not.
+    for name in ["a.obj", "a.ply", "a.stl", "a.glb"] {
+        let soup = Reading::read(name, b"nothing of the sort".to_vec());
+        let code = soup.and_then(Mending::mend).unwrap_err().code;
+        assert!(
+            matches!(code, Code::FileUnknown | Code::ModelEmpty),
+            "{code:?}"
+        );
+    }
+}
+
+#[test]
+fn great_counts_take_no_memory() {
+    let head = |vertices: &str, faces: &str| {
+        format!(
+            "ply\nformat binary_little_endian 1.0\nelement vertex {vertices}\nproperty float x\n\
+             property float y\nproperty float z\nelement face {faces}\n\
+             property list uint int vertex_index\nend_header\n"
+        )
+    };
+    assert_eq!(refused("a.ply", head("999999999999", "1")), Code::FileEnds);
+    let mut list = head("0", "1").into_bytes();
+    list.extend([0xFF; 5]);
+    assert_eq!(refused("a.ply", list), Code::FileEnds);
+    let empty = "ply\nformat ascii 1.0\nelement nothing 999999999999999\nelement vertex 0\nproperty float x\n\
+        property float y\nproperty float z\nend_header\n";
+    assert_eq!(read("a.ply", empty), Soup::default());
+    let mut many = vec![b' '; 84];
+    many[80..84].fill(0xFF);
+    assert_eq!(refused("a.stl", many), Code::FileEnds);
+    let json = r#"{"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
+        "accessors":[{"bufferView":0,"componentType":5126,"count":4294967295,"type":"VEC3"}],
+        "bufferViews":[{"buffer":0,"byteLength":4294967295}],"buffers":[{"byteLength":4294967295}]}"#;
+    assert_eq!(refused("a.glb", glb_of(json, &[0; 12])), Code::FileBroken);
+}
+
+#[test]
+fn more_triangles_than_can_be_taken_are_refused_while_reading() {
+    // Each node draws the same quad.
+    let quad = [DVec3::ZERO, DVec3::X, DVec3::ONE, DVec3::Y];
+    let corners: Vec<u32> = (0..60_000).map(|k| k % 4).collect();
+    let children: Vec<String> = (1..=120).map(|k: u32| k.to_string()).collect();
+    let mut nodes = format!(r#"{{"children":[{}]}}"#, children.join(","));
+    for _ in 0..120 {
+        nodes += r#",{"mesh":0}"#;
+    }
+    let bytes = glb(&quad, &corners, 5121, &nodes, "");
+    assert_eq!(refused("a.glb", bytes), Code::ModelTooLarge);
+    let mut text = String::from("v 0 0 0\nv 1 0 0\nv 0 1 0\n");
+    text += &"f 1 2 3\n".repeat(2_000_001);
+    assert_eq!(refused("a.obj", text), Code::ModelTooLarge);
+}
+
+#[test]
+fn points_without_faces_are_told() {
+    let text = "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n\
+        end_header\n1 2 3\n";
+    assert_eq!(refused("a.ply", text), Code::FilePoints);
+}
+
+#[test]
+fn strips_of_a_ply_are_read() {
+    let text = "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\nproperty float z\n\
+        element tristrips 1\nproperty list int int vertex_indices\nend_header\n\
+        0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n9 0 1 2 3 -1 2 3 4 -1\n";
+    let soup = read("a.ply", text);
+    assert_eq!(soup.triangles, [[0, 1, 2], [2, 1, 3], [2, 3, 4]]);
+}
+
+#[test]
+fn nodes_of_a_glb_put_meshes_where_they_are() {
+    let triangle = [DVec3::ZERO, DVec3::X, DVec3::Y];
+    let half = std::f64::consts::FRAC_1_SQRT_2;
+    let nodes = format!(
+        r#"{{"translation":[10,0,0],"children":[1,2]}},
+        {{"mesh":0,"rotation":[0,0,{half},{half}],"scale":[2,3,1]}},
+        {{"mesh":0,"matrix":[-1,0,0,0,0,1,0,0,0,0,1,0,0,0,5,1]}}"#
+    );
+    let soup = read("a.glb", glb(&triangle, &[0, 1, 2], 5125, &nodes, ""));
+    let wanted = [
+        [10.0, 0.0, 0.0],
+        [10.0, 2.0, 0.0],
+        [7.0, 0.0, 0.0],
+        [10.0, 0.0, 5.0],
+        [9.0, 0.0, 5.0],
+        [10.0, 1.0, 5.0],
+    ];
+    for (p, q) in soup.positions.iter().zip(wanted) {
+        assert!((*p - DVec3::from(q)).length() < 1e-12, "{p}");
+    }
+    // The mirrored one is turned.
+    assert_eq!(soup.triangles, [[0, 1, 2], [3, 5, 4]]);
+}
+
+#[test]
+fn strips_and_fans_of_a_glb_are_read() {
+    let square = [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::new(1.0, 1.0, 0.0)];
+    for kind in [5121, 5123, 5125] {
+        let strip = glb(
+            &square,
+            &[0, 1, 2, 3],
+            kind,
+            r#"{"mesh":0}"#,
+            r#","mode":5"#,
+        );
+        assert_eq!(read("a.glb", strip).triangles, [[0, 1, 2], [2, 1, 3]]);
+        let fan = glb(
+            &square,
+            &[0, 1, 3, 2],
+            kind,
+            r#"{"mesh":0}"#,
+            r#","mode":6"#,
+        );
+        assert_eq!(read("a.glb", fan).triangles, [[0, 1, 3], [0, 3, 2]]);
+        let lines = glb(
+            &square,
+            &[0, 1, 3, 2],
+            kind,
+            r#"{"mesh":0}"#,
+            r#","mode":1"#,
+        );
+        assert_eq!(read("a.glb", lines).triangles.len(), 0);
+    }
+}
+
+#[test]
+fn what_a_glb_needs_is_told() {
+    for (json, code) in [
+        (
+            r#"{"extensionsRequired":["KHR_draco_mesh_compression"]}"#,
+            Code::FileCompressed,
+        ),
+        (
+            r#"{"extensionsRequired":["EXT_meshopt_compression"]}"#,
+            Code::FileCompressed,
+        ),
+        (r#"{"extensionsRequired":["ABC_unknown"]}"#, Code::FileNeeds),
+        (
+            r#"{"nodes":[{"children":[1]},{"children":[0]}],"scenes":[{"nodes":[0]}]}"#,
+            Code::FileBroken,
+        ),
+        (r#"{"nodes":[{"mesh":7}]}"#, Code::FileBroken),
+        ("{]", Code::FileHead),
+    ] {
+        assert_eq!(refused("a.glb", glb_of(json, &[])), code, "{json}");
+    }
+    let part = r#"{"nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
+        "accessors":[{"bufferView":0,"componentType":5126,"count":1,"type":"VEC3"}],
+        "bufferViews":[{"buffer":0,"byteLength":12}],"buffers":[{"byteLength":12,"uri":"a.bin"}]}"#;
+    assert_eq!(refused("a.glb", glb_of(part, &[0; 12])), Code::FileInParts);
+    let sentence = Reading::read(
+        "a.glb",
+        glb_of(
+            r#"{"extensionsRequired":["KHR_draco_mesh_compression"]}"#,
+            &[],
+        ),
+    );
+    assert!(sentence.unwrap_err().to_string().contains("draco"));
+}
+
+#[test]
+fn our_own_files_are_read() {
+    use crate::export::model_obj;
+    let mesh = testing::mesh(testing::blob(3));
+    let soup = read("model.obj", model_obj(&mesh));
+    assert_eq!(soup.positions, mesh.positions());
+    assert_eq!(soup.triangles, mesh.triangles());
+}

@@ -1,0 +1,193 @@
+//! Words and numbers of text files.
+
+use crate::decimal;
+
+/// Without white space at its start.
+pub(super) fn trimmed(bytes: &[u8]) -> &[u8] {
+    // Some programs put a mark of Unicode first.
+    bytes
+        .strip_prefix(b"\xEF\xBB\xBF")
+        .unwrap_or(bytes)
+        .trim_ascii_start()
+}
+
+/// The words of a line.
+pub(super) fn words(line: &[u8]) -> impl Iterator<Item = &[u8]> {
+    line.split(u8::is_ascii_whitespace)
+        .filter(|word| !word.is_empty())
+}
+
+/// The next word from a place on, which goes behind it.
+pub(super) fn next_word<'a>(bytes: &'a [u8], at: &mut usize) -> Option<&'a [u8]> {
+    let rest = bytes.get(*at..)?;
+    let start = rest.iter().position(|b| !b.is_ascii_whitespace())?;
+    let word = &rest[start..];
+    let length = word.iter().position(u8::is_ascii_whitespace);
+    let length = length.unwrap_or(word.len());
+    *at += start + length;
+    Some(&word[..length])
+}
+
+/// Powers of ten that are exact.
+const TENS: [f64; 23] = [
+    1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16,
+    1e17, 1e18, 1e19, 1e20, 1e21, 1e22,
+];
+
+/// The double nearest to a decimal number. Those of few digits, as most are, take no long division
+/// (Clinger 1990, How to Read Floating Point Numbers Accurately).
+pub(super) fn number(word: &[u8]) -> Option<f64> {
+    let (is_negative, plain) = match word {
+        [b'-', rest @ ..] => (true, rest),
+        [b'+', rest @ ..] => (false, rest),
+        rest => (false, rest),
+    };
+    let size = match short(plain) {
+        Some((digits, power)) => quickly(digits, power),
+        None => None,
+    };
+    let size = match size {
+        Some(size) => size,
+        None if plain.first().is_some_and(|b| b"+-".contains(b)) => return None,
+        None => decimal::parse(std::str::from_utf8(plain).ok()?)?,
+    };
+    Some(if is_negative { -size } else { size })
+}
+
+/// The digits as one number, and the power of ten that it is to be multiplied by; where there are not too many.
+fn short(plain: &[u8]) -> Option<(u64, i32)> {
+    let (mut digits, mut count, mut power) = (0u64, 0, 0);
+    let mut has_point = false;
+    for (k, &byte) in plain.iter().enumerate() {
+        match byte {
+            b'0'..=b'9' => {
+                if count == 19 || k > 40 {
+                    return None;
+                }
+                digits = 10 * digits + u64::from(byte - b'0');
+                // Zeros at the start do not count.
+                count += i32::from(digits > 0);
+                power -= i32::from(has_point);
+            }
+            b'.' if !has_point => has_point = true,
+            b'e' | b'E' if k > 0 => {
+                power += exponent(&plain[k + 1..])?;
+                return plain[..k]
+                    .iter()
+                    .any(u8::is_ascii_digit)
+                    .then_some((digits, power));
+            }
+            _ => return None,
+        }
+    }
+    plain
+        .iter()
+        .any(u8::is_ascii_digit)
+        .then_some((digits, power))
+}
+
+fn exponent(word: &[u8]) -> Option<i32> {
+    let (sign, digits) = match word {
+        [b'-', rest @ ..] => (-1, rest),
+        [b'+', rest @ ..] => (1, rest),
+        rest => (1, rest),
+    };
+    let fits = (1..=3).contains(&digits.len()) && digits.iter().all(u8::is_ascii_digit);
+    fits.then(|| {
+        sign * digits
+            .iter()
+            .fold(0, |sum, b| 10 * sum + i32::from(b - b'0'))
+    })
+}
+
+fn quickly(digits: u64, power: i32) -> Option<f64> {
+    if digits == 0 {
+        return Some(0.0);
+    }
+    let ten = TENS.get(power.unsigned_abs() as usize)?;
+    // Both are exact, so the result is rounded once.
+    if digits < 1 << 53 {
+        let digits = digits as f64;
+        return Some(if power < 0 {
+            digits / ten
+        } else {
+            digits * ten
+        });
+    }
+    if !(-19..=0).contains(&power) {
+        return None;
+    }
+    // More bits of the quotient than a double has, the last of which says whether anything is left.
+    let zeros = digits.leading_zeros();
+    let over = u128::from(digits << zeros) << 63;
+    let under = 10u128.pow(power.unsigned_abs());
+    let quotient = (over / under) | u128::from(!over.is_multiple_of(under));
+    let two_to = f64::from_bits(u64::from(1023 - 63 - zeros) << 52);
+    Some(quotient as f64 * two_to)
+}
+
+/// A whole number, at least 0.
+pub(super) fn whole(word: &[u8]) -> Option<u64> {
+    let fits = (1..=18).contains(&word.len()) && word.iter().all(u8::is_ascii_digit);
+    fits.then(|| word.iter().fold(0, |sum, b| 10 * sum + u64::from(b - b'0')))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::trimesh::testing;
+
+    fn same(word: &str) {
+        let wanted = word.parse::<f64>().ok().map(f64::to_bits);
+        assert_eq!(number(word.as_bytes()).map(f64::to_bits), wanted, "{word}");
+    }
+
+    #[test]
+    fn numbers_are_read_as_the_standard_library_does() {
+        let mut chance = testing::chance(6);
+        for _ in 0..20_000 {
+            let x = chance.signed();
+            for word in [
+                format!("{x}"),
+                format!("{x:.6}"),
+                format!("{x:e}"),
+                format!("{}", x as f32),
+                format!("{:.9}", 1e5 * x),
+                format!("{}", 1e8 * x),
+                format!("{:.25}", x),
+                format!("{}", f64::from_bits(chance.bits() >> 1).min(1e308)),
+            ] {
+                same(&word);
+            }
+        }
+        for word in [
+            "0",
+            "-0",
+            ".5",
+            "5.",
+            "-.5e3",
+            "1e22",
+            "1e23",
+            "9007199254740993",
+            "18446744073709551615",
+            "1e-5",
+            "1E+5",
+            "0.0000000000000000000000000000000000000000000000000001",
+            "00000000000000000000000000000000000000000000001",
+        ] {
+            same(word);
+        }
+    }
+
+    #[test]
+    fn other_words_are_no_numbers() {
+        for word in [
+            "", "-", ".", "e5", "1e", "1e+", "--1", "+-1", "1.2.3", "ten", "1,5", "-e1", ".e1",
+            "nan", "inf",
+        ] {
+            assert_eq!(number(word.as_bytes()), None, "{word}");
+        }
+        assert_eq!(whole(b"12"), Some(12));
+        assert_eq!(whole(b"-12").or(whole(b"")).or(whole(&[b'9'; 30])), None);
+    }
+}

@@ -1,0 +1,370 @@
+//! From cells to their mesh and polygons, in slices.
+
+use super::SurfaceMesh;
+use super::bends::Bends;
+use super::borders::{Border, Crossing, crossings};
+use super::divided::Divided;
+use super::flips::Flips;
+use super::flood::Flood;
+use super::junctions::Junctions;
+use super::nodes::SurfaceNodes;
+use super::rings::{Links, Ring};
+use super::smooth::{Smoothing, settle};
+use super::straighten::{Straightening, Table};
+use crate::mesh::quads::{Faces, Pairing, is_lone};
+use crate::mesh::requad::{Goal, On, Search};
+use crate::mesh::triangles::Triangles;
+use crate::order;
+use crate::surface_packing::SurfaceParticle;
+use crate::trimesh::{NONE, SurfacePoint, TriMesh};
+
+/// Triangles whose pairs are looked at in one slice of the work.
+const PAIRS: usize = 4000;
+/// Work of a search, in corners of patches squared.
+const WORK: usize = 25_000;
+/// Places of meetings that are found.
+const PLACES: usize = 6000;
+/// Middles that are found.
+const MIDDLES: usize = 1000;
+/// Rings.
+const RINGS: usize = 5000;
+/// The fewest corners that pairs leave to a cell: of three it would be a wedge ...
+const CORNERS: u32 = 4;
+/// ... but where the two make nearly a rectangle: there three are as it should be.
+const RECTANGLE: f64 = 0.9;
+/// The fewest sides that they leave at an inner node where the mesh counts.
+const FEWEST: u32 = 3;
+/// Lone triangles are joined over the elements between them while they are more than this share of the elements ...
+const FEW_TRIANGLES: f64 = 0.02;
+/// ... and as many as a ball's singular points more.
+const SINGULAR: f64 = 8.0;
+/// The least score of quadrilaterals that replace lone triangles, falling.
+const STANDARDS: [f64; 6] = [0.5, 0.4, 0.3, 0.2, 0.2, 0.15];
+/// Nodes that walk to where they have come in one slice of the work.
+const WALKS: usize = 5000;
+
+/// The fewest corners that a pair of this score leaves.
+fn corners(score: f64) -> u32 {
+    if score > RECTANGLE { FEWEST } else { CORNERS }
+}
+
+/// How cells are finished.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Polish {
+    /// The mesh is made for its own sake, of as few lone triangles as can be: those near each other become quadrilaterals
+    /// with the elements between them. The cells do not change.
+    pub join: bool,
+    /// Cells with four corners become more like rectangles.
+    pub straighten: bool,
+}
+
+impl Default for Polish {
+    fn default() -> Self {
+        Self {
+            join: true,
+            straighten: true,
+        }
+    }
+}
+
+/// The cells' mesh and polygons in the making.
+pub struct SurfaceMeshing {
+    made: SurfaceMesh,
+    polish: Polish,
+    nodes: SurfaceNodes,
+    triangles: Triangles,
+    /// About where each of the triangles is.
+    places: Vec<SurfacePoint>,
+    faces: Faces,
+    label: Vec<u32>,
+    bends: Bends,
+    borders: Vec<Border>,
+    crossings: Vec<Crossing>,
+    rings: Vec<Option<Ring>>,
+    step: Option<Step>,
+}
+
+/// How far the work is.
+enum Step {
+    Begin,
+    Divide(Divided),
+    Flood(Divided, Flood),
+    Junctions(Divided, Junctions),
+    Places(Divided, Vec<u32>),
+    Flips(Flips),
+    /// For cells.
+    Pairs(Pairing),
+    Middles,
+    Borders,
+    Rings(usize),
+    Shapes,
+    Straighten(Straightening),
+    /// For the mesh.
+    Mesh(Pairing),
+    Join(usize, Search),
+    Smooth(usize, Smoothing),
+    Settle(usize),
+    Finish,
+}
+
+impl SurfaceMeshing {
+    /// Of cells that are placed on a mesh, in any order; nothing made yet.
+    pub fn new(mut cells: Vec<SurfaceParticle>, polish: Polish) -> Self {
+        order::sort(&mut cells, |c| (c.id.into(), 0));
+        Self {
+            nodes: SurfaceNodes::default(),
+            made: SurfaceMesh {
+                cells,
+                ..SurfaceMesh::default()
+            },
+            polish,
+            triangles: Triangles::default(),
+            places: Vec::new(),
+            faces: Faces::default(),
+            label: Vec::new(),
+            bends: Bends::default(),
+            borders: Vec::new(),
+            crossings: Vec::new(),
+            rings: Vec::new(),
+            step: Some(Step::Begin),
+        }
+    }
+
+    /// One slice of the work on the mesh it was begun with; what has been made with the last one.
+    pub fn advance(&mut self, mesh: &TriMesh) -> Option<SurfaceMesh> {
+        let step = self.step.take()?;
+        let next = self.work(mesh, step);
+        if matches!(next, Step::Finish) {
+            self.finish();
+            return Some(std::mem::take(&mut self.made));
+        }
+        self.step = Some(next);
+        None
+    }
+
+    fn work(&mut self, mesh: &TriMesh, step: Step) -> Step {
+        let nodes = &self.nodes;
+        let cells = &self.made.cells;
+        match step {
+            Step::Begin => {
+                self.nodes = SurfaceNodes::new(cells);
+                Step::Divide(Divided::new(mesh, cells))
+            }
+            Step::Divide(mut divided) => {
+                if !divided.advance(mesh, cells) {
+                    return Step::Divide(divided);
+                }
+                let flood = Flood::new(&divided, cells);
+                Step::Flood(divided, flood)
+            }
+            Step::Flood(divided, mut flood) => {
+                if !flood.advance(mesh, &divided) {
+                    return Step::Flood(divided, flood);
+                }
+                self.label = flood.label;
+                Step::Junctions(divided, Junctions::default())
+            }
+            Step::Junctions(divided, mut junctions) => {
+                let Some(triangles) = junctions.advance(&divided, &self.label) else {
+                    return Step::Junctions(divided, junctions);
+                };
+                self.triangles = triangles;
+                Step::Places(divided, junctions.places)
+            }
+            Step::Places(divided, triangles) => {
+                let from = self.places.len();
+                let to = triangles.len().min(from + PLACES);
+                let places = triangles[from..to].iter();
+                let places = places.map(|&t| divided.middle(mesh, cells, t));
+                self.places.extend(places);
+                if to < triangles.len() {
+                    return Step::Places(divided, triangles);
+                }
+                self.nodes.meetings.add(&self.triangles, &self.places);
+                Step::Flips(Flips::new(&self.nodes, &self.triangles))
+            }
+            Step::Flips(mut flips) => {
+                if !flips.advance(nodes, &mut self.triangles) {
+                    return Step::Flips(flips);
+                }
+                // A flip leaves both triangles about where they were.
+                self.nodes.meetings.add(&self.triangles, &self.places);
+                Step::Pairs(Pairing::default())
+            }
+            Step::Pairs(mut pairing) => {
+                if !pairing.advance(nodes, &self.triangles, |_| false, PAIRS) {
+                    return Step::Pairs(pairing);
+                }
+                self.faces = pairing.finish(self.nodes.points.len(), &self.triangles, corners);
+                Step::Middles
+            }
+            Step::Mesh(mut pairing) => {
+                if !pairing.advance(nodes, &self.triangles, |_| false, PAIRS) {
+                    return Step::Mesh(pairing);
+                }
+                self.faces = pairing.finish(self.nodes.points.len(), &self.triangles, |_| FEWEST);
+                self.join(0)
+            }
+            Step::Join(number, mut search) => {
+                let on = On {
+                    nodes,
+                    keep: |_| false,
+                };
+                if !search.advance(&on, WORK) {
+                    return Step::Join(number, search);
+                }
+                self.faces = search.finish();
+                Step::Smooth(number, Smoothing::new(&self.faces.faces, self.free()))
+            }
+            Step::Smooth(number, mut smoothing) => {
+                if !smoothing.advance(&mut self.nodes, &self.faces.faces) {
+                    return Step::Smooth(number, smoothing);
+                }
+                self.join(number + 1)
+            }
+            Step::Settle(from) => {
+                let to = cells.len().min(from + WALKS);
+                settle(mesh, &mut self.nodes, from, to, |k| cells[k].centre);
+                if to < cells.len() {
+                    Step::Settle(to)
+                } else {
+                    Step::Finish
+                }
+            }
+            Step::Middles => self.middles(mesh),
+            Step::Borders => {
+                self.bends = Bends::new(mesh, cells, &self.faces, &mut self.made.corners);
+                self.made.inner = self.made.corners.len();
+                self.borders = Border::all(mesh);
+                self.crossings = crossings(&self.borders, &self.label, cells);
+                let point = |c: &Crossing| self.borders[c.border as usize].point(mesh, c.at);
+                self.made.corners.extend(self.crossings.iter().map(point));
+                Step::Rings(0)
+            }
+            Step::Rings(from) => self.rings(mesh, from),
+            Step::Shapes => Step::Straighten(Straightening::new(&self.table())),
+            Step::Straighten(mut straightening) => {
+                let table = self.table();
+                if !straightening.advance(&table) {
+                    return Step::Straighten(straightening);
+                }
+                self.made.corners = straightening.finish(mesh, &table);
+                self.mesh()
+            }
+            Step::Finish => Step::Finish,
+        }
+    }
+
+    /// Begins the next search that joins lone triangles, where there are too many yet.
+    fn join(&mut self, number: usize) -> Step {
+        let lone = self.faces.faces.iter();
+        let lone = lone.filter(|f| is_lone(&self.nodes, f)).count();
+        let few = (FEW_TRIANGLES * self.faces.faces.len() as f64 + SINGULAR) as usize;
+        match STANDARDS.get(number) {
+            Some(&worst) if lone > few => {
+                let goal = Goal {
+                    worst,
+                    few,
+                    least: FEWEST as i32,
+                };
+                let on = On {
+                    nodes: &self.nodes,
+                    keep: (),
+                };
+                let faces = std::mem::take(&mut self.faces);
+                Step::Join(number, Search::new(&on, faces, goal))
+            }
+            _ => Step::Settle(0),
+        }
+    }
+
+    /// Which nodes may move: those inside.
+    fn free(&self) -> Vec<bool> {
+        let mut free = vec![true; self.nodes.points.len()];
+        for (face, adjacent) in self.faces.faces.iter().zip(&self.faces.adjacent) {
+            let corners = face.nodes();
+            for k in (0..corners.len()).filter(|&k| adjacent[k] == NONE) {
+                free[corners[k] as usize] = false;
+                free[corners[(k + 1) % corners.len()] as usize] = false;
+            }
+        }
+        free
+    }
+
+    /// Goes on to the mesh.
+    fn mesh(&self) -> Step {
+        if self.polish.join {
+            Step::Mesh(Pairing::default())
+        } else {
+            Step::Finish
+        }
+    }
+
+    fn middles(&mut self, mesh: &TriMesh) -> Step {
+        let from = self.made.corners.len();
+        let to = self.faces.faces.len().min(from + MIDDLES);
+        for face in &self.faces.faces[from..to] {
+            let place = self.nodes.meetings.middle(mesh, &self.made.cells, face);
+            self.made.corners.push(place);
+        }
+        if to < self.faces.faces.len() {
+            Step::Middles
+        } else {
+            Step::Borders
+        }
+    }
+
+    fn rings(&mut self, mesh: &TriMesh, from: usize) -> Step {
+        let first = self.made.inner as u32;
+        let lines = (&self.borders[..], &self.crossings[..]);
+        let links = Links::new(
+            mesh,
+            &self.made.cells,
+            &self.faces,
+            &self.bends,
+            lines,
+            first,
+        );
+        let to = self.made.cells.len().min(from + RINGS);
+        for cell in from as u32..to as u32 {
+            let ring = links.ring(cell, &mut self.made.corners);
+            self.rings.push(ring);
+        }
+        if to < self.made.cells.len() {
+            return Step::Rings(to);
+        }
+        for border in &self.borders {
+            if let Some(cell) = border.only(&self.label)
+                && links.element[cell as usize] == NONE
+                && self.rings[cell as usize].is_none()
+            {
+                self.rings[cell as usize] = links.whole(border, cell, &mut self.made.corners);
+            }
+        }
+        if !self.polish.straighten {
+            return self.mesh();
+        }
+        Step::Shapes
+    }
+
+    fn table(&self) -> Table<'_> {
+        Table {
+            cells: &self.made.cells,
+            rings: &self.rings,
+            corners: &self.made.corners,
+            borders: &self.borders,
+            crossings: &self.crossings,
+            first_crossing: self.made.inner,
+        }
+    }
+
+    fn finish(&mut self) {
+        self.made.nodes = std::mem::take(&mut self.nodes.points);
+        let faces = std::mem::take(&mut self.faces.faces).into_iter();
+        self.made.elements = faces.filter(|face| !face.is_none()).collect();
+        let rings = std::mem::take(&mut self.rings).into_iter();
+        self.made.rings = rings
+            .map(|ring| ring.map_or(Vec::new(), |r| r.corners))
+            .collect();
+    }
+}

@@ -1,0 +1,329 @@
+//! Straightens cells with four corners towards rectangles along their axes, as in the plane.
+//!
+//! Each asks for its rectangle in its own tangent plane; a corner moves in its own one by the mean of what is asked of it,
+//! on the border along it. The corners walk to where they have come at the end only.
+
+use super::borders::{Border, Crossing};
+use super::rings::Ring;
+use crate::cells::rectangle;
+use crate::surface_packing::SurfaceParticle;
+use crate::trimesh::frame::{rotated, way_in};
+use crate::trimesh::{Frame, NONE, SurfacePoint, TriMesh};
+use glam::{DVec2, DVec3};
+
+/// Rounds of asking and moving.
+const ROUNDS: u32 = 12;
+/// How much of the way a corner goes in a round.
+const PACE: f64 = 0.6;
+/// A corner slides at most this share of the way to the next one on the border.
+const ROOM: f64 = 0.4;
+/// A cell that reaches to a corner where the surface has turned as far as this (cosine) is folded over a rim: it asks for
+/// nothing, and the corner stays.
+const FOLDED: f64 = 0.3;
+/// A corner of a border's part turns more than this (cosine of 30 degrees).
+const CORNER: f64 = 0.866;
+
+/// The straightening of cells, in rounds.
+pub(super) struct Straightening {
+    /// The frames of the cells, their axes along x.
+    frames: Vec<Frame>,
+    /// For each cell with exactly four corners, these.
+    quads: Vec<Option<[u32; 4]>>,
+    /// Where corners are, on or beside the surface, and the normals there.
+    points: Vec<DVec3>,
+    /// Cells that have each corner: (cell, place in its ring).
+    uses: Vec<(u32, u32)>,
+    start: Vec<u32>,
+    /// How far along the border each crossing may slide, from where it is.
+    room: Vec<[f64; 2]>,
+    /// The mean area of the cells, of what their sizes ask for.
+    share: f64,
+    round: u32,
+    /// The mean of what is asked of each corner in this round, and how far it is.
+    asked: Vec<(DVec3, u32)>,
+    next: usize,
+}
+
+/// Cells that ask, and corners that move, in one slice of the work.
+const ASKING: usize = 2000;
+
+/// What is straightened.
+pub(super) struct Table<'a> {
+    pub cells: &'a [SurfaceParticle],
+    pub rings: &'a [Option<Ring>],
+    pub corners: &'a [SurfacePoint],
+    pub borders: &'a [Border],
+    pub crossings: &'a [Crossing],
+    /// Where crossings begin in the table, behind the elements.
+    pub first_crossing: usize,
+}
+
+impl Table<'_> {
+    fn ring(&self, cell: u32) -> &[u32] {
+        self.rings[cell as usize]
+            .as_ref()
+            .map_or(&[], |ring| &ring.corners)
+    }
+
+    fn crossing(&self, corner: usize) -> Option<usize> {
+        let x = corner.checked_sub(self.first_crossing)?;
+        (x < self.crossings.len()).then_some(x)
+    }
+}
+
+impl Straightening {
+    pub fn new(table: &Table) -> Self {
+        let mut start = vec![0; table.corners.len() + 1];
+        let rings = table.rings.iter().flatten();
+        for &corner in rings.flat_map(|r| &r.corners) {
+            start[corner as usize + 1] += 1;
+        }
+        for k in 1..start.len() {
+            start[k] += start[k - 1];
+        }
+        let mut uses = vec![(NONE, 0); start[start.len() - 1] as usize];
+        let mut at = start.clone();
+        for cell in 0..table.cells.len() as u32 {
+            for (place, &corner) in table.ring(cell).iter().enumerate() {
+                let at = &mut at[corner as usize];
+                uses[*at as usize] = (cell, place as u32);
+                *at += 1;
+            }
+        }
+        let mut made = Self {
+            frames: table.cells.iter().map(frame_of).collect(),
+            quads: Vec::new(),
+            points: table.corners.iter().map(|c| c.at).collect(),
+            uses,
+            start,
+            room: Vec::new(),
+            share: 1.0,
+            round: 0,
+            asked: vec![(DVec3::ZERO, 0); table.corners.len()],
+            next: 0,
+        };
+        made.quads = (0..table.cells.len() as u32)
+            .map(|cell| made.four_corners(table, cell))
+            .collect();
+        made.room = made.room(table);
+        made.share = made.share(table);
+        made
+    }
+
+    /// One slice of the work; true with the last one.
+    pub fn advance(&mut self, table: &Table) -> bool {
+        let end = self.quads.len().min(self.next + ASKING);
+        for cell in self.next.min(end)..end {
+            if let Some(corners) = self.quads[cell] {
+                self.ask(table, cell, corners);
+            }
+        }
+        // Behind the cells that ask, the corners that move.
+        let first = self.next.max(self.quads.len()) - self.quads.len();
+        self.next = end;
+        if end < self.quads.len() {
+            return false;
+        }
+        let last = self.asked.len().min(first + ASKING);
+        self.next = self.quads.len() + last;
+        for corner in first..last {
+            let (sum, count) = std::mem::take(&mut self.asked[corner]);
+            if count > 0 && !self.is_folded(table, corner) {
+                self.move_one(table, corner, sum * (PACE / f64::from(count)));
+            }
+        }
+        if last < self.asked.len() {
+            return false;
+        }
+        (self.next, self.round) = (0, self.round + 1);
+        self.round == ROUNDS
+    }
+
+    /// Walks the corners to where they have come.
+    pub fn finish(&self, mesh: &TriMesh, table: &Table) -> Vec<SurfacePoint> {
+        let each = table.corners.iter().zip(&self.points).enumerate();
+        each.map(|(corner, (old, &p))| {
+            if p == old.at {
+                return *old;
+            }
+            let Some(x) = table.crossing(corner) else {
+                return mesh.walk(old, old.frame().within(p - old.at)).to;
+            };
+            let crossing = &table.crossings[x];
+            let border = &table.borders[crossing.border as usize];
+            let along = border.heading_at(crossing.at).dot(p - old.at);
+            border.point(mesh, crossing.at + along)
+        })
+        .collect()
+    }
+
+    fn ask(&mut self, table: &Table, cell: usize, corners: [u32; 4]) -> Option<()> {
+        let mut local = [DVec2::ZERO; 4];
+        for (at, corner) in local.iter_mut().zip(corners) {
+            let normal = table.corners[corner as usize].normal;
+            if normal.dot(self.frames[cell].normal) < FOLDED {
+                return None;
+            }
+            *at = self.seen(table, cell, corner)?;
+        }
+        let placed = &table.cells[cell];
+        let axis = if placed.axis == DVec2::ZERO {
+            return None;
+        } else {
+            DVec2::X
+        };
+        let targets = rectangle(local, axis, placed.size, self.share)?;
+        let frame = self.frames[cell];
+        for k in 0..4 {
+            let normal = table.corners[corners[k] as usize].normal;
+            let by = rotated(frame.out(targets[k] - local[k]), frame.normal, normal);
+            let asked = &mut self.asked[corners[k] as usize];
+            *asked = (asked.0 + by, asked.1 + 1);
+        }
+        Some(())
+    }
+
+    /// Where a cell sees a corner.
+    fn seen(&self, table: &Table, cell: usize, corner: u32) -> Option<DVec2> {
+        let corner = corner as usize;
+        let normal = table.corners[corner].normal;
+        way_in(
+            &self.frames[cell],
+            table.cells[cell].centre.at,
+            self.points[corner],
+            normal,
+        )
+    }
+
+    fn move_one(&mut self, table: &Table, corner: usize, by: DVec3) {
+        let home = &table.corners[corner];
+        let old = self.points[corner];
+        let by = match table.crossing(corner) {
+            Some(x) => {
+                let crossing = &table.crossings[x];
+                let border = &table.borders[crossing.border as usize];
+                let along = border.heading_at(crossing.at);
+                let [lo, hi] = self.room[x];
+                let gone = along.dot(old - home.at);
+                along * ((gone + along.dot(by)).clamp(lo, hi) - gone)
+            }
+            // Corners of the border itself are no one's to move.
+            None if corner >= table.first_crossing => return,
+            None => by - home.normal * home.normal.dot(by),
+        };
+        self.points[corner] = old + by;
+        if !self.is_sound(table, corner, old) {
+            self.points[corner] = old;
+        }
+    }
+
+    /// Is a cell that has the corner folded there?
+    fn is_folded(&self, table: &Table, corner: usize) -> bool {
+        let normal = table.corners[corner].normal;
+        let turned = |cell: u32| normal.dot(self.frames[cell as usize].normal) < FOLDED;
+        self.uses_of(corner).iter().any(|&(cell, _)| turned(cell))
+    }
+
+    /// The cells that have a corner, and its place in their rings.
+    fn uses_of(&self, corner: usize) -> &[(u32, u32)] {
+        &self.uses[self.start[corner] as usize..self.start[corner + 1] as usize]
+    }
+
+    /// Has the corner, come from `old`, turned no ring inside out? Seen in its own tangent plane.
+    fn is_sound(&self, table: &Table, corner: usize, old: DVec3) -> bool {
+        let normal = table.corners[corner].normal;
+        let turn = |[a, b, c]: [DVec3; 3]| (b - a).cross(c - b).dot(normal);
+        self.uses_of(corner).iter().all(|&(cell, place)| {
+            let ring = table.ring(cell);
+            let n = ring.len();
+            (n - 1..n + 2).all(|shift| {
+                let k = place as usize + shift;
+                let three = [k + n - 1, k, k + 1].map(|k| ring[k % n] as usize);
+                let now = turn(three.map(|k| self.points[k]));
+                let before = |k: usize| if k == corner { old } else { self.points[k] };
+                now > 0.0 || now >= turn(three.map(before))
+            })
+        })
+    }
+
+    /// The corners of a cell with exactly four: where cells meet, or the border itself turns.
+    fn four_corners(&self, table: &Table, cell: u32) -> Option<[u32; 4]> {
+        let ring = table.ring(cell);
+        let n = ring.len();
+        if !table.cells[cell as usize].kind.has_corners() {
+            return None;
+        }
+        let ends = table.first_crossing + table.crossings.len();
+        let mut four = [0; 4];
+        let mut count = 0;
+        for (k, &corner) in ring.iter().enumerate() {
+            let three = [k + n - 1, k, k + 1].map(|k| self.points[ring[k % n] as usize]);
+            let [a, b, c] = three;
+            let turn = (b - a).normalize_or_zero().dot((c - b).normalize_or_zero());
+            if (corner as usize) < ends || turn < CORNER {
+                if count == 4 {
+                    return None;
+                }
+                four[count] = corner;
+                count += 1;
+            }
+        }
+        (count == 4).then_some(four)
+    }
+
+    /// How far each crossing may slide: not up to the next corner on either side.
+    fn room(&self, table: &Table) -> Vec<[f64; 2]> {
+        let mut room = vec![[0.0; 2]; table.crossings.len()];
+        for (x, room) in room.iter_mut().enumerate() {
+            let corner = table.first_crossing + x;
+            let crossing = &table.crossings[x];
+            let border = &table.borders[crossing.border as usize];
+            let along = border.heading_at(crossing.at);
+            let back = border.heading_at(crossing.at - 1e-9 * border.length());
+            // At a corner of the border it stays.
+            if along.dot(back) < CORNER {
+                continue;
+            }
+            let own = self.points[corner];
+            for &(cell, place) in self.uses_of(corner) {
+                let ring = table.ring(cell);
+                let n = ring.len();
+                // Along the border the cell behind goes ahead, the cell before it comes.
+                let ahead = cell == crossing.to;
+                let shift = if ahead { 1 } else { n - 1 };
+                let next = self.points[ring[(place as usize + shift) % n] as usize];
+                let far = ROOM * own.distance(next);
+                room[usize::from(ahead)] = if ahead { far } else { -far };
+            }
+        }
+        room
+    }
+
+    fn share(&self, table: &Table) -> f64 {
+        let (mut area, mut asked) = (0.0, 0.0);
+        for (cell, placed) in table.cells.iter().enumerate() {
+            let ring = table.ring(cell as u32);
+            let at = |k: usize| self.seen(table, cell, ring[k % ring.len()]);
+            for k in 0..ring.len() {
+                if let (Some(p), Some(q)) = (at(k), at(k + 1)) {
+                    area += 0.5 * p.perp_dot(q);
+                }
+            }
+            if !ring.is_empty() {
+                asked += placed.size * placed.size;
+            }
+        }
+        if asked > 0.0 { area / asked } else { 1.0 }
+    }
+}
+
+/// The frame of a cell with its axis along x.
+fn frame_of(cell: &SurfaceParticle) -> Frame {
+    let frame = cell.centre.frame();
+    let x = frame.out(cell.axis).normalize_or(frame.x);
+    Frame {
+        x,
+        y: frame.normal.cross(x),
+        normal: frame.normal,
+    }
+}

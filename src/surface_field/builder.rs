@@ -1,0 +1,347 @@
+//! Makes the fields, a slice at a time.
+
+use super::bones::{BoneSource, Bones};
+use super::sizes::{self, Ground, Sizes};
+use super::smoothing::Smoothing;
+use super::sources::{self, NO_SOURCE, Sources, bone_source};
+use super::system::System;
+use super::{Along, SurfaceFieldParams, SurfaceFields, symmetry_of};
+use crate::field::symmetry::direction_of;
+use crate::trimesh::TriMesh;
+use crate::trimesh::curvature::Curvatures;
+use crate::trimesh::links::{Links, LinksBuilder};
+use glam::{DVec2, DVec3};
+use std::sync::Arc;
+
+/// Vertices, triangles or rows in a slice.
+const SLICE: usize = 1 << 14;
+
+/// Makes [`SurfaceFields`] in slices of some vertices at a time.
+#[derive(Clone, Debug)]
+pub struct SurfaceFieldBuilder {
+    mesh: Arc<TriMesh>,
+    params: SurfaceFieldParams,
+    symmetry: u32,
+    stage: Stage,
+    links: Links,
+    bones: Bones,
+    heard: Vec<BoneSource>,
+    fields: SurfaceFields,
+    /// Of each vertex its part, how many there are, and up to where they were looked for.
+    parts: Vec<u32>,
+    part_count: usize,
+    looked_at: usize,
+    /// Of each part the most that a vertex is held by.
+    most: Vec<f64>,
+}
+
+#[derive(Clone, Debug)]
+enum Stage {
+    Links(LinksBuilder),
+    /// Vertices whose neighbours' part is to be told.
+    Parts(Vec<u32>),
+    Curvature(Curvatures),
+    Bones,
+    Sizes(Box<Sizes>),
+    /// Equations of the direction (false) or the flow (true): what holds them, row by row, what is to begin with where
+    /// nothing does, and their solution.
+    Rims(bool, Box<Sources>),
+    Rows(bool, Box<(Sources, System)>),
+    Hints(bool, Box<(Sources, System)>, usize),
+    Smooth(bool, Box<Smoothing>),
+    Vectors(bool, Vec<DVec2>),
+    Done,
+}
+
+impl SurfaceFieldBuilder {
+    /// Nothing yet.
+    pub fn new(mesh: Arc<TriMesh>, params: SurfaceFieldParams) -> Self {
+        let bones = Bones::new(&params.bones, mesh.diagonal());
+        Self {
+            symmetry: symmetry_of(params.kind),
+            stage: Stage::Links(LinksBuilder::new(&mesh)),
+            links: Links::default(),
+            bones,
+            heard: Vec::new(),
+            fields: SurfaceFields::empty(mesh.clone(), &params),
+            parts: Vec::new(),
+            part_count: 0,
+            looked_at: 0,
+            most: Vec::new(),
+            params,
+            mesh,
+        }
+    }
+
+    /// Works on some thousands of vertices; true when all is done.
+    pub fn advance(&mut self) -> bool {
+        self.advance_by(SLICE)
+    }
+
+    /// Are sizes, aspect ratios and curvature there, whatever is still to come?
+    pub fn is_sized(&self) -> bool {
+        !matches!(
+            self.stage,
+            Stage::Links(_)
+                | Stage::Parts(_)
+                | Stage::Curvature(_)
+                | Stage::Bones
+                | Stage::Sizes(_)
+        )
+    }
+
+    /// All at once.
+    pub fn build(mesh: Arc<TriMesh>, params: SurfaceFieldParams) -> SurfaceFields {
+        let mut builder = Self::new(mesh, params);
+        while !builder.advance() {}
+        builder.finish()
+    }
+
+    /// The fields; what was not yet come to is missing.
+    pub fn finish(self) -> SurfaceFields {
+        self.fields
+    }
+
+    pub(super) fn advance_by(&mut self, amount: usize) -> bool {
+        let stage = std::mem::replace(&mut self.stage, Stage::Done);
+        self.stage = match stage {
+            Stage::Links(mut work) => {
+                if work.advance(&self.mesh, amount) {
+                    self.links = work.links;
+                    self.parts = vec![u32::MAX; self.links.len()];
+                    Stage::Parts(Vec::new())
+                } else {
+                    Stage::Links(work)
+                }
+            }
+            Stage::Parts(open) => self.find_parts(open, amount),
+            Stage::Curvature(mut work) => {
+                if work.advance(&self.mesh, &self.links, amount) {
+                    self.fields.curvature_reach = work.rounds;
+                    self.fields.curvature = work.values;
+                    Stage::Bones
+                } else {
+                    Stage::Curvature(work)
+                }
+            }
+            Stage::Bones => {
+                if self.hear_bones(amount) {
+                    Stage::Sizes(Box::new(Sizes::begin(self.ground())))
+                } else {
+                    Stage::Bones
+                }
+            }
+            Stage::Sizes(mut work) => {
+                if work.advance(self.ground(), amount) {
+                    (self.fields.size, self.fields.sizes) = (work.size, work.values);
+                    self.fields.aspects = work.aspects;
+                    self.begin_sources(false)
+                } else {
+                    Stage::Sizes(work)
+                }
+            }
+            Stage::Rims(is_flow, mut sources) => {
+                let direction = &self.params.direction;
+                if sources.find_rims(direction, &self.mesh, &self.links, amount) {
+                    self.most = vec![0.0; self.part_count];
+                    let system = System::new(&self.links, self.parts.clone());
+                    Stage::Rows(is_flow, Box::new((*sources, system)))
+                } else {
+                    Stage::Rims(is_flow, sources)
+                }
+            }
+            Stage::Rows(is_flow, mut rows) => {
+                if !self.add_rows(is_flow, &mut rows, amount) {
+                    Stage::Rows(is_flow, rows)
+                } else if is_flow && !self.most.iter().any(|&m| m > NO_SOURCE) {
+                    Stage::Done
+                } else {
+                    Stage::Hints(is_flow, rows, 0)
+                }
+            }
+            Stage::Hints(is_flow, rows, at) => self.hint(is_flow, rows, at, amount),
+            Stage::Smooth(is_flow, mut work) => {
+                if work.advance(amount) {
+                    self.fields.iterations += work.iterations;
+                    Stage::Vectors(is_flow, work.finish())
+                } else {
+                    Stage::Smooth(is_flow, work)
+                }
+            }
+            Stage::Vectors(is_flow, found) => self.vectors(is_flow, found, amount),
+            Stage::Done => return true,
+        };
+        matches!(self.stage, Stage::Done)
+    }
+
+    /// Spreads the numbers of parts over so many vertices.
+    fn find_parts(&mut self, mut open: Vec<u32>, amount: usize) -> Stage {
+        for _ in 0..amount.max(1) {
+            if let Some(v) = open.pop() {
+                for &other in &self.links.to[self.links.of(v as usize)] {
+                    if self.parts[other as usize] == u32::MAX {
+                        self.parts[other as usize] = self.part_count as u32 - 1;
+                        open.push(other);
+                    }
+                }
+            } else if self.looked_at < self.parts.len() {
+                if self.links.of(self.looked_at).is_empty() {
+                    // A vertex of no triangle is of no part; the first one has no use for it, nor harm from it.
+                    self.parts[self.looked_at] = 0;
+                } else if self.parts[self.looked_at] == u32::MAX {
+                    self.parts[self.looked_at] = self.part_count as u32;
+                    self.part_count += 1;
+                    open.push(self.looked_at as u32);
+                }
+                self.looked_at += 1;
+            } else {
+                let size = sizes::mean_size(&self.params, &self.mesh);
+                return Stage::Curvature(Curvatures::begin(&self.mesh, &self.links, size));
+            }
+        }
+        Stage::Parts(open)
+    }
+
+    fn ground(&self) -> Ground<'_> {
+        Ground {
+            params: &self.params,
+            mesh: &self.mesh,
+            links: &self.links,
+            curvature: &self.fields.curvature,
+            heard: &self.heard,
+        }
+    }
+
+    fn hear_bones(&mut self, amount: usize) -> bool {
+        if self.bones.is_empty() || !wants_bones(&self.params) {
+            return true;
+        }
+        let end = self.links.len().min(self.heard.len() + amount.max(8) / 8);
+        for v in self.heard.len()..end {
+            let source = bone_source(&self.bones, self.symmetry, &self.mesh, &self.links, v);
+            self.heard.push(source);
+        }
+        end == self.links.len()
+    }
+
+    fn begin_sources(&mut self, is_flow: bool) -> Stage {
+        let (mesh, links) = (&self.mesh, &self.links);
+        let sources = if is_flow {
+            let Some(flow) = &self.params.flow else {
+                return Stage::Done;
+            };
+            Sources::of_flow(flow, mesh, links)
+        } else {
+            let size = |v: usize| self.fields.size_of(v);
+            Sources::of_direction(&self.params.direction, self.symmetry, mesh, links, size)
+        };
+        Stage::Rims(is_flow, Box::new(sources))
+    }
+
+    fn add_rows(
+        &mut self,
+        is_flow: bool,
+        (sources, system): &mut (Sources, System),
+        amount: usize,
+    ) -> bool {
+        let symmetry = if is_flow { 1 } else { self.symmetry };
+        let begin = system.held.len();
+        let end = self.links.len().min(begin + amount.max(4) / 4);
+        for v in begin..end {
+            let size = self.fields.size_of(v);
+            let bone = match self.heard.get(v) {
+                Some(bone) if sources.hears_bones() => *bone,
+                _ => BoneSource::default(),
+            };
+            let curvature = &self.fields.curvature[v];
+            let (held, load) = sources.at(v, &self.links, curvature, size, &bone);
+            let most = &mut self.most[self.parts[v] as usize];
+            *most = most.max(held);
+            let scale = sources::scale(self.links.mass[v], size);
+            system.row(&self.links, symmetry, (scale * held, scale * load));
+        }
+        end == self.links.len()
+    }
+
+    /// Where no source holds a part, loads are what smoothing begins with.
+    fn hint(
+        &mut self,
+        is_flow: bool,
+        mut rows: Box<(Sources, System)>,
+        at: usize,
+        amount: usize,
+    ) -> Stage {
+        let (sources, system) = &mut *rows;
+        let is_held = self.most.iter().all(|&m| m > NO_SOURCE);
+        let all = if is_held { 0 } else { system.len() };
+        let end = all.min(at + amount.max(1));
+        for v in at..end {
+            if self.most[self.parts[v] as usize] > NO_SOURCE {
+                continue;
+            }
+            // Of the flow, only what has sources is kept: the rest is to be done with at once.
+            let weight = self.links.mass[v];
+            (system.held[v], system.load[v]) = if is_flow {
+                (system.diagonal[v], DVec2::ZERO)
+            } else {
+                (0.0, weight * sources.hint(v, &self.links))
+            };
+        }
+        if end < all {
+            return Stage::Hints(is_flow, rows, end);
+        }
+        let sourced = self.most.iter().map(|&m| is_flow || m > NO_SOURCE);
+        Stage::Smooth(
+            is_flow,
+            Box::new(Smoothing::begin(
+                rows.1,
+                sourced.collect(),
+                self.fields.size,
+            )),
+        )
+    }
+
+    /// Unit vectors in space of representation vectors at the vertices.
+    fn vectors(&mut self, is_flow: bool, found: Vec<DVec2>, amount: usize) -> Stage {
+        let (symmetry, turn) = if is_flow {
+            let flip = self.params.flow.as_ref().is_some_and(|flow| flow.flip);
+            (1, if flip { DVec2::NEG_X } else { DVec2::X })
+        } else {
+            let angle = self.params.direction.turn;
+            let angle = if angle.is_finite() { angle } else { 0.0 };
+            (
+                self.symmetry,
+                DVec2::new(libm::cos(angle), libm::sin(angle)),
+            )
+        };
+        let fields = &mut self.fields;
+        let vectors = if is_flow {
+            &mut fields.flows
+        } else {
+            &mut fields.axes
+        };
+        let begin = vectors.len();
+        let end = found.len().min(begin + amount.max(1));
+        for (v, z) in found.iter().enumerate().take(end).skip(begin) {
+            let untold = is_flow && self.most[self.parts[v] as usize] <= NO_SOURCE;
+            let direction = direction_of(*z, symmetry).rotate(turn);
+            vectors.push(if untold {
+                DVec3::ZERO
+            } else {
+                self.links.frames[v].out(direction)
+            });
+        }
+        match (end < found.len(), is_flow) {
+            (true, _) => Stage::Vectors(is_flow, found),
+            (false, false) => self.begin_sources(true),
+            (false, true) => Stage::Done,
+        }
+    }
+}
+
+fn wants_bones(params: &SurfaceFieldParams) -> bool {
+    let tapers = [params.size.taper, params.aspect.taper];
+    let by_taper = tapers.iter().flatten().any(|t| t.along == Along::Bones);
+    let by_flow = params.flow.as_ref().is_some_and(|flow| flow.bones > 0.0);
+    params.direction.bones > 0.0 || by_taper || by_flow
+}

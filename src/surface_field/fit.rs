@@ -1,0 +1,250 @@
+//! Whether cells fit a surface: beside its roundness, its thickness, and what a machine can pack.
+
+use crate::notice::{Code, Notice};
+use crate::surface_field::SurfaceFields;
+use crate::trimesh::{Projector, SurfacePoint, TriMesh};
+use glam::DVec3;
+
+/// The most cells on a surface.
+pub const MOST_CELLS: usize = 250_000;
+/// A cell's side over the radius of the surface: above it, cells are uneven ...
+const TIGHT: f64 = 0.5;
+/// ... and they cannot follow it, where it is round both ways, and where it is round one way.
+const TOO_TIGHT: [f64; 2] = [1.0, 1.2];
+/// Round both ways: the lesser curvature is at least this part of the greater.
+const BOTH: f64 = 0.5;
+/// Shares of the area that are told of, and that are too much.
+const TOLD: f64 = 0.005;
+const MOST: f64 = 0.5;
+/// One triangle of so many is looked at, and so many of these in a slice.
+const SAMPLED: usize = 8;
+const SLICE: usize = 1 << 9;
+/// What shows its back to a triangle has a normal whose product with its own is less.
+const BACK: f64 = -0.2;
+/// It lies below: at most 60 degrees off the straight way down.
+const BELOW: f64 = 0.5;
+
+/// About how many cells lie on a surface.
+///
+/// # Errors
+/// Where these are too many.
+pub fn check_count(cells: f64) -> Result<(), Notice> {
+    if cells <= MOST_CELLS as f64 {
+        return Ok(());
+    }
+    // What is no number is too many as well.
+    let about = cells.clamp(0.0, 1e15).round() as u64;
+    let too_many = Notice::new(Code::SurfaceCells).with("n", about.to_string());
+    Err(too_many.with("most", MOST_CELLS))
+}
+
+/// What a surface is like where cells are to lie.
+pub trait Local {
+    /// The side of cells there.
+    fn size(&self, point: &SurfacePoint) -> f64;
+    /// The two main curvatures there, one over a length.
+    fn curvatures(&self, point: &SurfacePoint) -> [f64; 2];
+}
+
+impl Local for SurfaceFields {
+    fn size(&self, point: &SurfacePoint) -> f64 {
+        SurfaceFields::size(self, point)
+    }
+
+    fn curvatures(&self, point: &SurfacePoint) -> [f64; 2] {
+        let curvature = self.curvature(point);
+        let bend = curvature.bend.length();
+        [curvature.mean + bend, curvature.mean - bend]
+    }
+}
+
+/// Shares of the area on which cells do not fit well.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Fit {
+    /// Where cells are large beside the roundness.
+    pub tight: f64,
+    /// Where they are too large for it.
+    pub too_tight: f64,
+    /// Where the other side is closer than a cell is long.
+    pub thin: f64,
+}
+
+/// Measures how cells fit.
+#[derive(Clone, Debug, Default)]
+pub struct Fitting {
+    at: usize,
+    area: f64,
+    sums: Fit,
+}
+
+impl Fitting {
+    /// Nothing measured yet.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Looks at some more of a surface; the shares when it is done.
+    pub fn advance(
+        &mut self,
+        mesh: &TriMesh,
+        projector: &Projector,
+        local: &impl Local,
+    ) -> Option<Fit> {
+        let count = mesh.triangles().len();
+        let end = count.min(self.at + SLICE * SAMPLED);
+        // Few triangles are all looked at.
+        let step = if count > 64 * SAMPLED { SAMPLED } else { 1 };
+        for t in (self.at..end).step_by(step) {
+            self.measure(mesh, projector, local, t as u32);
+        }
+        self.at = end;
+        let share = |sum: f64| sum / self.area;
+        (end == count).then(|| Fit {
+            tight: share(self.sums.tight),
+            too_tight: share(self.sums.too_tight),
+            thin: share(self.sums.thin),
+        })
+    }
+
+    fn measure(&mut self, mesh: &TriMesh, projector: &Projector, local: &impl Local, t: u32) {
+        let point = SurfacePoint::new(mesh, t, DVec3::splat(1.0 / 3.0));
+        let area = mesh.area_of(t);
+        let size = local.size(&point);
+        let curvatures = local.curvatures(&point).map(f64::abs);
+        let most = curvatures[0].max(curvatures[1]);
+        let is_both = curvatures[0].min(curvatures[1]) >= BOTH * most;
+        let limit = if is_both { TOO_TIGHT[0] } else { TOO_TIGHT[1] };
+        self.area += area;
+        if most * size > TIGHT {
+            self.sums.tight += area;
+        }
+        if most * size > limit {
+            self.sums.too_tight += area;
+        }
+        let mut is_thin = false;
+        projector.within(point.at, size, |other| {
+            is_thin = is_thin || is_below(mesh, &point, other, size);
+        });
+        if is_thin {
+            self.sums.thin += area;
+        }
+    }
+}
+
+/// Is a triangle the other side of a sheet of less than some thickness?
+fn is_below(mesh: &TriMesh, point: &SurfacePoint, other: u32, size: f64) -> bool {
+    if mesh.face_normal(other).dot(point.normal) >= BACK {
+        return false;
+    }
+    let near = Projector::on_triangle(mesh, other, point.at);
+    let to = near - point.at;
+    let far = to.length();
+    far < size && -to.dot(point.normal) > BELOW * far
+}
+
+impl Fit {
+    /// What is to be said of it.
+    ///
+    /// # Errors
+    /// Where cells are too large for most of the surface.
+    pub fn notices(&self) -> Result<Vec<Notice>, Notice> {
+        let told = |code, share: f64| {
+            // At least 1: what is told of is not nothing.
+            let percent = (100.0 * share).round().max(1.0) as usize;
+            Notice::new(code).with("share", percent)
+        };
+        if self.too_tight > MOST {
+            return Err(told(Code::SurfaceTooTight, self.too_tight));
+        }
+        let shares = [
+            (Code::SurfaceTight, self.tight),
+            (Code::SurfaceThin, self.thin),
+        ];
+        let large = shares.into_iter().filter(|(_, share)| *share > TOLD);
+        Ok(large.map(|(code, share)| told(code, share)).collect())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::trimesh::testing::{self, mesh};
+
+    struct Even {
+        size: f64,
+        curvatures: [f64; 2],
+    }
+
+    impl Local for Even {
+        fn size(&self, _: &SurfacePoint) -> f64 {
+            self.size
+        }
+
+        fn curvatures(&self, _: &SurfacePoint) -> [f64; 2] {
+            self.curvatures
+        }
+    }
+
+    fn fit(mesh: &TriMesh, size: f64, curvatures: [f64; 2]) -> Fit {
+        let projector = Projector::build(mesh);
+        let mut fitting = Fitting::new();
+        let local = Even { size, curvatures };
+        std::iter::from_fn(|| Some(fitting.advance(mesh, &projector, &local)))
+            .find_map(|fit| fit)
+            .unwrap()
+    }
+
+    fn codes(fit: Fit) -> Vec<Code> {
+        fit.notices().unwrap().iter().map(|n| n.code).collect()
+    }
+
+    #[test]
+    fn sheets_thinner_than_a_cell_are_told() {
+        let (positions, triangles) = testing::cube(30);
+        for (thickness, thin) in [(0.05, 1.0), (0.09, 1.0), (0.11, 0.0), (1.0, 0.0)] {
+            let flat = positions
+                .iter()
+                .map(|p| DVec3::new(p.x, thickness * p.y, p.z));
+            let plate = mesh((flat.collect(), triangles.clone()));
+            let found = fit(&plate, 0.1, [0.0; 2]);
+            // The rim is not thin, nor does one see the other side from it.
+            let share = 2.0 / (2.0 + 4.0 * thickness) * thin;
+            assert!((found.thin - share).abs() < 0.02, "{thickness} {found:?}");
+            let told = if thin > 0.0 {
+                vec![Code::SurfaceThin]
+            } else {
+                vec![]
+            };
+            assert_eq!(codes(found), told);
+        }
+        // One side only has no other.
+        let open = mesh(testing::flat(20));
+        assert_eq!(fit(&open, 0.5, [0.0; 2]).thin, 0.0);
+    }
+
+    #[test]
+    fn cells_large_beside_the_roundness_are_told_and_larger_ones_refused() {
+        let ball = mesh(testing::ball(3));
+        for (size, curvatures, told) in [
+            (0.4, [1.0, 1.0], Some(vec![])),
+            (0.7, [1.0, 1.0], Some(vec![Code::SurfaceTight])),
+            (1.1, [1.0, 1.0], None),
+            (1.1, [-1.0, 0.1], Some(vec![Code::SurfaceTight])),
+            (1.3, [0.0, 1.0], None),
+        ] {
+            let fit = fit(&ball, size, curvatures);
+            match told {
+                Some(told) => assert_eq!(codes(fit), told, "{size}"),
+                None => assert_eq!(fit.notices().unwrap_err().code, Code::SurfaceTooTight),
+            }
+        }
+    }
+
+    #[test]
+    fn too_many_cells_are_a_sentence() {
+        assert!(check_count(250_000.0).is_ok());
+        for cells in [250_001.0, 1e300, f64::NAN] {
+            assert_eq!(check_count(cells).unwrap_err().code, Code::SurfaceCells);
+        }
+    }
+}

@@ -1,0 +1,304 @@
+//! Size, direction, aspect ratio, one sense and curvature of a surface as functions of the place.
+//!
+//! All of it is worked out at the vertices of the mesh ([`SurfaceFieldBuilder`], in slices) and interpolated in its
+//! triangles: representation vectors of the directions (see `crate::field`), carried from the corners to the point.
+//! Squares have directions of symmetry 4, rectangles and ellipses of 2, circles of 6, so that honeycombs may turn by a
+//! sixth about a singular point.
+//!
+//! ```
+//! use bubblestone::surface_field::{Amount, SizeParams, SurfaceFieldBuilder, SurfaceFieldParams};
+//! use bubblestone::trimesh::{SurfacePoint, TriMesh};
+//! use glam::DVec3;
+//! use std::sync::Arc;
+//!
+//! let corners = [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z];
+//! let sides = vec![[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
+//! let mesh = Arc::new(TriMesh::new(corners.to_vec(), sides).unwrap());
+//! let size = SizeParams {
+//!     amount: Amount::Size(0.2),
+//!     ..SizeParams::default()
+//! };
+//! let params = SurfaceFieldParams {
+//!     size,
+//!     ..SurfaceFieldParams::default()
+//! };
+//! let fields = SurfaceFieldBuilder::build(mesh.clone(), params);
+//! let place = SurfacePoint::new(&mesh, 3, DVec3::splat(1.0 / 3.0));
+//! assert_eq!(fields.size(&place), 0.2);
+//! assert!((fields.axis(&place).length() - 1.0).abs() < 1e-9);
+//! // Eight quarters of a turn, as on all that is a ball.
+//! assert_eq!(fields.singular_points().iter().map(|s| s.turns).sum::<i32>(), 8);
+//! ```
+
+mod asks;
+mod bones;
+mod builder;
+mod cycle;
+pub mod fit;
+mod gradients;
+mod paint;
+mod params;
+mod shares;
+mod singular;
+mod sizes;
+mod smoothing;
+mod sources;
+mod stroke;
+mod system;
+#[cfg(test)]
+mod tests;
+
+pub use bones::Bone;
+pub use builder::SurfaceFieldBuilder;
+pub use params::{
+    Along, Amount, AspectParams, ByCurvature, DirectionParams, FlowParams, SizeParams,
+    SurfaceFieldParams, SurfaceSpot, Taper,
+};
+pub use shares::{Bent, Thickness};
+pub use singular::SurfaceSingularity;
+pub use stroke::Stroke;
+
+use crate::field::Kind;
+use crate::field::symmetry::{direction_of, representation};
+use crate::trimesh::curvature::{self, Curvature};
+use crate::trimesh::links::carried;
+use crate::trimesh::{Frame, SurfacePoint, TriMesh};
+use glam::{DVec2, DVec3};
+use std::sync::Arc;
+
+/// Bounds of the size as multiples of the mean one.
+const SIZE_RANGE: (f64, f64) = (0.2, 3.0);
+/// Bounds of the aspect ratio.
+const ASPECT_RANGE: (f64, f64) = (1.0, 5.0);
+
+/// How many turns of a cell in a full circle look alike, as the direction on a surface sees it.
+fn symmetry_of(kind: Kind) -> u32 {
+    match kind {
+        Kind::Circle => 6,
+        other => other.symmetry(),
+    }
+}
+
+/// The fields of a surface, ready to be asked at any of its points.
+#[derive(Clone, Debug)]
+pub struct SurfaceFields {
+    mesh: Arc<TriMesh>,
+    kind: Kind,
+    size: f64,
+    aspect: f64,
+    /// At the vertices: sizes and aspect ratios, none where they are all the same; unit vectors of the direction; of the
+    /// one sense, none where there is none; curvatures.
+    sizes: Vec<f64>,
+    aspects: Vec<f64>,
+    axes: Vec<DVec3>,
+    flows: Vec<DVec3>,
+    curvature: Vec<Curvature>,
+    /// Rounds in which curvatures were averaged.
+    curvature_reach: usize,
+    /// Of conjugate gradients on the mesh itself.
+    iterations: usize,
+}
+
+/// What a cell at a point should be.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Wanted {
+    /// See [`SurfaceFields::size`].
+    pub size: f64,
+    /// See [`SurfaceFields::aspect`].
+    pub aspect: f64,
+    /// See [`SurfaceFields::axis`].
+    pub axis: DVec2,
+}
+
+impl SurfaceFields {
+    fn empty(mesh: Arc<TriMesh>, params: &SurfaceFieldParams) -> Self {
+        let aspect = params.aspect.aspect;
+        let stretched = params.kind.is_stretched() && aspect.is_finite();
+        Self {
+            kind: params.kind,
+            size: sizes::mean_size(params, &mesh),
+            aspect: if stretched {
+                aspect.clamp(ASPECT_RANGE.0, ASPECT_RANGE.1)
+            } else {
+                1.0
+            },
+            mesh,
+            sizes: Vec::new(),
+            aspects: Vec::new(),
+            axes: Vec::new(),
+            flows: Vec::new(),
+            curvature: Vec::new(),
+            curvature_reach: 0,
+            iterations: 0,
+        }
+    }
+
+    /// The size that so many cells of a kind have in the mean on a surface of some area.
+    pub fn size_for(kind: Kind, count: f64, area: f64) -> f64 {
+        (area / (count.max(1.0) * sizes::cell_area(kind))).sqrt()
+    }
+
+    /// The size at each vertex.
+    pub fn sizes(&self) -> Vec<f64> {
+        (0..self.mesh.positions().len())
+            .map(|v| self.size_of(v))
+            .collect()
+    }
+
+    /// The mesh they are told on.
+    pub fn mesh(&self) -> &Arc<TriMesh> {
+        &self.mesh
+    }
+
+    /// The kind of the cells.
+    pub fn kind(&self) -> Kind {
+        self.kind
+    }
+
+    /// How many turns of a direction in a full circle look alike: 4, 2 or, for circles, 6.
+    pub fn symmetry(&self) -> u32 {
+        symmetry_of(self.kind)
+    }
+
+    /// The mean size, before anything changes it.
+    pub fn mean_size(&self) -> f64 {
+        self.size
+    }
+
+    /// The smallest and the largest size.
+    pub fn size_range(&self) -> (f64, f64) {
+        let each = || self.sizes.iter().copied();
+        if self.sizes.is_empty() {
+            return (self.size, self.size);
+        }
+        (
+            each().fold(f64::INFINITY, f64::min),
+            each().fold(0.0, f64::max),
+        )
+    }
+
+    /// The smallest and the largest aspect ratio.
+    pub fn aspect_range(&self) -> (f64, f64) {
+        let each = || self.aspects.iter().copied();
+        if self.aspects.is_empty() {
+            return (self.aspect, self.aspect);
+        }
+        (
+            each().fold(f64::INFINITY, f64::min),
+            each().fold(0.0, f64::max),
+        )
+    }
+
+    fn size_of(&self, vertex: usize) -> f64 {
+        self.sizes.get(vertex).copied().unwrap_or(self.size)
+    }
+
+    /// All that a cell at this point should be.
+    pub fn at(&self, p: &SurfacePoint) -> Wanted {
+        let weights = p.weights(&self.mesh);
+        Wanted {
+            size: self.mixed(&self.sizes, self.size, p, weights),
+            aspect: self.mixed(&self.aspects, self.aspect, p, weights),
+            axis: self.direction(&self.axes, self.symmetry(), p, weights),
+        }
+    }
+
+    /// The side a cell at this point should have; a stretched one has the area of a square of this side.
+    pub fn size(&self, p: &SurfacePoint) -> f64 {
+        if self.sizes.is_empty() {
+            return self.size;
+        }
+        self.mixed(&self.sizes, self.size, p, p.weights(&self.mesh))
+    }
+
+    /// Length over width of a cell at this point: 1 for squares and circles, else 1..5.
+    pub fn aspect(&self, p: &SurfacePoint) -> f64 {
+        if self.aspects.is_empty() {
+            return self.aspect;
+        }
+        self.mixed(&self.aspects, self.aspect, p, p.weights(&self.mesh))
+    }
+
+    /// Unit vector along a side of a cell at this point, in the frame of its normal; zero where the field vanishes. Any
+    /// turn of it by a part of the symmetry means the same.
+    pub fn axis(&self, p: &SurfacePoint) -> DVec2 {
+        self.direction(&self.axes, self.symmetry(), p, p.weights(&self.mesh))
+    }
+
+    /// Unit vector of the one sense at this point, from head to tail, in the frame of its normal; zero where there is
+    /// none.
+    pub fn flow(&self, p: &SurfacePoint) -> DVec2 {
+        self.direction(&self.flows, 1, p, p.weights(&self.mesh))
+    }
+
+    /// The turn of a cell's axis, by half a turn, a quarter or a sixth, that lies nearest to the one sense; the axis
+    /// itself where there is none.
+    pub fn one_sense(&self, p: &SurfacePoint, axis: DVec2) -> DVec2 {
+        let flow = self.flow(p);
+        let part = match self.symmetry() {
+            4 => DVec2::Y,
+            6 => DVec2::new(0.5, 0.866_025_403_784_438_6),
+            _ => DVec2::NEG_X,
+        };
+        let (mut best, mut turned) = (axis, axis);
+        for _ in 1..self.symmetry() {
+            turned = turned.rotate(part);
+            if turned.dot(flow) > best.dot(flow) {
+                best = turned;
+            }
+        }
+        best
+    }
+
+    /// The curvature at this point, averaged over about a cell.
+    pub fn curvature(&self, p: &SurfacePoint) -> Curvature {
+        curvature::interpolated(&self.curvature, &self.mesh, p)
+    }
+
+    /// The area that dense cells of these sizes cover says how many there will be.
+    pub fn about_cells(&self) -> f64 {
+        let mut sum = 0.0;
+        for (t, corners) in self.mesh.triangles().iter().enumerate() {
+            let third = self.mesh.area_of(t as u32) / 3.0;
+            for &v in corners {
+                let size = self.size_of(v as usize);
+                sum += third / (size * size);
+            }
+        }
+        sum / sizes::cell_area(self.kind)
+    }
+
+    fn mixed(&self, values: &[f64], plain: f64, p: &SurfacePoint, weights: DVec3) -> f64 {
+        if values.is_empty() {
+            return plain;
+        }
+        let [a, b, c] = self.mesh.triangles()[p.triangle as usize].map(|v| values[v as usize]);
+        a * weights.x + b * weights.y + c * weights.z
+    }
+
+    fn direction(
+        &self,
+        vectors: &[DVec3],
+        symmetry: u32,
+        p: &SurfacePoint,
+        weights: DVec3,
+    ) -> DVec2 {
+        if vectors.is_empty() {
+            return DVec2::ZERO;
+        }
+        let frame = Frame::of(p.normal);
+        let mut sum = DVec2::ZERO;
+        let corners = self.mesh.triangles()[p.triangle as usize];
+        // Of the directions that mean the same that which is nearest to an edge: turns of the mesh turn it, too.
+        let [a, b] = [corners[0], corners[1]].map(|v| self.mesh.positions()[v as usize]);
+        let edge = frame.within(b - a).normalize_or(DVec2::X);
+        let told = representation(edge, symmetry);
+        for (v, weight) in corners.into_iter().zip(weights.to_array()) {
+            let (vector, normal) = (vectors[v as usize], self.mesh.normals()[v as usize]);
+            let here = frame.within(carried(vector, normal, p.normal));
+            sum += weight * representation(here, symmetry);
+        }
+        let beside = DVec2::new(told.x, -told.y).rotate(sum.normalize_or_zero());
+        direction_of(beside, symmetry).rotate(edge)
+    }
+}

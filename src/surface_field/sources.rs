@@ -1,0 +1,239 @@
+//! What the directions are held by, vertex by vertex.
+
+use super::bones::{BoneSource, Bones};
+use super::paint::{self, Paint};
+use super::sizes::one_way;
+use super::{DirectionParams, FlowParams};
+use crate::field::symmetry::representation;
+use crate::trimesh::TriMesh;
+use crate::trimesh::curvature::Curvature;
+use crate::trimesh::links::Links;
+use glam::{DVec2, DVec3};
+
+/// How much strokes and lines count, against 1 for a border.
+const PAINTED: f64 = 4.0;
+/// A line counts up to this many sizes.
+const LINE: f64 = 0.6;
+/// A source of weight 1 is heeded from about so many sizes on.
+const HEED: f64 = 0.4;
+/// A part where no source counts more than this has none.
+pub(super) const NO_SOURCE: f64 = 1e-3;
+
+/// What the direction at a vertex is held by: how much, and that times what it says.
+pub(super) type Held = (f64, DVec2);
+
+/// Sources of one symmetry.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Sources {
+    symmetry: u32,
+    axis: (f64, DVec3),
+    bones: f64,
+    curvature: f64,
+    /// Of each vertex how many edges of borders or creases there are and what they say, and their weight; empty if none.
+    rims: Vec<(f64, DVec2, f64)>,
+    paint: Paint,
+    /// Triangles among whose edges borders and creases were looked for.
+    looked_at: usize,
+}
+
+impl Sources {
+    /// Of the direction of cells; lines are as wide as the cells, told by the size at a vertex.
+    pub fn of_direction(
+        params: &DirectionParams,
+        symmetry: u32,
+        mesh: &TriMesh,
+        links: &Links,
+        size: impl Fn(usize) -> f64,
+    ) -> Self {
+        let mut sources = Self {
+            symmetry,
+            axis: axis(params.axis, params.towards),
+            bones: weight(params.bones),
+            curvature: weight(params.curvature),
+            ..Self::default()
+        };
+        if params.borders > 0.0 || params.creases > 0.0 {
+            sources.rims = vec![(0.0, DVec2::ZERO, 0.0); links.len()];
+        }
+        for stroke in &params.strokes {
+            paint::add(&mut sources.paint, stroke, symmetry, mesh, links, 0.0);
+        }
+        for line in &params.lines {
+            let Some(p) = line.points.first() else {
+                continue;
+            };
+            let mut line = line.clone();
+            line.width = LINE * size(mesh.triangles()[p.triangle as usize][0] as usize);
+            paint::add(&mut sources.paint, &line, symmetry, mesh, links, 0.0);
+        }
+        sources
+    }
+
+    /// Of the one sense.
+    pub fn of_flow(params: &FlowParams, mesh: &TriMesh, links: &Links) -> Self {
+        let mut sources = Self {
+            symmetry: 1,
+            axis: axis(params.axis, params.towards),
+            bones: weight(params.bones),
+            ..Self::default()
+        };
+        for stroke in &params.strokes {
+            paint::add(&mut sources.paint, stroke, 1, mesh, links, 0.0);
+        }
+        sources
+    }
+
+    pub fn hears_bones(&self) -> bool {
+        self.bones > 0.0
+    }
+
+    /// Finds borders and creases among so many triangles; true when it has looked at all.
+    pub fn find_rims(
+        &mut self,
+        params: &DirectionParams,
+        mesh: &TriMesh,
+        links: &Links,
+        amount: usize,
+    ) -> bool {
+        let all = mesh.triangles().len();
+        if self.rims.is_empty() {
+            return true;
+        }
+        let sharp = libm::cos(params.crease_angle);
+        let end = all.min(self.looked_at.saturating_add(amount.max(1)));
+        for t in self.looked_at..end {
+            let corners = mesh.triangles()[t];
+            for k in 0..3 {
+                let weight = match mesh.across(t as u32, k) {
+                    None => weight(params.borders),
+                    Some((other, _)) if other as usize > t && params.creases > 0.0 => {
+                        let cos = mesh.face_normal(t as u32).dot(mesh.face_normal(other));
+                        if cos < sharp {
+                            weight(params.creases)
+                        } else {
+                            0.0
+                        }
+                    }
+                    Some(_) => 0.0,
+                };
+                if weight == 0.0 {
+                    continue;
+                }
+                let [a, b] = [corners[k], corners[(k + 1) % 3]];
+                let by = mesh.positions()[b as usize] - mesh.positions()[a as usize];
+                for v in [a, b] {
+                    let along = links.frames[v as usize].within(by).normalize_or_zero();
+                    let rim = &mut self.rims[v as usize];
+                    rim.0 += 1.0;
+                    rim.1 += representation(along, self.symmetry);
+                    rim.2 = rim.2.max(weight);
+                }
+            }
+        }
+        self.looked_at = end;
+        end == all
+    }
+
+    /// All that holds a vertex: as weights of their own, not of the vertex' area.
+    pub fn at(
+        &self,
+        v: usize,
+        links: &Links,
+        curvature: &Curvature,
+        size: f64,
+        bone: &BoneSource,
+    ) -> Held {
+        let (mut held, mut load) = (0.0, DVec2::ZERO);
+        let mut add = |weight: f64, said: DVec2| {
+            held += weight;
+            load += weight * said;
+        };
+        if self.axis.0 > 0.0 {
+            let along = links.frames[v].within(self.axis.1);
+            let said = along.normalize_or_zero();
+            add(
+                self.axis.0 * along.length_squared(),
+                representation(said, self.symmetry),
+            );
+        }
+        if self.curvature > 0.0 {
+            let share = one_way(curvature);
+            let bent = (3.0 * curvature.most() * size).min(1.0);
+            let [_, (_, least)] = curvature.principal();
+            add(
+                self.curvature * share * share * bent,
+                representation(least, self.symmetry),
+            );
+        }
+        if let Some(&(count, sum, weight)) = self.rims.get(v)
+            && count > 0.0
+        {
+            held += weight;
+            load += weight / count * sum;
+        }
+        if self.bones > 0.0 && bone.held > 0.0 {
+            let said = if self.symmetry == 1 {
+                bone.flow
+            } else {
+                bone.load
+            };
+            held += self.bones * bone.held;
+            load += self.bones * said;
+        }
+        if let Some(&(share, said)) = self.paint.get(&(v as u32)) {
+            held = held * (1.0 - share) + PAINTED * share;
+            load = load * (1.0 - share) + PAINTED * said;
+        }
+        (held, load)
+    }
+
+    /// What is said in a part without sources, for smoothing to begin with: any direction does that is none of symmetry.
+    pub fn hint(&self, v: usize, links: &Links) -> DVec2 {
+        let along = links.frames[v].within(DVec3::new(0.36, 0.48, 0.8));
+        along.length_squared() * representation(along.normalize_or_zero(), self.symmetry)
+    }
+}
+
+/// What a source's weight is multiplied with at a vertex of this area: in the equations neighbours count by their edges,
+/// which do not change with the mesh' fineness, so sources must count by area, against that of a cell.
+pub(super) fn scale(mass: f64, size: f64) -> f64 {
+    2.0 / 3.0 * mass / (HEED * HEED * size * size)
+}
+
+fn weight(x: f64) -> f64 {
+    if x.is_finite() { x.max(0.0) } else { 0.0 }
+}
+
+fn axis(by: f64, towards: DVec3) -> (f64, DVec3) {
+    match towards.try_normalize() {
+        Some(unit) => (weight(by), unit),
+        None => (0.0, DVec3::Y),
+    }
+}
+
+/// What the bones say at a vertex, for directions of a symmetry: each as much as the fourth power of the share of it that
+/// lies along the surface, so that they say nothing at tips and forks.
+pub(super) fn bone_source(
+    bones: &Bones,
+    symmetry: u32,
+    mesh: &TriMesh,
+    links: &Links,
+    v: usize,
+) -> BoneSource {
+    let frame = &links.frames[v];
+    let mut source = BoneSource::default();
+    let word = bones.ask(mesh.positions()[v], |share, direction| {
+        let along = frame.within(direction);
+        let square = along.length_squared();
+        let weight = share * square * square;
+        let unit = along.normalize_or_zero();
+        source.held += weight;
+        source.load += weight * representation(unit, symmetry);
+        source.flow += weight * unit;
+    });
+    source.held *= word.near;
+    source.load *= word.near;
+    source.flow *= word.near;
+    source.along = word.along;
+    source
+}

@@ -1,0 +1,148 @@
+//! The first cells along the borders of a surface.
+
+use super::buckets::Boxes;
+use super::ground::OnSurface;
+use super::site::Site;
+use crate::packing::ground::{Asks, Foot, Sees};
+use crate::packing::placed::Placed;
+use crate::packing::shape::Shape;
+use crate::trimesh::{SurfacePoint, TriMesh};
+use glam::{DVec2, DVec3};
+
+/// A ring is cut into pieces where it turns by more than this (cosine of 41 degrees).
+const CORNER: f64 = 0.755;
+/// Cells nearer to each other than this (in sizes) are dropped ...
+const GAP: f64 = 0.6;
+/// ... as are those nearer to a border than this share of their way in.
+const CLEARANCE: f64 = 0.8;
+
+/// A place on the border, with the direction across it.
+#[derive(Clone, Copy)]
+struct Post {
+    at: SurfacePoint,
+    inward: DVec2,
+    /// The direction of the border there, the surface on its left.
+    along: DVec2,
+    length: f64,
+}
+
+/// The pieces of the borders, each to be filled in turn.
+pub(super) struct Border {
+    pieces: Vec<(Vec<Post>, bool)>,
+    next: usize,
+}
+
+impl Border {
+    pub fn new(site: &Site) -> Self {
+        let mesh = site.mesh();
+        let rings = mesh.borders();
+        let mut at_edge = vec![(0, 0); mesh.positions().len()];
+        for (t, corners) in mesh.triangles().iter().enumerate() {
+            for k in 0..3 {
+                if mesh.across(t as u32, k).is_none() {
+                    at_edge[corners[k] as usize] = (t as u32, k);
+                }
+            }
+        }
+        let pieces = rings.iter().flat_map(|ring| pieces(mesh, ring, &at_edge));
+        Self {
+            pieces: pieces.collect(),
+            next: 0,
+        }
+    }
+
+    /// Places the cells along the next piece; true when there is none.
+    pub fn grow<F: Asks<Place = SurfacePoint>>(
+        &mut self,
+        placed: &mut Placed<SurfacePoint, Boxes>,
+        ground: OnSurface<F>,
+    ) -> bool {
+        let Some((posts, closed)) = self.pieces.get(self.next) else {
+            return true;
+        };
+        self.next += 1;
+        // Lengths in cells: a step is shorter where cells are smaller.
+        let mut reached = vec![0.0];
+        for post in posts {
+            let shape = Shape::metric_at(ground.fields, post.at);
+            let cells = shape.cells_along(post.along * post.length);
+            reached.push(reached[reached.len() - 1] + cells);
+        }
+        let total = reached[reached.len() - 1];
+        let count = (total.round() as usize).max(1);
+        let from = if *closed { 0.0 } else { 0.5 };
+        let mut k = 0;
+        for place in 0..count {
+            let at = total * (place as f64 + from) / count as f64;
+            while k + 1 < posts.len() && reached[k + 1] < at {
+                k += 1;
+            }
+            let span = (reached[k + 1] - reached[k]).max(f64::MIN_POSITIVE);
+            put(&posts[k], (at - reached[k]) / span, placed, ground);
+        }
+        false
+    }
+}
+
+/// A cell half its extent inside of a place of the border, or in the middle of a narrow strip.
+fn put<F: Asks<Place = SurfacePoint>>(
+    post: &Post,
+    share: f64,
+    placed: &mut Placed<SurfacePoint, Boxes>,
+    ground: OnSurface<F>,
+) {
+    let (at, turn) = ground
+        .site
+        .beyond(post.at, post.along * (share * post.length));
+    let inward = turn.apply(post.inward);
+    let half = 0.5 * Shape::metric_at(ground.fields, at).extent(inward);
+    let (mut place, _) = ground.site.beyond(at, inward * half);
+    let shape = Shape::metric_at(ground.fields, place);
+    if let Some((foot, middle)) = ground.strip(place, shape.length())
+        && foot.distance() < CLEARANCE * 0.5 * shape.extent(foot.inward())
+    {
+        // Of another border, or of a strip thinner than a cell.
+        if middle >= 0.5 * shape.extent(foot.inward()) {
+            return;
+        }
+        place = ground.pushed(place, &foot, middle - foot.distance()).0;
+    }
+    if placed.is_free(ground, place, GAP) {
+        placed.push(ground.fields, place);
+    }
+}
+
+/// The edges of a ring in runs between corners; a smooth ring is one closed run.
+fn pieces(mesh: &TriMesh, ring: &[u32], at_edge: &[(u32, usize)]) -> Vec<(Vec<Post>, bool)> {
+    let count = ring.len();
+    let position = |k: usize| mesh.positions()[ring[k % count] as usize];
+    let along = |k: usize| (position(k + 1) - position(k)).normalize_or_zero();
+    let corners: Vec<usize> = (0..count)
+        .filter(|&k| along(k + count - 1).dot(along(k)) < CORNER)
+        .collect();
+    let post = |k: usize| {
+        let (t, corner) = at_edge[ring[k % count] as usize];
+        let mut weights = DVec3::ZERO;
+        weights[corner] = 1.0;
+        let at = SurfacePoint::new(mesh, t, weights);
+        let frame = at.frame();
+        let heading = along(k);
+        Post {
+            along: frame.within(heading).normalize_or_zero(),
+            inward: frame
+                .within(mesh.face_normal(t).cross(heading))
+                .normalize_or_zero(),
+            length: position(k).distance(position(k + 1)),
+            at,
+        }
+    };
+    let Some(&first) = corners.first() else {
+        return vec![((0..count).map(post).collect(), true)];
+    };
+    let ends = corners[1..].iter().copied().chain([first + count]);
+    corners
+        .iter()
+        .zip(ends)
+        .map(|(&from, to)| ((from..to).map(post).collect(), false))
+        .collect()
+}

@@ -1,0 +1,160 @@
+//! A surface as the ground of a packing.
+
+use super::site::Site;
+use super::walls::{SurfaceFoot, SurfaceWalls};
+use crate::packing::ground::{Asks, Foot, Ground, Sees, Walled};
+use crate::packing::shape::Shape;
+use crate::packing::wall::CLOSEST;
+use crate::packing::{BoundaryCondition, TUNING, Tuning};
+use crate::random::Random;
+use crate::trimesh::{SurfacePoint, Turn};
+use glam::DVec2;
+
+/// On closed surfaces some cells beside singular places never rest, and hardly one in a thousand comes after so many steps.
+const SETTLED: u32 = 50;
+/// The fewest sizes from a border at which a cell is placed inside.
+const INSIDE_CLEARANCE: f64 = 0.35;
+/// Where it is nearer than this from the middle of a strip to its borders, in sizes, cells go into the middle ...
+const NARROW: f64 = 0.4;
+/// ... but not where it is nearer than this.
+const NARROWEST: f64 = 0.25;
+/// Borders that look into such directions (cosine) are the two sides of a strip.
+const OPPOSITE: f64 = -0.5;
+/// A part with less than this of a cell's area stays bare.
+const BARE: f64 = 0.25;
+
+/// A mesh, and what is asked of cells on it.
+#[derive(Clone, Copy)]
+pub(crate) struct OnSurface<'a, F> {
+    pub site: &'a Site,
+    pub fields: F,
+}
+
+impl<F: Asks<Place = SurfacePoint>> OnSurface<'_, F> {
+    /// The nearest foot within reach, and half the way from border to border through it where there is one opposite.
+    pub fn strip(self, p: SurfacePoint, reach: f64) -> Option<(SurfaceFoot, f64)> {
+        if !self.walls().is_near(p) {
+            return None;
+        }
+        let mut feet = Vec::new();
+        self.walls().feet(p, reach, &mut feet);
+        let nearest = *feet.first()?;
+        let opposite = feet[1..]
+            .iter()
+            .find(|foot| foot.inward().dot(nearest.inward()) < OPPOSITE);
+        let half = opposite.map_or(f64::INFINITY, |other| {
+            0.5 * (nearest.distance() + other.distance())
+        });
+        Some((nearest, half))
+    }
+
+    /// The place that is so much farther from a border.
+    pub fn pushed(self, p: SurfacePoint, foot: &SurfaceFoot, by: f64) -> (SurfacePoint, Turn) {
+        self.site.beyond(p, foot.inward() * by)
+    }
+}
+
+impl<'a, F: Asks<Place = SurfacePoint>> Ground for OnSurface<'a, F> {
+    type Place = SurfacePoint;
+    type Fields = F;
+    type Sight = &'a Site;
+    type Walls = &'a SurfaceWalls;
+    const TUNING: Tuning = Tuning {
+        population_until: SETTLED,
+        cooling_from: SETTLED,
+        ..TUNING
+    };
+
+    fn fields(self) -> F {
+        self.fields
+    }
+
+    fn sight(self) -> &'a Site {
+        self.site
+    }
+
+    fn walls(self) -> &'a SurfaceWalls {
+        &self.site.walls
+    }
+
+    fn boundary(self) -> BoundaryCondition {
+        BoundaryCondition::Wall
+    }
+
+    fn moved(
+        self,
+        from: SurfacePoint,
+        by: DVec2,
+        shape: Shape,
+        is_clear: bool,
+    ) -> (SurfacePoint, Turn) {
+        let (to, turn) = self.site.beyond(from, by);
+        if is_clear {
+            return (to, turn);
+        }
+        let reach = CLOSEST * shape.length();
+        let Some((foot, half)) = self.strip(to, 2.0 * reach) else {
+            return (to, turn);
+        };
+        let least = (CLOSEST * shape.seen(turn).extent(foot.inward())).min(half);
+        if foot.distance() >= least {
+            return (to, turn);
+        }
+        let (to, on) = self.pushed(to, &foot, least - foot.distance());
+        (to, turn.then(on))
+    }
+
+    fn has_room(self, p: SurfacePoint) -> bool {
+        let shape = Shape::metric_at(self.fields, p);
+        let nearest = self.strip(p, INSIDE_CLEARANCE * shape.length());
+        nearest.is_none_or(|(foot, _)| {
+            foot.distance() >= INSIDE_CLEARANCE * shape.extent(foot.inward())
+        })
+    }
+
+    fn middle_of_narrow(self, p: SurfacePoint) -> Option<SurfacePoint> {
+        let shape = Shape::metric_at(self.fields, p);
+        let (foot, half) = self.strip(p, shape.length())?;
+        let extent = shape.extent(foot.inward());
+        let is_narrow = half >= NARROWEST * extent && half < NARROW * extent;
+        is_narrow.then(|| self.pushed(p, &foot, half - foot.distance()).0)
+    }
+
+    fn empty_parts(self, cells: &[SurfacePoint]) -> Vec<SurfacePoint> {
+        let mut has_cell = vec![false; self.site.parts()];
+        for cell in cells {
+            has_cell[self.site.part(cell) as usize] = true;
+        }
+        let empty = (0..self.site.parts() as u32).filter(|&part| !has_cell[part as usize]);
+        empty
+            .map(|part| self.site.middle(part))
+            .filter(|&(middle, area)| {
+                let size = self.fields.size(middle);
+                area >= BARE * size * size
+            })
+            .map(|(middle, _)| middle)
+            .collect()
+    }
+
+    fn has_parts(self) -> bool {
+        self.site.parts() > 1
+    }
+
+    fn hearts(self) -> Vec<SurfacePoint> {
+        Vec::new()
+    }
+
+    fn honeycombs(self) -> Vec<DVec2> {
+        Vec::new()
+    }
+
+    fn honeycomb(self, _: SurfacePoint) -> Option<usize> {
+        None
+    }
+
+    fn anywhere(self, random: &mut Random) -> SurfacePoint {
+        let share = random.unit();
+        self.site
+            .point(share, DVec2::new(random.unit(), random.unit()))
+    }
+}

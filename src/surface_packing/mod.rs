@@ -1,0 +1,156 @@
+//! Packs cells on a surface: the packing of the plane, with a surface as its ground.
+//!
+//! Miyata, Itoh, Shimada (2001), section 4; Itoh, Miyata, Shimada (2003), section 5. Places are points of the mesh's
+//! triangles, moves are walks, and what is between two cells is seen in the plane of their mean normal. Forces, motion and
+//! population control are those of [`crate::packing`], compiled for this ground.
+
+mod border;
+pub(crate) mod buckets;
+mod ground;
+mod site;
+#[cfg(test)]
+mod tests;
+mod walls;
+
+pub use site::Site;
+
+use crate::packing::ground::Asks;
+use crate::packing::placed::Placed;
+use crate::packing::population::Survey;
+use crate::packing::{PackingParams, Particle, Sample, StepReport, front::Front, run::Run};
+use crate::surface_field::SurfaceFields;
+use crate::trimesh::SurfacePoint;
+use buckets::Boxes;
+use ground::OnSurface;
+
+/// A packed cell of a surface: its centre is a point of the mesh, its axis in the frame of that.
+pub type SurfaceParticle = Particle<SurfacePoint>;
+
+/// Places that are looked at in one slice of the work.
+const PLACES: usize = 200;
+
+/// Cells that are moved, or looked around, in one slice of a step.
+const PORTION: usize = 2000;
+
+/// The first cells of a packing in the making.
+pub struct SurfacePlacing {
+    params: PackingParams,
+    placed: Placed<SurfacePoint, Boxes>,
+    border: border::Border,
+    front: Option<Front>,
+}
+
+impl SurfacePlacing {
+    /// Nothing placed yet.
+    pub(crate) fn new<F: Asks<Place = SurfacePoint>>(
+        site: &Site,
+        fields: F,
+        params: PackingParams,
+    ) -> Self {
+        Self {
+            params,
+            placed: Placed::new(OnSurface { site, fields }),
+            border: border::Border::new(site),
+            front: None,
+        }
+    }
+
+    /// One slice of the work; true when all places are filled.
+    pub(crate) fn advance<F: Asks<Place = SurfacePoint>>(
+        &mut self,
+        site: &Site,
+        fields: F,
+    ) -> bool {
+        let ground = OnSurface { site, fields };
+        let placed = &mut self.placed;
+        (0..PLACES).any(|_| {
+            if let Some(front) = &mut self.front {
+                return front.grow(placed, ground);
+            }
+            if self.border.grow(placed, ground) {
+                self.front = Some(Front::new(placed, ground, self.params.seed));
+            }
+            false
+        })
+    }
+
+    /// The packing of the cells so far.
+    pub(crate) fn finish<F: Asks<Place = SurfacePoint>>(
+        mut self,
+        site: &Site,
+        fields: F,
+    ) -> SurfacePacking {
+        self.placed.fill_empty_parts(OnSurface { site, fields });
+        let cells = self.placed.cells.iter().map(|&centre| (centre, false));
+        SurfacePacking {
+            run: Run::of(cells, fields, self.params),
+            survey: None,
+            in_a_step: false,
+        }
+    }
+}
+
+/// A packing on a surface, on its way.
+#[derive(Clone, Debug)]
+pub struct SurfacePacking {
+    run: Run<SurfacePoint>,
+    survey: Option<Survey<SurfacePoint, Boxes>>,
+    in_a_step: bool,
+}
+
+impl SurfacePacking {
+    /// All at once, until it has come to rest; see [`SurfacePlacing`].
+    pub fn build(site: &Site, fields: &SurfaceFields, params: PackingParams) -> Self {
+        let mut placing = SurfacePlacing::new(site, fields, params);
+        while !placing.advance(site, fields) {}
+        let mut packing = placing.finish(site, fields);
+        while !packing.advance(site, fields) {}
+        packing
+    }
+
+    /// The cells in the order of their ids.
+    pub fn particles(&self) -> Vec<SurfaceParticle> {
+        self.run.particles()
+    }
+
+    /// What the last step did.
+    pub fn report(&self) -> StepReport {
+        self.run.report()
+    }
+
+    /// The record of the run, by rising steps.
+    pub fn samples(&self) -> &[Sample] {
+        &self.run.samples
+    }
+
+    /// The potential energy of the cells among each other, in units of the mean cell's k0.
+    pub fn energy(&mut self, site: &Site) -> f64 {
+        self.run.energy(site)
+    }
+
+    /// One slice of a step, of the equation of motion or, now and then, of population control; true when nothing more
+    /// will happen.
+    pub(crate) fn advance<F: Asks<Place = SurfacePoint>>(
+        &mut self,
+        site: &Site,
+        fields: F,
+    ) -> bool {
+        self.advance_by(site, fields, PORTION)
+    }
+
+    fn advance_by<F: Asks<Place = SurfacePoint>>(
+        &mut self,
+        site: &Site,
+        fields: F,
+        portion: usize,
+    ) -> bool {
+        let ground = OnSurface { site, fields };
+        self.in_a_step = !self.run.advance(ground, &mut self.survey, portion);
+        self.run.report().done
+    }
+
+    /// Has a step been begun that is not whole?
+    pub fn is_in_a_step(&self) -> bool {
+        self.in_a_step
+    }
+}

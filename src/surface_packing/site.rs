@@ -1,0 +1,170 @@
+//! A mesh made ready to be packed.
+
+use super::buckets::Boxes;
+use super::walls::SurfaceWalls;
+use crate::packing::ground::Sees;
+use crate::trimesh::{SurfacePoint, TriMesh, Turn, way};
+use glam::{DVec2, DVec3};
+use std::sync::Arc;
+
+/// A mesh with all that packing asks of it: its parts, its area, and its walls.
+#[derive(Clone, Debug)]
+pub struct Site {
+    mesh: Arc<TriMesh>,
+    /// Of each triangle the part that it belongs to.
+    part: Vec<u32>,
+    parts: usize,
+    /// Areas of the triangles so far, summed.
+    areas: Vec<f64>,
+    bounds: (DVec3, DVec3),
+    pub(super) walls: SurfaceWalls,
+}
+
+impl Site {
+    /// Of a mesh on which no cell is longer than this.
+    pub fn new(mesh: impl Into<Arc<TriMesh>>, longest: f64) -> Self {
+        let mesh = mesh.into();
+        let (part, parts) = mesh.parts();
+        let mut sum = 0.0;
+        let areas = (0..mesh.triangles().len() as u32).map(|t| {
+            sum += mesh.area_of(t);
+            sum
+        });
+        Self {
+            areas: areas.collect(),
+            walls: SurfaceWalls::new(&mesh, &part, crate::packing::wall::reach(longest)),
+            bounds: mesh.bounds(),
+            part,
+            parts,
+            mesh,
+        }
+    }
+
+    /// The mesh.
+    pub fn mesh(&self) -> &TriMesh {
+        &self.mesh
+    }
+
+    /// The part that a point belongs to.
+    pub fn part(&self, p: &SurfacePoint) -> u32 {
+        self.part[p.triangle as usize]
+    }
+
+    /// How many parts there are.
+    pub fn parts(&self) -> usize {
+        self.parts
+    }
+
+    /// The point at which so much of the area, 0..1, is before it, and within its triangle at these two numbers, 0..1.
+    pub(super) fn point(&self, share: f64, within: DVec2) -> SurfacePoint {
+        let wanted = share * self.mesh.area();
+        let triangle = self.areas.partition_point(|&sum| sum <= wanted);
+        let triangle = triangle.min(self.areas.len() - 1) as u32;
+        let root = within.x.sqrt();
+        let weights = DVec3::new(1.0 - root, root * (1.0 - within.y), root * within.y);
+        SurfacePoint::new(&self.mesh, triangle, weights)
+    }
+
+    /// The middle of a part, and its area: of the middles of its triangles that which is nearest to their mean.
+    pub(super) fn middle(&self, part: u32) -> (SurfacePoint, f64) {
+        let own = |t: &u32| self.part[*t as usize] == part;
+        let all = || (0..self.part.len() as u32).filter(own);
+        let middle = |t: u32| self.mesh.corners(t).iter().sum::<DVec3>() / 3.0;
+        let (mut sum, mut area) = (DVec3::ZERO, 0.0);
+        for t in all() {
+            sum += middle(t) * self.mesh.area_of(t);
+            area += self.mesh.area_of(t);
+        }
+        let mean = sum / area.max(f64::MIN_POSITIVE);
+        let mut best = (f64::INFINITY, 0);
+        for t in all() {
+            let far = middle(t).distance_squared(mean);
+            if far < best.0 {
+                best = (far, t);
+            }
+        }
+        let third = DVec3::splat(1.0 / 3.0);
+        (SurfacePoint::new(&self.mesh, best.1, third), area)
+    }
+}
+
+impl Sees for &Site {
+    type Place = SurfacePoint;
+    type Turn = Turn;
+    type Grid = Boxes;
+    const WALKS: bool = true;
+
+    fn area(self) -> f64 {
+        self.mesh.area()
+    }
+
+    #[inline]
+    fn way(self, from: SurfacePoint, to: SurfacePoint) -> Option<(DVec2, Turn)> {
+        way(&from, &to).map(|way| (way.to, way.turn))
+    }
+
+    fn images(self, p: SurfacePoint, _: f64) -> impl Iterator<Item = SurfacePoint> {
+        std::iter::once(p)
+    }
+
+    fn way_from(self, image: SurfacePoint, to: SurfacePoint, reach: f64) -> Option<(DVec2, Turn)> {
+        self.way_within(image, to, reach)
+    }
+
+    #[inline]
+    fn way_within(self, from: SurfacePoint, to: SurfacePoint, reach: f64) -> Option<(DVec2, Turn)> {
+        // A way is never shorter than the straight one.
+        let is_near = from.at.distance_squared(to.at) <= reach * reach;
+        if is_near { self.way(from, to) } else { None }
+    }
+
+    fn beyond(self, from: SurfacePoint, by: DVec2) -> (SurfacePoint, Turn) {
+        let walked = self.mesh.walk(&from, by);
+        (walked.to, walked.turn)
+    }
+
+    fn home(self, p: SurfacePoint) -> SurfacePoint {
+        p
+    }
+
+    fn distance(self, from: SurfacePoint, to: SurfacePoint) -> f64 {
+        from.at.distance(to.at)
+    }
+
+    fn has_left(self, from: SurfacePoint, to: SurfacePoint, square: f64) -> bool {
+        from.at.distance_squared(to.at) >= square
+    }
+
+    fn is_parted(self, _: SurfacePoint, _: DVec2) -> bool {
+        false
+    }
+
+    fn crosses_line(self, _: SurfacePoint, _: DVec2) -> bool {
+        false
+    }
+
+    fn is_gap_between(self, p: SurfacePoint, q: SurfacePoint) -> bool {
+        self.part(&p) != self.part(&q)
+    }
+
+    fn grid(self, step: f64) -> Boxes {
+        Boxes::new(self.bounds, step)
+    }
+
+    fn grid_around(self, mut places: impl Iterator<Item = SurfacePoint>, step: f64) -> Boxes {
+        let first = places.next().map_or(DVec3::ZERO, |p| p.at);
+        let bounds = places.fold((first, first), |(lo, hi), p| (lo.min(p.at), hi.max(p.at)));
+        // In space fewer and larger boxes are quicker than in the plane.
+        Boxes::new(bounds, 2.0 * step)
+    }
+
+    fn any_near(
+        self,
+        grid: &Boxes,
+        p: SurfacePoint,
+        radius: f64,
+        visit: impl FnMut(usize) -> bool,
+    ) -> bool {
+        grid.any_near(p.at, radius, visit)
+    }
+}

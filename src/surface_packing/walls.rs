@@ -1,0 +1,220 @@
+//! The borders of a surface as walls: the places of them where the distance to a cell has a local minimum.
+
+use super::buckets::Boxes;
+use crate::order;
+use crate::packing::ground::{Foot, Walled};
+use crate::trimesh::{SurfacePoint, TriMesh};
+use glam::{DVec2, DVec3};
+
+/// Feet whose directions differ by less than this (cosine of 30 degrees) are on one wall.
+const SAME_WALL: f64 = 0.866;
+/// A place sees walls of triangles whose normals are no farther from its own than this (their dot product) ...
+const SEES: f64 = -0.2;
+/// ... and from whose paved side it comes: at least this much of the way to it is across the wall.
+const ACROSS: f64 = 0.1;
+
+/// An edge of the border.
+#[derive(Clone, Copy, Debug)]
+struct Segment {
+    ends: [DVec3; 2],
+    /// Across it, along the surface, into the paved side.
+    inward: DVec3,
+    /// Of its triangle.
+    normal: DVec3,
+    part: u32,
+    /// The segments before and after it on its ring.
+    beside: [u32; 2],
+}
+
+impl Segment {
+    /// How far along it the point nearest to `p` lies, 0..1.
+    fn nearest(&self, p: DVec3) -> f64 {
+        let along = self.ends[1] - self.ends[0];
+        ((p - self.ends[0]).dot(along) / along.length_squared().max(f64::MIN_POSITIVE))
+            .clamp(0.0, 1.0)
+    }
+}
+
+/// The nearest place on a wall.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct SurfaceFoot {
+    distance: f64,
+    inward: DVec2,
+}
+
+impl Foot for SurfaceFoot {
+    fn distance(&self) -> f64 {
+        self.distance
+    }
+
+    fn inward(&self) -> DVec2 {
+        self.inward
+    }
+}
+
+/// The walls of a mesh, by the triangles that they are within reach of.
+#[derive(Clone, Debug)]
+pub(crate) struct SurfaceWalls {
+    segments: Vec<Segment>,
+    part: Vec<u32>,
+    /// Those near triangle t are `near[start[t]..start[t + 1]]`; empty where there are no walls.
+    start: Vec<u32>,
+    near: Vec<u32>,
+    reach: f64,
+}
+
+impl SurfaceWalls {
+    pub fn new(mesh: &TriMesh, part: &[u32], reach: f64) -> Self {
+        let segments = segments(mesh, part);
+        let mut walls = Self {
+            start: Vec::new(),
+            near: Vec::new(),
+            part: part.to_vec(),
+            reach,
+            segments,
+        };
+        if !walls.segments.is_empty() {
+            walls.sort_in(mesh);
+        }
+        walls
+    }
+
+    fn sort_in(&mut self, mesh: &TriMesh) {
+        let half = |s: &Segment| 0.5 * s.ends[0].distance(s.ends[1]);
+        let longest = self.segments.iter().map(half).fold(0.0, f64::max);
+        let mut boxes = Boxes::new(
+            mesh.bounds(),
+            (self.reach + longest).max(1e-3 * mesh.diagonal()),
+        );
+        for segment in &self.segments {
+            boxes.push_at(segment.ends[0].midpoint(segment.ends[1]));
+        }
+        self.start.push(0);
+        for t in 0..mesh.triangles().len() as u32 {
+            let corners = mesh.corners(t);
+            let middle = corners.iter().sum::<DVec3>() / 3.0;
+            let radius = corners
+                .map(|c| c.distance(middle))
+                .into_iter()
+                .fold(0.0, f64::max);
+            let reach = self.reach + radius;
+            let from = self.near.len();
+            boxes.any_near(middle, reach + longest, |k| {
+                let segment = &self.segments[k];
+                let at = segment.ends[0].lerp(segment.ends[1], segment.nearest(middle));
+                if segment.part == self.part[t as usize] && at.distance(middle) <= reach {
+                    self.near.push(k as u32);
+                }
+                false
+            });
+            self.near[from..].sort_unstable();
+            self.start.push(self.near.len() as u32);
+        }
+    }
+
+    fn near(&self, p: &SurfacePoint) -> &[u32] {
+        match self.start.get(p.triangle as usize..p.triangle as usize + 2) {
+            Some(&[from, to]) => &self.near[from as usize..to as usize],
+            _ => &[],
+        }
+    }
+
+    /// The foot of a place on a segment, where the distance has a local minimum.
+    fn foot(&self, index: u32, p: &SurfacePoint) -> Option<SurfaceFoot> {
+        let segment = &self.segments[index as usize];
+        if segment.normal.dot(p.normal) < SEES {
+            return None;
+        }
+        let t = segment.nearest(p.at);
+        let mut inward = segment.inward;
+        // A corner belongs to the segment that begins there, and is a foot where it is one of both.
+        if t == 1.0 {
+            return None;
+        }
+        if t == 0.0 {
+            let before = &self.segments[segment.beside[0] as usize];
+            if before.nearest(p.at) < 1.0 {
+                return None;
+            }
+            inward = (inward + before.inward).normalize_or(inward);
+        }
+        let at = segment.ends[0].lerp(segment.ends[1], t);
+        let way = p.at - at;
+        let distance = way.length();
+        // One that has slid along the border stands on it.
+        let stands = distance < 1e-6 * segment.ends[0].distance(segment.ends[1]);
+        if !stands && way.dot(inward) < ACROSS * distance {
+            return None;
+        }
+        let along = p.frame().within(if stands { inward } else { way });
+        Some(SurfaceFoot {
+            distance,
+            inward: along.try_normalize()?,
+        })
+    }
+}
+
+fn segments(mesh: &TriMesh, part: &[u32]) -> Vec<Segment> {
+    let mut segments = Vec::new();
+    // Of the edge that begins at a border vertex its triangle.
+    let mut triangle = vec![0; mesh.positions().len()];
+    for (t, corners) in mesh.triangles().iter().enumerate() {
+        for k in 0..3 {
+            if mesh.across(t as u32, k).is_none() {
+                triangle[corners[k] as usize] = t as u32;
+            }
+        }
+    }
+    for ring in mesh.borders() {
+        let (first, count) = (segments.len() as u32, ring.len());
+        for k in 0..count {
+            let ends = [ring[k], ring[(k + 1) % count]].map(|v| mesh.positions()[v as usize]);
+            let own = triangle[ring[k] as usize];
+            let normal = mesh.face_normal(own);
+            let beside = [(k + count - 1) % count, (k + 1) % count].map(|k| first + k as u32);
+            segments.push(Segment {
+                ends,
+                inward: normal.cross(ends[1] - ends[0]).normalize_or_zero(),
+                normal,
+                part: part[own as usize],
+                beside,
+            });
+        }
+    }
+    segments
+}
+
+impl Walled for &SurfaceWalls {
+    type Place = SurfacePoint;
+    type Foot = SurfaceFoot;
+
+    fn is_near(self, p: SurfacePoint) -> bool {
+        !self.near(&p).is_empty()
+    }
+
+    fn reach(self) -> f64 {
+        self.reach
+    }
+
+    fn feet(self, p: SurfacePoint, reach: f64, feet: &mut Vec<SurfaceFoot>) {
+        feet.clear();
+        let near = self.near(&p).iter();
+        feet.extend(
+            near.filter_map(|&k| self.foot(k, &p))
+                .filter(|f| f.distance <= reach),
+        );
+        order::sort(feet, |foot| (order::rank(foot.distance), 0));
+        let mut kept = 0;
+        for k in 0..feet.len() {
+            let next = feet[k];
+            if feet[..kept]
+                .iter()
+                .all(|f| f.inward.dot(next.inward) < SAME_WALL)
+            {
+                feet[kept] = next;
+                kept += 1;
+            }
+        }
+        feet.truncate(kept);
+    }
+}

@@ -1,0 +1,213 @@
+//! A scene of stones on a surface, in slices.
+
+use super::ground::{Bed, Ground, Step};
+use super::look::{Look, Own};
+use super::maker::Maker;
+use super::{Paving, StonesParams, mean_size};
+use crate::heightfield::GROUND;
+use crate::material::GROUND_ROW;
+use crate::order::{greater, lesser};
+use crate::scene::{Body, Detail, Instance, Place, Scene, Surfel};
+use crate::solid::Surface;
+use crate::surface_cells::SurfaceCell;
+use crate::trimesh::TriMesh;
+use glam::{DVec3, Vec3};
+
+/// Triangles of all stones at their finest, about.
+const ALL: usize = 700_000;
+/// Triangles of a stone at its finest: at least and at most.
+const EACH: [usize; 2] = [70, 1000];
+/// Rows of the bed in a slice.
+const ROWS: usize = 64;
+/// How far a stone holds light off others, of the size of stones.
+const REACH: f64 = 0.5;
+/// Where a pixel covers so many picture units, grain begins to fade, and is gone: it would only sparkle.
+const FADES: [f32; 2] = [1.2, 4.0];
+/// Slopes are no steeper.
+const STEEPEST: f32 = 1.6;
+
+/// A scene in the making.
+pub struct Stones {
+    params: StonesParams,
+    maker: Maker,
+    scene: Scene,
+    owns: Vec<Option<Own>>,
+    cell: usize,
+    size: f64,
+    ground: Option<Ground>,
+    fit: Fit,
+}
+
+/// The diagonal counts so much as a side: what is wide, deep and high at once is seen whole, too.
+const DEEP: f64 = 0.78;
+
+/// From the model to the scene, in which the longest side of the box around it is 1, or less where others are long, too,
+/// and its middle the origin.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Fit {
+    /// The middle of the box.
+    pub middle: DVec3,
+    /// The scene's units for one of the model.
+    pub scale: f64,
+}
+
+impl Fit {
+    /// Of a mesh.
+    pub fn new(mesh: &TriMesh) -> Self {
+        let (low, high) = mesh.bounds();
+        let side = greater((high - low).max_element(), DEEP * mesh.diagonal());
+        Self {
+            middle: (low + high) * 0.5,
+            scale: if side > 0.0 { 1.0 / side } else { 1.0 },
+        }
+    }
+
+    /// A point of the model in the scene.
+    pub fn place(&self, p: DVec3) -> Vec3 {
+        ((p - self.middle) * self.scale).as_vec3()
+    }
+}
+
+impl Stones {
+    /// Of cells, which have one sense already ([`super::make_one_sense`]), on a mesh, which need not be the one that
+    /// they were packed on: a coarser one is as good.
+    pub fn new(params: StonesParams, mesh: &TriMesh, cells: &[SurfaceCell]) -> Self {
+        let most = (ALL / cells.len().max(1)).clamp(EACH[0], EACH[1]);
+        let (fit, size) = (Fit::new(mesh), mean_size(cells));
+        let deep = params.texture.depth() / params.unit;
+        Self {
+            maker: Maker::new(&params, cells, most),
+            scene: Scene {
+                reach: (greater(REACH * size, deep) * fit.scale) as f32,
+                ..Scene::default()
+            },
+            owns: Vec::with_capacity(cells.len()),
+            cell: 0,
+            size,
+            ground: None,
+            fit,
+            params,
+        }
+    }
+
+    /// How much of it is done, 0..1.
+    pub fn progress(&self, cells: &[SurfaceCell]) -> f64 {
+        let stones = self.cell as f64 / cells.len().max(1) as f64;
+        let ground = self.ground.as_ref().map_or(0.0, Ground::progress);
+        0.85 * stones + 0.15 * ground
+    }
+
+    /// Adds the next stone, or after the last one a part of the ground; true when all is there. Mesh and paving are
+    /// always the same ones.
+    pub fn advance(&mut self, mesh: &TriMesh, paving: Paving) -> bool {
+        if !self.maker.look.advance(ROWS) {
+            return false;
+        }
+        if self.cell < paving.cells.len() {
+            self.add(paving);
+            self.cell += 1;
+            return false;
+        }
+        let colour = self.maker.look.ground_colour();
+        let bed = || Bed::new(&self.params, mesh, self.size, colour);
+        let ground = self.ground.get_or_insert_with(Ground::default);
+        let levels = match ground.next(mesh, bed) {
+            Step::More => return false,
+            Step::Part(levels) => levels,
+            Step::End => return true,
+        };
+        let levels = levels.iter().map(|level| self.on_stand(level)).collect();
+        self.push(Body::new(levels, GROUND_ROW), Vec3::ZERO, GROUND);
+        false
+    }
+
+    /// The scene, once it is there.
+    pub fn finish(self) -> Scene {
+        let finish = Finish {
+            look: self.maker.look,
+            owns: self.owns,
+            fit: self.fit,
+            unit: self.params.unit,
+        };
+        Scene {
+            detail: Some(Box::new(finish)),
+            ..self.scene
+        }
+    }
+
+    fn add(&mut self, paving: Paving) {
+        let cell = &paving.cells[self.cell];
+        let Some(made) = paving.stone(&mut self.maker, self.cell) else {
+            self.owns.push(None);
+            return;
+        };
+        let scale = self.fit.scale as f32;
+        let mut levels = made.levels;
+        for p in levels.iter_mut().flat_map(|level| &mut level.positions) {
+            *p *= scale;
+        }
+        self.owns.push(Some(made.own));
+        let origin = self.fit.place(cell.centre.at);
+        let id = self.cell as u32 + 1;
+        self.push(Body::new(levels, made.material), origin, id);
+    }
+
+    fn push(&mut self, body: Body, origin: Vec3, id: u32) {
+        self.scene.instances.push(Instance {
+            body: self.scene.bodies.len() as u32,
+            place: Place::at(origin),
+            id,
+        });
+        self.scene.bodies.push(body);
+    }
+
+    fn on_stand(&self, surface: &Surface) -> Surface {
+        let place = |p: &Vec3| self.fit.place(p.as_dvec3());
+        Surface {
+            positions: surface.positions.iter().map(place).collect(),
+            ..surface.clone()
+        }
+    }
+}
+
+/// What stones and ground have beyond their triangles.
+struct Finish {
+    look: Look,
+    owns: Vec<Option<Own>>,
+    fit: Fit,
+    unit: f64,
+}
+
+impl Detail for Finish {
+    fn refine(&self, surfel: &mut Surfel, id: u32, spread: f32) {
+        // Picture units for one of the scene, and units of the model.
+        let (unit, model) = (self.unit / self.fit.scale, 1.0 / self.fit.scale);
+        let covered = spread * unit as f32;
+        let near = ((FADES[1] - covered) / (FADES[1] - FADES[0])).clamp(0.0, 1.0);
+        if near <= 0.0 {
+            return;
+        }
+        let own = self.owns.get((id as usize).wrapping_sub(1));
+        let (seen, rise, part) = match own.and_then(Option::as_ref) {
+            Some(own) => {
+                let at = surfel.position * model as f32 + self.fit.middle.as_vec3() - own.at;
+                let (seen, rise) = self.look.of_stone(own, at, surfel.normal);
+                (seen, rise, Look::is_top(own, surfel.normal))
+            }
+            None => {
+                let at = surfel.position * unit as f32;
+                let (seen, rise) = self.look.of_ground(at, surfel.normal);
+                (seen, rise, 1.0)
+            }
+        };
+        for (own, fine) in surfel.colour.iter_mut().zip(seen.colour) {
+            *own += (fine - *own) * near;
+        }
+        surfel.material = seen.material;
+        let along = rise - surfel.normal * surfel.normal.dot(rise);
+        let steep = along.length();
+        let limit = lesser(1.0, STEEPEST / greater(steep, 1e-6));
+        let fine = surfel.normal - along * (limit * near * part);
+        surfel.normal = fine.normalize_or(surfel.normal);
+    }
+}

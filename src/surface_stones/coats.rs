@@ -1,0 +1,304 @@
+//! Coats of cells on a surface: the rules of [`crate::material::Coats`] in space.
+//!
+//! Noise and bands go through space, so that they have no seams; spots are scattered over the surface itself, and the
+//! reaction and diffusion goes from cell to cell. Directions are those of a picture of the model from the front: x to
+//! the right and y down.
+
+use crate::material::{
+    Coat, ColourParams, NoiseTile, Pattern, Reaction, belly_at, spread_evenly, triangle,
+};
+use crate::order::{self, greater, lesser};
+use crate::random::{Purpose, Random};
+use crate::surface_cells::SurfaceCell;
+use crate::trimesh::Frame;
+use glam::DVec3;
+use std::collections::BinaryHeap;
+use std::f64::consts::{PI, TAU};
+
+/// How far bands are bent, in their scale.
+const WAVE: f64 = 0.2;
+/// Values of the noise along one of its waves.
+const WAVELENGTH: f64 = 16.0;
+/// No two spots are nearer to each other, in their scale: so packed there is about one for each square of it.
+const APART: f64 = 0.83;
+/// How far spots are larger or smaller than others.
+const UNLIKE: f64 = 0.25;
+/// How much of what is the belly's side is told by normals, and by places.
+const FACES: f64 = 0.6;
+
+/// The coats of all cells in the making.
+pub struct SurfaceCoats {
+    colour: ColourParams,
+    seed: u64,
+    /// The scale of patterns, in the model's units.
+    scale: f64,
+    phase: f64,
+    noise: NoiseTile,
+    middle: DVec3,
+    /// Half of the longest side of the box around all cells.
+    half: f64,
+    /// Cells in the middle of spots, and how large these are.
+    spots: Vec<(DVec3, DVec3, f64)>,
+    /// Distances to the border, in the model's units.
+    inside: Vec<f64>,
+    values: Vec<f64>,
+    reaction: Option<Reaction>,
+}
+
+impl SurfaceCoats {
+    /// Coats to be made by [`SurfaceCoats::advance`], with so many picture units for a unit of the model. `links` are
+    /// the neighbours by index: see [`super::links`].
+    pub fn new(
+        colour: ColourParams,
+        seed: u64,
+        unit: f64,
+        cells: &[SurfaceCell],
+        links: &[Vec<u32>],
+    ) -> Self {
+        let (mut low, mut high) = (DVec3::MAX, DVec3::MIN);
+        for cell in cells {
+            (low, high) = (low.min(cell.centre.at), high.max(cell.centre.at));
+        }
+        let mut coats = Self {
+            colour,
+            seed,
+            scale: colour.scale / unit,
+            phase: Random::new(seed, Purpose::Pattern, u64::MAX).unit(),
+            noise: NoiseTile::new(seed, 21, 6, 4, 1.2),
+            middle: (low + high) * 0.5,
+            half: greater((high - low).max_element() * 0.5, f64::MIN_POSITIVE),
+            spots: Vec::new(),
+            inside: Vec::new(),
+            values: Vec::new(),
+            reaction: None,
+        };
+        match colour.pattern {
+            Pattern::Spots | Pattern::Rosettes => coats.scatter(cells),
+            Pattern::Boundary => coats.inside = inside(cells, links),
+            Pattern::Turing => {
+                let ids = cells.iter().map(|cell| cell.id).collect();
+                let place = |k: u32| cells[k as usize].centre.at;
+                let square = |from: u32, to: u32| (place(to) - place(from)).length_squared();
+                let scale = (coats.scale, 1.0 / unit);
+                let links = links.to_vec();
+                let reaction = Reaction::new(ids, links, square, scale, colour.share, seed);
+                coats.reaction = Some(reaction);
+            }
+            _ => {}
+        }
+        coats
+    }
+
+    /// Goes on by the work of about `count` cells; true when all coats can be had. The cells must stay the same.
+    pub fn advance(&mut self, cells: &[SurfaceCell], count: usize) -> bool {
+        if let Some(reaction) = &mut self.reaction {
+            return reaction.advance(count);
+        }
+        if self.colour.pattern == Pattern::Plain {
+            return true;
+        }
+        let first = self.values.len();
+        let end = cells.len().min(first.saturating_add(count));
+        for (k, cell) in cells.iter().enumerate().take(end).skip(first) {
+            let value = self.value(k, cell);
+            self.values.push(value);
+        }
+        end == cells.len()
+    }
+
+    /// One coat for each cell.
+    pub fn finish(mut self, cells: &[SurfaceCell]) -> Vec<Coat> {
+        if let Some(reaction) = self.reaction.take() {
+            self.values = reaction.finish();
+        }
+        if matches!(
+            self.colour.pattern,
+            Pattern::Turing | Pattern::Size | Pattern::Blotches
+        ) {
+            spread_evenly(&mut self.values);
+        }
+        let coat = |(k, cell): (usize, &SurfaceCell)| Coat {
+            mark: self.values.get(k).map_or(0.0, |&v| self.colour.weight(v)) as f32,
+            belly: self.belly(cell) as f32,
+        };
+        cells.iter().enumerate().map(coat).collect()
+    }
+
+    fn value(&self, k: usize, cell: &SurfaceCell) -> f64 {
+        let p = (cell.centre.at - self.middle) / self.scale;
+        match self.colour.pattern {
+            Pattern::Bands => {
+                let along = p.dot(front(self.colour.angle)) + self.phase;
+                triangle(along + WAVE * self.noise(p))
+            }
+            Pattern::Spots | Pattern::Rosettes => self.spot(cell),
+            Pattern::Blotches => self.noise(p) + 0.5 * self.noise(p * 2.3),
+            Pattern::Size => area(&cell.ring),
+            Pattern::Boundary => greater(1.0 - self.inside[k] / (2.0 * self.scale), 0.0),
+            Pattern::Direction => {
+                let frame = Frame::of(cell.centre.normal);
+                let wanted = frame.within(front(self.colour.angle));
+                let full = TAU / f64::from(cell.kind.symmetry());
+                let turn = libm::atan2(wanted.perp_dot(cell.axis), wanted.dot(cell.axis));
+                triangle(turn / full)
+            }
+            Pattern::Plain | Pattern::Turing | Pattern::Lines => 0.0,
+        }
+    }
+
+    /// Of deviation about 1: noise in three planes that cross each other.
+    fn noise(&self, p: DVec3) -> f64 {
+        let at = p * WAVELENGTH;
+        let plane = |x: f64, y: f64| f64::from(self.noise.between(x as f32, y as f32));
+        let sum = plane(at.x, at.y) + plane(at.y + 19.0, at.z + 7.0) + plane(at.z + 41.0, at.x);
+        sum / 3f64.sqrt()
+    }
+
+    /// Chooses the cells in the middle of spots, in random order each that is far enough from all before it.
+    fn scatter(&mut self, cells: &[SurfaceCell]) {
+        let mut due: Vec<(u64, u32)> = (0..cells.len() as u32)
+            .map(|k| {
+                let id = u64::from(cells[k as usize].id);
+                let mut random = Random::new(self.seed, Purpose::Pattern, id);
+                (random.bits(), k)
+            })
+            .collect();
+        due.sort_unstable();
+        let apart = APART * self.scale;
+        for (_, k) in due {
+            let cell = &cells[k as usize];
+            let (p, n) = (cell.centre.at, cell.centre.normal);
+            let is_near = |spot: &(DVec3, DVec3, f64)| {
+                (spot.0 - p).length_squared() < apart * apart && spot.1.dot(n) > 0.0
+            };
+            if !self.spots.iter().any(is_near) {
+                let id = u64::from(cell.id);
+                let mut random = Random::new(self.seed, Purpose::Pattern, !id);
+                self.spots.push((p, n, 1.0 + UNLIKE * random.signed()));
+            }
+        }
+    }
+
+    /// 1 in the middle of a spot, 0 where the area around is as large as a spot's share of the surface.
+    fn spot(&self, cell: &SurfaceCell) -> f64 {
+        let mut nearest = f64::MAX;
+        for &(p, n, size) in &self.spots {
+            // Not through thin sheets.
+            if n.dot(cell.centre.normal) > -0.2 {
+                let to = (p - cell.centre.at) / (self.scale * size);
+                nearest = lesser(nearest, to.length_squared());
+            }
+        }
+        greater(1.0 - PI * nearest, 0.0)
+    }
+
+    fn belly(&self, cell: &SurfaceCell) -> f64 {
+        let ColourParams {
+            belly, belly_angle, ..
+        } = self.colour;
+        if belly <= 0.0 {
+            return 0.0;
+        }
+        let towards = front(belly_angle);
+        let faces = cell.centre.normal.dot(towards);
+        let lies = (cell.centre.at - self.middle).dot(towards) / self.half;
+        belly * belly_at(0.5 + 0.5 * (FACES * faces + (1.0 - FACES) * lies))
+    }
+}
+
+/// A direction of a picture from the front, in the model.
+fn front(angle: f64) -> DVec3 {
+    DVec3::new(libm::cos(angle), -libm::sin(angle), 0.0)
+}
+
+/// The area of a ring, as its corners lie in space.
+fn area(ring: &[DVec3]) -> f64 {
+    let Some(&first) = ring.first() else {
+        return 0.0;
+    };
+    let sides = ring.windows(2);
+    let sum: DVec3 = sides.map(|s| (s[0] - first).cross(s[1] - first)).sum();
+    0.5 * sum.length()
+}
+
+/// How far each cell is from those on the border, along the graph; far where there is no border.
+fn inside(cells: &[SurfaceCell], links: &[Vec<u32>]) -> Vec<f64> {
+    let mut far = vec![f64::MAX; cells.len()];
+    let mut due = BinaryHeap::new();
+    for (k, cell) in cells.iter().enumerate().filter(|(_, c)| c.on_border) {
+        far[k] = 0.5 * cell.size;
+        due.push(std::cmp::Reverse((order::rank(far[k]), k as u32)));
+    }
+    while let Some(std::cmp::Reverse((rank, k))) = due.pop() {
+        let k = k as usize;
+        if rank != order::rank(far[k]) {
+            continue;
+        }
+        for &to in &links[k] {
+            let step = (cells[to as usize].centre.at - cells[k].centre.at).length();
+            if far[k] + step < far[to as usize] {
+                far[to as usize] = far[k] + step;
+                due.push(std::cmp::Reverse((order::rank(far[k] + step), to)));
+            }
+        }
+    }
+    far
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::fixture::{rows, torus};
+    use super::super::{links, mean_size};
+    use super::*;
+
+    #[test]
+    fn coats_follow_the_surface() {
+        let rows = rows([60, 20], [true, true]);
+        let shape = torus(0.4);
+        let cells = rows.cells(&shape);
+        let links = links(&cells);
+        let unit = 24.0 / mean_size(&cells);
+        for (pattern, word) in Pattern::ALL {
+            let colour = ColourParams {
+                pattern,
+                scale: 240.0,
+                sharpness: 0.6,
+                share: 0.4,
+                amount: 1.0,
+                belly: 1.0,
+                belly_angle: std::f64::consts::FRAC_PI_2,
+                ..ColourParams::default()
+            };
+            let made = |slice: usize| {
+                let mut coats = SurfaceCoats::new(colour, 1, unit, &cells, &links);
+                while !coats.advance(&cells, slice) {}
+                coats.finish(&cells)
+            };
+            let coats: Vec<Coat> = made(usize::MAX);
+            assert_eq!(coats, made(37), "{word}");
+            let mean = coats.iter().map(|c| f64::from(c.mark)).sum::<f64>() / coats.len() as f64;
+            match pattern {
+                Pattern::Plain | Pattern::Lines | Pattern::Boundary => {
+                    assert_eq!(mean, 0.0, "{word}")
+                }
+                // All cells of a row are of one size and direction.
+                Pattern::Direction => {}
+                _ => assert!((0.2..0.6).contains(&mean), "{word}: {mean}"),
+            }
+            for (coat, cell) in coats.iter().zip(&cells) {
+                let is_below = cell.centre.normal.y < -0.7;
+                assert!(!is_below || coat.belly > 0.6, "{word}: {}", coat.belly);
+                assert!(cell.centre.normal.y < 0.7 || coat.belly < 0.1);
+            }
+            if pattern == Pattern::Turing {
+                // Neighbours are alike: the pattern is far wider than a cell.
+                let unlike = links.iter().enumerate().map(|(k, list)| {
+                    let off = |j: &u32| f64::from((coats[k].mark - coats[*j as usize].mark).abs());
+                    list.iter().map(off).sum::<f64>() / list.len() as f64
+                });
+                let unlike = unlike.sum::<f64>() / cells.len() as f64;
+                assert!(unlike < 0.3, "{unlike}");
+            }
+        }
+    }
+}

@@ -1,0 +1,343 @@
+//! The ground between stones: the surface's mesh, sunk along its normals.
+//!
+//! It is cut into parts, so that what is far away or hidden is drawn with fewer triangles. Along borders of the parts
+//! no vertex goes, so they fit together at all degrees of detail. A surface with a border is a shell: it has an inside,
+//! and a rim between the two; or its openings are closed.
+
+use super::maker::{anchor, sunk};
+use super::{Open, StonesParams};
+use crate::order::{greater, lesser};
+use crate::solid::{Surface, boundary_edges, normals, simplify_between};
+use crate::trimesh::{NONE, TriMesh};
+use glam::{DVec3, Vec3};
+
+/// Parts have about so many triangles.
+const PART: usize = 600;
+/// Triangles of a degree of detail, of those of the mesh.
+const DEGREES: [usize; 3] = [4, 16, 64];
+/// The ground is never sunk farther than this part of a radius of curvature, and the inside of a shell than this.
+const MOST_SUNK: [f64; 2] = [0.5, 0.6];
+/// How thick a shell is, of the size of stones.
+const THICK: f64 = 0.3;
+/// How deep stones reach, with what the wildest of them is lower.
+const BASE: f64 = 1.1;
+/// What degrees of detail may be off, of the depth of the ground.
+const FAR: f64 = 0.35;
+/// Edges of a mesh that are shorter than this, in sizes, are finer than the ground needs.
+const FINE: f64 = 0.6;
+/// Colours of the inside and of the rim, of that of the ground.
+const INSIDE: f32 = 0.62;
+const RIM: f32 = 0.85;
+
+/// The ground in the making.
+#[derive(Debug, Default)]
+pub(super) struct Ground {
+    curvatures: Vec<[f64; 2]>,
+    surface: Surface,
+    /// Of each triangle its part, sorted by parts.
+    order: Vec<(u32, u32)>,
+    /// How many parts have each vertex, as far as it counts: 2 and more is a border between parts.
+    is_shared: Vec<bool>,
+    /// Of each vertex its place in the part at work.
+    places: Vec<u32>,
+    next: usize,
+    has_fine: bool,
+    /// Degrees of detail are nowhere farther off: what lies deep must not come through stones.
+    far: f64,
+}
+
+/// What a slice of the work has made of it.
+pub(super) enum Step {
+    /// There is more to do.
+    More,
+    /// A part at all its degrees of detail, in the model's units.
+    Part(Vec<Surface>),
+    /// That was all.
+    End,
+}
+
+/// What it is made by, in the model's units.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Bed {
+    pub sunk: f64,
+    /// Where the inside of a shell is.
+    pub inside: f64,
+    pub open: Open,
+    pub colour: [u8; 3],
+    /// Edges of the mesh are shorter than half a cell.
+    pub is_fine: bool,
+}
+
+impl Bed {
+    /// Of stones of about this size, on average, with a ground of this colour.
+    pub fn new(params: &StonesParams, mesh: &TriMesh, size: f64, colour: [u8; 3]) -> Self {
+        let edges = 3 * mesh.triangles().len();
+        // Of triangles with equal sides.
+        let area = 3.0 * mesh.area() / edges as f64;
+        let edge = (4.0 * area / 3f64.sqrt()).sqrt();
+        let StonesParams { texture, unit, .. } = params;
+        let sunk = sunk(texture) / unit;
+        // Stones reach down to their base, which is not to be seen from inside.
+        let base = BASE * anchor(texture, texture.size) / unit;
+        Self {
+            sunk,
+            inside: greater(sunk + THICK * size, base),
+            open: params.open,
+            colour,
+            is_fine: edge < FINE * size,
+        }
+    }
+}
+
+impl Ground {
+    /// Goes on by a slice; always of the same mesh.
+    pub fn next(&mut self, mesh: &TriMesh, bed: impl Fn() -> Bed) -> Step {
+        if self.curvatures.is_empty() {
+            self.curvatures = curvatures(mesh);
+        } else if self.surface.positions.is_empty() {
+            let bed = bed();
+            self.has_fine = !bed.is_fine;
+            self.far = FAR * bed.sunk;
+            self.surface = sheet(mesh, &bed, &self.curvatures);
+        } else if self.order.is_empty() {
+            self.order = parts(&self.surface.positions, &self.surface.triangles, PART);
+        } else if self.is_shared.is_empty() {
+            self.is_shared = self.shared();
+            self.places = vec![NONE; self.is_shared.len()];
+        } else {
+            return self.part();
+        }
+        Step::More
+    }
+
+    /// Of each vertex, whether several parts have it.
+    fn shared(&self) -> Vec<bool> {
+        let mut part_of = vec![NONE; self.surface.positions.len()];
+        let mut is_shared = vec![false; part_of.len()];
+        for &(part, t) in &self.order {
+            for v in self.surface.triangles[t as usize].map(|v| v as usize) {
+                is_shared[v] |= part_of[v] != NONE && part_of[v] != part;
+                part_of[v] = part;
+            }
+        }
+        is_shared
+    }
+
+    fn part(&mut self) -> Step {
+        let Some(&(part, _)) = self.order.get(self.next) else {
+            return Step::End;
+        };
+        let mut fine = Surface::default();
+        // Those that lie on a border of the part, or of all.
+        let mut stays = Vec::new();
+        let own = self.order[self.next..].iter().take_while(|o| o.0 == part);
+        for &(_, t) in own {
+            let places = &mut self.places;
+            fine.triangles
+                .push(self.surface.triangles[t as usize].map(|v| {
+                    let at = v as usize;
+                    if places[at] == NONE {
+                        places[at] = fine.positions.len() as u32;
+                        fine.positions.push(self.surface.positions[at]);
+                        fine.normals.push(self.surface.normals[at]);
+                        fine.colours.push(self.surface.colours[at]);
+                        stays.push(self.is_shared[at]);
+                    }
+                    places[at]
+                }));
+        }
+        let count = fine.triangles.len();
+        for &(_, t) in &self.order[self.next..][..count] {
+            for v in self.surface.triangles[t as usize] {
+                self.places[v as usize] = NONE;
+            }
+        }
+        self.next += count;
+        for v in boundary_edges(&fine.triangles, stays.len()).as_flattened() {
+            stays[*v as usize] = true;
+        }
+        let mut triangles = fine.triangles.clone();
+        let mut levels = Vec::new();
+        for degree in DEGREES {
+            let (most, positions) = ((count / degree, self.far), &fine.positions);
+            simplify_between(positions, &mut triangles, most, f32::MIN, |v| {
+                stays[v as usize]
+            });
+            triangles.retain(|t| t[0] != t[1]);
+            levels.push(fine.part(&triangles));
+        }
+        if self.has_fine {
+            levels.insert(0, fine);
+        }
+        Step::Part(levels)
+    }
+
+    /// How much of it is done, 0..1.
+    pub fn progress(&self) -> f64 {
+        self.next as f64 / self.order.len().max(1) as f64
+    }
+}
+
+/// The whole ground, in the model's units, triangles counter-clockwise seen from outside.
+fn sheet(mesh: &TriMesh, bed: &Bed, curvatures: &[[f64; 2]]) -> Surface {
+    let place = |depth: f64, most_sunk: f64| {
+        let sunk = |(k, (&p, &n)): (usize, (&DVec3, &DVec3))| {
+            let [least, most] = curvatures[k];
+            let limit = match depth > 0.0 {
+                true => lesser(depth, most_sunk / greater(most, 1e-12)),
+                false => greater(depth, most_sunk / lesser(least, -1e-12)),
+            };
+            (p - n * limit).as_vec3()
+        };
+        let all = mesh.positions().iter().zip(mesh.normals()).enumerate();
+        all.map(sunk).collect::<Vec<Vec3>>()
+    };
+    let mut surface = Surface {
+        positions: place(bed.sunk, MOST_SUNK[0]),
+        normals: mesh.normals().iter().map(|n| n.as_vec3()).collect(),
+        colours: vec![bed.colour; mesh.positions().len()],
+        triangles: mesh.triangles().to_vec(),
+    };
+    let borders = mesh.borders();
+    if borders.is_empty() {
+        return surface;
+    }
+    match bed.open {
+        Open::Capped => borders.iter().for_each(|ring| close(&mut surface, ring)),
+        Open::Block => {
+            let heights = surface.positions.iter().map(|p| p.y);
+            let floor = heights.fold(f32::MAX, lesser) - (bed.inside - bed.sunk) as f32;
+            for ring in &borders {
+                skirt(&mut surface, ring, floor, shade(bed.colour, RIM));
+            }
+        }
+        Open::Shell => {
+            let inner = place(bed.inside, MOST_SUNK[1]);
+            let first = surface.positions.len() as u32;
+            surface.positions.extend(inner);
+            let inwards = mesh.normals().iter().map(|n| -n.as_vec3());
+            surface.normals.extend(inwards);
+            let dark = shade(bed.colour, INSIDE);
+            surface.colours.resize(surface.positions.len(), dark);
+            let turned = |&[a, b, c]: &[u32; 3]| [a, c, b].map(|v| v + first);
+            surface
+                .triangles
+                .extend(mesh.triangles().iter().map(turned));
+            for ring in &borders {
+                rim(&mut surface, ring, first, shade(bed.colour, RIM));
+            }
+        }
+    }
+    surface
+}
+
+fn shade(colour: [u8; 3], by: f32) -> [u8; 3] {
+    colour.map(|v| (f32::from(v) * by) as u8)
+}
+
+/// Closes an opening by a fan about its middle.
+fn close(surface: &mut Surface, ring: &[u32]) {
+    let places: Vec<Vec3> = ring
+        .iter()
+        .map(|&v| surface.positions[v as usize])
+        .collect();
+    let middle = places.iter().sum::<Vec3>() / places.len() as f32;
+    let mut out = Vec3::ZERO;
+    for (k, &p) in places.iter().enumerate() {
+        out += (places[(k + 1) % places.len()] - middle).cross(p - middle);
+    }
+    let normal = out.normalize_or(Vec3::Y);
+    let colour = surface.colours[ring[0] as usize];
+    let first = surface.positions.len() as u32;
+    surface.positions.extend(&places);
+    surface.positions.push(middle);
+    surface.normals.resize(surface.positions.len(), normal);
+    surface.colours.resize(surface.positions.len(), colour);
+    let n = ring.len() as u32;
+    // The surface is on the left of its border, so the lid is on the right.
+    let lid = (0..n).map(|k| [first + (k + 1) % n, first + k, first + n]);
+    surface.triangles.extend(lid);
+}
+
+/// A strip from a border to the same one inside.
+fn rim(surface: &mut Surface, ring: &[u32], inside: u32, colour: [u8; 3]) {
+    let places = |v: &u32| [*v, v + inside].map(|v| surface.positions[v as usize]);
+    let pairs: Vec<[Vec3; 2]> = ring.iter().map(places).collect();
+    strip(surface, &pairs, colour);
+}
+
+/// A wall from a border straight down to the floor, and the part of the floor within.
+fn skirt(surface: &mut Surface, ring: &[u32], floor: f32, colour: [u8; 3]) {
+    let wall = |v: &u32| {
+        let top = surface.positions[*v as usize];
+        [top, Vec3::new(top.x, floor, top.z)]
+    };
+    let pairs: Vec<[Vec3; 2]> = ring.iter().map(wall).collect();
+    let first = surface.positions.len() as u32;
+    strip(surface, &pairs, colour);
+    let lower: Vec<u32> = (0..ring.len() as u32).map(|k| first + 2 * k + 1).collect();
+    close(surface, &lower);
+}
+
+/// A strip all around between pairs of places, with normals of its own.
+fn strip(surface: &mut Surface, pairs: &[[Vec3; 2]], colour: [u8; 3]) {
+    let first = surface.positions.len() as u32;
+    let n = pairs.len() as u32;
+    surface.positions.extend(pairs.as_flattened());
+    let mut strip = Vec::with_capacity(2 * pairs.len());
+    for k in 0..n {
+        let [a, b] = [2 * k, 2 * ((k + 1) % n)];
+        strip.extend([[b, a, a + 1], [b, a + 1, b + 1]]);
+    }
+    let own = normals(&surface.positions[first as usize..], &strip);
+    surface.normals.extend(own);
+    surface.colours.resize(surface.positions.len(), colour);
+    let all = strip.iter().map(|t| t.map(|v| v + first));
+    surface.triangles.extend(all);
+}
+
+/// The least and the greatest curvature along the edges of each vertex.
+fn curvatures(mesh: &TriMesh) -> Vec<[f64; 2]> {
+    let mut found = vec![[0.0f64; 2]; mesh.positions().len()];
+    for triangle in mesh.triangles() {
+        for k in 0..3 {
+            let [a, b] = [triangle[k], triangle[(k + 1) % 3]].map(|v| v as usize);
+            let along = mesh.positions()[b] - mesh.positions()[a];
+            let turned = mesh.normals()[b] - mesh.normals()[a];
+            let square = along.length_squared();
+            if square > 0.0 {
+                let curvature = turned.dot(along) / square;
+                for v in [a, b] {
+                    found[v] = [
+                        lesser(found[v][0], curvature),
+                        greater(found[v][1], curvature),
+                    ];
+                }
+            }
+        }
+    }
+    found
+}
+
+/// The triangles by the cubes of a grid that they lie in, about so many in each: pairs of a part and a triangle, by parts.
+pub(crate) fn parts(positions: &[Vec3], triangles: &[[u32; 3]], each: usize) -> Vec<(u32, u32)> {
+    let (mut low, mut high) = (Vec3::MAX, Vec3::MIN);
+    for &p in positions {
+        (low, high) = (low.min(p), high.max(p));
+    }
+    // A surface meets about so many cubes as the square of those along a side, six times.
+    let wanted = (triangles.len() / each).max(1) as f32;
+    let along = (wanted / 3.0).sqrt().clamp(1.0, 32.0);
+    let side = greater((high - low).max_element() / along, f32::MIN_POSITIVE);
+    let cube = |t: &[u32; 3]| {
+        let middle = t.map(|v| positions[v as usize]).iter().sum::<Vec3>() / 3.0;
+        let at = ((middle - low) / side)
+            .to_array()
+            .map(|v| (v as u32).min(63));
+        at[0] << 12 | at[1] << 6 | at[2]
+    };
+    let numbered = triangles.iter().map(cube).zip(0..);
+    let mut order: Vec<(u32, u32)> = numbered.collect();
+    order.sort_unstable();
+    order
+}

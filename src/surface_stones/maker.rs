@@ -1,0 +1,168 @@
+//! From a cell to the surfaces of its stone, bent and coloured.
+
+use super::look::{Look, Own, bytes};
+use super::template::Templates;
+use super::{Flat, StonesParams, mean_size};
+use crate::heightfield::{Surfaces, TextureParams};
+use crate::material::Coat;
+use crate::order::{greater, lesser};
+use crate::solid::{StoneKind, StoneParams, Surface, normals, top};
+use crate::surface_cells::SurfaceCell;
+use crate::trimesh::Frame;
+use glam::{DVec3, Vec3};
+
+/// Makes stones on a surface.
+pub(super) struct Maker {
+    pub look: Look,
+    templates: Templates,
+    unit: f64,
+}
+
+/// A stone on its cell.
+pub(super) struct Made {
+    pub own: Own,
+    /// From the finest degree of detail to the coarsest; places are counted from the cell's centre, in the model's axes
+    /// and units. Triangles are counter-clockwise seen from outside.
+    pub levels: Vec<Surface>,
+    /// Row of the table of materials of its middle.
+    pub material: u8,
+}
+
+impl Maker {
+    /// Of stones with so many triangles at their finest, about.
+    pub fn new(params: &StonesParams, cells: &[SurfaceCell], most: usize) -> Self {
+        let texture = params.texture;
+        let curvature = mean_curvature(cells) / params.unit;
+        Self {
+            look: Look::new(texture, params.weather, Surfaces::new(texture, most)),
+            templates: Templates::new(texture.stone, most, curvature, texture.level() as f32),
+            unit: params.unit,
+        }
+    }
+
+    /// The stone of a cell that wears a coat, and [`leans_out`] over a border or does not; none where the cell has no area to speak of. [`Look::advance`] has to be
+    /// done with.
+    pub fn stone(&mut self, cell: &SurfaceCell, coat: Coat, leans_out: bool) -> Option<Made> {
+        let mut flat = Flat::new(cell, self.unit);
+        let texture = self.look.texture;
+        let params = own_params(&texture.stone, leans_out);
+        let is_hollow = flat.bend.shape[0] + flat.bend.shape[2] < 0.0;
+        let solid = self.templates.solid(&flat.cell, &params, is_hollow);
+        let (solid, template) = solid?;
+        let face = self.look.face(&flat.cell, coat);
+        let mut surface = Surface {
+            colours: vec![[0; 3]; solid.vertices.len()],
+            positions: solid.vertices,
+            triangles: solid.triangles.to_vec(),
+            ..Surface::default()
+        };
+        self.look.surfaces.roughen(&face, &mut surface.positions);
+        surface.cap(&template.boundary);
+        let positions = &mut surface.positions;
+        let none = [f32::MAX, f32::MIN];
+        let span = positions.iter().fold(none, |[low, high], p| {
+            [lesser(low, p.z), greater(high, p.z)]
+        });
+        flat.bend
+            .stand(anchor(&texture, flat.cell.size), span.map(f64::from));
+        let own = Own::new(&flat, face);
+        let up = flat.axes[2].y as f32;
+        // Those of the finest degree are all that is coloured: coarser ones have some of these.
+        let mut colours = vec![None; positions.len()];
+        let finest = template.levels.first()?;
+        for &v in &finest.kept {
+            let seen = self.look.bare(&own, positions[v as usize], up);
+            colours[v as usize] = Some((bytes(seen.colour), seen.height));
+        }
+        let middle = Vec3::new(0.0, 0.0, top(&params, flat.cell.size) as f32);
+        let material = self.look.bare(&own, middle, up).material;
+        for (p, seen) in positions.iter_mut().zip(&colours) {
+            if let Some((_, height)) = seen {
+                p.z = greater(*height, p.z.min(self.look.level));
+            }
+        }
+        let bent: Vec<Vec3> = positions
+            .iter()
+            .map(|p| flat.placed(p.as_dvec3()).as_vec3())
+            .collect();
+        // In axes that are left-handed triangles go the other way round; the cap has no say.
+        let turned: Vec<[u32; 3]> = solid.triangles.iter().map(|&[a, b, c]| [a, c, b]).collect();
+        let normals = normals(&bent, &turned);
+        let level = |level: &super::template::Level| {
+            let kept = level.kept.iter().map(|&v| v as usize);
+            Surface {
+                positions: kept.clone().map(|v| bent[v]).collect(),
+                normals: kept.clone().map(|v| normals[v]).collect(),
+                colours: kept.map(|v| colours[v].map_or([0; 3], |c| c.0)).collect(),
+                triangles: level.triangles.iter().map(|&[a, b, c]| [a, c, b]).collect(),
+            }
+        };
+        let mut levels: Vec<Surface> = template.levels.iter().map(level).collect();
+        for surface in &mut levels {
+            under(surface, flat.axes[2]);
+        }
+        Some(Made {
+            own,
+            levels,
+            material,
+        })
+    }
+}
+
+/// The cap's middle has no normal of walls: it looks inwards.
+fn under(surface: &mut Surface, out: DVec3) {
+    for normal in &mut surface.normals {
+        if *normal == Vec3::NEG_Z {
+            *normal = -out.as_vec3();
+        }
+    }
+}
+
+/// The height of stones that lies on the surface: the tops of stones, so that joints are as wide as in the plane, and
+/// the ground of skin, which stands out from its body.
+pub(super) fn anchor(texture: &TextureParams, size: f64) -> f64 {
+    match texture.stone.kind {
+        StoneKind::Skin => texture.level(),
+        _ => top(&texture.stone, size),
+    }
+}
+
+/// How far the ground lies below the surface, in picture units.
+pub(super) fn sunk(texture: &TextureParams) -> f64 {
+    anchor(texture, texture.size) - texture.level()
+}
+
+/// Whether a cell on the border points away from its neighbours, which are the cells of these numbers.
+pub(super) fn leans_out(cell: &SurfaceCell, neighbours: &[u32], cells: &[SurfaceCell]) -> bool {
+    let towards = |&k: &u32| (cells[k as usize].centre.at - cell.centre.at).normalize_or_zero();
+    let inwards: DVec3 = neighbours.iter().map(towards).sum();
+    let inwards = Frame::of(cell.centre.normal).within(inwards);
+    cell.on_border && cell.axis.dot(inwards) <= 0.3 * inwards.length()
+}
+
+/// Scales that would stand out over a border lie flat.
+fn own_params(stone: &StoneParams, leans_out: bool) -> StoneParams {
+    let mut own = *stone;
+    if leans_out && stone.kind == StoneKind::Skin {
+        (own.skin.skew, own.skin.tilt) = (0.0, 0.0);
+        own.scale = own.scale.min(1.0);
+    }
+    own
+}
+
+/// Of the greater curvatures whichever way, in the model's units: how far normals turn from centres to corners.
+fn mean_curvature(cells: &[SurfaceCell]) -> f64 {
+    let (mut turned, mut away) = (0.0, 0.0);
+    for cell in cells {
+        for (&p, n) in cell.ring.iter().zip(&cell.normals) {
+            let (n, own) = (*n, cell.centre.normal);
+            turned += libm::atan2(n.cross(own).length(), n.dot(own));
+            away += (p - cell.centre.at).length();
+        }
+    }
+    if mean_size(cells) > 0.0 && away > 0.0 {
+        turned / away
+    } else {
+        0.0
+    }
+}

@@ -1,0 +1,82 @@
+//! Stones and ground one after the other, at one degree of detail, for files.
+
+use super::ground::{Bed, Ground, Step};
+use super::maker::Maker;
+use super::{Paving, StonesParams, mean_size};
+use crate::heightfield::GROUND;
+use crate::solid::Surface;
+use crate::surface_cells::SurfaceCell;
+use crate::trimesh::TriMesh;
+
+/// Rows of the bed in a slice.
+const ROWS: usize = 64;
+
+/// All pieces in the making.
+pub(crate) struct Pieces {
+    params: StonesParams,
+    maker: Maker,
+    size: f64,
+    cell: usize,
+    ground: Option<Ground>,
+}
+
+/// What a slice of the work has made.
+pub(crate) enum Piece {
+    /// There is more to do.
+    None,
+    /// A surface in the model's axes and units, and the id of its stone or that of the ground.
+    Surface(u32, Surface),
+    /// That was all.
+    End,
+}
+
+impl Pieces {
+    /// Of these cells, with so many triangles each.
+    pub fn new(params: StonesParams, cells: &[SurfaceCell], most: usize) -> Self {
+        Self {
+            maker: Maker::new(&params, cells, most),
+            size: mean_size(cells),
+            cell: 0,
+            ground: None,
+            params,
+        }
+    }
+
+    /// How much of it is done, 0..1.
+    pub fn progress(&self, cells: &[SurfaceCell]) -> f64 {
+        let stones = self.cell as f64 / cells.len().max(1) as f64;
+        let ground = self.ground.as_ref().map_or(0.0, Ground::progress);
+        0.9 * stones + 0.1 * ground
+    }
+
+    /// The next piece.
+    pub fn next(&mut self, mesh: &TriMesh, paving: Paving) -> Piece {
+        if !self.maker.look.advance(ROWS) {
+            return Piece::None;
+        }
+        if let Some(cell) = paving.cells.get(self.cell) {
+            let made = paving.stone(&mut self.maker, self.cell);
+            self.cell += 1;
+            let level = made.and_then(|made| made.levels.into_iter().next());
+            let Some(mut surface) = level else {
+                return Piece::None;
+            };
+            let origin = cell.centre.at;
+            for p in &mut surface.positions {
+                *p = (p.as_dvec3() + origin).as_vec3();
+            }
+            return Piece::Surface(self.cell as u32, surface);
+        }
+        let colour = self.maker.look.ground_colour();
+        let bed = || Bed::new(&self.params, mesh, self.size, colour);
+        let ground = self.ground.get_or_insert_with(Ground::default);
+        match ground.next(mesh, bed) {
+            Step::More => Piece::None,
+            Step::Part(levels) => match levels.into_iter().next() {
+                Some(surface) => Piece::Surface(GROUND, surface),
+                None => Piece::None,
+            },
+            Step::End => Piece::End,
+        }
+    }
+}

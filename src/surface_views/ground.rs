@@ -1,0 +1,272 @@
+//! The bare surface, cut into parts at several degrees of detail.
+
+use super::{CALM, INSIDE};
+use crate::scene::{Body, Instance, Place, Scene};
+use crate::solid::{Surface, boundary_edges, simplify_between};
+use crate::surface_stones::{Fit, parts};
+use crate::trimesh::{NONE, TriMesh};
+use glam::Vec3;
+
+/// Parts have about so many triangles.
+const PART: usize = 350;
+/// Triangles of a degree of detail, of those of the mesh. The coarser ones are for what is far away: nearer by they would
+/// lie in the shadow of the finest.
+const DEGREES: [usize; 3] = [1, 4, 16];
+/// Parts of fewer triangles have one degree only.
+const SMALL: usize = 100;
+/// Vertices that are placed in a slice.
+const PLACED: usize = 20_000;
+
+/// The bare surface of a mesh, in a scene: made once, in slices, for all views.
+///
+/// One with a border has an inside, too: vertices from the number of the mesh's on look that way.
+#[derive(Clone, Debug)]
+pub struct Ground {
+    fit: Fit,
+    positions: Vec<Vec3>,
+    normals: Vec<Vec3>,
+    triangles: Vec<[u32; 3]>,
+    /// How many of the vertices look outwards.
+    outer: usize,
+    /// Of each triangle its part, sorted by parts.
+    order: Vec<(u32, u32)>,
+    is_shared: Vec<bool>,
+    /// Of each vertex its place in the part at work.
+    places: Vec<u32>,
+    next: usize,
+    parts: Vec<Vec<Level>>,
+}
+
+/// A part at one degree of detail.
+#[derive(Clone, Debug)]
+struct Level {
+    vertices: Vec<u32>,
+    triangles: Vec<[u32; 3]>,
+}
+
+impl Ground {
+    /// Of a mesh, to be made by [`Ground::advance`].
+    pub fn new(mesh: &TriMesh, fit: Fit) -> Self {
+        let count = mesh.positions().len();
+        Self {
+            fit,
+            positions: Vec::with_capacity(2 * count),
+            normals: Vec::with_capacity(2 * count),
+            triangles: Vec::new(),
+            outer: count,
+            order: Vec::new(),
+            is_shared: Vec::new(),
+            places: Vec::new(),
+            next: 0,
+            parts: Vec::new(),
+        }
+    }
+
+    /// All at once.
+    pub fn build(mesh: &TriMesh, fit: Fit) -> Self {
+        let mut ground = Self::new(mesh, fit);
+        while !ground.advance(mesh) {}
+        ground
+    }
+
+    /// Where the model is in the scene.
+    pub fn fit(&self) -> Fit {
+        self.fit
+    }
+
+    /// Goes on by a slice, always of the same mesh; true when all is there.
+    pub fn advance(&mut self, mesh: &TriMesh) -> bool {
+        let made = self.positions.len();
+        if made < self.outer {
+            let to = self.outer.min(made + PLACED);
+            let (places, normals) = (&mesh.positions()[made..to], &mesh.normals()[made..to]);
+            let fit = self.fit;
+            self.positions.extend(places.iter().map(|&p| fit.place(p)));
+            self.normals.extend(normals.iter().map(|n| n.as_vec3()));
+        } else if self.triangles.is_empty() {
+            self.triangles = mesh.triangles().to_vec();
+            if !mesh.borders().is_empty() {
+                self.line();
+            }
+        } else if self.order.is_empty() {
+            self.order = parts(&self.positions, &self.triangles, PART);
+        } else if self.is_shared.is_empty() {
+            self.is_shared = self.shared();
+            self.places = vec![NONE; self.positions.len()];
+        } else if self.next < self.order.len() {
+            self.part();
+        } else {
+            return true;
+        }
+        false
+    }
+
+    /// How much of it is done, 0..1.
+    pub fn progress(&self) -> f64 {
+        self.next as f64 / self.order.len().max(1) as f64
+    }
+
+    /// Adds the inside.
+    fn line(&mut self) {
+        let count = self.outer as u32;
+        self.positions.extend_from_within(..);
+        let inwards: Vec<Vec3> = self.normals.iter().map(|&n| -n).collect();
+        self.normals.extend(inwards);
+        let turned = |&[a, b, c]: &[u32; 3]| [a, c, b].map(|v| v + count);
+        let inside: Vec<[u32; 3]> = self.triangles.iter().map(turned).collect();
+        self.triangles.extend(inside);
+    }
+
+    /// Of each vertex, whether several parts have it.
+    fn shared(&self) -> Vec<bool> {
+        let mut part_of = vec![NONE; self.positions.len()];
+        let mut is_shared = vec![false; part_of.len()];
+        for &(part, t) in &self.order {
+            for v in self.triangles[t as usize].map(|v| v as usize) {
+                is_shared[v] |= part_of[v] != NONE && part_of[v] != part;
+                part_of[v] = part;
+            }
+        }
+        is_shared
+    }
+
+    /// Makes the next part: along its rim no vertex goes, so parts fit together at all degrees of detail.
+    fn part(&mut self) {
+        let part = self.order[self.next].0;
+        let own = self.order[self.next..].iter().take_while(|o| o.0 == part);
+        let (mut vertices, mut triangles) = (Vec::new(), Vec::new());
+        for &(_, t) in own {
+            triangles.push(self.triangles[t as usize].map(|v| {
+                let place = &mut self.places[v as usize];
+                if *place == NONE {
+                    *place = vertices.len() as u32;
+                    vertices.push(v);
+                }
+                *place
+            }));
+        }
+        for &v in &vertices {
+            self.places[v as usize] = NONE;
+        }
+        self.next += triangles.len();
+        let of =
+            |list: &[Vec3]| -> Vec<Vec3> { vertices.iter().map(|&v| list[v as usize]).collect() };
+        let positions = of(&self.positions);
+        let mut stays: Vec<bool> = vertices
+            .iter()
+            .map(|&v| self.is_shared[v as usize])
+            .collect();
+        for &v in boundary_edges(&triangles, stays.len()).as_flattened() {
+            stays[v as usize] = true;
+        }
+        let count = triangles.len();
+        let mut levels: Vec<Level> = Vec::with_capacity(DEGREES.len());
+        let degrees = if count < SMALL {
+            &DEGREES[..1]
+        } else {
+            &DEGREES
+        };
+        for &degree in degrees {
+            if degree > 1 {
+                let most = (count / degree, f64::INFINITY);
+                simplify_between(&positions, &mut triangles, most, f32::MIN, |v| {
+                    stays[v as usize]
+                });
+                triangles.retain(|t| t[0] != t[1]);
+            }
+            levels.push(Level::of(&vertices, &triangles));
+        }
+        self.parts.push(levels);
+    }
+
+    /// How many bodies it has.
+    pub(super) fn len(&self) -> usize {
+        self.parts.len()
+    }
+
+    /// Is it seen from inside, too?
+    pub(super) fn has_inside(&self) -> bool {
+        self.positions.len() > self.outer
+    }
+
+    /// Does a vertex look inwards?
+    fn is_inside(&self, vertex: u32) -> bool {
+        vertex as usize >= self.outer
+    }
+
+    /// One of its bodies, sunk along its normals by so much, with vertices of the colours of those of the mesh; a true
+    /// means that it is seen from inside.
+    pub(super) fn body(
+        &self,
+        part: usize,
+        (material, sunk): (u8, f32),
+        colour: impl Fn(u32, bool) -> [u8; 3],
+    ) -> Body {
+        let outer = self.outer as u32;
+        let surface = |level: &Level| {
+            let each = || level.vertices.iter().copied();
+            let place = |v: u32| {
+                let out = self.normals[(v % outer) as usize];
+                self.positions[v as usize] - out * sunk
+            };
+            Surface {
+                positions: each().map(place).collect(),
+                normals: each().map(|v| self.normals[v as usize]).collect(),
+                colours: each()
+                    .map(|v| colour(v % outer, self.is_inside(v)))
+                    .collect(),
+                triangles: level.triangles.clone(),
+            }
+        };
+        Body::new(self.parts[part].iter().map(surface).collect(), material)
+    }
+
+    /// Adds all of it to a scene, in one calm colour.
+    pub(super) fn add_to(&self, scene: &mut Scene, material: u8, sunk: f32, colour: [u8; 3]) {
+        let inside = colour.map(|v| (f32::from(v) * INSIDE) as u8);
+        let of = |_, is_inside| if is_inside { inside } else { colour };
+        for part in 0..self.len() {
+            push(scene, self.body(part, (material, sunk), of), 0);
+        }
+    }
+
+    /// A scene of nothing else.
+    pub fn scene(&self) -> Scene {
+        let mut scene = Scene {
+            reach: 0.02,
+            ..Scene::default()
+        };
+        self.add_to(&mut scene, super::BARE, 0.0, CALM);
+        scene
+    }
+}
+
+/// Adds a body in the place that its vertices have.
+pub(super) fn push(scene: &mut Scene, body: Body, id: u32) {
+    scene.instances.push(Instance {
+        body: scene.bodies.len() as u32,
+        place: Place::default(),
+        id,
+    });
+    scene.bodies.push(body);
+}
+
+impl Level {
+    fn of(vertices: &[u32], triangles: &[[u32; 3]]) -> Self {
+        let mut places = vec![NONE; vertices.len()];
+        let mut kept = Vec::new();
+        let mut place = |v: u32| {
+            let place = &mut places[v as usize];
+            if *place == NONE {
+                *place = kept.len() as u32;
+                kept.push(vertices[v as usize]);
+            }
+            *place
+        };
+        let triangles = triangles.iter().map(|t| t.map(&mut place)).collect();
+        Self {
+            vertices: kept,
+            triangles,
+        }
+    }
+}

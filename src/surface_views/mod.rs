@@ -1,0 +1,89 @@
+//! What of the work on a surface can be looked at: scenes of their own, in the place and the light of the finished one.
+//!
+//! - [`Particles`]: packed cells as they move, each a bubble that lies on the surface.
+//! - [`FieldView`]: the direction as bars, crosses or stars, and its singular points.
+//! - [`MeshView`]: the cells' mesh.
+//! - [`CellsView`]: the cells' polygons.
+//! - [`MapView`]: the surface in the colours of its curvature, or of the size asked for.
+//!
+//! All take the same [`Fit`](crate::surface_stones::Fit), so a change of view moves nothing. What is the same in all of them,
+//! the bare surface in parts at several degrees of detail, is made once: [`Ground`]. Bodies of one shape are there
+//! once, and what differs from one to the next, or runs through a face as lines do, is no geometry but a
+//! [`Detail`](crate::scene::Detail): it is worked out for what is seen only, and sharp at any distance.
+
+mod bars;
+mod cells;
+mod domes;
+mod elements;
+mod field;
+mod ground;
+mod map;
+mod paint;
+mod particles;
+mod spread;
+mod tally;
+#[cfg(test)]
+mod tests;
+
+pub use cells::CellsView;
+pub use elements::MeshView;
+pub use field::FieldView;
+pub use ground::Ground;
+pub use map::{Legend, MapView, Quantity};
+pub use particles::{Particles, particles};
+pub use tally::Tally;
+
+use crate::draw::Colour;
+use crate::material::Material;
+use crate::scene::{Instance, Place};
+use glam::{DVec3, Vec3};
+
+/// What views are made of: the table that [`crate::scene::Lighting`] is to be made with. The tables of palettes have
+/// rows that are about the same.
+pub const MATERIALS: [Material; 4] = [
+    material(1.0, 0.92, 0.0, 4.0),
+    // Maps: colours are to be read.
+    material(1.3, 0.68, 0.0, 4.0),
+    // Bars, balls.
+    material(1.05, 0.88, 0.16, 24.0),
+    // Bubbles.
+    material(1.05, 0.86, 0.34, 42.0),
+];
+
+/// Rows of [`MATERIALS`].
+const BARE: u8 = 0;
+const MAP: u8 = 1;
+const SATIN: u8 = 2;
+const GLOSS: u8 = 3;
+
+/// The bare surface.
+const CALM: [u8; 3] = [168, 162, 151];
+/// Colour of the side that looks inwards, of that of the other one.
+const INSIDE: f32 = 0.72;
+
+const fn material(ambient: f32, diffuse: f32, specular: f32, shininess: f32) -> Material {
+    Material {
+        ambient,
+        diffuse,
+        specular,
+        shininess,
+    }
+}
+
+/// A colour of drawings as a body has it.
+fn bytes(colour: Colour) -> [u8; 3] {
+    [0, 1, 2].map(|k| (colour[k].clamp(0.0, 1.0) * 255.0 + 0.5) as u8)
+}
+
+/// The place of a body with x along the surface and y out of it; so many times as large.
+fn standing(body: u32, id: u32, at: Vec3, [along, out]: [DVec3; 2], scale: f64) -> Instance {
+    let across = along.cross(out);
+    Instance {
+        body,
+        place: Place {
+            axes: [along, out, across].map(|axis| (axis * scale).as_vec3()),
+            origin: at,
+        },
+        id,
+    }
+}

@@ -1,0 +1,258 @@
+//! Making a mesh of vertices and triangles, some of them at a time.
+
+use super::mesh::{MeshFault, NONE, TriMesh};
+use crate::order;
+use glam::DVec3;
+
+/// Triangles, or vertices, of a slice.
+const SLICE: usize = 1 << 14;
+/// More edges than so many of one vertex are sorted to find those that belong together.
+const MANY: usize = 24;
+
+/// A mesh in the making.
+pub struct MeshBuilding {
+    mesh: TriMesh,
+    stage: Stage,
+    /// Triangles or vertices of the stage that are done.
+    at: usize,
+    /// Where the edges of each vertex begin in `edges`: those that have it for the lesser end.
+    starts: Vec<u32>,
+    edges: Vec<u32>,
+}
+
+#[derive(Clone, Copy, PartialEq)]
+enum Stage {
+    Check,
+    Count,
+    Sort,
+    Link,
+    Faces,
+    Normals,
+}
+
+impl MeshBuilding {
+    /// Of vertices and triangles, counter-clockwise seen from outside.
+    pub fn new(positions: Vec<DVec3>, triangles: Vec<[u32; 3]>) -> Self {
+        Self {
+            mesh: TriMesh {
+                first: vec![NONE; positions.len()],
+                normals: vec![DVec3::ZERO; positions.len()],
+                faces: Vec::new(),
+                across: Vec::new(),
+                area: 0.0,
+                positions,
+                triangles,
+            },
+            stage: Stage::Check,
+            at: 0,
+            starts: Vec::new(),
+            edges: Vec::new(),
+        }
+    }
+
+    /// Works on some more; the mesh when it is done, or what is wrong with the triangles.
+    pub fn advance(&mut self) -> Option<Result<TriMesh, MeshFault>> {
+        let count = match self.stage {
+            Stage::Link | Stage::Normals => self.mesh.positions.len(),
+            _ => self.mesh.triangles.len(),
+        };
+        let end = count.min(self.at + SLICE);
+        let range = self.at..end;
+        self.at = end;
+        let worked = match self.stage {
+            Stage::Check => self.check(range),
+            Stage::Count => {
+                self.count(range);
+                Ok(())
+            }
+            Stage::Sort => {
+                self.sort(range);
+                Ok(())
+            }
+            Stage::Link => range
+                .into_iter()
+                .try_for_each(|v| link(&mut self.mesh, &mut self.edges[span(&self.starts, v)])),
+            Stage::Faces => {
+                range.for_each(|t| self.mesh.weigh(t));
+                Ok(())
+            }
+            Stage::Normals => {
+                for normal in &mut self.mesh.normals[range] {
+                    *normal = normal.normalize_or(DVec3::Y);
+                }
+                Ok(())
+            }
+        };
+        if let Err(fault) = worked {
+            return Some(Err(fault));
+        }
+        (end == count && self.is_last()).then(|| {
+            let empty = TriMesh::none();
+            Ok(std::mem::replace(&mut self.mesh, empty))
+        })
+    }
+
+    /// Goes on to the next stage; true behind the last.
+    fn is_last(&mut self) -> bool {
+        self.at = 0;
+        self.stage = match self.stage {
+            Stage::Check => {
+                self.starts = vec![0; self.mesh.positions.len() + 2];
+                Stage::Count
+            }
+            Stage::Count => {
+                for v in 1..self.starts.len() {
+                    self.starts[v] += self.starts[v - 1];
+                }
+                self.edges = vec![0; 3 * self.mesh.triangles.len()];
+                Stage::Sort
+            }
+            Stage::Sort => {
+                self.mesh.across = vec![[NONE; 3]; self.mesh.triangles.len()];
+                Stage::Link
+            }
+            Stage::Link => {
+                (self.starts, self.edges) = (Vec::new(), Vec::new());
+                self.mesh.faces.reserve_exact(self.mesh.triangles.len());
+                Stage::Faces
+            }
+            Stage::Faces => Stage::Normals,
+            Stage::Normals => return true,
+        };
+        false
+    }
+
+    fn check(&mut self, range: std::ops::Range<usize>) -> Result<(), MeshFault> {
+        if self.mesh.triangles.is_empty() {
+            return Err(MeshFault::Empty);
+        }
+        if range.start == 0 && !self.mesh.positions.iter().all(|p| p.is_finite()) {
+            return Err(MeshFault::NotFinite);
+        }
+        let count = self.mesh.positions.len() as u32;
+        let is_bad = |t: &[u32; 3]| {
+            t.iter().any(|&v| v >= count) || t[0] == t[1] || t[1] == t[2] || t[2] == t[0]
+        };
+        match self.mesh.triangles[range].iter().any(is_bad) {
+            true => Err(MeshFault::BadTriangle),
+            false => Ok(()),
+        }
+    }
+
+    // Counted two places on, the sums are where each vertex begins, and the filling moves them one on.
+    fn count(&mut self, range: std::ops::Range<usize>) {
+        for &[a, b, c] in &self.mesh.triangles[range] {
+            for v in [a.min(b), b.min(c), c.min(a)] {
+                self.starts[v as usize + 2] += 1;
+            }
+        }
+    }
+
+    fn sort(&mut self, range: std::ops::Range<usize>) {
+        for t in range {
+            let [a, b, c] = self.mesh.triangles[t];
+            for (k, v) in [a.min(b), b.min(c), c.min(a)].into_iter().enumerate() {
+                let place = &mut self.starts[v as usize + 1];
+                self.edges[*place as usize] = (3 * t + k) as u32;
+                *place += 1;
+            }
+        }
+    }
+}
+
+/// Where the edges of a vertex are.
+fn span(starts: &[u32], v: usize) -> std::ops::Range<usize> {
+    starts[v] as usize..starts[v + 1] as usize
+}
+
+/// The ends of an edge, as it runs.
+fn ends(mesh: &TriMesh, edge: u32) -> [u32; 2] {
+    let (t, k) = (edge as usize / 3, edge as usize % 3);
+    let corners = &mesh.triangles[t];
+    [corners[k], corners[(k + 1) % 3]]
+}
+
+/// Joins edges that have the same ends; all of them have the same lesser one.
+fn link(mesh: &mut TriMesh, edges: &mut [u32]) -> Result<(), MeshFault> {
+    let greater = |mesh: &TriMesh, edge: u32| {
+        let [a, b] = ends(mesh, edge);
+        a.max(b)
+    };
+    let sorted = edges.len() > MANY;
+    if sorted {
+        order::sort(edges, |&edge| (greater(mesh, edge).into(), edge.into()));
+    }
+    for (i, &edge) in edges.iter().enumerate() {
+        let own = ends(mesh, edge);
+        for &other in &edges[i + 1..] {
+            let theirs = ends(mesh, other);
+            if sorted && theirs[0].max(theirs[1]) != own[0].max(own[1]) {
+                break;
+            }
+            if theirs == own {
+                return Err(MeshFault::BadEdge);
+            }
+            if theirs == [own[1], own[0]] {
+                for (from, to) in [(edge, other), (other, edge)] {
+                    let place = &mut mesh.across[from as usize / 3][from as usize % 3];
+                    if *place != NONE {
+                        return Err(MeshFault::BadEdge);
+                    }
+                    *place = to;
+                }
+            }
+        }
+    }
+    Ok(())
+}
+
+impl TriMesh {
+    /// A mesh of vertices and triangles, which run counter-clockwise seen from outside.
+    ///
+    /// # Errors
+    /// A fault of the triangles, see [`MeshFault`].
+    pub fn new(positions: Vec<DVec3>, triangles: Vec<[u32; 3]>) -> Result<Self, MeshFault> {
+        let mut building = MeshBuilding::new(positions, triangles);
+        loop {
+            if let Some(mesh) = building.advance() {
+                return mesh;
+            }
+        }
+    }
+
+    /// What a mesh in the making leaves behind.
+    pub(super) fn none() -> Self {
+        Self {
+            positions: Vec::new(),
+            triangles: Vec::new(),
+            across: Vec::new(),
+            normals: Vec::new(),
+            faces: Vec::new(),
+            first: Vec::new(),
+            area: 0.0,
+        }
+    }
+
+    /// Adds a triangle to the normals of its corners, weighted with the angles there (Thurmer, Wuthrich 1998, Computing
+    /// Vertex Normals from Polygonal Facets), to the area, and to what is known of the vertices.
+    fn weigh(&mut self, t: usize) {
+        let corners = self.corners(t as u32);
+        let cross = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+        let double = cross.length();
+        let normal = cross.try_normalize().unwrap_or(DVec3::ZERO);
+        self.faces.push(normal);
+        self.area += 0.5 * double;
+        for k in 0..3 {
+            let (e, f) = (
+                corners[(k + 1) % 3] - corners[k],
+                corners[(k + 2) % 3] - corners[k],
+            );
+            let v = self.triangles[t][k] as usize;
+            self.normals[v] += libm::atan2(double, e.dot(f)) * normal;
+            // Going round counter-clockwise begins where there is nothing before.
+            if self.first[v] == NONE || self.across[t][k] == NONE {
+                self.first[v] = (3 * t + k) as u32;
+            }
+        }
+    }
+}

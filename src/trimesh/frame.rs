@@ -1,0 +1,258 @@
+//! Tangent frames, and what one point of a surface sees of another.
+
+use super::SurfacePoint;
+use crate::packing::ground::Carry;
+use glam::{DVec2, DVec3};
+
+/// An orthonormal frame of the plane across a normal.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Frame {
+    /// Its x axis.
+    pub x: DVec3,
+    /// Its y axis.
+    pub y: DVec3,
+    /// The unit normal: x cross y.
+    pub normal: DVec3,
+}
+
+impl Frame {
+    /// The one frame that belongs to a unit normal (Duff et al. 2017, Building an Orthonormal Basis, Revisited).
+    pub fn of(normal: DVec3) -> Self {
+        let n = normal;
+        let sign = if n.z < 0.0 { -1.0 } else { 1.0 };
+        let a = -1.0 / (sign + n.z);
+        let b = n.x * n.y * a;
+        Self {
+            x: DVec3::new(1.0 + sign * n.x * n.x * a, sign * b, -sign * n.x),
+            y: DVec3::new(b, sign + n.y * n.y * a, -n.y),
+            normal: n,
+        }
+    }
+
+    /// The part of a vector in space that lies in the plane.
+    pub fn within(&self, v: DVec3) -> DVec2 {
+        DVec2::new(self.x.dot(v), self.y.dot(v))
+    }
+
+    /// A vector of the plane, in space.
+    pub fn out(&self, v: DVec2) -> DVec3 {
+        self.x * v.x + self.y * v.y
+    }
+
+    /// The turn that carries vectors of another frame into this one, by the smallest rotation between the two
+    /// normals; where those are opposite, none in particular.
+    pub fn turn_from(&self, other: &Frame) -> Turn {
+        Turn(self.within(rotated(other.x, other.normal, self.normal)))
+    }
+}
+
+/// A vector across a unit normal, turned by the smallest rotation that takes this normal to another.
+#[inline(always)]
+pub(crate) fn rotated(v: DVec3, from: DVec3, to: DVec3) -> DVec3 {
+    let cos = from.dot(to);
+    v - (from + to) * (v.dot(to) / (1.0 + cos).max(1e-12))
+}
+
+/// A turn of the plane, from one frame into another: where it takes the x axis to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Turn(pub DVec2);
+
+impl Turn {
+    /// No turn.
+    pub const NONE: Self = Self(DVec2::X);
+
+    /// This turn and then another one.
+    pub fn then(self, other: Self) -> Self {
+        Self(self.0.rotate(other.0))
+    }
+
+    /// A vector of the first frame in the second one.
+    #[inline(always)]
+    pub fn apply(self, v: DVec2) -> DVec2 {
+        self.0.rotate(v)
+    }
+
+    /// A vector of the second frame in the first one.
+    #[inline(always)]
+    pub fn undo(self, v: DVec2) -> DVec2 {
+        DVec2::new(self.0.x, -self.0.y).rotate(v)
+    }
+}
+
+impl Carry for Turn {
+    #[inline(always)]
+    fn apply(self, v: DVec2) -> DVec2 {
+        Turn::apply(self, v)
+    }
+
+    #[inline(always)]
+    fn undo(self, v: DVec2) -> DVec2 {
+        Turn::undo(self, v)
+    }
+}
+
+/// What one point of a surface sees of another.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Way {
+    /// Direction and distance to the other point, in the frame of the first one.
+    pub to: DVec2,
+    /// Carries vectors of the other point's frame into that of the first one.
+    pub turn: Turn,
+}
+
+impl SurfacePoint {
+    /// The frame of the normal there.
+    pub fn frame(&self) -> Frame {
+        Frame::of(self.normal)
+    }
+}
+
+/// Points whose normals are farther apart than this (their dot product) do not see each other ...
+const SEES: f64 = -0.2;
+/// ... nor do those whose difference points this far out of the surface (share of it that lies in the plane).
+const LIES: f64 = 0.3;
+
+/// The way from one point to another: the logarithmic map, in the plane of the mean of the two normals, with the
+/// length of the circular arc that has these normals at its ends. The way back is its reverse. Nothing where the two
+/// lie on different sides of a thin sheet. Points at one place see each other, at no distance.
+pub fn way(a: &SurfacePoint, b: &SurfacePoint) -> Option<Way> {
+    let to = seen(a.at, a.normal, b.at, b.normal)?;
+    let own = Frame::of(a.normal);
+    let turn = own.turn_from(&Frame::of(b.normal));
+    let to = if to == DVec3::ZERO {
+        DVec2::ZERO
+    } else {
+        own.within(to)
+    };
+    Some(Way { to, turn })
+}
+
+/// What [`Way::to`] is, in any frame of the first point's normal.
+pub(crate) fn way_in(own: &Frame, from: DVec3, at: DVec3, normal: DVec3) -> Option<DVec2> {
+    Some(own.within(seen(from, own.normal, at, normal)?))
+}
+
+/// The square of how long [`Way::to`] is.
+#[inline(always)]
+pub(crate) fn apart(from: DVec3, own: DVec3, at: DVec3, normal: DVec3) -> Option<f64> {
+    let cos = own.dot(normal);
+    if cos < SEES {
+        return None;
+    }
+    let r = at - from;
+    let out = (own + normal).dot(r);
+    let length = r.length_squared();
+    if length - out * out / (2.0 + 2.0 * cos) < LIES * LIES * length {
+        return None;
+    }
+    let arc = arc_over_chord(cos);
+    Some(length * arc * arc)
+}
+
+/// What [`Way::to`] is, in space.
+#[inline(always)]
+fn seen(from: DVec3, own: DVec3, at: DVec3, normal: DVec3) -> Option<DVec3> {
+    let cos = own.dot(normal);
+    if cos < SEES {
+        return None;
+    }
+    // The sum of the normals, instead of their mean: its square is 2 + 2 cos.
+    let sum = own + normal;
+    let square = 2.0 + 2.0 * cos;
+    let r = at - from;
+    let out = sum.dot(r) / square;
+    let (length, along) = (r.length_squared(), r.length_squared() - out * out * square);
+    if along < LIES * LIES * length {
+        return None;
+    }
+    if along <= 0.0 {
+        return Some(DVec3::ZERO);
+    }
+    let in_plane = (r - sum * out) * (arc_over_chord(cos) * (length / along).sqrt());
+    Some(rotated(in_plane, sum / square.sqrt(), own))
+}
+
+/// (a / 2) / sin(a / 2) of the angle a between two normals, of its cosine: an arc's length over its chord's.
+#[inline(always)]
+pub(crate) fn arc_over_chord(cos: f64) -> f64 {
+    // The square of sin(a / 2).
+    let s = ((1.0 - cos) * 0.5).clamp(0.0, 1.0);
+    if s > SERIES {
+        let sine = s.sqrt();
+        return libm::asin(sine) / sine;
+    }
+    // Pairs first: none of them waits for another.
+    let (s2, a) = (s * s, ARC);
+    let low = (a[0] + a[1] * s) + (a[2] + a[3] * s) * s2;
+    let high = (a[4] + a[5] * s) + (a[6] + a[7] * s) * s2;
+    low + high * (s2 * s2)
+}
+
+/// Up to here the first terms of the series of asin(sqrt s) / sqrt s are exact to ten digits, more than a mesh is.
+const SERIES: f64 = 0.06;
+/// These terms: 1, 1/2 / 3, (1 3)/(2 4) / 5, ...
+const ARC: [f64; 8] = [
+    1.0,
+    1.0 / 6.0,
+    3.0 / 40.0,
+    15.0 / 336.0,
+    105.0 / 3456.0,
+    945.0 / 42240.0,
+    10395.0 / 599_040.0,
+    135_135.0 / 9_676_800.0,
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn normals() -> impl Iterator<Item = DVec3> {
+        (0..200).map(|k| {
+            let t = f64::from(k);
+            let z = 1.0 - (t + 0.5) / 100.0;
+            let r = (1.0 - z * z).sqrt();
+            DVec3::new(r * libm::cos(2.4 * t), r * libm::sin(2.4 * t), z)
+        })
+    }
+
+    #[test]
+    fn frames_are_right_handed_and_orthonormal() {
+        for n in normals().chain([DVec3::Z, DVec3::NEG_Z]) {
+            let frame = Frame::of(n);
+            assert!((frame.x.cross(frame.y) - n).length() < 1e-12, "{n}");
+            assert!((frame.x.length() - 1.0).abs() < 1e-12 && frame.x.dot(n).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn the_way_back_is_the_reverse() {
+        let all: Vec<DVec3> = normals().collect();
+        for (k, &a) in all.iter().enumerate() {
+            for &b in &all[..k] {
+                let [p, q] = [a, b].map(|n| SurfacePoint {
+                    triangle: 0,
+                    at: n,
+                    normal: n,
+                });
+                let (Some(there), Some(back)) = (way(&p, &q), way(&q, &p)) else {
+                    assert!(a.dot(b) < SEES + 0.1);
+                    continue;
+                };
+                let reverse = -there.turn.undo(there.to);
+                assert!((reverse - back.to).length() < 1e-9, "{a} {b}");
+                // On the unit ball the way is the great circle's.
+                assert!((there.to.length() - libm::acos(a.dot(b))).abs() < 1e-9);
+            }
+        }
+    }
+
+    #[test]
+    fn points_at_one_place_are_at_no_distance() {
+        let p = SurfacePoint {
+            triangle: 0,
+            at: DVec3::ONE,
+            normal: DVec3::X,
+        };
+        assert_eq!(way(&p, &p).unwrap().to, DVec2::ZERO);
+    }
+}

@@ -1,0 +1,206 @@
+//! What the vertices of a mesh are to their neighbours.
+
+use super::{Frame, TriMesh};
+use glam::{DVec2, DVec3};
+use std::ops::Range;
+
+/// A vector along the surface, carried from one unit normal to another by the smallest rotation between them.
+#[inline(always)]
+pub(crate) fn carried(v: DVec3, from: DVec3, to: DVec3) -> DVec3 {
+    let share = v.dot(to) / (1.0 + from.dot(to)).max(1e-9);
+    v - (from + to) * share
+}
+
+/// Bounds of the weight of an edge: slivers neither tear their corners apart nor tie them together.
+const WEIGHTS: (f64, f64) = (0.05, 4.0);
+
+/// Of each vertex its neighbours, counter-clockwise, with the weights of the edges to them and the turns that carry
+/// vectors of their frames into its own.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Links {
+    start: Vec<u32>,
+    pub to: Vec<u32>,
+    /// Half the sum of the cotangents of the angles across an edge, within bounds.
+    pub weight: Vec<f64>,
+    pub turn: Vec<DVec2>,
+    /// A third of the area of the triangles around each vertex.
+    pub mass: Vec<f64>,
+    pub frames: Vec<Frame>,
+    /// The sum of the squared lengths of all triangles' edges.
+    squares: f64,
+}
+
+impl Links {
+    /// The entries of a vertex.
+    #[inline(always)]
+    pub fn of(&self, vertex: usize) -> Range<usize> {
+        self.start[vertex] as usize..self.start[vertex + 1] as usize
+    }
+
+    /// How many vertices there are.
+    pub fn len(&self) -> usize {
+        self.mass.len()
+    }
+
+    /// The mean of the squared lengths of the edges.
+    pub fn mean_square(&self, mesh: &TriMesh) -> f64 {
+        self.squares / (3 * mesh.triangles().len()) as f64
+    }
+
+    /// All at once.
+    #[cfg(test)]
+    pub fn build(mesh: &TriMesh) -> Self {
+        let mut builder = LinksBuilder::new(mesh);
+        while !builder.advance(mesh, usize::MAX) {}
+        builder.links
+    }
+}
+
+/// Makes [`Links`] some triangles, then some vertices, at a time.
+#[derive(Clone, Debug)]
+pub(crate) struct LinksBuilder {
+    pub links: Links,
+    /// Cotangents of the angles at the corners.
+    cots: Vec<[f64; 3]>,
+    /// Edges of the border.
+    borders: usize,
+    at: usize,
+}
+
+impl LinksBuilder {
+    pub fn new(mesh: &TriMesh) -> Self {
+        let count = mesh.positions().len();
+        let mut links = Links {
+            mass: vec![0.0; count],
+            ..Links::default()
+        };
+        links.start.reserve(count + 1);
+        links.start.push(0);
+        Self {
+            links,
+            cots: Vec::with_capacity(mesh.triangles().len()),
+            borders: 0,
+            at: 0,
+        }
+    }
+
+    /// Works on so many triangles or vertices; true when all are done.
+    pub fn advance(&mut self, mesh: &TriMesh, amount: usize) -> bool {
+        let triangles = mesh.triangles().len();
+        let vertices = mesh.positions().len();
+        let end = self.at.saturating_add(amount.max(1));
+        if self.cots.len() < triangles {
+            let end = end.min(triangles);
+            for t in self.at..end {
+                self.triangle(mesh, t as u32);
+            }
+            self.at = if end == triangles { 0 } else { end };
+            return false;
+        }
+        if self.links.frames.len() < vertices {
+            let end = end.min(vertices);
+            let normals = &mesh.normals()[self.at..end];
+            let frames = &mut self.links.frames;
+            frames.extend(normals.iter().map(|&n| Frame::of(n)));
+            self.at = if end == vertices { 0 } else { end };
+            return false;
+        }
+        if self.at == 0 {
+            // Growing step by step would copy all there is.
+            let count = 3 * triangles + self.borders;
+            self.links.to.reserve_exact(count);
+            self.links.weight.reserve_exact(count);
+            self.links.turn.reserve_exact(count);
+        }
+        let end = end.min(vertices);
+        for v in self.at..end {
+            self.vertex(mesh, v as u32);
+        }
+        self.at = end;
+        if end == vertices {
+            self.cots = Vec::new();
+        }
+        end == vertices
+    }
+
+    fn triangle(&mut self, mesh: &TriMesh, t: u32) {
+        let p = mesh.corners(t);
+        let double = (p[1] - p[0]).cross(p[2] - p[0]).length();
+        let mut cots = [0.0; 3];
+        for k in 0..3 {
+            let (e, f) = (p[(k + 1) % 3] - p[k], p[(k + 2) % 3] - p[k]);
+            let dot = e.dot(f);
+            // Slivers have huge ones, of both signs: held so that their sums are numbers.
+            cots[k] = (dot / double.max(1e-6 * e.length() * f.length())).clamp(-1e6, 1e6);
+            if !cots[k].is_finite() {
+                cots[k] = 0.0;
+            }
+        }
+        for k in 0..3 {
+            self.borders += usize::from(mesh.across(t, k).is_none());
+            self.links.squares += p[k].distance_squared(p[(k + 1) % 3]);
+        }
+        for v in mesh.triangles()[t as usize] {
+            self.links.mass[v as usize] += double / 6.0;
+        }
+        self.cots.push(cots);
+    }
+
+    fn vertex(&mut self, mesh: &TriMesh, v: u32) {
+        let first = self.links.to.len();
+        // The cotangent across the edge that the next corner shares with the one before it.
+        let mut before: Option<(u32, f64)> = None;
+        for (t, k) in mesh.fan(v) {
+            let corners = mesh.triangles()[t as usize];
+            let cots = self.cots[t as usize];
+            let behind = before.map_or(0.0, |(_, cot)| cot);
+            self.push(v, corners[(k + 1) % 3], cots[(k + 2) % 3] + behind);
+            before = Some((corners[(k + 2) % 3], cots[(k + 1) % 3]));
+        }
+        if let Some((last, cot)) = before {
+            if self.links.to[first] == last {
+                self.links.weight[first] += 0.5 * cot;
+            } else {
+                self.push(v, last, cot);
+            }
+        }
+        for w in &mut self.links.weight[first..] {
+            *w = w.clamp(WEIGHTS.0, WEIGHTS.1);
+        }
+        self.links.start.push(self.links.to.len() as u32);
+    }
+
+    fn push(&mut self, v: u32, other: u32, cots: f64) {
+        let links = &mut self.links;
+        let (own, from) = (&links.frames[v as usize], &links.frames[other as usize]);
+        let turn = own.within(carried(from.x, from.normal, own.normal));
+        links.turn.push(turn.normalize_or(DVec2::X));
+        links.to.push(other);
+        links.weight.push(0.5 * cots);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::samples;
+    use super::*;
+
+    #[test]
+    fn links_are_the_same_from_both_ends() {
+        for mesh in [samples::torus(24, 10), samples::hill(12)] {
+            let links = Links::build(&mesh);
+            for i in 0..links.len() {
+                for e in links.of(i) {
+                    let j = links.to[e] as usize;
+                    let back = links.of(j).find(|&b| links.to[b] as usize == i);
+                    let back = back.expect("the way back");
+                    assert!((links.weight[e] - links.weight[back]).abs() < 1e-12);
+                    let turn = links.turn[e].rotate(links.turn[back]);
+                    assert!((turn - DVec2::X).length() < 1e-12);
+                }
+            }
+            let mass: f64 = links.mass.iter().sum();
+            assert!((mass / mesh.area() - 1.0).abs() < 1e-12);
+        }
+    }
+}

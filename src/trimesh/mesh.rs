@@ -1,0 +1,198 @@
+//! A triangle mesh whose edges join two triangles, or end one.
+
+use glam::DVec3;
+
+/// No triangle: what is across an edge of the border.
+pub const NONE: u32 = u32::MAX;
+
+/// Why triangles are no mesh.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MeshFault {
+    /// There are none.
+    Empty,
+    /// A corner is none of the vertices, or two corners of a triangle are the same.
+    BadTriangle,
+    /// A coordinate is no number.
+    NotFinite,
+    /// An edge of more than two triangles, or of two that run along it in the same direction.
+    BadEdge,
+}
+
+/// An oriented triangle mesh: each directed edge is there once.
+///
+/// Vertices where the border touches itself are there once for each of the corners around them that hang together
+/// (see [`TriMesh::fan`]); whoever makes a mesh sees to that.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TriMesh {
+    pub(super) positions: Vec<DVec3>,
+    pub(super) triangles: Vec<[u32; 3]>,
+    /// Of each edge the same one of the triangle beyond it, `3 * triangle + edge`.
+    pub(super) across: Vec<[u32; 3]>,
+    pub(super) normals: Vec<DVec3>,
+    /// The unit normals of the triangles.
+    pub(super) faces: Vec<DVec3>,
+    /// Of each vertex one corner, `3 * triangle + corner`; where it is on the border, the first one counter-clockwise.
+    pub(super) first: Vec<u32>,
+    pub(super) area: f64,
+}
+
+impl TriMesh {
+    /// The vertices, in the mesh's units.
+    pub fn positions(&self) -> &[DVec3] {
+        &self.positions
+    }
+
+    /// The triangles' corners, counter-clockwise seen from outside.
+    pub fn triangles(&self) -> &[[u32; 3]] {
+        &self.triangles
+    }
+
+    /// The unit normals of the vertices.
+    pub fn normals(&self) -> &[DVec3] {
+        &self.normals
+    }
+
+    /// The area of all triangles.
+    pub fn area(&self) -> f64 {
+        self.area
+    }
+
+    /// Where the corners of a triangle are.
+    #[inline]
+    pub fn corners(&self, triangle: u32) -> [DVec3; 3] {
+        self.triangles[triangle as usize].map(|v| self.positions[v as usize])
+    }
+
+    /// The triangle beyond the edge from corner `k` to the next one, and the number of that edge there; nothing at the
+    /// border.
+    #[inline]
+    pub fn across(&self, triangle: u32, k: usize) -> Option<(u32, usize)> {
+        let other = self.across[triangle as usize][k];
+        (other != NONE).then_some((other / 3, (other % 3) as usize))
+    }
+
+    /// The unit normal of a triangle's plane; zero where it has no area.
+    #[inline]
+    pub fn face_normal(&self, triangle: u32) -> DVec3 {
+        self.faces[triangle as usize]
+    }
+
+    /// The area of a triangle.
+    pub fn area_of(&self, triangle: u32) -> f64 {
+        let [a, b, c] = self.corners(triangle);
+        0.5 * (b - a).cross(c - a).length()
+    }
+
+    /// The unit normal at a point of a triangle with these barycentric weights.
+    pub fn normal_at(&self, triangle: u32, weights: DVec3) -> DVec3 {
+        let [a, b, c] = self.triangles[triangle as usize].map(|v| self.normals[v as usize]);
+        let sum = a * weights.x + b * weights.y + c * weights.z;
+        sum.try_normalize()
+            .unwrap_or_else(|| self.face_normal(triangle))
+    }
+
+    /// The barycentric weights of a point in the plane of a triangle.
+    pub fn weights(&self, triangle: u32, p: DVec3) -> DVec3 {
+        let [a, b, c] = self.corners(triangle);
+        let normal = (b - a).cross(c - a);
+        let square = normal.length_squared();
+        if square == 0.0 {
+            return DVec3::splat(1.0 / 3.0);
+        }
+        let of = |p: DVec3, q: DVec3, r: DVec3| (q - p).cross(r - p).dot(normal) / square;
+        DVec3::new(of(p, b, c), of(p, c, a), of(p, a, b))
+    }
+
+    /// The corners around a vertex, `(triangle, corner)`, counter-clockwise seen from outside; on the border from one end
+    /// to the other.
+    pub fn fan(&self, vertex: u32) -> impl Iterator<Item = (u32, usize)> + '_ {
+        let first = self.first[vertex as usize];
+        let mut next = (first != NONE).then_some((first / 3, (first % 3) as usize));
+        let start = next;
+        std::iter::from_fn(move || {
+            let (t, k) = next?;
+            // Over the edge that comes to the vertex.
+            next = self.across(t, (k + 2) % 3).filter(|&to| Some(to) != start);
+            Some((t, k))
+        })
+    }
+
+    /// Does the border go through a vertex?
+    pub fn is_on_border(&self, vertex: u32) -> bool {
+        let first = self.first[vertex as usize];
+        first != NONE && self.across[(first / 3) as usize][(first % 3) as usize] == NONE
+    }
+
+    /// The border as closed rings of vertices, the surface on their left seen from outside.
+    pub fn borders(&self) -> Vec<Vec<u32>> {
+        let mut next: Vec<u32> = vec![NONE; self.positions.len()];
+        for (t, triangle) in self.triangles.iter().enumerate() {
+            for k in 0..3 {
+                if self.across[t][k] == NONE {
+                    next[triangle[k] as usize] = triangle[(k + 1) % 3];
+                }
+            }
+        }
+        let mut rings = Vec::new();
+        for start in 0..next.len() as u32 {
+            let mut ring = Vec::new();
+            let mut at = start;
+            while next[at as usize] != NONE {
+                ring.push(at);
+                at = std::mem::replace(&mut next[at as usize], NONE);
+            }
+            if !ring.is_empty() {
+                rings.push(ring);
+            }
+        }
+        rings
+    }
+
+    /// Of each triangle the number of the part that it hangs together with, over edges, and how many parts there are.
+    pub fn parts(&self) -> (Vec<u32>, usize) {
+        let mut part = vec![NONE; self.triangles.len()];
+        let mut count = 0;
+        for start in 0..part.len() {
+            if part[start] != NONE {
+                continue;
+            }
+            let mut open = vec![start as u32];
+            part[start] = count;
+            while let Some(t) = open.pop() {
+                for &edge in &self.across[t as usize] {
+                    let other = edge / 3;
+                    if edge != NONE && part[other as usize] == NONE {
+                        part[other as usize] = count;
+                        open.push(other);
+                    }
+                }
+            }
+            count += 1;
+        }
+        (part, count as usize)
+    }
+
+    /// The Euler characteristic: vertices in use, less edges, plus triangles.
+    pub fn euler(&self) -> i64 {
+        let vertices = self.first.iter().filter(|&&first| first != NONE).count() as i64;
+        let borders = self.across.iter().flatten().filter(|&&t| t == NONE).count() as i64;
+        let faces = self.triangles.len() as i64;
+        vertices - (3 * faces + borders) / 2 + faces
+    }
+
+    /// The corners of the box around it.
+    pub fn bounds(&self) -> (DVec3, DVec3) {
+        let first = self.positions[0];
+        let each = self.positions.iter();
+        each.fold((first, first), |(lo, hi), &p| (lo.min(p), hi.max(p)))
+    }
+
+    /// The diagonal of the box around it.
+    pub fn diagonal(&self) -> f64 {
+        let (lo, hi) = self.bounds();
+        (hi - lo).length()
+    }
+}
+
+#[cfg(test)]
+mod tests;
