@@ -127,7 +127,7 @@ fn presets_are_canonical() {
 fn the_native_program_writes_its_files() {
     let out = std::env::temp_dir().join(format!("bubblestone-specimen-{}", std::process::id()));
     let mut studio = finished(SQUARES);
-    native::write_all(&mut studio, Vec::new(), &out).unwrap();
+    native::write_all(&mut studio, Vec::new(), None, &out).unwrap();
     native::write_views(&mut studio, &out).unwrap();
     native::write_bigger(&mut studio, 2, true, &out).unwrap();
     let text = std::fs::read_to_string(out.join("report.json")).unwrap();

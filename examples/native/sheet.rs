@@ -61,7 +61,7 @@ impl Sheet {
             let Some(raster) = get_raster(character, WEIGHT, HEIGHT) else {
                 continue;
             };
-            for (y, row) in raster.raster().iter().enumerate() {
+            for (y, row) in raster.rows().enumerate() {
                 for (x, &cover) in row.iter().enumerate() {
                     let at = (top + y) * self.width + left + k * advance + x;
                     self.pixels[at] = mix(PAPER, INK, f64::from(cover) / 255.0);
