@@ -194,7 +194,7 @@ impl Shape {
         self.size * DVec2::new(x * self.root, y / self.root).length()
     }
 
-    /// Half its extent along a unit vector. For a cell with corners it is at most [`POKE`] times the half
+    /// Half its extent along a unit vector. For a cell with corners it is at most `POKE` times the half
     /// extent of its ellipse, so that a turned cell may poke a corner into a wall.
     pub fn half_extent(&self, along: DVec2) -> f64 {
         let round = 0.5 * self.extent(along);
