@@ -1,11 +1,11 @@
 //! Models of files: OBJ, GLB, PLY and STL.
 //!
-//! The readers are our own. What libraries there are (`tobj`, `gltf` with `serde_json`, `ply-rs`, `stl_io`) read a file
+//! The readers are our own. The libraries at hand (`tobj`, `gltf` with `serde_json`, `ply-rs`, `stl_io`) read a file
 //! in one go, which holds a page up for a second where a model has half a million triangles; they keep what no surface
 //! needs; some take the counts of a file's head for true, or end in a panic where it is broken; and the second alone
 //! weighs more than all of this. Only shapes are read: no colours, no joints.
 //!
-//! What is wrong with a file is a sentence. What is wrong with the model in it, [`crate::trimesh::repair`] says or mends.
+//! A fault of a file becomes a sentence. [`crate::trimesh::repair`] mends or reports faults of the model in it.
 
 mod glb;
 mod json;
@@ -95,7 +95,7 @@ impl Reading {
     /// All of a file at once.
     ///
     /// # Errors
-    /// What is wrong with it.
+    /// Its fault, as a sentence.
     pub fn read(name: &str, bytes: Vec<u8>) -> Result<Soup, Notice> {
         let mut reading = Self::new(name, bytes)?;
         loop {
