@@ -83,7 +83,7 @@ impl Modules {
         };
         for (module, code) in &modules.code {
             for (is_public, path) in imports(code) {
-                let path = modules.from_root(module, &path);
+                let path = modules.path_from_root(module, &path);
                 if let (true, Some(path)) = (is_public, path) {
                     let name = path[path.len() - 1].clone();
                     modules.handed_on.insert(below(module, &name), path);
@@ -94,7 +94,7 @@ impl Modules {
     }
 
     /// A path as a module writes it, from the root; nothing where it leads to another crate.
-    fn from_root(&self, module: &[String], path: &[String]) -> Option<Path> {
+    fn path_from_root(&self, module: &[String], path: &[String]) -> Option<Path> {
         let ups = path.iter().take_while(|name| *name == "super").count();
         let (base, rest) = match path[0].as_str() {
             "crate" => (&[][..], &path[1..]),
@@ -127,7 +127,7 @@ impl Modules {
         let of = |module: &Path, code: &str| -> BTreeSet<Path> {
             let imported = imports(code).into_iter().map(|(_, path)| path);
             let paths = imported.chain(paths_in_code(code));
-            let paths = paths.filter_map(|path| self.from_root(module, &path));
+            let paths = paths.filter_map(|path| self.path_from_root(module, &path));
             paths.map(|path| self.home(&path)).collect()
         };
         let all = self.code.iter();
