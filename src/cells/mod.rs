@@ -21,9 +21,7 @@
 //! // One polygon for each of `particles`; together they fill `domain`.
 //! let cells = fitted(&domain, &particles);
 //! assert_eq!(cells.len(), particles.len());
-//! let covered: f64 = cells.iter().map(
-//! cell
-//! signed_area(&cell.ring)).sum();
+//! let covered: f64 = cells.iter().map(|cell| signed_area(&cell.ring)).sum();
 //! assert!((covered / domain.area() - 1.0).abs() < 1e-6);
 //! ```
 

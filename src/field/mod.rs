@@ -17,8 +17,8 @@
 //! # let domain = Domain::from_checked(&Outline { rings, ..Outline::default() });
 //! // `domain` is a square from (14, 14) to (114, 114).
 //! let params = FieldParams {
-//! size: 12.0,
-//! ..FieldParams::default()
+//!     size: 12.0,
+//!     ..FieldParams::default()
 //! };
 //! let fields = FieldBuilder::build(&domain, params);
 //! let place = DVec2::new(24.0, 64.0);

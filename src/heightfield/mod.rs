@@ -26,9 +26,9 @@
 //! # let domain = Domain::from_checked(&Outline { rings, ..Outline::default() });
 //! // The planes: one stone, on a `cell` that fills `domain`, in a picture of 64 by 64 pixels.
 //! let texture = TextureParams {
-//! side: 64,
-//! size: cell.size,
-//! ..TextureParams::default()
+//!     side: 64,
+//!     size: cell.size,
+//!     ..TextureParams::default()
 //! };
 //! let mut painter = Painter::new(texture);
 //! painter.paint(&mut Solids::new(), &cell, 0);

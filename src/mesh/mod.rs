@@ -22,9 +22,7 @@
 //! // `particles` are 8 by 8 squares at rest: 7 by 7 quadrilaterals join their centres.
 //! let mesh = Mesh::build(&domain, &particles);
 //! assert_eq!((mesh.vertices.len(), mesh.faces.len()), (64, 49));
-//! assert!(mesh.faces.iter().all(
-//! face
-//! face.nodes().len() == 4));
+//! assert!(mesh.faces.iter().all(|face| face.nodes().len() == 4));
 //! ```
 
 mod constraints;

@@ -21,12 +21,12 @@
 //! # let fields = FieldBuilder::build(&domain, params);
 //! // `domain` is a square of side 100, and `fields` ask for cells of side 12.5.
 //! let params = PackingParams {
-//! integrator: Integrator::RungeKutta,
-//! ..PackingParams::default()
+//!     integrator: Integrator::RungeKutta,
+//!     ..PackingParams::default()
 //! };
 //! let mut packing = Packing::new(&domain, &fields, params).expect("not too many cells");
 //! while !packing.done() {
-//! packing.step(&domain, &fields);
+//!     packing.step(&domain, &fields);
 //! }
 //! assert!(packing.report().converged);
 //! assert_eq!(packing.particles().len(), 64);

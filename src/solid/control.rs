@@ -10,11 +10,11 @@
 //! which preserve its outline. All stones with n corners have the same connectivity, whatever their kind:
 //!
 //! ```text
-//! ring of one corner: before - corner - after        rings: 4  top, inset
-//! 3 n points a ring, 5 rings, and the middle                3  shoulder
-//! 2  just under it
-//! 1  at the joint's floor
-//! 0  base
+//!    ring of one corner: before - corner - after        rings: 4  top, inset
+//!    3 n points a ring, 5 rings, and the middle                3  shoulder
+//!                                                              2  just under it
+//!                                                              1  at the joint's floor
+//!                                                              0  base
 //! ```
 //!
 //! Heights count from the base of stones. The ground lies below their tops by the joints' depth, which grows

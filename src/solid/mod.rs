@@ -22,16 +22,12 @@
 //! # };
 //! // `cell` is a square from (8, 8) to (56, 56).
 //! let params = StoneParams {
-//! kind: StoneKind::Cobble,
-//! ..StoneParams::default()
+//!     kind: StoneKind::Cobble,
+//!     ..StoneParams::default()
 //! };
 //! let stone = Solids::new().solid(&cell, &params);
-//! assert!(stone.vertices.iter().all(
-//! v
-//! (8.0..=56.0).contains(&v.x)), "it stays in its cell");
-//! let highest = stone.vertices.iter().fold(0.0,
-//! high: f32, v
-//! high.max(v.z));
+//! assert!(stone.vertices.iter().all(|v| (8.0..=56.0).contains(&v.x)), "it stays in its cell");
+//! let highest = stone.vertices.iter().fold(0.0, |high: f32, v| high.max(v.z));
 //! assert!(f64::from(highest) < 1.5 * top(&params, cell.size));
 //! ```
 

@@ -8,8 +8,8 @@
 //! in one plane, and tiles of a roof do not.
 //!
 //! ```text
-//! base: n points      top: n points      the top's middle
-//! 2 n triangles around the sides, n over the top; the base is open
+//!    base: n points      top: n points      the top's middle
+//!    2 n triangles around the sides, n over the top; the base is open
 //! ```
 
 use super::footprint::Footprint;

@@ -6,8 +6,8 @@
 //! line k - 1 nearer to the axis, between two of its pixels:
 //!
 //! ```text
-//! line k - 1   . inner . outer        inner has the weight away / k
-//! line k       .       . pixel        (away = 0 is the axis, away = k the diagonal)
+//!   line k - 1   . inner . outer        inner has the weight away / k
+//!   line k       .       . pixel        (away = 0 is the axis, away = k the diagonal)
 //! ```
 
 use super::penumbra::{NOWHERE, visible};
