@@ -8,7 +8,7 @@
 //! they are made. No stage needs to know of joints between bands, and there are none.
 
 use super::height_field::{Bodies, HeightFieldParams, LightParams, Painting, ROWS, solids};
-use super::{Clock, PictureSlice};
+use super::{Clock, PictureSlice, until};
 use crate::export::{Map, MapKind, maps};
 use crate::heightfield::{Planes, Shader, Weathering};
 use crate::material::WeatherParams;
@@ -107,15 +107,10 @@ impl Bigger {
                 )
             }
         };
-        let begin = clock();
-        // Not `>=`: a clock that fails must not make this endless.
-        while !bigger.is_done() {
+        until(clock, budget, || {
             bigger.add(bodies);
-            let inside = clock() - begin < budget;
-            if !inside || bigger.bytes() >= HANDED {
-                break;
-            }
-        }
+            bigger.is_done() || bigger.bytes() >= HANDED
+        });
         let slice = PictureSlice {
             begun,
             progress: bigger.progress(bodies.cells.len()),

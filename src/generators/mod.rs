@@ -3,6 +3,7 @@
 //! `house`, as a first visit does without them.
 
 mod bigger;
+mod budget;
 mod common;
 mod engine;
 #[cfg(house)]
@@ -18,6 +19,7 @@ pub mod surface;
 mod turntable;
 
 pub use bigger::MOST_PIXELS;
+pub(crate) use budget::{Budget, until};
 pub use engine::{Clock, Engine, MeshSlice, PictureSlice, Progress};
 #[cfg(house)]
 pub use given::{FileDigest, GivenFile};

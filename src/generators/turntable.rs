@@ -1,7 +1,7 @@
 //! Scenes on a turntable: frames in slices, of the latest order, with the light kept while the camera moves.
 
-use super::Clock;
 use super::height_field::LightParams;
+use super::{Budget, Clock};
 use crate::notice::{Code, Notice, quote};
 use crate::scene::{Backdrop, Camera, Frame, Lamp, Lighting, Order, Scene, Sharpness};
 
@@ -145,19 +145,11 @@ impl Turntable {
         };
         let wanted = Sharpness::of(&key.order);
         self.key = Some(key);
-        let begin = clock();
+        let budget = Budget::new(clock, budget);
         let light = light_for(&mut self.lights, stand, wanted);
-        let inside = |now: f64| now - begin < budget;
-        let mut done = false;
-        // Not `>=`: a clock that fails must not make this endless.
-        while !done {
-            if light.advance(stand.scene, SLICE) {
-                done = frame.advance(stand.scene, light, SLICE);
-            }
-            if !inside(clock()) {
-                break;
-            }
-        }
+        let done = budget.until(clock, || {
+            light.advance(stand.scene, SLICE) && frame.advance(stand.scene, light, SLICE)
+        });
         Ok(FrameSlice {
             begun: is_new,
             done,

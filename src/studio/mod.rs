@@ -10,7 +10,7 @@
 //! stage.
 
 use crate::export::{Report, StageTime};
-use crate::generators::{Clock, Engine, Generator, Progress, Registry};
+use crate::generators::{Budget, Clock, Engine, Generator, Progress, Registry};
 use crate::notice::Notice;
 use crate::recipe::Recipe;
 #[cfg(house)]
@@ -255,8 +255,9 @@ impl Studio {
             true => u32::MAX,
             false => max_steps,
         };
-        let begin = clock();
-        let (mut now, mut steps, mut worked) = (begin, 0, false);
+        let mut now = clock();
+        let budget = Budget::from(now, budget);
+        let (mut steps, mut worked) = (0, false);
         while let Some(stage) = self.engine.at_work() {
             if self.engine.is_step() {
                 if steps >= max_steps {
@@ -266,9 +267,7 @@ impl Studio {
             }
             worked = true;
             now = self.timed_slice(stage, now, clock);
-            let inside = now - begin < budget;
-            // Not `>=`: a clock that fails must not make the tick endless.
-            if !inside && !self.shades_in_one() {
+            if budget.is_spent(now) && !self.shades_in_one() {
                 break;
             }
         }

@@ -10,7 +10,7 @@ use super::{Pavement, Stage, Wish};
 use crate::domain::{Domain, Outline};
 use crate::draw::Tones;
 use crate::field::Fields;
-use crate::generators::{Clock, Engine};
+use crate::generators::{Budget, Clock, Engine};
 use crate::packing::Packing;
 use glam::DVec2;
 
@@ -40,7 +40,7 @@ impl Pavement {
 
     /// Works on the draft; true when it may look different.
     pub(super) fn flow(&mut self, clock: Clock, budget: f64) -> bool {
-        let begin = clock();
+        let budget = Budget::new(clock, budget);
         let is_old = |draft: &mut Draft| draft.wish.params != self.latest.params;
         let stale = self.draft.take_if(is_old);
         let mut worked = stale.is_some() || self.draft.is_none();
@@ -48,18 +48,16 @@ impl Pavement {
             self.draft = self.drafted(stale);
         }
         if let Some(draft) = &mut self.draft {
-            for _ in 0..STEPS {
-                if draft.packing.done() {
-                    break;
+            let mut steps = 0;
+            budget.until(clock, || {
+                let is_over = draft.packing.done() || steps == STEPS;
+                if !is_over {
+                    draft.step();
+                    steps += 1;
                 }
-                draft.step();
-                worked = true;
-                // Not `>=`: a clock that fails must not make this slower than it is.
-                let inside = clock() - begin < budget;
-                if !inside {
-                    break;
-                }
-            }
+                is_over
+            });
+            worked |= steps > 0;
         }
         self.changes += u64::from(worked);
         worked

@@ -4,7 +4,7 @@ use super::{Pavement, params};
 use crate::export::{self, Map, MapKind, MeshFile, MeshOrder, maps};
 use crate::generators::bigger::{Bigger, Picture};
 use crate::generators::height_field::{Bodies, LightParams};
-use crate::generators::{Clock, Engine, MeshSlice, PictureSlice};
+use crate::generators::{Clock, Engine, MeshSlice, PictureSlice, until};
 use crate::heightfield::Planes;
 use crate::notice::{Code, Notice};
 use crate::solid::Solids;
@@ -112,17 +112,17 @@ impl Pavement {
         let Some(planes) = self.made.planes() else {
             return true;
         };
-        let begin = clock();
-        while let Some(cell) = self.scales().get(file.cells()) {
-            file.add(&solids.solid(cell, &stone), cell, planes);
-            // Not `>=`: a clock that fails must not make this endless.
-            let inside = clock() - begin < budget;
-            if !inside {
-                return false;
+        let done = until(clock, budget, || {
+            let cell = self.scales().get(file.cells());
+            if let Some(cell) = cell {
+                file.add(&solids.solid(cell, &stone), cell, planes);
             }
+            cell.is_none()
+        });
+        if done {
+            file.add_ground(planes);
         }
-        file.add_ground(planes);
-        true
+        done
     }
 }
 

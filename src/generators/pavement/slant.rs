@@ -4,7 +4,7 @@ use super::Pavement;
 use crate::cells::Cell;
 use crate::generators::height_field::LightParams;
 use crate::generators::turntable::{Stand, Turntable};
-use crate::generators::{Clock, FrameSlice, SeenBody, TurnOrder};
+use crate::generators::{Budget, Clock, FrameSlice, SeenBody, TurnOrder};
 use crate::heightfield::{Cutout, Surfaces};
 use crate::light::Light;
 use crate::notice::{Code, Notice};
@@ -51,18 +51,18 @@ impl Pavement {
         if !self.is_done() {
             return Err(Code::NotYet.into());
         }
-        let begin = clock();
+        let budget = Budget::new(clock, budget);
         let mut slant = std::mem::take(&mut self.slant);
         let made = match self.build(&mut slant, clock, budget) {
             Some(slice) => Ok(slice),
-            None => self.frame_slice(&mut slant, order, begin, clock, budget),
+            None => self.frame_slice(&mut slant, order, clock, budget),
         };
         self.slant = slant;
         made
     }
 
-    /// Makes the bodies, for about `budget` milliseconds; nothing where they are there.
-    fn build(&self, slant: &mut Slant, clock: Clock, budget: f64) -> Option<FrameSlice> {
+    /// Makes the bodies; nothing where they are there.
+    fn build(&self, slant: &mut Slant, clock: Clock, budget: Budget) -> Option<FrameSlice> {
         let revision = self.made.finish.weather.revision();
         let is_new = slant.revision != revision;
         if is_new {
@@ -74,19 +74,14 @@ impl Pavement {
         let texture = self.working.params.finish.planes.texture;
         let new = || Cutout::new(texture, cells.len(), planes);
         let mut making = slant.making.take().unwrap_or_else(new);
-        let begin = clock();
-        while !making.advance(cells, planes) {
-            // Not `>=`: a clock that fails must not make this endless.
-            let inside = clock() - begin < budget;
-            if !inside {
-                let progress = 0.5 * making.progress(cells);
-                slant.making = Some(making);
-                return Some(FrameSlice {
-                    begun: is_new,
-                    done: false,
-                    progress,
-                });
-            }
+        if !budget.until(clock, || making.advance(cells, planes)) {
+            let progress = 0.5 * making.progress(cells);
+            slant.making = Some(making);
+            return Some(FrameSlice {
+                begun: is_new,
+                done: false,
+                progress,
+            });
         }
         slant.scene = Some(making.finish());
         slant.count += 1;
@@ -98,9 +93,8 @@ impl Pavement {
         &self,
         slant: &mut Slant,
         order: &TurnOrder,
-        begin: f64,
         clock: Clock,
-        budget: f64,
+        budget: Budget,
     ) -> Result<FrameSlice, Notice> {
         let (Some(scene), Some(planes)) = (&slant.scene, self.planes()) else {
             return Err(Code::NotYet.into());
@@ -126,7 +120,7 @@ impl Pavement {
                 (stand.scene, stand.number, stand.light) = (scene, *number, &beside);
             }
         }
-        let left = budget - (clock() - begin);
+        let left = budget.left(clock);
         let slice = slant.table.advance(&stand, order, clock, left)?;
         // The first half was the making of the bodies.
         Ok(FrameSlice {

@@ -6,7 +6,7 @@ use super::{Pavement, PavementRecipe, Stage, params};
 use crate::cells::Cell;
 use crate::draw::{self, Board, Layer, Paper, SHEET, Sketch, Tones};
 use crate::export::MapKind;
-use crate::generators::{Clock, Engine};
+use crate::generators::{Budget, Clock, Engine};
 use crate::heightfield::{Planes, row_slopes};
 use crate::order;
 use glam::DVec2;
@@ -80,28 +80,17 @@ impl Pavement {
 
     /// Work on the recipe in between makes it begin again.
     pub(super) fn draw_beforehand(&mut self, view: View, clock: Clock, budget: f64) -> bool {
-        let begin = clock();
+        let budget = Budget::new(clock, budget);
         let mut gallery = std::mem::take(&mut self.gallery);
         let key = (view.base, self.stamp(), self.way(view.base, &gallery));
-        let mut worked = gallery.begun.as_ref().is_none_or(|(of, _)| *of != key);
         let is_drawn = gallery.drawn == Some((view.base, self.stamp()));
         let mut sketch = match is_drawn {
             true => None,
             false => self.sketch(view.base, &mut gallery),
         };
-        let ready = sketch.as_mut().is_none_or(|sketch| {
-            loop {
-                // Not `>=`: a clock that fails must not make this endless.
-                let inside = clock() - begin < budget;
-                if worked && !inside {
-                    return false;
-                }
-                if sketch.advance() {
-                    return true;
-                }
-                worked = true;
-            }
-        });
+        let ready = sketch
+            .as_mut()
+            .is_none_or(|sketch| budget.until(clock, || sketch.advance()));
         gallery.begun = sketch.map(|sketch| (key, sketch));
         self.gallery = gallery;
         ready

@@ -3,7 +3,7 @@
 use super::Surface;
 use super::stages::stones_params;
 use crate::export::{MeshOrder, ModelFile};
-use crate::generators::{Clock, Engine, MeshSlice};
+use crate::generators::{Clock, Engine, MeshSlice, until};
 use crate::notice::{Code, Notice};
 
 /// A mesh file in the making.
@@ -43,16 +43,9 @@ impl Surface {
             order: *order,
             revision,
         });
-        let begin = clock();
-        let mut done = false;
-        while !done {
-            done = saving.file.advance(&built.whole, paved.paving());
-            // Not `>=`: a clock that fails must not make this endless.
-            let inside = clock() - begin < budget;
-            if !inside {
-                break;
-            }
-        }
+        let done = until(clock, budget, || {
+            saving.file.advance(&built.whole, paved.paving())
+        });
         let mut parts = saving.file.take();
         if done {
             parts.extend(saving.file.finish());

@@ -6,7 +6,7 @@ use super::subject::{Making, Of, Subject};
 use super::views::View;
 use super::yaw::{clockwise, seen_by, turned};
 use crate::generators::turntable::{Stand, Turntable};
-use crate::generators::{Clock, FrameSlice, SeenBody, TurnOrder};
+use crate::generators::{Budget, Clock, FrameSlice, SeenBody, TurnOrder};
 use crate::notice::{Code, Notice};
 use crate::scene::Frame;
 use crate::surface_stones::Fit;
@@ -56,23 +56,22 @@ impl Surface {
             return Err(order.no_such_body());
         }
         let mut shown = std::mem::take(&mut self.shown);
-        let begin = clock();
-        let made = match self.choose(&mut shown, View::of_words(&order.how), begin, clock, budget) {
+        let budget = Budget::new(clock, budget);
+        let made = match self.choose(&mut shown, View::of_words(&order.how), clock, budget) {
             Some(slice) => Ok(slice),
-            None => self.frame_slice(&mut shown, order, begin, clock, budget),
+            None => self.frame_slice(&mut shown, order, clock, budget),
         };
         self.shown = shown;
         made
     }
 
-    /// Makes what is to be seen, for about `budget` milliseconds; nothing where it is there, or nothing can be made yet.
+    /// Makes what is to be seen; nothing where it is there, or nothing can be made yet.
     fn choose(
         &self,
         shown: &mut Shown,
         view: View,
-        begin: f64,
         clock: Clock,
-        budget: f64,
+        budget: Budget,
     ) -> Option<FrameSlice> {
         let of = self.wanted(view)?;
         if shown.of == Some(of) {
@@ -103,32 +102,30 @@ impl Surface {
                 Making::new(last.filter(|_| shown.of.is_some_and(|s| s.surface == of.surface)));
             shown.making = Some((of, making));
         }
-        loop {
-            let (_, making) = shown.making.as_mut()?;
-            if let Some(subject) = self.make(making, of, &mut shown.ground) {
-                shown.number += 1;
-                (shown.subject, shown.of, shown.making) = (Some(subject), Some(of), None);
-                return None;
-            }
-            // Not `>=`: a clock that fails must not make this endless.
-            let inside = clock() - begin < budget;
-            if !inside {
-                return Some(FrameSlice {
-                    begun: is_new,
-                    done: false,
-                    progress: 0.0,
-                });
-            }
+        let (_, making) = shown.making.as_mut()?;
+        let mut subject = None;
+        let done = budget.until(clock, || {
+            subject = self.make(making, of, &mut shown.ground);
+            subject.is_some()
+        });
+        if done {
+            shown.number += 1;
+            (shown.subject, shown.of, shown.making) = (subject, Some(of), None);
+            return None;
         }
+        Some(FrameSlice {
+            begun: is_new,
+            done: false,
+            progress: 0.0,
+        })
     }
 
     fn frame_slice(
         &self,
         shown: &mut Shown,
         order: &TurnOrder,
-        begin: f64,
         clock: Clock,
-        budget: f64,
+        budget: Budget,
     ) -> Result<FrameSlice, Notice> {
         let Some(subject) = &shown.subject else {
             return Err(Code::NotYet.into());
@@ -149,7 +146,7 @@ impl Surface {
             light: &light,
             ground: scene.lowest(),
         };
-        let left = budget - (clock() - begin);
+        let left = budget.left(clock);
         shown.table.advance(&stand, &order, clock, left)
     }
 
