@@ -31,6 +31,7 @@ impl Budget {
     }
 
     /// The milliseconds that are left; negative when they have passed.
+    #[cfg(house)]
     pub fn left(self, clock: Clock) -> f64 {
         self.milliseconds - (clock() - self.begin)
     }
