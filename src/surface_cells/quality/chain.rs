@@ -5,7 +5,6 @@ use crate::packing::{PackingParams, StepReport};
 use crate::shapes::Shape;
 use crate::surface_cells::metrics::SurfaceMetrics;
 use crate::surface_cells::{Polish, SurfaceMesh};
-use crate::surface_field::fit::{Fit, Fitting};
 use crate::surface_field::{
     Amount, AspectParams, Bone, DirectionParams, SizeParams, SurfaceFieldBuilder,
     SurfaceFieldParams, SurfaceFields,
@@ -13,7 +12,7 @@ use crate::surface_field::{
 use crate::surface_packing::{Site, SurfacePacking};
 use crate::trimesh::refine::{Refining, SHARE};
 use crate::trimesh::repair::{Filling, Mending};
-use crate::trimesh::{Projector, Soup, TriMesh, testing};
+use crate::trimesh::{Soup, TriMesh, testing};
 use glam::DVec3;
 use std::sync::Arc;
 
@@ -159,17 +158,5 @@ pub fn run(mesh: TriMesh, params: SurfaceFieldParams) -> Whole {
         figures: SurfaceMetrics::new(site.mesh(), &made),
         report: packing.report(),
         fields,
-    }
-}
-
-/// Whether cells fit it.
-pub fn fit(fields: &SurfaceFields) -> Fit {
-    let mesh = fields.mesh();
-    let projector = Projector::build(mesh);
-    let mut fitting = Fitting::new();
-    loop {
-        if let Some(fit) = fitting.advance(mesh, &projector, fields) {
-            return fit;
-        }
     }
 }

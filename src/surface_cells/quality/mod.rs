@@ -1,13 +1,47 @@
-//! The whole chain, from meshes to figures: what must hold of cells on all surfaces.
+//! The whole chain, from meshes to figures: the figures of cells on all surfaces.
 
 mod chain;
 mod files;
 
 use crate::field::Kind;
 use crate::shapes::Shape;
-use chain::{Asked, Body, Whole, by_rule, fit};
+use chain::{Asked, Body, Whole, by_rule};
 
-/// What must hold wherever cells fit, and of their connections everywhere.
+/// The figures of a kind of cells on all surfaces, as measured, with a small margin.
+struct Bounds {
+    /// The mean of cells' sizes over the size asked for. The polygon of a round cell has less than the area of its square.
+    size: [f64; 2],
+    /// The most of the standard deviation of sizes over their mean.
+    spread: f64,
+    /// The least share of quadrilaterals.
+    quads: f64,
+}
+
+fn bounds(kind: Kind) -> Bounds {
+    let (size, spread, quads) = match kind {
+        Kind::Square => ([0.955, 1.01], 0.08, 0.96),
+        Kind::Rectangle => ([0.93, 1.005], 0.11, 0.95),
+        Kind::Circle => ([0.91, 0.965], 0.083, 0.0),
+        Kind::Ellipse => ([0.905, 1.015], 0.105, 0.0),
+    };
+    Bounds {
+        size,
+        spread,
+        quads,
+    }
+}
+
+/// Surfaces whose cells are less even: the least area of all cells over that of the surface, and the spread over that of
+/// other surfaces. The triangles about the centre of a cell that is folded over a sharp edge cut the corner off. Many
+/// cells of stairs and of the block with two holes touch two edges. Few ellipses lie across the open tube, between borders.
+const UNEVEN: [(&str, f64, f64); 4] = [
+    ("stairs", 0.945, 1.3),
+    ("genus 2", 0.94, 1.1),
+    ("sharp", 0.96, 1.0),
+    ("open", 0.97, 1.4),
+];
+
+/// The promises that hold for all cells, large or small beside the roundness of their surface.
 fn check(body: &Body, asked: Asked) -> Whole {
     let whole = body.whole(asked);
     let (figures, fields) = (&whole.figures, &whole.fields);
@@ -21,28 +55,22 @@ fn check(body: &Body, asked: Asked) -> Whole {
     assert_eq!((figures.euler, figures.doubled), (euler, 0), "{what}");
     assert_eq!(figures.rings, figures.cells, "{what}");
     assert!(whole.report.converged, "{what}");
-    let told = fit(fields).notices().map_or(true, |told| !told.is_empty());
-    let most = if told { 0.01 } else { 0.005 };
-    assert!(figures.holes <= most && figures.overlaps <= most, "{what}");
-    if told {
-        return whole;
-    }
-    // A round cell of the size asked for has a polygon of less than its square.
-    let least = 0.93 * cell_area(asked.kind).sqrt();
-    assert!((least..=1.03).contains(&figures.size), "{what}");
-    assert!((0.97..=1.03).contains(&figures.area), "{what}");
-    if asked.kind == Kind::Square {
-        assert!(figures.size_cv < 0.09, "{what}");
-    }
-    if asked.kind.has_corners() {
-        assert!(figures.quads >= 0.92, "{what}");
-    }
+    assert!(
+        figures.holes <= 0.005 && figures.overlaps <= 0.005,
+        "{what}"
+    );
+    let uneven = UNEVEN.iter().find(|(name, ..)| *name == body.name);
+    let &(_, area, times) = uneven.unwrap_or(&("", 0.97, 1.0));
+    let Bounds {
+        size: [least, most],
+        spread,
+        quads,
+    } = bounds(asked.kind);
+    assert!((area..=1.005).contains(&figures.area), "{what}");
+    assert!((least..=most).contains(&figures.size), "{what}");
+    assert!(figures.size_cv < times * spread, "{what}");
+    assert!(figures.quads >= quads, "{what}");
     whole
-}
-
-/// The area of a cell of size 1 in a dense packing.
-fn cell_area(kind: Kind) -> f64 {
-    if kind.has_corners() { 1.0 } else { 0.866 }
 }
 
 fn all(kind: Kind, aspect: f64, cells: f64) {
