@@ -16,27 +16,12 @@ use bubblestone::generators::pavement::{Base, Overlay};
 use bubblestone::random::{Purpose, Random};
 use bubblestone::recipe::{Key, Kind, Recipe};
 use bubblestone::studio::Studio;
-use common::{star, valid};
+use common::{number, star, valid, wished};
 use glam::DVec2;
 use paving::OfPavement;
 use std::panic::catch_unwind;
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
-
-/// A number of the environment, where there is one.
-fn wished(name: &str, otherwise: u64) -> u64 {
-    let text = std::env::var(name).unwrap_or_default();
-    text.parse().unwrap_or(otherwise)
-}
-
-/// One end of the range, or the other, or anything between.
-fn number(random: &mut Random, (min, max): (f64, f64)) -> f64 {
-    match random.below(3) {
-        0 => min,
-        1 => max,
-        _ => min + (max - min) * random.unit(),
-    }
-}
 
 /// Some rows of a list, in decimal numbers.
 fn list(key: Key, random: &mut Random) -> String {

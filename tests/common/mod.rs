@@ -5,6 +5,7 @@
 
 use bubblestone::generators::ALL;
 use bubblestone::generators::pavement::{Pavement, PavementRecipe};
+use bubblestone::random::Random;
 use bubblestone::recipe::{Kind, Recipe};
 use bubblestone::studio::Studio;
 use glam::DVec2;
@@ -75,4 +76,19 @@ pub fn valid(recipe: &Recipe) {
         .expect("a valid outline");
     assert_eq!(checked, recipe.outline());
     assert!(notices.is_empty(), "{notices:?}");
+}
+
+/// A number of the environment, where there is one.
+pub fn wished(name: &str, otherwise: u64) -> u64 {
+    let text = std::env::var(name).unwrap_or_default();
+    text.parse().unwrap_or(otherwise)
+}
+
+/// One end of the range, or the other, or anything between.
+pub fn number(random: &mut Random, (min, max): (f64, f64)) -> f64 {
+    match random.below(3) {
+        0 => min,
+        1 => max,
+        _ => min + (max - min) * random.unit(),
+    }
 }
