@@ -7,7 +7,7 @@ use crate::graph::{Node, State};
 use crate::heightfield::{Painted, Painter, Planes, Shader, TextureParams, Weathering};
 use crate::light::ShadeParams;
 use crate::material::{Coat, Material, WeatherParams};
-use crate::notice::{Code, Notice};
+use crate::notice::Notice;
 use crate::solid::Solids;
 
 /// The stages of the finisher, in their order.
@@ -142,12 +142,11 @@ impl HeightField {
     }
 
     fn weather(&mut self, domain: &Domain, inputs: u64) {
-        let planes = &self.planes;
+        let Some(painted) = self.planes.made() else {
+            return;
+        };
         self.weather.advance(inputs, |params, work| {
-            if work.is_none() {
-                let painted = planes.made().ok_or(Code::StageMissing)?;
-                *work = Some(Weathering::new(*params, painted.clone()));
-            }
+            work.get_or_insert_with(|| Weathering::new(*params, painted.clone()));
             let over = work.take_if(|weathering| weathering.advance(domain, ROWS));
             Ok(over.map(Weathering::finish))
         });

@@ -1,6 +1,5 @@
 //! The contents of a scene: bodies, and where they stand.
 
-use crate::notice::{Code, Notice};
 use crate::order::{greater, lesser};
 use crate::scene::Detail;
 use crate::solid::Surface;
@@ -132,7 +131,7 @@ pub struct Scene {
 
 impl Scene {
     /// The first fault, if any: of a surface, or of an instance without a body or with an invalid placement.
-    pub fn fault(&self) -> Option<Notice> {
+    pub fn fault(&self) -> Option<String> {
         let surfaces = self.bodies.iter().flat_map(|body| &body.levels);
         let mut faults = surfaces.filter_map(Surface::fault);
         faults.next().or_else(|| {
@@ -144,8 +143,7 @@ impl Scene {
                 !body.is_some_and(has_surface) || !numbers.iter().all(is_good)
             };
             let bad = self.instances.iter().position(is_bad)?;
-            let why = Notice::new(Code::SurfaceMissing).with("n", bad);
-            Some(Notice::new(Code::SurfaceFault).with("why", why))
+            Some(format!("body {bad} has no surface, or no valid place"))
         })
     }
 

@@ -1,7 +1,6 @@
 //! A triangle surface for drawing and export.
 
 use super::simplify;
-use crate::notice::{Code, Notice};
 use crate::order::lesser;
 use glam::Vec3;
 
@@ -25,21 +24,20 @@ impl Surface {
 
     /// The first fault, if any: lists of different lengths, a coordinate that is not a number, or a corner
     /// without a vertex. A surface without faults can be drawn.
-    pub fn fault(&self) -> Option<Notice> {
+    pub fn fault(&self) -> Option<String> {
         let count = self.positions.len();
-        let fault = |why: Notice| Some(Notice::new(Code::SurfaceFault).with("why", why));
         if self.normals.len() != count || self.colours.len() != count {
-            return fault(Code::SurfaceLists.into());
+            return Some("each vertex needs a normal and a colour".to_owned());
         }
         let is_good = |v: &Vec3| v.is_finite() && v.abs().max_element() <= Self::LARGEST;
         let pairs = self.positions.iter().zip(&self.normals);
         let mut good = pairs.map(|(p, n)| is_good(p) && is_good(n));
         if let Some(n) = good.position(|good| !good) {
-            return fault(Notice::new(Code::SurfaceNumber).with("n", n));
+            return Some(format!("vertex {n} has a number that is too large or none"));
         }
         let misses = |t: &[u32; 3]| t.iter().any(|&v| v as usize >= count);
         let missing = self.triangles.iter().position(misses);
-        missing.and_then(|n| fault(Notice::new(Code::SurfaceCorner).with("n", n)))
+        missing.map(|n| format!("triangle {n} has a corner without a vertex"))
     }
 }
 

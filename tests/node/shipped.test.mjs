@@ -51,6 +51,16 @@ function finished(studio) {
   return studio;
 }
 
+/** The codes of all notices that the tests here have got. @type {Set<string>} */
+const said = new Set();
+
+/** Notes the codes of a notice, of its arguments, or of several. @param {any} what */
+function hear(what) {
+  if (what === null || typeof what !== 'object') return;
+  if (typeof what.code === 'string') said.add(what.code);
+  Object.values(what).forEach(hear);
+}
+
 /** Every view: each base and each overlay alone, each overlay over each base, and all of them over one. */
 function views() {
   const [{ bases, overlays }] = module.generators();
@@ -138,7 +148,11 @@ test('what there is no memory for gets a sentence, and the picture stays', async
   memory.grow((2 ** 30 - 3e8 - memory.buffer.byteLength) >> 16);
   assert.equal(studio.pictureFile(64, '', 20).code, 'bad_scale');
   const large = finished(new own.Bubblestone('size=1024'));
-  for (const words of ['', 'albedo id']) assert.match(large.pictureFile(8, words, 20).text, /too little memory here for 8192 pixels/);
+  for (const words of ['', 'albedo id']) {
+    const notice = large.pictureFile(8, words, 20);
+    hear(notice);
+    assert.match(notice.text, /too little memory here for 8192 pixels/);
+  }
   assert.equal(bytesOf(() => large.pictureFile(1, '', 20)), 3 * 1024 ** 2);
   assert.deepEqual([studio.digest(), large.stage()], [digest, 'done']);
 });
@@ -268,11 +282,10 @@ test('bodies are turned, told and made step by step, and each step has its words
     for (const word of ['depth', 'normal', 'id']) assert.equal(studio.frameMap(word).side, 96, word);
     const body = studio.bodyAt(48, 32);
     assert.ok(body.id > 0 && studio.probe(body.x, body.y), form);
-    assert.deepEqual(
-      ['nothing', ':', '1:99'].map((subject) => studio.turn(subject, '', ...size, 'still', 4).code),
-      Array(3).fill('no_such_body'),
-    );
-    assert.equal(studio.turn('', '', 0, 9, 'still', 4).code, 'frame_size');
+    const refused = ['nothing', ':', '1:99'].map((subject) => studio.turn(subject, '', ...size, 'still', 4));
+    refused.push(studio.turn('', '', 0, 9, 'still', 4));
+    hear(refused);
+    assert.deepEqual(refused.map(({ code }) => code), [...Array(3).fill('no_such_body'), 'frame_size']);
     for (const [k, step] of studio.making(body.id).entries()) {
       frame(`${body.id}:${k}`, '330,30,3', 'still');
       const word = step.replace(/\d+$/, '');
@@ -287,14 +300,11 @@ test('bodies are turned, told and made step by step, and each step has its words
   }
 });
 
-/**
- * Notices of what cannot come about from here: too little memory, lines beside rings, an outline without any cell, surfaces that
- * are not made here. The page itself says what is wrong with a camera in a link.
- */
-const NEVER_SAID = ['camera_number', 'camera_numbers', 'frame_size', 'no_such_body', 'surface_fault', 'surface_number', 'surface_corner', 'surface_lists', 'surface_missing', 'no_memory', 'stage_missing', 'no_outline', 'lines_refused', 'line_points', 'line_short', 'line', 'no_cells'];
-
 /** Some 540,000 cells, as the outline goes far beyond the picture. */
 const TOO_MANY = 'size=2048&cs=5&poly=-0.4,-0.4,1.4,-0.4,1.4,1.4,-0.4,1.4';
+
+/** Too thin for a cell anywhere. */
+const TOO_THIN = 'cs=64&size=128&poly=0.05,0.05,0.95,0.713,0.95,0.7131,0.05,0.0501';
 
 /** Links that are not quite right. */
 const WRONG = [
@@ -331,24 +341,19 @@ const ROUGH = [
   [Array.from({ length: 9000 }, (_, k) => (k % 2 ? 64 + 50 * Math.sin(k / 4500 * Math.PI) : 64 + 50 * Math.cos(k / 4500 * Math.PI)))],
 ];
 
-test('every notice is said', () => {
-  /** @type {Set<string>} */
-  const said = new Set();
-  /** @param {any} what a notice, its arguments, or several */
-  const hear = (what) => {
-    if (what === null || typeof what !== 'object') return;
-    if (typeof what.code === 'string') said.add(what.code);
-    Object.values(what).forEach(hear);
-  };
+test('notices of pavements are said', () => {
   for (const link of WRONG) {
     const studio = open(link);
     assert.ok(studio.notices().length, link);
     hear(studio.notices());
     studio.free();
   }
-  const many = finished(open(TOO_MANY));
-  hear(many.problem());
-  many.free();
+  for (const link of [TOO_MANY, TOO_THIN]) {
+    const studio = finished(open(link));
+    assert.equal(studio.stage(), 'error', link);
+    hear(studio.problem());
+    studio.free();
+  }
   const studio = open(SMALL);
   for (const rings of ROUGH) {
     hear(studio.setOutline(Float64Array.from(rings.flat()), Uint32Array.from(rings, ({ length }) => length / 2)));
@@ -359,20 +364,7 @@ test('every notice is said', () => {
   finished(studio);
   hear([studio.pictureFile(99, '', 9), studio.pictureFile(2, 'nothing', 9)]);
   studio.free();
-  assert.deepEqual(codesOf(text(WORDS).split(LATE)[0]).filter((code) => !said.has(code) && !NEVER_SAID.includes(code) && !IN_SPACE.includes(code)), []);
 });
-
-const WORDS = '../src/notice/words.txt';
-const LATE = '# From here on';
-
-/** @param {string} table */
-const codesOf = (table) => table.match(/^[a-z]\w*$/gm) ?? [];
-
-/** Of rows that only surfaces have. */
-const IN_SPACE = ['lost_z', 'row_off_box', 'row_patch', 'row_model'];
-
-/** What cannot come about from here: too many triangles, or cells, for a test. */
-const NEVER_IN_SPACE = ['refined_too_many', 'model_too_large', 'surface_cells'];
 
 /** A cube of so many faces, with more text after it. */
 const cube = (faces = 6, more = '') =>
@@ -473,16 +465,8 @@ const WRONG_SPACE = [
   'form=cylinder&kind=rectangle&cn=60', 'form=knot&kind=ellipse&cn=60', 'form=vase&cn=200',
 ];
 
-test('every notice of surfaces is said', async () => {
+test('notices of surfaces are said', async () => {
   const whole = await moduleIn(houseModule, unpacked(packedHouse), 'space');
-  /** @type {Set<string>} */
-  const said = new Set();
-  /** @param {any} what */
-  const hear = (what) => {
-    if (what === null || typeof what !== 'object') return;
-    if (typeof what.code === 'string') said.add(what.code);
-    Object.values(what).forEach(hear);
-  };
   const space = 'make=surface&size=128';
   for (const link of WRONG_SPACE) {
     const studio = new whole.Bubblestone(`${space}&${link}`);
@@ -503,15 +487,20 @@ test('every notice of surfaces is said', async () => {
   }
   for (const form of ['sphere', 'terrain']) {
     const studio = finished(new whole.Bubblestone(`${space}&form=${form}&cn=120&taper=0.5`));
-    hear([studio.set('model', '1,2,3'), studio.set('form', 'file')]);
+    hear([studio.set('model', '1,2,3'), studio.set('form', 'file'), studio.setOutline(ring, [4])]);
     for (const view of ['direction', 'size', 'curvature']) {
       while (!studio.turn('', '', 96, 64, `moving+floor+${view}`, 4).done);
       hear(studio.caption(view));
     }
     studio.free();
   }
-  const [, late = ''] = text(WORDS).split(LATE);
-  assert.deepEqual([...IN_SPACE, ...codesOf(late)].filter((code) => !said.has(code) && !NEVER_IN_SPACE.includes(code)), []);
+});
+
+test('every notice is said, by the tests above or natively', () => {
+  const native = text('properties/native/notices.rs').match(/(?<=Code::)\w+/g) ?? [];
+  const codes = text('../src/notice/words.txt').match(/^[a-z]\w*$/gm) ?? [];
+  const camel = (/** @type {string} */ code) => code.replace(/(?:^|_)(.)/g, (_, first) => first.toUpperCase());
+  assert.deepEqual(codes.filter((code) => !said.has(code) && !native.includes(camel(code))), []);
 });
 
 test('a break inside stops the module: a call of it throws', async () => {

@@ -32,6 +32,7 @@ mod native {
     mod metrics;
     mod model_files;
     mod models;
+    mod notices;
     mod outline_rings;
     mod outlines;
     mod overlays;

@@ -11,7 +11,7 @@ fn p(x: f64, y: f64) -> DVec2 {
 }
 
 /// A square from 100 to 400 with a hole from 200 to 300.
-fn outline(lines: Vec<Vec<DVec2>>) -> Outline {
+pub fn outline(lines: Vec<Vec<DVec2>>) -> Outline {
     let ring = |a: f64, b: f64| vec![p(a, a), p(b, a), p(b, b), p(a, b)];
     let mut hole = ring(200.0, 300.0);
     hole.reverse();

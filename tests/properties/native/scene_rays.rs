@@ -270,7 +270,7 @@ pub(super) fn scene(parts: Vec<(Surface, Place)>) -> Scene {
             id: k + 1,
         });
     }
-    assert_eq!(scene.fault().map(|fault| fault.to_string()), None);
+    assert_eq!(scene.fault(), None);
     scene
 }
 
