@@ -89,8 +89,8 @@ test('every part that is loaded late comes, with its styles', async () => {
   assert.deepEqual(japanese.problems, []);
   await japanese.close();
   const first = firstOf(dist);
-  // A film takes long, and a browser asks for one of two ways to write it: film.test.mjs has one made.
-  const late = filesOf(dist).filter((path) => path.startsWith('assets/') && !first.includes(path) && !/\/(film|turn-film|encoder|mp4-muxer|webm-muxer)-/.test(path));
+  // A film takes long: film.test.mjs has one made.
+  const late = filesOf(dist).filter((path) => path.startsWith('assets/') && !first.includes(path) && !/\/(film|turn-film|encoder)-/.test(path));
   assert.deepEqual(late.filter((path) => !site.requests.includes(path)), [], 'not asked for');
 });
 
