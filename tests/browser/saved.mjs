@@ -69,8 +69,7 @@ export async function handed(page, act, what = 'saved') {
     { timeout: 120_000, polling: 100 },
     what,
   );
-  const { refused } = await end.evaluate((found) => found ?? {});
-  assert.equal(refused, '', 'the page refuses');
+  assert.deepEqual(await end.jsonValue(), { refused: '' });
 }
 
 /** Clicks a button of the dialog; answers the file's name and bytes. @param {Page} page @param {string} button @param {Record<string, string>} [chosen] */
