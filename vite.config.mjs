@@ -2,6 +2,7 @@ import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 import { buildIcons } from './scripts/lib/icons.mjs';
+import { licences, packages } from './scripts/lib/licences.mjs';
 import { offline } from './scripts/lib/offline.mjs';
 import { buildThumbs, generatorsOf, thumbsOfMore } from './scripts/lib/thumbs.mjs';
 
@@ -117,7 +118,7 @@ export default defineConfig({
   root: here('www'),
   // Relative, so that the site works from any folder of any host.
   base: './',
-  plugins: [words, notices, whole, packed, made, thumbs, offline],
+  plugins: [words, notices, whole, packed, made, thumbs, packages, licences, offline],
   json: { namedExports: true },
   build: {
     outDir: process.env['BUBBLESTONE_SITE'] ?? here('dist'),
@@ -141,5 +142,5 @@ export default defineConfig({
       },
     },
   },
-  worker: { format: 'es', plugins: () => [packed, made] },
+  worker: { format: 'es', plugins: () => [packed, made, packages] },
 });

@@ -9,7 +9,7 @@ import sharp from 'sharp';
 import { sameEverywhere } from './browsers.mjs';
 import { open } from './harness.mjs';
 import { click, digest, done, drop, link, message, set, SMALL } from './page.mjs';
-import { dialog, opened, saved } from './saved.mjs';
+import { dialog, handed, opened, saved } from './saved.mjs';
 import { longestTask, skip } from './tasks.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
@@ -171,11 +171,7 @@ test('saving is done beside the page, which is never held for long', { skip }, a
     // The page may be busy, for example with garbage collection, and its code is slow at first.
     while (runs.length < 6 && !(runs.at(-1) < 1)) {
       await dialog(page);
-      await page.evaluate(() => (window.saved = undefined));
-      const saving = async () => {
-        await page.$eval(button, (key) => key.click());
-        await page.waitForFunction(() => window.saved, { timeout: 120_000, polling: 200 });
-      };
+      const saving = () => handed(page, () => page.$eval(button, (key) => key.click()));
       runs.push(await longestTask(page, saving));
     }
     assert.ok(runs.at(-1) < 1, `${button}: tasks of ${runs.join(' and ')} times 50 ms`);

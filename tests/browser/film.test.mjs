@@ -5,7 +5,7 @@ import { createFile } from 'mp4box';
 import { sameEverywhere } from './browsers.mjs';
 import { open } from './harness.mjs';
 import { click, digest, message, phone, SMALL } from './page.mjs';
-import { keeping } from './saved.mjs';
+import { handed, keeping } from './saved.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
@@ -111,8 +111,7 @@ async function playing(url, [x, y, side]) {
 async function coarsePicture(page) {
   await page.$eval('#save', (key) => key.click());
   await page.waitForSelector('#save-png-4');
-  await page.$eval('#save-png-4', (key) => key.click());
-  await page.waitForFunction(() => window.saved);
+  await handed(page, () => page.$eval('#save-png-4', (key) => key.click()));
   await page.evaluate(meaning);
   return page.evaluate(async () => {
     const picture = await createImageBitmap(window.saved.blob);
@@ -160,8 +159,7 @@ test('a film of the forming loops from the finished picture to the finished pict
   await click(page, '#save');
   await page.waitForSelector('#save-film:enabled');
   const word = await page.$eval('#save-film', (key) => key.textContent);
-  await click(page, '#save-film');
-  await page.waitForFunction(() => window.saved);
+  await handed(page, () => click(page, '#save-film'));
   const { name } = await page.evaluate(() => window.saved);
   const film = await bytesOf(page, 'saved.blob');
   assert.equal(name, `bubblestone-annulus-1-square.${word.toLowerCase()}`);
@@ -188,8 +186,7 @@ test('a film of the turntable goes round once, and loops', sameEverywhere, async
   await page.waitForSelector('#sheet[data-turn=fine]');
   await click(page, '#save');
   await page.waitForSelector('#save-turn-film:enabled');
-  await click(page, '#save-turn-film');
-  await page.waitForFunction(() => window.saved);
+  await handed(page, () => click(page, '#save-turn-film'));
   assert.equal(await page.evaluate(() => window.saved.name), 'bubblestone-annulus-1-turn.gif');
   await page.evaluate(meaning);
   const { count, loops, size, coarse } = await page.evaluate(async () => {
@@ -216,26 +213,25 @@ test('phones share the picture alone, and a film that is made first, or stopped'
   const { page, problems, close } = await opened(SMALL, { shares: true, viewport: phone });
   await digest(page);
   const picture = await coarsePicture(page);
-  const shared = () => page.waitForFunction(() => window.shared).then(() => page.evaluate(() => Object.entries(window.shared).map(([key, value]) => [key, key === 'files' ? value.map(({ name, type }) => [name, type]) : value])));
+  const shared = async (act) => {
+    await handed(page, act, 'shared');
+    return page.evaluate(() => Object.entries(window.shared).map(([key, value]) => [key, key === 'files' ? value.map(({ name, type }) => [name, type]) : value]));
+  };
   const share = async (button) => {
     await page.tap('#share');
     await page.waitForSelector(button);
     await page.$eval(button, (key) => key.scrollIntoView({ block: 'center' }));
     await page.tap(button);
   };
-  await share('#share-picture');
-  assert.deepEqual(await shared(), [['files', [['bubblestone.png', 'image/png']]]]);
+  assert.deepEqual(await shared(() => share('#share-picture')), [['files', [['bubblestone.png', 'image/png']]]]);
   await page.$eval('#share-dialog [data-close]', (close) => close.click());
   await share('#share-upright');
   await page.waitForSelector('#stop-files');
   await page.$eval('#stop-files', (stop) => stop.click());
   await message(page, 'status', /was stopped/);
   while (page.workers().length) await new Promise((ended) => page.once('workerdestroyed', ended));
-  await page.evaluate(() => (window.shared = undefined));
-  await share('#share-upright');
-  await page.waitForSelector('#share-film');
-  await page.tap('#share-film');
-  const [[, [[name, type]]]] = await shared();
+  await handed(page, () => share('#share-upright'), '#share-film');
+  const [[, [[name, type]]]] = await shared(() => page.tap('#share-film'));
   assert.match(`${name} ${type}`, /^bubblestone-annulus-1-upright\.(mp4|webm) video\/\1$/);
   assert.equal(await page.evaluate(() => window.saved), undefined);
   await page.tap('#keep-film');

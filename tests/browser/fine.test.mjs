@@ -4,6 +4,7 @@ import { after, before, test } from 'node:test';
 import { sameEverywhere } from './browsers.mjs';
 import { open } from './harness.mjs';
 import { canvas, click, digest, frames, reloading, set } from './page.mjs';
+import { handed, keeping } from './saved.mjs';
 import { longestTask, skip } from './tasks.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
@@ -55,20 +56,14 @@ const there = (page) => page.evaluate(() => [document.querySelectorAll('.fine').
 
 test('the finished picture gets the pixels of the screen: those of its file, and where the canvas has them', async () => {
   const { page, problems, external, close } = await opened(LINK, {
-    before: (fresh) =>
-      fresh.evaluateOnNewDocument(() => {
-        const create = URL.createObjectURL;
-        URL.createObjectURL = (blob) => create((window.saved = blob));
-        HTMLAnchorElement.prototype.click = () => undefined;
-      }),
+    before: (fresh) => fresh.evaluateOnNewDocument(keeping),
   });
   await digest(page);
   const plain = await canvas(page);
   await fine(page);
   assert.deepEqual(await canvas(page), plain, 'the canvas is another one');
   await click(page, '#save');
-  await click(page, '#save-png-3');
-  await page.waitForFunction(() => window.saved);
+  await handed(page, () => click(page, '#save-png-3'));
   const { box, below, apart, other } = await page.evaluate(async () => {
     const [canvas, over] = ['#canvas', '.fine'].map((name) => document.querySelector(name));
     const pixels = (source, side) => {
@@ -78,7 +73,7 @@ test('the finished picture gets the pixels of the screen: those of its file, and
     };
     const { width: side } = canvas;
     const scale = over.width / side;
-    const [coarse, finer, file] = [pixels(canvas, side), pixels(over, over.width), pixels(await createImageBitmap(window.saved), over.width)];
+    const [coarse, finer, file] = [pixels(canvas, side), pixels(over, over.width), pixels(await createImageBitmap(window.saved.blob), over.width)];
     // The difference between the pixels and the means of the fine pixels in them, with the fine picture shifted by
     // some of its own.
     const apart = (dx, dy) => {

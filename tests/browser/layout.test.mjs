@@ -66,6 +66,30 @@ for (const [device, viewport] of Object.entries({ phone, 'small phone': small, '
   });
 }
 
+/** The head's height. @param {Page} page */
+const headHeight = async (page) => (await place(page, '#head')).height;
+
+for (const [device, viewport] of Object.entries({ 'smallest phone': { ...phone, width: 320, height: 568 }, 'small phone': small, phone, 'upright tablet': tablet, 'phone on its side': { ...phone, width: 844, height: 390 }, desk })) {
+  test(`the head keeps its height when the work is stored: ${device}`, async () => {
+    for (const language of ['en', 'ja']) {
+      const { page, close } = await site.newPage('#size=192&cs=16&seed=2', { viewport, before: speaking(language) });
+      await digest(page);
+      const word = await page.$('#stored');
+      // Text of another size and width stands for the fonts of other machines.
+      for (const style of ['', 'font-family: monospace; font-size: 1.5rem']) {
+        await page.$eval('#head', (head, rule) => {
+          for (const part of [head, ...head.querySelectorAll('*')]) part.style.cssText = rule;
+        }, style);
+        await word.evaluate((element) => (element.textContent = ''));
+        const before = await headHeight(page);
+        await word.evaluate((element) => (element.textContent = 'Stored on this device, '.repeat(4)));
+        assert.equal(await headHeight(page), before, `${language}, ${style}`);
+      }
+      await close();
+    }
+  });
+}
+
 test('the picture shrinks in its place: nothing else moves, and a press brings it back', async () => {
   const { page, close } = await site.newPage(SMALL, { viewport: phone });
   await digest(page);

@@ -9,6 +9,7 @@ import { filesOf, firstOf, listOf } from '../../scripts/lib/offline.mjs';
 import { kind, sameEverywhere } from './browsers.mjs';
 import { open } from './harness.mjs';
 import { digest, SMALL } from './page.mjs';
+import { handed } from './saved.mjs';
 
 const dist = fileURLToPath(new URL('../../dist/', import.meta.url));
 
@@ -61,8 +62,7 @@ test('after the first visit all works without a host, and nothing was fetched tw
     };
   });
   await page.waitForSelector('#save-maps');
-  await page.$eval('#save-maps', (button) => button.click());
-  await page.waitForFunction(() => window.saved, { timeout: 60_000 });
+  await handed(page, () => page.$eval('#save-maps', (button) => button.click()));
   assert.match(await page.evaluate(() => window.saved), /maps\.zip$/);
   await told(page, 'stored');
   assert.deepEqual(external, []);

@@ -13,7 +13,7 @@ export const phone = { width: 390, height: 844, deviceScaleFactor: 2, isMobile: 
 
 /** The digest of the planes, once they are done. @param {Page} page @returns {Promise<string>} */
 export async function digest(page) {
-  await page.waitForFunction(() => 'bubblestone' in window, { timeout: 60_000 });
+  await page.waitForFunction(() => 'bubblestone' in window, { timeout: 240_000 });
   return page.evaluate(() => /** @type {any} */ (window).bubblestone.digest());
 }
 

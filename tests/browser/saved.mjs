@@ -48,13 +48,35 @@ export async function choose(page, chosen) {
   }
 }
 
+/**
+ * Does what makes a file, and waits until the page hands it over. Fails with the page's own sentence where the page refuses.
+ * @param {Page} page
+ * @param {() => Promise<unknown>} act
+ * @param {string} what the name in `window` that the file is kept by, or a selector of what offers it
+ */
+export async function handed(page, act, what = 'saved') {
+  await page.evaluate((name) => {
+    Reflect.set(window, name, undefined);
+    for (const note of document.querySelectorAll('.message')) note.setAttribute('data-old', '');
+  }, what);
+  await act();
+  const end = await page.waitForFunction(
+    (name) => {
+      const isThere = name.startsWith('#') ? document.querySelector(name) : Reflect.get(window, name);
+      const refusal = document.querySelector(':is([role=alert] .message, [data-topic=files], [data-topic=busy], [data-topic=trouble]):not([data-old], :has(progress, .actions))');
+      return isThere ? { refused: '' } : refusal && { refused: refusal.querySelector('p')?.textContent };
+    },
+    { timeout: 120_000, polling: 100 },
+    what,
+  );
+  assert.deepEqual(await end.jsonValue(), { refused: '' });
+}
+
 /** Clicks a button of the dialog; answers the file's name and bytes. @param {Page} page @param {string} button @param {Record<string, string>} [chosen] */
 export async function saved(page, button, chosen = {}) {
-  await page.evaluate(() => (/** @type {Keeping} */ (window).saved = undefined));
   await dialog(page);
   await choose(page, chosen);
-  await click(page, button);
-  await page.waitForFunction(() => /** @type {Keeping} */ (window).saved, { timeout: 120_000 });
+  await handed(page, () => click(page, button));
   const { name, text } = await page.evaluate(async () => {
     const { name, blob } = /** @type {Keeping} */ (window).saved ?? { name: '', blob: new Blob() };
     const reader = new FileReader();

@@ -89,9 +89,20 @@ test('every part that is loaded late comes, with its styles', async () => {
   assert.deepEqual(japanese.problems, []);
   await japanese.close();
   const first = firstOf(dist);
-  // A film takes long, and a browser asks for one of two ways to write it: film.test.mjs has one made.
-  const late = filesOf(dist).filter((path) => path.startsWith('assets/') && !first.includes(path) && !/\/(film|turn-film|encoder|mp4-muxer|webm-muxer)-/.test(path));
+  // A film takes long: film.test.mjs has one made.
+  const late = filesOf(dist).filter((path) => path.startsWith('assets/') && !first.includes(path) && !/\/(film|turn-film|encoder)-/.test(path));
   assert.deepEqual(late.filter((path) => !site.requests.includes(path)), [], 'not asked for');
+});
+
+test('the page leads to the licences of all packages in it', sameEverywhere, async () => {
+  const { page, close } = await site.newPage(SMALL);
+  const address = await page.$eval('[data-t=libraries]', (link) => link.href);
+  const answer = await fetch(address);
+  assert.equal(answer.headers.get('content-type'), 'text/plain; charset=utf-8');
+  const text = await answer.text();
+  // One of the page's own bundle, one of a worker's, and one inside another package.
+  for (const words of [/^uplot [\d.]+, MIT\nSource: https:/m, /^mediabunny [\d.]+, MPL-2\.0\nSource: https:.*\n\nMozilla Public License Version 2\.0/m, /^htmlparser2 [\d.]+, MIT/m]) assert.match(text, words);
+  await close();
 });
 
 test('where a port is taken the next one is', sameEverywhere, async () => {

@@ -5,6 +5,7 @@ import jsQR from 'jsqr';
 import { sameEverywhere } from './browsers.mjs';
 import { open } from './harness.mjs';
 import { all, canvas, click, digest, done, drop, frames, get, message, messages, phone, set, SMALL, steps } from './page.mjs';
+import { handed } from './saved.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
@@ -129,8 +130,7 @@ test("the system's share sheet gets the link and the picture, where there is one
   await page.waitForSelector('#share-system');
   // The browser writes the picture when it is idle.
   await page.waitForFunction(() => window.made);
-  await page.tap('#share-system');
-  await page.waitForFunction(() => window.shared);
+  await handed(page, () => page.tap('#share-system'), 'shared');
   const { title, url, files } = await page.evaluate(() => window.shared);
   assert.match(title, /^Bubblestone: /);
   assert.equal(url, await page.$eval('#share-link', (box) => box.value));

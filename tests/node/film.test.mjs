@@ -1,8 +1,9 @@
-// The frames of the forming's film, before they are encoded. `npm test -- 'wasm build' 'modules as sent'`.
+// The frames of the forming's film, before they are encoded, and their order in the file. `npm test -- 'wasm build' 'modules as sent'`.
 import assert from 'node:assert/strict';
 import { createHash } from 'node:crypto';
 import { fileURLToPath } from 'node:url';
 import { before, test } from 'node:test';
+import { createFile } from 'mp4box';
 import { build } from 'vite';
 import { all, moduleIn } from '../../scripts/lib/headless.mjs';
 import { pageModule } from '../../scripts/lib/wasm.mjs';
@@ -63,3 +64,72 @@ for (const link of ['size=192&cs=16', 'size=192&cs=9&vs=0.4&stone=skin', 'size=1
     assert.ok(ways.size > 60 + Math.min(steps, 20), `${ways.size} different frames of ${steps} steps`);
   });
 }
+
+/** An encoder of the browser's kind that hands over frames in the order in which they are decoded: each third one before the two that it follows. */
+class Encoder extends EventTarget {
+  encodeQueueSize = 0;
+  /** @type {{ timestamp: number, duration: number, type: string }[]} */
+  waiting = [];
+
+  constructor(/** @type {{ output: (chunk: Chunk, meta: object) => void }} */ { output }) {
+    super();
+    this.output = output;
+  }
+
+  configure() {}
+
+  close() {}
+
+  encode(/** @type {Frame} */ { timestamp, duration }, /** @type {{ keyFrame: boolean }} */ { keyFrame }) {
+    this.waiting.push({ timestamp, duration, type: keyFrame ? 'key' : 'delta' });
+    if (keyFrame || this.waiting.length === 3) void this.flush();
+  }
+
+  async flush() {
+    const shown = this.waiting.splice(0);
+    const decoded = [...shown.splice(-1), ...shown];
+    const description = Uint8Array.of(1, 0x64, 0, 0x28, 0xff, 0xe1, 0, 4, 0x67, 0x64, 0, 0x28, 1, 0, 4, 0x68, 0xee, 0x3c, 0x80);
+    for (const frame of decoded) this.output(new Chunk(frame), { decoderConfig: { codec: 'avc1.640028', codedWidth: 720, codedHeight: 720, description } });
+  }
+}
+
+class Frame {
+  constructor(/** @type {unknown} */ _, /** @type {{ timestamp: number, duration: number }} */ { timestamp, duration }) {
+    Object.assign(this, { timestamp, duration });
+  }
+
+  close() {}
+}
+
+class Chunk {
+  byteLength = 6;
+
+  constructor(/** @type {object} */ frame) {
+    Object.assign(this, frame);
+  }
+
+  copyTo(/** @type {Uint8Array} */ bytes) {
+    bytes.set([0, 0, 0, 2, this.type === 'key' ? 0x65 : 0x41, 0]);
+  }
+}
+
+test('frames that come in the order in which they are decoded are in the file, each at its time', async () => {
+  Object.assign(globalThis, { VideoEncoder: Encoder, VideoFrame: Frame, EncodedVideoChunk: Chunk });
+  const { FilmEncoder } = await moduleOf('../../www/take/files/encoder.ts');
+  const encoder = await FilmEncoder.of({ file: 'mp4', codec: 'avc1.640028', track: 'avc', matrix: 'bt709' }, 'turn');
+  await encoder.add(new Uint8ClampedArray(4 * 720 * 720), 100);
+  const bytes = await (await encoder.finish()).arrayBuffer();
+  const file = createFile();
+  /** @type {any} */
+  let info;
+  file.onReady = (found) => (info = found);
+  file.appendBuffer(Object.assign(bytes, { fileStart: 0 }));
+  file.flush();
+  const [{ id, timescale }] = info.videoTracks;
+  const samples = file.getTrackSamplesInfo(id);
+  const order = samples.map(({ cts }) => Math.round((30 * cts) / timescale));
+  assert.deepEqual(order.slice(0, 7), [0, 3, 1, 2, 6, 4, 5]);
+  assert.deepEqual(order.toSorted((a, b) => a - b), Array.from({ length: 100 }, (_, k) => k));
+  assert.ok(samples.every(({ dts }, k) => k === 0 || dts > (samples[k - 1]?.dts ?? 0)), 'frames are not decoded one after another');
+  assert.ok(info.isProgressive, 'it has to be loaded to its end before it plays');
+});

@@ -19,7 +19,7 @@ const BITS = 0.16;
 export interface Codec {
   file: 'mp4' | 'webm';
   codec: string;
-  track: string;
+  track: 'avc' | 'vp9' | 'vp8' | 'av1';
   matrix: Matrix;
 }
 
@@ -28,9 +28,9 @@ const CODECS: readonly Codec[] = [
   { file: 'mp4', codec: 'avc1.640028', track: 'avc', matrix: 'bt709' },
   { file: 'mp4', codec: 'avc1.4d0028', track: 'avc', matrix: 'bt709' },
   { file: 'mp4', codec: 'avc1.420028', track: 'avc', matrix: 'bt709' },
-  { file: 'webm', codec: 'vp09.00.40.08', track: 'V_VP9', matrix: 'bt709' },
-  { file: 'webm', codec: 'vp8', track: 'V_VP8', matrix: 'smpte170m' },
-  { file: 'webm', codec: 'av01.0.08M.08', track: 'V_AV1', matrix: 'bt709' },
+  { file: 'webm', codec: 'vp09.00.40.08', track: 'vp9', matrix: 'bt709' },
+  { file: 'webm', codec: 'vp8', track: 'vp8', matrix: 'smpte170m' },
+  { file: 'webm', codec: 'av01.0.08M.08', track: 'av1', matrix: 'bt709' },
 ];
 
 /** The codecs of the best file that the browser encodes in this shape: two of them where time is to tell which; none where it encodes none. */

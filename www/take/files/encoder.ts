@@ -1,4 +1,10 @@
-/** A film as a file: frames go in, in their order, each for as long as the others. */
+/**
+ * A film as a file: frames go in, in their order, each for as long as the others.
+ *
+ * Some encoders hand frames over in the order in which they are decoded, which is not the order in which they are shown. Both
+ * kinds of files are written by a library that takes them so.
+ */
+import { BufferTarget, EncodedPacket, EncodedVideoPacketSource, Mp4OutputFormat, Output, WebMOutputFormat } from 'mediabunny';
 import { RATE, SHAPES, encoding, type Codec, type Shape } from './codecs';
 import { planesOf } from './planes';
 
@@ -11,13 +17,11 @@ const KEY = 90;
 /** What codecs are tried with: frames, each as the one before but moved by some bytes, and milliseconds for each that are quick enough. */
 const TRIAL = { frames: 5, shift: 40_000, quick: 50 };
 
-interface Muxer {
-  add(chunk: EncodedVideoChunk, meta?: EncodedVideoChunkMetadata): void;
-  end(): ArrayBuffer;
-}
-
 export class FilmEncoder {
   private readonly encoder: VideoEncoder;
+  private readonly track: EncodedVideoPacketSource;
+  private readonly target = new BufferTarget();
+  private readonly output: Output;
   private frames = 0;
   private failure: Error | undefined;
   /** Ends a wait. */
@@ -26,21 +30,29 @@ export class FilmEncoder {
   private constructor(
     private readonly codec: Codec,
     private readonly shape: Shape,
-    private readonly muxer: Muxer,
   ) {
+    this.track = new EncodedVideoPacketSource(codec.track);
+    // What tells a player where the frames are stands before them: it begins before it has all of the file.
+    const format = codec.file === 'mp4' ? new Mp4OutputFormat({ fastStart: 'in-memory' }) : new WebMOutputFormat();
+    this.output = new Output({ format, target: this.target });
+    this.output.addVideoTrack(this.track, { frameRate: RATE });
+    const fail = (error: Error): void => {
+      this.failure ??= error;
+      this.wake();
+    };
+    // The track keeps the order of the calls, also of those that nothing waits for.
     this.encoder = new VideoEncoder({
-      output: (chunk, meta) => this.muxer.add(chunk, inColours(meta, codec)),
-      error: (error) => {
-        this.failure = error;
-        this.wake();
-      },
+      output: (chunk, meta) => void this.track.add(EncodedPacket.fromEncodedChunk(chunk), inColours(meta, codec)).catch(fail),
+      error: fail,
     });
     this.encoder.addEventListener('dequeue', () => this.wake());
     this.encoder.configure(encoding(codec, shape));
   }
 
   static async of(codec: Codec, shape: Shape): Promise<FilmEncoder> {
-    return new FilmEncoder(codec, shape, await muxerOf(codec, shape));
+    const film = new FilmEncoder(codec, shape);
+    await film.output.start();
+    return film;
   }
 
   /** Shows red, green, blue, alpha of all pixels for so many frames. Throws what the browser says where it cannot encode them. */
@@ -60,9 +72,11 @@ export class FilmEncoder {
 
   async finish(): Promise<Blob> {
     await this.encoder.flush();
-    if (this.failure) throw this.failure;
     this.encoder.close();
-    return new Blob([this.muxer.end()], { type: `video/${this.codec.file}` });
+    await this.output.finalize();
+    const { buffer } = this.target;
+    if (this.failure || !buffer) throw this.failure ?? new Error('VideoEncoder');
+    return new Blob([buffer], { type: `video/${this.codec.file}` });
   }
 }
 
@@ -100,16 +114,4 @@ function coloursOf({ matrix }: Codec): VideoColorSpaceInit {
 /** Encoders that say nothing of colours leave it to the player to guess. */
 function inColours(meta: EncodedVideoChunkMetadata | undefined, codec: Codec): EncodedVideoChunkMetadata | undefined {
   return meta?.decoderConfig ? { ...meta, decoderConfig: { ...meta.decoderConfig, colorSpace: coloursOf(codec) } } : meta;
-}
-
-async function muxerOf({ file, track }: Codec, shape: Shape): Promise<Muxer> {
-  const video = { ...SHAPES[shape], frameRate: RATE };
-  if (file === 'mp4') {
-    const { ArrayBufferTarget, Muxer } = await import('mp4-muxer');
-    const muxer = new Muxer({ target: new ArrayBufferTarget(), fastStart: 'in-memory', video: { ...video, codec: 'avc' } });
-    return { add: (chunk, meta) => muxer.addVideoChunk(chunk, meta), end: () => (muxer.finalize(), muxer.target.buffer) };
-  }
-  const { ArrayBufferTarget, Muxer } = await import('webm-muxer');
-  const muxer = new Muxer({ target: new ArrayBufferTarget(), video: { ...video, codec: track } });
-  return { add: (chunk, meta) => muxer.addVideoChunk(chunk, meta), end: () => (muxer.finalize(), muxer.target.buffer) };
 }
