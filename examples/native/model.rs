@@ -1,7 +1,6 @@
 //! The file of a model, for a link.
 
 use bubblestone::generators::GivenFile;
-use bubblestone::generators::surface::Model;
 use bubblestone::notice::Notice;
 use bubblestone::studio::Studio;
 use std::path::Path;
@@ -15,7 +14,7 @@ pub fn open_model(studio: &mut Studio, path: &str) -> Result<Vec<Notice>, String
     let Some((asked, wanted)) = studio.engine().missing() else {
         return Ok(studio.open_file(file)?);
     };
-    let digest = Model::of(&file).digest_text();
+    let digest = file.named().digest_text();
     if digest != asked {
         return Err(format!(
             "{path} is not the file {wanted} that the link asks for: its digest is {digest}, not {asked}."

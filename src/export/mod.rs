@@ -17,6 +17,8 @@ mod model;
 mod model_obj;
 mod obj;
 mod order;
+#[cfg(house)]
+mod part_file;
 mod programs;
 mod report;
 mod slab;
@@ -36,6 +38,8 @@ pub use model::ModelFile;
 #[cfg(house)]
 pub use model_obj::model_obj;
 pub use order::{DETAILS, MeshFormat, MeshOrder, MeshSize};
+#[cfg(house)]
+pub use part_file::PartFile;
 pub use programs::maps_for;
 pub use report::{Report, StageTime};
 pub use slab::{Slab, SlabFile};

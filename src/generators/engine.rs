@@ -1,5 +1,6 @@
 //! What an engine is to those who run it: stages that work in slices, views, and files.
 
+use super::budget::Clock;
 #[cfg(house)]
 use super::given::GivenFile;
 #[cfg(house)]
@@ -10,9 +11,6 @@ use crate::recipe::Recipe;
 #[cfg(house)]
 use crate::scene::Frame;
 use std::any::Any;
-
-/// A clock, in milliseconds from any start. It may stand still: no result depends on it.
-pub type Clock<'a> = &'a mut dyn FnMut() -> f64;
 
 /// How far the work has come.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -1,6 +1,7 @@
 //! Files that recipes may ask for, as they arrive: in pieces, so that nobody has to wait for their digest.
 
 use crate::hash::Hash;
+use crate::recipe::NamedFile;
 
 /// Bytes of a word of the digest.
 const WORD: usize = 8;
@@ -103,6 +104,11 @@ impl GivenFile {
     /// The digest of its bytes, as far as they are there.
     pub fn digest(&self) -> u64 {
         self.digest.number()
+    }
+
+    /// How a recipe names it.
+    pub fn named(&self) -> NamedFile {
+        NamedFile::new(self.digest(), &self.name)
     }
 
     /// Its bytes.

@@ -1,6 +1,6 @@
 //! Scenes on a turntable: frames in slices, of the latest order, with the light kept while the camera moves.
 
-use super::height_field::LightParams;
+use super::lighting::LightParams;
 use super::{Budget, Clock};
 use crate::notice::{Code, Notice, quote};
 use crate::scene::{Backdrop, Camera, Frame, Lamp, Lighting, Order, Scene, Sharpness};

@@ -202,7 +202,7 @@ impl Studio {
         let schema = self.recipe.schema();
         let mut rows = schema.rows.iter();
         let key = rows
-            .find(|row| row.item == Some(Item::Model))
+            .find(|row| row.item == Some(Item::File))
             .map(|row| row.key);
         let row = key.and_then(|_| self.engine.give(file));
         let (Some(key), Some(row)) = (key, row) else {

@@ -2,10 +2,10 @@
 
 use super::Bubblestone;
 use super::said::all;
-use crate::generators::surface::{Model, SCHEMA, keys};
+use crate::generators::surface::{SCHEMA, keys};
 use crate::generators::{self, GivenFile};
 use crate::notice::Code;
-use crate::recipe::Recipe;
+use crate::recipe::{NamedFile, Recipe};
 use js_sys::Array;
 use wasm_bindgen::prelude::*;
 
@@ -76,7 +76,7 @@ impl FileDigest {
     /// What the parameter `model` of a link is to be for a file of this name.
     pub fn model(&self, name: &str) -> String {
         let mut recipe = Recipe::new(&SCHEMA);
-        let row = Model::named(self.0.number(), name).row();
+        let row = NamedFile::new(self.0.number(), name).row();
         let set = recipe.set_rows(keys::MODEL, vec![row]);
         set.map_or(String::new(), |()| recipe.get(keys::MODEL.0))
     }

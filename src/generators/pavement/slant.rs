@@ -2,7 +2,7 @@
 
 use super::Pavement;
 use crate::cells::Cell;
-use crate::generators::height_field::LightParams;
+use crate::generators::lighting::LightParams;
 use crate::generators::turntable::{Stand, Turntable};
 use crate::generators::{Budget, Clock, FrameSlice, SeenBody, TurnOrder};
 use crate::heightfield::{Cutout, Surfaces};

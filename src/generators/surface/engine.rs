@@ -1,14 +1,14 @@
 //! A surface as one of the generators: what the studio asks of it.
 
-use super::models::Model;
 use super::stages::{PACKING, STONES};
 use super::{Surface, Wish};
 use crate::export::{Map, MapKind, MeshOrder, MeshSize, Report};
+use crate::generators::scene_picture;
 use crate::generators::{
     Clock, Engine, FrameSlice, GivenFile, MeshSlice, PictureSlice, Progress, SeenBody, TurnOrder,
 };
 use crate::notice::{Code, Notice};
-use crate::recipe::Recipe;
+use crate::recipe::{NamedFile, Recipe};
 use crate::scene::Frame;
 
 impl Engine for Surface {
@@ -90,11 +90,11 @@ impl Engine for Surface {
     }
 
     fn view(&mut self, words: &str) -> &[u8] {
-        self.look_at(words)
+        scene_picture::view(self, words)
     }
 
     fn prepare(&mut self, words: &str, clock: Clock, budget: f64) -> bool {
-        self.draw_beforehand(words, clock, budget)
+        scene_picture::prepare(self, words, clock, budget)
     }
 
     fn absences(&mut self, _: &str) -> Vec<(&'static str, &'static str)> {
@@ -138,15 +138,15 @@ impl Engine for Surface {
     }
 
     fn turn(&mut self, order: &TurnOrder, clock: Clock, budget: f64) -> Result<FrameSlice, Notice> {
-        self.turn_slice(order, clock, budget)
+        scene_picture::turn(self, order, clock, budget)
     }
 
     fn frame(&self) -> Option<&Frame> {
-        self.shown.frame()
+        self.picture.frame()
     }
 
     fn body_at(&self, x: usize, y: usize) -> Option<SeenBody> {
-        self.seen_at(x, y)
+        self.picture.body_at(self.working.params.yaw, x, y)
     }
 
     fn caption(&self, words: &str) -> Option<Notice> {
@@ -154,23 +154,24 @@ impl Engine for Surface {
     }
 
     fn place_at(&self, x: usize, y: usize) -> Option<[i64; 3]> {
-        Surface::place_at(self, x, y)
+        self.place_seen_at(x, y)
     }
 
     fn pixel_of(&self, place: [i64; 3]) -> Option<[f64; 2]> {
-        Surface::pixel_of(self, place)
+        self.pixel_of_place(place)
     }
 
     fn give(&mut self, file: GivenFile) -> Option<Vec<i64>> {
-        let model = Model::of(&file);
-        self.made.give(model.digest, file.into_bytes());
-        Some(model.row())
+        let named = file.named();
+        self.made.give(named.digest, file.into_bytes());
+        Some(named.row())
     }
 
     fn missing(&self) -> Option<(String, String)> {
         let none = || (String::new(), String::new());
-        let named = |model: &Model| (model.digest_text(), model.name.clone());
-        Some(self.made.missing()?.map_or_else(none, named))
+        let named = |file: &NamedFile| (file.digest_text(), file.name.clone());
+        let missing = self.made.missing().next()?;
+        Some(missing.file.as_ref().map_or_else(none, named))
     }
 
     fn stop_file(&mut self) {

@@ -1,6 +1,5 @@
 //! Surfaces of files: from a link that names one to stones on it, and what is said where that does not go.
 
-use bubblestone::generators::surface::Model;
 use bubblestone::generators::{ALL, GivenFile};
 use bubblestone::notice::Notice;
 use bubblestone::studio::Studio;
@@ -67,7 +66,7 @@ fn a_file_becomes_stones_and_a_link_that_finds_it_again() {
     // Elsewhere the file is missing, by its name, until it is given.
     let (mut other, notices) = studio(&link);
     assert_eq!(notices, []);
-    let digest = Model::of(&file("", &cube(2.0))).digest_text();
+    let digest = file("", &cube(2.0)).named().digest_text();
     let missing = Some((digest, "cube.obj".to_owned()));
     assert_eq!(other.engine().missing(), missing);
     assert!(failure(&mut other).contains("needs the file \"cube.obj\""));

@@ -1,6 +1,6 @@
 //! A model that is turned about its upright axis: viewer and light go round it the other way, so bodies stay as they are.
 
-use crate::generators::height_field::LightParams;
+use crate::generators::lighting::LightParams;
 use crate::light::Light;
 use crate::scene::Camera;
 
@@ -44,4 +44,29 @@ pub(super) fn seen_by(light: &LightParams, yaw: f64) -> LightParams {
         }
     };
     light
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_model_turned_is_a_viewer_turned() {
+        let camera = Camera {
+            angle: 20.0,
+            target: [0.3, 0.1, -0.2],
+            ..Camera::default()
+        };
+        assert_eq!(turned(camera, 0.0), camera);
+        let quarter = turned(camera, 90.0);
+        assert_eq!(quarter.angle, -70.0);
+        // From above, x to the right and z down: clockwise goes from x to z.
+        let wanted = [-0.2, 0.1, -0.3];
+        let off = quarter
+            .target
+            .iter()
+            .zip(wanted)
+            .map(|(a, b)| (a - b).abs());
+        assert!(off.sum::<f64>() < 1e-9, "{:?}", quarter.target);
+    }
 }
