@@ -12,7 +12,7 @@ const BITS: u32 = 16;
 pub struct NamedFile {
     /// The digest of its bytes.
     pub digest: u64,
-    /// What it was called.
+    /// Its name.
     pub name: String,
 }
 

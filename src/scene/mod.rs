@@ -28,7 +28,7 @@ mod square;
 mod surfel;
 
 pub use backdrop::Backdrop;
-pub use body::{Body, Instance, Place, Scene};
+pub use body::{Body, Instance, Paint, Place, Scene};
 pub use camera::{Camera, LIMITS, View};
 pub use frame::{Frame, Order};
 pub use lamp::{Lamp, Lighting, Sharpness};

@@ -227,6 +227,9 @@ impl Studio<'_> {
         let sight = self.sight;
         if let Some(instance) = self.scene.instances.get(sight.owner[at] as usize) {
             surfel.material = self.scene.bodies[instance.body as usize].material;
+            if let Some(paint) = instance.paint {
+                (surfel.colour, surfel.material) = (paint.over(surfel.colour), paint.material);
+            }
             if let Some(detail) = &self.scene.detail {
                 let spread = sight.view().slope / sight.inverse[at];
                 detail.refine(&mut surfel, instance.id, spread);

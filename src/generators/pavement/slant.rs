@@ -199,6 +199,7 @@ fn alone(step: &Step, cell: &Cell, high: f64) -> Scene {
             body: 0,
             place: Place::default(),
             id: cell.id,
+            paint: None,
         }],
         lines: step
             .edges

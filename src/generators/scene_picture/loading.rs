@@ -13,7 +13,7 @@ use std::sync::Arc;
 pub(crate) struct Loaded {
     /// A surface for each file that was asked for, mended.
     pub meshes: Vec<Arc<TriMesh>>,
-    /// What was mended.
+    /// The faults that were mended.
     pub notices: Vec<Notice>,
 }
 

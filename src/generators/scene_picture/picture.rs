@@ -29,7 +29,7 @@ pub(crate) trait SceneSource: Sized {
     fn key(&self, view: &str) -> Option<Self::Key>;
 
     /// Whether a scene shows the same as another one, some time later. Then a frame that has begun is finished first:
-    /// otherwise nothing would be seen of what moves.
+    /// otherwise bodies that move would never be seen.
     fn is_later(&self, _before: Self::Key, _after: Self::Key) -> bool {
         false
     }

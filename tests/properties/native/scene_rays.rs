@@ -268,6 +268,7 @@ pub(super) fn scene(parts: Vec<(Surface, Place)>) -> Scene {
             body: k,
             place,
             id: k + 1,
+            paint: None,
         });
     }
     assert_eq!(scene.fault(), None);
