@@ -21,6 +21,8 @@ mod order;
 mod part_file;
 mod programs;
 mod report;
+#[cfg(house)]
+mod scene_file;
 mod slab;
 mod surface;
 mod svg;
@@ -42,6 +44,8 @@ pub use order::{DETAILS, MeshFormat, MeshOrder, MeshSize};
 pub use part_file::PartFile;
 pub use programs::maps_for;
 pub use report::{Report, StageTime};
+#[cfg(house)]
+pub use scene_file::SceneFile;
 pub use slab::{Slab, SlabFile};
 pub use surface::MeshFile;
 pub use svg::svg;

@@ -2,7 +2,7 @@
 
 use super::budget::Clock;
 #[cfg(house)]
-use super::given::GivenFile;
+use super::given::{GivenFile, MissingFile};
 #[cfg(house)]
 use super::turntable::{FrameSlice, SeenBody, TurnOrder};
 use crate::export::{Map, MapKind, MeshOrder, MeshSize, Report};
@@ -250,17 +250,16 @@ pub trait Engine: Any {
         None
     }
 
-    /// Takes a file that recipes may ask for; answers with the row that names it in a recipe, where this generator
-    /// has a use for files.
+    /// Takes a file that recipes may ask for, in any role; false where this generator has no use for files.
     #[cfg(house)]
-    fn give(&mut self, _file: GivenFile) -> Option<Vec<i64>> {
-        None
+    fn give(&mut self, _file: GivenFile) -> bool {
+        false
     }
 
-    /// The digest and the name of the file that the work waits for; both are empty where the recipe names none yet.
+    /// The files that the work waits for.
     #[cfg(house)]
-    fn missing(&self) -> Option<(String, String)> {
-        None
+    fn missing(&self) -> Vec<MissingFile> {
+        Vec::new()
     }
 
     /// Lets go of files in the making, and of what was kept of a bigger picture for its maps.

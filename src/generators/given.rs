@@ -64,6 +64,17 @@ impl FileDigest {
     }
 }
 
+/// A file that the work waits for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MissingFile {
+    /// The key of the recipe's parameter that names it.
+    pub role: &'static str,
+    /// Its digest as 16 hexadecimal digits; empty while the recipe names no file.
+    pub digest: String,
+    /// Its name; empty while the recipe names no file.
+    pub name: String,
+}
+
 /// A file.
 pub struct GivenFile {
     /// What it is called.

@@ -26,7 +26,7 @@ pub use budget::Clock;
 pub(crate) use budget::{Budget, until};
 pub use engine::{Engine, MeshSlice, PictureSlice, Progress};
 #[cfg(house)]
-pub use given::{FileDigest, GivenFile};
+pub use given::{FileDigest, GivenFile, MissingFile};
 pub use preset::{Part, Preset, Timing};
 #[cfg(house)]
 pub use turntable::{FrameSlice, SeenBody, TurnOrder};

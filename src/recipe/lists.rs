@@ -46,7 +46,7 @@ pub fn points(row: &[i64], side: f64) -> Vec<DVec2> {
 }
 
 impl Item {
-    fn form(self) -> Form {
+    pub(super) fn form(self) -> Form {
         match self {
             Item::Ring(_) | Item::Line => POINTS,
             Item::Spot(..) => Form {

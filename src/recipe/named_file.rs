@@ -1,6 +1,6 @@
 //! Files as recipes name them: by the digest of their bytes, and what they are called.
 
-use super::{Key, MAX_NAME, Recipe};
+use super::{Item, Key, MAX_NAME, Parameter, Recipe, rows};
 
 /// Characters at the end of a long name that are kept.
 const ENDING: usize = 8;
@@ -49,6 +49,11 @@ impl NamedFile {
             .collect()
     }
 
+    /// Its row as the text of a parameter.
+    pub fn text(&self) -> String {
+        rows::encode(&[self.row()], Item::File.form())
+    }
+
     /// The digest as 16 hexadecimal digits.
     pub fn digest_text(&self) -> String {
         format!("{:016x}", self.digest)
@@ -60,5 +65,19 @@ impl Recipe {
     pub fn files(&self, key: Key) -> Vec<NamedFile> {
         let rows = self.rows(key).iter();
         rows.filter_map(|row| NamedFile::of_row(row)).collect()
+    }
+
+    /// All files that it names where they count, each with the parameter that names it.
+    pub fn named_files(&self) -> Vec<(Key, NamedFile)> {
+        let counts = |row: &&Parameter| {
+            let chosen = row.drawn_for;
+            row.item == Some(Item::File)
+                && chosen.is_none_or(|(key, word)| self.choice(key) == word)
+        };
+        let rows = self.schema.rows.iter().filter(counts);
+        let named = rows.map(|row| (row.key, self.files(row.key)));
+        named
+            .flat_map(|(key, files)| files.into_iter().map(move |file| (key, file)))
+            .collect()
     }
 }

@@ -104,7 +104,7 @@ impl Place {
 }
 
 /// The colour and the material of one instance, in the place of those of its mesh.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Paint {
     /// Multiplies the mesh's colours (sRGB, 255 is one): a white mesh gets this colour.
     pub tint: [u8; 3],
@@ -114,7 +114,7 @@ pub struct Paint {
 
 impl Paint {
     /// A colour of the mesh under this paint.
-    pub(super) fn over(self, colour: [f32; 3]) -> [f32; 3] {
+    pub(crate) fn over(self, colour: [f32; 3]) -> [f32; 3] {
         std::array::from_fn(|k| colour[k] * f32::from(self.tint[k]) / 255.0)
     }
 }

@@ -1,5 +1,6 @@
 //! The files that recipes ask for, by the digests of their bytes.
 
+use crate::generators::MissingFile;
 use crate::modelfiles::Reading;
 use crate::notice::Notice;
 use crate::recipe::NamedFile;
@@ -8,6 +9,8 @@ use std::sync::Arc;
 /// A file that a recipe asks for.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct AskedFile {
+    /// The key of the parameter that names it.
+    pub role: &'static str,
     /// `None` while the recipe names none.
     pub file: Option<NamedFile>,
     /// Whether z is up in it.
@@ -58,6 +61,18 @@ impl GivenFiles {
         file.is_some_and(|file| self.find(file.digest).is_some())
     }
 
+    /// The files that are asked for and have not been given.
+    pub fn missing(&self, asked: &[AskedFile]) -> impl Iterator<Item = MissingFile> {
+        let missing = asked.iter().filter(|one| !self.has(one));
+        missing.map(|AskedFile { role, file, .. }| MissingFile {
+            role,
+            digest: file.as_ref().map_or(String::new(), NamedFile::digest_text),
+            name: file
+                .as_ref()
+                .map_or(String::new(), |file| file.name.clone()),
+        })
+    }
+
     /// The number of files that are asked for and have been given.
     pub fn count(&self, asked: &[AskedFile]) -> u64 {
         asked.iter().filter(|one| self.has(one)).count() as u64
@@ -77,6 +92,7 @@ mod tests {
     #[test]
     fn the_first_files_go_but_not_those_that_are_asked_for() {
         let asked = [1, 2].map(|digest| AskedFile {
+            role: "model",
             file: Some(NamedFile::new(digest, "")),
             is_z_up: false,
         });

@@ -6,6 +6,8 @@ mod given_files;
 mod loading;
 mod picture;
 mod still;
+#[cfg(test)]
+mod tests;
 mod view;
 mod yaw;
 

@@ -5,10 +5,11 @@ use super::{Surface, Wish};
 use crate::export::{Map, MapKind, MeshOrder, MeshSize, Report};
 use crate::generators::scene_picture;
 use crate::generators::{
-    Clock, Engine, FrameSlice, GivenFile, MeshSlice, PictureSlice, Progress, SeenBody, TurnOrder,
+    Clock, Engine, FrameSlice, GivenFile, MeshSlice, MissingFile, PictureSlice, Progress, SeenBody,
+    TurnOrder,
 };
 use crate::notice::{Code, Notice};
-use crate::recipe::{NamedFile, Recipe};
+use crate::recipe::Recipe;
 use crate::scene::Frame;
 
 impl Engine for Surface {
@@ -161,17 +162,13 @@ impl Engine for Surface {
         self.pixel_of_place(place)
     }
 
-    fn give(&mut self, file: GivenFile) -> Option<Vec<i64>> {
-        let named = file.named();
-        self.made.give(named.digest, file.into_bytes());
-        Some(named.row())
+    fn give(&mut self, file: GivenFile) -> bool {
+        self.made.give(file.digest(), file.into_bytes());
+        true
     }
 
-    fn missing(&self) -> Option<(String, String)> {
-        let none = || (String::new(), String::new());
-        let named = |file: &NamedFile| (file.digest_text(), file.name.clone());
-        let missing = self.made.missing().next()?;
-        Some(missing.file.as_ref().map_or_else(none, named))
+    fn missing(&self) -> Vec<MissingFile> {
+        self.made.missing()
     }
 
     fn stop_file(&mut self) {

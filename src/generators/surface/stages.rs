@@ -5,6 +5,8 @@ use super::build::{Building, Built};
 use super::fields::{Fielded, Fielding};
 use super::params::{CellParams, FieldParams, Params, Source, StoneLook, SurfaceParams};
 use super::paving::{Meshed, Paved, Paves};
+use super::schema::keys;
+use crate::generators::MissingFile;
 use crate::generators::scene_picture::{
     AskedFile, GivenFiles, Loaded, Loading, Still, StillParams,
 };
@@ -90,6 +92,7 @@ fn asked(params: &SurfaceParams) -> Vec<AskedFile> {
     match &params.source {
         Source::Shape(..) => Vec::new(),
         Source::Model(file, is_z_up) => vec![AskedFile {
+            role: keys::MODEL.0,
             file: file.clone(),
             is_z_up: *is_z_up,
         }],
@@ -219,10 +222,12 @@ impl Stages {
     }
 
     /// The files that are missing, also before any work has found that.
-    pub fn missing(&self) -> impl Iterator<Item = &AskedFile> {
-        let is_due = self.due() == Some(Task::Load);
-        let asked = self.loaded.params().iter();
-        asked.filter(move |one| is_due && !self.files.has(one))
+    pub fn missing(&self) -> Vec<MissingFile> {
+        let asked = match self.due() {
+            Some(Task::Load) => &self.loaded.params()[..],
+            _ => &[],
+        };
+        self.files.missing(asked).collect()
     }
 
     /// What was done to the surface, or is to be said of cells on it.

@@ -3,7 +3,7 @@
 use super::params::Params;
 use super::schema::ROWS;
 use super::{SCHEMA, SURFACE, keys};
-use crate::generators::ALL;
+use crate::generators::{ALL, MissingFile};
 use crate::notice::Code;
 use crate::recipe::{MAX_NAME, NamedFile, Recipe};
 use crate::shapes::Shape;
@@ -156,6 +156,10 @@ fn a_file_is_asked_for() {
     let missing = studio.engine().missing();
     assert_eq!(
         missing,
-        Some(("0001000200030004".to_owned(), "a.obj".to_owned()))
+        [MissingFile {
+            role: "model",
+            digest: "0001000200030004".to_owned(),
+            name: "a.obj".to_owned(),
+        }]
     );
 }
