@@ -130,7 +130,10 @@ impl Shading {
         let (mut normals, mut flats) = (NO_VECTORS, NO_VECTORS);
         for (k, [x, y, at]) in square.pixels(view) {
             let met = match sight.owner[at] {
-                owner if owner < FLOOR => self.facets.met(scene, owner, &rays, k),
+                owner if owner < FLOOR => match sight.cap(at) {
+                    Some(normal) => Facets::cap(scene, owner, normal),
+                    None => self.facets.met(scene, owner, &rays, k),
+                },
                 _ => Met::FLOOR,
             };
             self.found[slot(width, x, y)].colour = met.colour;

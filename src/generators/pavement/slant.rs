@@ -121,7 +121,7 @@ impl Pavement {
             }
         }
         let left = budget.left(clock);
-        let slice = slant.table.advance(&stand, order, clock, left)?;
+        let slice = slant.table.advance(&stand, order.order()?, clock, left)?;
         // The first half was the making of the bodies.
         Ok(FrameSlice {
             progress: 0.5 + 0.5 * slice.progress,

@@ -2,12 +2,12 @@
 //! on.
 
 use super::still::StillParams;
-use super::yaw::{clockwise, seen_by, turned};
+use super::yaw::{clockwise, seen_by, turned, turned_cut};
 use crate::generators::turntable::{Stand, Turntable};
 use crate::generators::{Budget, Clock, FrameSlice, SeenBody, TurnOrder};
 use crate::material::Material;
 use crate::notice::{Code, Notice};
-use crate::scene::{Frame, Scene};
+use crate::scene::{Frame, Order, Scene};
 use glam::Vec3;
 
 /// A place may lie this far behind the surface that is seen and still count as seen, in units of the scene.
@@ -174,9 +174,11 @@ impl<S: SceneSource> ScenePicture<S> {
         if let Some(materials) = source.materials(subject) {
             light.materials = materials.to_vec();
         }
-        let order = TurnOrder {
+        let order = order.order()?;
+        let order = Order {
             camera: turned(order.camera, still.yaw),
-            ..order.clone()
+            cut: order.cut.map(|cut| turned_cut(cut, still.yaw)),
+            ..order
         };
         let scene = subject.as_ref();
         let stand = Stand {
@@ -186,7 +188,7 @@ impl<S: SceneSource> ScenePicture<S> {
             ground: scene.lowest(),
         };
         let left = budget.left(clock);
-        self.table.advance(&stand, &order, clock, left)
+        self.table.advance(&stand, order, clock, left)
     }
 
     /// The body at a pixel of the frame last finished, of a scene that is turned by `yaw` degrees.

@@ -38,6 +38,7 @@ impl Still {
             is_fine: true,
             is_moving: false,
             backdrop: Backdrop::Floor,
+            cut: None,
         };
         let light = seen_by(&params.light, params.yaw);
         let stand = Stand {
@@ -47,7 +48,7 @@ impl Still {
             ground: scene.lowest(),
         };
         Self {
-            light: stand.lighting(Sharpness::of(&order)),
+            light: stand.lighting(Sharpness::of(&order), None),
             frame: Frame::new(order),
             scene,
         }

@@ -257,3 +257,77 @@ fn files_of_two_roles_are_waited_for_and_read() {
     assert_eq!(loaded.meshes.len(), 2);
     assert!(loaded.meshes.iter().all(|mesh| mesh.triangles().len() == 4));
 }
+
+/// The number of pixels that show a body.
+fn count(frame: &Frame, id: u32) -> usize {
+    frame.ids().iter().filter(|of| **of == id).count()
+}
+
+#[test]
+fn a_plane_cuts_bodies_away() {
+    let mut source = boxes([Some(RED), Some(GREEN)]);
+    let all = [1, 2].map(|id| count(source.frame("still"), id));
+    // The right box is beyond the plane, the left one is not.
+    let frame = source.frame("still+whole=1,0,0,0");
+    assert_eq!([1, 2].map(|id| count(frame, id)), [all[0], 0]);
+    // Its middle is not beyond this one.
+    let frame = source.frame("still+whole=1,0,0,0.35");
+    assert_eq!([1, 2].map(|id| count(frame, id)), all);
+    // The upper half of both goes; the caps face up, in the plane.
+    let frame = source.frame("still+through=0,2,0,0.2");
+    let left = [1, 2].map(|id| count(frame, id));
+    assert!(
+        left[0] < all[0] && left[1] < all[1] && left[0] > all[0] / 3,
+        "{left:?} {all:?}"
+    );
+    let view = frame.order().camera.view(SIDE, SIDE);
+    let mut highest = f32::MIN;
+    for (at, &id) in frame.ids().iter().enumerate().filter(|(_, id)| **id > 0) {
+        let ray = view.ray((at % SIDE) as f32 + 0.5, (at / SIDE) as f32 + 0.5);
+        let place = view.eye + ray * frame.depths()[at];
+        highest = highest.max(place.y);
+        if frame.normals()[at].y > 0.9 {
+            assert!((place.y - 0.2).abs() < 1e-3, "{id}: {place}");
+        }
+    }
+    assert!((highest - 0.2).abs() < 1e-3, "{highest}");
+}
+
+#[test]
+fn what_is_cut_away_casts_no_shadow() {
+    let mut source = boxes([None, None]);
+    let floor = |frame: &Frame| -> Vec<u8> {
+        let pixels = frame.rgba().chunks(4).zip(frame.ids());
+        pixels
+            .filter(|(_, id)| **id == 0)
+            .map(|(p, _)| p[0])
+            .collect()
+    };
+    let darkest = |pixels: Vec<u8>| pixels.into_iter().min().unwrap();
+    let shadowed = darkest(floor(source.frame("still")));
+    let cut = darkest(floor(source.frame("still+whole=0,1,0,-1")));
+    assert!(cut > shadowed, "{cut} {shadowed}");
+    // Half a box still has a shadow.
+    let half = darkest(floor(source.frame("still+through=0,1,0,0.2")));
+    assert!(half < cut, "{half} {cut}");
+}
+
+#[test]
+fn a_plane_that_cannot_be_read_cuts_nothing() {
+    let mut source = boxes([None, None]);
+    let plain = source.frame("still").hash();
+    for word in [
+        "through",
+        "through=",
+        "through=0,0,0,1",
+        "whole=1,2,x,4",
+        "whole=nan,0,0,0",
+        "cut=1,0,0,0",
+    ] {
+        assert_eq!(
+            source.frame(&format!("still+{word}")).hash(),
+            plain,
+            "{word}"
+        );
+    }
+}

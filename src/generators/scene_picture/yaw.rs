@@ -2,7 +2,8 @@
 
 use crate::generators::lighting::LightParams;
 use crate::light::Light;
-use crate::scene::Camera;
+use crate::scene::{Camera, Cut};
+use glam::Vec3;
 
 /// Clockwise seen from above, by degrees.
 pub(super) fn clockwise([x, z]: [f64; 2], degrees: f64) -> [f64; 2] {
@@ -22,6 +23,16 @@ pub(super) fn turned(camera: Camera, yaw: f64) -> Camera {
         angle: camera.angle - yaw,
         target: [x, y, z],
         ..camera
+    }
+}
+
+/// The plane that cuts the model as `cut` does where it is turned by `yaw`.
+pub(super) fn turned_cut(cut: Cut, yaw: f64) -> Cut {
+    let [x, y, z] = cut.normal.to_array();
+    let [x, z] = clockwise([x, z].map(f64::from), -yaw);
+    Cut {
+        normal: Vec3::new(x as f32, y, z as f32),
+        ..cut
     }
 }
 

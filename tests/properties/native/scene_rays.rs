@@ -338,6 +338,7 @@ pub(super) fn order(camera: Camera, size: [usize; 2]) -> Order {
         is_fine: false,
         is_moving: false,
         backdrop: Backdrop::Nothing,
+        cut: None,
     }
 }
 
