@@ -37,6 +37,7 @@ const STILL: Order = Order {
     is_fine: false,
     is_moving: false,
     backdrop: Backdrop::Floor,
+    cut: None,
 };
 /// The work of a slice, as on the turntable.
 const SLICE: usize = 20_000;

@@ -1,6 +1,6 @@
 //! Renders one link to files.
 //!
-//!     cargo run --release --example render -- '<link or fragment>' [--outline FILE.json] [--model FILE]
+//!     cargo run --release --example render -- '<link or fragment>' [--outline FILE.json] [--model [ROLE=]FILE]
 //!         --out DIR [--views] [--maps] [--maps-for PROGRAM] [--mesh] [--detail WORD]
 //!         [--stl SIDE,BASE,RELIEF,SQUARES] [--svg] [--scale N] [--view CAMERA]
 //!
@@ -16,7 +16,8 @@
 //! slant-normal.png and slant-id.png, and in report.json the hash of the still, `frame`. Ends with code 2 and one sentence where something is wrong with what it was
 //! given.
 //!
-//! The file of a model (OBJ, GLB, PLY or STL) becomes the link's; where the link names one, it must be that.
+//! The file of a model (OBJ, GLB, PLY or STL) becomes the link's; where the link names one, it must be that. ROLE is
+//! the key of the parameter that names the file; without it the first one is taken that waits for a file.
 //!
 //! An outline file that tells its `size` is drawn in a picture of that size, or scaled to that of the
 //! link where the link names one, as on the page.
@@ -59,7 +60,7 @@ fn run() -> Result<(), String> {
             Studio::with_engine(ALL, recipe, Box::new(engine))
         }
     };
-    if let Some(path) = &wish.model {
+    for path in &wish.models {
         notices.extend(native::model::open_model(&mut studio, path)?);
     }
     let mut clock = native::clock();
@@ -115,7 +116,7 @@ fn run() -> Result<(), String> {
 struct Wish {
     link: String,
     outline: Option<String>,
-    model: Option<String>,
+    models: Vec<String>,
     out: String,
     views: bool,
     maps: bool,
@@ -131,7 +132,7 @@ struct Wish {
 #[cfg(not(target_arch = "wasm32"))]
 impl Wish {
     fn read(mut words: impl Iterator<Item = String>) -> Result<Self, String> {
-        const USAGE: &str = "Usage: render '<link or fragment>' [--outline FILE.json] [--model FILE] \
+        const USAGE: &str = "Usage: render '<link or fragment>' [--outline FILE.json] [--model [ROLE=]FILE] \
             --out DIR [--views] [--maps] [--maps-for PROGRAM] [--mesh] [--detail WORD] \
             [--stl SIDE,BASE,RELIEF,SQUARES] [--svg] [--scale N] \
             [--view ANGLE,HEIGHT,DISTANCE,LENS,X,Y,Z].";
@@ -144,7 +145,7 @@ impl Wish {
             };
             match word.as_str() {
                 "--outline" => wish.outline = Some(value("--outline")?),
-                "--model" => wish.model = Some(value("--model")?),
+                "--model" => wish.models.push(value("--model")?),
                 "--out" => wish.out = value("--out")?,
                 "--views" => wish.views = true,
                 "--maps" => wish.maps = true,

@@ -380,7 +380,7 @@ const COVERED: [&str; 4] = [
 fn opened(how: &str, name: &str, bytes: Vec<u8>) -> String {
     let recipe = mended(&format!("make=surface&size=128&cn=120&{how}"));
     let mut studio = Studio::new(ALL, recipe);
-    match studio.open_file(GivenFile::whole(name, bytes)) {
+    match studio.open_file(None, GivenFile::whole(name, bytes)) {
         Ok(notices) => notices.iter().for_each(assert_sentence),
         Err(why) => {
             assert_sentence(&why);

@@ -1,24 +1,41 @@
 //! The file of a model, for a link.
 
-use bubblestone::generators::GivenFile;
-use bubblestone::generators::surface::Model;
+use bubblestone::generators::{GivenFile, MissingFile};
 use bubblestone::notice::Notice;
+use bubblestone::recipe::Item;
 use bubblestone::studio::Studio;
 use std::path::Path;
 
-/// Gives the file that the link asks for, which must have the digest that it names; where it names none, the file
-/// becomes the link's.
-pub fn open_model(studio: &mut Studio, path: &str) -> Result<Vec<Notice>, String> {
+/// Splits `ROLE=FILE`; without a role that the recipe has all is the file's path.
+fn role_and_path<'a>(studio: &Studio, text: &'a str) -> (Option<&'a str>, &'a str) {
+    let is_role = |word: &str| {
+        let row = studio.recipe().schema().row(word);
+        row.is_some_and(|row| row.item == Some(Item::File))
+    };
+    match text.split_once('=') {
+        Some((role, path)) if is_role(role) => (Some(role), path),
+        _ => (None, text),
+    }
+}
+
+/// Gives a file, `ROLE=FILE` or `FILE`, that the link asks for, which must have the digest that the link names; where
+/// the link names none, the file becomes the link's.
+pub fn open_model(studio: &mut Studio, text: &str) -> Result<Vec<Notice>, String> {
+    let (role, path) = role_and_path(studio, text);
     let bytes = std::fs::read(path).map_err(|e| format!("Cannot read {path}: {e}."))?;
     let name = Path::new(path).file_name().unwrap_or_default();
     let file = GivenFile::whole(&name.to_string_lossy(), bytes);
-    let Some((asked, wanted)) = studio.engine().missing() else {
-        return Ok(studio.open_file(file)?);
+    let digest = file.named().digest_text();
+    let missing = studio.engine().missing().into_iter();
+    let wanted = missing.filter(|one| role.is_none_or(|role| one.role == role));
+    let wanted: Vec<MissingFile> = wanted.collect();
+    let Some(first) = wanted.first() else {
+        return Ok(studio.open_file(role, file)?);
     };
-    let digest = Model::of(&file).digest_text();
-    if digest != asked {
+    if wanted.iter().all(|one| one.digest != digest) {
         return Err(format!(
-            "{path} is not the file {wanted} that the link asks for: its digest is {digest}, not {asked}."
+            "{path} is not the file {} that the link asks for: its digest is {digest}, not {}.",
+            first.name, first.digest
         ));
     }
     studio.engine_mut().give(file);

@@ -1,6 +1,7 @@
 //! Surfaces as a GLB file: glTF 2.0 in one binary (Khronos Group, ISO/IEC 12113:2022).
 //!
-//! A node with a mesh for each stone, called by its id, and one for the ground. There are three kinds of files:
+//! A node with a mesh for each stone, called by its id, and one for the ground. Bodies of a scene share meshes, and
+//! meshes share surfaces. There are three kinds of files:
 //!
 //! - *Plain*: a vertex is its position, normal, colour (linear red, green, blue and a full alpha of 16 bits
 //!   each, as 8 bits are too few for dark colours) and place in the maps.
@@ -13,11 +14,17 @@
 
 use super::bytes::{put, put_floats};
 use super::frame::Frame;
+#[cfg(house)]
+use super::json::text;
 use super::maps::id_colour;
 use crate::decimal;
 use crate::light::decoded;
 use crate::order::{greater, lesser};
+#[cfg(house)]
+use crate::scene::Place;
 use crate::solid::Surface;
+#[cfg(house)]
+use glam::{Mat3, Quat};
 
 /// What all vertices share in a file with images: normal and tangent.
 const UPRIGHT: [&[f32]; 2] = [&[0.0, 1.0, 0.0], &[1.0, 0.0, 0.0, 1.0]];
@@ -61,7 +68,7 @@ const PLAIN: Layout = Layout {
     ],
     mesh: concat!(
         r#",{"primitives":[{"attributes":{"POSITION":@,"NORMAL":@,"COLOR_0":@,"TEXCOORD_0":@},"#,
-        r#""indices":@,"material":0}]}"#,
+        r#""indices":@,"material":@}]}"#,
     ),
     material: r#""metallicFactor":0,"roughnessFactor":@}}]"#,
 };
@@ -75,7 +82,7 @@ const BARE: Layout = Layout {
     ],
     mesh: concat!(
         r#",{"primitives":[{"attributes":{"POSITION":@,"NORMAL":@,"COLOR_0":@},"#,
-        r#""indices":@,"material":0}]}"#,
+        r#""indices":@,"material":@}]}"#,
     ),
     material: PLAIN.material,
 };
@@ -95,7 +102,7 @@ const PLACED: Layout = Layout {
     ],
     mesh: concat!(
         r#",{"primitives":[{"attributes":{"POSITION":@,"NORMAL":@,"TANGENT":@,"TEXCOORD_0":@},"#,
-        r#""indices":@,"material":0}]}"#,
+        r#""indices":@,"material":@}]}"#,
     ),
     material: concat!(
         r#""baseColorTexture":{"index":0},"metallicRoughnessTexture":{"index":2}},"#,
@@ -130,6 +137,14 @@ const LISTS: [&str; 5] = [
     "]}",
 ];
 
+#[cfg(house)]
+const BODY: &str = r#","mesh":@,"rotation":[@,@,@,@],"translation":[@,@,@],"scale":[@,@,@]}"#;
+#[cfg(house)]
+const PAINTED: &str = concat!(
+    r#",{"pbrMetallicRoughness":{"baseColorFactor":[@,@,@,1],"#,
+    r#""metallicFactor":0,"roughnessFactor":@}}"#,
+);
+
 /// The signs of the format and of its two chunks.
 const GLTF: u32 = u32::from_le_bytes(*b"glTF");
 const JSON: u32 = u32::from_le_bytes(*b"JSON");
@@ -147,10 +162,18 @@ pub(super) struct Glb {
     indices: Vec<u8>,
     /// The most vertices of a mesh.
     most: usize,
-    meshes_made: u32,
+    /// Surfaces whose vertices and indices are there, meshes of them, and nodes with such a mesh.
+    surfaces_made: usize,
+    meshes_made: usize,
+    nodes_made: usize,
     /// Of the JSON's lists, each item with a comma before it.
     children: String,
     nodes: String,
+    /// Materials beside the first one.
+    #[cfg(house)]
+    materials: String,
+    #[cfg(house)]
+    materials_made: usize,
     meshes: String,
     accessors: String,
     linear: [u32; 256],
@@ -169,9 +192,15 @@ impl Glb {
             vertices: Vec::new(),
             indices: Vec::new(),
             most: 0,
+            surfaces_made: 0,
             meshes_made: 0,
+            nodes_made: 0,
             children: String::new(),
             nodes: String::new(),
+            #[cfg(house)]
+            materials: String::new(),
+            #[cfg(house)]
+            materials_made: 0,
             meshes: String::new(),
             accessors: String::new(),
             linear: std::array::from_fn(linear),
@@ -189,6 +218,13 @@ impl Glb {
 
     /// Adds the surface of a stone by its id, or of the ground by 0.
     pub fn add(&mut self, frame: &Frame, surface: &Surface, id: u32) {
+        let surface = self.add_surface(frame, surface);
+        let mesh = self.add_mesh(surface, 0);
+        self.add_stone(mesh, id);
+    }
+
+    /// Adds a surface, which meshes can have; returns its number.
+    pub(super) fn add_surface(&mut self, frame: &Frame, surface: &Surface) -> usize {
         let first = self.vertices.len();
         let (mut low, mut high) = ([f32::MAX; 3], [f32::MIN; 3]);
         for (k, &p) in surface.positions.iter().enumerate() {
@@ -211,20 +247,27 @@ impl Glb {
         self.most = self.most.max(count);
         self.describe(first, count, [low, high]);
         self.index(frame, &surface.triangles, count);
-        self.name(id);
+        self.surfaces_made += 1;
+        self.surfaces_made - 1
     }
 
-    /// Adds what tells of a mesh whose vertices begin at `first`, and of its indices, which come next.
+    /// Adds a mesh of a surface, of a material; returns its number.
+    pub(super) fn add_mesh(&mut self, surface: usize, material: usize) -> usize {
+        let each = self.layout.attributes.len() + 1;
+        let accessors = (0..each).map(|k| each * surface + k);
+        let numbers: Vec<f64> = accessors.chain([material]).map(|n| n as f64).collect();
+        fill(&mut self.meshes, self.layout.mesh, &numbers);
+        self.meshes_made += 1;
+        self.meshes_made - 1
+    }
+
+    /// Adds the accessors of vertices that begin at `first`.
     fn describe(&mut self, first: usize, count: usize, [low, high]: [[f32; 3]; 2]) {
         for &(offset, accessor) in self.layout.attributes {
             let ([a, b, c], [d, e, f]) = (low.map(f64::from), high.map(f64::from));
             let numbers = [count as f64, (first + offset) as f64, a, b, c, d, e, f];
             fill(&mut self.accessors, accessor, &numbers);
         }
-        let each = self.layout.attributes.len() + 1;
-        let accessors = std::array::from_fn(|k| (each * self.meshes_made as usize + k) as f64);
-        let accessors: [f64; 5] = accessors;
-        fill(&mut self.meshes, self.layout.mesh, &accessors);
     }
 
     fn index(&mut self, frame: &Frame, triangles: &[[u32; 3]], vertices: usize) {
@@ -247,9 +290,9 @@ impl Glb {
         fill_up(&mut self.indices, 0);
     }
 
-    fn name(&mut self, id: u32) {
+    fn add_stone(&mut self, mesh: usize, id: u32) {
         let [r, g, b] = id_colour(id).map(f64::from);
-        let (mesh, id) = (f64::from(self.meshes_made), f64::from(id));
+        let (mesh, id) = (mesh as f64, f64::from(id));
         let (name, numbers) = match id {
             0.0 => (r#",{"name":"ground","mesh":@}"#, [mesh, 0.0, 0.0, 0.0, 0.0]),
             _ => (
@@ -258,8 +301,38 @@ impl Glb {
             ),
         };
         fill(&mut self.nodes, name, &numbers);
-        self.meshes_made += 1;
-        fill(&mut self.children, ",@", &[f64::from(self.meshes_made)]);
+        self.list_node();
+    }
+
+    /// Adds the last node to the children of the first one.
+    fn list_node(&mut self) {
+        self.nodes_made += 1;
+        fill(&mut self.children, ",@", &[self.nodes_made as f64]);
+    }
+
+    /// Adds a body: a node with a mesh in its place.
+    #[cfg(house)]
+    pub(super) fn add_body(&mut self, mesh: usize, name: &str, place: &Place) {
+        let scale = place.scale();
+        let axes = place.axes.map(|axis| axis / scale);
+        let turn = Quat::from_mat3(&Mat3::from_cols(axes[0], axes[1], axes[2])).normalize();
+        let scale = [scale; 3];
+        let parts = [&turn.to_array()[..], &place.origin.to_array(), &scale].concat();
+        let numbers = std::iter::once(mesh as f64).chain(parts.into_iter().map(f64::from));
+        self.nodes += r#",{"name":"#;
+        self.nodes += &text(name);
+        fill(&mut self.nodes, BODY, &numbers.collect::<Vec<f64>>());
+        self.list_node();
+    }
+
+    /// Adds a material; returns its number. The first one is that of [`Glb::new`].
+    #[cfg(house)]
+    pub(super) fn add_material(&mut self, tint: [u8; 3], roughness: f32) -> usize {
+        let linear = tint.map(|c| decoded(f64::from(c) / 255.0));
+        let [r, g, b] = linear.map(|v| (v * 1e6).round() / 1e6);
+        fill(&mut self.materials, PAINTED, &[r, g, b, roughness.into()]);
+        self.materials_made += 1;
+        self.materials_made
     }
 
     /// The file, part after part, but for the images.
@@ -290,6 +363,13 @@ impl Glb {
             Some(_) => [wrap, wrap],
         };
         fill(&mut json, self.layout.material, &numbers);
+        #[cfg(house)]
+        if !self.materials.is_empty() {
+            // The list goes on behind its first material.
+            json.pop();
+            json += &self.materials;
+            json.push(']');
+        }
         let [vertices, indices] = [&self.vertices, &self.indices].map(|part| part.len() as f64);
         let stride = self.layout.stride as f64;
         let numbers = [all as f64, vertices, stride, vertices, indices];

@@ -17,8 +17,12 @@ mod model;
 mod model_obj;
 mod obj;
 mod order;
+#[cfg(house)]
+mod part_file;
 mod programs;
 mod report;
+#[cfg(house)]
+mod scene_file;
 mod slab;
 mod surface;
 mod svg;
@@ -36,8 +40,12 @@ pub use model::ModelFile;
 #[cfg(house)]
 pub use model_obj::model_obj;
 pub use order::{DETAILS, MeshFormat, MeshOrder, MeshSize};
+#[cfg(house)]
+pub use part_file::PartFile;
 pub use programs::maps_for;
 pub use report::{Report, StageTime};
+#[cfg(house)]
+pub use scene_file::SceneFile;
 pub use slab::{Slab, SlabFile};
 pub use surface::MeshFile;
 pub use svg::svg;

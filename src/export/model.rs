@@ -4,6 +4,7 @@ use super::frame::Frame;
 use super::glb::Glb;
 use super::obj::Obj;
 use super::order::{MeshFormat, MeshOrder};
+use super::part_file::PartFile;
 use super::surface::{Writer, mean_roughness};
 use crate::material::Material;
 use crate::surface_cells::SurfaceCell;
@@ -51,14 +52,14 @@ impl ModelFile {
             Piece::End => true,
         }
     }
+}
 
-    /// The next parts of the file, as far as they are known before all is there.
-    pub fn take(&mut self) -> Vec<Vec<u8>> {
+impl PartFile for ModelFile {
+    fn take(&mut self) -> Vec<Vec<u8>> {
         self.writer.take()
     }
 
-    /// The rest of the file in parts, one after the other.
-    pub fn finish(self) -> Vec<Vec<u8>> {
+    fn finish(self) -> Vec<Vec<u8>> {
         self.writer.finish()
     }
 }

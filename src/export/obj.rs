@@ -38,14 +38,18 @@ impl Obj {
 
     /// Adds the surface of a stone by its id, or of the ground by 0.
     pub fn add(&mut self, frame: &Frame, surface: &Surface, id: u32) {
+        let name = match id.checked_sub(1) {
+            None => "ground".to_owned(),
+            Some(index) => format!("cell_{index}"),
+        };
+        self.add_named(frame, surface, &name);
+    }
+
+    /// Adds an object of this name, which is one word.
+    pub(super) fn add_named(&mut self, frame: &Frame, surface: &Surface, name: &str) {
         let out = &mut self.part;
-        match id.checked_sub(1) {
-            None => out.extend_from_slice(b"o ground"),
-            Some(index) => {
-                out.extend_from_slice(b"o cell_");
-                push_whole(out, index.into());
-            }
-        }
+        out.extend_from_slice(b"o ");
+        out.extend_from_slice(name.as_bytes());
         out.push(b'\n');
         for (k, &p) in surface.positions.iter().enumerate() {
             let in_maps = frame.place_in_maps(p).map(|[x, y]| [x, 1.0 - y]);

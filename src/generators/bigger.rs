@@ -7,7 +7,8 @@
 //! time, the weather's means for those around one row, and rows of the picture or of its maps leave as soon as
 //! they are made. No stage needs to know of joints between bands, and there are none.
 
-use super::height_field::{Bodies, HeightFieldParams, LightParams, Painting, ROWS, solids};
+use super::height_field::{Bodies, HeightFieldParams, Painting, ROWS, solids};
+use super::lighting::LightParams;
 use super::{Clock, PictureSlice, until};
 use crate::export::{Map, MapKind, maps};
 use crate::heightfield::{Planes, Shader, Weathering};

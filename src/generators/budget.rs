@@ -1,6 +1,7 @@
 //! A budget of time for work in slices, and the loop that keeps to it.
 
-use super::Clock;
+/// A clock, in milliseconds from any start. It may stand still: no result depends on it.
+pub type Clock<'a> = &'a mut dyn FnMut() -> f64;
 
 /// A time in milliseconds from `begin` on, read from a clock.
 #[derive(Clone, Copy, Debug)]

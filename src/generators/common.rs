@@ -1,6 +1,6 @@
 //! From the rows that generators share to the parameters of stones, their colours, weather and light.
 
-use super::height_field::LightParams;
+use super::lighting::LightParams;
 use crate::light::{Light, ShadeParams};
 use crate::material::{ColourParams, Gloss, Pattern, WeatherParams, material_table};
 use crate::recipe::Recipe;

@@ -1,7 +1,8 @@
 //! What an engine is to those who run it: stages that work in slices, views, and files.
 
+use super::budget::Clock;
 #[cfg(house)]
-use super::given::GivenFile;
+use super::given::{GivenFile, MissingFile};
 #[cfg(house)]
 use super::turntable::{FrameSlice, SeenBody, TurnOrder};
 use crate::export::{Map, MapKind, MeshOrder, MeshSize, Report};
@@ -10,9 +11,6 @@ use crate::recipe::Recipe;
 #[cfg(house)]
 use crate::scene::Frame;
 use std::any::Any;
-
-/// A clock, in milliseconds from any start. It may stand still: no result depends on it.
-pub type Clock<'a> = &'a mut dyn FnMut() -> f64;
 
 /// How far the work has come.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -252,17 +250,16 @@ pub trait Engine: Any {
         None
     }
 
-    /// Takes a file that recipes may ask for; answers with the row that names it in a recipe, where this generator
-    /// has a use for files.
+    /// Takes a file that recipes may ask for, in any role; false where this generator has no use for files.
     #[cfg(house)]
-    fn give(&mut self, _file: GivenFile) -> Option<Vec<i64>> {
-        None
+    fn give(&mut self, _file: GivenFile) -> bool {
+        false
     }
 
-    /// The digest and the name of the file that the work waits for; both are empty where the recipe names none yet.
+    /// The files that the work waits for.
     #[cfg(house)]
-    fn missing(&self) -> Option<(String, String)> {
-        None
+    fn missing(&self) -> Vec<MissingFile> {
+        Vec::new()
     }
 
     /// Lets go of files in the making, and of what was kept of a bigger picture for its maps.

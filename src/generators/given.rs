@@ -1,6 +1,7 @@
 //! Files that recipes may ask for, as they arrive: in pieces, so that nobody has to wait for their digest.
 
 use crate::hash::Hash;
+use crate::recipe::NamedFile;
 
 /// Bytes of a word of the digest.
 const WORD: usize = 8;
@@ -63,6 +64,17 @@ impl FileDigest {
     }
 }
 
+/// A file that the work waits for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MissingFile {
+    /// The key of the recipe's parameter that names it.
+    pub role: &'static str,
+    /// Its digest as 16 hexadecimal digits; empty while the recipe names no file.
+    pub digest: String,
+    /// Its name; empty while the recipe names no file.
+    pub name: String,
+}
+
 /// A file.
 pub struct GivenFile {
     /// What it is called.
@@ -103,6 +115,11 @@ impl GivenFile {
     /// The digest of its bytes, as far as they are there.
     pub fn digest(&self) -> u64 {
         self.digest.number()
+    }
+
+    /// How a recipe names it.
+    pub fn named(&self) -> NamedFile {
+        NamedFile::new(self.digest(), &self.name)
     }
 
     /// Its bytes.

@@ -1,12 +1,12 @@
 //! The finisher of what lies in the plane: stones painted into planes, the weather over them, and
 //! their light.
 
+use super::lighting::LightParams;
 use crate::cells::Cell;
 use crate::domain::Domain;
 use crate::graph::{Node, State};
 use crate::heightfield::{Painted, Painter, Planes, Shader, TextureParams, Weathering};
-use crate::light::ShadeParams;
-use crate::material::{Coat, Material, WeatherParams};
+use crate::material::{Coat, WeatherParams};
 use crate::notice::Notice;
 use crate::solid::Solids;
 
@@ -30,14 +30,6 @@ pub(super) struct PlaneParams {
     pub texture: TextureParams,
     /// Loop steps of skin beyond those that a picture needs.
     pub finer: i32,
-}
-
-/// What the light is made by.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct LightParams {
-    pub shade: ShadeParams,
-    /// The table that the plane of materials indexes.
-    pub materials: Vec<Material>,
 }
 
 /// What is asked of all its stages.

@@ -9,8 +9,11 @@ mod engine;
 #[cfg(house)]
 mod given;
 mod height_field;
+mod lighting;
 pub mod pavement;
 mod preset;
+#[cfg(house)]
+mod scene_picture;
 #[cfg(feature = "specimen")]
 pub mod specimen;
 #[cfg(house)]
@@ -19,10 +22,11 @@ pub mod surface;
 mod turntable;
 
 pub use bigger::MOST_PIXELS;
+pub use budget::Clock;
 pub(crate) use budget::{Budget, until};
-pub use engine::{Clock, Engine, MeshSlice, PictureSlice, Progress};
+pub use engine::{Engine, MeshSlice, PictureSlice, Progress};
 #[cfg(house)]
-pub use given::{FileDigest, GivenFile};
+pub use given::{FileDigest, GivenFile, MissingFile};
 pub use preset::{Part, Preset, Timing};
 #[cfg(house)]
 pub use turntable::{FrameSlice, SeenBody, TurnOrder};

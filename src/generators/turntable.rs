@@ -1,9 +1,9 @@
 //! Scenes on a turntable: frames in slices, of the latest order, with the light kept while the camera moves.
 
-use super::height_field::LightParams;
+use super::lighting::LightParams;
 use super::{Budget, Clock};
 use crate::notice::{Code, Notice, quote};
-use crate::scene::{Backdrop, Camera, Frame, Lamp, Lighting, Order, Scene, Sharpness};
+use crate::scene::{Backdrop, Camera, Cut, Frame, Lamp, Lighting, Order, Scene, Sharpness};
 
 /// The work of one slice, in triangles drawn or pixels shaded.
 const SLICE: usize = 20_000;
@@ -20,7 +20,8 @@ pub struct TurnOrder {
     /// Width and height in pixels.
     pub size: [usize; 2],
     /// Words joined by '+': 'moving' (coarser, without occlusion), 'still' (one sample for each pixel) or 'fine' (two by
-    /// two); 'floor', 'sky' or 'nothing' behind. Others are passed over.
+    /// two); 'floor', 'sky' or 'nothing' behind; 'whole=X,Y,Z,D' or 'through=X,Y,Z,D' for a plane that cuts away bodies
+    /// ([`Cut::read`]). Others are passed over.
     pub how: String,
 }
 
@@ -39,7 +40,8 @@ impl TurnOrder {
         Notice::new(Code::NoSuchBody).with("given", quote(&self.subject))
     }
 
-    fn order(&self) -> Result<Order, Notice> {
+    /// The frame that is to be made.
+    pub(super) fn order(&self) -> Result<Order, Notice> {
         let fits = |n: &usize| (1..=MOST_PIXELS).contains(n);
         if !self.size.iter().all(fits) {
             let [width, height] = self.size;
@@ -54,6 +56,7 @@ impl TurnOrder {
             is_fine: has("fine"),
             is_moving: has("moving"),
             backdrop: backdrop.map_or(Backdrop::Floor, |&(backdrop, _)| backdrop),
+            cut: self.how.split('+').find_map(Cut::read),
         })
     }
 }
@@ -108,10 +111,10 @@ pub(super) struct Stand<'a> {
 
 impl Stand<'_> {
     /// Its light, with the work on it still to be done.
-    pub fn lighting(&self, sharpness: Sharpness) -> Lighting {
+    pub fn lighting(&self, sharpness: Sharpness, cut: Option<Cut>) -> Lighting {
         let lamp = Lamp::over_picture(self.light.shade.light, self.ground);
         let (params, materials) = (&self.light.shade, &self.light.materials);
-        Lighting::new(self.scene, lamp, (params, materials), sharpness)
+        Lighting::new(self.scene, lamp, (params, materials), sharpness).cut_by(cut)
     }
 }
 
@@ -120,14 +123,14 @@ impl Turntable {
     pub fn advance(
         &mut self,
         stand: &Stand,
-        order: &TurnOrder,
+        order: Order,
         clock: Clock,
         budget: f64,
     ) -> Result<FrameSlice, Notice> {
         let key = Key {
             scene: stand.number,
             light: stand.light.clone(),
-            order: order.order()?,
+            order,
         };
         let is_new = self.key.as_ref() != Some(&key);
         if self.frame.as_ref().map(|frame| frame.order().size) != Some(key.order.size) {
@@ -143,7 +146,7 @@ impl Turntable {
             }
             none => none.insert(Frame::new(key.order)),
         };
-        let wanted = Sharpness::of(&key.order);
+        let wanted = (Sharpness::of(&order), order.cut);
         self.key = Some(key);
         let budget = Budget::new(clock, budget);
         let light = light_for(&mut self.lights, stand, wanted);
@@ -181,10 +184,10 @@ fn check_room([width, height]: [usize; 2]) -> Result<(), Notice> {
 fn light_for<'a>(
     [fine, coarse]: &'a mut [Option<(u64, LightParams, Lighting)>; 2],
     stand: &Stand,
-    wanted: Sharpness,
+    (wanted, cut): (Sharpness, Option<Cut>),
 ) -> &'a mut Lighting {
-    let is_of = |(number, params, _): &(u64, LightParams, Lighting)| {
-        *number == stand.number && params == stand.light
+    let is_of = |(number, params, light): &(u64, LightParams, Lighting)| {
+        *number == stand.number && params == stand.light && light.cut() == cut
     };
     let is_coarse = wanted == Sharpness::Coarse;
     let kept = match is_coarse && !fine.as_ref().is_some_and(is_of) {
@@ -193,6 +196,12 @@ fn light_for<'a>(
     };
     let does = |light: &Lighting| is_coarse || light.sharpness() == wanted;
     let fits = kept.take().filter(|kept| is_of(kept) && does(&kept.2));
-    let new = || (stand.number, stand.light.clone(), stand.lighting(wanted));
+    let new = || {
+        (
+            stand.number,
+            stand.light.clone(),
+            stand.lighting(wanted, cut),
+        )
+    };
     &mut kept.insert(fits.unwrap_or_else(new)).2
 }

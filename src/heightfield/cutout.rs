@@ -142,6 +142,7 @@ impl Cutout {
                 body: number,
                 place: Place::at(Vec3::new(x, 0.0, z)),
                 id: self.cell as u32 + 1,
+                paint: None,
             });
         }
     }
@@ -173,6 +174,7 @@ impl Cutout {
             body: self.scene.bodies.len() as u32,
             place: Place::default(),
             id: GROUND,
+            paint: None,
         });
         let body = Body::new(self.ground.clone(), crate::material::GROUND_ROW);
         self.scene.bodies.push(body);

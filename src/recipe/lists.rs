@@ -46,7 +46,7 @@ pub fn points(row: &[i64], side: f64) -> Vec<DVec2> {
 }
 
 impl Item {
-    fn form(self) -> Form {
+    pub(super) fn form(self) -> Form {
         match self {
             Item::Ring(_) | Item::Line => POINTS,
             Item::Spot(..) => Form {
@@ -65,7 +65,7 @@ impl Item {
                 units: &[BOX_STEPS, VALUE],
                 ..IN_BOX
             },
-            Item::Model => Form {
+            Item::File => Form {
                 coordinates: 0,
                 steps: 1.0,
                 ..POINTS
@@ -98,7 +98,7 @@ impl Item {
             (Item::Line, _) => Some(Code::RowShort.into()),
             (Item::Trace, [_, _, _, _, _, _, ..]) => None,
             (Item::Trace, _) => Some(Code::RowShort.into()),
-            (Item::Model, [a, b, c, d, name @ ..]) => {
+            (Item::File, [a, b, c, d, name @ ..]) => {
                 let fits = |n: &i64| (0..1 << 16).contains(n);
                 let is_character =
                     |n: &i64| u32::try_from(*n).is_ok_and(|n| char::from_u32(n).is_some());
@@ -107,7 +107,7 @@ impl Item {
                     && name.len() <= MAX_NAME;
                 (!is_one).then(|| Code::RowModel.into())
             }
-            (Item::Model, _) => Some(Code::RowModel.into()),
+            (Item::File, _) => Some(Code::RowModel.into()),
             (Item::Spot(min, max), &[_, _, radius, value])
             | (Item::Patch(min, max), &[_, _, _, radius, value]) => {
                 let (radius, value) = (radius as f64 / form.steps, value as f64 / VALUE);

@@ -6,6 +6,7 @@
 pub mod common;
 mod link;
 mod lists;
+mod named_file;
 pub mod parameter;
 mod rows;
 pub mod schema;
@@ -14,6 +15,7 @@ mod value;
 
 pub use link::{VERSION, VIEW};
 pub use lists::{MAX_NAME, MAX_ROW_POINTS, MAX_ROWS, points, row};
+pub use named_file::NamedFile;
 pub use parameter::{Choice, Item, Key, Kind, Parameter, SideLimits};
 pub use rows::{BOX_STEPS, Rows, STEPS};
 pub use schema::{Rules, Schema};

@@ -47,7 +47,7 @@ pub enum Item {
     /// A place on a surface, a radius, and a value between two limits.
     Patch(f64, f64),
     /// A file: its digest in four numbers of 16 bits, the highest first, and the characters of its name.
-    Model,
+    File,
 }
 
 /// One of the words of a choice.

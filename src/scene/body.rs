@@ -103,6 +103,22 @@ impl Place {
     }
 }
 
+/// The colour and the material of one instance, in the place of those of its mesh.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Paint {
+    /// Multiplies the mesh's colours (sRGB, 255 is one): a white mesh gets this colour.
+    pub tint: [u8; 3],
+    /// Row of the table of materials.
+    pub material: u8,
+}
+
+impl Paint {
+    /// A colour of the mesh under this paint.
+    pub(crate) fn over(self, colour: [f32; 3]) -> [f32; 3] {
+        std::array::from_fn(|k| colour[k] * f32::from(self.tint[k]) / 255.0)
+    }
+}
+
 /// A body in its place.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Instance {
@@ -112,6 +128,8 @@ pub struct Instance {
     pub place: Place,
     /// Its id in the plane of ids; 0 is the background or the ground.
     pub id: u32,
+    /// Its own colour and material; `None` leaves those of the mesh.
+    pub paint: Option<Paint>,
 }
 
 /// Bodies, their placements, and details.

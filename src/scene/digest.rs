@@ -1,12 +1,12 @@
 //! The digest of a scene.
 
-use super::Scene;
+use super::{Paint, Scene};
 use crate::hash::Hash;
 use glam::Vec3;
 
 impl Scene {
-    /// 16 hex digits that change with any bit of the bodies, their placements and their materials; details
-    /// are not included.
+    /// 16 hex digits that change with any bit of the bodies, their placements, colours and materials, and with
+    /// the details that take part ([`crate::scene::Detail::mark`]).
     pub fn digest(&self) -> String {
         let mut hash = Hash::new();
         for body in &self.bodies {
@@ -33,8 +33,16 @@ impl Scene {
                 .iter()
                 .for_each(|&v| vector(&mut hash, v));
             vector(&mut hash, instance.place.origin);
+            if let Some(Paint { tint, material }) = instance.paint {
+                hash.add(u64::from(u32::from_le_bytes([
+                    tint[0], tint[1], tint[2], material,
+                ])));
+            }
         }
         hash.add(u64::from(self.reach.to_bits()));
+        if let Some(mark) = self.detail.as_ref().and_then(|detail| detail.mark()) {
+            hash.add(mark);
+        }
         hash.text()
     }
 }

@@ -2,7 +2,7 @@
 
 use super::shade::{Ground, Shading, Studio, far_floor, find_floor};
 use super::sight::{FLOOR, Sight};
-use super::{Backdrop, Camera, Lighting, Scene, lines};
+use super::{Backdrop, Camera, Cut, Lighting, Scene, lines};
 use crate::hash::Hash;
 use crate::order::lesser;
 use glam::Vec3;
@@ -26,6 +26,8 @@ pub struct Order {
     pub is_moving: bool,
     /// The background.
     pub backdrop: Backdrop,
+    /// The plane that cuts away bodies, if any. The light must be cut by the same one ([`Lighting::cut_by`]).
+    pub cut: Option<Cut>,
 }
 
 /// A frame in progress.
@@ -209,7 +211,7 @@ impl Frame {
             true => view.moved(SAMPLES[self.sample]),
             false => view,
         };
-        self.sight.begin(view, self.order.is_moving);
+        self.sight.begin(view, self.order.is_moving, self.order.cut);
         let has_occlusion = !self.order.is_moving;
         self.shading.begin([width, height], has_occlusion);
         self.normals.clear();

@@ -1,7 +1,7 @@
 //! The light of a scene: a recipe's lamp in space, its shadows, and Phong's shading of a point.
 
 use super::shadow::{Shadows, Spot};
-use super::{Order, Scene};
+use super::{Cut, Order, Scene};
 use crate::light::{Finish, GAP, LAMP, Light, SHINE, SKY, STEEP, ShadeParams, Tone, lamp_from};
 use crate::material::Material;
 use crate::order::{greater, lesser};
@@ -144,6 +144,17 @@ impl Lighting {
             sharpness,
             is_ready: params.shadow <= 0.0,
         }
+    }
+
+    /// The same for a scene that is cut by a plane.
+    pub fn cut_by(mut self, cut: Option<Cut>) -> Self {
+        self.shadows.cut = cut;
+        self
+    }
+
+    /// The plane that cuts its scene.
+    pub fn cut(&self) -> Option<Cut> {
+        self.shadows.cut
     }
 
     /// The resolution of its shadows.

@@ -2,7 +2,7 @@
 
 use super::Scene;
 use super::backdrop::FLOOR_COLOUR;
-use super::sight::{AS_DOT, FLOOR, NOTHING, Sight};
+use super::sight::{AS_DOT, FLOOR, NOTHING, Sight, has_no_triangle};
 use super::square::{BAND, SQUARE, Square, Vectors, get};
 use crate::order::greater;
 use crate::solid::Surface;
@@ -63,7 +63,7 @@ impl Facets {
         let mut seen = [(NOTHING, AS_DOT); SQUARE];
         for (k, [_, _, at]) in square.pixels(view) {
             let this = (sight.owner[at], sight.triangle[at]);
-            if this.0 >= FLOOR || this.1 == AS_DOT {
+            if this.0 >= FLOOR || has_no_triangle(this.1) {
                 continue;
             }
             seen[k] = this;
@@ -77,6 +77,16 @@ impl Facets {
         }
         let corners = |raw: &Raw| Corners::new(raw, scene, view.eye);
         self.corners.extend(self.raw.iter().map(corners));
+    }
+
+    /// A hit on the cap of a body that is cut.
+    pub fn cap(scene: &Scene, owner: u32, normal: Vec3) -> Met {
+        let body = scene.instances[owner as usize].body;
+        Met {
+            normal,
+            flat: normal,
+            colour: scene.bodies[body as usize].colour.map(f32::from),
+        }
     }
 
     /// The intersection of a pixel's ray with the body visible there.

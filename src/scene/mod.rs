@@ -12,6 +12,7 @@ mod backdrop;
 mod body;
 mod camera;
 mod clip;
+mod cut;
 mod digest;
 mod fill;
 mod four;
@@ -28,8 +29,9 @@ mod square;
 mod surfel;
 
 pub use backdrop::Backdrop;
-pub use body::{Body, Instance, Place, Scene};
+pub use body::{Body, Instance, Paint, Place, Scene};
 pub use camera::{Camera, LIMITS, View};
+pub use cut::{Cut, CutHow};
 pub use frame::{Frame, Order};
 pub use lamp::{Lamp, Lighting, Sharpness};
 pub use surfel::{Detail, Surfel};

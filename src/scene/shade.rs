@@ -130,7 +130,10 @@ impl Shading {
         let (mut normals, mut flats) = (NO_VECTORS, NO_VECTORS);
         for (k, [x, y, at]) in square.pixels(view) {
             let met = match sight.owner[at] {
-                owner if owner < FLOOR => self.facets.met(scene, owner, &rays, k),
+                owner if owner < FLOOR => match sight.cap(at) {
+                    Some(normal) => Facets::cap(scene, owner, normal),
+                    None => self.facets.met(scene, owner, &rays, k),
+                },
                 _ => Met::FLOOR,
             };
             self.found[slot(width, x, y)].colour = met.colour;
@@ -227,6 +230,9 @@ impl Studio<'_> {
         let sight = self.sight;
         if let Some(instance) = self.scene.instances.get(sight.owner[at] as usize) {
             surfel.material = self.scene.bodies[instance.body as usize].material;
+            if let Some(paint) = instance.paint {
+                (surfel.colour, surfel.material) = (paint.over(surfel.colour), paint.material);
+            }
             if let Some(detail) = &self.scene.detail {
                 let spread = sight.view().slope / sight.inverse[at];
                 detail.refine(&mut surfel, instance.id, spread);

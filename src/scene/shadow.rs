@@ -3,12 +3,14 @@
 //! itself, of which those are drawn that bodies may be seen through. A map depends on bodies and light only:
 //! while the camera moves it is kept.
 
+use super::cut::{Cut, Left};
 use super::fill::{Fill, Vertex, some_of};
 use super::four::{LANES, four_of};
 use super::raster::Corner;
 use super::sight::level_of;
-use super::{Camera, Lamp, Scene};
+use super::{Camera, Instance, Lamp, Scene};
 use crate::order::greater;
+use crate::solid::Surface;
 use glam::Vec3;
 use wide::f32x4;
 
@@ -52,6 +54,8 @@ enum Way {
 pub(super) struct Shadows {
     maps: Vec<Map>,
     is_coarse: bool,
+    /// The plane that cuts away bodies.
+    pub cut: Option<Cut>,
     /// The map, the instance and the triangle that come next.
     at: [usize; 3],
     /// Those of the instance that is drawn.
@@ -66,6 +70,7 @@ impl Shadows {
         Self {
             maps: maps.into_iter().map(|way| Map::new(way, side)).collect(),
             is_coarse,
+            cut: None,
             at: [0; 3],
             corners: Vec::new(),
         }
@@ -87,13 +92,23 @@ impl Shadows {
                 self.at = [self.at[0] + 1, 0, 0];
                 continue;
             }
-            let (work, next) = map.draw(
-                scene,
-                [place, next],
-                left,
-                self.is_coarse,
-                &mut self.corners,
-            );
+            let instance = &scene.instances[place];
+            let part = self
+                .cut
+                .map_or(Left::All, |cut| cut.left_of(scene.ball_of(instance)));
+            let (work, next) = match (part, &self.cut) {
+                (Left::None, _) => (1, None),
+                (Left::Some, Some(cut)) => {
+                    map.draw_cut(scene, cut, [place, next], left, self.is_coarse)
+                }
+                _ => map.draw(
+                    scene,
+                    [place, next],
+                    left,
+                    self.is_coarse,
+                    &mut self.corners,
+                ),
+            };
             left = left.saturating_sub(work);
             match next {
                 Some(next) => self.at[2] = next,
@@ -320,6 +335,69 @@ impl Map {
         ((a + b) + (c + d)) * (1.0 / 9.0)
     }
 
+    /// The level of an instance that is fine enough for this map; `None` where it is beside the map.
+    fn surface_of<'a>(
+        &self,
+        scene: &'a Scene,
+        instance: &Instance,
+        is_coarse: bool,
+    ) -> Option<&'a Surface> {
+        let body = &scene.bodies[instance.body as usize];
+        let (middle, radius) = scene.ball_of(instance);
+        let diameter = match &self.way {
+            Way::Along { scale, .. } => 2.0 * radius * scale,
+            Way::From(fill) => {
+                let seen = fill.view.of(middle);
+                if !fill.view.may_see(seen, radius) {
+                    return None;
+                }
+                fill.view.diameter(seen, radius)
+            }
+        };
+        body.levels
+            .get(level_of(diameter, body.levels.len(), is_coarse))
+    }
+
+    /// The same as [`Map::draw`] for an instance that is cut: of each triangle the part that is left. Both sides of it
+    /// cast a shadow, as light falls on the inside.
+    fn draw_cut(
+        &mut self,
+        scene: &Scene,
+        cut: &Cut,
+        [place, next]: [usize; 2],
+        most: usize,
+        is_coarse: bool,
+    ) -> (usize, Option<usize>) {
+        let instance = &scene.instances[place];
+        let Some(surface) = self.surface_of(scene, instance, is_coarse) else {
+            return (1, None);
+        };
+        let mut near = std::mem::take(&mut self.near);
+        let (Way::Along { fill, .. } | Way::From(fill)) = &self.way;
+        let (end, drawn) = some_of(&surface.triangles, next, most, |_, triangle| {
+            let corners = triangle.map(|v| instance.place.of(surface.positions[v as usize]));
+            let rest = cut.rest_of(corners);
+            let corners = rest.corners.map(|p| match &self.way {
+                Way::Along { .. } => Vertex::on_screen(Corner::new(self.on_map(p))),
+                Way::From(fill) => fill.vertex(p),
+            });
+            let mut work = 1;
+            for k in 2..rest.count {
+                let [a, b, c] = [corners[0], corners[k - 1], corners[k]];
+                for sides in [[a, b, c], [a, c, b]] {
+                    work += fill.triangle(sides, |four| {
+                        if let Some(near) = four_of(&mut near, four.at) {
+                            four.wins(near).near(near);
+                        }
+                    });
+                }
+            }
+            work
+        });
+        self.near = near;
+        (drawn, (end < surface.triangles.len()).then_some(end))
+    }
+
     /// Draws an instance from one of its triangles on; answers with the work that it was, and the triangle that
     /// comes next, if there is one.
     fn draw(
@@ -331,20 +409,7 @@ impl Map {
         corners: &mut Vec<Vertex>,
     ) -> (usize, Option<usize>) {
         let instance = &scene.instances[place];
-        let body = &scene.bodies[instance.body as usize];
-        let (middle, radius) = scene.ball_of(instance);
-        let diameter = match &self.way {
-            Way::Along { scale, .. } => 2.0 * radius * scale,
-            Way::From(fill) => {
-                let seen = fill.view.of(middle);
-                if !fill.view.may_see(seen, radius) {
-                    return (1, None);
-                }
-                fill.view.diameter(seen, radius)
-            }
-        };
-        let level = level_of(diameter, body.levels.len(), is_coarse);
-        let Some(surface) = body.levels.get(level) else {
+        let Some(surface) = self.surface_of(scene, instance, is_coarse) else {
             return (1, None);
         };
         let mut work = 0;

@@ -4,10 +4,12 @@
 //! needs, and left out where the ball around them lies behind what is drawn. Surfaces are looked up again from
 //! here when they are shaded, so nothing is worked out for what is hidden.
 
+use super::cut::{Cut, Left};
 use super::fill::{Fill, Vertex, some_of};
-use super::four::{LANES, four_of};
-use super::{Scene, View};
+use super::four::{Four, LANES, four_of};
+use super::{Instance, Scene, View};
 use crate::order::{self, pair};
+use crate::solid::Surface;
 use glam::Vec3;
 
 /// From this many pixels across, a body is drawn at its finest level, or one coarser, and so on: the last
@@ -25,6 +27,15 @@ pub(super) const FLOOR: u32 = u32::MAX - 1;
 /// In [`Sight::triangle`]: a body that is a dot.
 pub(super) const AS_DOT: u32 = u32::MAX;
 
+/// In [`Sight::triangle`]: the inside of a body that is cut, beside the number of the triangle. Its pixels show the cap
+/// in the plane of the cut.
+const CAP: u32 = 1 << 31;
+
+/// Whether what is seen has no triangle to look up.
+pub(super) fn has_no_triangle(triangle: u32) -> bool {
+    triangle >= CAP
+}
+
 /// The level of a body that is so many pixels across, of so many.
 pub(super) fn level_of(diameter: f32, levels: usize, coarse: bool) -> usize {
     let steps = &STEPS[STEPS.len() + 1 - levels.clamp(1, STEPS.len() + 1)..];
@@ -36,6 +47,9 @@ pub(super) fn level_of(diameter: f32, levels: usize, coarse: bool) -> usize {
 pub(super) struct Sight {
     fill: Fill,
     is_coarse: bool,
+    cut: Option<Cut>,
+    /// Pixels whose caps are in the plane of the cut already.
+    capped: usize,
     /// Place of the instance, by pixel from the top.
     pub owner: Vec<u32>,
     /// Place of the triangle in its surface.
@@ -59,6 +73,8 @@ impl Sight {
         let mut sight = Self {
             fill: Fill::new(view),
             is_coarse: false,
+            cut: None,
+            capped: 0,
             owner: Vec::new(),
             triangle: Vec::new(),
             inverse: Vec::new(),
@@ -70,13 +86,14 @@ impl Sight {
             corners: Vec::new(),
             next: 0,
         };
-        sight.begin(view, false);
+        sight.begin(view, false, None);
         sight
     }
 
-    /// Begins anew, with bodies a level coarser or not.
-    pub fn begin(&mut self, view: View, is_coarse: bool) {
+    /// Begins anew, with bodies a level coarser or not, and cut by a plane.
+    pub fn begin(&mut self, view: View, is_coarse: bool, cut: Option<Cut>) {
         (self.fill, self.is_coarse) = (Fill::new(view), is_coarse);
+        (self.cut, self.capped) = (cut, 0);
         let pixels = view.size[0] * view.size[1] + LANES - 1;
         for list in [&mut self.owner, &mut self.triangle] {
             list.clear();
@@ -134,13 +151,45 @@ impl Sight {
         let mut left = amount;
         while left > 0 {
             let Some(&due) = self.due.get(self.drawn) else {
-                return true;
+                return self.put_caps(amount);
             };
             let (work, is_drawn) = self.draw(scene, due as u32, left);
             left = left.saturating_sub(work);
             self.drawn += usize::from(is_drawn);
         }
-        self.drawn == self.due.len()
+        self.drawn == self.due.len() && self.cut.is_none()
+    }
+
+    /// The normal of the cap that is seen at a pixel; `None` where there is none.
+    #[inline(always)]
+    pub fn cap(&self, at: usize) -> Option<Vec3> {
+        let triangle = self.triangle[at];
+        let is_cap = triangle >= CAP && triangle != AS_DOT;
+        self.cut.filter(|_| is_cap).map(|cut| cut.normal)
+    }
+
+    /// Moves caps from the far side of their bodies into the plane of the cut, for about this many pixels; true when
+    /// all are there.
+    fn put_caps(&mut self, amount: usize) -> bool {
+        let view = *self.view();
+        let pixels = view.size[0] * view.size[1];
+        let Some(cut) = self.cut else {
+            return true;
+        };
+        let end = pixels.min(self.capped.saturating_add(8 * amount));
+        for at in self.capped..end {
+            if self.cap(at).is_none() {
+                continue;
+            }
+            let (x, y) = (at % view.size[0], at / view.size[0]);
+            let depth = cut.depth(view.eye, view.ray(x as f32 + 0.5, y as f32 + 0.5));
+            // Through the opening of a surface that is not closed there is no cap in front of its inside.
+            if depth > view.near && depth * self.inverse[at] < 1.0 {
+                self.inverse[at] = 1.0 / depth;
+            }
+        }
+        self.capped = end;
+        end == pixels
     }
 
     /// Finds out where instances are, and how fine they are to be.
@@ -157,7 +206,9 @@ impl Sight {
             let diameter = self.view().diameter(seen, radius);
             self.levels
                 .push(level_of(diameter, levels, self.is_coarse) as u8);
-            if levels > 0 && self.view().may_see(seen, radius) {
+            let ball = (middle, radius);
+            let is_left = self.cut.is_none_or(|cut| cut.left_of(ball) != Left::None);
+            if levels > 0 && is_left && self.view().may_see(seen, radius) {
                 let near = order::rank(f64::from(seen.z - radius));
                 self.due.push(pair((near >> 32) as u32, place as u32));
             }
@@ -182,8 +233,15 @@ impl Sight {
             if self.is_hidden(seen, radius, diameter) {
                 return (16, true);
             }
-            let (fill, points) = (&self.fill, surface.positions.iter());
             self.corners.clear();
+        }
+        if let Some(cut) = self.cut
+            && cut.left_of(scene.ball_of(instance)) == Left::Some
+        {
+            return self.draw_cut(&cut, surface, instance, place, most);
+        }
+        if self.next == 0 {
+            let (fill, points) = (&self.fill, surface.positions.iter());
             self.corners
                 .extend(points.map(|&p| fill.vertex(instance.place.of(p))));
             work = surface.positions.len() / 4;
@@ -195,26 +253,50 @@ impl Sight {
         let (next, drawn) = some_of(&surface.triangles, self.next, most, |number, triangle| {
             let corners = triangle.map(|v| corners[v as usize]);
             fill.triangle(corners, |four| {
-                let Some(inverse) = four_of(inverse, four.at) else {
-                    return;
-                };
-                let wins = four.wins(inverse);
-                if !wins.any() {
-                    return;
-                }
-                let (Some(owner), Some(triangles)) =
-                    (four_of(owner, four.at), four_of(triangles, four.at))
-                else {
-                    return;
-                };
-                wins.near(inverse);
-                wins.put(place, owner);
-                wins.put(number as u32, triangles);
+                put(
+                    four,
+                    [&mut *owner, &mut *triangles],
+                    inverse,
+                    [place, number as u32],
+                );
             })
         });
         let is_drawn = next == surface.triangles.len();
         self.next = if is_drawn { 0 } else { next };
         (work + drawn, is_drawn)
+    }
+
+    /// The same for an instance that is cut: of each triangle the part that is left, seen from both sides.
+    fn draw_cut(
+        &mut self,
+        cut: &Cut,
+        surface: &Surface,
+        instance: &Instance,
+        place: u32,
+        most: usize,
+    ) -> (usize, bool) {
+        let fill = &self.fill;
+        let (inverse, owner) = (&mut self.inverse[..], &mut self.owner[..]);
+        let triangles = &mut self.triangle[..];
+        let (next, work) = some_of(&surface.triangles, self.next, most, |number, triangle| {
+            let corners = triangle.map(|v| instance.place.of(surface.positions[v as usize]));
+            let rest = cut.rest_of(corners);
+            let corners = rest.corners.map(|p| fill.vertex(p));
+            let mut work = 1;
+            for k in 2..rest.count {
+                let [a, b, c] = [corners[0], corners[k - 1], corners[k]];
+                for (sides, mark) in [([a, b, c], 0), ([a, c, b], CAP)] {
+                    let numbers = [place, mark | number as u32];
+                    work += fill.triangle(sides, |four| {
+                        put(four, [&mut *owner, &mut *triangles], inverse, numbers);
+                    });
+                }
+            }
+            work
+        });
+        let is_drawn = next == surface.triangles.len();
+        self.next = if is_drawn { 0 } else { next };
+        (work, is_drawn)
     }
 
     /// A body too small to have a shape.
@@ -260,6 +342,30 @@ impl Sight {
             columns.all(|column| self.inverse[row + column as usize] > nearest)
         })
     }
+}
+
+/// Writes an instance and its triangle where they are the nearest.
+#[inline(always)]
+fn put(
+    four: Four,
+    [owner, triangles]: [&mut [u32]; 2],
+    inverse: &mut [f32],
+    [place, number]: [u32; 2],
+) {
+    let Some(inverse) = four_of(inverse, four.at) else {
+        return;
+    };
+    let wins = four.wins(inverse);
+    if !wins.any() {
+        return;
+    }
+    let (Some(owner), Some(triangles)) = (four_of(owner, four.at), four_of(triangles, four.at))
+    else {
+        return;
+    };
+    wins.near(inverse);
+    wins.put(place, owner);
+    wins.put(number, triangles);
 }
 
 #[cfg(test)]

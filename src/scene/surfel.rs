@@ -22,4 +22,10 @@ pub trait Detail {
     /// Adds it to a place on the body of that id; `spread` is the part of the world that a pixel covers there,
     /// along a side.
     fn refine(&self, surfel: &mut Surfel, id: u32, spread: f32);
+
+    /// A number for the digest of the scene, which changes with all that it does to colours and materials. Details
+    /// that follow from the bodies alone need none.
+    fn mark(&self) -> Option<u64> {
+        None
+    }
 }

@@ -17,7 +17,7 @@ use crate::recipe::Recipe;
 use crate::{
     generators::{GivenFile, TurnOrder},
     notice::Code,
-    recipe::Item,
+    recipe::{Item, Parameter},
     scene::Frame,
 };
 use std::any::Any;
@@ -193,23 +193,28 @@ impl Studio {
         }
     }
 
-    /// Takes a file and makes it the recipe's; answers with what is to be said.
+    /// Takes a file and makes it the recipe's in a role, which is the key of a parameter of files; without a role in the
+    /// first one there is. Returns what to tell the user.
     ///
     /// # Errors
-    /// Where the generator has no use for files.
+    /// Where the generator has no use for files, or no such role.
     #[cfg(house)]
-    pub fn open_file(&mut self, file: GivenFile) -> Result<Vec<Notice>, Notice> {
+    pub fn open_file(
+        &mut self,
+        role: Option<&str>,
+        file: GivenFile,
+    ) -> Result<Vec<Notice>, Notice> {
         let schema = self.recipe.schema();
-        let mut rows = schema.rows.iter();
-        let key = rows
-            .find(|row| row.item == Some(Item::Model))
-            .map(|row| row.key);
-        let row = key.and_then(|_| self.engine.give(file));
-        let (Some(key), Some(row)) = (key, row) else {
-            return Err(Code::NoSuchFile.into());
+        let has_role = |row: &&Parameter| {
+            row.item == Some(Item::File) && role.is_none_or(|role| row.key.0 == role)
         };
+        let row = schema.rows.iter().find(has_role).ok_or(Code::NoSuchFile)?;
+        let named = file.named().row();
+        if !self.engine.give(file) {
+            return Err(Code::NoSuchFile.into());
+        }
         let mut recipe = self.recipe.clone();
-        let said = schema.rules.draw(&mut recipe, key, Some(vec![row]))?;
+        let said = schema.rules.draw(&mut recipe, row.key, Some(vec![named]))?;
         self.set_recipe(recipe);
         Ok(said)
     }

@@ -157,6 +157,7 @@ impl Stones {
             body: self.scene.bodies.len() as u32,
             place: Place::at(origin),
             id,
+            paint: None,
         });
         self.scene.bodies.push(body);
     }

@@ -247,6 +247,7 @@ pub(super) fn push(scene: &mut Scene, body: Body, id: u32) {
         body: scene.bodies.len() as u32,
         place: Place::default(),
         id,
+        paint: None,
     });
     scene.bodies.push(body);
 }

@@ -85,5 +85,6 @@ fn standing(body: u32, id: u32, at: Vec3, [along, out]: [DVec3; 2], scale: f64) 
             origin: at,
         },
         id,
+        paint: None,
     }
 }

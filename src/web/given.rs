@@ -1,13 +1,24 @@
 //! Files that recipes ask for. They arrive in pieces, so that no call takes long.
 
-use super::Bubblestone;
 use super::said::all;
-use crate::generators::surface::{Model, SCHEMA, keys};
+use super::{Bubblestone, object};
 use crate::generators::{self, GivenFile};
 use crate::notice::Code;
-use crate::recipe::Recipe;
+use crate::recipe::NamedFile;
 use js_sys::Array;
 use wasm_bindgen::prelude::*;
+
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = r"
+/** A file that a recipe names. */
+export interface RecipeFile {
+  /** The key of the parameter that names it. */
+  role: string;
+  /** 16 hex digits. */
+  digest: string;
+  name: string;
+}
+";
 
 #[wasm_bindgen]
 impl Bubblestone {
@@ -29,29 +40,55 @@ impl Bubblestone {
     /// generator has no use for files.
     #[wasm_bindgen(js_name = giveFile)]
     pub fn give_file(&mut self) -> String {
-        let file = self.arriving.take();
-        let row = file.and_then(|file| self.studio.engine_mut().give(file));
-        row.map_or(String::new(), |row| digest_text(&row))
+        let Some(file) = self.arriving.take() else {
+            return String::new();
+        };
+        let digest = file.named().digest_text();
+        match self.studio.engine_mut().give(file) {
+            true => digest,
+            false => String::new(),
+        }
     }
 
-    /// All of it is here: it becomes the recipe's. Answers with what is to be said.
+    /// All of it is here: it becomes the recipe's in a role, '' for the first one. Answers with what is to be said.
     #[wasm_bindgen(js_name = openFile, unchecked_return_type = "Notice[]")]
-    pub fn open_file(&mut self) -> Array {
+    pub fn open_file(&mut self, role: &str) -> Array {
         let file = self.arriving.take().ok_or(Code::NoSuchFile.into());
-        let said = file.and_then(|file| self.studio.open_file(file));
+        let role = Some(role).filter(|role| !role.is_empty());
+        let said = file.and_then(|file| self.studio.open_file(role, file));
         all(&said.unwrap_or_else(|why| vec![why]))
     }
 
-    /// The digest and the name of the file that the work waits for, both empty where the recipe names none yet; nothing
-    /// where it waits for none.
-    #[wasm_bindgen(js_name = missingFile)]
-    pub fn missing_file(&self) -> Option<Vec<String>> {
-        let (digest, name) = self.studio.engine().missing()?;
-        Some(vec![digest, name])
+    /// The files that the work waits for; digest and name are empty where the recipe names none yet.
+    #[wasm_bindgen(js_name = missingFiles, unchecked_return_type = "RecipeFile[]")]
+    pub fn missing_files(&self) -> Array {
+        let missing = self.studio.engine().missing();
+        let missing = missing.iter();
+        missing
+            .map(|one| recipe_file(one.role, &one.digest, &one.name))
+            .collect()
+    }
+
+    /// The files that the recipe names, where they count.
+    #[wasm_bindgen(js_name = recipeFiles, unchecked_return_type = "RecipeFile[]")]
+    pub fn recipe_files(&self) -> Array {
+        let named = self.studio.recipe().named_files().into_iter();
+        named
+            .map(|(key, file)| recipe_file(key.0, &file.digest_text(), &file.name))
+            .collect()
     }
 }
 
-/// The digest of a file, and the value of the parameter `model` that asks for it.
+fn recipe_file(role: &str, digest: &str, name: &str) -> JsValue {
+    object(&[
+        ("role", role.into()),
+        ("digest", digest.into()),
+        ("name", name.into()),
+    ])
+    .into()
+}
+
+/// The digest of a file, and the value of a parameter that asks for it.
 #[wasm_bindgen]
 pub struct FileDigest(generators::FileDigest);
 
@@ -73,16 +110,8 @@ impl FileDigest {
         format!("{:016x}", self.0.number())
     }
 
-    /// What the parameter `model` of a link is to be for a file of this name.
-    pub fn model(&self, name: &str) -> String {
-        let mut recipe = Recipe::new(&SCHEMA);
-        let row = Model::named(self.0.number(), name).row();
-        let set = recipe.set_rows(keys::MODEL, vec![row]);
-        set.map_or(String::new(), |()| recipe.get(keys::MODEL.0))
+    /// The value of the parameter of a link that names a file of this name.
+    pub fn value(&self, name: &str) -> String {
+        NamedFile::new(self.0.number(), name).text()
     }
-}
-
-/// The digest at the beginning of a row that names a file.
-fn digest_text(row: &[i64]) -> String {
-    row.iter().take(4).map(|n| format!("{n:04x}")).collect()
 }

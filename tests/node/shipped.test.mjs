@@ -480,7 +480,7 @@ test('notices of surfaces are said', async () => {
     const bytes = typeof content === 'string' ? new TextEncoder().encode(content) : content;
     studio.beginFile(name, bytes.length);
     studio.addToFile(bytes);
-    hear(studio.openFile());
+    hear(studio.openFile(''));
     finished(studio);
     hear([studio.problem(), studio.remarks()]);
     studio.free();

@@ -1,5 +1,6 @@
-/** The one place that every engine goes through for the file that its recipe asks for: page and workers alike. */
+/** The one place that every engine goes through for the files that its recipe asks for: page and workers alike. */
 import type { Bubblestone } from '../../pkg/bubblestone.js';
+import type { RecipeFile } from '../../pkg-house/bubblestone.js';
 import type { Module } from './load';
 import type { SceneStudio, Whole } from './scene';
 import { dropFile, findFile } from './shelf';
@@ -12,7 +13,7 @@ export async function* piecesOf(file: Blob): AsyncGenerator<Uint8Array<ArrayBuff
   for (let at = 0; at < file.size; at += PIECE) yield new Uint8Array(await file.slice(at, at + PIECE).arrayBuffer());
 }
 
-/** An engine for a link, with the file that this asks for, where it is to be had. */
+/** An engine for a link, with the files that this asks for, where they are to be had. */
 export function studioFor(module: Whole, link: string): Promise<SceneStudio>;
 export function studioFor(module: Module, link: string): Promise<Bubblestone>;
 export async function studioFor(module: Module | Whole, link: string): Promise<Bubblestone> {
@@ -21,11 +22,14 @@ export async function studioFor(module: Module | Whole, link: string): Promise<B
   return studio;
 }
 
-/** Gives an engine the file that it waits for; false where that is not to be had, or not `wanted` any more. */
+/** Gives an engine the files that it waits for; false where one is not to be had, or not `wanted` any more. */
 export async function supply(studio: Bubblestone, wanted: () => boolean = () => true): Promise<boolean> {
   if (!isWhole(studio)) return true;
-  const [digest = '', name = ''] = studio.missingFile() ?? [];
-  if (digest === '') return true;
+  for (const missing of studio.missingFiles()) if (missing.digest !== '' && !(await give(studio, missing, wanted))) return false;
+  return true;
+}
+
+async function give(studio: SceneStudio, { digest, name }: RecipeFile, wanted: () => boolean): Promise<boolean> {
   const file = await findFile(digest);
   if (!file || !wanted()) return false;
   studio.beginFile(name, file.size);
@@ -41,5 +45,5 @@ export async function supply(studio: Bubblestone, wanted: () => boolean = () => 
 }
 
 function isWhole(studio: Bubblestone): studio is SceneStudio {
-  return 'missingFile' in studio;
+  return 'missingFiles' in studio;
 }

@@ -359,7 +359,7 @@ export class App {
   private stuck(): void {
     const sentence = this.engine.problem();
     // A file that is missing has its own place on the sheet.
-    if (!this.engine.missing()) alertOf('trouble', sentence);
+    if (!this.engine.missing().length) alertOf('trouble', sentence);
     this.face.failed(sentence);
   }
 

@@ -19,8 +19,8 @@ const LARGEST = 400_000_000;
 /** A file, as recipes name it. */
 interface Named {
   digest: string;
-  /** The value of the parameter. */
-  model: string;
+  /** The value of the parameter that names it. */
+  value: string;
 }
 
 /** What is read now. */
@@ -63,24 +63,27 @@ async function nameOf(file: File, task: Task): Promise<Named> {
       read += piece.length;
       task.progress(read / file.size);
     }
-    return { digest: digest.text(), model: digest.model(file.name) };
+    return { digest: digest.text(), value: digest.value(file.name) };
   } finally {
     digest.free();
   }
 }
 
-function take(work: Work, name: string, { digest, model }: Named, again: () => void): void {
+function take(work: Work, name: string, { digest, value }: Named, again: () => void): void {
   const { engine, store } = work;
   const { recipe, make } = store.state;
-  const asked = engine.missing();
+  const missing = engine.missing();
+  const [asked] = missing;
   clear('outline');
-  if (asked?.digest === digest) {
+  if (missing.some((one) => one.digest === digest)) {
     engine.open(recipe);
     again();
     return passing('files', t('opened', { name }));
   }
+  const inRole = asked && make !== SURFACE ? withValues(recipe, [[asked.role, value]]) : undefined;
   const base = make === SURFACE ? recipe : `v=1&make=${SURFACE}`;
-  work.open(withValues(base, [['form', 'file'], [MODEL, model]]), { own: true, then: () => store.update({ paused: false }) });
+  const opened = inRole ?? withValues(base, [['form', 'file'], [MODEL, value]]);
+  work.open(opened, { own: true, then: () => store.update({ paused: false }) });
   if (asked) notice('files', t('other', { name, asked: asked.name }));
   else passing('files', t('opened', { name }));
 }

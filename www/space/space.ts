@@ -65,7 +65,7 @@ export class Space {
   follow(): void {
     const { engine, store } = this.work;
     const { stage } = store.state;
-    this.asked.show(stage === 'error' ? engine.missing()?.name : undefined);
+    this.asked.show(stage === 'error' ? engine.missing()[0]?.name : undefined);
     this.tell();
     if (engine.isSpace) this.turn.ask((page) => void this.painted(page));
   }
@@ -75,7 +75,7 @@ export class Space {
     const { engine } = this.work;
     const { stages } = engine.generator;
     const stage = engine.stage();
-    if (stage === 'error' && !engine.missing()) this.opened = '';
+    if (stage === 'error' && !engine.missing().length) this.opened = '';
     if (this.opened === '' || engine.get('form') !== 'file' || (stage !== 'done' && stages.indexOf(stage) <= MADE)) return;
     const mended = engine.inSpace((studio) => studio.remarks(), []).filter(({ code }) => code.startsWith('mended'));
     if (mended.length) notice('files', t('mended', { name: this.opened }), ...mended.map(said));

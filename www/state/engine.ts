@@ -3,7 +3,7 @@
  * calls answer with harmless values instead of failing again.
  */
 import type { Bubblestone } from '../../pkg/bubblestone.js';
-import type { FrameSlice, SeenBody } from '../../pkg-house/bubblestone.js';
+import type { FrameSlice, RecipeFile, SeenBody } from '../../pkg-house/bubblestone.js';
 import { leaveModule, moduleFor, useModule, type Module } from '../module/load';
 import type { SceneStudio } from '../module/scene';
 import type { Absence, Answer, Generator, Histograms, Notice, Parameter, PixelMap, Point, Preset, Probe, Ring, Series, Status } from '../module/types';
@@ -297,23 +297,32 @@ export class Engine {
     return this.ask((core) => (isWhole(core) ? call(core) : otherwise), otherwise);
   }
 
-  /** The digest and the name of the file that the work waits for; undefined where it waits for none, or still looks for it. */
-  missing(): { digest: string; name: string } | undefined {
-    const [digest, name = ''] = this.seeking ? [] : this.inSpace((studio) => studio.missingFile() ?? [], []);
-    return digest === undefined ? undefined : { digest, name };
+  /** The files that the work waits for; none while they are looked for. */
+  missing(): RecipeFile[] {
+    return this.seeking ? [] : this.waitsFor();
+  }
+
+  /** The files that the recipe names. */
+  files(): RecipeFile[] {
+    return this.inSpace((studio) => studio.recipeFiles(), []);
+  }
+
+  private waitsFor(): RecipeFile[] {
+    return this.inSpace((studio) => studio.missingFiles(), []);
   }
 
   randomSeed(): number {
     return this.guard(() => this.module?.random_seed(), undefined) ?? 1;
   }
 
-  /** Where the recipe asks for a file that is not here, it is looked for, once; meanwhile nothing is worked on. */
+  /** Where the recipe asks for files that are not here, they are looked for, once; meanwhile nothing is worked on. */
   private seek(): void {
     const { core } = this;
-    const [digest = ''] = this.inSpace((studio) => studio.missingFile() ?? [], []);
-    if (!core || digest === this.sought) return;
-    this.sought = digest;
-    this.seeking = digest !== '';
+    const named = this.waitsFor().filter(({ digest }) => digest !== '');
+    const digests = named.map(({ digest }) => digest).join(' ');
+    if (!core || digests === this.sought) return;
+    this.sought = digests;
+    this.seeking = digests !== '';
     if (!this.seeking) return;
     const search = (this.searches += 1);
     const wanted = (): boolean => this.core === core && this.seeking && this.searches === search;
@@ -345,7 +354,7 @@ export class Engine {
 }
 
 function isWhole(core: Bubblestone): core is SceneStudio {
-  return 'missingFile' in core;
+  return 'missingFiles' in core;
 }
 
 function kept<T>(all: Map<string, T>, key: string, made: () => T): T {

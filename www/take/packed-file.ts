@@ -1,4 +1,4 @@
-/** The file of a model inside a recipe's file: its bytes, compressed, as text, at the end. Both ways work piece by piece. */
+/** The files of models inside a recipe's file: their bytes, compressed, as text, at the end. Both ways work piece by piece. */
 import { findFile, keepFile } from '../module/shelf';
 import { piecesOf } from '../module/given';
 import { t } from '../words/take';
@@ -13,49 +13,81 @@ const BYTES = '"gzip": "';
 const PIECE = 3 << 16;
 const TEXT = 4 << 16;
 
-/** The file that a recipe names: its digest as 16 hex digits, and its name. */
-function named(engine: Engine): { digest: string; name: string } | undefined {
-  const [row] = engine.get('form') === 'file' ? engine.list('model') : [];
-  if (!row) return undefined;
-  const digest = row.slice(0, 4).map((number) => number.toString(16).padStart(4, '0'));
-  return { digest: digest.join(''), name: String.fromCodePoint(...row.slice(4)) };
+/** Bytes in which the next file begins behind one. */
+const HEAD = 4096;
+
+/** The text of a recipe's file with those of its models at its end; `text` is that of an object. Throws a sentence where one is not to be had. */
+export async function withFiles(text: string, engine: Engine, task: Task): Promise<BlobPart[]> {
+  const named = engine.files();
+  if (!named.length) return [text];
+  if (typeof CompressionStream !== 'function') throw new Error(t('old'));
+  const parts: BlobPart[] = [`${text.slice(0, text.lastIndexOf('}')).trimEnd()},\n  "files": [`];
+  for (const [k, one] of named.entries()) {
+    const file = await findFile(one.digest);
+    if (!file) throw new Error(t('no_model', { name: one.name }));
+    const head = JSON.stringify({ ...one, size: file.size }).slice(0, -1);
+    const packed = await packedText(file, task, (part) => (k + part) / named.length);
+    parts.push(`${k > 0 ? ', ' : ''}${head},${BYTES}`, packed, '"}');
+  }
+  return [...parts, ']\n}\n'];
 }
 
-/** The text of a recipe's file with that of the model at its end; `text` is that of an object. Throws a sentence where it is not to be had. */
-export async function withModel(text: string, engine: Engine, task: Task): Promise<BlobPart[]> {
-  const model = named(engine);
-  if (!model) return [text];
-  const file = await findFile(model.digest);
-  if (!file) throw new Error(t('no_model', { name: model.name }));
-  if (typeof CompressionStream !== 'function') throw new Error(t('old'));
-  const head = JSON.stringify({ ...model, size: file.size }).slice(0, -1);
+/** The bytes of a file, compressed, as text; `overall` tells how much of all is done from how much of this is. */
+async function packedText(file: Blob, task: Task, overall: (part: number) => number): Promise<Blob> {
   const parts = new Parts();
   let read = 0;
-  const told = new TransformStream<Uint8Array<ArrayBuffer>, Uint8Array<ArrayBuffer>>({
+  const counted = new TransformStream<Uint8Array<ArrayBuffer>, Uint8Array<ArrayBuffer>>({
     transform: (piece, stream) => {
-      task.progress((read += piece.length) / file.size);
+      task.progress(overall((read += piece.length) / file.size));
       stream.enqueue(piece);
     },
   });
-  const packed = from(piecesOf(file)).pipeThrough(told).pipeThrough(new CompressionStream('gzip'), { signal: task.signal });
+  const packed = from(piecesOf(file)).pipeThrough(counted).pipeThrough(new CompressionStream('gzip'), { signal: task.signal });
   const utf8 = new TextEncoder();
   for await (const piece of inThrees(packed.getReader())) parts.add(utf8.encode(btoa(lettersOf(piece))));
-  return [`${text.slice(0, text.lastIndexOf('}')).trimEnd()},\n  "file": ${head},${BYTES}`, parts.file(''), '"}\n}\n'];
+  return parts.file('');
 }
 
-/** The text of a recipe's file as far as it can be read at once, and where in the file the model's bytes begin. */
+/** The text of a recipe's file as far as it can be read at once, and where in the file the first model's bytes begin. */
 export function headOf(bytes: Uint8Array): { text: string; at: number | undefined } {
   const at = new TextDecoder('latin1').decode(bytes).indexOf(BYTES);
   if (at < 0) return { text: new TextDecoder().decode(bytes), at: undefined };
   const begin = at + BYTES.length;
-  return { text: `${new TextDecoder().decode(bytes.subarray(0, begin))}"}}`, at: begin };
+  const text = new TextDecoder().decode(bytes.subarray(0, begin));
+  // Older files have one model, which is no list.
+  return { text: `${text}"}${text.includes('"files": [') ? ']' : ''}}`, at: begin };
 }
 
-/** Keeps the model of a recipe's file, so that the recipe finds it. Whether it is what it should be the engine sees. */
-export async function keepModel(file: Blob, at: number, { digest, name }: { digest?: unknown; name?: unknown }): Promise<void> {
+/** Keeps the models of a recipe's file, so that the recipe finds them. Whether they are what they should be the engine sees. */
+export async function keepFiles(file: Blob, at: number, first: object): Promise<void> {
+  let next: { head: object; at: number } | undefined = { head: first, at };
+  while (next) {
+    await keepOne(file, next.at, next.head);
+    next = await following(file, next.at);
+  }
+}
+
+async function keepOne(file: Blob, at: number, { digest, name }: { digest?: unknown; name?: unknown }): Promise<void> {
   if (typeof digest !== 'string' || typeof name !== 'string') return;
   const unpacked = from(bytesFrom(file, at)).pipeThrough(new DecompressionStream('gzip'));
   await keepFile(digest, name, await new Response(unpacked).blob());
+}
+
+/** The model behind the one whose bytes begin here; undefined behind the last one. */
+async function following(file: Blob, begin: number): Promise<{ head: object; at: number } | undefined> {
+  for (let at = begin; at < file.size; at += TEXT) {
+    const text = new TextDecoder('latin1').decode(await file.slice(at, at + TEXT).arrayBuffer());
+    const end = text.indexOf('"');
+    if (end < 0) continue;
+    const behind = at + end + 1;
+    const bytes = new Uint8Array(await file.slice(behind, behind + HEAD).arrayBuffer());
+    const found = new TextDecoder('latin1').decode(bytes).indexOf(BYTES);
+    if (found < 0) return undefined;
+    const length = found + BYTES.length;
+    const head = new TextDecoder().decode(bytes.subarray(0, length)).replace(/^\}\s*,\s*/, '');
+    return { head: JSON.parse(`${head}"}`) as object, at: behind + length };
+  }
+  return undefined;
 }
 
 /** The bytes that a text in a file stands for, up to its end. */

@@ -1,6 +1,6 @@
 /**
  * Files that are opened as a recipe: JSON files `{"program", "version", "link", "recipe", "parameters": {...}}`,
- * of which `recipe` is what counts, with the file of the model that it asks for, and pictures and drawings that were saved here.
+ * of which `recipe` is what counts, with the files of the models that it asks for, and pictures and drawings that were saved here.
  */
 import { version } from '../../package.json';
 import type { Parameter } from '../module/types';
@@ -11,7 +11,7 @@ import type { Engine } from '../state/engine';
 import { pageAddress } from '../state/link';
 import type { Work } from '../state/work';
 import { originIn, PROGRAM } from './origin';
-import { headOf, keepModel, withModel } from './packed-file';
+import { headOf, keepFiles, withFiles } from './packed-file';
 
 /** Of a file so many bytes are read, but for the model inside it; a link of a thousand points has some ten thousand. */
 const LARGEST = 200_000;
@@ -21,7 +21,7 @@ export async function recipeFile(engine: Engine, task: Task): Promise<Blob> {
   const recipe = engine.link();
   const parameters = Object.fromEntries(engine.schema.map((parameter) => [parameter.key, valueOf(parameter, engine.get(parameter.key))]));
   const text = JSON.stringify({ program: PROGRAM, version, link: pageAddress(recipe), recipe, parameters }, null, 2);
-  return new Blob(await withModel(`${text}\n`, engine, task), { type: 'application/json' });
+  return new Blob(await withFiles(`${text}\n`, engine, task), { type: 'application/json' });
 }
 
 function valueOf({ kind }: Parameter, text: string): string | number {
@@ -37,17 +37,18 @@ export async function openRecipe(work: Work, file: File): Promise<boolean> {
   if (!inside) return false;
   const { recipe, file: model } = inside;
   // Without the model, or where it is broken, the page asks for it.
-  if (model && at !== undefined) await keepModel(file, at, model).catch(() => undefined);
+  if (model && at !== undefined) await keepFiles(file, at, model).catch(() => undefined);
   work.open(recipe, { own: true });
   passing('files', t('opened', { name: file.name }));
   return true;
 }
 
-/** The link that a recipe's file holds, and what it tells of its model; undefined where it is something else. */
+/** The link that a recipe's file holds, and what it tells of its first model; undefined where it is something else. */
 function recipeIn(text: string): { recipe: string; file: object | undefined } | undefined {
   try {
-    const { program, recipe, file } = JSON.parse(text) as { program?: unknown; recipe?: unknown; file?: unknown };
-    return program === PROGRAM && typeof recipe === 'string' ? { recipe, file: file instanceof Object ? file : undefined } : undefined;
+    const { program, recipe, file, files } = JSON.parse(text) as { program?: unknown; recipe?: unknown; file?: unknown; files?: unknown };
+    const first: unknown = Array.isArray(files) ? files[0] : file;
+    return program === PROGRAM && typeof recipe === 'string' ? { recipe, file: first instanceof Object ? first : undefined } : undefined;
   } catch {
     return undefined;
   }

@@ -3,7 +3,8 @@
 use super::{Pavement, params};
 use crate::export::{self, Map, MapKind, MeshFile, MeshOrder, maps};
 use crate::generators::bigger::{Bigger, Picture};
-use crate::generators::height_field::{Bodies, LightParams};
+use crate::generators::height_field::Bodies;
+use crate::generators::lighting::LightParams;
 use crate::generators::{Clock, Engine, MeshSlice, PictureSlice, until};
 use crate::heightfield::Planes;
 use crate::notice::{Code, Notice};

@@ -2,7 +2,7 @@
 
 use super::Pavement;
 use crate::cells::Cell;
-use crate::generators::height_field::LightParams;
+use crate::generators::lighting::LightParams;
 use crate::generators::turntable::{Stand, Turntable};
 use crate::generators::{Budget, Clock, FrameSlice, SeenBody, TurnOrder};
 use crate::heightfield::{Cutout, Surfaces};
@@ -121,7 +121,7 @@ impl Pavement {
             }
         }
         let left = budget.left(clock);
-        let slice = slant.table.advance(&stand, order, clock, left)?;
+        let slice = slant.table.advance(&stand, order.order()?, clock, left)?;
         // The first half was the making of the bodies.
         Ok(FrameSlice {
             progress: 0.5 + 0.5 * slice.progress,
@@ -199,6 +199,7 @@ fn alone(step: &Step, cell: &Cell, high: f64) -> Scene {
             body: 0,
             place: Place::default(),
             id: cell.id,
+            paint: None,
         }],
         lines: step
             .edges

@@ -1,8 +1,8 @@
 //! The first stage: a surface that cells of the asked sizes can be packed on.
 
-use super::loading::Loaded;
 use super::params::{On, Sizes, Source, SurfaceParams};
 use super::tracing;
+use crate::generators::scene_picture::Loaded;
 use crate::notice::{Code, Notice};
 use crate::shapes::{Bone as ShapeBone, Shape, ShapeMaking};
 use crate::surface_field::fit::check_count;
@@ -100,7 +100,7 @@ impl Building {
             notices: loaded.notices.clone(),
         };
         let count = params.sizes.count;
-        new.step = match (&params.source, &loaded.mesh) {
+        new.step = match (&params.source, loaded.meshes.first()) {
             (Source::Shape(shape, numbers), _) => {
                 let edge = shape.coarsest(numbers);
                 Step::Sketch(Box::new(shape.making(numbers, edge)))

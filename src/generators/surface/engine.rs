@@ -1,11 +1,12 @@
 //! A surface as one of the generators: what the studio asks of it.
 
-use super::models::Model;
 use super::stages::{PACKING, STONES};
 use super::{Surface, Wish};
 use crate::export::{Map, MapKind, MeshOrder, MeshSize, Report};
+use crate::generators::scene_picture;
 use crate::generators::{
-    Clock, Engine, FrameSlice, GivenFile, MeshSlice, PictureSlice, Progress, SeenBody, TurnOrder,
+    Clock, Engine, FrameSlice, GivenFile, MeshSlice, MissingFile, PictureSlice, Progress, SeenBody,
+    TurnOrder,
 };
 use crate::notice::{Code, Notice};
 use crate::recipe::Recipe;
@@ -90,11 +91,11 @@ impl Engine for Surface {
     }
 
     fn view(&mut self, words: &str) -> &[u8] {
-        self.look_at(words)
+        scene_picture::view(self, words)
     }
 
     fn prepare(&mut self, words: &str, clock: Clock, budget: f64) -> bool {
-        self.draw_beforehand(words, clock, budget)
+        scene_picture::prepare(self, words, clock, budget)
     }
 
     fn absences(&mut self, _: &str) -> Vec<(&'static str, &'static str)> {
@@ -138,15 +139,15 @@ impl Engine for Surface {
     }
 
     fn turn(&mut self, order: &TurnOrder, clock: Clock, budget: f64) -> Result<FrameSlice, Notice> {
-        self.turn_slice(order, clock, budget)
+        scene_picture::turn(self, order, clock, budget)
     }
 
     fn frame(&self) -> Option<&Frame> {
-        self.shown.frame()
+        self.picture.frame()
     }
 
     fn body_at(&self, x: usize, y: usize) -> Option<SeenBody> {
-        self.seen_at(x, y)
+        self.picture.body_at(self.working.params.yaw, x, y)
     }
 
     fn caption(&self, words: &str) -> Option<Notice> {
@@ -154,23 +155,20 @@ impl Engine for Surface {
     }
 
     fn place_at(&self, x: usize, y: usize) -> Option<[i64; 3]> {
-        Surface::place_at(self, x, y)
+        self.place_seen_at(x, y)
     }
 
     fn pixel_of(&self, place: [i64; 3]) -> Option<[f64; 2]> {
-        Surface::pixel_of(self, place)
+        self.pixel_of_place(place)
     }
 
-    fn give(&mut self, file: GivenFile) -> Option<Vec<i64>> {
-        let model = Model::of(&file);
-        self.made.give(model.digest, file.into_bytes());
-        Some(model.row())
+    fn give(&mut self, file: GivenFile) -> bool {
+        self.made.give(file.digest(), file.into_bytes());
+        true
     }
 
-    fn missing(&self) -> Option<(String, String)> {
-        let none = || (String::new(), String::new());
-        let named = |model: &Model| (model.digest_text(), model.name.clone());
-        Some(self.made.missing()?.map_or_else(none, named))
+    fn missing(&self) -> Vec<MissingFile> {
+        self.made.missing()
     }
 
     fn stop_file(&mut self) {

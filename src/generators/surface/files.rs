@@ -3,16 +3,9 @@
 use super::Surface;
 use super::stages::stones_params;
 use crate::export::{MeshOrder, ModelFile};
-use crate::generators::{Clock, Engine, MeshSlice, until};
+use crate::generators::scene_picture::Saving;
+use crate::generators::{Clock, Engine, MeshSlice};
 use crate::notice::{Code, Notice};
-
-/// A mesh file in the making.
-pub(super) struct Saving {
-    file: ModelFile,
-    order: MeshOrder,
-    /// Of which stones it is.
-    revision: u64,
-}
 
 impl Surface {
     pub(super) fn mesh_slice(
@@ -29,29 +22,19 @@ impl Surface {
         ) else {
             return Err(Code::NotYet.into());
         };
-        let fits = |s: &Saving| s.order == *order && s.revision == revision;
-        let kept = self.saving.take().filter(fits);
-        let begun = kept.is_none();
         let params = &self.working.params;
-        let mut saving = kept.unwrap_or_else(|| Saving {
-            file: ModelFile::new(
-                order,
-                stones_params(&params.stones, &paved.cells),
-                &params.light.materials,
-                &paved.cells,
-            ),
-            order: *order,
-            revision,
-        });
-        let done = until(clock, budget, || {
-            saving.file.advance(&built.whole, paved.paving())
-        });
-        let mut parts = saving.file.take();
-        if done {
-            parts.extend(saving.file.finish());
-        } else {
-            self.saving = Some(saving);
-        }
-        Ok(MeshSlice { begun, parts, done })
+        let new = || {
+            let stones = stones_params(&params.stones, &paved.cells);
+            ModelFile::new(order, stones, &params.light.materials, &paved.cells)
+        };
+        let advance = |file: &mut ModelFile| file.advance(&built.whole, paved.paving());
+        let wanted = (order, revision);
+        Ok(Saving::slice(
+            &mut self.saving,
+            wanted,
+            new,
+            (clock, budget),
+            advance,
+        ))
     }
 }

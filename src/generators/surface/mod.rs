@@ -9,30 +9,26 @@ mod data;
 mod engine;
 mod fields;
 mod files;
-mod loading;
-mod look;
 mod made;
-mod models;
 mod params;
 mod paving;
 mod presets;
 mod rules;
 mod schema;
-mod shown;
 mod stages;
-mod still;
 mod subject;
 #[cfg(test)]
 mod tests;
 mod tracing;
 mod views;
-mod yaw;
 
-pub use models::Model;
 pub use schema::keys;
 
+use super::scene_picture::{Saving, ScenePicture};
 use super::{Generator, Views};
+use crate::export::ModelFile;
 use crate::recipe::{Recipe, Schema};
+use crate::surface_views::Ground;
 use params::Params;
 use stages::Stages;
 
@@ -67,11 +63,11 @@ pub struct Surface {
     /// The first stage of which the latest asks something else.
     stale: Option<usize>,
     made: Stages,
-    shown: shown::Shown,
-    /// A view that was drawn beforehand.
-    looked: look::Looked,
+    picture: ScenePicture<Surface>,
+    /// The bare surface that views share, and its number.
+    ground: Option<(u64, Ground)>,
     /// The mesh file in the making.
-    saving: Option<files::Saving>,
+    saving: Option<Saving<ModelFile>>,
 }
 
 /// A recipe, and what it asks of the stages.
@@ -97,8 +93,8 @@ impl Surface {
             working: wish.clone(),
             latest: wish,
             stale: None,
-            shown: shown::Shown::default(),
-            looked: look::Looked::default(),
+            picture: ScenePicture::default(),
+            ground: None,
             saving: None,
         }
     }

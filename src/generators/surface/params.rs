@@ -1,15 +1,14 @@
 //! From a recipe to what each stage works by.
 
-use super::models::Model;
 use super::schema::{FILE, ROWS, keys};
 use crate::field::Kind;
 use crate::generators::common;
-use crate::generators::height_field::LightParams;
+use crate::generators::lighting::LightParams;
 use crate::heightfield::TextureParams;
 use crate::material::{ColourParams, WeatherParams};
 use crate::packing::{BoundaryCondition, Integrator, PackingParams, Population, Start};
-use crate::recipe::Recipe;
 use crate::recipe::common::keys as shared;
+use crate::recipe::{NamedFile, Recipe};
 use crate::shapes::Shape;
 use crate::surface_field::{Along, ByCurvature, Taper};
 use crate::surface_stones::Open;
@@ -50,7 +49,7 @@ pub(super) enum Source {
     /// By rule, with its numbers.
     Shape(Shape, Vec<f64>),
     /// From a file; none where none was given yet. The second one tells whether z is up in it.
-    Model(Option<Model>, bool),
+    Model(Option<NamedFile>, bool),
 }
 
 /// What the surface is made by.
@@ -181,7 +180,10 @@ fn surface(recipe: &Recipe, sizes: &Sizes) -> SurfaceParams {
     SurfaceParams {
         source: match shape(recipe).filter(|_| !is_file) {
             Some(shape) => Source::Shape(shape, numbers(recipe, shape)),
-            None => Source::Model(Model::asked(recipe), recipe.choice(keys::UP) == "z"),
+            None => Source::Model(
+                recipe.files(keys::MODEL).pop(),
+                recipe.choice(keys::UP) == "z",
+            ),
         },
         on: match recipe.choice(keys::ON) {
             "simple" if is_file => On::Simple,

@@ -92,7 +92,7 @@ rows! {
     letter_round LETTER_ROUND => own(keys::LETTER_ROUND, &numbers::LETTER[3], &["letter"]);
     letter_lean LETTER_LEAN => own(keys::LETTER_LEAN, &numbers::LETTER[4], &["letter"]);
     model MODEL: "The file's digest and its name: a link does not hold the file itself." =>
-        text("Model", Item::Model).group("Shape").main().steady()
+        text("Model", Item::File).group("Shape").main().steady()
             .drawn_for(keys::FORM, FILE).only_for(keys::FORM, &[FILE]);
     up UP: "Which way is up in the file." =>
         choice("Upright axis", choices![y: "y", z: "z"]).group("Shape").steady()

@@ -1,13 +1,15 @@
 //! How the stages of a surface hang together, and what is due next.
 
+use super::SURFACE;
 use super::build::{Building, Built};
 use super::fields::{Fielded, Fielding};
-use super::loading::{Loaded, Loading};
-use super::models::{Model, Models};
 use super::params::{CellParams, FieldParams, Params, Source, StoneLook, SurfaceParams};
 use super::paving::{Meshed, Paved, Paves};
-use super::still::Still;
-use crate::generators::height_field::LightParams;
+use super::schema::keys;
+use crate::generators::MissingFile;
+use crate::generators::scene_picture::{
+    AskedFile, GivenFiles, Loaded, Loading, Still, StillParams,
+};
 use crate::graph::{Node, State};
 use crate::notice::{Code, Notice};
 use crate::packing::PackingParams;
@@ -28,14 +30,6 @@ pub(super) const PACKING: usize = 2;
 /// Stones, the first stage of the finisher.
 pub(super) const STONES: usize = 5;
 
-/// What the picture is lit and seen by.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct StillParams {
-    pub light: LightParams,
-    pub yaw: f64,
-    pub side: usize,
-}
-
 /// The bodies on the surface.
 pub(super) struct Bodies {
     pub scene: Rc<Scene>,
@@ -53,8 +47,8 @@ pub(super) enum Packs {
 
 /// The stages.
 pub(super) struct Stages {
-    pub models: Models,
-    pub(super) loaded: Node<Option<(Option<Model>, bool)>, Loading, Loaded>,
+    pub files: GivenFiles,
+    pub(super) loaded: Node<Vec<AskedFile>, Loading, Loaded>,
     pub(super) built: Node<SurfaceParams, Building, Built>,
     pub(super) fields: Node<FieldParams, Fielding, Fielded>,
     pub(super) site: Node<(), (), Site>,
@@ -93,16 +87,22 @@ impl Task {
     }
 }
 
-/// The file that a surface needs.
-fn model(params: &SurfaceParams) -> Option<(Option<Model>, bool)> {
+/// The files that a surface needs.
+fn asked(params: &SurfaceParams) -> Vec<AskedFile> {
     match &params.source {
-        Source::Shape(..) => None,
-        Source::Model(model, is_z_up) => Some((model.clone(), *is_z_up)),
+        Source::Shape(..) => Vec::new(),
+        Source::Model(file, is_z_up) => vec![AskedFile {
+            role: keys::MODEL.0,
+            file: file.clone(),
+            is_z_up: *is_z_up,
+        }],
     }
 }
 
-fn still(params: &Params) -> StillParams {
+/// How the picture is seen and lit.
+pub(super) fn still(params: &Params) -> StillParams {
     StillParams {
+        camera: SURFACE.camera(),
         light: params.light.clone(),
         yaw: params.yaw,
         side: params.side,
@@ -113,8 +113,8 @@ impl Stages {
     /// Nothing made yet.
     pub fn new(params: &Params) -> Self {
         Self {
-            models: Models::default(),
-            loaded: Node::new(model(&params.surface)),
+            files: GivenFiles::default(),
+            loaded: Node::new(asked(&params.surface)),
             built: Node::new(params.surface.clone()),
             fields: Node::new(params.fields.clone()),
             site: Node::new(()),
@@ -128,7 +128,7 @@ impl Stages {
 
     /// From now on all is to be made by these.
     pub fn want(&mut self, params: &Params) {
-        self.loaded.want(model(&params.surface));
+        self.loaded.want(asked(&params.surface));
         self.built.want(params.surface.clone());
         self.fields.want(params.fields.clone());
         self.packing.want(params.packing);
@@ -142,21 +142,9 @@ impl Stages {
         self.built.forget();
     }
 
-    /// The file that is asked for.
-    fn asked(&self) -> Option<&Model> {
-        self.loaded.params().as_ref()?.0.as_ref()
-    }
-
     /// Takes a file.
     pub fn give(&mut self, digest: u64, bytes: Vec<u8>) {
-        let asked = self.asked().map(|model| model.digest);
-        self.models.give(digest, bytes, asked);
-    }
-
-    /// 1 where the file that is asked for has been given.
-    fn given(&self) -> u64 {
-        let asked = self.asked();
-        u64::from(asked.is_some_and(|model| self.models.find(model.digest).is_some()))
+        self.files.give(digest, bytes, self.loaded.params());
     }
 
     /// The revisions that a piece of the work hangs on, summed.
@@ -167,7 +155,7 @@ impl Stages {
         let meshed = || packed() + self.mesh.revision();
         let paved = || meshed() + self.paved.revision();
         match task {
-            Task::Load => self.given(),
+            Task::Load => self.files.count(self.loaded.params()),
             Task::Build => self.loaded.revision(),
             Task::Fields => built(),
             Task::Site => fields(),
@@ -233,11 +221,13 @@ impl Stages {
         }
     }
 
-    /// The file that is missing, also before any work has found that; within it nothing where none is named yet.
-    pub fn missing(&self) -> Option<Option<&Model>> {
-        self.loaded.params().as_ref()?;
-        let is_missing = self.due() == Some(Task::Load) && self.given() == 0;
-        is_missing.then(|| self.asked())
+    /// The files that are missing, also before any work has found that.
+    pub fn missing(&self) -> Vec<MissingFile> {
+        let asked = match self.due() {
+            Some(Task::Load) => &self.loaded.params()[..],
+            _ => &[],
+        };
+        self.files.missing(asked).collect()
     }
 
     /// What was done to the surface, or is to be said of cells on it.
@@ -256,9 +246,9 @@ impl Stages {
         let inputs = self.inputs(task);
         match task {
             Task::Load => {
-                let models = &self.models;
+                let files = &self.files;
                 self.loaded
-                    .advance(inputs, |model, work| Loading::advance(model, work, models));
+                    .advance(inputs, |asked, work| Loading::advance(asked, work, files));
             }
             Task::Build => {
                 let Some(loaded) = self.loaded.made() else {

@@ -1,19 +1,22 @@
 //! What can be seen of the work on a surface, made in slices.
 
 use super::Surface;
+use super::stages::still;
 use super::views::View;
 use crate::draw::Tones;
+use crate::generators::scene_picture::{ScenePicture, SceneSource, StillParams};
+use crate::material::Material;
 use crate::notice::{Code, Notice};
 use crate::scene::Scene;
 use crate::surface_stones::Fit;
 use crate::surface_views::{
-    CellsView, FieldView, Ground, MapView, MeshView, Particles, Quantity, Tally,
+    CellsView, FieldView, Ground, MATERIALS, MapView, MeshView, Particles, Quantity, Tally,
 };
 use std::rc::Rc;
 
 /// What a scene is of.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Of {
+pub(crate) struct Of {
     pub view: View,
     /// The surface that it is on, by its number.
     pub surface: u64,
@@ -22,7 +25,7 @@ pub(super) struct Of {
 }
 
 /// A scene.
-pub(super) enum Subject {
+pub(crate) enum Subject {
     Stones(Rc<Scene>),
     Particles(Box<Particles>),
     Field(Scene, Tally),
@@ -30,9 +33,8 @@ pub(super) enum Subject {
     Other(Scene),
 }
 
-impl Subject {
-    /// What is lit.
-    pub fn scene(&self) -> &Scene {
+impl AsRef<Scene> for Subject {
+    fn as_ref(&self) -> &Scene {
         match self {
             Self::Stones(scene) => scene,
             Self::Particles(particles) => particles.scene(),
@@ -42,7 +44,7 @@ impl Subject {
 }
 
 /// A scene in the making.
-pub(super) enum Making {
+pub(crate) enum Making {
     Begin(Option<Box<Particles>>),
     Field(Box<FieldView>),
     Mesh(Box<MeshView>),
@@ -50,16 +52,17 @@ pub(super) enum Making {
     Map(Box<MapView>),
 }
 
-impl Making {
-    /// Nothing made yet; cells may go on from those that were seen last on the same surface.
-    pub fn new(last: Option<Box<Particles>>) -> Self {
-        Self::Begin(last)
-    }
-}
+impl SceneSource for Surface {
+    type Key = Of;
+    type Subject = Subject;
+    type Making = Making;
 
-impl Surface {
-    /// What a view is of, as far as the work has come; nothing where it has not come so far.
-    pub(super) fn wanted(&self, view: View) -> Option<Of> {
+    fn scene_picture(&mut self) -> &mut ScenePicture<Self> {
+        &mut self.picture
+    }
+
+    fn key(&self, view: &str) -> Option<Of> {
+        let view = View::of_words(view);
         let made = &self.made;
         let (surface, revision) = made.revisions();
         let is_packed = made.live_packing().is_some();
@@ -84,13 +87,21 @@ impl Surface {
         })
     }
 
-    /// One slice of a scene; the scene when it is there.
-    pub(super) fn make(
-        &self,
-        making: &mut Making,
-        of: Of,
-        ground: &mut Option<(u64, Ground)>,
-    ) -> Option<Subject> {
+    fn is_later(&self, before: Of, after: Of) -> bool {
+        before.view == after.view && before.surface == after.surface
+    }
+
+    fn begin(&self, of: Of, shown: &mut Option<(Of, Subject)>) -> Making {
+        let goes_on = |(before, subject): &mut (Of, Subject)| {
+            matches!(subject, Subject::Particles(_)) && self.is_later(*before, of)
+        };
+        match shown.take_if(goes_on) {
+            Some((_, Subject::Particles(last))) => Making::Begin(Some(last)),
+            _ => Making::Begin(None),
+        }
+    }
+
+    fn make(&mut self, of: Of, making: &mut Making) -> Option<Subject> {
         let made = &self.made;
         if of.view == View::Picture {
             return made
@@ -98,13 +109,14 @@ impl Surface {
                 .map(|(scene, _)| Subject::Stones(scene.clone()));
         }
         let built = made.last_built()?;
-        let is_old = ground
+        let is_old = self
+            .ground
             .as_ref()
             .is_none_or(|(surface, _)| *surface != of.surface);
         if is_old {
-            *ground = Some((of.surface, Ground::new(&built.mesh, Fit::new(&built.whole))));
+            self.ground = Some((of.surface, Ground::new(&built.mesh, Fit::new(&built.whole))));
         }
-        let (_, ground) = ground.as_mut()?;
+        let (_, ground) = self.ground.as_mut()?;
         if !ground.advance(&built.mesh) {
             return None;
         }
@@ -155,10 +167,27 @@ impl Surface {
         })
     }
 
+    fn still(&self) -> StillParams {
+        still(&self.working.params)
+    }
+
+    fn materials(&self, subject: &Subject) -> Option<&'static [Material]> {
+        (!matches!(subject, Subject::Stones(_))).then_some(&MATERIALS)
+    }
+
+    fn finished(&self, view: &str) -> Option<&[u8]> {
+        let is_picture = matches!(View::of_words(view), View::Auto | View::Picture);
+        (is_picture && self.made.at().is_none()).then(|| self.made.picture())
+    }
+}
+
+impl Surface {
     /// What is to be read beside a view that is shown.
     pub(super) fn caption_of(&self, words: &str) -> Option<Notice> {
         let view = View::of_words(words);
-        match (self.shown.subject(view)?, view) {
+        let (of, subject) = self.picture.shown()?;
+        match (subject, view) {
+            _ if of.view != view => None,
             (Subject::Field(_, tally), _) => {
                 let code = match tally.border_index {
                     0.0 => Code::SingularPoints,

@@ -2,12 +2,10 @@
 
 use super::params::Params;
 use super::schema::ROWS;
-use super::yaw::turned;
 use super::{SCHEMA, SURFACE, keys};
-use crate::generators::ALL;
+use crate::generators::{ALL, MissingFile};
 use crate::notice::Code;
-use crate::recipe::Recipe;
-use crate::scene::Camera;
+use crate::recipe::{MAX_NAME, NamedFile, Recipe};
 use crate::shapes::Shape;
 use crate::studio::Studio;
 
@@ -110,24 +108,33 @@ fn a_step_back_to_what_is_there_makes_nothing() {
     assert_eq!(studio.runs(), runs);
 }
 
+/// The file that a recipe names, as its link has it.
+fn read_back(file: &NamedFile) -> NamedFile {
+    let mut recipe = Recipe::new(&SCHEMA);
+    let rows = Some(vec![file.row()]);
+    SCHEMA.rules.draw(&mut recipe, keys::MODEL, rows).unwrap();
+    let (again, notices) = Recipe::from_link(&[&SCHEMA], &recipe.link());
+    assert_eq!(notices, []);
+    again.files(keys::MODEL).remove(0)
+}
+
 #[test]
-fn a_model_turned_is_a_viewer_turned() {
-    let camera = Camera {
-        angle: 20.0,
-        target: [0.3, 0.1, -0.2],
-        ..Camera::default()
-    };
-    assert_eq!(turned(camera, 0.0), camera);
-    let quarter = turned(camera, 90.0);
-    assert_eq!(quarter.angle, -70.0);
-    // From above, x to the right and z down: clockwise goes from x to z.
-    let wanted = [-0.2, 0.1, -0.3];
-    let off = quarter
-        .target
-        .iter()
-        .zip(wanted)
-        .map(|(a, b)| (a - b).abs());
-    assert!(off.sum::<f64>() < 1e-9, "{:?}", quarter.target);
+fn a_row_names_the_file_again() {
+    let names = ["a.obj", "", "wal fisch.glb", "鯨🐋.ply", "..,;&=%.stl"];
+    for (k, name) in names.into_iter().enumerate() {
+        let file = NamedFile::new(0xFEDC_BA98_7654_3210 >> (7 * k), name);
+        assert_eq!(read_back(&file), file);
+    }
+    let last = NamedFile::new(u64::MAX, "x");
+    assert_eq!(read_back(&last).digest_text(), "ffffffffffffffff");
+}
+
+#[test]
+fn a_long_name_keeps_its_ending() {
+    let file = NamedFile::new(1, &format!("{}.obj", "é".repeat(500)));
+    assert_eq!(file.name.chars().count(), MAX_NAME);
+    assert!(file.name.ends_with("é.obj"));
+    assert_eq!(read_back(&file), file);
 }
 
 #[test]
@@ -149,6 +156,10 @@ fn a_file_is_asked_for() {
     let missing = studio.engine().missing();
     assert_eq!(
         missing,
-        Some(("0001000200030004".to_owned(), "a.obj".to_owned()))
+        [MissingFile {
+            role: "model",
+            digest: "0001000200030004".to_owned(),
+            name: "a.obj".to_owned(),
+        }]
     );
 }

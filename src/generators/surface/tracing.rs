@@ -1,7 +1,9 @@
 //! What is drawn on a surface: from the rows of a recipe to strokes and spots, and from a place to its numbers.
 
+use super::Surface;
 use crate::recipe::BOX_STEPS;
 use crate::surface_field::{Stroke, SurfaceSpot};
+use crate::surface_stones::Fit;
 use crate::trimesh::{Search, TriMesh};
 use glam::DVec3;
 
@@ -38,16 +40,35 @@ pub(super) fn spots(mesh: &TriMesh, search: &Search, rows: &[[f64; 5]]) -> Vec<S
 }
 
 /// The place in space of a row's numbers.
-pub(super) fn place(mesh: &TriMesh, numbers: [i64; 3]) -> DVec3 {
+fn place(mesh: &TriMesh, numbers: [i64; 3]) -> DVec3 {
     let (low, side) = unit(mesh);
     low + DVec3::from(numbers.map(|n| n as f64)) * (side / BOX_STEPS)
 }
 
 /// The numbers of a place in space, as rows have them.
-pub(super) fn numbers(mesh: &TriMesh, p: DVec3) -> [i64; 3] {
+fn numbers(mesh: &TriMesh, p: DVec3) -> [i64; 3] {
     let (low, side) = unit(mesh);
     ((p - low) / side * BOX_STEPS)
         .round()
         .to_array()
         .map(|x| x as i64)
+}
+
+impl Surface {
+    /// The place of the model at a pixel of the frame last finished, as rows of strokes and spots have it; nothing
+    /// beside the model.
+    pub(super) fn place_seen_at(&self, x: usize, y: usize) -> Option<[i64; 3]> {
+        let seen = self.picture.place_at(x, y)?.as_dvec3();
+        let built = self.made.last_built()?;
+        let fit = Fit::new(&built.whole);
+        Some(numbers(&built.mesh, seen / fit.scale + fit.middle))
+    }
+
+    /// Where such a place is in the frame last finished, in pixels; nothing where it is not seen there.
+    pub(super) fn pixel_of_place(&self, numbers: [i64; 3]) -> Option<[f64; 2]> {
+        let built = self.made.last_built()?;
+        let fit = Fit::new(&built.whole);
+        self.picture
+            .pixel_of(fit.place(place(&built.mesh, numbers)))
+    }
 }

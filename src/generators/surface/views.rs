@@ -14,7 +14,7 @@ pub(super) const WORDS: [&str; 8] = [
 
 /// What a view shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum View {
+pub(crate) enum View {
     /// The packing as it forms, then the stones.
     Auto,
     /// The stones.

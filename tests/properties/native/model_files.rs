@@ -1,6 +1,6 @@
 //! Files of stones on a surface: what other programs read of them.
 
-use bubblestone::export::{MeshFormat, MeshOrder, ModelFile};
+use bubblestone::export::{MeshFormat, MeshOrder, ModelFile, PartFile};
 use bubblestone::field::Kind;
 use bubblestone::heightfield::TextureParams;
 use bubblestone::material::{Gloss, WeatherParams, material_table};

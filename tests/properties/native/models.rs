@@ -1,7 +1,6 @@
 //! Surfaces of files: from a link that names one to stones on it, and what is said where that does not go.
 
-use bubblestone::generators::surface::Model;
-use bubblestone::generators::{ALL, GivenFile};
+use bubblestone::generators::{ALL, GivenFile, MissingFile};
 use bubblestone::notice::Notice;
 use bubblestone::studio::Studio;
 
@@ -45,7 +44,7 @@ fn a_link_without_a_file_says_so_and_keeps_a_surface_by_rule() {
         "{said:?}"
     );
     assert_eq!(studio.recipe().link(), LINK);
-    assert_eq!(studio.engine().missing(), None);
+    assert_eq!(studio.engine().missing(), []);
 }
 
 #[test]
@@ -59,7 +58,7 @@ fn a_recipe_alone_does_not_choose_a_file_that_it_does_not_name() {
 #[test]
 fn a_file_becomes_stones_and_a_link_that_finds_it_again() {
     let (mut first, _) = studio(LINK);
-    let said = first.open_file(file("cube.obj", &cube(2.0)));
+    let said = first.open_file(None, file("cube.obj", &cube(2.0)));
     assert_eq!(said, Ok(vec![]));
     first.finish(&mut || 0.0).expect("a picture");
     assert!(first.progress().stones > 40, "{:?}", first.progress());
@@ -67,15 +66,19 @@ fn a_file_becomes_stones_and_a_link_that_finds_it_again() {
     // Elsewhere the file is missing, by its name, until it is given.
     let (mut other, notices) = studio(&link);
     assert_eq!(notices, []);
-    let digest = Model::of(&file("", &cube(2.0))).digest_text();
-    let missing = Some((digest, "cube.obj".to_owned()));
+    let digest = file("", &cube(2.0)).named().digest_text();
+    let missing = [MissingFile {
+        role: "model",
+        digest,
+        name: "cube.obj".to_owned(),
+    }];
     assert_eq!(other.engine().missing(), missing);
     assert!(failure(&mut other).contains("needs the file \"cube.obj\""));
     assert_eq!(other.engine().missing(), missing);
     other.engine_mut().give(file("another.obj", &cube(1.0)));
     assert_eq!(other.engine().missing(), missing);
     other.engine_mut().give(file("renamed.obj", &cube(2.0)));
-    assert_eq!(other.engine().missing(), None);
+    assert_eq!(other.engine().missing(), []);
     other.finish(&mut || 0.0).expect("a picture");
     assert_eq!(other.digest(), first.digest());
     assert_eq!(other.recipe().link(), link);
@@ -88,7 +91,7 @@ fn what_was_mended_is_said() {
     let text = String::from_utf8(cube(2.0)).unwrap();
     let text = text.replace("f 1 2 6 5", "f 5 6 2 1") + "f 2 4 8 6\n";
     studio
-        .open_file(file("mended.obj", text.as_bytes()))
+        .open_file(None, file("mended.obj", text.as_bytes()))
         .expect("nothing to say yet");
     studio.finish(&mut || 0.0).expect("a picture");
     let remarks: Vec<String> = studio
@@ -129,14 +132,16 @@ fn files_that_are_none_say_why() {
         let (mut studio, _) = studio(LINK);
         // Whatever was there before.
         studio
-            .open_file(file("box.obj", &cube(2.0)))
+            .open_file(None, file("box.obj", &cube(2.0)))
             .expect("it is taken");
         studio.finish(&mut || 0.0).expect("a picture");
-        studio.open_file(file(name, bytes)).expect("it is taken");
+        studio
+            .open_file(None, file(name, bytes))
+            .expect("it is taken");
         let said = failure(&mut studio);
         assert!(said.contains(words), "{name}: {said}");
         // It is here: what is wrong is something else.
-        assert_eq!(studio.engine().missing(), None, "{name}");
+        assert_eq!(studio.engine().missing(), [], "{name}");
     }
 }
 
@@ -164,7 +169,7 @@ fn broken_rows_of_models_are_refused_with_a_sentence() {
 #[test]
 fn a_generator_without_models_takes_no_file() {
     let (mut studio, _) = studio("v=1&size=128");
-    let said = studio.open_file(file("cube.obj", &cube(1.0)));
+    let said = studio.open_file(None, file("cube.obj", &cube(1.0)));
     assert!(said.is_err());
-    assert_eq!(studio.engine().missing(), None);
+    assert_eq!(studio.engine().missing(), []);
 }

@@ -205,6 +205,7 @@ fn small_bodies_are_dots() {
             body: 0,
             place: place(&mut chance),
             id: k + 1,
+            paint: None,
         })
         .collect();
     let order = order(camera(20.0, 30.0, 2.0, 45.0), SIZE);

@@ -130,6 +130,7 @@ fn slices_do_not_change_a_frame() {
                     is_fine,
                     is_moving,
                     backdrop: Backdrop::Floor,
+                    cut: None,
                     ..order(view, [40, 30])
                 };
                 let frame = frame(&scene, &light, order, amount);
@@ -155,6 +156,7 @@ fn memory_keeps_nothing_of_the_frame_before() {
     let large = Order {
         is_fine: true,
         backdrop: Backdrop::Sky,
+        cut: None,
         ..order(camera(30.0, 60.0, 3.0, 45.0), [60, 50])
     };
     let mut kept = Frame::new(large);

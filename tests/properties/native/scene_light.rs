@@ -222,6 +222,7 @@ fn levels_do_not_shadow_each_other() {
             body: 0,
             place,
             id: k + 1,
+            paint: None,
         });
     }
     let to = Vec3::new(0.3, 0.8, 0.5).normalize();

@@ -268,6 +268,7 @@ pub(super) fn scene(parts: Vec<(Surface, Place)>) -> Scene {
             body: k,
             place,
             id: k + 1,
+            paint: None,
         });
     }
     assert_eq!(scene.fault(), None);
@@ -337,6 +338,7 @@ pub(super) fn order(camera: Camera, size: [usize; 2]) -> Order {
         is_fine: false,
         is_moving: false,
         backdrop: Backdrop::Nothing,
+        cut: None,
     }
 }
 

@@ -1,8 +1,9 @@
 //! A model that is turned about its upright axis: viewer and light go round it the other way, so bodies stay as they are.
 
-use crate::generators::height_field::LightParams;
+use crate::generators::lighting::LightParams;
 use crate::light::Light;
-use crate::scene::Camera;
+use crate::scene::{Camera, Cut};
+use glam::Vec3;
 
 /// Clockwise seen from above, by degrees.
 pub(super) fn clockwise([x, z]: [f64; 2], degrees: f64) -> [f64; 2] {
@@ -25,6 +26,16 @@ pub(super) fn turned(camera: Camera, yaw: f64) -> Camera {
     }
 }
 
+/// The plane that cuts the model as `cut` does where it is turned by `yaw`.
+pub(super) fn turned_cut(cut: Cut, yaw: f64) -> Cut {
+    let [x, y, z] = cut.normal.to_array();
+    let [x, z] = clockwise([x, z].map(f64::from), -yaw);
+    Cut {
+        normal: Vec3::new(x as f32, y, z as f32),
+        ..cut
+    }
+}
+
 /// The light that falls on the model as `light` does where it is turned by `yaw`.
 pub(super) fn seen_by(light: &LightParams, yaw: f64) -> LightParams {
     let mut light = light.clone();
@@ -44,4 +55,29 @@ pub(super) fn seen_by(light: &LightParams, yaw: f64) -> LightParams {
         }
     };
     light
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_model_turned_is_a_viewer_turned() {
+        let camera = Camera {
+            angle: 20.0,
+            target: [0.3, 0.1, -0.2],
+            ..Camera::default()
+        };
+        assert_eq!(turned(camera, 0.0), camera);
+        let quarter = turned(camera, 90.0);
+        assert_eq!(quarter.angle, -70.0);
+        // From above, x to the right and z down: clockwise goes from x to z.
+        let wanted = [-0.2, 0.1, -0.3];
+        let off = quarter
+            .target
+            .iter()
+            .zip(wanted)
+            .map(|(a, b)| (a - b).abs());
+        assert!(off.sum::<f64>() < 1e-9, "{:?}", quarter.target);
+    }
 }

@@ -1,18 +1,29 @@
-//! The picture: the bodies as they are seen from in front, in slices.
+//! The picture: the bodies as the generator's camera sees them, in slices.
 
-use super::SURFACE;
-use super::stages::StillParams;
 use super::yaw::{seen_by, turned};
+use crate::generators::lighting::LightParams;
 use crate::generators::turntable::Stand;
 use crate::notice::Notice;
-use crate::scene::{Backdrop, Frame, Lighting, Order, Scene, Sharpness};
+use crate::scene::{Backdrop, Camera, Frame, Lighting, Order, Scene, Sharpness};
 use std::rc::Rc;
 
 /// The work of one slice, in triangles drawn or pixels shaded.
 const SLICE: usize = 20_000;
 
+/// How the picture is seen and lit.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct StillParams {
+    /// The camera, for a scene that is not turned.
+    pub camera: Camera,
+    pub light: LightParams,
+    /// Degrees that the scene is turned by, clockwise seen from above.
+    pub yaw: f64,
+    /// Pixels along the picture's side.
+    pub side: usize,
+}
+
 /// A picture in the making.
-pub(super) struct Still {
+pub(crate) struct Still {
     scene: Rc<Scene>,
     light: Lighting,
     frame: Frame,
@@ -22,11 +33,12 @@ impl Still {
     /// Nothing drawn yet.
     pub fn new(params: &StillParams, scene: Rc<Scene>) -> Self {
         let order = Order {
-            camera: turned(SURFACE.camera(), params.yaw),
+            camera: turned(params.camera, params.yaw),
             size: [params.side; 2],
             is_fine: true,
             is_moving: false,
             backdrop: Backdrop::Floor,
+            cut: None,
         };
         let light = seen_by(&params.light, params.yaw);
         let stand = Stand {
@@ -36,7 +48,7 @@ impl Still {
             ground: scene.lowest(),
         };
         Self {
-            light: stand.lighting(Sharpness::of(&order)),
+            light: stand.lighting(Sharpness::of(&order), None),
             frame: Frame::new(order),
             scene,
         }

@@ -1,0 +1,132 @@
+//! The bodies of a scene in one file. Bodies of one kind share a mesh in GLB; OBJ, which has no instances, gets an object
+//! for each body.
+
+use super::frame::Frame;
+use super::glb::Glb;
+use super::maps::roughness;
+use super::obj::Obj;
+use super::order::{MeshFormat, MeshOrder};
+use super::part_file::PartFile;
+use super::surface::mean_roughness;
+use crate::material::Material;
+use crate::scene::{Instance, Paint, Scene};
+use crate::solid::Surface;
+use std::collections::BTreeMap;
+
+/// A file of a scene in the making.
+pub struct SceneFile {
+    writer: SceneWriter,
+    /// Triangles of a body, at most.
+    most: usize,
+    next: usize,
+}
+
+enum SceneWriter {
+    Obj(Obj),
+    Glb(Box<SharedMeshes>),
+}
+
+/// A GLB file whose nodes share meshes.
+struct SharedMeshes {
+    glb: Glb,
+    /// The roughness of each material.
+    roughness: Vec<f32>,
+    /// The surface of each kind of body.
+    surfaces: BTreeMap<u32, usize>,
+    materials: BTreeMap<Paint, usize>,
+    /// The mesh of each kind of body in each paint.
+    meshes: BTreeMap<(u32, Option<Paint>), usize>,
+}
+
+impl SceneFile {
+    /// A file of a scene with these materials. Images are passed over.
+    pub fn new(order: &MeshOrder, materials: &[Material], scene: &Scene) -> Self {
+        let rough = |material: &Material| roughness(f64::from(material.shininess));
+        let glb = || SharedMeshes {
+            glb: Glb::of_model(mean_roughness(materials)),
+            roughness: materials.iter().map(rough).collect(),
+            surfaces: BTreeMap::new(),
+            materials: BTreeMap::new(),
+            meshes: BTreeMap::new(),
+        };
+        Self {
+            writer: match order.format {
+                MeshFormat::Obj => SceneWriter::Obj(Obj::new(&Frame::Model)),
+                MeshFormat::Glb => SceneWriter::Glb(Box::new(glb())),
+            },
+            most: order.of_each(scene.instances.len()),
+            next: 0,
+        }
+    }
+
+    /// Adds the next body by the name that `name` gives it; true when all are there. The scene is always the same one.
+    pub fn advance(&mut self, scene: &Scene, name: impl Fn(&Instance) -> String) -> bool {
+        let Some(instance) = scene.instances.get(self.next) else {
+            return true;
+        };
+        self.next += 1;
+        let levels = scene.bodies[instance.body as usize].levels.iter();
+        let fits = |surface: &&Surface| surface.triangles.len() <= self.most;
+        let Some(surface) = levels.clone().find(fits).or(levels.last()) else {
+            return false;
+        };
+        match &mut self.writer {
+            SceneWriter::Obj(obj) => {
+                let name = name(instance).replace(char::is_whitespace, "_");
+                obj.add_named(&Frame::Model, &placed(surface, instance), &name);
+            }
+            SceneWriter::Glb(glb) => glb.add(surface, instance, &name(instance)),
+        }
+        false
+    }
+}
+
+impl PartFile for SceneFile {
+    fn take(&mut self) -> Vec<Vec<u8>> {
+        match &mut self.writer {
+            SceneWriter::Obj(obj) => obj.take(),
+            SceneWriter::Glb(_) => Vec::new(),
+        }
+    }
+
+    fn finish(self) -> Vec<Vec<u8>> {
+        match self.writer {
+            SceneWriter::Obj(obj) => obj.finish(),
+            SceneWriter::Glb(shared) => shared.glb.finish(),
+        }
+    }
+}
+
+impl SharedMeshes {
+    fn add(&mut self, surface: &Surface, instance: &Instance, name: &str) {
+        let glb = &mut self.glb;
+        let kind = (instance.body, instance.paint);
+        let mesh = *self.meshes.entry(kind).or_insert_with(|| {
+            let shared = self.surfaces.entry(instance.body);
+            let shared = *shared.or_insert_with(|| glb.add_surface(&Frame::Model, surface));
+            let material = instance.paint.map_or(0, |paint| {
+                let rough = self.roughness.get(usize::from(paint.material));
+                let new = || glb.add_material(paint.tint, rough.copied().unwrap_or(1.0));
+                *self.materials.entry(paint).or_insert_with(new)
+            });
+            glb.add_mesh(shared, material)
+        });
+        glb.add_body(mesh, name, &instance.place);
+    }
+}
+
+/// The surface of a body in its place and in its own colours.
+fn placed(surface: &Surface, instance: &Instance) -> Surface {
+    let place = &instance.place;
+    let tinted = |&colour: &[u8; 3]| match instance.paint {
+        Some(paint) => paint.over(colour.map(f32::from)).map(|c| (c + 0.5) as u8),
+        None => colour,
+    };
+    let turned = |&normal| place.turned(normal) / place.scale();
+    Surface {
+        positions: surface.positions.iter().map(|&p| place.of(p)).collect(),
+        normals: surface.normals.iter().map(turned).collect(),
+        colours: surface.colours.iter().map(tinted).collect(),
+        ..surface.clone()
+    }
+}

@@ -1,0 +1,19 @@
+//! The finisher of scenes: the picture, frames of a camera that moves, pictures of views, files of bodies and files
+//! that recipes ask for. A generator lends its scenes as a [`SceneSource`] and keeps one [`ScenePicture`].
+
+mod files;
+mod given_files;
+mod loading;
+mod picture;
+mod still;
+#[cfg(test)]
+mod tests;
+mod view;
+mod yaw;
+
+pub(crate) use files::Saving;
+pub(crate) use given_files::{AskedFile, GivenFiles};
+pub(crate) use loading::{Loaded, Loading};
+pub(crate) use picture::{ScenePicture, SceneSource, turn};
+pub(crate) use still::{Still, StillParams};
+pub(crate) use view::{prepare, view};

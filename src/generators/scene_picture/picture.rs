@@ -1,0 +1,234 @@
+//! Scenes that a generator lends, on a turntable: frames of the picture's bodies, or of a view of the work as it goes
+//! on.
+
+use super::still::StillParams;
+use super::yaw::{clockwise, seen_by, turned, turned_cut};
+use crate::generators::turntable::{Stand, Turntable};
+use crate::generators::{Budget, Clock, FrameSlice, SeenBody, TurnOrder};
+use crate::material::Material;
+use crate::notice::{Code, Notice};
+use crate::scene::{Frame, Order, Scene};
+use glam::Vec3;
+
+/// A place may lie this far behind the surface that is seen and still count as seen, in units of the scene.
+const BURIED: f32 = 0.06;
+
+/// A generator's scenes, which are made in slices.
+pub(crate) trait SceneSource: Sized {
+    /// Names a scene: its view, and the work that it shows.
+    type Key: Copy + PartialEq;
+    /// A scene that is made, with all that the generator keeps of it.
+    type Subject: AsRef<Scene>;
+    /// A scene in the making.
+    type Making;
+
+    /// The pictures of these scenes.
+    fn scene_picture(&mut self) -> &mut ScenePicture<Self>;
+
+    /// The scene that the words of a view ask for now; `None` while there is none.
+    fn key(&self, view: &str) -> Option<Self::Key>;
+
+    /// Whether a scene shows the same as another one, some time later. Then a frame that has begun is finished first:
+    /// otherwise bodies that move would never be seen.
+    fn is_later(&self, _before: Self::Key, _after: Self::Key) -> bool {
+        false
+    }
+
+    /// Begins a scene. It may take the one that is shown and change it.
+    fn begin(&self, key: Self::Key, shown: &mut Option<(Self::Key, Self::Subject)>)
+    -> Self::Making;
+
+    /// Makes a slice of a scene; returns the scene once it is done.
+    fn make(&mut self, key: Self::Key, making: &mut Self::Making) -> Option<Self::Subject>;
+
+    /// The camera, the light and the size of the picture.
+    fn still(&self) -> StillParams;
+
+    /// The materials of a scene, if they are not those of the picture.
+    fn materials(&self, _subject: &Self::Subject) -> Option<&'static [Material]> {
+        None
+    }
+
+    /// The finished picture, if the words of a view ask for it.
+    fn finished(&self, view: &str) -> Option<&[u8]>;
+}
+
+/// The pictures of a generator's scenes.
+pub(crate) struct ScenePicture<S: SceneSource> {
+    table: Turntable,
+    /// The scene that is shown.
+    shown: Option<(S::Key, S::Subject)>,
+    /// The number of that scene, which no other one has.
+    number: u64,
+    /// The next scene, in the making.
+    making: Option<(S::Key, S::Making)>,
+    /// The pixels of the view drawn last.
+    pub(super) view: Vec<u8>,
+}
+
+impl<S: SceneSource> Default for ScenePicture<S> {
+    fn default() -> Self {
+        Self {
+            table: Turntable::default(),
+            shown: None,
+            number: 0,
+            making: None,
+            view: Vec::new(),
+        }
+    }
+}
+
+/// Works for about `budget` milliseconds on a frame of a generator's scene. Begins anew where the order is another one
+/// than the last time.
+///
+/// # Errors
+/// A notice where there is no scene yet, or no such frame.
+pub(crate) fn turn<S: SceneSource>(
+    source: &mut S,
+    order: &TurnOrder,
+    clock: Clock,
+    budget: f64,
+) -> Result<FrameSlice, Notice> {
+    if order.step()?.is_some() {
+        return Err(order.no_such_body());
+    }
+    let budget = Budget::new(clock, budget);
+    let mut picture = std::mem::take(source.scene_picture());
+    let slice = match picture.choose(source, &order.how, clock, budget) {
+        Some(slice) => Ok(slice),
+        None => picture.frame_slice(source, order, clock, budget),
+    };
+    *source.scene_picture() = picture;
+    slice
+}
+
+impl<S: SceneSource> ScenePicture<S> {
+    /// The frame last finished.
+    pub fn frame(&self) -> Option<&Frame> {
+        self.table.frame()
+    }
+
+    /// The scene that is shown.
+    pub fn shown(&self) -> Option<(S::Key, &S::Subject)> {
+        self.shown.as_ref().map(|(key, subject)| (*key, subject))
+    }
+
+    fn scene(&self) -> Option<&Scene> {
+        Some(self.shown()?.1.as_ref())
+    }
+
+    /// Makes the scene of a view; nothing where it is there, or cannot be made yet.
+    fn choose(
+        &mut self,
+        source: &mut S,
+        view: &str,
+        clock: Clock,
+        budget: Budget,
+    ) -> Option<FrameSlice> {
+        let key = source.key(view)?;
+        let shown = self.shown().map(|(key, _)| key);
+        if shown == Some(key) {
+            self.making = None;
+            return None;
+        }
+        let is_later = shown.is_some_and(|shown| source.is_later(shown, key));
+        if is_later && !self.table.is_idle() {
+            return None;
+        }
+        let kept = self.making.take().filter(|(making, _)| *making == key);
+        let is_new = kept.is_none();
+        let mut making = match kept {
+            Some((_, making)) => making,
+            None => source.begin(key, &mut self.shown),
+        };
+        let mut subject = None;
+        let done = budget.until(clock, || {
+            subject = source.make(key, &mut making);
+            subject.is_some()
+        });
+        if done {
+            self.number += 1;
+            self.shown = subject.map(|subject| (key, subject));
+            return None;
+        }
+        self.making = Some((key, making));
+        Some(FrameSlice {
+            begun: is_new,
+            done: false,
+            progress: 0.0,
+        })
+    }
+
+    fn frame_slice(
+        &mut self,
+        source: &S,
+        order: &TurnOrder,
+        clock: Clock,
+        budget: Budget,
+    ) -> Result<FrameSlice, Notice> {
+        let Some((_, subject)) = &self.shown else {
+            return Err(Code::NotYet.into());
+        };
+        let still = source.still();
+        let mut light = seen_by(&still.light, still.yaw);
+        if let Some(materials) = source.materials(subject) {
+            light.materials = materials.to_vec();
+        }
+        let order = order.order()?;
+        let order = Order {
+            camera: turned(order.camera, still.yaw),
+            cut: order.cut.map(|cut| turned_cut(cut, still.yaw)),
+            ..order
+        };
+        let scene = subject.as_ref();
+        let stand = Stand {
+            scene,
+            number: self.number,
+            light: &light,
+            ground: scene.lowest(),
+        };
+        let left = budget.left(clock);
+        self.table.advance(&stand, order, clock, left)
+    }
+
+    /// The body at a pixel of the frame last finished, of a scene that is turned by `yaw` degrees.
+    pub fn body_at(&self, yaw: f64, x: usize, y: usize) -> Option<SeenBody> {
+        let scene = self.scene()?;
+        let place = self.frame()?.instance_at(x, y)?;
+        let instance = scene.instances.get(place).filter(|i| i.id > 0)?;
+        let (middle, _) = scene.ball_of(instance);
+        let [mx, mz] = clockwise([middle.x, middle.z].map(f64::from), yaw);
+        Some(SeenBody {
+            id: instance.id,
+            cell: [0.0; 2],
+            middle: [mx, middle.y.into(), mz],
+        })
+    }
+
+    /// The place in the scene that is seen at a pixel of the frame last finished; `None` where there is no body.
+    pub fn place_at(&self, x: usize, y: usize) -> Option<Vec3> {
+        let frame = self.frame()?;
+        frame.instance_at(x, y)?;
+        let [width, height] = frame.order().size;
+        let depth = *frame.depths().get(y * width + x)?;
+        let view = frame.order().camera.view(width, height);
+        let place = view.eye + view.ray(x as f32 + 0.5, y as f32 + 0.5) * depth;
+        place.is_finite().then_some(place)
+    }
+
+    /// The pixel of a place in the frame last finished; `None` where the place is not seen.
+    pub fn pixel_of(&self, place: Vec3) -> Option<[f64; 2]> {
+        let frame = self.frame()?;
+        let [width, height] = frame.order().size;
+        let view = frame.order().camera.view(width, height);
+        let seen = view.of(place);
+        if seen.z <= view.near {
+            return None;
+        }
+        let [x, y, _] = view.on_screen(seen);
+        let is_inside = x >= 0.0 && y >= 0.0 && x < width as f32 && y < height as f32;
+        let depth = frame.depths().get(y as usize * width + x as usize);
+        let is_seen = is_inside && depth.is_some_and(|&depth| seen.z < depth + BURIED);
+        is_seen.then(|| [x.into(), y.into()])
+    }
+}

@@ -1,0 +1,333 @@
+//! A generator of plain boxes that has nothing but the finisher.
+
+use super::*;
+use crate::export::{MeshFormat, MeshOrder, SceneFile};
+use crate::generators::lighting::LightParams;
+use crate::generators::{MeshSlice, TurnOrder};
+use crate::light::ShadeParams;
+use crate::material::{Gloss, material_table};
+use crate::notice::Code;
+use crate::recipe::NamedFile;
+use crate::scene::{Body, Camera, Frame, Instance, Paint, Place, Scene};
+use crate::solid::Surface;
+use glam::Vec3;
+use std::rc::Rc;
+
+const SIDE: usize = 64;
+const RED: Paint = Paint {
+    tint: [230, 40, 30],
+    material: 1,
+};
+const GREEN: Paint = Paint {
+    tint: [30, 200, 60],
+    material: 2,
+};
+
+/// Two boxes of one mesh, beside each other.
+struct Boxes {
+    scene: Rc<Scene>,
+    picture: ScenePicture<Boxes>,
+    yaw: f64,
+}
+
+/// A box of side 2 around the origin, in one colour.
+fn cube(colour: [u8; 3]) -> Surface {
+    let mut surface = Surface::default();
+    let sides = [Vec3::X, Vec3::Y, Vec3::Z].map(|axis| [axis, -axis]);
+    for normal in sides.into_iter().flatten() {
+        let across = Vec3::new(normal.y, normal.z, normal.x);
+        let up = normal.cross(across);
+        let first = surface.positions.len() as u32;
+        for [a, b] in [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]] {
+            surface.positions.push(normal + across * a + up * b);
+            surface.normals.push(normal);
+            surface.colours.push(colour);
+        }
+        surface.triangles.push([first, first + 1, first + 2]);
+        surface.triangles.push([first, first + 2, first + 3]);
+    }
+    surface
+}
+
+fn scene(paints: [Option<Paint>; 2]) -> Scene {
+    let at = |k: usize| Vec3::new(0.6 * k as f32 - 0.3, 0.2, 0.0);
+    let instance = |k: usize| Instance {
+        body: 0,
+        place: Place {
+            axes: [Vec3::X, Vec3::Y, Vec3::Z].map(|axis| axis * 0.2),
+            origin: at(k),
+        },
+        id: k as u32 + 1,
+        paint: paints[k],
+    };
+    Scene {
+        bodies: vec![Body::new(vec![cube([255; 3])], 1)],
+        instances: vec![instance(0), instance(1)],
+        reach: 0.2,
+        ..Scene::default()
+    }
+}
+
+fn boxes(paints: [Option<Paint>; 2]) -> Boxes {
+    Boxes {
+        scene: Rc::new(scene(paints)),
+        picture: ScenePicture::default(),
+        yaw: 0.0,
+    }
+}
+
+impl SceneSource for Boxes {
+    type Key = ();
+    type Subject = Rc<Scene>;
+    type Making = ();
+
+    fn scene_picture(&mut self) -> &mut ScenePicture<Self> {
+        &mut self.picture
+    }
+
+    fn key(&self, _: &str) -> Option<()> {
+        Some(())
+    }
+
+    fn begin(&self, (): (), _: &mut Option<((), Rc<Scene>)>) {}
+
+    fn make(&mut self, (): (), (): &mut ()) -> Option<Rc<Scene>> {
+        Some(self.scene.clone())
+    }
+
+    fn still(&self) -> StillParams {
+        StillParams {
+            camera: Camera::default().read("0,20,2.5,28").0,
+            light: LightParams {
+                shade: ShadeParams::default(),
+                materials: material_table("granite", "sand", Gloss::default()),
+            },
+            yaw: self.yaw,
+            side: SIDE,
+        }
+    }
+
+    fn finished(&self, _: &str) -> Option<&[u8]> {
+        None
+    }
+}
+
+impl Boxes {
+    fn frame(&mut self, how: &str) -> &Frame {
+        let order = TurnOrder {
+            subject: String::new(),
+            camera: self.still().camera,
+            size: [SIDE; 2],
+            how: how.to_owned(),
+        };
+        while !turn(self, &order, &mut || 0.0, 0.0).unwrap().done {}
+        self.picture.frame().unwrap()
+    }
+}
+
+/// The mean colour of the pixels of a body.
+fn mean(frame: &Frame, id: u32) -> [f64; 3] {
+    let pixels = frame.rgba().chunks(4).zip(frame.ids());
+    let own: Vec<&[u8]> = pixels
+        .filter(|(_, of)| **of == id)
+        .map(|(p, _)| p)
+        .collect();
+    assert!(own.len() > 50, "{id}: {}", own.len());
+    [0, 1, 2].map(|k| own.iter().map(|p| f64::from(p[k])).sum::<f64>() / own.len() as f64)
+}
+
+#[test]
+fn bodies_of_one_mesh_differ_in_colour() {
+    let mut painted = boxes([Some(RED), Some(GREEN)]);
+    let frame = painted.frame("still");
+    let [red, green] = [1, 2].map(|id| mean(frame, id));
+    assert!(
+        red[0] > 2.0 * red[1] && green[1] > 1.5 * green[0],
+        "{red:?} {green:?}"
+    );
+    let seen = (0..SIDE).find_map(|x| painted.picture.body_at(0.0, x, SIDE / 2));
+    assert_eq!(seen.unwrap().id, 1);
+}
+
+#[test]
+fn a_view_is_the_still_and_a_frame_from_its_camera() {
+    let mut source = boxes([Some(RED), None]);
+    let picture = view(&mut source, "auto").to_vec();
+    let mut still = Still::new(&source.still(), source.scene.clone());
+    let made = std::iter::from_fn(|| Some(still.advance().unwrap())).find_map(|done| done);
+    let fine = source.frame("fine").rgba().to_vec();
+    assert_eq!(made.unwrap(), fine);
+    assert_eq!(picture, source.frame("auto").rgba());
+    source.yaw = 90.0;
+    assert_ne!(source.frame("fine").rgba(), fine);
+}
+
+#[test]
+fn the_digest_has_paints() {
+    let digest = |paints| scene(paints).digest();
+    let plain = digest([None, None]);
+    let other = Paint { material: 3, ..RED };
+    let all = [
+        plain,
+        digest([Some(RED), None]),
+        digest([Some(GREEN), None]),
+        digest([Some(other), None]),
+        digest([None, Some(RED)]),
+    ];
+    for (k, one) in all.iter().enumerate() {
+        assert!(!all[..k].contains(one), "{k}");
+    }
+}
+
+fn file(format: MeshFormat, scene: &Scene) -> Vec<u8> {
+    let order = MeshOrder {
+        format,
+        detail: 100,
+        images: None,
+    };
+    let materials = material_table("granite", "sand", Gloss::default());
+    let mut saving = None;
+    let mut bytes = Vec::new();
+    loop {
+        let new = || SceneFile::new(&order, &materials, scene);
+        let name = |instance: &Instance| format!("box \"{}\"", instance.id);
+        let advance = |file: &mut SceneFile| file.advance(scene, name);
+        let MeshSlice { parts, done, .. } =
+            Saving::slice(&mut saving, (&order, 1), new, (&mut || 0.0, 0.0), advance);
+        bytes.extend(parts.concat());
+        if done {
+            return bytes;
+        }
+    }
+}
+
+#[test]
+fn bodies_share_meshes_in_a_file() {
+    let mut many = scene([Some(RED), Some(GREEN)]);
+    for k in 0..8 {
+        let mut more = many.instances[k % 2];
+        more.id = k as u32 + 3;
+        more.place.origin.y += 1.0 + k as f32;
+        many.instances.push(more);
+    }
+    let glb = file(MeshFormat::Glb, &many);
+    let length = u32::from_le_bytes(glb[12..16].try_into().unwrap()) as usize;
+    let json: serde_json::Value = serde_json::from_slice(&glb[20..20 + length]).unwrap();
+    let count = |key: &str| json[key].as_array().unwrap().len();
+    // A mesh for each paint, of one surface; the first node holds the bodies.
+    assert_eq!(
+        (count("meshes"), count("accessors"), count("nodes")),
+        (2, 4, 11)
+    );
+    assert_eq!(count("materials"), 3);
+    assert_eq!(json["nodes"][1]["name"], "box \"1\"");
+    let text = String::from_utf8(file(MeshFormat::Obj, &many)).unwrap();
+    assert_eq!(
+        text.lines().filter(|line| line.starts_with("o ")).count(),
+        10
+    );
+    assert!(text.contains("\no box_\"1\"\nv -0.5 0 -0.2 ") || text.contains("o box_\"1\""));
+}
+
+/// A tetrahedron as text.
+fn tetrahedron() -> Vec<u8> {
+    b"v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n".to_vec()
+}
+
+#[test]
+fn files_of_two_roles_are_waited_for_and_read() {
+    let named = |digest| Some(NamedFile::new(digest, "a.obj"));
+    let asked = [("part", 7), ("form", 8)].map(|(role, digest)| AskedFile {
+        role,
+        file: named(digest),
+        is_z_up: false,
+    });
+    let mut files = GivenFiles::default();
+    files.give(8, tetrahedron(), &asked);
+    let missing: Vec<_> = files.missing(&asked).collect();
+    assert_eq!(missing.len(), 1);
+    assert_eq!((missing[0].role, &missing[0].name[..]), ("part", "a.obj"));
+    let refused = Loading::advance(&asked, &mut None, &files);
+    assert_eq!(refused.err().unwrap().code, Code::ModelMissing);
+    files.give(7, tetrahedron(), &asked);
+    assert_eq!(files.missing(&asked).count(), 0);
+    let mut work = None;
+    let read = std::iter::from_fn(|| Some(Loading::advance(&asked, &mut work, &files).unwrap()));
+    let loaded = read.into_iter().find_map(|done| done).unwrap();
+    assert_eq!(loaded.meshes.len(), 2);
+    assert!(loaded.meshes.iter().all(|mesh| mesh.triangles().len() == 4));
+}
+
+/// The number of pixels that show a body.
+fn count(frame: &Frame, id: u32) -> usize {
+    frame.ids().iter().filter(|of| **of == id).count()
+}
+
+#[test]
+fn a_plane_cuts_bodies_away() {
+    let mut source = boxes([Some(RED), Some(GREEN)]);
+    let all = [1, 2].map(|id| count(source.frame("still"), id));
+    // The right box is beyond the plane, the left one is not.
+    let frame = source.frame("still+whole=1,0,0,0");
+    assert_eq!([1, 2].map(|id| count(frame, id)), [all[0], 0]);
+    // Its middle is not beyond this one.
+    let frame = source.frame("still+whole=1,0,0,0.35");
+    assert_eq!([1, 2].map(|id| count(frame, id)), all);
+    // The upper half of both goes; the caps face up, in the plane.
+    let frame = source.frame("still+through=0,2,0,0.2");
+    let left = [1, 2].map(|id| count(frame, id));
+    assert!(
+        left[0] < all[0] && left[1] < all[1] && left[0] > all[0] / 3,
+        "{left:?} {all:?}"
+    );
+    let view = frame.order().camera.view(SIDE, SIDE);
+    let mut highest = f32::MIN;
+    for (at, &id) in frame.ids().iter().enumerate().filter(|(_, id)| **id > 0) {
+        let ray = view.ray((at % SIDE) as f32 + 0.5, (at / SIDE) as f32 + 0.5);
+        let place = view.eye + ray * frame.depths()[at];
+        highest = highest.max(place.y);
+        if frame.normals()[at].y > 0.9 {
+            assert!((place.y - 0.2).abs() < 1e-3, "{id}: {place}");
+        }
+    }
+    assert!((highest - 0.2).abs() < 1e-3, "{highest}");
+}
+
+#[test]
+fn what_is_cut_away_casts_no_shadow() {
+    let mut source = boxes([None, None]);
+    let floor = |frame: &Frame| -> Vec<u8> {
+        let pixels = frame.rgba().chunks(4).zip(frame.ids());
+        pixels
+            .filter(|(_, id)| **id == 0)
+            .map(|(p, _)| p[0])
+            .collect()
+    };
+    let darkest = |pixels: Vec<u8>| pixels.into_iter().min().unwrap();
+    let shadowed = darkest(floor(source.frame("still")));
+    let cut = darkest(floor(source.frame("still+whole=0,1,0,-1")));
+    assert!(cut > shadowed, "{cut} {shadowed}");
+    // Half a box still has a shadow.
+    let half = darkest(floor(source.frame("still+through=0,1,0,0.2")));
+    assert!(half < cut, "{half} {cut}");
+}
+
+#[test]
+fn a_plane_that_cannot_be_read_cuts_nothing() {
+    let mut source = boxes([None, None]);
+    let plain = source.frame("still").hash();
+    for word in [
+        "through",
+        "through=",
+        "through=0,0,0,1",
+        "whole=1,2,x,4",
+        "whole=nan,0,0,0",
+        "cut=1,0,0,0",
+    ] {
+        assert_eq!(
+            source.frame(&format!("still+{word}")).hash(),
+            plain,
+            "{word}"
+        );
+    }
+}

@@ -1,0 +1,46 @@
+//! Pictures of views, as the generator's camera sees them.
+
+use super::picture::{SceneSource, turn};
+use crate::generators::{Clock, TurnOrder};
+
+/// The picture of a view; white before there is any.
+pub(crate) fn view<'a, S: SceneSource>(source: &'a mut S, words: &str) -> &'a [u8] {
+    let side = source.still().side;
+    match source.finished(words).map(<[u8]>::to_vec) {
+        Some(pixels) => source.scene_picture().view = pixels,
+        None => while !prepare(source, words, &mut || 0.0, f64::INFINITY) {},
+    }
+    let pixels = &mut source.scene_picture().view;
+    if pixels.len() != 4 * side * side {
+        *pixels = vec![255; 4 * side * side];
+    }
+    pixels
+}
+
+/// Draws some of a view; true when [`view`] has nothing to do that takes long.
+pub(crate) fn prepare<S: SceneSource>(
+    source: &mut S,
+    words: &str,
+    clock: Clock,
+    budget: f64,
+) -> bool {
+    if source.finished(words).is_some() {
+        return true;
+    }
+    let still = source.still();
+    let order = TurnOrder {
+        subject: String::new(),
+        camera: still.camera,
+        size: [still.side; 2],
+        how: format!("{words}+floor"),
+    };
+    let Ok(slice) = turn(source, &order, clock, budget) else {
+        return true;
+    };
+    if slice.done {
+        let picture = source.scene_picture();
+        let pixels = picture.frame().map(|frame| frame.rgba().to_vec());
+        picture.view = pixels.unwrap_or_default();
+    }
+    slice.done
+}

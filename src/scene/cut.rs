@@ -1,0 +1,106 @@
+//! A plane that cuts away bodies, for views of what lies behind them.
+
+use crate::decimal;
+use glam::{DVec3, Vec3};
+
+/// How bodies are cut.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CutHow {
+    /// A body goes as a whole if its middle lies beyond the plane.
+    Whole,
+    /// A body goes as far as it lies beyond the plane; its inside shows in the body's mean colour.
+    Through,
+}
+
+/// A plane beyond which bodies are cut away. They cast no shadow there either. Lines and the floor stay.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cut {
+    /// Unit vector to the side that is cut away.
+    pub normal: Vec3,
+    /// The plane's distance from the origin, along the normal.
+    pub at: f32,
+    /// How bodies are cut.
+    pub how: CutHow,
+}
+
+/// How much of a body is left.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Left {
+    All,
+    Some,
+    None,
+}
+
+/// The part of a triangle that is left, a convex polygon; only the first `count` corners are valid.
+pub(super) struct Rest {
+    pub corners: [Vec3; 4],
+    pub count: usize,
+}
+
+impl Cut {
+    /// The words of both ways.
+    const WORDS: [(CutHow, &'static str); 2] =
+        [(CutHow::Whole, "whole"), (CutHow::Through, "through")];
+
+    /// Reads `whole=X,Y,Z,D` or `through=X,Y,Z,D`: a normal of any length, and the distance along it of the plane from
+    /// the origin. `None` for any other text.
+    pub fn read(word: &str) -> Option<Self> {
+        let (how, numbers) = word.split_once('=')?;
+        let (how, _) = Self::WORDS.into_iter().find(|(_, word)| *word == how)?;
+        let numbers: Option<Vec<f64>> = numbers.split(',').map(decimal::parse).collect();
+        let [x, y, z, at] = numbers?.try_into().ok()?;
+        let normal = DVec3::new(x, y, z).try_normalize()?.as_vec3();
+        let at = at as f32;
+        (normal.is_finite() && at.is_finite()).then_some(Self { normal, at, how })
+    }
+
+    /// How far a point lies beyond the plane; negative on the side that is left.
+    #[inline(always)]
+    fn beyond(&self, p: Vec3) -> f32 {
+        self.normal.dot(p) - self.at
+    }
+
+    /// How much is left of a body in a ball.
+    pub(super) fn left_of(&self, (middle, radius): (Vec3, f32)) -> Left {
+        let beyond = self.beyond(middle);
+        match self.how {
+            CutHow::Whole if beyond > 0.0 => Left::None,
+            CutHow::Through if beyond >= radius => Left::None,
+            CutHow::Through if beyond > -radius => Left::Some,
+            _ => Left::All,
+        }
+    }
+
+    /// The part of a triangle that is left. Two triangles with a common edge are cut at the same point of it, bit for
+    /// bit, because cuts are computed from the end that is left.
+    pub(super) fn rest_of(&self, triangle: [Vec3; 3]) -> Rest {
+        let mut rest = Rest {
+            corners: [Vec3::ZERO; 4],
+            count: 0,
+        };
+        let mut add = |p: Vec3| {
+            rest.corners[rest.count] = p;
+            rest.count += 1;
+        };
+        for k in 0..3 {
+            let (p, q) = (triangle[k], triangle[(k + 1) % 3]);
+            let (here, there) = (self.beyond(p), self.beyond(q));
+            if here <= 0.0 {
+                add(p);
+            }
+            if (here <= 0.0) != (there <= 0.0) {
+                let (from, to, part) = match here <= 0.0 {
+                    true => (p, q, here / (here - there)),
+                    false => (q, p, there / (there - here)),
+                };
+                add(from + (to - from) * part);
+            }
+        }
+        rest
+    }
+
+    /// The depth at which a ray from the eye, of depth 1, meets the plane.
+    pub(super) fn depth(&self, eye: Vec3, ray: Vec3) -> f32 {
+        (self.at - self.normal.dot(eye)) / self.normal.dot(ray)
+    }
+}
