@@ -124,7 +124,7 @@ fn rows(random: &mut Random, item: Item) -> String {
                 number(random, (min, max))
             )
         }
-        Item::Model => "1,2,3,4,97".to_owned(),
+        Item::File => "1,2,3,4,97".to_owned(),
         _ => {
             let points = [1, 2, 4, 30][random.below(4)];
             places(random, points)
