@@ -1,17 +1,17 @@
 /** Files of models, as the visitor opens them: known by their digest, kept, and made the recipe's. */
 import { piecesOf } from '../module/given';
+import { generators } from '../module/generators';
 import { loadWhole } from '../module/load';
+import type { Whole } from '../module/scene';
 import { keepFile } from '../module/shelf';
+import type { Parameter } from '../module/types';
 import { t } from '../words/space';
 import { reasonOf } from '../base/errors';
 import { alertOf, clear, notice, passing } from '../base/messages';
 import { stoppable, type Task } from '../late/task';
 import { withValues } from '../state/link';
+import type { State } from '../state/store';
 import type { Work } from '../state/work';
-
-/** The generator of surfaces, and its parameter that names a file. */
-const SURFACE = 'surface';
-export const MODEL = 'model';
 
 /** Bytes of a file; a model of as many triangles as can be taken has some two hundred million. */
 const LARGEST = 400_000_000;
@@ -19,15 +19,17 @@ const LARGEST = 400_000_000;
 /** A file, as recipes name it. */
 interface Named {
   digest: string;
-  /** The value of the parameter. */
-  model: string;
+  /** The value of a parameter that names it. */
+  value: string;
+  /** The module that has read it. */
+  module: Whole;
 }
 
 /** What is read now. */
 let now: AbortController | undefined;
 
 /**
- * Opens a file: the recipe asks for it from now on, all other settings stay where it is of a surface already. One that the
+ * Opens a file: the recipe asks for it from now on, all other settings stay where it takes files already. One that the
  * recipe asks for is given to it. `again` is called where only that is new.
  */
 export async function openModel(work: Work, file: File, again: () => void): Promise<void> {
@@ -63,24 +65,34 @@ async function nameOf(file: File, task: Task): Promise<Named> {
       read += piece.length;
       task.progress(read / file.size);
     }
-    return { digest: digest.text(), model: digest.model(file.name) };
+    return { digest: digest.text(), value: digest.model(file.name), module };
   } finally {
     digest.free();
   }
 }
 
-function take(work: Work, name: string, { digest, model }: Named, again: () => void): void {
+/** The link that asks for a file: the recipe with it, or of another generator where this one takes no files. */
+function askingFor({ value, module }: Named, { make, recipe }: State): string {
+  const rowOf = (word: string): Parameter | undefined => module.schema(word).find(({ item }) => item === 'file');
+  const taker = rowOf(make) ? make : generators.find(({ word }) => rowOf(word))?.word;
+  const row = taker === undefined ? undefined : rowOf(taker);
+  if (!row) return recipe;
+  // It may apply only beside a value of another parameter.
+  const beside = row.shownFor?.words.slice(0, 1).map((word) => [row.shownFor?.key ?? '', word] as const) ?? [];
+  return withValues(taker === make ? recipe : `v=1&make=${taker}`, [...beside, [row.key, value]]);
+}
+
+function take(work: Work, name: string, named: Named, again: () => void): void {
   const { engine, store } = work;
-  const { recipe, make } = store.state;
+  const { digest } = named;
   const asked = engine.missing();
   clear('outline');
   if (asked?.digest === digest) {
-    engine.open(recipe);
+    engine.open(store.state.recipe);
     again();
     return passing('files', t('opened', { name }));
   }
-  const base = make === SURFACE ? recipe : `v=1&make=${SURFACE}`;
-  work.open(withValues(base, [['form', 'file'], [MODEL, model]]), { own: true, then: () => store.update({ paused: false }) });
+  work.open(askingFor(named, store.state), { own: true, then: () => store.update({ paused: false }) });
   if (asked) notice('files', t('other', { name, asked: asked.name }));
   else passing('files', t('opened', { name }));
 }

@@ -19,7 +19,23 @@ export interface Told {
 
 const NO_ANSWER: Answer = { refused: true, notices: [] };
 
-const NO_GENERATOR: Generator = { word: '', title: '', stages: [], bases: [], overlays: [], offers: [], home: '' };
+const NO_GENERATOR: Generator = {
+  word: '',
+  title: '',
+  stages: [],
+  begins: [],
+  stepping: '',
+  placing: '',
+  settled: '',
+  seen: [],
+  bases: [],
+  overlays: [],
+  offers: [],
+  names: [],
+  chance: '',
+  home: '',
+  lowest: 0,
+};
 
 const NOT_YET: Notice = { code: 'not_yet', args: {}, text: '' };
 
@@ -95,9 +111,9 @@ export class Engine {
     return kept(this.known, word, () => this.guard(() => this.module?.presets(word).map(presetIn), undefined) ?? []);
   }
 
-  /** Whether what is made stands in space: it is seen by frames of its bodies only, at any time. */
-  get isSpace(): boolean {
-    return this.generator.offers.includes('space');
+  /** Whether what is made now has this part; see `Generator` of the module. */
+  offers(part: string): boolean {
+    return this.generator.offers.includes(part);
   }
 
   get alive(): boolean {
@@ -208,15 +224,15 @@ export class Engine {
     return this.ask((core) => (core as SceneStudio).frameMap(word), NOT_YET);
   }
 
-  /** What is to be read beside a view in space that is shown: what its colours stand for, or what it counts; '' where there is nothing. */
+  /** What is to be read beside a view that is shown: what its colours stand for, or what it counts; '' where there is nothing. */
   caption(view: string): string {
-    const caption = this.isSpace ? this.ask((core) => (core as SceneStudio).caption(view), undefined) : undefined;
+    const caption = this.askWhole((studio) => studio.caption(view), undefined);
     return caption ? said(caption) : '';
   }
 
-  /** What is to be said of a surface in space: what was mended, or does not fit well. */
-  remarks(): string[] {
-    return this.isSpace ? this.ask((core) => (core as SceneStudio).remarks(), []).map(said) : [];
+  /** What is to be said of what was made: what was mended, or does not fit well. */
+  remarks(): Notice[] {
+    return this.askWhole((studio) => studio.remarks(), []);
   }
 
   /** What of a view shows nothing, by its word, and why. */
@@ -293,13 +309,13 @@ export class Engine {
   }
 
   /** What only the module can tell that has all there is; `otherwise` where another one is at work. */
-  inSpace<T>(call: (studio: SceneStudio) => T, otherwise: T): T {
+  askWhole<T>(call: (studio: SceneStudio) => T, otherwise: T): T {
     return this.ask((core) => (isWhole(core) ? call(core) : otherwise), otherwise);
   }
 
   /** The digest and the name of the file that the work waits for; undefined where it waits for none, or still looks for it. */
   missing(): { digest: string; name: string } | undefined {
-    const [digest, name = ''] = this.seeking ? [] : this.inSpace((studio) => studio.missingFile() ?? [], []);
+    const [digest, name = ''] = this.seeking ? [] : this.askWhole((studio) => studio.missingFile() ?? [], []);
     return digest === undefined ? undefined : { digest, name };
   }
 
@@ -310,7 +326,7 @@ export class Engine {
   /** Where the recipe asks for a file that is not here, it is looked for, once; meanwhile nothing is worked on. */
   private seek(): void {
     const { core } = this;
-    const [digest = ''] = this.inSpace((studio) => studio.missingFile() ?? [], []);
+    const [digest = ''] = this.askWhole((studio) => studio.missingFile() ?? [], []);
     if (!core || digest === this.sought) return;
     this.sought = digest;
     this.seeking = digest !== '';

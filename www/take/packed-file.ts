@@ -4,6 +4,7 @@ import { piecesOf } from '../module/given';
 import { t } from '../words/take';
 import type { Task } from '../late/task';
 import type { Engine } from '../state/engine';
+import { filesOf } from '../state/rules';
 import { Parts } from './files/parts';
 
 /** Between what tells of the file and its bytes. */
@@ -15,7 +16,7 @@ const TEXT = 4 << 16;
 
 /** The file that a recipe names: its digest as 16 hex digits, and its name. */
 function named(engine: Engine): { digest: string; name: string } | undefined {
-  const [row] = engine.get('form') === 'file' ? engine.list('model') : [];
+  const [row] = filesOf(engine).flatMap(({ key }) => engine.list(key));
   if (!row) return undefined;
   const digest = row.slice(0, 4).map((number) => number.toString(16).padStart(4, '0'));
   return { digest: digest.join(''), name: String.fromCodePoint(...row.slice(4)) };

@@ -1,21 +1,16 @@
 /**
- * Frames of the engine at work, made between the slices of its work in the page's own frames: what stands in space is seen
- * from any side while it is being made. While one frame is made the work waits, or no frame would ever be finished.
+ * Frames of the engine at work, made between the slices of its work in the page's own frames: the bodies are seen
+ * from any side while they are being made. While one frame is made the work waits, or no frame would ever be finished.
  *
  * What moves, or is being made, gets coarse frames of few pixels; what stands gets one of all pixels, then a smooth one.
  */
+import { isSettled } from '../module/stages';
 import type { Loop, Painter } from '../picture/loop';
 import type { Engine } from '../state/engine';
 import { Coarse, ladderOf, viewOf } from './ladder';
 import { coverage, pixelsOf } from './pixels';
 import type { FrameSource, Heard, Wished } from './frames';
 import type { Quality, Told } from './turn.worker';
-
-/** The stages before there are stones, from the packing on, with what is seen in them where all is seen as it forms. */
-const FORMING: Record<string, string> = { surface: 'surface', fields: 'surface', packing: 'packed', mesh: 'mesh', cells: 'cells' };
-
-/** From here on bodies stay as they are: the rest of the work is a picture of them, which waits for better frames. */
-const FINAL = ['light', 'done'];
 
 /** A frame in the making. */
 interface Order {
@@ -81,7 +76,7 @@ export class LocalFrames implements FrameSource, Painter {
   placeAt([u, v]: Part): [x: number, y: number, z: number] | undefined {
     const { width, height, subject } = this.made;
     if (!width || subject !== '') return undefined;
-    const place = this.place.engine.inSpace((studio) => studio.placeAt(Math.floor(u * width), Math.floor(v * height)), undefined);
+    const place = this.place.engine.askWhole((studio) => studio.placeAt(Math.floor(u * width), Math.floor(v * height)), undefined);
     return place && [place[0] ?? 0, place[1] ?? 0, place[2] ?? 0];
   }
 
@@ -89,7 +84,7 @@ export class LocalFrames implements FrameSource, Painter {
   spotOf([x, y, z]: readonly [x: number, y: number, z: number]): Part | undefined {
     const { width, height, subject } = this.made;
     if (!width || subject !== '') return undefined;
-    const pixel = this.place.engine.inSpace((studio) => studio.pixelOf(x, y, z), undefined);
+    const pixel = this.place.engine.askWhole((studio) => studio.pixelOf(x, y, z), undefined);
     return pixel && [(pixel[0] ?? 0) / width, (pixel[1] ?? 0) / height];
   }
 
@@ -100,7 +95,8 @@ export class LocalFrames implements FrameSource, Painter {
 
   changed(): void {
     const stage = this.place.engine.stage();
-    if (!FINAL.includes(stage) || !FINAL.includes(this.stage)) this.stale = true;
+    // The picture of bodies that stay as they are waits for better frames.
+    if (!this.isSettled(stage) || !this.isSettled(this.stage)) this.stale = true;
     this.stage = stage;
   }
 
@@ -117,8 +113,12 @@ export class LocalFrames implements FrameSource, Painter {
   private due(wish: Wished): Quality | undefined {
     const isSame = !this.stale && this.seen(wish) === this.made.view;
     const rung = isSame ? this.made.rungs : 0;
-    const stands = this.place.loop.stands || FINAL.includes(this.stage);
+    const stands = this.place.loop.stands || this.isSettled(this.stage);
     return rung > 0 && (wish.moving || !stands) ? undefined : ladderOf(wish)[rung];
+  }
+
+  private isSettled(stage: string): boolean {
+    return isSettled(this.place.engine.generator, stage);
   }
 
   private seen(wish: Wished): string {
@@ -168,7 +168,8 @@ export class LocalFrames implements FrameSource, Painter {
     const seen = wish.plane === 'alpha' ? coverage(pixels) : plane && 'bytes' in plane ? pixelsOf(plane) : plain;
     const { cells, stones } = engine.status();
     const view = this.place.view();
-    const what = view === 'auto' ? FORMING[engine.stage()] : view === 'picture' ? undefined : view;
+    const { stages, seen: views } = engine.generator;
+    const what = view === 'auto' ? views[stages.indexOf(engine.stage())] : view === 'picture' ? undefined : view;
     const bodies = { count: what ? cells : stones, skin: engine.get('stone') === 'skin', what };
     const frame = await createImageBitmap(new ImageData(seen, width, height));
     // Browsers may be done with a later one earlier.

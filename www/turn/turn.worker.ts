@@ -9,7 +9,8 @@ import { reasonOf } from '../base/errors';
 import { studioFor, supply } from '../module/given';
 import { keepModules, loadWhole } from '../module/load';
 import type { SceneStudio } from '../module/scene';
-import { isEnd, progressOf } from '../module/stages';
+import { generatorOf, making } from '../module/run';
+import { progressOf, type Course } from '../module/stages';
 import type { Notice, Probe } from '../module/types';
 import { Coarse, LADDER, ladderOf, viewOf } from './ladder';
 import { coverage, pixelsOf } from './pixels';
@@ -63,9 +64,8 @@ export type Said =
   | { lost: string }
   | { broken: string };
 
-/** Milliseconds of work in one call, and more packing steps than fit into that. */
+/** Milliseconds of work in one call. */
 const BUDGET = 12;
-const STEPS = 100_000;
 
 /** So long a recipe is worked on, in milliseconds, before a newer one ends that. */
 const PATIENCE = 400;
@@ -87,16 +87,16 @@ class Turner {
   /** The latest that is not fulfilled. */
   wish: Wish | undefined;
   private readonly studio: SceneStudio;
-  private readonly stages: readonly string[];
+  private readonly course: Course;
   private link: string;
   private readonly coarse = new Coarse();
   /** What the last frame is of, how many of the ladder's rungs it has, and its sides. */
   private made = { view: '', rungs: 0, subject: '', width: 0, height: 0 };
   private kept = false;
 
-  constructor(studio: SceneStudio, stages: readonly string[], link: string) {
+  constructor(studio: SceneStudio, course: Course, link: string) {
     this.studio = studio;
-    this.stages = stages;
+    this.course = course;
     this.link = link;
   }
 
@@ -128,9 +128,8 @@ class Turner {
       await supply(studio);
     }
     const begun = performance.now();
-    while (!isEnd(studio.stage())) {
-      studio.tick(BUDGET, STEPS);
-      say({ working: WORKED * progressOf(this.stages, studio.stage(), studio.status()) });
+    for (const [stage, status] of making(studio, BUDGET)) {
+      say({ working: WORKED * progressOf(this.course, stage, status) });
       await pause();
       if (this.wish?.link !== wish.link && performance.now() - begun > PATIENCE) return false;
     }
@@ -202,8 +201,7 @@ async function begin(link: string): Promise<Turner | undefined> {
   try {
     const module = await loadWhole();
     const studio = await studioFor(module, link);
-    const { stages = [] } = module.generators().find(({ word }) => word === studio.generator()) ?? {};
-    return new Turner(studio, stages, link);
+    return new Turner(studio, generatorOf(module, studio), link);
   } catch (error) {
     say({ lost: reasonOf(error) });
     return undefined;
