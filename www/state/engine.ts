@@ -205,7 +205,7 @@ export class Engine {
   }
 
   /** Works for about `budget` milliseconds on a frame of the bodies; only of what has some. See `turn` of the module. */
-  turn(subject: string, camera: string, [width, height]: readonly [number, number], how: string, budget: number): FrameSlice | Notice {
+  turn(subject: string, camera: string, width: number, height: number, how: string, budget: number): FrameSlice | Notice {
     return this.ask((core) => (core as SceneStudio).turn(subject, camera, width, height, how, budget), NOT_YET);
   }
 
