@@ -28,7 +28,7 @@ export interface Parameter {
   /** Chance leaves it as it is. */
   steady: boolean;
   choices: { word: string; label: string }[];
-  /** What a row of a text holds, '' of other kinds. Traces and patches are on the bodies, and a file has one row. */
+  /** The content of a text's rows, '' for other kinds. Traces and patches are on the bodies, and a file has one row. */
   item: '' | 'ring' | 'line' | 'spot' | 'seed' | 'trace' | 'patch' | 'file';
   /** It applies only while another parameter has one of these words or, where there are none, is not at its default. */
   shownFor?: { key: string; words: string[] } | undefined;

@@ -8,10 +8,10 @@ import type { Generator as Made, Status } from './types';
 export const BUDGET = 50;
 const STEPS = 100_000;
 
-/** What works on a recipe: a studio, or an engine of the page. */
+/** Works on a recipe: a studio, or an engine of the page. */
 type Worker = Pick<Bubblestone, 'stage' | 'status' | 'tick'>;
 
-/** How far the work is before each slice of so many milliseconds and steps. It ends where no work is left. */
+/** How far the work is before each slice of these milliseconds and steps. It ends where no work is left. */
 export function* making(worker: Worker, budget = BUDGET, steps = STEPS): Generator<[stage: string, status: Status], undefined> {
   for (let stage = worker.stage(); !isEnd(stage); stage = worker.stage()) {
     yield [stage, worker.status()];
@@ -24,7 +24,7 @@ export function finish(worker: Worker): void {
   for (const work = making(worker); !work.next().done; );
 }
 
-/** What a studio makes. */
+/** The generator at work in a studio. */
 export function generatorOf({ generators }: Pick<Module, 'generators'>, studio: Bubblestone): Made {
   const word = studio.generator();
   const found = generators().find((one) => one.word === word);

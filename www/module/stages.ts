@@ -21,7 +21,7 @@ export function isSettled({ stages, settled }: Course, stage: string): boolean {
   return stage === 'done' || (first >= 0 && stages.indexOf(stage) >= first);
 }
 
-/** Every so many packing steps the rest of the way is taken to be half as long, as nobody knows how many it takes. */
+/** After these packing steps the rest of the way is taken to be half as long, as nobody knows how many it takes. */
 const HALF = 60;
 
 /**

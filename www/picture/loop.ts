@@ -87,7 +87,7 @@ export class Loop {
   set paused(paused: boolean) {
     this.held = paused;
     this.until = undefined;
-    // What has no cells yet goes on to its first ones; a step of many cells may take several slices.
+    // Work without cells goes on to the first ones; a step of many cells may take several slices.
     const { generator } = this.engine;
     const stage = this.engine.stage();
     this.settling = isUpToSteps(generator, stage) || (this.painter !== undefined && stage === generator.stepping);

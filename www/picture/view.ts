@@ -14,7 +14,7 @@ export class View {
   private readonly engine: Engine;
   private readonly store: Store;
   private readonly followers: (() => void)[] = [];
-  /** What is told of views that are seen by frames: they have their own words. */
+  /** The note of a view that is seen by frames. */
   noted: ((view: string) => string) | undefined;
 
   constructor(engine: Engine, store: Store) {
@@ -59,7 +59,7 @@ export class View {
     return new Map([...found].map(([word, why]) => [word, t(`absent_${why}`)]));
   }
 
-  /** What is to be said of what is made, once all is there that its cells are packed by. */
+  /** The remarks of the engine, once all is there that cells are packed by. */
   remarks(stage: string): string[] {
     const { stages, stepping } = this.engine.generator;
     return stage === 'done' || stages.indexOf(stage) >= stages.indexOf(stepping) ? this.engine.remarks().map(said) : [];

@@ -1,4 +1,4 @@
-/** What a recipe is called that has no name. */
+/** The words for a recipe without a name. */
 import type { Parameter } from '../module/types';
 import type { Engine } from './engine';
 import { applies, recipeOf } from './rules';

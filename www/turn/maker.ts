@@ -1,5 +1,5 @@
 /**
- * Makes frames of a studio's bodies, whether that is the engine of the page or works in a worker. What is new gets a
+ * Makes frames of a studio's bodies, whether that is the engine of the page or works in a worker. A new view gets a
  * coarse frame first, then one of all pixels, then a smooth one. While something moves there are coarse frames only,
  * each of which is finished: else none ever would be.
  */
@@ -10,7 +10,7 @@ import { coverage, pixelsOf } from './pixels';
 import type { Wished } from './frames';
 import type { Quality } from './turn.worker';
 
-/** What frames are made by. */
+/** Makes the frames. */
 type Studio = Pick<SceneStudio, 'turn' | 'frameMap'>;
 
 interface Order<W> {
@@ -25,7 +25,7 @@ export interface Made<W> extends Order<W> {
   readonly pixels: Uint8ClampedArray<ArrayBuffer>;
 }
 
-/** What came of a piece of work. */
+/** The result of a piece of work. */
 type Piece<W> = { made: Made<W> } | { working: number } | { refused: Notice };
 
 /** `W` is what is wished for, as whoever wishes tells it. */
@@ -38,7 +38,7 @@ export class FrameMaker<W extends Wished = Wished> {
   private spent = 0;
   /** The bodies look otherwise than in the last frame. */
   private stale = true;
-  /** What the last frame is of, how many of the ladder's rungs it has, and its sides. */
+  /** The view of the last frame, how many of the ladder's rungs it has, its subject, and its sides. */
   private last = { view: '', rungs: 0, subject: '', width: 0, height: 0 };
 
   /** `view` is the word of the view. */
@@ -64,7 +64,7 @@ export class FrameMaker<W extends Wished = Wished> {
     return width && subject === '' ? [width, height] : undefined;
   }
 
-  /** How good the next frame is to be; undefined where none is due. What does not stand gets coarse frames only. */
+  /** How good the next frame is to be; undefined where none is due. Bodies that do not stand get coarse frames only. */
   due(wish: Wished, stands = true): Quality | undefined {
     const rung = !this.stale && this.seen(wish) === this.last.view ? this.last.rungs : 0;
     return rung > 0 && (wish.moving || !stands) ? undefined : ladderOf(wish)[rung];
