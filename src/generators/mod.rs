@@ -44,15 +44,52 @@ pub struct Generator {
     pub presets: &'static [Preset],
     /// Words of the stages, in their order: scripts and reports call them so.
     pub stages: &'static [&'static str],
+    /// How the stages go on, for whoever watches them.
+    pub course: Course,
     /// What of its work can be looked at.
     pub views: Views,
-    /// Words of the page's parts that it needs: `outline` (the editor), `probe`, `plots`, `layers`,
-    /// `tiles`, `compare`, `turn` (its bodies seen from a slant), `svg`, `mesh`, `forming`.
+    /// Words of the page's parts that it needs. A picture in a plane has `outline` (the editor), `probe`,
+    /// `plots`, `layers`, `tiles`, `svg`, `maps` (with larger pictures), `slab` (its relief for printing),
+    /// and `turn` (its bodies seen from a slant). `frames` are of what has no such picture: it is seen
+    /// by frames of its bodies only, and `paint` paints on these. Both may have `compare`, `mesh` and `forming`.
     pub offers: &'static [&'static str],
+    /// Keys of the parameters that tell most of a recipe without a name.
+    pub names: &'static [&'static str],
+    /// The word of the ranges in which chance throws its parameters.
+    pub chance: &'static str,
     /// From where its bodies are seen at first: the numbers of a camera, with commas between.
     pub home: &'static str,
+    /// How low a camera may stand, in degrees above the ground.
+    pub lowest: f64,
     /// Makes an engine for a recipe, with all its work before it.
     pub engine: fn(&Recipe) -> Box<dyn Engine>,
+}
+
+/// How the stages of a generator go on: words of stages, empty where there is no such stage, and a list
+/// with a place for each stage, empty where nothing is known.
+#[derive(Clone, Copy)]
+pub struct Course {
+    /// Where each stage begins, as a share of the time of common recipes.
+    pub begins: &'static [f64],
+    /// The stage that goes in steps.
+    pub stepping: &'static str,
+    /// The stage that makes one body after the other.
+    pub placing: &'static str,
+    /// The first stage that leaves the bodies as they are.
+    pub settled: &'static str,
+    /// The view in which each stage is seen while all is seen as it forms; empty for the bodies.
+    pub seen: &'static [&'static str],
+}
+
+impl Course {
+    /// A course of which nothing is known.
+    pub const UNKNOWN: Course = Course {
+        begins: &[],
+        stepping: "",
+        placing: "",
+        settled: "",
+        seen: &[],
+    };
 }
 
 /// Words of views, which are joined by '+': at most one of those that lie at the bottom, and drawings

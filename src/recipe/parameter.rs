@@ -50,6 +50,21 @@ pub enum Item {
     File,
 }
 
+impl Item {
+    /// The content's name for the page.
+    pub const fn word(self) -> &'static str {
+        match self {
+            Item::Ring(_) => "ring",
+            Item::Line => "line",
+            Item::Spot(..) => "spot",
+            Item::Seed(_) => "seed",
+            Item::Trace => "trace",
+            Item::Patch(..) => "patch",
+            Item::File => "file",
+        }
+    }
+}
+
 /// One of the words of a choice.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Choice {

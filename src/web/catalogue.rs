@@ -2,8 +2,8 @@
 
 use super::object;
 use crate::decimal;
-use crate::generators::{ALL, Generator, Part, Preset, Timing};
-use crate::recipe::{Kind, Parameter};
+use crate::generators::{ALL, Course, Generator, Part, Preset, Timing};
+use crate::recipe::{Item, Kind, Parameter};
 use js_sys::{Array, Object, Reflect};
 use wasm_bindgen::prelude::*;
 
@@ -28,6 +28,8 @@ export interface Parameter {
   /** Chance leaves it as it is. */
   steady: boolean;
   choices: { word: string; label: string }[];
+  /** The content of a text's rows, '' for other kinds. Traces and patches are on the bodies, and a file has one row. */
+  item: '' | 'ring' | 'line' | 'spot' | 'seed' | 'trace' | 'patch' | 'file';
   /** It applies only while another parameter has one of these words or, where there are none, is not at its default. */
   shownFor?: { key: string; words: string[] } | undefined;
 }
@@ -39,13 +41,29 @@ export interface Generator {
   title: string;
   /** In their order. */
   stages: string[];
+  /** Where each of them begins, as a share of the time of common recipes; empty where nothing is known. */
+  begins: number[];
+  /** The stage that goes in steps; '' where none does. */
+  stepping: string;
+  /** The stage that makes one body after the other; '' where none does. */
+  placing: string;
+  /** The first stage that leaves the bodies as they are; '' where none is known. */
+  settled: string;
+  /** The view in which each stage is seen while all is seen as it forms; '' for the bodies, empty where nothing is known. */
+  seen: string[];
   /** Words of views: at most one base, and overlays. */
   bases: string[];
   overlays: string[];
   /** The page's parts that it needs. */
   offers: string[];
+  /** Keys of the parameters that tell most of a recipe without a name. */
+  names: string[];
+  /** The word of the ranges of chance. */
+  chance: string;
   /** From where its bodies are seen at first: the numbers of a camera, with commas between. */
   home: string;
+  /** How low a camera may stand, in degrees. */
+  lowest: number;
 }
 
 export interface Preset {
@@ -76,19 +94,36 @@ pub fn generators() -> Array {
 }
 
 fn generator_object(generator: &'static Generator) -> Object {
-    let words = |words: &[&str]| -> JsValue {
-        let words: Array = words.iter().map(|&word| JsValue::from(word)).collect();
-        words.into()
-    };
+    let Course {
+        begins,
+        stepping,
+        placing,
+        settled,
+        seen,
+    } = generator.course;
+    let begins: Array = begins.iter().map(|&share| JsValue::from(share)).collect();
     object(&[
         ("word", generator.schema.word.into()),
         ("title", generator.title.into()),
         ("stages", words(generator.stages)),
+        ("begins", begins.into()),
+        ("stepping", stepping.into()),
+        ("placing", placing.into()),
+        ("settled", settled.into()),
+        ("seen", words(seen)),
         ("bases", words(generator.views.bases)),
         ("overlays", words(generator.views.overlays)),
         ("offers", words(generator.offers)),
+        ("names", words(generator.names)),
+        ("chance", generator.chance.into()),
         ("home", generator.home.into()),
+        ("lowest", generator.lowest.into()),
     ])
+}
+
+fn words(words: &[&str]) -> JsValue {
+    let words: Array = words.iter().map(|&word| JsValue::from(word)).collect();
+    words.into()
 }
 
 /// A generator's parameters, in the order of its links; none of an unknown word.
@@ -125,10 +160,10 @@ fn parameter_object(p: &Parameter) -> Object {
         ("main", p.is_main.into()),
         ("steady", p.is_steady.into()),
         ("choices", choices.into()),
+        ("item", p.item.map_or("", Item::word).into()),
     ]);
-    if let Some((key, words)) = p.shown_for {
-        let words: Array = words.iter().map(|&w| JsValue::from(w)).collect();
-        let only = object(&[("key", key.0.into()), ("words", words.into())]);
+    if let Some((key, only)) = p.shown_for {
+        let only = object(&[("key", key.0.into()), ("words", words(only))]);
         let _ = Reflect::set(&row, &"shownFor".into(), &only);
     }
     row
@@ -157,10 +192,9 @@ fn preset_object(p: &Preset) -> Object {
 
 fn timing_object(timing: &Timing) -> Object {
     let part = |part: &Part| {
-        let stages: Array = part.stages.iter().map(|&s| JsValue::from(s)).collect();
         object(&[
             ("name", part.name.into()),
-            ("stages", stages.into()),
+            ("stages", words(part.stages)),
             ("seconds", part.seconds.into()),
         ])
     };

@@ -45,7 +45,7 @@ async function film(link) {
   /** @type {[string, string, number, number][]} */
   const shown = [];
   const look = { side: studio.side(), draw: (/** @type {any} */ context) => studio.draw(context, 'auto') };
-  await frames.showForming(studio, look, finished, status, (/** @type {Canvas} */ one, other = one, share = 0, times = 1) => shown.push([one.name, other.name, share, times]));
+  await frames.showForming(studio, { placing: 'planes' }, look, finished, status, (/** @type {Canvas} */ one, other = one, share = 0, times = 1) => shown.push([one.name, other.name, share, times]));
   return { shown, steps: status.steps, planned: frames.framesOf(status.steps) };
 }
 

@@ -19,7 +19,7 @@ function moduleOf(path) {
   return import(`data:text/javascript,${encodeURIComponent(outputText)}`);
 }
 
-const SIGHTS = { bases: ['auto', 'picture', 'mesh', 'cells'], overlays: ['size', 'cells', 'mesh', 'forces'], offers: ['forming', 'turn'], home: '330,40,2.95,28' };
+const SIGHTS = { bases: ['auto', 'picture', 'mesh', 'cells'], overlays: ['size', 'cells', 'mesh', 'forces'], offers: ['forming', 'turn'], home: '330,40,2.95,28', lowest: 5 };
 
 /** @param {string} words */
 const read = (words) => viewing.read(words, SIGHTS);
@@ -117,8 +117,8 @@ test('a camera stands where it is said, else as usual', () => {
   assert.equal(written({ camera: [330.04, 38.26, 2.95049, 28, 0.000049, 0, 0] }), 'camera=330,38.3');
 });
 
-test('each generator has its first camera, and what stands in space is seen from below, too', () => {
-  const space = { ...SIGHTS, offers: ['space', 'turn'], home: '10,20,2.5' };
+test('each generator has its first camera, and its lowest one', () => {
+  const space = { ...SIGHTS, offers: ['frames'], home: '10,20,2.5', lowest: -85 };
   assert.deepEqual(viewing.read('camera', space).viewing.camera, [10, 20, 2.5, 28, 0, 0, 0]);
   assert.equal(written({ camera: [40, 20, 2.5, 28, 0, 0, 0] }, space), 'camera=40');
   assert.equal(written({ camera: [10, 40, 2.95, 28, 0, 0, 0] }, space), 'camera=10,40,2.95');

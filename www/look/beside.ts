@@ -31,8 +31,8 @@ export class Beside implements Partner {
   private readonly names = [make('p', { class: 'beside-name', id: 'beside-name' }), make('p', { class: 'beside-name own' })] as const;
   private engine: Engine | undefined;
   private loop: Loop | undefined;
-  /** What is seen of it in space. */
-  private space: OtherFrames | undefined;
+  /** Its frames, where it is seen by these. */
+  private frames: OtherFrames | undefined;
   /** What the other one is called, and the link that is called so. */
   private title = '';
   private link = '';
@@ -67,21 +67,21 @@ export class Beside implements Partner {
     }
     for (const element of [this.sheet, ...this.names]) element.remove();
     this.loop?.end();
-    this.space?.end();
-    this.engine = this.loop = this.space = this.own.pair = this.work.partner = undefined;
+    this.frames?.end();
+    this.engine = this.loop = this.frames = this.own.pair = this.work.partner = undefined;
     this.store.update({ other: 'done' });
   }
 
   /** What stands beside the picture is the engine's from now on. Both begin anew, or it comes up to the one that is still in the making. */
   take(engine: Engine, title: string): void {
     this.loop?.end();
-    this.space?.end();
+    this.frames?.end();
     this.engine = engine;
     [this.title, this.link] = [title, engine.link()];
     this.loop = new Loop(engine, (stage) => this.shownAt(stage), (stage, changed) => this.drawn(stage, changed));
-    this.space = engine.isSpace ? this.inSpace(engine, this.loop) : undefined;
-    this.loop.painter = this.space?.painter;
-    this.canvas.hidden = engine.isSpace;
+    this.frames = engine.offers('frames') ? this.framesOf(engine, this.loop) : undefined;
+    this.loop.painter = this.frames?.painter;
+    this.canvas.hidden = engine.offers('frames');
     this.loop.pair = this.own.pair = new Together(this.work.engine, engine);
     this.work.partner = this;
     this.pairs.clear();
@@ -97,9 +97,9 @@ export class Beside implements Partner {
   }
 
   /** Both are turned by what is done on either. */
-  private inSpace(engine: Engine, loop: Loop): OtherFrames {
+  private framesOf(engine: Engine, loop: Loop): OtherFrames {
     const { store } = this;
-    const space = new OtherFrames(engine, store, loop);
+    const frames = new OtherFrames(engine, store, loop);
     const home = homeOf(engine.generator);
     const none = (): void => undefined;
     const hands = {
@@ -112,9 +112,9 @@ export class Beside implements Partner {
       over: none,
       enter: none,
     };
-    new Gestures(space.canvas, hands, false);
-    this.sheet.append(space.canvas);
-    return space;
+    new Gestures(frames.canvas, hands, false);
+    this.sheet.append(frames.canvas);
+    return frames;
   }
 
   /** A control was moved: the values that are other ones than before go to the other one, too, where it has them. */
@@ -174,7 +174,7 @@ export class Beside implements Partner {
     if (!engine?.alive) return;
     const context = canvas.getContext('2d');
     const words = this.shownAt(stage);
-    if (context && !engine.isSpace && changed && words !== undefined) {
+    if (context && !engine.offers('frames') && changed && words !== undefined) {
       const side = engine.side();
       if (canvas.width !== side) canvas.width = canvas.height = side;
       engine.draw(context, words);

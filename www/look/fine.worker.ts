@@ -2,7 +2,7 @@
 import { serve } from '../late/worker';
 import { studioFor } from '../module/given';
 import { loadModule } from '../module/load';
-import { isEnd } from '../module/stages';
+import { BUDGET, finish } from '../module/run';
 
 /** What the worker gets: the recipe, and how many pixels there are for one of its own, along a side. */
 export type Order = [link: string, scale: number];
@@ -11,10 +11,6 @@ export type Order = [link: string, scale: number];
 export interface Answer {
   picture?: ImageBitmap;
 }
-
-/** Milliseconds of work in one call, and more packing steps than fit into that. */
-const BUDGET = 50;
-const STEPS = 100_000;
 
 serve(
   async ([link, scale]: Order): Promise<Answer> => {
@@ -27,7 +23,7 @@ serve(
 async function painted(link: string, scale: number): Promise<ImageData | undefined> {
   const module = await loadModule(link);
   const studio = await studioFor(module, link);
-  while (!isEnd(studio.stage())) studio.tick(BUDGET, STEPS);
+  finish(studio);
   const side = studio.side() * scale;
   const pixels = new ImageData(side, side);
   for (let at = 0; ; ) {

@@ -2,7 +2,7 @@
 import { t } from '../words/look';
 import { wantsStill } from '../base/dom';
 import { notice } from '../base/messages';
-import { cameraLimits, LIMITS, read, written, type Fault, type Sights } from '../state/asked-view';
+import { cameraLimits, hasBodies, LIMITS, read, written, type Fault, type Sights } from '../state/asked-view';
 import type { State } from '../state/store';
 import type { Work } from '../state/work';
 import type { Loop } from '../picture/loop';
@@ -20,7 +20,7 @@ export function show(words: string, work: Work, loop: Loop, change: (asked: Part
     ...(view === undefined ? {} : { view, overlays: overlays ?? [] }),
     // Visitors who prefer reduced motion keep their own speed.
     ...(pace === undefined || wantsStill() ? {} : { pace }),
-    ...(zoom === undefined || engine.isSpace ? {} : { zoom }),
+    ...(zoom === undefined || engine.offers('frames') ? {} : { zoom }),
     ...(step === undefined ? {} : { paused: false }),
     ...(camera === undefined ? {} : { turn: true, camera }),
   });
@@ -46,7 +46,7 @@ function sentences(faults: readonly Fault[], sights: Sights): string[] {
     if (what === 'view') return t('linked_view', { given, known: bases.join(', '), end });
     if (what === 'layer') return t('linked_layer', { given, known: overlays.join(', '), end });
     if (what === 'step' && !offers.includes('forming')) return t('linked_no_steps', { end });
-    if (what === 'camera') return offers.includes('turn') ? t('linked_camera', { given, limits: cameraLimits(sights).map(([from, to]) => `${from}–${to}`).join(', '), end }) : t('linked_no_turn', { end });
+    if (what === 'camera') return hasBodies(sights) ? t('linked_camera', { given, limits: cameraLimits(sights).map(([from, to]) => `${from}–${to}`).join(', '), end }) : t('linked_no_turn', { end });
     const [from, to] = LIMITS[what];
     return t(`linked_${what}`, { given, from, to, end });
   });

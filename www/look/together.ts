@@ -2,7 +2,7 @@
  * Two linked pictures that form in step. While both are packed they make equally many steps, at the pace of the slower
  * one. Before and after that, each goes on by itself.
  */
-import { isEnd, isUpToSteps, STEPPING } from '../module/stages';
+import { isEnd, isUpToSteps } from '../module/stages';
 import type { Engine } from '../state/engine';
 
 export class Together {
@@ -61,10 +61,10 @@ export class Together {
 /** Whether packing is over. */
 function isPast(engine: Engine): boolean {
   const stage = engine.stage();
-  return isEnd(stage) || !isUpToSteps(engine.generator.stages, stage);
+  return isEnd(stage) || !isUpToSteps(engine.generator, stage);
 }
 
 /** Whether a packing step is next. Does any work that is due before it. */
 function isAtStep(engine: Engine): boolean {
-  return engine.stage() === STEPPING && !engine.tick(0, 0);
+  return engine.stage() === engine.generator.stepping && !engine.tick(0, 0);
 }

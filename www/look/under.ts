@@ -22,8 +22,8 @@ export class Under {
   private readonly line = make('div', { class: 'compare-line' });
   private readonly divider = make('input', { type: 'range', id: 'divider', min: '0', max: '100', step: '1', value: '50', 'aria-label': t('compare_divider') });
   private engine: Engine | undefined;
-  /** What is seen of it in space. */
-  private space: OtherFrames | undefined;
+  /** Its frames, where it is seen by these. */
+  private frames: OtherFrames | undefined;
   private waiting = false;
   /** A drawing is made in pieces, before there is more work. */
   private owed = false;
@@ -48,8 +48,8 @@ export class Under {
     if (on) this.divider.focus({ preventScroll: true });
     else {
       this.engine = undefined;
-      this.space?.end();
-      this.space = undefined;
+      this.frames?.end();
+      this.frames = undefined;
     }
   }
 
@@ -57,14 +57,14 @@ export class Under {
   take(engine: Engine): void {
     this.engine = engine;
     this.drawn = 0;
-    this.space?.end();
-    this.space = engine.isSpace ? this.inSpace(engine) : undefined;
-    this.canvas.hidden = engine.isSpace;
+    this.frames?.end();
+    this.frames = engine.offers('frames') ? this.framesOf(engine) : undefined;
+    this.canvas.hidden = engine.offers('frames');
     this.wake();
   }
 
   /** Its frames lie over those of the page's own. */
-  private inSpace(engine: Engine): OtherFrames {
+  private framesOf(engine: Engine): OtherFrames {
     const stands = (): boolean => isEnd(engine.stage());
     const beat = {
       look: () => this.wake(),
@@ -72,13 +72,13 @@ export class Under {
         return stands();
       },
     };
-    const space = new OtherFrames(engine, this.store, beat);
-    this.line.before(space.canvas);
-    return space;
+    const frames = new OtherFrames(engine, this.store, beat);
+    this.line.before(frames.canvas);
+    return frames;
   }
 
   private look(): void {
-    this.space?.painter.changed();
+    this.frames?.painter.changed();
     this.wake();
   }
 
@@ -107,12 +107,12 @@ export class Under {
     if (!engine || document.hidden) return;
     const works = !isEnd(engine.stage());
     if (works && !this.resting()) return;
-    if (works && !this.owed && engine.tick(SLICE, 100_000)) this.space?.painter.changed();
+    if (works && !this.owed && engine.tick(SLICE, 100_000)) this.frames?.painter.changed();
     // Its failure was told.
     if (this.engine !== engine) return;
     const ended = isEnd(engine.stage());
     const due = ended || performance.now() >= this.drawn;
-    this.owed = due && !(this.space ? this.space.painter.advance(SLICE) : engine.prepare(this.view.words, SLICE));
+    this.owed = due && !(this.frames ? this.frames.painter.advance(SLICE) : engine.prepare(this.view.words, SLICE));
     if (due && !this.owed) this.paint();
     if (ended && !this.owed) say(this.progress, engine.problem());
     else this.wake();
@@ -124,7 +124,7 @@ export class Under {
 
   private paint(): void {
     const { engine, canvas } = this;
-    const context = engine && !engine.isSpace && canvas.getContext('2d');
+    const context = engine && !engine.offers('frames') && canvas.getContext('2d');
     if (!context) return;
     const side = engine.side();
     if (canvas.width !== side) canvas.width = canvas.height = side;

@@ -27,8 +27,10 @@ interface Parts {
   show: (value: string, standard: string) => void;
 }
 
-/** `edit` opens what is edited over the canvas. */
-export function makeControl(parameter: Parameter, change: Change, edit: (key: string) => void): Control {
+/** Opens what is edited over the canvas, or chosen as a file. */
+export type Edit = (parameter: Parameter) => void;
+
+export function makeControl(parameter: Parameter, change: Change, edit: Edit): Control {
   const id = `p-${parameter.key}`;
   const { inputs, show } = waysOf(parameter, id, change, edit);
   const numeric = parameter.kind === 'number' || parameter.kind === 'int';
@@ -67,7 +69,7 @@ export function makeControl(parameter: Parameter, change: Change, edit: (key: st
   };
 }
 
-function waysOf(parameter: Parameter, id: string, change: Change, edit: (key: string) => void): Parts {
+function waysOf(parameter: Parameter, id: string, change: Change, edit: Edit): Parts {
   if (parameter.kind === 'text') return drawnList(parameter, id, edit);
   if (parameter.kind === 'choice') {
     const letters = parameter.choices.reduce((sum, { label }) => sum + width(label) + SEGMENT_ROOM, 0);
@@ -217,11 +219,11 @@ function segments(parameter: Parameter, id: string, change: Change): Parts {
 }
 
 /** A list that is edited over the canvas: how many entries it has, and a button to edit them. */
-function drawnList(parameter: Parameter, id: string, edit: (key: string) => void): Parts {
+function drawnList(parameter: Parameter, id: string, edit: Edit): Parts {
   const button = make('button', { type: 'button', class: 'wide', id, 'aria-labelledby': `${id}-name ${id}`, 'aria-describedby': `${id}-help` });
-  button.addEventListener('click', () => edit(parameter.key));
+  button.addEventListener('click', () => edit(parameter));
   /** A file is one entry, which is opened. */
-  const isFile = parameter.key === 'model';
+  const isFile = parameter.item === 'file';
   return {
     inputs: [button],
     // In a list's text dots stand between the entries.

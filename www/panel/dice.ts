@@ -11,8 +11,8 @@ export class Dice {
   private readonly work: Work;
   private readonly push: () => void;
   private readonly ranges = new Later(async () => {
-    const [{ PLANE, thrown }, { SURFACE }] = await Promise.all([import('./ranges'), import('./ranges-surface')]);
-    return { thrown, table: (isSpace: boolean) => (isSpace ? SURFACE : PLANE) };
+    const [{ thrown }, { CHANCES }] = await Promise.all([import('./chance'), import('./ranges')]);
+    return { thrown, table: (word: string) => CHANCES[word] ?? {} };
   });
   private groups: { name: string; dice: HTMLButtonElement; lock: HTMLButtonElement }[] = [];
 
@@ -49,7 +49,7 @@ export class Dice {
     const { engine, store } = this.work;
     this.ranges.ask(({ thrown, table }) => {
       const free = groups.filter((group) => !isLocked(store, group));
-      const values = thrown(table(engine.isSpace), Math.random, free, engine.schema, (key) => engine.get(key));
+      const values = thrown(table(engine.generator.chance), Math.random, free, engine.schema, (key) => engine.get(key));
       if (groups.length > 1 && !isLocked(store, SEED)) values.push([SEED, String(engine.randomSeed())]);
       this.push();
       this.work.setAll(values);

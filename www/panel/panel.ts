@@ -9,11 +9,14 @@ import { keep, kept } from '../base/storage';
 import type { Engine } from '../state/engine';
 import { applies, differs, recipeOf, type Recipe } from '../state/rules';
 import type { Parameter } from '../module/types';
-import { makeControl, type Change, type Control } from './control';
+import { makeControl, type Change, type Control, type Edit } from './control';
 import { SIDE } from './scaling';
 
 /** Parameters that have their own place on the page. */
-const ELSEWHERE = new Set(['seed', 'poly']);
+const ELSEWHERE = ['seed', 'poly'];
+
+/** Rows of these are painted on frames, with tools that stand beside them. */
+const PAINTED: readonly Parameter['item'][] = ['trace', 'patch'];
 
 /** The visitor's choice of how much of the panel is shown. */
 const EXTENT = 'panel';
@@ -42,8 +45,7 @@ export class Panel {
   private readonly extents = [...byId('extent').querySelectorAll('input')];
   private simple = kept(EXTENT) !== 'all';
 
-  /** `edit` opens a list over the canvas. */
-  constructor(engine: Engine, private readonly change: Change, private readonly edit: (key: string) => void) {
+  constructor(engine: Engine, private readonly change: Change, private readonly edit: Edit) {
     this.engine = engine;
     this.recipe = recipeOf(engine);
     this.form.addEventListener('submit', (event) => event.preventDefault());
@@ -57,9 +59,10 @@ export class Panel {
     let begin = performance.now();
     this.groups.clear();
     this.recipe = recipeOf(this.engine);
-    const { isSpace } = this.engine;
+    // Frames have as many pixels as there is room for.
+    const elsewhere = this.engine.offers('frames') ? [...ELSEWHERE, SIDE] : ELSEWHERE;
     for (const parameter of this.recipe.schema) {
-      if (ELSEWHERE.has(parameter.key) || (isSpace && isOfPlane(parameter))) continue;
+      if (elsewhere.includes(parameter.key) || PAINTED.includes(parameter.item)) continue;
       const control = makeControl(parameter, this.change, this.edit);
       const group = this.group(parameter.group);
       group.controls.push(control);
@@ -140,11 +143,6 @@ export class Panel {
     this.groups.set(name, group);
     return group;
   }
-}
-
-/** What is drawn on a picture, and its side: bodies in space have as many pixels as there is room for. */
-function isOfPlane({ kind, key }: Parameter): boolean {
-  return kind === 'text' || key === SIDE;
 }
 
 /** The help of the control under the pointer or the keyboard, in one line at the panel's foot. */

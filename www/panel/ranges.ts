@@ -1,48 +1,17 @@
-/**
- * Random values within the ranges in which most pictures look good; the ranges follow the presets. The picture's side
- * and parameters that serve only comparison keep their values.
- *
- * Each group has a table of ranges with weights. A row may depend on the rows before it. A parameter without effect in
- * the new recipe gets its default, so that links stay short.
- */
-
-import type { Parameter } from '../module/types';
-import { applies, type Recipe } from '../state/rules';
-
-/** Words with their weights. */
-type Words = Record<string, number>;
-
-interface Range {
-  from: number;
-  to: number;
-  step: number;
-  /** The usual value, and the share of throws that take it. */
-  plain?: [value: number, part: number];
-  /** The range is a multiple of this parameter's value. */
-  per?: 'cs' | 'size';
-}
-
-/** A row applies where each of these parameters has one of these words. The first row of a key that applies counts. */
-export type When = Partial<Record<string, readonly string[]>>;
-
-export type Row = readonly [key: string, pick: Words | Range | '', when?: When];
+/** The ranges in which most pictures look good, by the words that generators tell; they follow the presets. */
+import { range, rarely, type Table, type When, type Words } from './chance';
 
 const SKIN: When = { stone: ['skin'] };
+const FLAG: When = { stone: ['flag'] };
 const TILE: When = { tile: ['1'] };
 const ROADS = ['road_s', 'road_straight', 'road_spiral', 'y_fork', 'crossing', 'road_notch', 'l_shape', 'annulus'];
-export const STONE_PALETTES: Words = { granite: 2, basalt: 2, sandstone: 2, terracotta: 2, marble: 2, porphyry: 2, slate: 1, mossy: 1, limestone: 2 };
+/** Forms with a head and a tail. */
+const BODIES = ['leg', 'tail', 'fish', 'horn'];
+/** Forms to walk on. */
+const GROUNDS = ['terrain', 'slope', 'stairs'];
+const STONE_PALETTES: Words = { granite: 2, basalt: 2, sandstone: 2, terracotta: 2, marble: 2, porphyry: 2, slate: 1, mossy: 1, limestone: 2 };
 
-/** The cells stay stones, or stay skin, unless all of these groups are randomised. */
-const FAMILY = ['Cells', 'Relief', 'Surface'];
-
-export const range = (from: number, to: number, step: number, more: Pick<Range, 'plain' | 'per'> = {}): Range => ({ from, to, step, ...more });
-/** Mostly 0. */
-export const rarely = (part: number, from: number, to: number, step = 0.05): Range => range(from, to, step, { plain: [0, 1 - part] });
-
-/** Rows by group, in the order of randomising: later rows depend on earlier ones. */
-export type Table = Record<string, readonly Row[]>;
-
-export const PLANE: Table = {
+const PLANE: Table = {
   Outline: [
     ['tile', { '0': 2, '1': 1 }, SKIN],
     ['tile', { '0': 5, '1': 1 }],
@@ -183,69 +152,169 @@ export const PLANE: Table = {
   ],
 };
 
-/**
- * New values of these groups by a table. `random` returns numbers in 0..1, and `get` a parameter's present value. A
- * parameter without effect in the new recipe gets its default, so that links stay short.
- */
-export function thrown(table: Table, random: () => number, groups: readonly string[], schema: readonly Parameter[], get: (key: string) => string): [key: string, text: string][] {
-  const values = new Map<string, string>();
-  const now = (key: string): string => values.get(key) ?? get(key);
-  if (groups.includes('Relief') && schema.some(({ key }) => key === 'stone')) values.set('stone', stone(random, FAMILY.every((group) => groups.includes(group)), get('stone')));
-  for (const [group, rows] of Object.entries(table)) {
-    if (!groups.includes(group)) continue;
-    const done = new Set<string>();
-    for (const [key, pick, when = {}] of rows) {
-      if (done.has(key) || !schema.some((one) => one.key === key) || !Object.entries(when).every(([other, words]) => words?.includes(now(other)))) continue;
-      done.add(key);
-      values.set(key, pick === '' ? '' : isRange(pick) ? inRange(random, pick, now) : word(random, pick));
-    }
-  }
-  // Parameters with rows of their own, and the one that is randomised apart.
-  const known = new Set([...Object.values(table).flatMap((rows) => rows.map(([key]) => key)), 'stone']);
-  for (const parameter of schema) {
-    if (groups.includes(parameter.group) && !parameter.steady && !known.has(parameter.key)) values.set(parameter.key, anywhere(random, parameter));
-  }
-  const recipe: Recipe = { schema, valuesOf: (key) => [now(key)], defaultOf: (parameter) => parameter.default };
-  return [...values].map(([key, text]) => {
-    const parameter = schema.find((one) => one.key === key);
-    return [key, !parameter || applies(parameter, recipe) ? text : parameter.default];
-  });
-}
+/** Lengths are in sizes of cells here. */
+const SURFACE: Table = {
+  Shape: [
+    ['form', { leg: 3, tail: 3, fish: 3, turtle: 3, horn: 2, egg: 3, knot: 2, torus: 2, vase: 1 }, SKIN],
+    ['form', { terrain: 4, stairs: 2, slope: 1, cylinder: 2, sphere: 3, torus: 3, vase: 3, egg: 2, knot: 2, letter: 1 }],
+    ['terrain_hills', range(1.6, 3.2, 0.1)],
+    ['terrain_height', range(0.24, 0.46, 0.02)],
+    ['terrain_lane', range(0.3, 0.9, 0.05)],
+    ['terrain_wind', range(0.2, 0.8, 0.05)],
+    ['terrain_hill', range(1, 999, 1)],
+    ['slope_rise', range(14, 30, 1)],
+    ['slope_width', range(0.4, 0.9, 0.05)],
+    ['stairs_steps', range(3, 7, 1)],
+    ['stairs_pitch', range(0.4, 0.7, 0.05)],
+    ['stairs_width', range(0.5, 1, 0.05)],
+    ['cylinder_height', range(0.8, 1.8, 0.05)],
+    ['cylinder_top', range(0.7, 1.2, 0.05)],
+    ['cylinder_belly', range(-0.2, 0.3, 0.05)],
+    ['cylinder_caps', { '1': 1 }],
+    ['sphere_height', range(0.6, 1.3, 0.05, { plain: [1, 0.5] })],
+    ['sphere_depth', range(0.7, 1.2, 0.05, { plain: [1, 0.7] })],
+    ['sphere_square', range(2, 3.4, 0.1, { plain: [2, 0.6] })],
+    ['torus_tube', range(0.3, 0.55, 0.01)],
+    ['torus_height', range(0.8, 1.3, 0.05, { plain: [1, 0.6] })],
+    ['torus_waves', range(3, 7, 1, { plain: [0, 0.6] })],
+    ['knot_turns', { '2': 1 }],
+    ['knot_lobes', { '3': 4, '5': 1 }],
+    ['knot_tube', range(0.6, 0.85, 0.05)],
+    ['knot_swing', range(0.36, 0.46, 0.01)],
+    ['horn_turns', range(0.8, 2.6, 0.05)],
+    ['horn_rise', range(0.4, 1.4, 0.05)],
+    ['horn_taper', range(0.1, 0.24, 0.01)],
+    ['horn_girth', range(0.55, 0.8, 0.05)],
+    ['leg_toes', range(3, 5, 1)],
+    ['leg_bend', range(16, 46, 1)],
+    ['leg_girth', range(0.9, 1.2, 0.05)],
+    ['leg_reach', range(0.85, 1.2, 0.05)],
+    ['tail_curl', range(120, 400, 5)],
+    ['tail_taper', range(0.14, 0.3, 0.01)],
+    ['tail_girth', range(0.13, 0.22, 0.01)],
+    ['tail_lift', range(0.1, 0.7, 0.05)],
+    ['fish_height', range(0.28, 0.46, 0.01)],
+    ['fish_swim', range(-26, 26, 2)],
+    ['turtle_width', range(0.7, 0.92, 0.01)],
+    ['turtle_height', range(0.26, 0.46, 0.01)],
+    ['egg_height', range(1.15, 1.6, 0.05)],
+    ['egg_point', range(0.08, 0.3, 0.02)],
+    ['vase_height', range(1.2, 1.9, 0.05)],
+    ['vase_shoulder', range(0.42, 0.6, 0.01)],
+    ['vase_neck', range(0.34, 0.6, 0.01)],
+    ['vase_lip', range(1.1, 1.5, 0.05)],
+    ['letter_letter', range(1, 26, 1)],
+    ['letter_weight', range(0.16, 0.21, 0.01)],
+    ['letter_depth', range(0.2, 0.34, 0.02)],
+    ['crease', { fold: 1 }],
+    ['open', { shell: 1 }],
+    ['yaw', range(-40, 40, 1, { plain: [0, 0.5] })],
+  ],
+  Cells: [
+    ['kind', { circle: 3, ellipse: 2, rectangle: 2 }, { stone: ['skin'], form: ['egg', 'turtle', 'sphere', 'vase'] }],
+    ['kind', { rectangle: 3, ellipse: 4, circle: 2 }, SKIN],
+    ['kind', { square: 4, rectangle: 4 }, FLAG],
+    ['kind', { square: 5, rectangle: 2, circle: 2 }],
+    ['ca', range(1.2, 1.5, 0.05), SKIN],
+    ['ca', range(1.4, 2, 0.05)],
+    ['bent', { even: 1 }],
+  ],
+  Size: [
+    ['cn', range(1400, 3000, 10), { form: ['leg'] }],
+    ['cn', range(1800, 3000, 10), { form: ['fish', 'knot'] }],
+    ['cn', range(1300, 2600, 10), { form: ['tail', 'horn', 'letter'] }],
+    ['cn', range(900, 2000, 10), SKIN],
+    ['cn', range(700, 1800, 10)],
+    ['taper', range(0.4, 0.7, 0.05), { form: BODIES }],
+    ['taper', { '1': 1 }],
+    ['along', { bones: 1 }],
+    ['cc', { '0': 1 }],
+  ],
+  Direction: [
+    ['dir', { bones: 1 }, { form: BODIES }],
+    ['dir', { bones: 3, free: 1 }],
+    ['angle', range(-45, 45, 15, { plain: [0, 0.8] })],
+    ['flow', { bones: 1 }],
+    ['flip', { '0': 1 }],
+  ],
+  Packing: [['vs', rarely(0.3, 0.05, 0.15, 0.01)]],
+  Relief: [
+    ['sv', range(1.2, 1.4, 0.01), SKIN],
+    ['sv', range(0.93, 0.97, 0.01), FLAG],
+    ['sv', range(0.94, 0.99, 0.01)],
+    ['hs', range(0.2, 0.34, 0.01), FLAG],
+    ['hs', range(0.34, 0.6, 0.01)],
+    ['sr', range(0.35, 0.7, 0.05)],
+    ['sc', range(0.2, 0.6, 0.05), { kind: ['circle', 'square'] }],
+    ['sc', range(0.6, 1.3, 0.05)],
+    ['tilt', range(0.14, 0.32, 0.01)],
+    ['sa', { '0': 1 }],
+    ['tc', range(0.15, 0.4, 0.01)],
+    ['flat', rarely(0.3, 0.2, 0.5)],
+    ['keel', rarely(0.5, 0.3, 0.7)],
+    ['rings', rarely(0.15, 4, 7, 1)],
+    ['dr', range(0.02, 0.08, 0.01), SKIN],
+    ['dr', range(0.08, 0.18, 0.01), FLAG],
+    ['dr', range(0.18, 0.36, 0.01)],
+    ['bh', range(0.1, 0.2, 0.01)],
+  ],
+  Surface: [
+    ['fd', range(1.1, 1.3, 0.01), SKIN],
+    ['fd', range(1.3, 1.5, 0.01)],
+    ['af', range(0.02, 0.05, 0.01), SKIN],
+    ['af', range(1.2, 2.2, 0.05)],
+    ['palette', { fish: 3, koi: 3 }, { stone: ['skin'], form: ['fish'] }],
+    ['palette', { tortoise: 3, armadillo: 1, dragon: 1 }, { stone: ['skin'], form: ['turtle'] }],
+    ['palette', { cone: 2, pangolin: 2, dragon: 2 }, { stone: ['skin'], form: ['egg'] }],
+    ['palette', { crocodile: 2, lizard: 2, snake: 1, coral: 1, pangolin: 2, desert: 1, dragon: 2 }, SKIN],
+    ['palette', STONE_PALETTES],
+    ['vary', range(0.5, 1.1, 0.05), SKIN],
+    ['vary', range(0.7, 1.2, 0.05)],
+    ['ground', { hide: 1 }, SKIN],
+    ['ground', { mortar: 3, sand: 2, dark: 1 }, FLAG],
+    ['ground', { sand: 2, soil: 3, dark: 2, mortar: 2 }],
+    ['gloss', { own: 5, glossy: 1 }, SKIN],
+    ['gloss', { own: 1 }],
+  ],
+  Colour: [
+    ['pattern', { blotches: 3, rosettes: 1 }, { palette: ['koi'] }],
+    ['pattern', { none: 3, bands: 1, spots: 1, blotches: 2, turing: 2 }, SKIN],
+    ['pattern', { none: 9, blotches: 1 }],
+    ['pn', range(0.16, 0.26, 0.01), { palette: ['koi'] }],
+    ['pn', range(0.1, 0.18, 0.01)],
+    ['pa', { '0': 1, '90': 2, '45': 1 }],
+    ['ps', range(0.7, 0.9, 0.05)],
+    ['pc', range(0.35, 0.55, 0.01)],
+    ['pm', range(0.8, 1, 0.05), SKIN],
+    ['pm', range(0.5, 0.8, 0.05)],
+    ['rim', rarely(0.3, 0.1, 0.3)],
+    ['belly', rarely(0.4, 0.4, 0.7), { stone: ['skin'], form: BODIES }],
+    ['belly', { '0': 1 }],
+    ['ba', { '90': 1 }],
+  ],
+  Weather: [
+    ['wear', { '0': 1 }, SKIN],
+    ['wear', rarely(0.3, 0.3, 0.7), { form: GROUNDS }],
+    ['wear', { '0': 1 }],
+    ['moss', { '0': 1 }, SKIN],
+    ['moss', rarely(0.25, 0.3, 0.7)],
+    ['dirt', rarely(0.15, 0.1, 0.3), SKIN],
+    ['dirt', rarely(0.2, 0.2, 0.4)],
+    ['wet', { '0': 1 }, SKIN],
+    ['wet', rarely(0.12, 0.3, 0.6)],
+  ],
+  Light: [
+    ['light', { parallel: 1 }],
+    ['az', range(100, 170, 1)],
+    ['el', range(34, 52, 1)],
+    ['amb', range(0.95, 1.15, 0.05)],
+    ['diff', range(1, 1.15, 0.05)],
+    ['spec', range(0.9, 1.2, 0.05)],
+    ['shin', { '1': 1 }],
+    ['shadow', { '1': 1 }],
+    ['occl', range(0.8, 1, 0.05)],
+  ],
+};
 
-function stone(random: () => number, free: boolean, before: string): string {
-  if (free) return word(random, { cobble: 4, flag: 3, skin: 4 });
-  return before === 'skin' ? before : word(random, { cobble: 4, flag: 3 });
-}
-
-/**
- * A value for a parameter without rows: any of its words, or a number from the middle half of its range. Texts stay
- * as they are.
- */
-function anywhere(random: () => number, { kind, min, max, step, choices, default: plain }: Parameter): string {
-  if (kind === 'text') return plain;
-  if (kind === 'choice') return choices[Math.floor(random() * choices.length)]?.word ?? plain;
-  const place = 0.25 + 0.5 * random();
-  return rounded(min + place * (max - min), step);
-}
-
-function isRange(pick: Words | Range): pick is Range {
-  return 'step' in pick;
-}
-
-function word(random: () => number, weights: Words): string {
-  let left = random() * Object.values(weights).reduce((sum, weight) => sum + weight, 0);
-  for (const [text, weight] of Object.entries(weights)) if ((left -= weight) < 0) return text;
-  return Object.keys(weights)[0] ?? '';
-}
-
-function inRange(random: () => number, { from, to, step, plain, per }: Range, now: (key: string) => string): string {
-  if (plain && random() < plain[1]) return String(plain[0]);
-  const place = from + random() * (to - from);
-  if (!per) return rounded(place, step);
-  return rounded(place * Number(now(per)), per === 'size' ? 1 : step);
-}
-
-/** The nearest step, without the rounding errors of binary fractions. */
-function rounded(value: number, step: number): string {
-  return String(Number((Math.round(value / step) * step).toFixed(4)));
-}
+/** By the word of a generator's chance. */
+export const CHANCES: Record<string, Table> = { plane: PLANE, surface: SURFACE };

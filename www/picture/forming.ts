@@ -27,9 +27,9 @@ export class Forming {
 
   /** The work now goes at the pace of a viewer. */
   begin(newcomer = this.newcomer): void {
-    if (!this.engine.generator.offers.includes('forming')) return;
+    if (!this.engine.offers('forming')) return;
     this.newcomer = newcomer;
-    this.loop.watch = new Watch();
+    this.loop.watch = new Watch(this.engine.generator);
     if (isEnd(this.engine.stage())) this.loop.watch.expected = this.engine.status().steps;
     this.expect();
     this.subtitle.begin(this.engine.get('stone') === 'skin');

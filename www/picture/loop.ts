@@ -5,7 +5,7 @@
  * else. Drawings of many shapes are drawn some rows at a time over as many frames as that takes, while the work stands
  * still; drawn at once they are the same pixels. The digest is told to scripts only when its picture is drawn.
  */
-import { isEnd, isUpToSteps, STEPPING } from '../module/stages';
+import { isEnd, isUpToSteps } from '../module/stages';
 import type { Engine } from '../state/engine';
 import type { Until } from './until';
 import type { Watch } from './watch';
@@ -87,9 +87,10 @@ export class Loop {
   set paused(paused: boolean) {
     this.held = paused;
     this.until = undefined;
-    // What has no cells yet goes on to its first ones; in space a step of many cells takes several slices.
+    // Work without cells goes on to the first ones; a step of many cells may take several slices.
+    const { generator } = this.engine;
     const stage = this.engine.stage();
-    this.settling = isUpToSteps(this.engine.generator.stages, stage) || (this.painter !== undefined && stage === STEPPING);
+    this.settling = isUpToSteps(generator, stage) || (this.painter !== undefined && stage === generator.stepping);
     // A pause shows the step that it holds, which may not have been drawn.
     this.redraw();
   }
@@ -181,6 +182,7 @@ export class Loop {
       this.spared = false;
       return this.wake();
     }
+    const { stepping } = this.engine.generator;
     const before = this.engine.stage();
     const working = !this.owed && !isEnd(before) && (!this.held || this.settling);
     const changed = working && this.work(begin);
@@ -188,14 +190,14 @@ export class Loop {
     const stage = this.engine.stage();
     if (changed || stage !== before) this.painter?.changed();
     // Held, work ends where only packing steps are left: the packing's first cells may take a slice of their own.
-    if (isEnd(stage) || (working && this.held && stage === STEPPING && !changed)) {
+    if (isEnd(stage) || (working && this.held && stage === stepping && !changed)) {
       // What stands from now on is painted better.
       if (this.settling && this.painter) this.dirty = true;
       this.settling = false;
     }
     const now = changed ? performance.now() : begin;
     const due = changed && now >= this.nextDrawing;
-    const draw = this.owed || this.dirty || due || isEnd(stage) || (stage !== before && (this.held || stage === STEPPING));
+    const draw = this.owed || this.dirty || due || isEnd(stage) || (stage !== before && (this.held || stage === stepping));
     const isLong = working && now - begin + (this.painter ? PIECE : this.drawing) > LONG;
     // A painter may ask for more, which comes next.
     if (this.painter) this.dirty = false;

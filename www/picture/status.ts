@@ -1,5 +1,5 @@
 /** The state of the work: the stages with their milliseconds, the counts, and the caption. */
-import { progressOf } from '../module/stages';
+import { progressOf, type Course } from '../module/stages';
 import type { Preset, Status } from '../module/types';
 import { partIn, stageIn, t } from '../words/words';
 import { byId, make, say } from '../base/dom';
@@ -20,7 +20,7 @@ export class StatusLine {
   private began: number | undefined;
   /** What the caption says, and its remarks. */
   private captioned = '';
-  private words: readonly string[] = [];
+  private course: Course = { stages: [], begins: [], stepping: '', placing: '', settled: '' };
 
   constructor() {
     this.work.replaceChildren(this.way);
@@ -34,10 +34,10 @@ export class StatusLine {
   }
 
   /** The stages of what is made now. */
-  follow(words: readonly string[]): void {
-    this.words = words;
+  follow(course: Course): void {
+    this.course = course;
     this.stages.clear();
-    for (const word of words) {
+    for (const word of course.stages) {
       const time = make('span', { class: 'time' }, '–');
       const item = make('li', { 'data-word': word }, make('span', { class: 'word' }, stageIn(word)), time);
       this.stages.set(word, { item, time });
@@ -46,8 +46,9 @@ export class StatusLine {
   }
 
   show(stage: string, status: Status, watched: boolean): void {
-    const at = this.words.indexOf(stage);
-    this.words.forEach((word, index) => {
+    const words = this.course.stages;
+    const at = words.indexOf(stage);
+    words.forEach((word, index) => {
       const parts = this.stages.get(word);
       if (!parts) return;
       const state = stage === 'done' || index < at ? 'done' : index === at ? 'now' : 'next';
@@ -94,12 +95,12 @@ export class StatusLine {
 
   /** The bar under the canvas, while work takes long. */
   private progress(stage: string, status: Status, long: number): void {
-    const word = this.words.includes(stage) ? stage : undefined;
+    const word = this.course.stages.includes(stage) ? stage : undefined;
     const now = performance.now();
     this.began = word === undefined ? undefined : (this.began ?? now);
     this.work.hidden = this.began === undefined || now - this.began < long;
     if (!word || this.work.hidden) return;
-    const done = progressOf(this.words, word, status);
+    const done = progressOf(this.course, word, status);
     const n = Math.round(100 * done);
     this.way.style.transform = `scaleX(${done})`;
     this.work.setAttribute('aria-valuenow', String(n));

@@ -1,5 +1,5 @@
 /** A forming that runs up to one step of its packing, and is held there; where the packing ends before, at its end. */
-import { isEnd, isUpToSteps, STEPPING } from '../module/stages';
+import { isEnd, isUpToSteps } from '../module/stages';
 import type { Engine } from '../state/engine';
 
 export class Until {
@@ -17,12 +17,13 @@ export class Until {
   /** Works for about `budget` milliseconds, and makes at most so many steps; true when what is shown may have changed. */
   tick(engine: Engine, budget: number, steps: number): boolean {
     const end = performance.now() + budget;
+    const { stepping } = engine.generator;
     let changed = false;
     for (let left = steps; performance.now() < end; ) {
       if (this.isPast(engine)) break;
       // One slice of anything but a step: where there is none, a step is next, and what is counted is the packing at work.
       if (engine.tick(0, 0)) changed = true;
-      else if (engine.stage() !== STEPPING || engine.status().steps >= this.step) {
+      else if (engine.stage() !== stepping || engine.status().steps >= this.step) {
         this.made = engine.status().steps;
         break;
       } else if (left >= 1) {
@@ -36,7 +37,7 @@ export class Until {
   /** Whether the packing is over. */
   private isPast(engine: Engine): boolean {
     const stage = engine.stage();
-    if (!isEnd(stage) && isUpToSteps(engine.generator.stages, stage)) return false;
+    if (!isEnd(stage) && isUpToSteps(engine.generator, stage)) return false;
     this.made = engine.status().steps;
     return true;
   }

@@ -1,5 +1,5 @@
 /** The canvas: its size, and what it shows. */
-import { t, viewIn } from '../words/words';
+import { said, t, viewIn } from '../words/words';
 import { byIdAs, make } from '../base/dom';
 import type { Engine } from '../state/engine';
 import type { Store } from '../state/store';
@@ -14,7 +14,7 @@ export class View {
   private readonly engine: Engine;
   private readonly store: Store;
   private readonly followers: (() => void)[] = [];
-  /** What is told of views of what stands in space: they have their own words. */
+  /** The note of a view that is seen by frames. */
   noted: ((view: string) => string) | undefined;
 
   constructor(engine: Engine, store: Store) {
@@ -47,7 +47,7 @@ export class View {
 
   /** What a drawing shows, in a sentence; '' for pictures. */
   get note(): string {
-    if (this.engine.isSpace) return this.noted?.(this.store.state.view) ?? '';
+    if (this.engine.offers('frames')) return this.noted?.(this.store.state.view) ?? '';
     const drawing = DRAWINGS.find((word) => word === this.store.state.view);
     return drawing ? t(`note_${drawing}`, { n: this.engine.heightRange().toFixed(1) }) : '';
   }
@@ -59,10 +59,10 @@ export class View {
     return new Map([...found].map(([word, why]) => [word, t(`absent_${why}`)]));
   }
 
-  /** What is to be said of what stands in space, once that and its fields are made. */
+  /** The remarks of the engine, once all is there that cells are packed by. */
   remarks(stage: string): string[] {
-    const { stages } = this.engine.generator;
-    return stage === 'done' || stages.indexOf(stage) > stages.indexOf('fields') ? this.engine.remarks() : [];
+    const { stages, stepping } = this.engine.generator;
+    return stage === 'done' || stages.indexOf(stage) >= stages.indexOf(stepping) ? this.engine.remarks().map(said) : [];
   }
 
   draw(): void {

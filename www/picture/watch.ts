@@ -2,7 +2,7 @@
  * The pace of a forming that somebody watches. It goes by the clock, so that it lasts as long on a fast machine as on a
  * slow one; the clock tells only when things are made, never what is made.
  */
-import { STEPPING } from '../module/stages';
+import type { Course } from '../module/stages';
 import type { Engine } from '../state/engine';
 
 /** Milliseconds in which cells are packed, then stand as polygons, then get their stones. */
@@ -23,23 +23,28 @@ const SETTLING = 0.62;
 export const PHASES = ['push', 'settle', 'stone'] as const;
 export type Phase = (typeof PHASES)[number];
 
-/** Stages up to the first cells, and those in which they stand as they are. */
-const BEFORE = ['', 'domain', 'surface', 'fields'];
-const STANDING_STAGES = ['packing', 'mesh', 'cells'];
-
 export class Watch {
   /** Steps that the packing takes, as far as known. */
   expected = STEPS;
   private last: number | undefined;
   private stage = '';
+  private readonly course: Course;
   /** Milliseconds of the stage at work. */
   private passed = 0;
   /** The fraction of a packing step that is due but not made yet. */
   private due = 0;
 
+  /** How the stages go on in what is watched. */
+  constructor(course: Course) {
+    this.course = course;
+  }
+
   get phase(): Phase {
-    if (BEFORE.includes(this.stage) || (this.stage === STEPPING && this.passed < SETTLING * PACKING)) return 'push';
-    return STANDING_STAGES.includes(this.stage) ? 'settle' : 'stone';
+    const { stages, stepping, placing } = this.course;
+    const at = stages.indexOf(this.stage);
+    const steps = stages.indexOf(stepping);
+    if (at < steps || (at === steps && this.passed < SETTLING * PACKING)) return 'push';
+    return at < stages.indexOf(placing) ? 'settle' : 'stone';
   }
 
   /**
@@ -48,8 +53,8 @@ export class Watch {
    */
   tick(engine: Engine, now: number, budget: number, steps?: number): boolean {
     const before = this.follow(engine.stage(), now);
-    if (this.stage === 'packing') return engine.tick(budget, steps ?? this.steps(before));
-    return this.stage === 'planes' ? this.stones(engine, budget) : engine.tick(budget, 0);
+    if (this.stage === this.course.stepping) return engine.tick(budget, steps ?? this.steps(before));
+    return this.stage === this.course.placing ? this.stones(engine, budget) : engine.tick(budget, 0);
   }
 
   /** Counts the time of the stage; answers what it was before. */

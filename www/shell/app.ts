@@ -1,6 +1,6 @@
 /** The wiring: what happens when something on the page is changed, and what is shown of it. */
 import { keepModules } from '../module/load';
-import { isEnd, isUpToSteps, STEPPING } from '../module/stages';
+import { isEnd, isUpToSteps } from '../module/stages';
 import { language, t } from '../words/words';
 import { byId, byIdAs, frame, say, wantsStill } from '../base/dom';
 import { bindKeys, listenToKeys } from '../base/keys';
@@ -41,8 +41,6 @@ import { tellCrash } from './trouble';
 
 /** Milliseconds that the picture stands still before listeners are told: a slider's steps are not told one by one. */
 const SETTLED = 400;
-/** The choice of a surface that a file gives. */
-const FILE = 'file';
 /** Frames that the first cells may take before the panel comes all the same. */
 const PATIENCE = 12;
 
@@ -117,9 +115,9 @@ export class App {
       (key, text, done) => {
         this.change(key, text, done);
         // A file is still to be chosen.
-        if (text === FILE) panel.refresh();
+        if (this.wantsFile(key, text)) panel.refresh();
       },
-      (key) => (this.engine.isSpace ? this.parts.space.ask((space) => space.edit(key)) : this.parts.editor.ask((editor) => editor.toggle(key))),
+      ({ key, item }) => (item === 'file' ? this.parts.space.ask((space) => space.choose()) : this.parts.editor.ask((editor) => editor.toggle(key))),
     );
     const tools = new EditTools(this.work, this.parts.editor, (file) => this.parts.space.ask((space) => void space.take(file)));
     const dice = new Dice(this.work, () => this.push());
@@ -164,17 +162,16 @@ export class App {
 
   /** What is made now, before anything of it is shown: stages, views, and the parts of the page that serve it. */
   private offer(): void {
-    const { engine } = this;
-    const { stages } = engine.generator;
-    // What stands in space is seen as bodies, and not in another way.
-    const offers = engine.generator.offers.filter((part) => part !== 'turn' || !engine.isSpace);
-    this.status.follow(stages);
+    const { generator } = this.engine;
+    const { offers } = generator;
+    const isFramed = offers.includes('frames');
+    this.status.follow(generator);
     this.view.follow();
     document.documentElement.dataset['offers'] = offers.join(' ');
     for (const [part, id] of OFFERED) byId(id).hidden = !offers.includes(part);
     this.leaveEditor();
-    if (engine.isSpace) this.parts.space.ask((space) => space.follow());
-    this.store.update({ layers: false, compare: false, plots: false, turn: engine.isSpace, camera: undefined, repeat: 1, ...(engine.isSpace ? { zoom: WHOLE } : {}) });
+    if (offers.includes('paint')) this.parts.space.ask((space) => space.follow());
+    this.store.update({ layers: false, compare: false, plots: false, turn: isFramed, camera: undefined, repeat: 1, ...(isFramed ? { zoom: WHOLE } : {}) });
   }
 
   /** Whether cells were shown, or never will be. */
@@ -279,9 +276,15 @@ export class App {
   /** A control was moved. */
   private change(key: string, text: string, done: boolean): void {
     if (key === 'outline' && text === 'polygon') return this.parts.editor.ask((editor) => editor.free());
-    if (text === FILE && this.engine.get('model') === '') return this.parts.space.ask((space) => space.choose());
+    if (this.wantsFile(key, text)) return this.parts.space.ask((space) => space.choose());
     if (key === SIDE) return this.scaling.set(text, !done);
     this.work.set(key, text, !done);
+  }
+
+  /** Whether a value asks for a file that the recipe does not name yet. */
+  private wantsFile(key: string, text: string): boolean {
+    const files = this.engine.schema.filter(({ item }) => item === 'file');
+    return files.some(({ key: file, shownFor }) => shownFor?.key === key && shownFor.words.includes(text) && this.engine.get(file) === '');
   }
 
   /** The forming from its start, at a pace to watch it, or held there. */
@@ -319,7 +322,8 @@ export class App {
     this.store.update({ paused: true });
     this.goOn();
     // The first cells come by themselves.
-    if (!isEnd(stage) && stage !== STEPPING && isUpToSteps(this.engine.generator.stages, stage)) return;
+    const { generator } = this.engine;
+    if (!isEnd(stage) && stage !== generator.stepping && isUpToSteps(generator, stage)) return;
     const before = this.engine.status().steps;
     this.work.step();
     if (this.engine.status().steps === before && this.engine.alive && isEnd(this.store.state.other)) passing('done', t('settled'));
@@ -335,7 +339,7 @@ export class App {
   private drawn(stage: string, changed: boolean): void {
     if (!this.engine.alive) return;
     const { preset, recipe } = this.store.state;
-    if (changed && !this.engine.isSpace && this.shownAt(stage) !== undefined) this.view.draw();
+    if (changed && !this.engine.offers('frames') && this.shownAt(stage) !== undefined) this.view.draw();
     const status = this.engine.status();
     this.begun ||= changed && status.cells > 0;
     this.forming.follow(stage, this.begun);

@@ -36,9 +36,9 @@ export class Embed {
   private refining = !wantsFine();
   /** Where the bodies are seen from; undefined while the picture is. */
   private camera: Camera | undefined;
-  /** The bodies of a picture, and what stands in space. */
+  /** That of a picture's bodies, and that of what is seen by frames only. */
   private slant: Turntable | undefined;
-  private space: Turntable | undefined;
+  private own: Turntable | undefined;
   private frames: LocalFrames | undefined;
 
   constructor() {
@@ -74,7 +74,7 @@ export class Embed {
     const { canvas, context, engine, scripts } = this;
     document.documentElement.dataset['stage'] = stage;
     const view = this.shownAt(stage);
-    if (context && changed && view && !engine.isSpace) {
+    if (context && changed && view && !engine.offers('frames')) {
       if (canvas.width !== engine.side()) canvas.width = canvas.height = engine.side();
       engine.draw(context, view);
     }
@@ -95,7 +95,7 @@ export class Embed {
     import('../look/fine').then(
       ({ Fine }) =>
         (this.fine = new Fine(canvas, () => {
-          const isPlain = isPicture(this.view) && engine.stage() === 'done' && !this.camera && !engine.isSpace;
+          const isPlain = isPicture(this.view) && engine.stage() === 'done' && !this.camera && !engine.offers('frames');
           return isPlain ? { link: engine.link(), side: engine.side(), zoom: this.zoom.scale } : undefined;
         })),
       () => undefined,
@@ -123,23 +123,23 @@ export class Embed {
     this.button.setAttribute('aria-label', word);
   }
 
-  /** Shows the bodies from a slant, or the picture again; what stands in space is shown so always. What makes them comes later; without it there is the picture. */
+  /** Shows the bodies from a slant, or the picture again; what is seen by frames is shown so always. What makes them comes later; without it there is the picture. */
   private turn(camera: Camera | undefined): void {
     const { engine, loop } = this;
-    const { isSpace } = engine;
+    const isFramed = engine.offers('frames');
     this.camera = camera;
     document.documentElement.dataset['offers'] = engine.generator.offers.join(' ');
     const show = (): void => {
-      const on = isSpace || this.camera !== undefined;
-      const turntable = isSpace ? this.space : this.slant;
-      // In space the button is a small one, beside the bodies.
-      this.button.hidden = on && !isSpace;
-      for (const other of [this.space, this.slant]) if (other !== turntable) other?.toggle(false);
-      loop.painter = isSpace ? this.frames : undefined;
+      const on = isFramed || this.camera !== undefined;
+      const turntable = isFramed ? this.own : this.slant;
+      // Beside frames of the engine's own the button is a small one.
+      this.button.hidden = on && !isFramed;
+      for (const other of [this.own, this.slant]) if (other !== turntable) other?.toggle(false);
+      loop.painter = isFramed ? this.frames : undefined;
       turntable?.toggle(on);
       turntable?.follow();
     };
-    if (isSpace ? this.space : (this.slant ?? !camera)) return show();
+    if (isFramed ? this.own : (this.slant ?? !camera)) return show();
     const place: Place = {
       generator: () => engine.generator,
       link: () => engine.link(),
@@ -150,10 +150,10 @@ export class Embed {
       ended: () => this.turn(undefined),
       alone: true,
     };
-    const both = Promise.all([import('../turn/turntable'), isSpace ? import('../turn/local') : undefined]);
+    const both = Promise.all([import('../turn/turntable'), isFramed ? import('../turn/local') : undefined]);
     both.then(
       ([{ Turntable }, local]) => {
-        if (local) this.space ??= new Turntable({ ...place, frames: (heard) => (this.frames = new local.LocalFrames({ engine, loop, view: () => this.view }, heard)) });
+        if (local) this.own ??= new Turntable({ ...place, frames: (heard) => (this.frames = new local.LocalFrames({ engine, loop, view: () => this.view }, heard)) });
         else this.slant ??= new Turntable(place);
         show();
       },
@@ -167,7 +167,7 @@ export class Embed {
     const { view = 'auto', overlays = [], pace = 1, step, zoom = WHOLE, camera } = viewing;
     this.view = [view, ...overlays].join('+');
     this.home.href = pageAddress(joined(engine.link(), written(viewing, engine.generator)));
-    layInFrame(byId('sheet'), (this.zoom = engine.isSpace ? WHOLE : zoom));
+    layInFrame(byId('sheet'), (this.zoom = engine.offers('frames') ? WHOLE : zoom));
     this.turn(camera);
     this.fine?.follow();
     loop.stepsPerFrame = this.still ? Number.MAX_SAFE_INTEGER : pace;

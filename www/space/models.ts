@@ -1,17 +1,17 @@
 /** Files of models, as the visitor opens them: known by their digest, kept, and made the recipe's. */
 import { piecesOf } from '../module/given';
+import { generators } from '../module/generators';
 import { loadWhole } from '../module/load';
+import type { Whole } from '../module/scene';
 import { keepFile } from '../module/shelf';
+import type { Parameter } from '../module/types';
 import { t } from '../words/space';
 import { reasonOf } from '../base/errors';
 import { alertOf, clear, notice, passing } from '../base/messages';
 import { stoppable, type Task } from '../late/task';
 import { withValues } from '../state/link';
+import type { State } from '../state/store';
 import type { Work } from '../state/work';
-
-/** The generator of surfaces, and its parameter that names a file. */
-const SURFACE = 'surface';
-export const MODEL = 'model';
 
 /** Bytes of a file; a model of as many triangles as can be taken has some two hundred million. */
 const LARGEST = 400_000_000;
@@ -21,13 +21,15 @@ interface Named {
   digest: string;
   /** The value of the parameter that names it. */
   value: string;
+  /** The module that has read it. */
+  module: Whole;
 }
 
 /** What is read now. */
 let now: AbortController | undefined;
 
 /**
- * Opens a file: the recipe asks for it from now on, all other settings stay where it is of a surface already. One that the
+ * Opens a file: the recipe asks for it from now on, all other settings stay where it takes files already. One that the
  * recipe asks for is given to it. `again` is called where only that is new.
  */
 export async function openModel(work: Work, file: File, again: () => void): Promise<void> {
@@ -63,27 +65,40 @@ async function nameOf(file: File, task: Task): Promise<Named> {
       read += piece.length;
       task.progress(read / file.size);
     }
-    return { digest: digest.text(), value: digest.value(file.name) };
+    return { digest: digest.text(), value: digest.value(file.name), module };
   } finally {
     digest.free();
   }
 }
 
-function take(work: Work, name: string, { digest, value }: Named, again: () => void): void {
+/**
+ * The link that asks for a file: the recipe with it, or of another generator where this one takes no files. `role` is the key of
+ * the parameter that the recipe waits for.
+ */
+function askingFor({ value, module }: Named, { make, recipe }: State, role: string | undefined): string {
+  const rowOf = (word: string): Parameter | undefined => {
+    const rows = module.schema(word).filter(({ item }) => item === 'file');
+    return rows.find(({ key }) => key === role) ?? rows[0];
+  };
+  const taker = rowOf(make) ? make : generators.find(({ word }) => rowOf(word))?.word;
+  const row = taker === undefined ? undefined : rowOf(taker);
+  if (!row) return recipe;
+  // It may apply only beside a value of another parameter.
+  const beside = row.shownFor?.words.slice(0, 1).map((word) => [row.shownFor?.key ?? '', word] as const) ?? [];
+  return withValues(taker === make ? recipe : `v=1&make=${taker}`, [...beside, [row.key, value]]);
+}
+
+function take(work: Work, name: string, named: Named, again: () => void): void {
   const { engine, store } = work;
-  const { recipe, make } = store.state;
   const missing = engine.missing();
   const [asked] = missing;
   clear('outline');
-  if (missing.some((one) => one.digest === digest)) {
-    engine.open(recipe);
+  if (missing.some(({ digest }) => digest === named.digest)) {
+    engine.open(store.state.recipe);
     again();
     return passing('files', t('opened', { name }));
   }
-  const inRole = asked && make !== SURFACE ? withValues(recipe, [[asked.role, value]]) : undefined;
-  const base = make === SURFACE ? recipe : `v=1&make=${SURFACE}`;
-  const opened = inRole ?? withValues(base, [['form', 'file'], [MODEL, value]]);
-  work.open(opened, { own: true, then: () => store.update({ paused: false }) });
+  work.open(askingFor(named, store.state, asked?.role), { own: true, then: () => store.update({ paused: false }) });
   if (asked) notice('files', t('other', { name, asked: asked.name }));
   else passing('files', t('opened', { name }));
 }

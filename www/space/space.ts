@@ -1,15 +1,15 @@
-/** What surfaces in space have on the page beside what all pictures have: files of models, and tools to paint on them. */
+/** What bodies that are seen by frames have on the page beside what all pictures have: files of models, and tools to paint on them. */
 import { t } from '../words/space';
 import { said } from '../words/words';
 import { make } from '../base/dom';
 import { notice } from '../base/messages';
 import type { Later } from '../base/later';
+import { filesOf } from '../state/rules';
 import type { Work } from '../state/work';
 import type { PageTurntable } from '../turn/page';
 import { Asked } from './asked';
-import { MODEL, openModel } from './models';
+import { openModel } from './models';
 import { Painter } from './paint/painter';
-import { TOOLS } from './paint/tools';
 import '../styles/late/space.css';
 
 /** The place of the stage that has mended a file. */
@@ -51,23 +51,13 @@ export class Space {
     return openModel(this.work, file, this.again);
   }
 
-  /** What is drawn or named by a control of the panel. */
-  edit(key: string): void {
-    if (key === MODEL) return this.choose();
-    const tool = TOOLS.find((one) => one === key);
-    this.turn.ask((page) => {
-      this.painted(page).choose(tool);
-      page.focus();
-    });
-  }
-
   /** Shows what the state of the work asks for. */
   follow(): void {
     const { engine, store } = this.work;
     const { stage } = store.state;
     this.asked.show(stage === 'error' ? engine.missing()[0]?.name : undefined);
     this.tell();
-    if (engine.isSpace) this.turn.ask((page) => void this.painted(page));
+    if (engine.offers('paint')) this.turn.ask((page) => void this.painted(page));
   }
 
   /** What was mended of a file that was opened, once that is known. */
@@ -76,8 +66,8 @@ export class Space {
     const { stages } = engine.generator;
     const stage = engine.stage();
     if (stage === 'error' && !engine.missing().length) this.opened = '';
-    if (this.opened === '' || engine.get('form') !== 'file' || (stage !== 'done' && stages.indexOf(stage) <= MADE)) return;
-    const mended = engine.inSpace((studio) => studio.remarks(), []).filter(({ code }) => code.startsWith('mended'));
+    if (this.opened === '' || filesOf(engine).length === 0 || (stage !== 'done' && stages.indexOf(stage) <= MADE)) return;
+    const mended = engine.remarks().filter(({ code }) => code.startsWith('mended'));
     if (mended.length) notice('files', t('mended', { name: this.opened }), ...mended.map(said));
     this.opened = '';
   }

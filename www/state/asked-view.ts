@@ -5,10 +5,11 @@ import type { Camera, Viewing, Zoomed } from './viewing';
 export interface Sights {
   readonly bases: readonly string[];
   readonly overlays: readonly string[];
-  /** Only what is offered as a forming goes in steps, and only what is offered to be turned is seen from a slant. */
+  /** Only what is offered as a forming goes in steps. A camera needs frames, or bodies that can be turned. */
   readonly offers: readonly string[];
-  /** Where the viewer stands at first, in numbers with commas between. */
+  /** Where the viewer stands at first, in numbers with commas between, and how low it may stand, in degrees. */
   readonly home: string;
+  readonly lowest: number;
 }
 
 /** Something in a link that cannot be used as it is. */
@@ -28,9 +29,6 @@ export const CAMERA = [[0, 360], [5, 90], [0.05, 20], [5, 100], [-2, 2], [-2, 2]
 /** Where the viewer of a plane stands at first; other generators have the first numbers of it otherwise. */
 const HOME: Camera = [330, 40, 2.95, 28, 0, 0, 0];
 
-/** What stands in space is seen from below as well. */
-const BELOW = -85;
-
 /** Decimals that a link has of each number. */
 const DIGITS = [1, 1, 3, 1, 4, 4, 4];
 
@@ -41,8 +39,13 @@ export function homeOf({ home }: Pick<Sights, 'home'>): Camera {
 }
 
 /** From and to, of each number of a camera. */
-export function cameraLimits({ offers }: Pick<Sights, 'offers'>): readonly (readonly [number, number])[] {
-  return offers.includes('space') ? CAMERA.map(([least, most], k) => [k === 1 ? BELOW : least, most] as const) : CAMERA;
+export function cameraLimits({ lowest }: Pick<Sights, 'lowest'>): readonly (readonly [number, number])[] {
+  return CAMERA.map(([least, most], k) => [k === 1 ? lowest : least, most] as const);
+}
+
+/** Whether there are bodies to be seen by a camera. */
+export function hasBodies({ offers }: Pick<Sights, 'offers'>): boolean {
+  return offers.includes('turn') || offers.includes('frames');
 }
 
 /** What the words ask for, and what of it is mended or left out. */
@@ -55,7 +58,7 @@ export function read(words: string, sights: Sights): { viewing: Viewing; faults:
     if (key === 'pace') viewing.pace = within(given, key, faults);
     if (key === 'step' && sights.offers.includes('forming')) viewing.step = within(given, key, faults);
     else if (key === 'step') faults.push({ what: 'step', given });
-    if (key === 'camera' && sights.offers.includes('turn')) readCamera(given, sights, viewing, faults);
+    if (key === 'camera' && hasBodies(sights)) readCamera(given, sights, viewing, faults);
     else if (key === 'camera') faults.push({ what: 'camera', given });
   }
   return { viewing, faults };

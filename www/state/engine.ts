@@ -19,7 +19,23 @@ export interface Told {
 
 const NO_ANSWER: Answer = { refused: true, notices: [] };
 
-const NO_GENERATOR: Generator = { word: '', title: '', stages: [], bases: [], overlays: [], offers: [], home: '' };
+const NO_GENERATOR: Generator = {
+  word: '',
+  title: '',
+  stages: [],
+  begins: [],
+  stepping: '',
+  placing: '',
+  settled: '',
+  seen: [],
+  bases: [],
+  overlays: [],
+  offers: [],
+  names: [],
+  chance: '',
+  home: '',
+  lowest: 0,
+};
 
 const NOT_YET: Notice = { code: 'not_yet', args: {}, text: '' };
 
@@ -95,9 +111,9 @@ export class Engine {
     return kept(this.known, word, () => this.guard(() => this.module?.presets(word).map(presetIn), undefined) ?? []);
   }
 
-  /** Whether what is made stands in space: it is seen by frames of its bodies only, at any time. */
-  get isSpace(): boolean {
-    return this.generator.offers.includes('space');
+  /** Whether what is made now has this part; see `Generator` of the module. */
+  offers(part: string): boolean {
+    return this.generator.offers.includes(part);
   }
 
   get alive(): boolean {
@@ -189,7 +205,7 @@ export class Engine {
   }
 
   /** Works for about `budget` milliseconds on a frame of the bodies; only of what has some. See `turn` of the module. */
-  turn(subject: string, camera: string, [width, height]: readonly [number, number], how: string, budget: number): FrameSlice | Notice {
+  turn(subject: string, camera: string, width: number, height: number, how: string, budget: number): FrameSlice | Notice {
     return this.ask((core) => (core as SceneStudio).turn(subject, camera, width, height, how, budget), NOT_YET);
   }
 
@@ -208,15 +224,15 @@ export class Engine {
     return this.ask((core) => (core as SceneStudio).frameMap(word), NOT_YET);
   }
 
-  /** What is to be read beside a view in space that is shown: what its colours stand for, or what it counts; '' where there is nothing. */
+  /** What is to be read beside a view that is shown: what its colours stand for, or what it counts; '' where there is nothing. */
   caption(view: string): string {
-    const caption = this.isSpace ? this.ask((core) => (core as SceneStudio).caption(view), undefined) : undefined;
+    const caption = this.askWhole((studio) => studio.caption(view), undefined);
     return caption ? said(caption) : '';
   }
 
-  /** What is to be said of a surface in space: what was mended, or does not fit well. */
-  remarks(): string[] {
-    return this.isSpace ? this.ask((core) => (core as SceneStudio).remarks(), []).map(said) : [];
+  /** What is to be said of what was made: what was mended, or does not fit well. */
+  remarks(): Notice[] {
+    return this.askWhole((studio) => studio.remarks(), []);
   }
 
   /** What of a view shows nothing, by its word, and why. */
@@ -293,7 +309,7 @@ export class Engine {
   }
 
   /** What only the module can tell that has all there is; `otherwise` where another one is at work. */
-  inSpace<T>(call: (studio: SceneStudio) => T, otherwise: T): T {
+  askWhole<T>(call: (studio: SceneStudio) => T, otherwise: T): T {
     return this.ask((core) => (isWhole(core) ? call(core) : otherwise), otherwise);
   }
 
@@ -304,11 +320,11 @@ export class Engine {
 
   /** The files that the recipe names. */
   files(): RecipeFile[] {
-    return this.inSpace((studio) => studio.recipeFiles(), []);
+    return this.askWhole((studio) => studio.recipeFiles(), []);
   }
 
   private waitsFor(): RecipeFile[] {
-    return this.inSpace((studio) => studio.missingFiles(), []);
+    return this.askWhole((studio) => studio.missingFiles(), []);
   }
 
   randomSeed(): number {

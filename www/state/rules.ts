@@ -24,6 +24,12 @@ export function differs({ kind }: Parameter, value: string, standard: string): b
   return kind === 'number' || kind === 'int' ? Number(value) !== Number(standard) : value !== standard;
 }
 
+/** The parameters that name a file of the present recipe. */
+export function filesOf(engine: Engine): Parameter[] {
+  const recipe = recipeOf(engine);
+  return recipe.schema.filter((row) => row.item === 'file' && applies(row, recipe));
+}
+
 /** The present recipe. The kind of cells includes the kinds of its parts. */
 export function recipeOf(engine: Engine): Recipe {
   return {

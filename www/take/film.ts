@@ -22,7 +22,7 @@ export function makeFilm(engine: Engine, store: Store, shape: Shape, codecs: Cod
   const work = async (task: Parameters<typeof fileOf>[2]): Promise<Blob> => {
     if (shape !== 'turn' && engine.stage() !== 'done') throw new Error(engine.problem() || t('wait'));
     if (shape === 'turn') return fileOf(engine.link(), { file: 'turn-film', codecs, ...seenNow(engine, store) }, task);
-    return fileOf(engine.link(), { file: 'film', codecs, shape, words, isSpace: engine.isSpace, ...seenNow(engine, store) }, task);
+    return fileOf(engine.link(), { file: 'film', codecs, shape, words, ...seenNow(engine, store) }, task);
   };
   return working(nameOf(engine, store, `-${shape}.${codecs[0]?.file ?? 'gif'}`), work, handOver);
 }

@@ -1,9 +1,10 @@
 /** What files of the work are called. */
 import type { Engine } from '../state/engine';
+import { wordOf } from '../state/name';
 import type { Store } from '../state/store';
 
 export function nameOf(engine: Engine, store: Store, ending: string): string {
   const { preset, recipe, make: word } = store.state;
-  const what = preset?.recipe === recipe ? preset.shown.name : engine.get('tile') === '1' ? 'tile' : engine.get('outline') || engine.get('form') || word;
+  const what = preset?.recipe === recipe ? preset.shown.name : wordOf(engine) || word;
   return `bubblestone-${what}-${engine.get('seed')}${ending}`;
 }

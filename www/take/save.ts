@@ -58,26 +58,20 @@ export class SaveDialog {
     this.dialog = takeDialog(
       'save-dialog',
       t('save'),
-      ...this.flat(() => row(t('picture'), t('picture_note'), ...this.pictures())),
+      ...this.offered('maps', () => row(t('picture'), t('picture_note'), ...this.pictures())),
       ...(this.work.store.state.turn ? [turned(work, (id, word, ending, job) => this.button(id, word, ending, this.made(job, false)), () => this.dialog.close())] : []),
-      ...this.offered('svg', t('cells'), t('cells_note'), this.button('save-svg', 'SVG', '.svg', this.made(() => ({ file: 'svg' }), false))),
-      ...this.offered('forming', t('forming'), t('forming_note'), ...this.films()),
-      ...this.flat(() => row(t('maps'), t('maps_note'), ...this.maps())),
-      ...this.offered('mesh', t('mesh'), t(work.engine.isSpace ? 'mesh_note_space' : 'mesh_note'), ...this.mesh()),
-      ...this.flat(() => row(t('slab'), t('slab_note'), ...this.slab()), 'mesh'),
+      ...this.offered('svg', () => row(t('cells'), t('cells_note'), this.button('save-svg', 'SVG', '.svg', this.made(() => ({ file: 'svg' }), false)))),
+      ...this.offered('forming', () => row(t('forming'), t('forming_note'), ...this.films())),
+      ...this.offered('maps', () => row(t('maps'), t('maps_note'), ...this.maps())),
+      ...this.offered('mesh', () => row(t('mesh'), t(work.engine.offers('maps') ? 'mesh_note' : 'mesh_note_space'), ...this.mesh())),
+      ...this.offered('slab', () => row(t('slab'), t('slab_note'), ...this.slab())),
       row(t('recipe'), t('recipe_note'), ...this.recipe()),
     );
   }
 
   /** A row of what the generator at work makes. */
-  private offered(part: string, what: string, note: string, ...ways: HTMLElement[]): HTMLElement[] {
-    return this.work.engine.generator.offers.includes(part) ? [row(what, note, ...ways)] : [];
-  }
-
-  /** A row of what lies in a plane; of a `part` only where that is offered. */
-  private flat(row: () => HTMLElement, part?: string): HTMLElement[] {
-    const { isSpace, generator } = this.work.engine;
-    return isSpace || (part !== undefined && !generator.offers.includes(part)) ? [] : [row()];
+  private offered(part: string, row: () => HTMLElement): HTMLElement[] {
+    return this.work.engine.offers(part) ? [row()] : [];
   }
 
   private button(id: string, word: string, ending: string | (() => string), making: Making): HTMLButtonElement {
@@ -139,7 +133,7 @@ export class SaveDialog {
       const note = film.closest('section')?.querySelector('.take-note');
       if (note) say(note, t('no_film'));
     });
-    return [shape, film, this.button('save-gif', 'GIF', '.gif', this.made(() => ({ file: 'gif', isSpace: engine.isSpace, ...seenNow(engine, store) }), false))];
+    return [shape, film, this.button('save-gif', 'GIF', '.gif', this.made(() => ({ file: 'gif', ...seenNow(engine, store) }), false))];
   }
 
   private maps(): HTMLElement[] {
@@ -166,14 +160,14 @@ export class SaveDialog {
       const images = IMAGES.map((bytes) => bytes * engine.side() ** 2);
       const [plain, textured, obj] = [engine.meshSize('glb', detail.value), engine.meshSize('glb', detail.value, images), engine.meshSize('obj', detail.value)];
       const sizes = { n: shown(rounded(plain.triangles)), glb: megabytes(plain.bytes), obj: megabytes(obj.bytes) };
-      size.value = engine.isSpace ? t('mesh_size_space', sizes) : t('mesh_size', { ...sizes, images: megabytes(textured.bytes) });
+      size.value = engine.offers('maps') ? t('mesh_size', { ...sizes, images: megabytes(textured.bytes) }) : t('mesh_size_space', sizes);
     };
     detail.addEventListener('change', tell);
     tell();
     const file = (id: string, word: string, file: 'glb' | 'obj', images = false): HTMLButtonElement =>
       this.button(id, word, `.${file}`, this.made(() => ({ file, detail: detail.value, images })));
     // Images are maps of a plane.
-    const images = engine.isSpace ? [] : [file('save-glb-images', t('images'), 'glb', true)];
+    const images = engine.offers('maps') ? [file('save-glb-images', t('images'), 'glb', true)] : [];
     return [detail, file('save-glb', 'GLB', 'glb'), ...images, file('save-obj', 'OBJ', 'obj'), size];
   }
 

@@ -6,5 +6,5 @@ import type { Seen } from './files/turn';
 
 export function seenNow(engine: Engine, { state: { body, camera, view } }: Store): Seen {
   const home = homeOf(engine.generator);
-  return { subject: body?.subject ?? '', camera: cameraWords(body?.camera ?? camera ?? home, home), view: engine.isSpace ? view : 'auto' };
+  return { subject: body?.subject ?? '', camera: cameraWords(body?.camera ?? camera ?? home, home), view: engine.offers('frames') ? view : 'auto' };
 }

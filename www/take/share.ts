@@ -42,7 +42,7 @@ export function share(engine: Engine, store: Store, canvas: HTMLCanvasElement): 
     void makeFilm(engine, store, shape, codecs);
   };
   // On the turntable a film is a turn of it.
-  const shapes: Shape[] = store.state.turn ? ['turn'] : engine.generator.offers.includes('forming') ? ['square', 'upright'] : [];
+  const shapes: Shape[] = store.state.turn ? ['turn'] : engine.offers('forming') ? ['square', 'upright'] : [];
   const alone = picture ? [filesAlone(picture, shapes, film)] : [];
   const dialog = takeDialog('share-dialog', t('share'), ...(first ? [first] : []), ...alone, ...others);
   follow('');
@@ -61,9 +61,9 @@ function seen(engine: Engine, store: Store): Viewing {
     view,
     overlays,
     pace: pace === (wantsStill() ? PACE.still : PACE.usual) ? undefined : pace,
-    step: paused && !isEnd(stage) && engine.generator.offers.includes('forming') ? engine.status().steps : undefined,
+    step: paused && !isEnd(stage) && engine.offers('forming') ? engine.status().steps : undefined,
     zoom,
-    camera: turn && (camera || !engine.isSpace) ? (camera ?? homeOf(engine.generator)) : undefined,
+    camera: turn && (camera || !engine.offers('frames')) ? (camera ?? homeOf(engine.generator)) : undefined,
   };
 }
 

@@ -32,7 +32,7 @@ export function turned({ engine, store }: Work, offer: Offer, close: () => void)
     return { file: 'turn', plane, side: SIDE * scale, scale, backdrop: behind.value as Backdrop, ...seenNow(engine, store) };
   };
   return row(
-    t(engine.isSpace ? 'picture' : 'turned'),
+    t(engine.offers('frames') ? 'picture' : 'turned'),
     t('turned_note'),
     size,
     behind,

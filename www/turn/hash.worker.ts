@@ -2,7 +2,7 @@
 import { serve } from '../late/worker';
 import { studioFor } from '../module/given';
 import { loadWhole } from '../module/load';
-import { isEnd } from '../module/stages';
+import { BUDGET, finish } from '../module/run';
 
 /** The recipe, and where it is seen from. */
 export type Order = [link: string, camera: string];
@@ -11,14 +11,10 @@ export interface Answer {
   hash: string;
 }
 
-/** Milliseconds of work in one call, and more packing steps than fit into that. */
-const BUDGET = 50;
-const STEPS = 100_000;
-
 serve(async ([link, camera]: Order): Promise<Answer> => {
   const module = await loadWhole();
   const studio = await studioFor(module, link);
-  while (!isEnd(studio.stage())) studio.tick(BUDGET, STEPS);
+  finish(studio);
   const problem = studio.problem();
   if (problem) return { hash: problem.text };
   const side = studio.side();

@@ -1,4 +1,4 @@
-/** What another engine makes in space, on a canvas of its own, seen from where the page's own is: to compare both. */
+/** Frames of another engine, on a canvas of their own, seen from where the page's own is: to compare both. */
 import { make } from '../base/dom';
 import type { Engine } from '../state/engine';
 import { cameraWords, homeOf } from '../state/asked-view';

@@ -13,11 +13,11 @@ import { Turntable, type Place } from './turntable';
 export class PageTurntable {
   private readonly work: Work;
   private readonly loop: Loop;
-  /** That of a picture's bodies, and that of what stands in space. */
+  /** That of a picture's bodies, and that of what is seen by frames only. */
   private slant: Turntable | undefined;
-  private space: Turntable | undefined;
+  private own: Turntable | undefined;
   private frames: LocalFrames | undefined;
-  /** Is called after each frame of what stands in space. */
+  /** Is called after each frame that the engine at work has made. */
   framed: (() => void) | undefined;
   /** The last note, and what it is of. */
   private told: readonly [of: string, note: string] = ['', ''];
@@ -33,19 +33,19 @@ export class PageTurntable {
     store.on(['make'], ({ turn }) => this.show(turn));
     // To edit, to compare and to repeat there is the picture: what was asked for last ends the others.
     store.on(['editing', 'compare', 'repeat'], ({ turn, editing, compare, repeat }) => {
-      if (turn && !work.engine.isSpace && (editing !== undefined || compare || repeat > 1)) store.update({ turn: false });
+      if (turn && !work.engine.offers('frames') && (editing !== undefined || compare || repeat > 1)) store.update({ turn: false });
     });
   }
 
   show(on: boolean): void {
     const button = byId('turn-button');
-    const { isSpace } = this.work.engine;
-    const turntable = isSpace ? (this.space ??= this.inSpace()) : (this.slant ??= this.onSlant());
+    const isFramed = this.work.engine.offers('frames');
+    const turntable = isFramed ? (this.own ??= this.ofFrames()) : (this.slant ??= this.onSlant());
     const focused = this.shown?.focused;
     if (on) clear('part');
     else this.work.store.update({ body: undefined });
     if (this.shown !== turntable) this.shown?.toggle(false);
-    this.loop.painter = isSpace ? this.frames : undefined;
+    this.loop.painter = isFramed ? this.frames : undefined;
     this.shown = turntable;
     turntable.toggle(on);
     // A link that opens it leaves the focus where it is.
@@ -62,11 +62,11 @@ export class PageTurntable {
     this.shown?.step(by);
   }
 
-  /** The frame of what stands in space, to be painted on, and which places of the model are where in it. */
+  /** The frame that the engine at work makes, to be painted on, and which places of the model are where in it. */
   get surface() {
-    this.space ??= this.inSpace();
+    this.own ??= this.ofFrames();
     return {
-      host: this.space.host,
+      host: this.own.host,
       placeAt: (spot: readonly [number, number]) => this.frames?.placeAt(spot),
       spotOf: (place: readonly [number, number, number]) => this.frames?.spotOf(place),
     };
@@ -92,7 +92,7 @@ export class PageTurntable {
   }
 
   /** Its frames are made by the engine at work, between the slices of that. */
-  private inSpace(): Turntable {
+  private ofFrames(): Turntable {
     const { loop } = this;
     const { store, engine } = this.work;
     return new Turntable({

@@ -12,21 +12,21 @@ const FAR = { near: 0.6, far: 2.4 };
 
 const SIDES = ['side_0', 'side_1', 'side_2', 'side_3', 'side_4', 'side_5', 'side_6', 'side_7'] as const;
 
-/** The same of what stands in space. */
+/** The same of what is seen by frames only. */
 const AROUND = ['around_0', 'around_1', 'around_2', 'around_3', 'around_4', 'around_5', 'around_6', 'around_7'] as const;
 
 /** All bodies, or what else is shown of them, and where they are seen from. */
-export function seen({ count, skin, what: view }: Bodies, [angle, height, distance, lens]: Camera, inSpace = false): string {
+export function seen({ count, skin, what: view }: Bodies, [angle, height, distance, lens]: Camera, isFramed = false): string {
   const drawn = `shown_${view}`;
   const what = t(isWord(drawn) ? drawn : skin ? 'scales' : 'stones', { n: count });
   const wide = 2 * distance * Math.tan((lens * Math.PI) / 360);
   const far = t(wide < FAR.near ? 'near' : wide > FAR.far ? 'far' : 'middle');
   if (height >= ABOVE) return t('seen_above', { what, far });
-  const side = t((inSpace ? AROUND : SIDES)[Math.round(angle / 45) % 8] ?? 'side_0');
+  const side = t((isFramed ? AROUND : SIDES)[Math.round(angle / 45) % 8] ?? 'side_0');
   return t(height < 0 ? 'seen_below' : 'seen', { what, side, height: Math.abs(Math.round(height)), far });
 }
 
-/** What a view in space shows; '' where that needs no words. */
+/** What a view that is seen by frames shows; '' where that needs no words. */
 export function noteOf(engine: Engine, view: string): string {
   const key = `note_${view}`;
   return [isWord(key) ? t(key) : '', engine.caption(view)].filter(Boolean).join(' ');

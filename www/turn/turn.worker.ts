@@ -9,10 +9,10 @@ import { reasonOf } from '../base/errors';
 import { studioFor, supply } from '../module/given';
 import { keepModules, loadWhole } from '../module/load';
 import type { SceneStudio } from '../module/scene';
-import { isEnd, progressOf } from '../module/stages';
+import { generatorOf, making } from '../module/run';
+import { progressOf, type Course } from '../module/stages';
 import type { Notice, Probe } from '../module/types';
-import { Coarse, LADDER, ladderOf, viewOf } from './ladder';
-import { coverage, pixelsOf } from './pixels';
+import { FrameMaker, type Made } from './maker';
 import type { Plane } from './planes';
 
 /** What is to be seen. */
@@ -63,9 +63,8 @@ export type Said =
   | { lost: string }
   | { broken: string };
 
-/** Milliseconds of work in one call, and more packing steps than fit into that. */
+/** Milliseconds of work in one call. */
 const BUDGET = 12;
-const STEPS = 100_000;
 
 /** So long a recipe is worked on, in milliseconds, before a newer one ends that. */
 const PATIENCE = 400;
@@ -87,16 +86,15 @@ class Turner {
   /** The latest that is not fulfilled. */
   wish: Wish | undefined;
   private readonly studio: SceneStudio;
-  private readonly stages: readonly string[];
+  private readonly course: Course;
   private link: string;
-  private readonly coarse = new Coarse();
-  /** What the last frame is of, how many of the ladder's rungs it has, and its sides. */
-  private made = { view: '', rungs: 0, subject: '', width: 0, height: 0 };
+  private readonly maker: FrameMaker<Wish>;
   private kept = false;
 
-  constructor(studio: SceneStudio, stages: readonly string[], link: string) {
+  constructor(studio: SceneStudio, course: Course, link: string) {
     this.studio = studio;
-    this.stages = stages;
+    this.maker = new FrameMaker(studio);
+    this.course = course;
     this.link = link;
   }
 
@@ -104,18 +102,20 @@ class Turner {
   async work(): Promise<void> {
     for (let wish = this.wish; wish; wish = this.wish) {
       if (!(await this.ready(wish))) continue;
-      const rung = this.rungFor(wish);
-      const quality = ladderOf(wish)[rung];
-      if (quality && (rung === 0 || !wish.moving)) await this.frame(wish, quality);
-      else if (this.wish === wish) this.wish = undefined;
+      const piece = this.maker.advance(wish, BUDGET);
+      if (!piece) {
+        if (this.wish === wish) this.wish = undefined;
+      } else if ('refused' in piece) this.refuse(wish, piece.refused);
+      else if ('working' in piece) say({ working: WORKED + (1 - WORKED) * piece.working });
+      else await this.show(piece.made);
       await pause();
     }
   }
 
   /** The body at a place of the last frame. */
   told(x: number, y: number): Told | undefined {
-    const { width, height, subject } = this.made;
-    const body = width && subject === '' ? this.studio.bodyAt(Math.floor(x * width), Math.floor(y * height)) : undefined;
+    const { sides } = this.maker;
+    const body = sides && this.studio.bodyAt(Math.floor(x * sides[0]), Math.floor(y * sides[1]));
     return body && { id: body.id, probe: this.studio.probe(body.x, body.y), steps: this.studio.making(body.id) };
   }
 
@@ -124,13 +124,13 @@ class Turner {
     const { studio } = this;
     if (wish.link !== this.link) {
       studio.open(wish.link);
+      this.maker.drop();
       this.link = wish.link;
       await supply(studio);
     }
     const begun = performance.now();
-    while (!isEnd(studio.stage())) {
-      studio.tick(BUDGET, STEPS);
-      say({ working: WORKED * progressOf(this.stages, studio.stage(), studio.status()) });
+    for (const [stage, status] of making(studio, BUDGET)) {
+      say({ working: WORKED * progressOf(this.course, stage, status) });
       await pause();
       if (this.wish?.link !== wish.link && performance.now() - begun > PATIENCE) return false;
     }
@@ -144,49 +144,13 @@ class Turner {
     if (this.wish === wish) this.wish = undefined;
   }
 
-  /** The first rung that the wish has not got. */
-  private rungFor(wish: Wish): number {
-    return viewOf(wish) === this.made.view ? this.made.rungs : 0;
-  }
-
-  private async frame(wish: Wish, quality: Quality): Promise<void> {
-    const { studio } = this;
-    const part = quality === 'moving' ? this.coarse.part : 1;
-    const [width, height] = [wish.width, wish.height].map((side) => Math.max(1, Math.round(side / part))) as [number, number];
-    const begun = performance.now();
-    for (;;) {
-      const how = wish.plane === 'alpha' ? `${quality}+nothing` : quality;
-      const slice = studio.turn(wish.subject, wish.camera, width, height, how, BUDGET);
-      if ('code' in slice) {
-        if (slice.code !== 'not_yet') this.refuse(wish, slice);
-        return;
-      }
-      if (slice.done) {
-        this.made = { view: viewOf(wish), rungs: LADDER.indexOf(quality) + 1, subject: wish.subject, width, height };
-        await this.show(wish, quality, slice.pixels ?? new Uint8Array(4 * width * height));
-        break;
-      }
-      say({ working: WORKED + (1 - WORKED) * slice.progress });
-      await pause();
-      if (this.wish !== wish && (quality !== 'moving' || !this.wish?.moving)) return;
-    }
-    if (quality === 'moving') this.coarse.suit(performance.now() - begun);
-  }
-
-  private async show({ n, plane }: Wish, quality: Quality, pixels: Uint8Array<ArrayBuffer>): Promise<void> {
-    const { width, height } = this.made;
-    const frame = await createImageBitmap(new ImageData(this.shown(plane, pixels), width, height));
+  private async show({ wish, quality, width, height, pixels }: Made<Wish>): Promise<void> {
+    const frame = await createImageBitmap(new ImageData(pixels, width, height));
     const bodies: Bodies = { count: this.studio.status().stones, skin: this.studio.get('stone') === 'skin' };
-    say({ frame, n, quality, bodies }, [frame]);
+    say({ frame, n: wish.n, quality, bodies }, [frame]);
     // There is time by now; without a storage the next visit unpacks the module again.
     if (quality === 'fine' && !this.kept) keepModules().catch(() => undefined);
     this.kept ||= quality === 'fine';
-  }
-
-  private shown(plane: Plane, pixels: Uint8Array<ArrayBuffer>): Uint8ClampedArray<ArrayBuffer> {
-    if (plane === 'alpha') return coverage(pixels);
-    const map = plane === 'light' ? undefined : this.studio.frameMap(plane);
-    return map && 'bytes' in map ? pixelsOf(map) : new Uint8ClampedArray(pixels.buffer, pixels.byteOffset, pixels.length);
   }
 }
 
@@ -202,8 +166,7 @@ async function begin(link: string): Promise<Turner | undefined> {
   try {
     const module = await loadWhole();
     const studio = await studioFor(module, link);
-    const { stages = [] } = module.generators().find(({ word }) => word === studio.generator()) ?? {};
-    return new Turner(studio, stages, link);
+    return new Turner(studio, generatorOf(module, studio), link);
   } catch (error) {
     say({ lost: reasonOf(error) });
     return undefined;

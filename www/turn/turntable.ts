@@ -23,7 +23,7 @@ import '../styles/late/turn.css';
 /** What the turntable stands in. */
 export interface Place {
   /** What is made, by what its viewer goes. */
-  generator(): Pick<Generator, 'home' | 'offers'>;
+  generator(): Pick<Generator, 'home' | 'lowest' | 'offers'>;
   /** Where frames come from, unless a worker makes them. */
   frames?: (heard: Heard) => FrameSource;
   /** The recipe, whether it is in somebody's hand, and its values. */
@@ -111,7 +111,7 @@ export class Turntable {
     );
     this.root = make('div', { class: 'turn' }, make('div', { class: 'turn-frame' }, this.stand, this.card.element), this.making.strip, this.working, this.told);
     if (place.leave) this.root.append(planes((plane) => this.choose(plane)), this.wayOut());
-    this.stand.ariaLabel = this.inSpace ? `${t('name_space')}. ${t('keys_space')}` : `${t('name')}. ${t('keys')}`;
+    this.stand.ariaLabel = this.isFramed ? `${t('name_space')}. ${t('keys_space')}` : `${t('name')}. ${t('keys')}`;
     // The keys of the steps, and the way back, are there while the frame has the focus, too.
     this.stand.addEventListener('keydown', (event) => !event.defaultPrevented && this.making.step(event.key) && event.preventDefault());
     new ResizeObserver(() => this.follow()).observe(this.stand);
@@ -170,8 +170,8 @@ export class Turntable {
     this.state(this.frames.want(wish) ? 'coming' : this.reached);
   }
 
-  private get inSpace(): boolean {
-    return this.place.generator().offers.includes('space');
+  private get isFramed(): boolean {
+    return this.place.generator().offers.includes('frames');
   }
 
   private choose(plane: Plane): void {
@@ -226,7 +226,7 @@ export class Turntable {
     if (!latest) return;
     this.shown = this.place.link();
     this.state(quality);
-    if (quality !== 'moving' && !this.moving) say(this.told, this.making.subject === '' ? seen(bodies, this.camera, this.inSpace) : this.making.seen);
+    if (quality !== 'moving' && !this.moving) say(this.told, this.making.subject === '' ? seen(bodies, this.camera, this.isFramed) : this.making.seen);
   }
 
   private state(word: Quality | 'coming' | 'refused'): void {

@@ -34,7 +34,7 @@ pub use schema::keys;
 pub use stage::Stage;
 
 use super::bigger::Bigger;
-use super::{Engine, Generator, Views};
+use super::{Course, Engine, Generator, Views};
 use crate::cells::Cell;
 use crate::domain::{Domain, Outline};
 use crate::field::Fields;
@@ -64,14 +64,24 @@ pub static PAVEMENT: Generator = Generator {
     title: "Pavements and hides",
     presets: presets::PRESETS,
     stages: &stage::WORDS,
+    course: Course {
+        begins: &[0.0, 0.02, 0.1, 0.6, 0.62, 0.66, 0.92, 0.95],
+        stepping: "packing",
+        placing: "planes",
+        ..Course::UNKNOWN
+    },
     views: Views {
         bases: &Base::WORDS,
         overlays: &Overlay::WORDS,
     },
     offers: &[
-        "outline", "probe", "plots", "layers", "tiles", "compare", "turn", "svg", "mesh", "forming",
+        "outline", "probe", "plots", "layers", "tiles", "compare", "turn", "svg", "maps", "slab",
+        "mesh", "forming",
     ],
+    names: &["tile", "outline", "kind", "stone", "palette"],
+    chance: "plane",
     home: "330,40,2.95,28",
+    lowest: 5.0,
     engine: |recipe| Box::new(Pavement::new(recipe)),
 };
 

@@ -5,7 +5,7 @@ mod engine;
 
 use super::bigger::Bigger;
 use super::height_field::{Bodies, HeightField, HeightFieldParams, PlaneParams, Revisions};
-use super::{Engine, Generator, Preset, Views, common};
+use super::{Course, Engine, Generator, Preset, Views, common};
 use crate::cells::Cell;
 use crate::domain::{Domain, Outline};
 use crate::field::Kind;
@@ -82,12 +82,16 @@ pub static SPECIMEN: Generator = Generator {
         },
     ],
     stages: &["grid", "planes", "weather", "shading"],
+    course: Course::UNKNOWN,
     views: Views {
         bases: &["auto", "picture", "albedo"],
         overlays: &[],
     },
-    offers: &[],
+    offers: &["maps"],
+    names: &["across"],
+    chance: "plane",
     home: "330,40,2.95,28",
+    lowest: 5.0,
     engine: |recipe| Box::new(Specimen::new(recipe)),
 };
 

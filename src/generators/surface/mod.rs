@@ -25,7 +25,7 @@ mod views;
 pub use schema::keys;
 
 use super::scene_picture::{Saving, ScenePicture};
-use super::{Generator, Views};
+use super::{Course, Generator, Views};
 use crate::export::ModelFile;
 use crate::recipe::{Recipe, Schema};
 use crate::surface_views::Ground;
@@ -46,12 +46,22 @@ pub static SURFACE: Generator = Generator {
     title: "Surfaces in space",
     presets: presets::PRESETS,
     stages: &stages::WORDS,
+    course: Course {
+        begins: &[0.0, 0.02, 0.1, 0.6, 0.62, 0.66, 0.85],
+        stepping: "packing",
+        placing: "stones",
+        settled: "light",
+        seen: &["surface", "surface", "packed", "mesh", "cells", "", ""],
+    },
     views: Views {
         bases: &views::WORDS,
         overlays: &[],
     },
-    offers: &["space", "compare", "turn", "mesh", "forming"],
+    offers: &["frames", "paint", "compare", "mesh", "forming"],
+    names: &["form", "kind", "stone", "palette"],
+    chance: "surface",
     home: "330,20,2.75,28",
+    lowest: -85.0,
     engine: |recipe| Box::new(Surface::new(recipe)),
 };
 

@@ -112,7 +112,7 @@ export class Painter {
   }
 
   private show(): void {
-    if (!this.work.engine.isSpace) return;
+    if (!this.work.engine.offers('paint')) return;
     const useful = TOOLS.filter((tool) => (tool === 'erase' ? this.painted().length > 0 : this.isUseful(tool)));
     if (this.tool && !useful.includes(this.tool)) return this.choose(undefined);
     this.tools.show(this.tool, useful, this.work.engine.get('flip') === '1');

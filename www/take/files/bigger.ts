@@ -1,7 +1,8 @@
 /** The finished picture, or its maps, at several times its side, as rows. */
 import type { Bubblestone } from '../../../pkg/bubblestone.js';
 import type { PictureSlice, PixelMap } from '../../module/types';
-import { BUDGET, type Progress } from './pavement';
+import { BUDGET } from '../../module/run';
+import type { Progress } from './worked';
 import { given } from './refusal';
 
 /**

@@ -5,21 +5,20 @@
  * frame to frame. So every film has about the same length, and frames depend on steps, never on a clock.
  */
 import type { Bubblestone } from '../../../pkg/bubblestone.js';
-import type { PixelMap } from '../../module/types';
+import type { Generator, PixelMap } from '../../module/types';
 import type { Codec, FormingShape } from './codecs';
 import { bigger } from './bigger';
 import { FilmEncoder, quickest } from './encoder';
 import { framesOf, showForming, type Show } from './frames';
 import { frame, lookOf } from './look';
-import { pavement, type Progress } from './pavement';
+import { workedOut, type Progress } from './worked';
 import { contextOf, Sheet, type Words } from './sheet';
 import type { SceneStudio } from '../../module/scene';
 import type { Seen } from './turn';
 
-/** The film; `isSpace` is of what stands in space. */
+/** The film. */
 export interface FilmJob extends Seen {
   file: 'film';
-  isSpace: boolean;
   codecs: Codec[];
   shape: FormingShape;
   words: Words;
@@ -29,18 +28,18 @@ export interface FilmJob extends Seen {
 const FIRST = 0.12;
 const SECOND = 0.2;
 
-/** Pixels along a side while it forms, of what stands in space. */
+/** Pixels along a side of frames while it forms. */
 const MOVING = 720;
 
 /** The most that a picture file is enlarged. */
 const MOST = 4;
 
 /** Throws a Refusal where there is no picture. */
-export async function formingFilm(studio: Bubblestone, stages: readonly string[], { codecs, shape, words, isSpace, ...seen }: FilmJob, progress: Progress): Promise<Blob> {
+export async function formingFilm(studio: Bubblestone, generator: Generator, { codecs, shape, words, ...seen }: FilmJob, progress: Progress): Promise<Blob> {
   const sheet = new Sheet(shape, words);
-  pavement(studio, stages, (done) => progress(FIRST * done));
+  workedOut(studio, generator, (done) => progress(FIRST * done));
   const status = studio.status();
-  const finished = isSpace ? spacePicture(studio as SceneStudio, seen, sheet.side) : await largePicture(studio, sheet.side, (done) => progress(FIRST + (SECOND - FIRST) * done));
+  const finished = generator.offers.includes('frames') ? framedPicture(studio as SceneStudio, seen, sheet.side) : await largePicture(studio, sheet.side, (done) => progress(FIRST + (SECOND - FIRST) * done));
   sheet.lay(finished);
   const codec = await quickest(codecs, shape, sheet.frame(finished, finished, 0));
   const encoder = await FilmEncoder.of(codec, shape);
@@ -51,12 +50,12 @@ export async function formingFilm(studio: Bubblestone, stages: readonly string[]
     made += times;
     progress(SECOND + (1 - SECOND) * (made / whole));
   };
-  await showForming(studio, lookOf(studio, isSpace, seen, Math.min(sheet.side, MOVING)), finished, status, show);
+  await showForming(studio, generator, lookOf(studio, generator, seen, Math.min(sheet.side, MOVING)), finished, status, show);
   return encoder.finish();
 }
 
-/** What stands in space, as it is seen when it is finished. */
-function spacePicture(studio: SceneStudio, seen: Seen, side: number): OffscreenCanvas {
+/** The bodies that are seen by frames, when they are finished. */
+function framedPicture(studio: SceneStudio, seen: Seen, side: number): OffscreenCanvas {
   const context = contextOf(side, side);
   context.putImageData(frame(studio, seen, side, 'fine'), 0, 0);
   return context.canvas;

@@ -4,15 +4,15 @@
  * One step or one stone is made at a time, so frames do not depend on a clock.
  */
 import type { Bubblestone } from '../../../pkg/bubblestone.js';
+import type { Generator } from '../../module/types';
 import { gif, smaller, type Frame } from './gif';
 import { lookOf } from './look';
-import { pavement, type Progress } from './pavement';
+import { workedOut, type Progress } from './worked';
 import type { Seen } from './turn';
 
-/** The animation; `isSpace` is of what stands in space. */
+/** The animation. */
 export interface GifJob extends Seen {
   file: 'gif';
-  isSpace: boolean;
 }
 
 /** Sides in pixels; smaller pictures keep their own. */
@@ -31,8 +31,9 @@ const SHOWN = { first: 500, step: 70, stones: 80, last: 2500 };
 const MAKING = 0.7;
 
 /** Throws a sentence where there is no picture. */
-export function formingGif(studio: Bubblestone, stages: readonly string[], job: GifJob, progress: Progress): Blob {
-  const look = lookOf(studio, job.isSpace, job, SIDE);
+export function formingGif(studio: Bubblestone, generator: Generator, job: GifJob, progress: Progress): Blob {
+  const { stepping, placing } = generator;
+  const look = lookOf(studio, generator, job, SIDE);
   const side = Math.min(SIDE, look.side);
   const picture = new Picture(side);
   const frame = (shown: number): Frame => {
@@ -42,8 +43,8 @@ export function formingGif(studio: Bubblestone, stages: readonly string[], job: 
   const packing: Frame[] = [];
   const later: Frame[] = [];
   let [stride, packed, placed] = [1, -1, 0];
-  pavement(studio, stages, (done) => progress(MAKING * done), (stage, { cells, steps, stones }) => {
-    if (stage === 'packing' && cells && steps > packed && steps % stride === 0) {
+  workedOut(studio, generator, (done) => progress(MAKING * done), (stage, { cells, steps, stones }) => {
+    if (stage === stepping && cells && steps > packed && steps % stride === 0) {
       packed = steps;
       packing.push(frame(SHOWN.step));
       if (packing.length > PACKING) {
@@ -51,7 +52,7 @@ export function formingGif(studio: Bubblestone, stages: readonly string[], job: 
         stride *= 2;
         packing.splice(0, packing.length, ...packing.filter((_, index) => index % 2 === 0));
       }
-    } else if ((stage === 'planes' || stage === 'stones') && stones >= placed && stones) {
+    } else if (stage === placing && stones >= placed && stones) {
       later.push(frame(SHOWN.stones));
       placed += cells / STONES;
     }

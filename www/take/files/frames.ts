@@ -1,8 +1,8 @@
 /** The frames of the forming's film, by steps: what each of them shows of the pictures on the way. */
 import type { Bubblestone } from '../../../pkg/bubblestone.js';
-import type { Status } from '../../module/types';
+import type { Generator, Status } from '../../module/types';
 import type { Look } from './look';
-import { making } from './pavement';
+import { making } from '../../module/run';
 import { contextOf } from './sheet';
 
 type Canvas = OffscreenCanvas;
@@ -22,8 +22,8 @@ export function framesOf(steps: number): number {
 }
 
 /** Makes a picture anew that was made before with this status, and shows the finished one, how it forms, and it again. */
-export async function showForming(studio: Bubblestone, look: Look, finished: Canvas, { steps, stones }: Status, show: Show): Promise<void> {
-  await new Forming(studio, look, finished, paceOf(steps), stones, show).run();
+export async function showForming(studio: Bubblestone, { placing }: Pick<Generator, 'placing'>, look: Look, finished: Canvas, { steps, stones }: Status, show: Show): Promise<void> {
+  await new Forming(studio, placing, look, finished, paceOf(steps), stones, show).run();
 }
 
 /** At which step each frame of the packing is: few steps at first, when each of them moves much. */
@@ -47,6 +47,7 @@ class Forming {
 
   constructor(
     private readonly studio: Bubblestone,
+    private readonly placing: string,
     private readonly seen: Look,
     private readonly finished: Canvas,
     private readonly pace: readonly number[],
@@ -62,7 +63,7 @@ class Forming {
     let stood = false;
     for (const [stage, { steps, cells, stones }] of making(this.studio, 0, 1)) {
       if (cells && steps > this.steps && !stood) await this.step(steps);
-      const stonesCome = stage === 'planes' || stage === 'stones';
+      const stonesCome = stage === this.placing;
       if (stonesCome && !stood) {
         stood = true;
         await this.stand();

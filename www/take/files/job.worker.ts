@@ -1,18 +1,19 @@
 /** Makes one file. Nothing here blocks the page: it is a worker, which ends with the file. */
 import { studioFor } from '../../module/given';
 import { loadModule } from '../../module/load';
+import { generatorOf } from '../../module/run';
 import type { Notice } from '../../module/types';
 import { serve } from '../../late/worker';
 import type { FilmJob } from './film';
 import { formingGif, type GifJob } from './forming';
 import { mapsZip, type MapsJob } from './maps-zip';
 import { meshFile, type MeshJob } from './mesh-file';
-import { pavement, type Progress } from './pavement';
 import { pictureFile } from './picture';
 import { given, Refusal } from './refusal';
 import { slabFile, type Slab } from './slab';
 import { turnFile, type TurnJob } from './turn';
 import type { TurnFilmJob } from './turn-film';
+import { workedOut, type Progress } from './worked';
 
 /** What is to be made; `scale` is times the picture's side. */
 export type Job =
@@ -49,17 +50,17 @@ async function made(link: string, job: Job, progress: Progress): Promise<Blob> {
   }
   const module = await loadModule(link);
   const studio = await studioFor(module, link);
-  const { stages = [] } = module.generators().find(({ word }) => word === studio.generator()) ?? {};
-  if (job.file === 'gif') return formingGif(studio, stages, job, progress);
+  const generator = generatorOf(module, studio);
+  if (job.file === 'gif') return formingGif(studio, generator, job, progress);
   if (job.file === 'film') {
     // Only films need what films need.
     const { formingFilm } = await import('./film');
-    return formingFilm(studio, stages, job, progress);
+    return formingFilm(studio, generator, job, progress);
   }
-  // The pavement is this part of the work.
+  // The picture is this part of the work.
   const part = 'scale' in job && job.scale > 1 ? 1 / job.scale ** 2 : 0.8;
   const rest = (done: number): void => progress(part + (1 - part) * done);
-  pavement(studio, stages, (done) => progress(part * done));
+  workedOut(studio, generator, (done) => progress(part * done));
   switch (job.file) {
     case 'svg':
       return new Blob([studio.svg()], { type: 'image/svg+xml' });

@@ -1,7 +1,8 @@
-/** What films show of the work as it goes on: the picture of a plane, or bodies in space from where they are seen. */
+/** What films show of the work as it goes on: the picture in its plane, or frames of the bodies from where they are seen. */
 import type { Bubblestone } from '../../../pkg/bubblestone.js';
 import type { SceneStudio } from '../../module/scene';
-import { BUDGET } from './pavement';
+import type { Generator } from '../../module/types';
+import { BUDGET } from '../../module/run';
 import { given } from './refusal';
 import type { Seen } from './turn';
 
@@ -11,9 +12,9 @@ export interface Look {
   draw(context: Pick<CanvasRenderingContext2D, 'putImageData'>): void;
 }
 
-/** `side` is for what stands in space, which has no size of its own. */
-export function lookOf(studio: Bubblestone, isSpace: boolean, seen: Seen, side: number): Look {
-  if (!isSpace) return { side: studio.side(), draw: (context) => studio.draw(context as CanvasRenderingContext2D, 'auto') };
+/** `side` is for frames, which have no size of their own. */
+export function lookOf(studio: Bubblestone, { offers }: Generator, seen: Seen, side: number): Look {
+  if (!offers.includes('frames')) return { side: studio.side(), draw: (context) => studio.draw(context as CanvasRenderingContext2D, 'auto') };
   return { side, draw: (context) => context.putImageData(frame(studio as SceneStudio, seen, side, 'still'), 0, 0) };
 }
 

@@ -5,7 +5,7 @@ import type { PixelMap } from '../../module/types';
 import { bigger } from './bigger';
 import { ExrWriter } from './exr';
 import { Parts, type RowWriter } from './parts';
-import type { Progress } from './pavement';
+import type { Progress } from './worked';
 import { PngWriter } from './png';
 import { mapsFor, maskOf } from './programs';
 import { given } from './refusal';

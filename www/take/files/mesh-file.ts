@@ -1,6 +1,6 @@
 /** The surfaces of all cells and the ground, for other programs. */
 import type { Bubblestone } from '../../../pkg/bubblestone.js';
-import { BUDGET } from './pavement';
+import { BUDGET } from '../../module/run';
 import { png } from './png';
 import { given } from './refusal';
 

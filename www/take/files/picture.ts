@@ -1,7 +1,7 @@
 /** The finished picture at several times its side, written row after row as a PNG file. */
 import type { Bubblestone } from '../../../pkg/bubblestone.js';
 import { bigger } from './bigger';
-import type { Progress } from './pavement';
+import type { Progress } from './worked';
 import { PngWriter } from './png';
 
 /** Throws a Refusal where it cannot be made. */

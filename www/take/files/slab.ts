@@ -7,7 +7,7 @@
  * below each side, and the base is a fan.
  */
 import type { PixelMap } from '../../module/types';
-import type { Progress } from './pavement';
+import type { Progress } from './worked';
 
 /** In millimetres, but for the squares along a side of the grid. */
 export interface Slab {

@@ -2,7 +2,7 @@
 import { RATE, SHAPES, type Codec } from './codecs';
 import { FilmEncoder, quickest } from './encoder';
 import { gif, type Frame } from './gif';
-import type { Progress } from './pavement';
+import type { Progress } from './worked';
 import { frameOf, studioOf, WORKED, type Seen } from './turn';
 
 /** A film, or where there is no codec an animation. */

@@ -1,12 +1,13 @@
 /** Pictures of the turntable: a frame of its bodies, or a plane of it. */
 import { studioFor } from '../../module/given';
 import { loadWhole } from '../../module/load';
+import { BUDGET, generatorOf } from '../../module/run';
 import type { SceneStudio } from '../../module/scene';
-import { BUDGET, pavement, type Progress } from './pavement';
+import { workedOut, type Progress } from './worked';
 import { png } from './png';
 import { given } from './refusal';
 
-/** What is to be seen, all of it ('') or a step in the making of a body (`ID:STEP`), the words of where from, and the view of what stands in space. */
+/** What is to be seen, all of it ('') or a step in the making of a body (`ID:STEP`), the words of where from, and the view where that is seen by frames. */
 export interface Seen {
   subject: string;
   camera: string;
@@ -42,8 +43,7 @@ export async function turnFile(link: string, { plane, side, backdrop, ...seen }:
 export async function studioOf(link: string, progress: Progress): Promise<SceneStudio> {
   const module = await loadWhole();
   const studio = await studioFor(module, link);
-  const { stages = [] } = module.generators().find(({ word }) => word === studio.generator()) ?? {};
-  pavement(studio, stages, (done) => progress(WORKED * done));
+  workedOut(studio, generatorOf(module, studio), (done) => progress(WORKED * done));
   return studio;
 }
 

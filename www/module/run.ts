@@ -1,0 +1,33 @@
+/** A recipe that is worked out from its start to its end, in slices. */
+import type { Bubblestone } from '../../pkg/bubblestone.js';
+import type { Module } from './load';
+import { isEnd } from './stages';
+import type { Generator as Made, Status } from './types';
+
+/** Milliseconds of work in one slice, and more steps than fit into that. */
+export const BUDGET = 50;
+const STEPS = 100_000;
+
+/** Works on a recipe: a studio, or an engine of the page. */
+type Worker = Pick<Bubblestone, 'stage' | 'status' | 'tick'>;
+
+/** How far the work is before each slice of these milliseconds and steps. It ends where no work is left. */
+export function* making(worker: Worker, budget = BUDGET, steps = STEPS): Generator<[stage: string, status: Status], undefined> {
+  for (let stage = worker.stage(); !isEnd(stage); stage = worker.stage()) {
+    yield [stage, worker.status()];
+    worker.tick(budget, steps);
+  }
+}
+
+/** Works on a recipe until no work is left. */
+export function finish(worker: Worker): void {
+  for (const work = making(worker); !work.next().done; );
+}
+
+/** The generator at work in a studio. */
+export function generatorOf({ generators }: Pick<Module, 'generators'>, studio: Bubblestone): Made {
+  const word = studio.generator();
+  const found = generators().find((one) => one.word === word);
+  if (!found) throw new Error(`This module has no generator of the word “${word}”.`);
+  return found;
+}

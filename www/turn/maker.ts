@@ -1,0 +1,115 @@
+/**
+ * Makes frames of a studio's bodies, whether that is the engine of the page or works in a worker. A new view gets a
+ * coarse frame first, then one of all pixels, then a smooth one. While something moves there are coarse frames only,
+ * each of which is finished: else none ever would be.
+ */
+import type { SceneStudio } from '../module/scene';
+import type { Notice } from '../module/types';
+import { Coarse, ladderOf, viewOf } from './ladder';
+import { coverage, pixelsOf } from './pixels';
+import type { Wished } from './frames';
+import type { Quality } from './turn.worker';
+
+/** Makes the frames. */
+type Studio = Pick<SceneStudio, 'turn' | 'frameMap'>;
+
+interface Order<W> {
+  readonly wish: W;
+  readonly quality: Quality;
+  readonly width: number;
+  readonly height: number;
+}
+
+/** A frame that was made. */
+export interface Made<W> extends Order<W> {
+  readonly pixels: Uint8ClampedArray<ArrayBuffer>;
+}
+
+/** The result of a piece of work. */
+type Piece<W> = { made: Made<W> } | { working: number } | { refused: Notice };
+
+/** `W` is what is wished for, as whoever wishes tells it. */
+export class FrameMaker<W extends Wished = Wished> {
+  private readonly studio: Studio;
+  private readonly view: () => string;
+  private readonly coarse = new Coarse();
+  private order: Order<W> | undefined;
+  /** How long its pieces took so far, in milliseconds. */
+  private spent = 0;
+  /** The bodies look otherwise than in the last frame. */
+  private stale = true;
+  /** The view of the last frame, how many of the ladder's rungs it has, its subject, and its sides. */
+  private last = { view: '', rungs: 0, subject: '', width: 0, height: 0 };
+
+  /** `view` is the word of the view. */
+  constructor(studio: Studio, view: () => string = () => 'auto') {
+    this.studio = studio;
+    this.view = view;
+  }
+
+  /** The bodies may look otherwise now. */
+  changed(): void {
+    this.stale = true;
+  }
+
+  /** The frame in the making is let go of. */
+  drop(): void {
+    this.order = undefined;
+    this.stale = true;
+  }
+
+  /** The sides of the last frame, where it shows all bodies. */
+  get sides(): readonly [width: number, height: number] | undefined {
+    const { width, height, subject } = this.last;
+    return width && subject === '' ? [width, height] : undefined;
+  }
+
+  /** How good the next frame is to be; undefined where none is due. Bodies that do not stand get coarse frames only. */
+  due(wish: Wished, stands = true): Quality | undefined {
+    const rung = !this.stale && this.seen(wish) === this.last.view ? this.last.rungs : 0;
+    return rung > 0 && (wish.moving || !stands) ? undefined : ladderOf(wish)[rung];
+  }
+
+  /** Works for about `budget` milliseconds on the frame that is due; undefined where none is, or there is nothing to be seen yet. */
+  advance(wish: W, budget: number, stands = true): Piece<W> | undefined {
+    if (this.order && this.order.wish !== wish && this.order.quality !== 'moving') this.order = undefined;
+    const order = (this.order ??= this.begun(wish, stands));
+    return order && this.goOn(order, budget);
+  }
+
+  private seen(wish: Wished): string {
+    return `${viewOf(wish)} ${this.view()}`;
+  }
+
+  private begun(wish: W, stands: boolean): Order<W> | undefined {
+    const quality = this.due(wish, stands);
+    if (!quality) return undefined;
+    [this.stale, this.spent] = [false, 0];
+    const part = quality === 'moving' ? this.coarse.part : 1;
+    const [width, height] = [wish.width, wish.height].map((side) => Math.max(1, Math.round(side / part))) as [number, number];
+    return { wish, quality, width, height };
+  }
+
+  private goOn(order: Order<W>, budget: number): Piece<W> | undefined {
+    const { wish, quality, width, height } = order;
+    const begin = performance.now();
+    const how = [quality, wish.plane === 'alpha' ? 'nothing' : 'floor', this.view()].join('+');
+    const slice = this.studio.turn(wish.subject, wish.camera, width, height, how, budget);
+    this.spent += performance.now() - begin;
+    if ('code' in slice) {
+      this.order = undefined;
+      return slice.code === 'not_yet' ? undefined : { refused: slice };
+    }
+    if (!slice.done) return { working: slice.progress };
+    this.order = undefined;
+    if (quality === 'moving') this.coarse.suit(this.spent);
+    this.last = { view: this.seen(wish), rungs: ladderOf(wish).indexOf(quality) + 1, subject: wish.subject, width, height };
+    return { made: { ...order, pixels: this.pixels(order, slice.pixels ?? new Uint8Array(4 * width * height)) } };
+  }
+
+  private pixels({ wish: { plane } }: Order<W>, pixels: Uint8Array<ArrayBuffer>): Uint8ClampedArray<ArrayBuffer> {
+    if (plane === 'alpha') return coverage(pixels);
+    const map = plane === 'light' ? undefined : this.studio.frameMap(plane);
+    return map && 'bytes' in map ? pixelsOf(map) : new Uint8ClampedArray(pixels.buffer, pixels.byteOffset, pixels.length);
+  }
+}
