@@ -1,4 +1,4 @@
-//! A plane that cuts away bodies, for views of what lies behind them.
+//! A plane that cuts away bodies, so that a view shows the bodies behind it.
 
 use crate::decimal;
 use glam::{DVec3, Vec3};
