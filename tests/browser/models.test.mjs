@@ -110,24 +110,28 @@ test('a model dropped anywhere becomes a surface, and one that cannot be read sa
   await close();
 });
 
-test('the file of a recipe holds the model', async () => {
+test('the file of a recipe holds the models, each with its role, and older files with one model are read', async () => {
   const first = await opened(site, box60.fragment);
   await first.page.waitForSelector('.asked');
   await drop(first.page, 'box.obj', cube(1.5), '');
   await first.page.waitForFunction(() => !document.querySelector('.asked'));
   assert.equal(await digest(first.page), box60.digest);
   const { bytes } = await saved(first.page, '#save-recipe');
-  const { file } = JSON.parse(new TextDecoder().decode(bytes));
-  assert.equal(file.name, 'box.obj');
+  const { files, ...rest } = JSON.parse(new TextDecoder().decode(bytes));
+  assert.deepEqual(files.map(({ role, name }) => [role, name]), [['model', 'box.obj']]);
   await first.close();
-  const { page, problems, close } = await site.newPage(SMALL);
-  await digest(page);
-  await drop(page, 'recipe.json', bytes, 'application/json');
-  await until(page, 'form', 'file');
-  assert.equal(await digest(page), box60.digest);
-  assert.equal(await page.$('.asked'), null);
-  assert.deepEqual(problems, []);
-  await close();
+  const [{ role, ...file }] = files;
+  const older = new TextEncoder().encode(JSON.stringify({ ...rest, file }, null, 1).replace('"gzip":"', '"gzip": "'));
+  for (const recipe of [bytes, older]) {
+    const { page, problems, close } = await site.newPage(SMALL);
+    await digest(page);
+    await drop(page, 'recipe.json', recipe, 'application/json');
+    await until(page, 'form', 'file');
+    assert.equal(await digest(page), box60.digest);
+    assert.equal(await page.$('.asked'), null);
+    assert.deepEqual(problems, []);
+    await close();
+  }
 });
 
 test('strokes are painted on the surface, one step each, and taken away by a click', async () => {

@@ -6,7 +6,8 @@ mod given_files;
 mod loading;
 mod picture;
 mod still;
-#[cfg(test)]
+// They read files with a library that only native builds have.
+#[cfg(all(test, not(target_arch = "wasm32")))]
 mod tests;
 mod view;
 mod yaw;
