@@ -66,7 +66,7 @@ export async function handed(page, act, what = 'saved') {
       const refusal = document.querySelector(':is([role=alert] .message, [data-topic=files], [data-topic=busy], [data-topic=trouble]):not([data-old], :has(progress, .actions))');
       return isThere ? { refused: '' } : refusal && { refused: refusal.querySelector('p')?.textContent };
     },
-    { timeout: 120_000, polling: 100 },
+    { timeout: 240_000, polling: 100 },
     what,
   );
   assert.deepEqual(await end.jsonValue(), { refused: '' });
