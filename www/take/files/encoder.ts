@@ -32,7 +32,7 @@ export class FilmEncoder {
     private readonly shape: Shape,
   ) {
     this.track = new EncodedVideoPacketSource(codec.track);
-    // What tells a player where the frames are stands before them: it begins before it has all of the file.
+    // The index of the frames comes first, so that a player begins before it has all of the file.
     const format = codec.file === 'mp4' ? new Mp4OutputFormat({ fastStart: 'in-memory' }) : new WebMOutputFormat();
     this.output = new Output({ format, target: this.target });
     this.output.addVideoTrack(this.track, { frameRate: RATE });
