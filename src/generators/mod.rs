@@ -10,6 +10,7 @@ mod engine;
 mod given;
 mod height_field;
 mod lighting;
+mod packs;
 pub mod pavement;
 mod preset;
 #[cfg(house)]

@@ -145,20 +145,6 @@ impl Params {
             side: common::side(recipe),
         }
     }
-
-    /// The first stage that works by other parameters, by its place.
-    pub fn first_difference(&self, other: &Self) -> Option<usize> {
-        let differences = [
-            self.surface != other.surface,
-            self.fields != other.fields,
-            self.packing != other.packing,
-            false,
-            self.cells != other.cells,
-            self.stones != other.stones,
-            self.light != other.light || self.yaw != other.yaw || self.side != other.side,
-        ];
-        differences.into_iter().position(|differs| differs)
-    }
 }
 
 /// The shape by rule that a recipe asks for.
