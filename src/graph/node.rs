@@ -75,7 +75,7 @@ impl Status {
 
 /// A node of any types.
 pub trait AnyNode {
-    /// What is known of it.
+    /// Its status.
     fn status(&self) -> &Status;
 
     /// Does the latest recipe ask for other parameters than those at work?

@@ -216,7 +216,7 @@ fn a_failure_ends_the_work_until_something_else_is_asked() {
     assert_eq!((sums.failure(), sums.sum.made()), (None, Some(&11)));
 }
 
-/// A table whose only task is made of what is never there.
+/// A table with one task, whose input is never there.
 struct Torn {
     sum: Counter,
     missing: Counter,

@@ -18,8 +18,6 @@ mod meshing;
 pub mod metrics;
 mod middles;
 mod nodes;
-#[cfg(test)]
-mod quality;
 mod rings;
 mod smooth;
 mod straighten;

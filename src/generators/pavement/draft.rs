@@ -101,7 +101,7 @@ impl Pavement {
             Some(draft) => (&draft.stages, Some(&draft.packing)),
             None => (&self.made, self.made.shown_packing()),
         };
-        let rings = stages.domain.params().outline.rings.iter();
+        let rings = stages.rings().iter();
         Shown {
             rings: rings.map(Vec::as_slice).collect(),
             domain: stages.domain.made(),

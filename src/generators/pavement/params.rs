@@ -19,11 +19,11 @@ const LLOYD_ROUNDS: u32 = 50;
 
 /// What the domain is made of.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct DomainParams {
-    /// Checked.
-    pub outline: Outline,
-    /// The side of a tile, whose edges fit each other; of the outline only the lines count there.
-    pub tile: Option<f64>,
+pub(super) enum DomainParams {
+    /// A checked outline with its constraint lines.
+    Plane(Outline),
+    /// The whole picture as a tile, with constraint lines. The outline does not count.
+    Tile { side: f64, lines: Vec<Vec<DVec2>> },
 }
 
 /// What cells are made of.
@@ -49,6 +49,8 @@ pub(super) struct CoatParams {
 /// What a recipe asks of each stage.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Params {
+    /// The outer ring, then the holes.
+    pub rings: Vec<Vec<DVec2>>,
     pub domain: DomainParams,
     pub fields: FieldParams,
     pub packing: PackingParams,
@@ -91,10 +93,15 @@ impl Params {
     /// The parameters of a recipe, or of an exact outline with the recipe's constraint lines. Skin gets `finer` Loop
     /// steps more than a picture needs.
     pub fn new(recipe: &Recipe, exact: Option<&Outline>, finer: i32) -> Self {
+        let outline = outline(recipe, exact);
         Self {
-            domain: DomainParams {
-                outline: outline(recipe, exact),
-                tile: recipe.is_tile().then(|| recipe.side()),
+            rings: outline.rings.clone(),
+            domain: match recipe.is_tile() {
+                false => DomainParams::Plane(outline),
+                true => DomainParams::Tile {
+                    side: recipe.side(),
+                    lines: outline.lines,
+                },
             },
             fields: fields(recipe),
             packing: packing(recipe),

@@ -13,6 +13,7 @@ use crate::material::{Coat, Coats};
 use crate::mesh::{Mesh, Meshing};
 use crate::packing::{Packing, PackingParams, Placing};
 use crate::solid::oriented;
+use glam::DVec2;
 
 /// Cells whose neighbours are found, or whose coats are made, in one slice.
 const CELLS: usize = 500;
@@ -30,6 +31,8 @@ pub(super) struct Stages {
     pub(super) finish: HeightField,
     /// The revision of the packing that the picture shows.
     pub(super) pictured: u64,
+    /// The rings of the latest recipe.
+    rings: Vec<Vec<DVec2>>,
 }
 
 impl Wiring for Stages {
@@ -87,11 +90,13 @@ impl Stages {
             coats: Node::new(params.coats),
             finish: HeightField::new(params.finish),
             pictured: 0,
+            rings: params.rings,
         }
     }
 
     /// Notes the parameters of the latest recipe.
     pub fn ask(&mut self, params: Params) {
+        self.rings = params.rings;
         self.domain.ask(params.domain);
         self.fields.ask(params.fields);
         self.packing.ask(params.packing);
@@ -104,6 +109,7 @@ impl Stages {
     /// The parameters of the latest recipe.
     pub fn latest(&self) -> Params {
         Params {
+            rings: self.rings.clone(),
             domain: self.domain.latest().clone(),
             fields: self.fields.latest().clone(),
             packing: *self.packing.latest(),
@@ -123,11 +129,19 @@ impl Stages {
         self.domain.forget();
     }
 
+    /// The rings of the outline at work; on a tile, where they do not count, those of the latest recipe.
+    pub fn rings(&self) -> &[Vec<DVec2>] {
+        match self.domain.params() {
+            DomainParams::Plane(outline) => &outline.rings,
+            DomainParams::Tile { .. } => &self.rings,
+        }
+    }
+
     fn make_domain(&mut self) -> Option<()> {
         self.domain.advance(|params, _| {
-            Ok(Some(match params.tile {
-                None => Domain::from_checked(&params.outline),
-                Some(side) => Domain::torus(side, &params.outline.lines),
+            Ok(Some(match params {
+                DomainParams::Plane(outline) => Domain::from_checked(outline),
+                DomainParams::Tile { side, lines } => Domain::torus(*side, lines),
             }))
         })
     }

@@ -13,6 +13,8 @@ mod made;
 mod params;
 mod paving;
 mod presets;
+#[cfg(test)]
+mod quality;
 mod rules;
 mod schema;
 mod stages;

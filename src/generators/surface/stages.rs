@@ -5,7 +5,6 @@ use super::build::{Building, Built};
 use super::fields::{Fielded, Fielding};
 use super::params::{CellParams, FieldParams, Params, Source, StoneLook, SurfaceParams};
 use super::paving::{Meshed, Paved, Paves};
-use super::schema::keys;
 use crate::generators::MissingFile;
 use crate::generators::packs::Packs;
 use crate::generators::scene_picture::{
@@ -74,11 +73,7 @@ impl Wiring for Stages {
 fn asked(params: &SurfaceParams) -> Vec<AskedFile> {
     match &params.source {
         Source::Shape(..) => Vec::new(),
-        Source::Model(file, is_z_up) => vec![AskedFile {
-            role: keys::MODEL.0,
-            file: file.clone(),
-            is_z_up: *is_z_up,
-        }],
+        Source::Model(file) => vec![file.clone()],
     }
 }
 
