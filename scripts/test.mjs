@@ -11,7 +11,7 @@ import * as setup from './lib/setup.mjs';
 // locks it. The second pair needs the module. The browsers come last, one kind at a time, as each keeps two cores busy.
 const pairs = [
   [['cargo fmt', 'clippy, native', 'cargo doc', 'dependencies'], ['wasm build']],
-  [['cargo test', 'types', 'page in Node', 'lint'], ['page build', 'specimen build', 'modules as sent', 'clippy, wasm32', 'wasm-pack test']],
+  [['cargo test', 'types', 'page in Node', 'lint'], ['page build', 'modules as sent', 'clippy, wasm32', 'wasm-pack test']],
 ];
 const browsers = ['tests in Chromium', 'tests in Firefox'];
 

@@ -2,7 +2,7 @@
 // tests of the crate run as cargo built it. A function that was taken out wrongly stops the module where it is called,
 // so here all is called that can be: by every parameter, view, file and notice that the module itself lists.
 //
-// `npm test -- 'wasm build' 'specimen build' 'modules as sent'`.
+// `npm test -- 'wasm build' 'modules as sent'`.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -11,7 +11,7 @@ import { pathToFileURL } from 'node:url';
 import lzma from 'lzma';
 import { all, Canvas, moduleIn } from '../../scripts/lib/headless.mjs';
 import { digests, frames, surfaces, varied } from '../common/golden.mjs';
-import { houseModule, packedHouse, packedModule, pageModule } from '../../scripts/lib/wasm.mjs';
+import { packedModule, packedWhole, pageModule, wholeModule } from '../../scripts/lib/wasm.mjs';
 
 /** @type {any} */
 let module;
@@ -114,7 +114,7 @@ test('every preset has the planes that it has natively', () => {
 });
 
 test('the module that makes all has the same planes, bodies and frames', async () => {
-  const all = await moduleIn(houseModule, unpacked(packedHouse));
+  const all = await moduleIn(wholeModule, unpacked(packedWhole));
   const presets = all.presets('pavement');
   const chosen = varied(presets);
   const golden = new Map(digests);
@@ -265,7 +265,7 @@ test('cells flow while an outline is held, step by step, and begin again', () =>
 });
 
 test('bodies are turned, told and made step by step, and each step has its words', async () => {
-  const all = await moduleIn(houseModule, unpacked(packedHouse));
+  const all = await moduleIn(wholeModule, unpacked(packedWhole));
   const words = JSON.parse(text('../www/strings/turn.json'));
   for (const form of ['cobble', 'flag', 'skin']) {
     const studio = finished(new all.Bubblestone(`${SMALL}&outline=square&stone=${form}`));
@@ -460,7 +460,7 @@ const WRONG_SPACE = [
 ];
 
 test('notices of surfaces are said', async () => {
-  const whole = await moduleIn(houseModule, unpacked(packedHouse), 'space');
+  const whole = await moduleIn(wholeModule, unpacked(packedWhole), 'space');
   const space = 'make=surface&size=128';
   for (const link of WRONG_SPACE) {
     const studio = new whole.Bubblestone(`${space}&${link}`);

@@ -17,6 +17,7 @@ mod native {
     mod even;
     mod export;
     mod fields;
+    mod generators;
     mod heights;
     mod house;
     mod inspect;
@@ -51,6 +52,7 @@ mod native {
     mod skin_recipes;
     mod skins;
     mod stones;
+    mod studio;
     mod tiles;
     mod views;
     mod weather;

@@ -109,8 +109,7 @@ fn described(row: &Parameter) -> String {
 #[test]
 fn the_table_of_keys_is_that_of_the_schemas() {
     let mut table = "# The keys of a link\n".to_owned();
-    let shipped = ALL.iter().filter(|one| one.schema.word != "specimen");
-    for generator in shipped {
+    for generator in ALL.iter() {
         let schema = generator.schema;
         let make = match schema.is_named {
             true => format!("`make={}`", schema.word),
