@@ -123,7 +123,7 @@ impl Default for AspectParams {
     }
 }
 
-/// The weights of all that directions follow; 0 has no influence. If all are 0, the field is as smooth as possible.
+/// The weights of the constraints of directions; 0 has no influence. If all are 0, the field is as smooth as possible.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DirectionParams {
     /// The weight of one direction in space, projected onto the surface.

@@ -1,4 +1,4 @@
-//! From a mesh to the figures of its cells: every part of it, one after another.
+//! Runs the whole chain from a mesh to the figures of its cells.
 
 use crate::field::Kind;
 use crate::packing::{PackingParams, StepReport};
@@ -16,7 +16,7 @@ use crate::trimesh::{Soup, TriMesh, testing};
 use glam::DVec3;
 use std::sync::Arc;
 
-/// A surface to put cells on, and what runs through it.
+/// A surface for cells, with its bones.
 #[derive(Clone)]
 pub struct Body {
     pub name: String,
@@ -25,7 +25,7 @@ pub struct Body {
     pub main: DVec3,
 }
 
-/// What is asked of the cells.
+/// The cells that are wanted.
 #[derive(Clone, Copy, Debug)]
 pub struct Asked {
     pub kind: Kind,
@@ -33,14 +33,14 @@ pub struct Asked {
     pub cells: f64,
 }
 
-/// What has come of it.
+/// The results of a run.
 pub struct Whole {
     pub fields: SurfaceFields,
     pub report: StepReport,
     pub figures: SurfaceMetrics,
 }
 
-/// With the numbers that it has where none are given.
+/// A shape by rule, with its default numbers.
 pub fn by_rule(shape: Shape) -> Body {
     let (positions, triangles) = shape.build(&[], 0.015);
     let bones = shape.bones(&[]).into_iter().map(|bone| {
@@ -60,7 +60,7 @@ pub fn by_rule(shape: Shape) -> Body {
     }
 }
 
-/// As from a file, with holes that are small beside such cells closed.
+/// As from a file: mended, and with holes closed that are small beside the cells.
 pub fn from_file(name: &str, (positions, triangles): testing::Soup, asked: Asked) -> Body {
     let soup = Soup {
         positions,
@@ -80,7 +80,7 @@ pub fn from_file(name: &str, (positions, triangles): testing::Soup, asked: Asked
 }
 
 impl Body {
-    /// Cells along its bones, where it has some, and along its borders.
+    /// Parameters for cells along its bones, if it has any, and along its borders.
     pub fn params(&self, asked: Asked) -> SurfaceFieldParams {
         let has_bones = !self.bones.is_empty();
         SurfaceFieldParams {
@@ -106,7 +106,7 @@ impl Body {
         }
     }
 
-    /// Its mesh with edges short enough.
+    /// Its mesh with edges short enough for the cells.
     pub fn refined(&self, asked: Asked) -> TriMesh {
         let edges = SHARE * self.mean_size(asked);
         let refining = Refining::evenly(self.mesh.clone(), edges);
@@ -119,7 +119,7 @@ impl Body {
         fields.finish().mean_size()
     }
 
-    /// Larger, and turned about an axis askew.
+    /// Scaled, and turned about a slanting axis.
     pub fn moved(&self, scale: f64, angle: f64) -> Self {
         let about = DVec3::new(0.6, 0.0, 0.8);
         let (sin, cos) = libm::sincos(angle);
@@ -146,7 +146,7 @@ impl Body {
     }
 }
 
-/// From a mesh with short edges to figures.
+/// Runs from a mesh with short edges to the figures.
 pub fn run(mesh: TriMesh, params: SurfaceFieldParams) -> Whole {
     let mesh = Arc::new(mesh);
     let fields = SurfaceFieldBuilder::build(mesh.clone(), params);

@@ -1,4 +1,4 @@
-//! The whole chain, from meshes to figures: the figures of cells on all surfaces.
+//! Runs the whole chain on all surfaces, and bounds the figures of their cells.
 
 mod chain;
 mod files;
@@ -7,11 +7,11 @@ use crate::field::Kind;
 use crate::shapes::Shape;
 use chain::{Asked, Body, Whole, by_rule};
 
-/// The figures of a kind of cells on all surfaces, as measured, with a small margin.
+/// Bounds for the figures of a kind of cells on all surfaces: the measured ones, with a small margin.
 struct Bounds {
-    /// The mean of cells' sizes over the size asked for. The polygon of a round cell has less than the area of its square.
+    /// The mean size of cells over the wanted one. The polygon of a round cell has less area than its square.
     size: [f64; 2],
-    /// The most of the standard deviation of sizes over their mean.
+    /// The greatest ratio of the sizes' standard deviation to their mean.
     spread: f64,
     /// The least share of quadrilaterals.
     quads: f64,
@@ -31,9 +31,10 @@ fn bounds(kind: Kind) -> Bounds {
     }
 }
 
-/// Surfaces whose cells are less even: the least area of all cells over that of the surface, and the spread over that of
-/// other surfaces. The triangles about the centre of a cell that is folded over a sharp edge cut the corner off. Many
-/// cells of stairs and of the block with two holes touch two edges. Few ellipses lie across the open tube, between borders.
+/// Surfaces whose cells are less even: the least area of all cells over that of the surface, and the factor on the
+/// spread. The triangles about the centre of a cell that is folded over a sharp edge cut the corner off. Many cells
+/// of the stairs and of the block with two holes touch two edges. Few ellipses lie across the open tube, between its
+/// borders.
 const UNEVEN: [(&str, f64, f64); 4] = [
     ("stairs", 0.945, 1.3),
     ("genus 2", 0.94, 1.1),
@@ -41,7 +42,7 @@ const UNEVEN: [(&str, f64, f64); 4] = [
     ("open", 0.97, 1.4),
 ];
 
-/// The promises that hold for all cells, large or small beside the roundness of their surface.
+/// Checks what holds for all cells, large or small beside the radius of curvature.
 fn check(body: &Body, asked: Asked) -> Whole {
     let whole = body.whole(asked);
     let (figures, fields) = (&whole.figures, &whole.fields);
