@@ -1,7 +1,7 @@
 //! Straightens cells with four corners towards rectangles along their axes, as in the plane.
 //!
-//! Each cell finds its rectangle in its own tangent plane. A corner moves by the mean of the moves that its cells want, in its
-//! own tangent plane or along the border. Corners walk over the surface only at the end.
+//! Each cell finds its rectangle in its own tangent plane. A corner moves by the mean of the moves that its cells
+//! want, in its own tangent plane or along the border. Corners walk over the surface only at the end.
 
 use super::borders::{Border, Crossing};
 use super::rings::Ring;
