@@ -326,7 +326,7 @@ pub(crate) fn parts(positions: &[Vec3], triangles: &[[u32; 3]], each: usize) -> 
     for &p in positions {
         (low, high) = (low.min(p), high.max(p));
     }
-    // A surface meets about 3 to 6 times as many cubes as the square of their number along a side.
+    // The surface is taken to meet three times as many cubes as the square of their number along a side.
     let wanted = (triangles.len() / each).max(1) as f32;
     let along = (wanted / 3.0).sqrt().clamp(1.0, 32.0);
     let side = greater((high - low).max_element() / along, f32::MIN_POSITIVE);
