@@ -5,7 +5,7 @@
 //!
 //! - *Plain*: a vertex has position, normal, colour and place in the maps. The colour is linear red, green, blue and
 //!   full alpha, with 16 bits each, as 8 bits are too few for dark colours.
-//! - *Of a model*: the same without a place.
+//! - *For a model*: the same without a place.
 //! - *With images* of colour, normals, and occlusion, roughness and metal: a vertex has position and place in the
 //!   maps. All normals point up and all tangents to the right of the picture. The map of normals has complete
 //!   normals, not differences from those of a mesh: with the mesh's own normals they would tilt twice.

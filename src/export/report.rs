@@ -40,7 +40,7 @@ pub struct Report {
     pub height_range: (f32, f32),
     /// The result of [`super::metrics_json`], if figures were asked for.
     pub metrics: Option<String>,
-    /// Notices of what was clamped, dropped or given up.
+    /// Notices of values that were clamped, dropped or given up.
     pub notices: Vec<Notice>,
     /// Digest of the planes, in hex.
     pub hash: String,
