@@ -27,7 +27,7 @@ pub type Clock<'a> = &'a mut dyn FnMut() -> f64;
 /// A measurement's name and milliseconds.
 #[derive(Clone, Debug)]
 pub struct Timing {
-    /// What was measured.
+    /// The name of the measurement.
     pub name: String,
     /// The shortest of its runs.
     pub ms: f64,

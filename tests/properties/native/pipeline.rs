@@ -207,7 +207,7 @@ fn weather_is_let_finish_after_slow_stones() {
     assert_eq!(studio.digest(), finished_recipe(&wanted).digest());
 }
 
-/// A step back before anything else was made needs no work, and reports the times of what is there.
+/// A step back before anything else was made needs no work, and reports the times of the kept results.
 #[test]
 fn times_stay_with_what_they_made() {
     let milliseconds = |studio: &Studio| {
