@@ -1,5 +1,5 @@
-//! The measurements, the same natively and in WebAssembly. Times are milliseconds by the caller's
-//! clock; each is the shortest of several runs, which other programs have disturbed least.
+//! The measurements, the same natively and in WebAssembly. Times are milliseconds by the caller's clock. Each
+//! is the shortest of several runs, which other programs have disturbed least.
 
 #[cfg(house)]
 pub mod scene;
@@ -27,13 +27,13 @@ pub type Clock<'a> = &'a mut dyn FnMut() -> f64;
 /// A measurement's name and milliseconds.
 #[derive(Clone, Debug)]
 pub struct Timing {
-    /// What was measured.
+    /// The name of the measurement.
     pub name: String,
     /// The shortest of its runs.
     pub ms: f64,
 }
 
-/// Stones that are subdivided, and how many times.
+/// How many stones are subdivided.
 pub const STONES: usize = 500;
 /// Loop steps on each stone: 24 triangles become 1,536.
 pub const LEVELS: u32 = 3;
@@ -74,7 +74,7 @@ fn shortest(times: impl IntoIterator<Item = f64>) -> f64 {
     times.into_iter().fold(f64::INFINITY, f64::min)
 }
 
-/// A ring, its hole half as wide, in a picture of 512.
+/// A ring whose hole is half as wide, in a picture of 512.
 fn ring() -> Outline {
     let circle = |radius: f64, sense: f64| {
         (0..180)
@@ -99,7 +99,7 @@ fn square() -> Outline {
     }
 }
 
-/// The side of so many squares that fill an outline.
+/// The side of squares of which `cells` fill an outline.
 fn side_of(domain: &Domain, cells: u32) -> f64 {
     (domain.area() / f64::from(cells)).sqrt()
 }
@@ -151,7 +151,7 @@ fn packing_step(cells: u32, integrator: Integrator, clock: Clock, timings: &mut 
     });
 }
 
-/// From an outline to about `cells` fitted cells, and what the direction field takes of it.
+/// From an outline to about `cells` fitted cells, and the share of the direction field.
 pub fn whole_way(
     name: &str,
     outline: &Outline,
@@ -195,7 +195,7 @@ pub fn control_mesh() -> (Vec<Vec3>, Vec<[u32; 3]>) {
     let sign = |bit: usize| if bit == 0 { -1.0 } else { 1.0 };
     let corner = |k: usize| Vec3::new(sign(k & 1), sign(k & 2), sign(k & 4));
     let mut points: Vec<Vec3> = (0..8).map(corner).collect();
-    // The corners of each face in a circle, seen from outside.
+    // The corners of each face in a circle, counter-clockwise seen from outside.
     let faces: [[u32; 4]; 6] = [
         [0, 2, 3, 1],
         [4, 5, 7, 6],
@@ -213,7 +213,7 @@ pub fn control_mesh() -> (Vec<Vec3>, Vec<[u32; 3]>) {
     (points, triangles)
 }
 
-/// All stones three times, the weights worked out anew.
+/// All stones, subdivided three times, with new weights.
 fn subdivision(clock: Clock) -> Timing {
     let (points, triangles) = control_mesh();
     let stones: Vec<Vec<Vec3>> = (0..STONES)
@@ -232,7 +232,7 @@ fn subdivision(clock: Clock) -> Timing {
             reach = reach.max(refined[refined.len() - 1]);
         }
         let time = clock() - start;
-        // Looked at, so that no compiler leaves the work out.
+        // The result is read, so that no compiler leaves the work out.
         assert!(reach.is_finite());
         time
     });
@@ -242,8 +242,8 @@ fn subdivision(clock: Clock) -> Timing {
     }
 }
 
-/// What is subdivided elsewhere to compare: the prism of a cell of skin of six corners, and the times
-/// and the number of them that make as many triangles as the cells of [`SKIN`] have.
+/// The mesh for comparisons with other subdivision code: the prism of a skin's cell with six corners, how often
+/// it is subdivided, and how many of them make as many triangles as the cells of [`SKIN`].
 #[cfg(target_arch = "wasm32")]
 pub fn skin_mesh() -> (TriangleMesh, u32, usize) {
     const STEPS: u32 = 4;
@@ -307,7 +307,7 @@ fn stages(clock: Clock, timings: &mut Vec<Timing>) {
     }
 }
 
-/// The default picture shaded anew, each time with the light elsewhere.
+/// The default picture, shaded again and again with moving light.
 fn moved_light(light: &str, clock: Clock) -> Timing {
     let link = |k: usize| format!("light={light}&az={}&lx=0.{k:02}", 25 * k);
     let mut studio = Studio::new(ALL, pavement::recipe(&link(0)).0);
@@ -317,7 +317,7 @@ fn moved_light(light: &str, clock: Clock) -> Timing {
         let _ = studio.finish(clock);
         clock() - start
     });
-    // The first ones make the pavement, and find the code not yet compiled.
+    // The first runs make the pavement, and run code that is not compiled yet.
     let times = times.skip(3);
     Timing {
         name: format!("light moved, {light}"),

@@ -1,6 +1,8 @@
-//! `cargo run --release --example slices [-- LINK...]`: the longest slice of each stage, of all
-//! presets or of these links, as the best of three runs; then those of the turntable: bodies and the
-//! first frame, while something moves, still, and fine as a phone's or a desktop's screen has it.
+//! `cargo run --release --example slices [-- LINK...]`
+//!
+//! Prints the longest slice of each stage, for all presets or for these links, as the best of three runs. Then
+//! those of the turntable: bodies and the first frame, moving, still, and fine, at the sizes of a phone's and a
+//! desktop's screen.
 
 use bubblestone::generators::{ALL, TurnOrder};
 use bubblestone::studio::Studio;
@@ -14,7 +16,7 @@ const FRAMES: [(&str, &str, usize); 3] = [
     ("turn fine", "fine", 1600),
 ];
 
-/// The shortest time of each slice, by its stage and its number there.
+/// The shortest time of each slice, by stage and number.
 type Best = BTreeMap<(&'static str, u32), f64>;
 
 fn main() {
@@ -67,7 +69,7 @@ fn main() {
     }
 }
 
-/// What a slice answers with, and its milliseconds.
+/// The result of a slice, and its milliseconds.
 #[allow(clippy::disallowed_methods)] // The library has no clock: this measures it.
 fn timed(slice: &mut dyn FnMut() -> bool) -> (bool, f64) {
     let before = Instant::now();

@@ -1,11 +1,10 @@
-//! The link is the picture: every preset has the same planes, bit for bit, on every machine. They are compared with
-//! `digests.txt` here, and with the module as it is sent in `node/shipped.test.mjs`. Other properties of all presets are
-//! tested here, too, since each preset takes its time.
+//! The link is the picture: every preset has the same planes, bit for bit, on every machine. They are compared
+//! with `digests.txt` here, and with the shipped module in `node/shipped.test.mjs`. Other properties of all
+//! presets are tested here, too, since each preset takes its time.
 //!
-//! After a change that is meant to change pictures:
-//! `BUBBLESTONE_UPDATE=1 cargo test --test digests`.
+//! After a change that is meant to change pictures: `BUBBLESTONE_UPDATE=1 cargo test --test digests`.
 
-// The tests under Node compare the digests in WebAssembly.
+// Tests under Node compare the digests in WebAssembly.
 #![cfg(not(target_arch = "wasm32"))]
 
 mod common;
@@ -20,17 +19,18 @@ use std::sync::OnceLock;
 
 const GOLDEN: &str = include_str!("digests.txt");
 
-/// What is told of a preset's finished picture.
+/// The properties of a preset's finished picture that are tested.
 struct Made {
     name: &'static str,
     digest: String,
     converged: bool,
-    /// From a dark tone to a light one; both are those of a twentieth of the picture.
+    /// The difference between a light tone and a dark one; a twentieth of the picture is lighter, and a
+    /// twentieth darker.
     contrast: u8,
-    /// All heights are finite.
+    /// Whether all heights are finite.
     finite: bool,
     cracks: usize,
-    /// The part of the picture that is skin, for a preset of skin.
+    /// The share of the picture that is skin, for presets with skin.
     skin: Option<f64>,
 }
 
@@ -53,7 +53,7 @@ impl Made {
     }
 }
 
-/// All presets, each made once for all tests.
+/// All presets, made once for all tests.
 fn presets() -> &'static [Made] {
     static PRESETS: OnceLock<Vec<Made>> = OnceLock::new();
     PRESETS.get_or_init(|| PAVEMENT.presets.iter().map(Made::of).collect())
@@ -66,7 +66,8 @@ fn contrast(picture: &[u8]) -> u8 {
     light - dark
 }
 
-/// A pixel within one stone that is another's or the ground's and lies below all around it.
+/// Counts cracks: pixels within one stone that belong to another one or to the ground, and lie below all pixels
+/// around them.
 fn cracks(planes: &Planes) -> usize {
     let side = planes.side;
     let mut count = 0;

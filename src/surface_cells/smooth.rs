@@ -1,7 +1,7 @@
-//! Moves nodes of the mesh so that the quadrilaterals around irregular places become more rectangular, as
-//! `crate::mesh` does in the plane: each quadrilateral asks its corners onto the rectangle that fits it best.
+//! Moves nodes of the mesh so that the quadrilaterals around irregular places become more rectangular. As in
+//! `crate::mesh`, each quadrilateral pulls its corners towards the rectangle that fits it best.
 //!
-//! The nodes stay in the tangent planes of their centres meanwhile, and walk to where they have come at the end.
+//! Nodes stay in the tangent planes of their centres during the work, and walk to their final places at the end.
 
 use super::nodes::SurfaceNodes;
 use crate::mesh::quads::{height, score};
@@ -11,21 +11,21 @@ use glam::{DVec2, DVec3};
 
 /// Passes over the nodes.
 const ROUNDS: u32 = 8;
-/// A node of which less than this is asked (in diagonals) stays.
+/// A node that would move less than this (in diagonals) stays.
 const LEAST_MOVE: f64 = 0.01;
 /// A triangle whose height is less than this share of its longest side gains nothing from moves.
 const FLAT: f64 = 0.4;
-/// Nodes that are tried in one slice of the work.
+/// Nodes to try in a slice.
 const TRIED: usize = 600;
 
-/// Nodes on their way.
+/// Nodes that are being moved.
 pub(super) struct Smoothing {
     /// The elements around each node.
     start: Vec<u32>,
     uses: Vec<u32>,
-    /// Nodes that may move: none of the border's.
+    /// Marks nodes that may move: the inner ones.
     free: Vec<bool>,
-    /// Those beside a node that has moved in the last round, and in this one.
+    /// Marks nodes beside one that has moved, in the last round and in this one.
     awake: Vec<bool>,
     next: Vec<bool>,
     round: u32,
@@ -33,7 +33,7 @@ pub(super) struct Smoothing {
 }
 
 impl Smoothing {
-    /// Of the nodes of these elements; `free` are those that may move.
+    /// Starts with these elements; `free` marks the nodes that may move.
     pub fn new(faces: &[Face], free: Vec<bool>) -> Self {
         let count = free.len();
         let mut start = vec![0u32; count + 1];
@@ -62,7 +62,7 @@ impl Smoothing {
         }
     }
 
-    /// One slice of the work; true with the last one.
+    /// Does one more slice; true when done.
     pub fn advance(&mut self, nodes: &mut SurfaceNodes, faces: &[Face]) -> bool {
         let mut left = TRIED;
         while self.round < ROUNDS {
@@ -91,7 +91,7 @@ impl Smoothing {
     }
 }
 
-/// Moves a node if that betters its elements.
+/// Moves a node if that improves its elements; true if it has moved.
 fn move_one(nodes: &mut SurfaceNodes, faces: &[Face], around: &[u32], k: u32) -> bool {
     let (mut sum, mut count, mut longest) = (DVec3::ZERO, 0.0, 0.0_f64);
     for &f in around {
@@ -144,7 +144,7 @@ fn worth<N: Nodes>(nodes: &N, faces: &[Face], around: &[u32]) -> f64 {
     each.sum()
 }
 
-/// Walks the nodes from the cells' centres to where they have come.
+/// Walks nodes from the cells' centres to their new places.
 pub(super) fn settle(
     mesh: &TriMesh,
     nodes: &mut SurfaceNodes,

@@ -14,7 +14,7 @@ const PARAMS: PackingParams = PackingParams {
     seed: 1,
 };
 
-/// Cells of one size, along an axis of space.
+/// Cells of one size, with their axes along an axis of space.
 #[derive(Clone, Copy)]
 struct Along {
     kind: Kind,
@@ -47,7 +47,7 @@ impl Asks for Along {
     }
 }
 
-/// Of a grid of so many squares, which closes in the directions asked for.
+/// A grid of `n` by `m` squares, closed in the given directions.
 fn sheet([n, m]: [usize; 2], closed: [bool; 2], at: impl Fn(f64, f64) -> DVec3) -> TriMesh {
     let [columns, rows] = [n + usize::from(!closed[0]), m + usize::from(!closed[1])];
     let mut positions = Vec::new();
@@ -110,7 +110,7 @@ fn steps_are_the_same_in_whatever_portions() {
             let (mut slices, mut steps) = (0, 0);
             loop {
                 let done = packing.advance_by(&site, fields, portion);
-                // What is looked at on the way changes nothing.
+                // Queries along the way change nothing.
                 packing.energy(&site);
                 slices += 1;
                 steps += u32::from(!packing.is_in_a_step());

@@ -1,8 +1,8 @@
 //! Coats of cells on a surface: the rules of [`crate::material::Coats`] in space.
 //!
-//! Noise and bands go through space, so that they have no seams; spots are scattered over the surface itself, and the
-//! reaction and diffusion goes from cell to cell. Directions are those of a picture of the model from the front: x to
-//! the right and y down.
+//! Noise and bands are functions of the place in space, so they have no seams. Spots are scattered over the surface
+//! itself, and reaction and diffusion run from cell to cell. Directions are those of a picture of the model from the
+//! front: x to the right and y down.
 
 use crate::material::{
     Coat, ColourParams, NoiseTile, Pattern, Reaction, belly_at, spread_evenly, triangle,
@@ -15,18 +15,18 @@ use glam::DVec3;
 use std::collections::BinaryHeap;
 use std::f64::consts::{PI, TAU};
 
-/// How far bands are bent, in their scale.
+/// The amplitude by which noise bends bands, in units of the scale.
 const WAVE: f64 = 0.2;
-/// Values of the noise along one of its waves.
+/// Noise values along one wave.
 const WAVELENGTH: f64 = 16.0;
-/// No two spots are nearer to each other, in their scale: so packed there is about one for each square of it.
+/// The least distance between spots, in units of the scale; it gives about one spot for each square of the scale.
 const APART: f64 = 0.83;
-/// How far spots are larger or smaller than others.
+/// The relative variation of the sizes of spots.
 const UNLIKE: f64 = 0.25;
-/// How much of what is the belly's side is told by normals, and by places.
+/// The weight of normals against places in telling the belly's side.
 const FACES: f64 = 0.6;
 
-/// The coats of all cells in the making.
+/// The coats of all cells, while they are made.
 pub struct SurfaceCoats {
     colour: ColourParams,
     seed: u64,
@@ -35,19 +35,19 @@ pub struct SurfaceCoats {
     phase: f64,
     noise: NoiseTile,
     middle: DVec3,
-    /// Half of the longest side of the box around all cells.
+    /// Half of the longest side of the bounding box of all cells.
     half: f64,
-    /// Cells in the middle of spots, and how large these are.
+    /// Spots: the centre and normal of the middle cell, and the factor on the size.
     spots: Vec<(DVec3, DVec3, f64)>,
-    /// Distances to the border, in the model's units.
+    /// For each cell its distance to the border, in the model's units.
     inside: Vec<f64>,
     values: Vec<f64>,
     reaction: Option<Reaction>,
 }
 
 impl SurfaceCoats {
-    /// Coats to be made by [`SurfaceCoats::advance`], with so many picture units for a unit of the model. `links` are
-    /// the neighbours by index: see [`super::links`].
+    /// Starts coats that [`SurfaceCoats::advance`] makes. `unit` is the number of picture units in a unit of the
+    /// model. `links` are the neighbours by index, see [`super::links`].
     pub fn new(
         colour: ColourParams,
         seed: u64,
@@ -89,7 +89,7 @@ impl SurfaceCoats {
         coats
     }
 
-    /// Goes on by the work of about `count` cells; true when all coats can be had. The cells must stay the same.
+    /// Does the work for about `count` cells; true when all coats are ready. The cells must be the same each time.
     pub fn advance(&mut self, cells: &[SurfaceCell], count: usize) -> bool {
         if let Some(reaction) = &mut self.reaction {
             return reaction.advance(count);
@@ -106,7 +106,7 @@ impl SurfaceCoats {
         end == cells.len()
     }
 
-    /// One coat for each cell.
+    /// The coats, one for each cell.
     pub fn finish(mut self, cells: &[SurfaceCell]) -> Vec<Coat> {
         if let Some(reaction) = self.reaction.take() {
             self.values = reaction.finish();
@@ -146,7 +146,7 @@ impl SurfaceCoats {
         }
     }
 
-    /// Of deviation about 1: noise in three planes that cross each other.
+    /// Noise of deviation about 1: the sum of noise in three planes at right angles.
     fn noise(&self, p: DVec3) -> f64 {
         let at = p * WAVELENGTH;
         let plane = |x: f64, y: f64| f64::from(self.noise.between(x as f32, y as f32));
@@ -154,7 +154,8 @@ impl SurfaceCoats {
         sum / 3f64.sqrt()
     }
 
-    /// Chooses the cells in the middle of spots, in random order each that is far enough from all before it.
+    /// Chooses the cells in the middle of spots. In random order, each cell that is far enough from all chosen before
+    /// becomes one.
     fn scatter(&mut self, cells: &[SurfaceCell]) {
         let mut due: Vec<(u64, u32)> = (0..cells.len() as u32)
             .map(|k| {
@@ -179,11 +180,11 @@ impl SurfaceCoats {
         }
     }
 
-    /// 1 in the middle of a spot, 0 where the area around is as large as a spot's share of the surface.
+    /// 1 in the middle of a spot, falling to 0 at the edge of the spot's share of the surface.
     fn spot(&self, cell: &SurfaceCell) -> f64 {
         let mut nearest = f64::MAX;
         for &(p, n, size) in &self.spots {
-            // Not through thin sheets.
+            // A spot does not reach through a thin sheet.
             if n.dot(cell.centre.normal) > -0.2 {
                 let to = (p - cell.centre.at) / (self.scale * size);
                 nearest = lesser(nearest, to.length_squared());
@@ -206,12 +207,12 @@ impl SurfaceCoats {
     }
 }
 
-/// A direction of a picture from the front, in the model.
+/// A direction in a picture of the model from the front, as a vector of the model.
 fn front(angle: f64) -> DVec3 {
     DVec3::new(libm::cos(angle), -libm::sin(angle), 0.0)
 }
 
-/// The area of a ring, as its corners lie in space.
+/// The area of a ring in space.
 fn area(ring: &[DVec3]) -> f64 {
     let Some(&first) = ring.first() else {
         return 0.0;
@@ -221,7 +222,7 @@ fn area(ring: &[DVec3]) -> f64 {
     0.5 * sum.length()
 }
 
-/// How far each cell is from those on the border, along the graph; far where there is no border.
+/// The distance of each cell from the border along the graph of cells; huge if there is no border.
 fn inside(cells: &[SurfaceCell], links: &[Vec<u32>]) -> Vec<f64> {
     let mut far = vec![f64::MAX; cells.len()];
     let mut due = BinaryHeap::new();
@@ -281,7 +282,7 @@ mod tests {
                 Pattern::Plain | Pattern::Lines | Pattern::Boundary => {
                     assert_eq!(mean, 0.0, "{word}")
                 }
-                // All cells of a row are of one size and direction.
+                // All cells of a row have one size and direction.
                 Pattern::Direction => {}
                 _ => assert!((0.2..0.6).contains(&mean), "{word}: {mean}"),
             }
@@ -291,7 +292,7 @@ mod tests {
                 assert!(cell.centre.normal.y < 0.7 || coat.belly < 0.1);
             }
             if pattern == Pattern::Turing {
-                // Neighbours are alike: the pattern is far wider than a cell.
+                // Neighbours are alike, because the pattern is far wider than a cell.
                 let unlike = links.iter().enumerate().map(|(k, list)| {
                     let off = |j: &u32| f64::from((coats[k].mark - coats[*j as usize].mark).abs());
                     list.iter().map(off).sum::<f64>() / list.len() as f64

@@ -1,20 +1,20 @@
-//! From a point in space to the closest one of a surface.
+//! Finds the closest point of a surface.
 
 use super::{SurfacePoint, TriMesh};
 use crate::order::rank;
 use glam::DVec3;
 
-/// Sides of a grid's cube over the side of a triangle of mean area.
+/// The side of a cube of the grid, over the side of a triangle of mean area.
 const SIDE: f64 = 1.5;
-/// The grid's cubes, and the places in them that triangles have, are at most so many for each triangle.
+/// The most cubes of the grid, and the most entries in them, for each triangle.
 const CUBES: usize = 4;
 const MEMBERS: usize = 16;
-/// Triangles of a slice.
+/// Triangles in a slice.
 const SLICE: usize = 1 << 15;
-/// A point is not carried to the back of a thin sheet while its front is at most so many times as far.
+/// The closest point may lie on a triangle that faces away only if all others are more than this many times as far.
 const BACK: f64 = 4.0;
 
-/// A grid over the triangles of a surface, which finds the closest point.
+/// A grid over the triangles of a surface, to find closest points.
 #[derive(Clone, Debug)]
 pub struct Projector {
     low: DVec3,
@@ -52,7 +52,7 @@ impl Projector {
         new
     }
 
-    /// Lays the grid with the side it has, or the next larger one that gives not too many cubes.
+    /// Sets the counts of cubes for the current side, or for the next larger one that does not give too many.
     fn lay(&mut self, mesh: &TriMesh) {
         let (low, high) = mesh.bounds();
         loop {
@@ -67,7 +67,7 @@ impl Projector {
         self.at = 0;
     }
 
-    /// Puts some more triangles of the surface into the grid; true when all are.
+    /// Puts one more slice of triangles into the grid; true when all are in it.
     pub fn advance(&mut self, mesh: &TriMesh) -> bool {
         let count = mesh.triangles().len();
         let range = self.at..count.min(self.at + SLICE);
@@ -110,7 +110,7 @@ impl Projector {
         self.stage == Stage::Done
     }
 
-    /// The whole grid at once.
+    /// Makes the whole grid at once.
     pub fn build(mesh: &TriMesh) -> Self {
         let mut new = Self::new(mesh);
         while !new.advance(mesh) {}
@@ -126,7 +126,7 @@ impl Projector {
         (z * self.counts[1] + y) * self.counts[0] + x
     }
 
-    /// The cubes that the box around a triangle is in.
+    /// Calls `with` for each cube that meets the bounding box of a triangle.
     fn cubes_of(&mut self, mesh: &TriMesh, t: u32, mut with: impl FnMut(&mut Self, usize)) {
         let [a, b, c] = mesh.corners(t);
         let [low, high] = [a.min(b).min(c), a.max(b).max(c)].map(|p| self.cube_at(p));
@@ -140,8 +140,8 @@ impl Projector {
         }
     }
 
-    /// The point of the surface that is closest to one in space, by the least number among equals. Where there is a
-    /// `normal`, triangles that show their back to it are passed over, unless all others are much farther away; zero
+    /// The point of the surface that is closest to `p`; among equals, that of the triangle with the least number.
+    /// Triangles that face away from `normal` are passed over, unless all others are much farther away. A zero normal
     /// passes over none.
     pub fn closest(&self, mesh: &TriMesh, p: DVec3, normal: DVec3) -> SurfacePoint {
         let middle = self.cube_at(p);
@@ -156,7 +156,7 @@ impl Projector {
                     front.take(found);
                 }
             });
-            // All that is nearer than this has been looked at.
+            // All cubes up to this distance have been searched.
             let seen = reach as f64 * self.side;
             let is_far = any.distance() * BACK < front.distance();
             if front.distance() <= seen || (is_far && any.distance() * BACK <= seen) {
@@ -178,25 +178,26 @@ impl Projector {
         corners[0] * weights.x + corners[1] * weights.y + corners[2] * weights.z
     }
 
-    /// The point of the surface for one of a simpler surface.
+    /// The point of this surface for a point of a simpler one.
     pub fn carry(&self, mesh: &TriMesh, point: &SurfacePoint) -> SurfacePoint {
         self.closest(mesh, point.at, point.normal)
     }
 
-    /// All triangles that come closer to a point than a radius, and some others; some of them more than once.
+    /// Calls `with` for all triangles within a radius of a point, and for some others. A triangle may come more than
+    /// once.
     pub fn within(&self, p: DVec3, radius: f64, mut with: impl FnMut(u32)) {
         let [low, high] = [-radius, radius].map(|by| self.cube_at(p + DVec3::splat(by)));
         for z in low[2]..=high[2] {
             for y in low[1]..=high[1] {
                 let [first, last] = [low[0], high[0]].map(|x| self.number([x, y, z]));
-                // Cubes of a row lie one after the other.
+                // The cubes of a row lie one after the other.
                 let members = self.starts[first] as usize..self.starts[last + 1] as usize;
                 self.members[members].iter().for_each(|&t| with(t));
             }
         }
     }
 
-    /// All triangles in cubes that are so many cubes away, along the axis on which that is most.
+    /// Calls `with` for all triangles in cubes at Chebyshev distance `reach` from the middle one.
     fn shell(&self, middle: [usize; 3], reach: usize, mut with: impl FnMut(u32)) {
         let span = |k: usize| {
             let end = (middle[k] + reach).min(self.counts[k] - 1);
@@ -207,7 +208,7 @@ impl Projector {
                 let is_end = z.abs_diff(middle[2]) == reach || y.abs_diff(middle[1]) == reach;
                 let row = span(0);
                 let inner = (2 * reach).max(1);
-                // Within, the two ends of the row only.
+                // A row inside the shell has only its two ends on it.
                 let step = if is_end { 1 } else { inner };
                 let first = if is_end {
                     *row.start()
@@ -338,7 +339,7 @@ mod tests {
 
     #[test]
     fn a_point_stays_on_its_side_of_a_thin_sheet() {
-        // A plate with a hundredth of its side's thickness.
+        // A plate whose thickness is a hundredth of its side.
         let (positions, triangles) = testing::cube(20);
         let flat = positions.iter().map(|p| DVec3::new(p.x, 0.01 * p.y, p.z));
         let plate = mesh((flat.collect(), triangles));

@@ -1,13 +1,16 @@
-/** Works a link out anew, and its picture with more pixels. Nothing here blocks the page: it is a worker, which ends with the picture. */
+/**
+ * Makes a link's picture again with more pixels. It runs in a worker, which ends with the picture, so the page is
+ * never blocked.
+ */
 import { serve } from '../late/worker';
 import { studioFor } from '../module/given';
 import { loadModule } from '../module/load';
 import { BUDGET, finish } from '../module/run';
 
-/** What the worker gets: the recipe, and how many pixels there are for one of its own, along a side. */
+/** The input of the worker: the recipe's link, and the factor on the picture's side. */
 export type Order = [link: string, scale: number];
 
-/** What it answers; no picture where the recipe gives none of this scale. */
+/** Its result; without a picture if the recipe gives none at this scale. */
 export interface Answer {
   picture?: ImageBitmap;
 }
@@ -34,7 +37,7 @@ async function painted(link: string, scale: number): Promise<ImageData | undefin
   }
 }
 
-/** Puts red, green and blue into pixels from this place on; answers the next place. */
+/** Writes red, green and blue into pixels from index `at` on; returns the next index. */
 function put(rows: Uint8Array, pixels: Uint8ClampedArray, at: number): number {
   for (let k = 0; k < rows.length; k += 3, at += 4) {
     pixels[at] = rows[k] ?? 0;

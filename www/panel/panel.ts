@@ -15,7 +15,7 @@ import { SIDE } from './scaling';
 /** Parameters that have their own place on the page. */
 const ELSEWHERE = ['seed', 'poly'];
 
-/** Rows of these are painted on frames, with tools that stand beside them. */
+/** Parameters of these kinds are painted on frames, with tools beside them. */
 const PAINTED: readonly Parameter['item'][] = ['trace', 'patch'];
 
 /** The visitor's choice of how much of the panel is shown. */
@@ -54,12 +54,14 @@ export class Panel {
     for (const radio of this.extents) radio.checked = this.simple === (radio.value === 'simple');
   }
 
-  /** Builds the controls of what is made now, a few a frame: they are much, and the cells move meanwhile. */
+  /**
+   * Builds the controls of the present generator, a few in a frame, because there are many and cells move meanwhile.
+   */
   async build(): Promise<void> {
     let begin = performance.now();
     this.groups.clear();
     this.recipe = recipeOf(this.engine);
-    // Frames have as many pixels as there is room for.
+    // Frames take their number of pixels from the room they have.
     const elsewhere = this.engine.offers('frames') ? [...ELSEWHERE, SIDE] : ELSEWHERE;
     for (const parameter of this.recipe.schema) {
       if (elsewhere.includes(parameter.key) || PAINTED.includes(parameter.item)) continue;
@@ -73,7 +75,7 @@ export class Panel {
     }
   }
 
-  /** Puts them on the page, once all of them are as they will be. */
+  /** Puts the groups on the page, once all of them are complete. */
   attach(): void {
     this.form.replaceChildren(...Array.from(this.groups.values(), ({ box }) => box));
   }
@@ -96,7 +98,7 @@ export class Panel {
     });
   }
 
-  /** Appends something of the page's own to a group. */
+  /** Appends an element of the page's own to a group. */
   append(group: string, element: HTMLElement): void {
     this.groups.get(group)?.details.append(element);
   }
@@ -106,7 +108,7 @@ export class Panel {
     for (const [name, { box }] of this.groups) yield [name, box];
   }
 
-  /** Shows what the engine holds: values, which controls apply, how many differ from the default. */
+  /** Shows the state of the engine: values, which controls apply, how many differ from the default. */
   refresh(): void {
     let apart = 0;
     for (const { controls, badge, details } of this.groups.values()) {
@@ -155,7 +157,7 @@ function hintFrom(form: HTMLFormElement): void {
   form.addEventListener('pointerover', show);
   form.addEventListener('focusin', (event) => {
     show(event);
-    // Not every browser scrolls to what is in sight but under the help.
+    // Not every browser scrolls to an element that is visible but covered by the help.
     if (event.target instanceof Element && event.target.matches(':focus-visible')) event.target.scrollIntoView({ block: 'nearest' });
   });
   form.addEventListener('pointerleave', () => say(hint, ''));

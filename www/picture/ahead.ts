@@ -1,18 +1,19 @@
 /**
- * A recipe worked out unseen and at full speed while it forms slowly on the screen: scripts need not wait for that.
+ * Computes a recipe at full speed, unseen, while it forms slowly on the screen, so that scripts need not wait for
+ * the screen.
  *
- * It tells scripts stage, status and digest, and is freed when it is done.
+ * It gives scripts stage, status and digest, and is freed when it is done.
  */
 import { isEnd } from '../module/stages';
 import type { Status } from '../module/types';
 import { Engine } from '../state/engine';
 
-/** Milliseconds of work at a time, between frames, and more packing steps than fit into that. */
+/** Milliseconds of work at a time, between frames; and more packing steps than fit into that. */
 const SLICE = 12;
 const STEPS = 100_000;
 
 export class Ahead {
-  /** What is told of the planes once they are there; the studio that made them is gone by then. */
+  /** The results for scripts, once they are complete; the studio that made them is freed then. */
   planes: { digest: string; status: Status } | undefined;
   private readonly studio: Engine;
   private readonly tell: () => void;
@@ -25,7 +26,7 @@ export class Ahead {
     this.wait();
   }
 
-  /** The stage at work, then 'done'. */
+  /** The current stage, 'done' at the end. */
   get stage(): string {
     return this.planes ? 'done' : this.studio.stage();
   }
@@ -34,7 +35,7 @@ export class Ahead {
     return this.planes?.status ?? this.studio.status();
   }
 
-  /** Nobody asks any more. */
+  /** Ends the work and frees the studio. */
   end(): void {
     clearTimeout(this.timer);
     this.studio.free();

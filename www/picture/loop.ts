@@ -1,55 +1,61 @@
 /**
- * The animation frames: a slice of work in each, none when there is nothing to do or to see.
+ * The animation frames: a slice of work in each; no frames when there is nothing to do or to show.
  *
- * A frame works for some milliseconds and draws. Where both would take long, the next frame draws and does nothing
- * else. Drawings of many shapes are drawn some rows at a time over as many frames as that takes, while the work stands
- * still; drawn at once they are the same pixels. The digest is told to scripts only when its picture is drawn.
+ * A frame works for some milliseconds and then draws. If both would take long, the next frame only draws. Drawings
+ * of many shapes are made some rows at a time over several frames while the work stands still; the pixels are the
+ * same as if drawn at once. Scripts get the digest only when its picture is drawn.
  */
 import { isEnd, isUpToSteps } from '../module/stages';
 import type { Engine } from '../state/engine';
 import type { Until } from './until';
 import type { Watch } from './watch';
 
-/** Milliseconds of work in a frame; the rest of it belongs to the browser. */
+/** Milliseconds of work in a frame; the rest of the frame belongs to the browser. */
 const BUDGET = 12;
 
-/** Drawing that takes longer than this many milliseconds is done in some frames only: it may take this part of the time. */
+/**
+ * A drawing that takes more milliseconds than the first number is made in some frames only: it may take this share
+ * of the time.
+ */
 const DRAWN_ALWAYS = 8;
 const DRAWING_SHARE = 0.25;
 
-/** Milliseconds after which a page that has no cells yet shows the bare ground. */
+/** Milliseconds after which a page without cells shows the bare ground. */
 const BARE = 250;
 
-/** A frame in which work and drawing would take longer than this only works, and the next one only draws. */
+/** If work and drawing would take more milliseconds than this, a frame only works, and the next one only draws. */
 const LONG = 32;
 
-/** Milliseconds of a frame for a drawing that is made in pieces, over as many frames as it takes. */
+/** Milliseconds of a frame for a piece of a drawing. */
 const PIECE = 16;
 
-/** What decides how the work goes on in a frame, where two pictures go on together. */
+/** Runs the work of two pictures that advance together. */
 interface Pair {
-  /** Works for about `budget` milliseconds and makes at most so many steps; true when what is shown may have changed. */
+  /** Works for about `budget` milliseconds and makes at most `steps` steps; true if the display may have changed. */
   tick(engine: Engine, budget: number, steps: number): boolean;
 }
 
-/** What is seen instead of the view's drawing, while there is such a thing: it is made in pieces as well. */
+/** Draws instead of the view, if there is one; it works in pieces as well. */
 export interface Painter {
-  /** The part of the time that it may take while the work goes on. */
+  /** The share of the time that it may take while the work goes on. */
   readonly share: number;
-  /** What is made may look otherwise now. */
+  /** Notes that its subject may look different now. */
   changed(): void;
-  /** Works for about `budget` milliseconds; true when nothing is left to be done before the work goes on. */
+  /** Works for about `budget` milliseconds; true if nothing is left to do before the work goes on. */
   advance(budget: number): boolean;
 }
 
 export class Loop {
-  /** Packing steps that a frame may take at most; below 1, several frames share one. */
+  /** The most packing steps in a frame; below 1, several frames share one step. */
   stepsPerFrame = 1;
-  /** The pace while somebody watches. */
+  /** The pace while somebody watches the forming. */
   watch: Watch | undefined;
-  /** The step up to which the packing runs, to be held there; who pauses before that, or changes what is made, lets it be. */
+  /**
+   * The step up to which the packing runs, to be held there. A pause before that, or a change of the recipe, drops
+   * it.
+   */
   until: Until | undefined;
-  /** Another picture that goes on together with this one. */
+  /** Another picture that advances together with this one. */
   pair: Pair | undefined;
   painter: Painter | undefined;
   private readonly ending = new AbortController();
@@ -58,21 +64,27 @@ export class Loop {
   private readonly view: (stage: string) => string | undefined;
   private readonly drawn: (stage: string, changed: boolean) => void;
   private held = false;
-  /** While held: run up to the packing and what follows a finished packing, but take no packing step. */
+  /** While held: run up to the packing, or on from a finished packing, but take no packing step. */
   private settling = false;
   private dirty = false;
   private frame = 0;
-  /** Not before this time is work in progress drawn again; what was asked for, the first cells and what is done are drawn at once. */
+  /**
+   * Drawings of work in progress wait until this time. Requested drawings, the first cells and results are drawn at
+   * once.
+   */
   private nextDrawing = 0;
-  /** What is left of a drawing takes so long when its pieces are made, as those of late took: nobody knows of the first one. */
+  /**
+   * An estimate of how long the rest of a drawing takes once its pieces are made, from the last ones. The first one
+   * is unknown.
+   */
   private drawing = LONG;
-  /** What the pieces of the next drawing took so far. */
+  /** How long the pieces of the next drawing have taken so far. */
   private pieces = 0;
-  /** The next frame draws what was done in this one, and does no work. */
+  /** The next frame draws the results of this one, and does no work. */
   private owed = false;
   private spared = false;
 
-  /** `view` is what is to be drawn at a stage, if anything; `drawn` is called in every frame in which something was done. */
+  /** `view` gives the view to draw at a stage, if any. `drawn` is called in every frame in which something was done. */
   constructor(engine: Engine, view: (stage: string) => string | undefined, drawn: (stage: string, changed: boolean) => void) {
     this.engine = engine;
     this.view = view;
@@ -87,56 +99,56 @@ export class Loop {
   set paused(paused: boolean) {
     this.held = paused;
     this.until = undefined;
-    // Work without cells goes on to the first ones; a step of many cells may take several slices.
+    // Without cells, the work goes on to the first ones; a step of many cells may take several slices.
     const { generator } = this.engine;
     const stage = this.engine.stage();
     this.settling = isUpToSteps(generator, stage) || (this.painter !== undefined && stage === generator.stepping);
-    // A pause shows the step that it holds, which may not have been drawn.
+    // A pause shows the step that it holds, which may not be drawn yet.
     this.redraw();
   }
 
-  /** No work is left but what a pause holds. */
+  /** Whether no work is left, apart from what a pause holds. */
   get stands(): boolean {
     return isEnd(this.engine.stage()) || (this.held && !this.settling);
   }
 
-  /** No frame comes any more. */
+  /** Stops all frames. */
   end(): void {
     this.ending.abort();
     cancelAnimationFrame(this.frame);
   }
 
-  /** Nothing is left to do or to draw, or nobody sees it. */
+  /** Whether nothing is left to do or to draw, or the page is hidden. */
   get rests(): boolean {
     return this.frame === 0;
   }
 
-  /** The first work: cells are the first thing to be drawn, unless they take long. */
+  /** Starts the work. Cells are the first thing to be drawn, unless they take long. */
   begin(): void {
     this.nextDrawing = performance.now() + BARE;
     this.settling = true;
     this.wake();
   }
 
-  /** Something was changed: work and draw again, up to where a pause holds the packing. */
+  /** After a change of the recipe: works and draws again, up to where a pause holds the packing. */
   changed(): void {
     this.settling = true;
     this.redraw();
   }
 
-  /** What is to be seen was changed, but not what it is made of. */
+  /** After a change of the display: draws again, without new work. */
   redraw(): void {
     this.painter?.changed();
     this.look();
   }
 
-  /** There is more to be painted. */
+  /** Asks for another frame to draw. */
   look(): void {
     this.dirty = true;
     this.wake();
   }
 
-  /** The next frame is left to the browser, which has something new to lay out. */
+  /** Leaves the next frame to the browser, which has new elements to lay out. */
   spare(): void {
     this.spared = true;
   }
@@ -145,7 +157,7 @@ export class Loop {
     if (!this.frame && !document.hidden) this.frame = requestAnimationFrame((begin) => this.run(begin));
   }
 
-  /** Whole steps for this frame; what is left over goes to the next one. */
+  /** Whole steps for this frame; the fraction goes to the next one. */
   private stepsNow(): number {
     this.credit += this.stepsPerFrame;
     const steps = Math.floor(this.credit);
@@ -174,7 +186,7 @@ export class Loop {
     this.nextDrawing = spent > DRAWN_ALWAYS ? end + spent * (1 / (this.painter?.share ?? DRAWING_SHARE) - 1) : end;
   }
 
-  /** `begin` is when the frame began. */
+  /** A frame that began at `begin`. */
   private run(begin: number): void {
     this.frame = 0;
     if (document.hidden || !this.engine.alive) return;
@@ -189,9 +201,10 @@ export class Loop {
     this.hold();
     const stage = this.engine.stage();
     if (changed || stage !== before) this.painter?.changed();
-    // Held, work ends where only packing steps are left: the packing's first cells may take a slice of their own.
+    // While held, work ends where only packing steps are left. The packing's first cells may take a slice of their
+    // own.
     if (isEnd(stage) || (working && this.held && stage === stepping && !changed)) {
-      // What stands from now on is painted better.
+      // The state is final now and can be drawn better.
       if (this.settling && this.painter) this.dirty = true;
       this.settling = false;
     }
@@ -199,7 +212,7 @@ export class Loop {
     const due = changed && now >= this.nextDrawing;
     const draw = this.owed || this.dirty || due || isEnd(stage) || (stage !== before && (this.held || stage === stepping));
     const isLong = working && now - begin + (this.painter ? PIECE : this.drawing) > LONG;
-    // A painter may ask for more, which comes next.
+    // A painter may ask for another frame.
     if (this.painter) this.dirty = false;
     this.owed = draw && (isLong || !this.prepared(stage));
     if (this.owed) return this.wake();
@@ -208,7 +221,7 @@ export class Loop {
     if (!isEnd(stage) && (!this.held || this.settling)) this.wake();
   }
 
-  /** Pauses where the packing came to the step that it was to run to. */
+  /** Pauses once the packing has reached the step to hold at. */
   private hold(): void {
     const { until } = this;
     if (until?.made === undefined) return;
@@ -216,15 +229,15 @@ export class Loop {
     until.held(until.made);
   }
 
-  /** A slice of the work in a frame that began then; true when what is shown may have changed. */
+  /** Does a slice of work in a frame that began at `begin`; true if the display may have changed. */
   private work(begin: number): boolean {
     const { engine, watch } = this;
-    // The other one has the other half of the time.
+    // The other picture gets the other half of the time.
     if (this.pair && !this.until) return this.pair.tick(engine, BUDGET / 2, this.held ? 0 : this.stepsNow());
     if (this.held) return engine.tick(BUDGET, 0);
     if (this.until) return this.until.tick(engine, BUDGET, this.stepsNow());
     if (!watch) return engine.tick(BUDGET, this.stepsNow());
-    // Who asked for slow steps gets them.
+    // If slow steps are wanted, take them as they are.
     return watch.tick(engine, begin, BUDGET, this.stepsPerFrame < 1 ? this.stepsNow() : undefined);
   }
 }

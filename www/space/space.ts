@@ -1,4 +1,6 @@
-/** What bodies that are seen by frames have on the page beside what all pictures have: files of models, and tools to paint on them. */
+/**
+ * The page's extras for generators whose pictures are frames of bodies: files of models, and tools to paint on them.
+ */
 import { t } from '../words/space';
 import { said } from '../words/words';
 import { make } from '../base/dom';
@@ -12,7 +14,7 @@ import { openModel } from './models';
 import { Painter } from './paint/painter';
 import '../styles/late/space.css';
 
-/** The place of the stage that has mended a file. */
+/** The index of the stage that mends a file. */
 const MADE = 0;
 
 export class Space {
@@ -20,12 +22,12 @@ export class Space {
   private readonly turn: Later<PageTurntable>;
   private readonly again: () => void;
   private painter: Painter | undefined;
-  /** The file that was opened last, until it is told what of it was mended. */
+  /** The name of the file opened last, until its repairs have been reported. */
   private opened = '';
   private readonly asked = new Asked(() => this.choose());
   private readonly file = make('input', { type: 'file', id: 'model-file', accept: '.obj,.glb,.ply,.stl', hidden: '', 'aria-label': t('choose') });
 
-  /** `again` is to be called where the engine has something to do that is no change of the recipe. */
+  /** `again` is called when the engine has something to do without a change of the recipe. */
   constructor(work: Work, turn: Later<PageTurntable>, again: () => void) {
     this.work = work;
     this.turn = turn;
@@ -34,24 +36,24 @@ export class Space {
     this.file.addEventListener('change', () => {
       const [chosen] = this.file.files ?? [];
       if (chosen) void this.take(chosen);
-      // The same file may be chosen again.
+      // So that the same file can be chosen again.
       this.file.value = '';
     });
     work.store.on(['recipe', 'stage'], () => this.follow());
   }
 
-  /** Has the visitor choose a file. */
+  /** Opens the file chooser. */
   choose(): void {
     this.file.click();
   }
 
-  /** A file that was chosen or dropped. */
+  /** Takes a file that was chosen or dropped. */
   take(file: File): Promise<void> {
     this.opened = file.name;
     return openModel(this.work, file, this.again);
   }
 
-  /** Shows what the state of the work asks for. */
+  /** Follows the state of the work. */
   follow(): void {
     const { engine, store } = this.work;
     const { stage } = store.state;
@@ -60,7 +62,7 @@ export class Space {
     if (engine.offers('paint')) this.turn.ask((page) => void this.painted(page));
   }
 
-  /** What was mended of a file that was opened, once that is known. */
+  /** Reports the repairs of an opened file, once they are known. */
   private tell(): void {
     const { engine } = this.work;
     const { stages } = engine.generator;

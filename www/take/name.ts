@@ -1,4 +1,4 @@
-/** What files of the work are called. */
+/** The names of saved files. */
 import type { Engine } from '../state/engine';
 import { wordOf } from '../state/name';
 import type { Store } from '../state/store';

@@ -1,8 +1,9 @@
 //! Comments are plain English: a reader from outside understands a sentence the first time.
 //!
-//! Grammar cannot be checked, but the habits that made comments hard to read can: sentences that begin with
-//! "Of" or "What", and a few phrases that hide who does something. `plain_words.txt` lists the files that
-//! are still to be rewritten. It may only shrink: a listed file that is clean has to leave the list.
+//! Grammar cannot be checked, but some habits that made comments hard to read can: sentences that begin with
+//! the words in [`FIRST_WORDS`], and the phrases in [`PHRASES`], which hide who does something.
+//! `plain_words.txt` lists the files that still have to be rewritten. It may only shrink: a listed file that is
+//! clean has to leave the list.
 
 use std::collections::BTreeSet;
 use std::fs;

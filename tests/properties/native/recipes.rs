@@ -54,8 +54,8 @@ fn schemas_are_consistent() {
     assert_eq!(default.limits(size), (size.min, size.max));
 }
 
-/// A link leaves out what has its default: with another default, every link that was ever shared
-/// shows another pavement. Where that is meant, links need a new version, and this file its line.
+/// A link leaves out parameters with their defaults. If a default changed, every shared link would show another
+/// pavement. If that is wanted, links need a new version, and this file a new line.
 #[test]
 fn defaults_are_those_that_links_rely_on() {
     let recipe = pavement::recipe("").0;
@@ -104,7 +104,7 @@ fn described(row: &Parameter) -> String {
     )
 }
 
-/// The table follows from the schemas: `BUBBLESTONE_UPDATE=1 cargo test recipes`. What comes after it is
+/// The table is written from the schemas: `BUBBLESTONE_UPDATE=1 cargo test recipes`. The text after it is
 /// written by hand.
 #[test]
 fn the_table_of_keys_is_that_of_the_schemas() {
@@ -219,8 +219,7 @@ fn presets_of_the_papers_have_the_parameters_of_table_1() {
     }
 }
 
-/// Table 1 of the paper on skins, in the order Ca, Sv, Sr, Sc, Tc, Dr, Fd, Af, and the seconds of its
-/// Table 2.
+/// Table 1 of the paper on skins, in the order Ca, Sv, Sr, Sc, Tc, Dr, Fd, Af, and the seconds of its Table 2.
 #[test]
 fn presets_of_the_skins_have_the_parameters_of_table_1() {
     let table = [
@@ -288,7 +287,7 @@ fn presets_of_the_skins_have_the_parameters_of_table_1() {
             ["ellipse", "rectangle"].contains(&kind),
             "{name}: Ca has no effect on {kind}"
         );
-        // Restriction lines in all of figure 17, both arrangements in one texture in (a) to (c).
+        // All of figure 17 has restriction lines; (a) to (c) have both arrangements in one texture.
         let seventeenth = row.starts_with("17");
         assert_eq!(!recipe.lines().is_empty(), seventeenth, "{name}");
         let mixed = recipe

@@ -7,18 +7,18 @@ use bubblestone::material::Material;
 use bubblestone::scene::{Body, Instance, Lamp, Lighting, Order, Place, Scene, Sharpness};
 use glam::{DVec3, Vec3};
 
-/// Texels of the sun's map along its side; each side of the cube around a lamp has half of them.
+/// Texels along a side of the sun's map; a side of the cube around a lamp has half as many.
 const SIDES: [(Sharpness, f64); 2] = [(Sharpness::Small, 1024.0), (Sharpness::Large, 2048.0)];
-/// No shadow is softer than so many texels to each side.
+/// The greatest half-width of a soft shadow, in texels.
 const BAND: f64 = 2.0;
 
-/// A place of a surface: the normal is that of its triangle.
+/// A place on a surface, with the normal of its triangle.
 struct Spot {
     point: DVec3,
     normal: DVec3,
 }
 
-/// Places on the triangles of all bodies, by their areas.
+/// Places on the triangles of all bodies, spread by area.
 fn spots(scene: &Scene, count: usize) -> Vec<Spot> {
     let mut chance = Chance(3);
     let mut corners = Vec::new();
@@ -51,8 +51,8 @@ fn spots(scene: &Scene, count: usize) -> Vec<Spot> {
     spots
 }
 
-/// The places of the plane around a spot that are so many texels away on the lamp's map, with the ways to the
-/// lamp; none where that plane is seen along it.
+/// Places on the plane of a spot that are up to `BAND` texels away on the lamp's map, each with the vector to
+/// the lamp. Empty if the lamp sees the plane edge-on.
 fn near_spots(lamp: Lamp, [radius, side]: [f64; 2], spot: &Spot) -> Vec<(DVec3, DVec3)> {
     let offsets = (0..9).map(|k| [f64::from(k % 3 - 1), f64::from(k / 3 - 1)].map(|v| v * BAND));
     match lamp {
@@ -66,7 +66,7 @@ fn near_spots(lamp: Lamp, [radius, side]: [f64; 2], spot: &Spot) -> Vec<(DVec3, 
         Lamp::Bulb { at, .. } => {
             let (at, from) = (at.as_dvec3(), spot.point - at.as_dvec3());
             let texel = 2.0 * libm::tan(45.5f64.to_radians()) / (0.5 * side);
-            // The cube's side is the one of the largest part.
+            // The side of the cube is that of the largest component.
             let size = from.abs();
             let (axis, u, v) = match size.max_element() {
                 most if most == size.x => (size.x, DVec3::Y, DVec3::Z),
@@ -83,7 +83,7 @@ fn near_spots(lamp: Lamp, [radius, side]: [f64; 2], spot: &Spot) -> Vec<(DVec3, 
     }
 }
 
-/// Compares shadows with rays wherever the rays from around a place, two texels away, say the same.
+/// Compares shadows with rays where the rays from all places up to two texels around agree.
 fn compare(scene: &Scene, lamp: Lamp) {
     for (sharpness, side) in SIDES {
         let mut light = Lighting::new(scene, lamp, (&PARAMS, &[MATT]), sharpness);
@@ -106,7 +106,7 @@ fn compare_with(light: &Lighting, scene: &Scene, lamp: Lamp, side: f64) {
             assert!(facing > -1e-6 || seen == 0.0);
             continue;
         }
-        // Seen along the surface all is an edge.
+        // At grazing angles everything is an edge.
         if facing < 0.02 {
             continue;
         }
@@ -166,8 +166,8 @@ fn a_lamps_shadows_are_those_of_rays() {
     }
 }
 
-/// Flat and curved surfaces that nothing stands before are lit wherever light does not graze them, from all
-/// sides, with the normals of their vertices.
+/// Flat and curved surfaces with nothing in front are lit wherever light does not graze them, from all sides,
+/// with the normals of their vertices.
 #[test]
 fn nothing_shadows_itself() {
     let flat = scene(vec![(square(1.0), Place::default())]);
@@ -182,7 +182,7 @@ fn nothing_shadows_itself() {
         let way = way.normalize();
         let lamp = match turn % 2 {
             0 => Lamp::Sun(way),
-            // The height says nothing about shadows.
+            // The height has no effect on shadows.
             _ => Lamp::Bulb {
                 at: way * 2.5,
                 height: 1.0,
@@ -208,14 +208,14 @@ fn nothing_shadows_itself() {
     }
 }
 
-/// A body drawn at another level than its shadow is has no shadow on itself either.
+/// A body that is drawn at another level than its shadow casts none on itself.
 #[test]
 fn levels_do_not_shadow_each_other() {
     let mut scene = scene(vec![]);
     scene
         .bodies
         .push(Body::new([40, 24, 12, 8].map(ball).to_vec(), 0));
-    // Two more, so that the map is wide and the ball has few texels in it.
+    // Two more bodies make the map wide, so the ball covers few texels.
     for (k, x) in (0..).zip([0.0, -30.0, 30.0]) {
         let place = Place::at(Vec3::new(x, 0.0, 0.0));
         scene.instances.push(Instance {
@@ -295,7 +295,8 @@ fn light_is_that_of_the_height_field() {
     }
 }
 
-/// The highlight is where the eye sees the sun mirrored; the sun of a picture shines from where it does there.
+/// The highlight is where the eye sees the sun's mirror image. The sun shines from the same direction as in a
+/// picture.
 #[test]
 fn highlights_lie_towards_the_mirrored_sun() {
     let light = Light::Parallel {
@@ -341,7 +342,7 @@ fn highlights_lie_towards_the_mirrored_sun() {
     );
 }
 
-/// Where a ball stands on a slab it is darker; a plane alone is as bright with occlusion as without.
+/// A slab is darker where a ball stands on it. A plane alone is as bright with occlusion as without.
 #[test]
 fn occlusion_is_at_the_foot_of_bodies_only() {
     let sky = ShadeParams {

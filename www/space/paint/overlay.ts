@@ -1,18 +1,18 @@
-/** What is painted, drawn over the frame: what is there, as far as it is seen, and the way of the pointer. */
+/** The painted lines and spots, drawn over the frame where they are visible, and the path of the pointer. */
 import { make } from '../../base/dom';
 import { shape } from '../../late/svg';
 import type { Place } from './places';
 
-/** A place of the frame, in parts of its sides. */
+/** A place of the frame, as shares of its sides. */
 export type Spot = readonly [u: number, v: number];
 
-/** Lines with their word; a place alone is a spot. */
+/** A painted line with its key; a single place is a spot. */
 export interface Painted {
   readonly key: string;
   readonly places: readonly Place[];
 }
 
-/** Pieces of the way between two places: it may go behind something. */
+/** Pieces of the line between two places, because it may pass behind something. */
 const PIECES = 6;
 
 /** Pixels of the head of an arrow, and of a spot. */
@@ -27,7 +27,7 @@ export class Overlay {
     this.element.append(this.svg, make('i', { class: 'paint-cross' }));
   }
 
-  /** Draws all anew; `seen` tells where a place is in the frame, where it is seen. */
+  /** Draws everything again. `seen` gives where a place is in the frame, if it is visible. */
   draw(painted: readonly Painted[], seen: (place: Place) => Spot | undefined, path: readonly Spot[], key: string): void {
     const { clientWidth: width, clientHeight: height } = this.element;
     const at = ([u, v]: Spot): Spot => [u * width, v * height];
@@ -46,12 +46,12 @@ export class Overlay {
   }
 }
 
-/** A line on a lighter one, to be seen on anything. */
+/** A line on a lighter one, so that it is visible on anything. */
 function strokes(key: string, d: string): SVGElement[] {
   return [shape('path', { class: 'paint-under', d }), shape('path', { class: `paint-line paint-${key}`, d })];
 }
 
-/** The pieces of a line that are seen. */
+/** The visible pieces of a line. */
 function runsOf(places: readonly Place[], seen: (place: Place) => Spot | undefined): Spot[][] {
   const [first] = places;
   const all = places.slice(1).flatMap((to, k) => between(places[k] ?? to, to));

@@ -1,10 +1,9 @@
 /**
- * Painting on a surface: what the visitor does on the frame that it is seen in becomes rows of the recipe, each a step of
- * its history.
+ * Painting on a surface: strokes on its frame become rows of the recipe, each a step of its history.
  *
- * With a tool one finger, or the mouse, paints where the model is; beside it they turn it as ever, and so do two fingers,
- * the other buttons, and keys. By keys it is painted in the middle: Enter sets a point there, or takes away what is there,
- * Enter again at the same place ends the line.
+ * With a tool, one finger or the mouse paints where the model is. Beside the model they turn it as usual, and so do
+ * two fingers, other mouse buttons, and keys. Keys paint in the middle of the frame: Enter sets a point there, or
+ * removes what is there. A second Enter at the same place ends the line.
  */
 import { t } from '../../words/space';
 import { say, make } from '../../base/dom';
@@ -15,20 +14,23 @@ import { Overlay, type Painted, type Spot } from './overlay';
 import { distance, fromLine, placesOf, rowOf, simplified, STEPS, textOf, type Place } from './places';
 import { TOOLS, Tools, type Tool } from './tools';
 
-/** What is painted on. */
+/** The surface to paint on. */
 export interface Surface {
-  /** Holds the frame, and gets all that is done on it. */
+  /** The element with the frame, which receives all events. */
   readonly host: HTMLElement;
-  /** The place of the model at a place of the last frame; undefined beside it. */
+  /** The place of the model at a place of the last frame; undefined beside the model. */
   placeAt(spot: Spot): Place | undefined;
-  /** Where a place of the model is in that frame; undefined where it is not seen. */
+  /** Where a place of the model is in that frame; undefined if it is not visible. */
   spotOf(place: Place): Spot | undefined;
 }
 
-/** Points of one line. */
+/** The most points of a line. */
 const POINTS = 20;
 
-/** Steps: two places that are nearer are the same; what is to be taken away may be so far off; spots, unless they are drawn larger. */
+/**
+ * In steps: places closer than the first are the same; an item may be this far from the place of the eraser; the
+ * radius of spots that are set by a click; the least radius of others.
+ */
 const SAME = 24;
 const NEAR = 170;
 const RADIUS = 400;
@@ -48,9 +50,9 @@ export class Painter {
   private readonly told = make('p', { class: 'said', role: 'status', id: 'paint-told' });
   private tool: Tool | undefined;
   private drawn: Drawn | undefined;
-  /** The points that were set by a key. */
+  /** The points set by keys. */
   private keyed: Place[] = [];
-  /** What goes on to the frame all the same. */
+  /** Events that are passed on to the frame all the same. */
   private readonly passed = new WeakSet<Event>();
 
   constructor(work: Work, surface: Surface) {
@@ -75,7 +77,7 @@ export class Painter {
     this.show();
   }
 
-  /** Paints with a tool from now on, or with none. */
+  /** Selects a tool; without one, painting ends. */
   choose(tool: Tool | undefined): void {
     this.tool = tool;
     this.drawn = undefined;
@@ -85,7 +87,7 @@ export class Painter {
     if (tool) say(this.told, t(`paint_${tool}_title`));
   }
 
-  /** Is to be called after each new frame. */
+  /** Has to be called after each new frame. */
   draw(): void {
     const { tool, keyed, drawn, surface } = this;
     const painted = tool ? this.painted() : [];
@@ -94,7 +96,7 @@ export class Painter {
     this.overlay.draw(painted, (place) => surface.spotOf(place), line, tool ?? '');
   }
 
-  /** All that is painted; of spots their middles. */
+  /** All painted items; for spots, their middles. */
   private painted(): Painted[] {
     return TOOLS.flatMap((key) =>
       key === 'erase' || !this.isUseful(key) ? [] : this.rows(key).map((row) => ({ key, places: placesOf(isSpot(key) ? row.slice(0, 3) : row) })),
@@ -123,7 +125,7 @@ export class Painter {
     this.work.set('flip', this.work.engine.get('flip') === '1' ? '0' : '1');
   }
 
-  /** What is done with a tool is not for the frame: `act` tells whether it was. */
+  /** An event that a tool uses must not reach the frame; `act` returns whether it was used. */
   private listen<K extends keyof HTMLElementEventMap>(sign: K, act: (event: HTMLElementEventMap[K]) => boolean): void {
     this.surface.host.addEventListener(
       sign,
@@ -145,7 +147,7 @@ export class Painter {
     const { tool, drawn } = this;
     if (!tool) return false;
     if (drawn) {
-      // A second finger: both turn the model.
+      // With a second finger, both turn the model.
       this.passOn(drawn.pointer);
       this.cancel();
       return false;
@@ -154,7 +156,7 @@ export class Painter {
     const spot = this.spot(event);
     const place = this.surface.placeAt(spot);
     if (!place) return false;
-    // What turns the model gets the pointer as well, once another finger comes.
+    // The element that turns the model gets the pointer, too, in case another finger comes.
     const stand = this.surface.host.querySelector<HTMLElement>('[tabindex]');
     stand?.setPointerCapture(event.pointerId);
     stand?.focus({ preventScroll: true });
@@ -163,7 +165,7 @@ export class Painter {
     return true;
   }
 
-  /** The frame gets what was kept from it. */
+  /** Passes an event on to the frame that was kept from it. */
   private passOn(event: PointerEvent): void {
     const { pointerId, pointerType, isPrimary, clientX, clientY, button } = event;
     const again = new PointerEvent('pointerdown', { pointerId, pointerType, isPrimary, clientX, clientY, button, bubbles: true, cancelable: true });
@@ -173,7 +175,7 @@ export class Painter {
 
   private move(event: PointerEvent): boolean {
     const { drawn } = this;
-    // No body is told under the pointer.
+    // No body is described under the pointer.
     if (drawn?.pointer.pointerId !== event.pointerId) return this.tool !== undefined && event.buttons === 0 && event.pointerType === 'mouse';
     const all = 'getCoalescedEvents' in event ? event.getCoalescedEvents() : [];
     for (const one of all.length ? all : [event]) {
@@ -229,7 +231,7 @@ export class Painter {
     return true;
   }
 
-  /** A point of a line, by a key. */
+  /** Sets a point of a line by a key. */
   private set(tool: Tool, place: Place): void {
     const last = this.keyed.at(-1);
     if (!last || distance(last, place) > SAME) this.keyed.push(place);
@@ -243,7 +245,7 @@ export class Painter {
     this.draw();
   }
 
-  /** What was done with a tool becomes the recipe's. */
+  /** Adds the result of a tool to the recipe. */
   private take(tool: Tool, places: readonly Place[]): void {
     const [first, last] = [places[0], places.at(-1)];
     if (!first || !last) return;
@@ -258,7 +260,7 @@ export class Painter {
     this.draw();
   }
 
-  /** Takes away what is nearest. */
+  /** Removes the nearest item. */
   private erase(place: Place): void {
     const all = TOOLS.flatMap((key) => (key === 'erase' ? [] : this.rows(key).map((row, at) => ({ key, at, off: fromLine(place, placesOf(isSpot(key) ? row.slice(0, 3) : row)) }))));
     const [nearest] = all.filter(({ key }) => this.isUseful(key)).sort((a, b) => a.off - b.off);

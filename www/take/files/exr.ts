@@ -1,4 +1,7 @@
-/** Heights as an OpenEXR file: one part of scan lines, one channel Y of 32 bit floats, not packed (OpenEXR File Layout). */
+/**
+ * Heights as an OpenEXR file: one part of scan lines, one channel Y of 32 bit floats, uncompressed (OpenEXR File
+ * Layout).
+ */
 import { Parts, type RowWriter } from './parts';
 
 /** Attributes with their types; the values are numbers of 32 bits, or the list of channels. */
@@ -28,7 +31,7 @@ export class ExrWriter implements RowWriter {
     const text = new TextEncoder();
     const attributes = ATTRIBUTES(side - 1).flatMap(([name, kind, value]) => [...text.encode(`${name}\0${kind}\0`), ...words(value.length), ...value]);
     const head = Uint8Array.from([...words(20_000_630, 2), ...attributes, 0]);
-    // The table tells where each line begins, in 64 bits.
+    // The table has the offset of each line, in 64 bits.
     const begin = head.length + 8 * side;
     const table = new DataView(new ArrayBuffer(8 * side));
     for (let y = 0; y < side; y += 1) table.setUint32(8 * y, begin + y * (8 + 4 * side), true);

@@ -1,8 +1,9 @@
 /**
- * The film of the forming: the finished picture, then how it came about, to the finished picture again, so that it loops.
+ * The film of the forming: the finished picture, then its forming up to the finished picture again, so that it
+ * loops.
  *
- * The picture is made twice. The first time tells how many steps it takes, and what it ends with; the second time goes from
- * frame to frame. So every film has about the same length, and frames depend on steps, never on a clock.
+ * The picture is made twice. The first time gives the number of steps and the finished picture; the second time goes
+ * from frame to frame. So every film has about the same length, and frames depend on steps, never on a clock.
  */
 import type { Bubblestone } from '../../../pkg/bubblestone.js';
 import type { Generator, PixelMap } from '../../module/types';
@@ -24,7 +25,7 @@ export interface FilmJob extends Seen {
   words: Words;
 }
 
-/** The parts of the work: the picture, the picture larger, the frames. */
+/** The shares of the work: the picture until the first, the larger picture until the second, then the frames. */
 const FIRST = 0.12;
 const SECOND = 0.2;
 
@@ -34,7 +35,7 @@ const MOVING = 720;
 /** The most that a picture file is enlarged. */
 const MOST = 4;
 
-/** Throws a Refusal where there is no picture. */
+/** Throws a Refusal if there is no picture. */
 export async function formingFilm(studio: Bubblestone, generator: Generator, { codecs, shape, words, ...seen }: FilmJob, progress: Progress): Promise<Blob> {
   const sheet = new Sheet(shape, words);
   workedOut(studio, generator, (done) => progress(FIRST * done));
@@ -54,14 +55,14 @@ export async function formingFilm(studio: Bubblestone, generator: Generator, { c
   return encoder.finish();
 }
 
-/** The bodies that are seen by frames, when they are finished. */
+/** A frame of the finished bodies. */
 function framedPicture(studio: SceneStudio, seen: Seen, side: number): OffscreenCanvas {
   const context = contextOf(side, side);
   context.putImageData(frame(studio, seen, side, 'fine'), 0, 0);
   return context.canvas;
 }
 
-/** The finished picture, with as many pixels as the sheet has for it where that can be. */
+/** The finished picture, if possible with as many pixels as the sheet has for it. */
 async function largePicture(studio: Bubblestone, side: number, progress: Progress): Promise<OffscreenCanvas> {
   const scale = Math.min(MOST, Math.ceil(side / studio.side()));
   const context = contextOf(scale * studio.side(), scale * studio.side());

@@ -13,7 +13,7 @@ export interface MeshJob {
 
 const TYPES = { glb: 'model/gltf-binary', obj: 'model/obj' };
 
-/** Throws a Refusal where it cannot be made. */
+/** Throws a Refusal if it cannot be made. */
 export async function meshFile(studio: Bubblestone, { file, detail, images }: MeshJob): Promise<Blob> {
   const pictures: Blob[] = [];
   if (images) for (const word of ['albedo', 'normal-opengl', 'orm']) pictures.push(await png(given(studio.map(word))));
@@ -24,7 +24,7 @@ export async function meshFile(studio: Bubblestone, { file, detail, images }: Me
     parts.push(...slice.parts);
     if (slice.done) break;
   }
-  // The file ends with the images, each filled up to a multiple of four bytes.
+  // The images follow at the end, each padded to a multiple of four bytes.
   for (const picture of pictures) parts.push(picture, new Uint8Array(-picture.size & 3));
   return new Blob(parts, { type: TYPES[file] });
 }

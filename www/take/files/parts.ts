@@ -1,6 +1,6 @@
-/** A file in the making, which the browser may put aside part by part: memory holds its end only. */
+/** A file that is being made. The browser may put finished parts aside, so memory holds only its end. */
 
-/** Bytes that are put aside together. */
+/** The bytes of a part. */
 const TOGETHER = 1 << 22;
 
 export class Parts {
@@ -21,9 +21,9 @@ export class Parts {
   }
 }
 
-/** A file that is written row after row. */
+/** A file that is written row by row. */
 export interface RowWriter {
-  /** Whole rows from the top. */
+  /** Writes whole rows, from the top. */
   write(rows: Uint8Array): Promise<void>;
   finish(): Promise<Blob>;
 }

@@ -1,15 +1,17 @@
 /**
- * Pixels as films have them: brightness of every pixel, and the two differences of colour of every second one of every
- * second row (limited range). Browsers would do the same, but not all by the same matrix.
+ * Pixels in the format of films: the brightness of every pixel, and the two colour differences of every second pixel
+ * in every second row (limited range). Browsers would convert them too, but not all with the same matrix.
  */
 
-/** How colours become these, by the words of browsers: VP8 knows BT.601 only, what is newer takes large films for BT.709. */
+/**
+ * The conversion matrices by the browsers' words. VP8 knows BT.601 only; newer codecs expect BT.709 for large films.
+ */
 export type Matrix = 'bt709' | 'smpte170m';
 
-/** Shares of red, green and blue in the brightness. */
+/** The shares of red, green and blue in the brightness. */
 const SHARES: Record<Matrix, readonly [number, number, number]> = { bt709: [0.2126, 0.7152, 0.0722], smpte170m: [0.299, 0.587, 0.114] };
 
-/** From 0..255 to brightness, and to differences of blue and red from it, in parts of 2^16. */
+/** The factors from 0..255 to brightness, and to the differences of blue and red from it, in units of 2^-16. */
 const UNIT = 2 ** 16;
 type Row = readonly [red: number, green: number, blue: number];
 
@@ -22,7 +24,7 @@ function rowsOf(matrix: Matrix): [y: Row, u: Row, v: Row] {
   return [row(219, red, green, blue), row(112 / (1 - blue), -red, -green, 1 - blue), row(112 / (1 - red), 1 - red, -green, -blue)];
 }
 
-/** All three after each other (I420); sides are even. */
+/** All three planes one after the other (I420); sides are even. */
 export function planesOf(rgba: Uint8ClampedArray, width: number, height: number, matrix: Matrix): Uint8Array<ArrayBuffer> {
   const planes = new Uint8Array((width * height * 3) / 2);
   const [light, [ur, ug, ub], [vr, vg, vb]] = rowsOf(matrix);

@@ -1,14 +1,17 @@
-/** Works a studio's recipe out for a file. */
+/** Runs a studio's recipe to its end, for a file. */
 import type { Bubblestone } from '../../../pkg/bubblestone.js';
 import { BUDGET, making } from '../../module/run';
 import { progressOf, type Course } from '../../module/stages';
 import type { Status } from '../../module/types';
 import { Refusal } from './refusal';
 
-/** Gets how much is done, 0..1. */
+/** Receives the share of the work that is done, 0..1. */
 export type Progress = (done: number) => void;
 
-/** Where somebody looks on, one step of the packing or one body is made at a time. Throws a Refusal where there is no picture. */
+/**
+ * With `looksOn`, one packing step or one body is made at a time, and it is called after each. Throws a Refusal if
+ * there is no picture.
+ */
 export function workedOut(studio: Bubblestone, course: Course, progress: Progress, looksOn?: (stage: string, status: Status) => void): void {
   for (const [stage, status] of looksOn ? making(studio, 0, 1) : making(studio, BUDGET)) {
     looksOn?.(stage, status);
