@@ -35,7 +35,7 @@ const words = {
   },
 };
 
-/** Nothing is painted before the page is whole and in its language: browsers paint what has come of a page under load. */
+/** Prevents painting before the page is complete and in its language: browsers paint a partly loaded page under load. */
 const whole = {
   name: 'whole',
   transformIndexHtml: {
@@ -44,7 +44,7 @@ const whole = {
   },
 };
 
-/** The Japanese of the module's notices: one table has all languages, and the module brings its English itself. */
+/** The Japanese of the module's notices. One table has all languages; the module itself contains the English. */
 const notices = {
   name: 'notices',
   /** @param {string} id */
@@ -53,7 +53,7 @@ const notices = {
   load: (id) => (id === '\0virtual:notices-ja' ? `export default ${JSON.stringify(japanese())}` : undefined),
 };
 
-/** By code. */
+/** The Japanese texts by code. */
 function japanese() {
   /** @type {Record<string, string>} */
   const words = {};
@@ -65,13 +65,14 @@ function japanese() {
   return words;
 }
 
-/** The folder of the second module, which is loaded at first need. */
+/** The folder of the second module, which is loaded when it is first needed. */
 const house = here(`pkg-${process.env['BUBBLESTONE_HOUSE'] ?? 'house'}`);
 
-/** What each module makes, for the page to offer it before it is here; and the second module. */
+/** The generators of all modules, so that the page can list them before a module is loaded; and the second module. */
 const made = {
   name: 'made',
-  // The choice of a generator is there when the page is painted first: not every browser waits for the script.
+  // The choice of a generator is in the HTML, so that it is there at the first paint: not every browser waits for the
+  // script.
   transformIndexHtml: {
     order: /** @type {const} */ ('post'),
     handler: async (/** @type {string} */ html) => {
@@ -92,7 +93,7 @@ const made = {
   },
 };
 
-/** The small pictures of what the second module adds; workers show none. */
+/** The small pictures for presets of the second module. Workers need none. */
 const thumbs = {
   name: 'thumbs',
   /** @this {import('rolldown').PluginContext} */
@@ -103,11 +104,14 @@ const thumbs = {
   },
 };
 
-// Files of the site that are made have to be there before Vite looks for files.
+// Generated files of the site must exist before Vite collects files.
 await buildThumbs();
 await buildIcons();
 
-/** The page gives the module to the glue itself, packed (www/module/load.ts): the plain file is no part of the site. */
+/**
+ * The page passes the packed module to the glue code itself (www/module/load.ts), so the plain file is left out of
+ * the site.
+ */
 const packed = {
   name: 'packed',
   /** @param {string} code @param {string} id */
@@ -124,15 +128,16 @@ export default defineConfig({
     outDir: process.env['BUBBLESTONE_SITE'] ?? here('dist'),
     emptyOutDir: true,
     target: 'es2022',
-    // The module stays a file of its own, however small: browsers compile it while it arrives.
+    // The module stays a file of its own, however small it is.
     assetsInlineLimit: 0,
     modulePreload: { polyfill: false },
     rolldownOptions: {
       input: { index: here('www/index.html'), sw: here('www/service/sw.ts') },
-      // A service worker has one address for ever, and stands over all that it serves.
+      // The service worker keeps one address for ever, and stands above all that it serves.
       output: {
         entryFileNames: ({ name }) => (name === 'sw' ? 'sw.js' : 'assets/[name]-[hash].js'),
-        // What the page begins with is one file, whichever parts of it those need that come later; so is what these share.
+        // The page's start is one file, whichever of its parts lazy parts also need. Code that lazy parts share is
+        // another one.
         codeSplitting: {
           groups: [
             { name: 'page', tags: ['$initial'], test: (id) => !id.includes('/www/service/') },

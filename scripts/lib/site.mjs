@@ -1,4 +1,4 @@
-// The static site in dist/, and what it weighs.
+// The static site in dist/, and its size.
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { gzipSync } from 'node:zlib';
@@ -9,29 +9,29 @@ import { targetDir } from './rust.mjs';
 
 export const site = join(root, 'dist');
 
-/** The site that tests of several generators open: its second module has a specimen. */
+/** The site for tests of several generators: its second module has a specimen. */
 export const specimenSite = join(targetDir, 'site-specimen');
 
 /**
- * The most that each WebAssembly module may weigh, packed: that of a first visit, and the one with all generators, which
- * comes when it is first needed. docs/size.md has what keeps them small.
+ * The size limit of each WebAssembly module, packed: the one of a first visit, and the one with all generators, which
+ * loads when it is first needed. docs/size.md says how they are kept small.
  */
 const moduleBudgets = { bubblestone: 337_000, house: 640_000 };
 
-/** The most that a first visit may transfer until the picture is done. */
+/** The most bytes that a first visit may transfer until the picture is done. */
 const visitBudget = 400_000;
 
-/** So many small pictures of presets are in sight at once, on a screen of 1080 lines. */
+/** The number of small pictures in sight at once, on a screen of 1080 lines. */
 const thumbsInSight = 8;
 
-/** Vite's build of www/ and pkg/. */
+/** Builds www/ and pkg/ by Vite. */
 export async function buildSite() {
   say('Building the page into dist/');
   vite();
   weigh();
 }
 
-/** The same with the specimen's module beside it. */
+/** Builds the same with the specimen's module. */
 export async function buildSpecimenSite() {
   say('Building the page with a specimen');
   vite({ BUBBLESTONE_HOUSE: 'specimen', BUBBLESTONE_SITE: specimenSite });
@@ -43,7 +43,7 @@ function vite(more) {
   run(process.execPath, [join(root, 'node_modules', 'vite', 'bin', 'vite.js'), 'build', '--logLevel', 'warn'], { env: { ...process.env, ...more } });
 }
 
-/** The same, and again after every change of www/, until the program ends; answers when the site is there. */
+/** Builds the same, and again after every change of www/ until the program ends. Resolves when the site exists. */
 export async function keepBuilt() {
   say('Building the page into dist/');
   const { build } = await import('vite');
@@ -54,7 +54,7 @@ export async function keepBuilt() {
     watcher.on('event', ({ code }) => {
       if (code === 'BUNDLE_END' && there) say('Built anew: browsers that have stored the page show it from their second reload on');
       if (code === 'BUNDLE_END') resolve((there = true));
-      // Vite has said what is wrong; later on the next change may mend it.
+      // Vite has printed the error. In later builds, the next change may correct it.
       if (code === 'ERROR' && !there) reject(new Stop('The page could not be built.'));
     });
   }).catch(async (failure) => {
@@ -64,7 +64,7 @@ export async function keepBuilt() {
 }
 
 /**
- * The site for the person at the keyboard; tests open the same.
+ * Serves the site. The tests open the same files.
  * @param {number} port the first one to try
  * @param {(path: string) => void} [asked] gets the path of each request
  */
@@ -72,7 +72,9 @@ export function serveSite(port, asked) {
   return host(site, { port, asked });
 }
 
-/** Prints what the files weigh, gzipped, and what a first visit transfers; stops when that is over the budget. */
+/**
+ * Prints the gzipped size of each file, and the bytes that a first visit transfers. Stops if those exceed the budget.
+ */
 function weigh() {
   const files = filesOf(site);
   const thumbs = files.filter((path) => path.startsWith('thumbs/'));
@@ -89,7 +91,7 @@ function weigh() {
   if (visit > visitBudget) throw new Stop(`A first visit transfers ${visit} bytes gzipped: at most ${visitBudget} are allowed.`);
 }
 
-/** Stops where a module is over its own budget. @param {string} folder of a site */
+/** Stops if a module exceeds its own budget. @param {string} folder of a site */
 function weighModules(folder) {
   for (const path of filesOf(folder)) {
     const [, name] = /\b(\w+)-[^/]*\.lzma$/.exec(path) ?? [];
@@ -101,7 +103,12 @@ function weighModules(folder) {
   }
 }
 
-/** What is compressed by itself is sent as it is. @param {string} path of a file @param {string} [folder] its site @returns {number} bytes, gzipped */
+/**
+ * The gzipped size; files that are compressed already are sent as they are.
+ * @param {string} path of a file
+ * @param {string} [folder] its site
+ * @returns {number} bytes, gzipped
+ */
 function weightOf(path, folder = site) {
   const bytes = readFileSync(join(folder, path));
   return Math.min(bytes.length, gzipSync(bytes, { level: 9 }).length);

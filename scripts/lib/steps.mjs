@@ -48,7 +48,10 @@ function clippy(what, env) {
   run('cargo', ['clippy', ...what, '--', '-D', 'warnings'], { env });
 }
 
-/** Runs the native tests and notes how long each test program took: cargo names it, and the program says its time at its end. */
+/**
+ * Runs the native tests and records the time of each test program: cargo prints its name, and the program prints its
+ * time at its end.
+ */
 async function cargoTest() {
   const child = spawn('cargo', ['test', ...features], { env: nativeEnv(), cwd: root, stdio: ['ignore', 'pipe', 'pipe'] });
   const text = { said: '', told: '' };
@@ -63,7 +66,7 @@ async function cargoTest() {
 
 /** @param {NodeJS.ProcessEnv} env */
 function wasmLint(env) {
-  // Include the benchmarks, which no other step builds.
+  // The benchmarks are included, because no other step builds them.
   const what = ['--lib', '--tests', '--features', 'bench', '--target', wasmTarget];
   if (clippyMatches(env)) return clippy(what, env);
   console.log('The Rust for WebAssembly has no clippy here: its code is compiled with warnings denied instead.');
@@ -78,7 +81,8 @@ function wasmTest(env) {
     env[`CARGO_PROFILE_${profile}_OPT_LEVEL`] = '2';
     env[`CARGO_PROFILE_${profile}_DEBUG`] = '0';
   }
-  // What WebAssembly alone has: the face towards JavaScript; and `usize` of 32 bits, whose overflow is checked here.
+  // These tests cover what only WebAssembly has: the interface to JavaScript, and `usize` of 32 bits, whose overflow
+  // is checked here.
   run('wasm-pack', ['test', '--node', '--mode', 'no-install', '--', '--test', 'properties', '--test', 'hostile', ...features], { env });
 }
 

@@ -1,44 +1,47 @@
-// The WebAssembly module, built by wasm-pack for the page or for Node, and skipped where nothing has changed.
+// The WebAssembly module, built by wasm-pack for the page or for Node. A build is skipped if nothing has changed.
 import { appendFileSync, existsSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { digest } from './digest.mjs';
 import { root, run, say, Stop } from './run.mjs';
 import { targetDir, wasmTarget, wasmTargetDir } from './rust.mjs';
 
-/** Where the page's module is that knows pavements alone. */
+/** The folder of the page's first module, which makes pavements only. */
 export const pageModule = join(root, 'pkg');
-/** As it is sent. */
+/** The same as it is sent. */
 export const packedModule = join(pageModule, 'bubblestone.lzma');
-/** The whole house with a specimen in it, for tests. */
+/** The module with all generators and a specimen, for tests. */
 export const houseModule = join(root, 'pkg-specimen');
 export const packedHouse = join(houseModule, 'house.lzma');
 export const nodeModule = join(targetDir, 'pkg-node');
 
-/** Where the module is that makes all there is: a feature of Cargo.toml, `house`, adds what a first visit does without. */
+/**
+ * The folder of the module that makes everything: the feature `house` in Cargo.toml adds the parts that a first visit
+ * does not need.
+ */
 export const wholeModule = join(root, 'pkg-house');
 
-/** All builds: where they are put, for whom, and the cargo features of each. */
+/** All builds: their folder, their target, and their cargo features. */
 const BUILDS = {
-  /** What a first visit gets. */
+  /** The module of a first visit. */
   web: { folder: pageModule, target: 'web', features: [] },
   house: { folder: wholeModule, target: 'web', features: ['house'] },
   specimen: { folder: houseModule, target: 'web', features: ['specimen'] },
   nodejs: { folder: nodeModule, target: 'nodejs', features: ['house'] },
-  /** With the measurements. */
+  /** The module with benchmarks. */
   bench: { folder: join(targetDir, 'pkg-bench'), target: 'nodejs', features: ['bench', 'house'] },
 };
 
-// What decides the module beside the code that cargo compiled.
+// Files that affect the module besides the code that cargo has compiled.
 const recipe = ['Cargo.toml', 'Cargo.lock', 'package-lock.json', 'scripts/lib/wasm.mjs', 'scripts/lib/trim.mjs'];
 
-/** Builds what the site is made of. @param {NodeJS.ProcessEnv} env of the Rust for WebAssembly */
+/** Builds the modules of the site. @param {NodeJS.ProcessEnv} env of the Rust for WebAssembly */
 export async function buildModules(env) {
   await buildWasm('web', env);
   await buildWasm('house', env);
 }
 
 /**
- * Builds a module; answers its folder.
+ * Builds a module. Returns its folder.
  * @param {keyof typeof BUILDS} kind
  * @param {NodeJS.ProcessEnv} env of the Rust for WebAssembly
  */
@@ -47,7 +50,7 @@ export async function buildWasm(kind, env) {
   const features = wanted.length ? ['--features', wanted.join()] : [];
   const stamp = join(folder, '.built-from');
   say(`Building the WebAssembly module (${kind})`);
-  // The very build that wasm-pack asks for, so that nothing is compiled twice.
+  // This is exactly the build of wasm-pack, so that nothing is compiled twice.
   run('cargo', ['build', '--lib', '--release', '--target', wasmTarget, ...features], { env });
   const compiled = join(wasmTargetDir, wasmTarget, 'release', 'bubblestone.wasm');
   const source = digest([compiled, ...recipe.map((file) => join(root, file))]);
@@ -56,7 +59,7 @@ export async function buildWasm(kind, env) {
   const extra = features.length ? ['--', ...features] : [];
   run('wasm-pack', ['build', '--mode', 'no-install', '--profiling', '--target', target, '--out-dir', folder, ...extra], { env });
   const module = join(folder, 'bubblestone_bg.wasm');
-  // Only here: this file is read before the npm packages are installed.
+  // Imported here, because this file is read before the npm packages are installed.
   const { trim } = await import('./trim.mjs');
   trim(module);
   run('wasm-opt', [module, '-o', module, ...optimizing()], { env });
@@ -68,13 +71,21 @@ export async function buildWasm(kind, env) {
   return folder;
 }
 
-/** What the page loads: see www/module/lzma.ts. @param {string} folder @param {string} module @param {string} name */
+/**
+ * Packs a module for the page: see www/module/lzma.ts.
+ * @param {string} folder
+ * @param {string} module
+ * @param {string} name
+ */
 async function pack(folder, module, name) {
   const { default: lzma } = await import('lzma');
   writeFileSync(join(folder, `${name}.lzma`), Uint8Array.from(lzma.compress(readFileSync(module), 9)));
 }
 
-/** Lets the page go of a module with all its memory: scripts that were imported stay for ever, and hold their instance. @param {string} folder */
+/**
+ * Adds a function that releases a module with all its memory. Imported scripts stay for ever and hold their instance.
+ * @param {string} folder
+ */
 function releasable(folder) {
   const glue = join(folder, 'bubblestone.js');
   const views = [...readFileSync(glue, 'utf8').matchAll(/^let (cached\w+Memory0) = null;$/gm)].map(([, name]) => `${name} = `);
@@ -84,7 +95,7 @@ function releasable(folder) {
   appendFileSync(join(folder, 'bubblestone.d.ts'), '\n/** Lets go of the module and its memory; all that was made with it must be freed before. */\nexport function release(): void;\n');
 }
 
-/** What Cargo.toml tells wasm-opt to do with a release. */
+/** The options of wasm-opt for a release, from Cargo.toml. */
 function optimizing() {
   const [, words] = /^wasm-opt = \[([^\]]*)\]/m.exec(readFileSync(join(root, 'Cargo.toml'), 'utf8')) ?? [];
   if (words === undefined) throw new Stop('Cargo.toml has no words for wasm-opt.');
