@@ -1,5 +1,5 @@
-//! What any generator gets from those that run it, tried with one of a folder and a line: the link's
-//! codec, the studio, and what the native programs write.
+//! Functions that every generator gets from the shared code, tested with one that is a folder and a line: the
+//! link's codec, the studio, and the files of the native programs.
 
 mod common;
 #[cfg(not(target_arch = "wasm32"))]
@@ -41,7 +41,7 @@ fn an_unknown_generator_gets_a_sentence_and_a_pavement() {
         notices[0].to_string(),
         "Make must be pavement, surface or specimen; \"castle\" was given, kept pavement."
     );
-    // What only another generator knows is told like any word that nobody knows.
+    // A parameter that only another generator has gets the same notice as an unknown word.
     let (recipe, notices) = ALL.recipe("make=specimen&across=3&cs=30");
     assert_eq!(recipe.link(), "v=1&make=specimen&across=3");
     assert_eq!(notices[0].code, Code::NotAParameter);
@@ -55,7 +55,7 @@ fn only_what_is_stale_runs() {
         let changed = recipe(&format!("{SQUARES}&{change}"));
         studio.set_recipe(changed);
         assert_eq!(studio.finish(&mut || 0.0), Ok(()));
-        // The change before is undone with it, which is of a later stage.
+        // The previous change, which concerns a later stage, is undone at the same time.
         runs[stage..].iter_mut().for_each(|run| *run += 1);
         let found: Vec<u64> = studio.runs().iter().map(|&(_, runs)| runs).collect();
         assert_eq!(found, runs, "{change}");
@@ -121,7 +121,7 @@ fn presets_are_canonical() {
     }
 }
 
-/// What the native program writes for any generator.
+/// The files that the native program writes for any generator.
 #[cfg(not(target_arch = "wasm32"))]
 #[test]
 fn the_native_program_writes_its_files() {
