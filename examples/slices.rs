@@ -1,22 +1,20 @@
-//! `cargo run --release --example slices [-- LINK...]`
-//!
-//! Prints the longest slice of each stage, for all presets or for these links, as the best of three runs. Then
-//! those of the turntable: bodies and the first frame, moving, still, and fine, at the sizes of a phone's and a
-//! desktop's screen.
+//! `cargo run --release --example slices [-- LINK...]`: prints the longest slice of each stage, for all presets
+//! or for these links, as the best of three runs. Then those of the turntable: the bodies and the first frame,
+//! for a moving, a still and a fine frame, at the size of a phone's or a desktop's screen.
 
 use bubblestone::generators::{ALL, TurnOrder};
 use bubblestone::studio::Studio;
 use std::collections::BTreeMap;
 use std::time::Instant;
 
-/// Frames of the turntable, each with its words and its side in pixels.
+/// Frames of the turntable: name, quality, and side in pixels.
 const FRAMES: [(&str, &str, usize); 3] = [
     ("turn moving", "moving", 800),
     ("turn still", "still", 1600),
     ("turn fine", "fine", 1600),
 ];
 
-/// The shortest time of each slice, by stage and number.
+/// The shortest time of each slice, by its stage and its number in the stage.
 type Best = BTreeMap<(&'static str, u32), f64>;
 
 fn main() {
@@ -70,7 +68,7 @@ fn main() {
 }
 
 /// The result of a slice, and its milliseconds.
-#[allow(clippy::disallowed_methods)] // The library has no clock: this measures it.
+#[allow(clippy::disallowed_methods)] // The library has no clock of its own; this measures it.
 fn timed(slice: &mut dyn FnMut() -> bool) -> (bool, f64) {
     let before = Instant::now();
     let goes_on = slice();

@@ -1,8 +1,9 @@
-//! The link is the picture: every preset has the same planes, bit for bit, on every machine. They are compared
-//! with `digests.txt` here, and with the shipped module in `node/shipped.test.mjs`. Other properties of all
-//! presets are tested here, too, since each preset takes its time.
+//! The link determines the picture: every preset has the same planes, bit for bit, on every machine. This file
+//! compares them with `digests.txt`; `node/shipped.test.mjs` does the same with the shipped module. Other
+//! properties of all presets are also tested here, because making each preset takes time.
 //!
-//! After a change that is meant to change pictures: `BUBBLESTONE_UPDATE=1 cargo test --test digests`.
+//! After an intended change of pictures:
+//! `BUBBLESTONE_UPDATE=1 cargo test --test digests`.
 
 // Tests under Node compare the digests in WebAssembly.
 #![cfg(not(target_arch = "wasm32"))]
@@ -19,18 +20,17 @@ use std::sync::OnceLock;
 
 const GOLDEN: &str = include_str!("digests.txt");
 
-/// The properties of a preset's finished picture that are tested.
+/// The facts about a preset's finished picture.
 struct Made {
     name: &'static str,
     digest: String,
     converged: bool,
-    /// The difference between a light tone and a dark one; a twentieth of the picture is lighter, and a
-    /// twentieth darker.
+    /// The difference between a dark and a light tone, at the 5th and 95th percentile.
     contrast: u8,
     /// Whether all heights are finite.
     finite: bool,
     cracks: usize,
-    /// The share of the picture that is skin, for presets with skin.
+    /// The share of the picture that is skin, for a preset of skin.
     skin: Option<f64>,
 }
 
@@ -66,8 +66,7 @@ fn contrast(picture: &[u8]) -> u8 {
     light - dark
 }
 
-/// Counts cracks: pixels within one stone that belong to another one or to the ground, and lie below all pixels
-/// around them.
+/// The number of pixels surrounded by one stone that are not part of it and lie below all their neighbours.
 fn cracks(planes: &Planes) -> usize {
     let side = planes.side;
     let mut count = 0;

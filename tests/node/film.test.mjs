@@ -14,7 +14,7 @@ let module;
 /** @type {any} */
 let frames;
 
-/** A canvas that records the names of the calls on it. */
+/** A canvas that records the hashes of the pictures drawn on it. */
 class Canvas {
   name = '';
 
@@ -67,8 +67,8 @@ for (const link of ['size=192&cs=16', 'size=192&cs=9&vs=0.4&stone=skin', 'size=1
 }
 
 /**
- * A stand-in for a browser's encoder that gives frames in decoding order: each third frame comes before the
- * two before it.
+ * An encoder like those of some browsers: it delivers frames in the order of decoding. Each third frame comes before
+ * the two that precede it.
  */
 class Encoder extends EventTarget {
   encodeQueueSize = 0;

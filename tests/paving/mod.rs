@@ -1,5 +1,5 @@
-//! Helpers for studios that make pavements.
-#![allow(dead_code)] // Each test file uses its part of it.
+//! Access to the pavement inside a studio, for tests.
+#![allow(dead_code)] // Each test file uses a part of it.
 
 use bubblestone::generators::ALL;
 use bubblestone::generators::pavement::{self, Pavement};
@@ -20,7 +20,7 @@ pub fn row(key: Key) -> &'static Parameter {
 pub trait OfPavement {
     /// The pavement at work.
     fn pavement(&self) -> &Pavement;
-    /// The same, for results that are computed on demand.
+    /// The same, mutable, for results that are computed on request.
     fn pavement_mut(&mut self) -> &mut Pavement;
 }
 

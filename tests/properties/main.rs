@@ -1,4 +1,4 @@
-//! Properties of each stage and of all stages together. To run one file: `cargo test --test properties
+//! Properties of each stage and of the whole pipeline. To run one file: `cargo test --test properties
 //! fields::`.
 
 #[path = "../common/mod.rs"]
@@ -9,7 +9,8 @@ mod paving;
 #[cfg(target_arch = "wasm32")]
 mod web;
 
-/// The rest is native only: WebAssembly has the same bits, as the digests show.
+/// Everything else is tested natively only. The digests show that WebAssembly computes the same bits, so
+/// nothing here can differ there.
 #[cfg(not(target_arch = "wasm32"))]
 mod native {
     mod bad_links;

@@ -15,14 +15,14 @@ fn number(object: &JsValue, key: &str) -> f64 {
     property(object, key).as_f64().unwrap()
 }
 
-/// The code of a notice; its sentence must end with a full stop.
+/// The code of a notice, whose sentence ends with a full stop.
 fn code(notice: &JsValue) -> String {
     let text = property(notice, "text").as_string().unwrap();
     assert!(text.ends_with('.'), "{text}");
     property(notice, "code").as_string().unwrap()
 }
 
-/// Whether something was refused, and the codes of the notices.
+/// Whether a value was refused, and the codes of the notices.
 fn answer(answer: &JsValue) -> (bool, String) {
     let notices: Array = property(answer, "notices").unchecked_into();
     let codes: Vec<String> = notices.iter().map(|notice| code(&notice)).collect();
@@ -145,7 +145,7 @@ fn outlines_go_in_and_out() {
         (vec![10., 10., 100., 100., 100., 10., 10., 100.], vec![4]),
         (vec![], vec![]),
         (vec![1., 2.], vec![u32::MAX, 2]),
-        // With this many rings, a copy of the rest for each would not fit into memory.
+        // Copying the remaining points for each of these rings would not fit into memory.
         (vec![10.; 400_000], vec![2; 100_000]),
     ] {
         assert!(answer(&page.set_outline(&points, &rings)).0);

@@ -1,16 +1,13 @@
-/**
- * Makes a link's picture again with more pixels. It runs in a worker, which ends with the picture, so the page is
- * never blocked.
- */
+/** Runs a link and makes its picture with more pixels, in a worker that ends with the picture. So the page is never blocked. */
 import { serve } from '../late/worker';
 import { studioFor } from '../module/given';
 import { loadModule } from '../module/load';
 import { BUDGET, finish } from '../module/run';
 
-/** The input of the worker: the recipe's link, and the factor on the picture's side. */
+/** The message to the worker: the recipe, and the pixels for one of its own, along a side. */
 export type Order = [link: string, scale: number];
 
-/** Its result; without a picture if the recipe gives none at this scale. */
+/** The worker's answer; without a picture if the recipe gives none at this scale. */
 export interface Answer {
   picture?: ImageBitmap;
 }
@@ -37,7 +34,7 @@ async function painted(link: string, scale: number): Promise<ImageData | undefin
   }
 }
 
-/** Writes red, green and blue into pixels from index `at` on; returns the next index. */
+/** Copies red, green and blue into RGBA pixels from `at` on; returns the next place. */
 function put(rows: Uint8Array, pixels: Uint8ClampedArray, at: number): number {
   for (let k = 0; k < rows.length; k += 3, at += 4) {
     pixels[at] = rows[k] ?? 0;

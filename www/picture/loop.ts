@@ -1,9 +1,9 @@
 /**
- * The animation frames: a slice of work in each; no frames when there is nothing to do or to show.
+ * The animation frames: each does a slice of the work, and none is requested when there is nothing to do or to see.
  *
- * A frame works for some milliseconds and then draws. If both would take long, the next frame only draws. Drawings
- * of many shapes are made some rows at a time over several frames while the work stands still; the pixels are the
- * same as if drawn at once. Scripts get the digest only when its picture is drawn.
+ * A frame works for some milliseconds and draws. If both would take long, the next frame only draws. Large drawings
+ * are prepared in pieces of some rows over several frames, while the work pauses; the pixels are the same as if drawn
+ * at once. Scripts get the digest only when its picture is drawn.
  */
 import { isEnd, isUpToSteps } from '../module/stages';
 import type { Engine } from '../state/engine';
@@ -14,8 +14,8 @@ import type { Watch } from './watch';
 const BUDGET = 12;
 
 /**
- * A drawing that takes more milliseconds than the first number is made in some frames only: it may take this share
- * of the time.
+ * If drawing takes longer than DRAWN_ALWAYS milliseconds, only some frames draw, so that drawing takes this share of
+ * the time.
  */
 const DRAWN_ALWAYS = 8;
 const DRAWING_SHARE = 0.25;
@@ -23,39 +23,36 @@ const DRAWING_SHARE = 0.25;
 /** Milliseconds after which a page without cells shows the bare ground. */
 const BARE = 250;
 
-/** If work and drawing would take more milliseconds than this, a frame only works, and the next one only draws. */
+/** If work and drawing would take longer than this, a frame only works, and the next one only draws. */
 const LONG = 32;
 
-/** Milliseconds of a frame for a piece of a drawing. */
+/** Milliseconds of a frame for a drawing that is made in pieces. */
 const PIECE = 16;
 
-/** Runs the work of two pictures that advance together. */
+/** Decides how the work advances in a frame, when two pictures form together. */
 interface Pair {
-  /** Works for about `budget` milliseconds and makes at most `steps` steps; true if the display may have changed. */
+  /** Works for about `budget` milliseconds and makes at most `steps` steps; true if the picture may have changed. */
   tick(engine: Engine, budget: number, steps: number): boolean;
 }
 
-/** Draws instead of the view, if there is one; it works in pieces as well. */
+/** Draws something else instead of the view, also in pieces. */
 export interface Painter {
   /** The share of the time that it may take while the work goes on. */
   readonly share: number;
-  /** Notes that its subject may look different now. */
+  /** Called when its content may have changed. */
   changed(): void;
-  /** Works for about `budget` milliseconds; true if nothing is left to do before the work goes on. */
+  /** Works for about `budget` milliseconds; true when the work may go on. */
   advance(budget: number): boolean;
 }
 
 export class Loop {
-  /** The most packing steps in a frame; below 1, several frames share one step. */
+  /** The most packing steps of a frame; below 1, several frames share one. */
   stepsPerFrame = 1;
-  /** The pace while somebody watches the forming. */
+  /** The pace while a visitor watches. */
   watch: Watch | undefined;
-  /**
-   * The step up to which the packing runs, to be held there. A pause before that, or a change of the recipe, drops
-   * it.
-   */
+  /** The step at which the packing is to pause. An earlier pause or a change of the recipe clears it. */
   until: Until | undefined;
-  /** Another picture that advances together with this one. */
+  /** Another picture that forms together with this one. */
   pair: Pair | undefined;
   painter: Painter | undefined;
   private readonly ending = new AbortController();
@@ -64,27 +61,27 @@ export class Loop {
   private readonly view: (stage: string) => string | undefined;
   private readonly drawn: (stage: string, changed: boolean) => void;
   private held = false;
-  /** While held: run up to the packing, or on from a finished packing, but take no packing step. */
+  /** While held: the work may run up to the packing, or after a finished packing, but makes no packing step. */
   private settling = false;
   private dirty = false;
   private frame = 0;
   /**
-   * Drawings of work in progress wait until this time. Requested drawings, the first cells and results are drawn at
-   * once.
+   * Work in progress is not drawn again before this time. Requested drawings, the first cells and finished work are
+   * drawn at once.
    */
   private nextDrawing = 0;
   /**
-   * An estimate of how long the rest of a drawing takes once its pieces are made, from the last ones. The first one
-   * is unknown.
+   * The expected time of the rest of a drawing after its pieces are made, from the last drawings; a guess for the
+   * first one.
    */
   private drawing = LONG;
-  /** How long the pieces of the next drawing have taken so far. */
+  /** The time of the pieces of the next drawing so far. */
   private pieces = 0;
-  /** The next frame draws the results of this one, and does no work. */
+  /** The next frame draws the result of this one, and does no work. */
   private owed = false;
   private spared = false;
 
-  /** `view` gives the view to draw at a stage, if any. `drawn` is called in every frame in which something was done. */
+  /** `view` returns the view to draw at a stage, if any; `drawn` is called in every frame in which something was done. */
   constructor(engine: Engine, view: (stage: string) => string | undefined, drawn: (stage: string, changed: boolean) => void) {
     this.engine = engine;
     this.view = view;
@@ -99,15 +96,15 @@ export class Loop {
   set paused(paused: boolean) {
     this.held = paused;
     this.until = undefined;
-    // Without cells, the work goes on to the first ones; a step of many cells may take several slices.
+    // Work without cells goes on to the first ones. With a painter, a step of many cells may take several slices.
     const { generator } = this.engine;
     const stage = this.engine.stage();
     this.settling = isUpToSteps(generator, stage) || (this.painter !== undefined && stage === generator.stepping);
-    // A pause shows the step that it holds, which may not be drawn yet.
+    // The step that a pause holds may not have been drawn yet.
     this.redraw();
   }
 
-  /** Whether no work is left, apart from what a pause holds. */
+  /** Whether no work is left, except the work that a pause holds. */
   get stands(): boolean {
     return isEnd(this.engine.stage()) || (this.held && !this.settling);
   }
@@ -123,32 +120,32 @@ export class Loop {
     return this.frame === 0;
   }
 
-  /** Starts the work. Cells are the first thing to be drawn, unless they take long. */
+  /** Starts the work. The first drawing shows cells, unless they take long. */
   begin(): void {
     this.nextDrawing = performance.now() + BARE;
     this.settling = true;
     this.wake();
   }
 
-  /** After a change of the recipe: works and draws again, up to where a pause holds the packing. */
+  /** The recipe has changed: works and draws again, up to the step that a pause holds. */
   changed(): void {
     this.settling = true;
     this.redraw();
   }
 
-  /** After a change of the display: draws again, without new work. */
+  /** The view has changed, but not the recipe. */
   redraw(): void {
     this.painter?.changed();
     this.look();
   }
 
-  /** Asks for another frame to draw. */
+  /** Requests a frame that draws. */
   look(): void {
     this.dirty = true;
     this.wake();
   }
 
-  /** Leaves the next frame to the browser, which has new elements to lay out. */
+  /** Leaves the next frame to the browser, which has a new layout to compute. */
   spare(): void {
     this.spared = true;
   }
@@ -157,7 +154,7 @@ export class Loop {
     if (!this.frame && !document.hidden) this.frame = requestAnimationFrame((begin) => this.run(begin));
   }
 
-  /** Whole steps for this frame; the fraction goes to the next one. */
+  /** Whole steps for this frame; the remainder is kept for the next one. */
   private stepsNow(): number {
     this.credit += this.stepsPerFrame;
     const steps = Math.floor(this.credit);
@@ -165,7 +162,7 @@ export class Loop {
     return steps;
   }
 
-  /** Works on the pieces of a drawing; true when they are made. */
+  /** Prepares the pieces of a drawing; true when they are ready. */
   private prepared(stage: string): boolean {
     const view = this.view(stage);
     if (view === undefined) return true;
@@ -186,7 +183,7 @@ export class Loop {
     this.nextDrawing = spent > DRAWN_ALWAYS ? end + spent * (1 / (this.painter?.share ?? DRAWING_SHARE) - 1) : end;
   }
 
-  /** A frame that began at `begin`. */
+  /** `begin` is the time when the frame began. */
   private run(begin: number): void {
     this.frame = 0;
     if (document.hidden || !this.engine.alive) return;
@@ -201,10 +198,10 @@ export class Loop {
     this.hold();
     const stage = this.engine.stage();
     if (changed || stage !== before) this.painter?.changed();
-    // While held, work ends where only packing steps are left. The packing's first cells may take a slice of their
+    // While held, the work ends when only packing steps are left. The packing's first cells may take a slice of their
     // own.
     if (isEnd(stage) || (working && this.held && stage === stepping && !changed)) {
-      // The state is final now and can be drawn better.
+      // Bodies that no longer change are painted in better quality.
       if (this.settling && this.painter) this.dirty = true;
       this.settling = false;
     }
@@ -212,7 +209,7 @@ export class Loop {
     const due = changed && now >= this.nextDrawing;
     const draw = this.owed || this.dirty || due || isEnd(stage) || (stage !== before && (this.held || stage === stepping));
     const isLong = working && now - begin + (this.painter ? PIECE : this.drawing) > LONG;
-    // A painter may ask for another frame.
+    // A painter may request another frame, which comes next.
     if (this.painter) this.dirty = false;
     this.owed = draw && (isLong || !this.prepared(stage));
     if (this.owed) return this.wake();
@@ -221,7 +218,7 @@ export class Loop {
     if (!isEnd(stage) && (!this.held || this.settling)) this.wake();
   }
 
-  /** Pauses once the packing has reached the step to hold at. */
+  /** Pauses when the packing has reached the step of `until`. */
   private hold(): void {
     const { until } = this;
     if (until?.made === undefined) return;
@@ -229,15 +226,15 @@ export class Loop {
     until.held(until.made);
   }
 
-  /** Does a slice of work in a frame that began at `begin`; true if the display may have changed. */
+  /** Does a slice of the work in a frame that began at `begin`; true if the picture may have changed. */
   private work(begin: number): boolean {
     const { engine, watch } = this;
-    // The other picture gets the other half of the time.
+    // The other picture uses the other half of the time.
     if (this.pair && !this.until) return this.pair.tick(engine, BUDGET / 2, this.held ? 0 : this.stepsNow());
     if (this.held) return engine.tick(BUDGET, 0);
     if (this.until) return this.until.tick(engine, BUDGET, this.stepsNow());
     if (!watch) return engine.tick(BUDGET, this.stepsNow());
-    // If slow steps are wanted, take them as they are.
+    // If the visitor asked for slow steps, they stay slow.
     return watch.tick(engine, begin, BUDGET, this.stepsPerFrame < 1 ? this.stepsNow() : undefined);
   }
 }

@@ -4,7 +4,7 @@ import { byIdAs, make } from '../base/dom';
 import type { Engine } from '../state/engine';
 import type { Store } from '../state/store';
 
-/** Views that need a sentence about what they show. */
+/** Views that have a sentence about their content. */
 const DRAWINGS = ['packed', 'cells', 'mesh', 'direction', 'height', 'normals', 'ids', 'potential', 'albedo', 'roughness', 'ao', 'paper'] as const;
 
 export class View {
@@ -14,7 +14,7 @@ export class View {
   private readonly engine: Engine;
   private readonly store: Store;
   private readonly followers: (() => void)[] = [];
-  /** Gives the note of a view that is a frame of bodies. */
+  /** Returns the note of a view that is seen by frames. */
   noted: ((view: string) => string) | undefined;
 
   constructor(engine: Engine, store: Store) {
@@ -27,17 +27,17 @@ export class View {
     store.on(['view'], ({ view }) => (this.select.value = view));
   }
 
-  /** The views of the present generator; the keys 0 to 9 select the first ten. */
+  /** The views of the present generator; the first ten have the keys 0 to 9. */
   get bases(): readonly string[] {
     return this.engine.generator.bases;
   }
 
-  /** The overlays, in the order in which they are drawn. */
+  /** The overlays, in the order of drawing. */
   get overlays(): readonly string[] {
     return this.engine.generator.overlays;
   }
 
-  /** After a change of the generator: drops views and overlays that it does not have. */
+  /** Updates the views for another generator; a view or overlay that it does not have is no longer shown. */
   follow(): void {
     const { view, overlays } = this.store.state;
     this.select.replaceChildren(...this.bases.map((word) => make('option', { value: word }, viewIn(word))));
@@ -45,7 +45,7 @@ export class View {
     this.select.value = this.store.state.view;
   }
 
-  /** A sentence about a drawing; '' for pictures. */
+  /** A sentence on the content of a drawing; '' for pictures. */
   get note(): string {
     if (this.engine.offers('frames')) return this.noted?.(this.store.state.view) ?? '';
     const drawing = DRAWINGS.find((word) => word === this.store.state.view);
@@ -53,8 +53,8 @@ export class View {
   }
 
   /**
-   * The parts of the view that show nothing, by their words, with a sentence why. Empty while work goes on, because
-   * they may still come.
+   * The parts of the view that show nothing, by word, with a sentence on the reason. Empty while work goes on,
+   * because they may still come.
    */
   absences(): Map<string, string> {
     const { stage, paused } = this.store.state;
@@ -62,7 +62,7 @@ export class View {
     return new Map([...found].map(([word, why]) => [word, t(`absent_${why}`)]));
   }
 
-  /** The remarks of the engine, once the inputs of the packing are complete. */
+  /** The remarks of the engine, once the packing has begun. */
   remarks(stage: string): string[] {
     const { stages, stepping } = this.engine.generator;
     return stage === 'done' || stages.indexOf(stage) >= stages.indexOf(stepping) ? this.engine.remarks().map(said) : [];
@@ -78,13 +78,13 @@ export class View {
     for (const follow of this.followers) follow();
   }
 
-  /** The view and its overlays, in the words of the module. */
+  /** The view and overlays in the words of the module. */
   get words(): string {
     const { view, overlays } = this.store.state;
     return [view, ...overlays].join('+');
   }
 
-  /** Registers a function to be called after each drawing. */
+  /** `follow` is called after each drawing of the canvas. */
   drawn(follow: () => void): void {
     this.followers.push(follow);
   }

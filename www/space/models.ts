@@ -1,4 +1,4 @@
-/** Files of models that the visitor opens: identified by their digest, kept, and named in the recipe. */
+/** Model files that the visitor opens: they are identified by their digest, stored, and named in the recipe. */
 import { piecesOf } from '../module/given';
 import { generators } from '../module/generators';
 import { loadWhole } from '../module/load';
@@ -13,7 +13,7 @@ import { withValues } from '../state/link';
 import type { State } from '../state/store';
 import type { Work } from '../state/work';
 
-/** The most bytes of a file; a model with the most triangles has about two hundred million. */
+/** Largest file in bytes; a model with the most triangles allowed has some two hundred million. */
 const LARGEST = 400_000_000;
 
 /** A file as recipes name it. */
@@ -21,16 +21,16 @@ interface Named {
   digest: string;
   /** The value of the parameter for it. */
   value: string;
-  /** The module that read it. */
+  /** The module that has computed the digest. */
   module: Whole;
 }
 
-/** The file that is being read. */
+/** Stops the file that is being read. */
 let now: AbortController | undefined;
 
 /**
- * Opens a file, and names it in the recipe. If the recipe takes files already, its other settings stay. If the
- * recipe waits for this very file, it gets it; `again` is called if only that is new.
+ * Opens a file and names it in the recipe. The other settings stay if the present generator takes files. If the
+ * recipe already names the file, the engine receives it, and `again` is called because the recipe does not change.
  */
 export async function openModel(work: Work, file: File, again: () => void): Promise<void> {
   now?.abort();
@@ -53,7 +53,7 @@ export async function openModel(work: Work, file: File, again: () => void): Prom
   }
 }
 
-/** Throws the browser's error if the file is gone, or the module cannot be loaded. */
+/** Throws the browser's error if the file has gone or the module does not load. */
 async function nameOf(file: File, task: Task): Promise<Named> {
   const module = await loadWhole();
   const digest = new module.FileDigest(file.size);
@@ -72,8 +72,8 @@ async function nameOf(file: File, task: Task): Promise<Named> {
 }
 
 /**
- * The link that names the file: the present recipe with it, or one of another generator if the present one takes no
- * files. `role` is the key of the parameter for which the recipe waits.
+ * The link of a recipe that names a file: the present recipe with it, or one of another generator if this one takes
+ * no files. `role` is the key of the parameter that the recipe waits for.
  */
 function askingFor({ value, module }: Named, { make, recipe }: State, role: string | undefined): string {
   const rowOf = (word: string): Parameter | undefined => {
@@ -83,7 +83,7 @@ function askingFor({ value, module }: Named, { make, recipe }: State, role: stri
   const taker = rowOf(make) ? make : generators.find(({ word }) => rowOf(word))?.word;
   const row = taker === undefined ? undefined : rowOf(taker);
   if (!row) return recipe;
-  // The parameter may apply only beside a value of another one.
+  // The parameter may apply only with certain values of another one.
   const beside = row.shownFor?.words.slice(0, 1).map((word) => [row.shownFor?.key ?? '', word] as const) ?? [];
   return withValues(taker === make ? recipe : `v=1&make=${taker}`, [...beside, [row.key, value]]);
 }

@@ -1,6 +1,4 @@
-/**
- * The page's extras for generators whose pictures are frames of bodies: files of models, and tools to paint on them.
- */
+/** The parts of the page for generators that are seen by frames only: model files, and tools for painting. */
 import { t } from '../words/space';
 import { said } from '../words/words';
 import { make } from '../base/dom';
@@ -14,7 +12,7 @@ import { openModel } from './models';
 import { Painter } from './paint/painter';
 import '../styles/late/space.css';
 
-/** The index of the stage that mends a file. */
+/** The index of the stage that repairs a file. */
 const MADE = 0;
 
 export class Space {
@@ -22,12 +20,12 @@ export class Space {
   private readonly turn: Later<PageTurntable>;
   private readonly again: () => void;
   private painter: Painter | undefined;
-  /** The name of the file opened last, until its repairs have been reported. */
+  /** The name of the file that was opened last, until its repairs have been shown. */
   private opened = '';
   private readonly asked = new Asked(() => this.choose());
   private readonly file = make('input', { type: 'file', id: 'model-file', accept: '.obj,.glb,.ply,.stl', hidden: '', 'aria-label': t('choose') });
 
-  /** `again` is called when the engine has something to do without a change of the recipe. */
+  /** `again` starts the engine when the recipe has not changed. */
   constructor(work: Work, turn: Later<PageTurntable>, again: () => void) {
     this.work = work;
     this.turn = turn;
@@ -36,13 +34,13 @@ export class Space {
     this.file.addEventListener('change', () => {
       const [chosen] = this.file.files ?? [];
       if (chosen) void this.take(chosen);
-      // So that the same file can be chosen again.
+      // Resetting the value lets the visitor choose the same file again.
       this.file.value = '';
     });
     work.store.on(['recipe', 'stage'], () => this.follow());
   }
 
-  /** Opens the file chooser. */
+  /** Opens the browser's dialog for files. */
   choose(): void {
     this.file.click();
   }
@@ -53,7 +51,7 @@ export class Space {
     return openModel(this.work, file, this.again);
   }
 
-  /** Follows the state of the work. */
+  /** Updates these parts after a change of the state. */
   follow(): void {
     const { engine, store } = this.work;
     const { stage } = store.state;
@@ -62,7 +60,7 @@ export class Space {
     if (engine.offers('paint')) this.turn.ask((page) => void this.painted(page));
   }
 
-  /** Reports the repairs of an opened file, once they are known. */
+  /** Shows what was repaired in an opened file, once that is known. */
   private tell(): void {
     const { engine } = this.work;
     const { stages } = engine.generator;

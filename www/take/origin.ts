@@ -1,13 +1,13 @@
 /**
- * The origin of a saved file. Pictures and drawings carry their link, and can be opened by it like recipes. A PNG
- * file has it as a text with the program's name as keyword, an SVG file in its metadata.
+ * The origin of a saved file: pictures and drawings carry their link, and can be opened like recipes. A PNG file
+ * holds the link as a text with the program's name as keyword, an SVG file as metadata.
  */
 import { textIn, withText } from './files/png';
 
-/** The program that writes these files; files of others are not read. */
+/** The program that writes these files. Files of other programs are not read. */
 export const PROGRAM = 'Bubblestone';
 
-/** The file with the address inside. */
+/** A copy of the file with the address inside. */
 export async function signed(file: Blob, address: string): Promise<Blob> {
   if (file.type === 'image/png') return withText(file, PROGRAM, address);
   const text = await file.text();
@@ -22,7 +22,7 @@ export async function signedPng(canvas: HTMLCanvasElement, address: string): Pro
   return picture ? signed(picture, address) : undefined;
 }
 
-/** The address in a file's bytes, as far as these reach; undefined if there is none. */
+/** The address in such a file, read from its first bytes; undefined if there is none. */
 export function originIn(bytes: Uint8Array): string | undefined {
   const inPicture = textIn(bytes, PROGRAM);
   if (inPicture !== undefined) return inPicture;

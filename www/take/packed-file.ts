@@ -1,6 +1,6 @@
 /**
- * The files of models inside a recipe's file: compressed bytes, written as text, at the end. Reading and writing
- * work piece by piece.
+ * The model files inside a recipe's file: their bytes, compressed, as base64 at its end. Writing and reading go piece
+ * by piece.
  */
 import { findFile, keepFile } from '../module/shelf';
 import { piecesOf } from '../module/given';
@@ -9,19 +9,19 @@ import type { Task } from '../late/task';
 import type { Engine } from '../state/engine';
 import { Parts } from './files/parts';
 
-/** The text between a file's description and its bytes. */
+/** The text between a model's description and its bytes. */
 const BYTES = '"gzip": "';
 
-/** The bytes of a piece, and the letters of its text. */
+/** Bytes of a piece, and characters of its base64. */
 const PIECE = 3 << 16;
 const TEXT = 4 << 16;
 
-/** After a file, the description of the next one begins within this many bytes. */
+/** The next model's bytes begin within this many bytes after the end of one. */
 const HEAD = 4096;
 
 /**
- * The text of a recipe's file with those of its models at its end; `text` is a JSON object. Throws a sentence if a
- * model is not available.
+ * Adds the models of a recipe to the text of its file; `text` is a JSON object. Throws an Error with a sentence if a
+ * model is missing.
  */
 export async function withFiles(text: string, engine: Engine, task: Task): Promise<BlobPart[]> {
   const named = engine.files();
@@ -38,7 +38,7 @@ export async function withFiles(text: string, engine: Engine, task: Task): Promi
   return [...parts, ']\n}\n'];
 }
 
-/** The bytes of a file, compressed, as text. `overall` turns the share of this file into that of the whole work. */
+/** The bytes of a file, compressed, as base64; `overall` converts the progress of this file to that of all files. */
 async function packedText(file: Blob, task: Task, overall: (part: number) => number): Promise<Blob> {
   const parts = new Parts();
   let read = 0;
@@ -54,17 +54,17 @@ async function packedText(file: Blob, task: Task, overall: (part: number) => num
   return parts.file('');
 }
 
-/** The text of a recipe's file, as far as it is read at once, and where the first model's bytes begin in the file. */
+/** The text of a recipe's file up to its first model, and the place in the file where that model's bytes begin. */
 export function headOf(bytes: Uint8Array): { text: string; at: number | undefined } {
   const at = new TextDecoder('latin1').decode(bytes).indexOf(BYTES);
   if (at < 0) return { text: new TextDecoder().decode(bytes), at: undefined };
   const begin = at + BYTES.length;
   const text = new TextDecoder().decode(bytes.subarray(0, begin));
-  // Older files have one model, not a list.
+  // Older files have a single model instead of a list.
   return { text: `${text}"}${text.includes('"files": [') ? ']' : ''}}`, at: begin };
 }
 
-/** Keeps the models of a recipe's file, so that the recipe finds them. The engine checks their digests. */
+/** Stores the models of a recipe's file, so that the recipe finds them. The engine checks their digests. */
 export async function keepFiles(file: Blob, at: number, first: object): Promise<void> {
   let next: { head: object; at: number } | undefined = { head: first, at };
   while (next) {
@@ -96,7 +96,7 @@ async function following(file: Blob, begin: number): Promise<{ head: object; at:
   return undefined;
 }
 
-/** The bytes that a text in a file encodes, up to its end. */
+/** The bytes that a base64 text in a file encodes, up to its closing quote. */
 async function* bytesFrom(file: Blob, begin: number): AsyncGenerator<Uint8Array<ArrayBuffer>> {
   for (let at = begin; at < file.size; at += TEXT) {
     const text = new TextDecoder('latin1').decode(await file.slice(at, at + TEXT).arrayBuffer());
@@ -116,7 +116,7 @@ function from(pieces: AsyncGenerator<Uint8Array<ArrayBuffer>>): ReadableStream<U
   });
 }
 
-/** Cuts bytes into pieces whose lengths are multiples of three: three bytes become four letters. */
+/** Pieces whose length is a multiple of three bytes, as base64 needs. */
 async function* inThrees(reader: ReadableStreamDefaultReader<Uint8Array<ArrayBuffer>>): AsyncGenerator<Uint8Array> {
   const held = new Uint8Array(PIECE);
   let filled = 0;

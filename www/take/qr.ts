@@ -1,8 +1,8 @@
-/** A QR code (ISO 18004) of a text as an SVG: dark on light in any theme, with the quiet zone of four modules. */
+/** A QR code (ISO 18004) of a text as an SVG. It is dark on light in any theme, with the quiet zone of four modules. */
 import { generate } from 'lean-qr';
 import { shape } from '../late/svg';
 
-/** The most characters: the modules of a longer text are too small for a camera in front of a screen. */
+/** The most characters; the modules of a longer text are too small for a camera in front of a screen. */
 export const MOST = 1200;
 
 const QUIET = 4;

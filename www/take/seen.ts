@@ -1,4 +1,4 @@
-/** The scene that the turntable shows now, and its camera. */
+/** The subject, camera and view that the turntable shows now. */
 import { cameraWords, homeOf } from '../state/asked-view';
 import type { Engine } from '../state/engine';
 import type { Store } from '../state/store';

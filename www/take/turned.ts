@@ -1,4 +1,4 @@
-/** Files of the turntable: pictures of its bodies, planes of these, and a film of one turn. */
+/** Exports of the turntable: pictures of its bodies, the data planes of these, and a film of one turn. */
 import { t } from '../words/take';
 import { make } from '../base/dom';
 import type { Work } from '../state/work';
@@ -9,7 +9,7 @@ import type { Job } from './files/job.worker';
 import type { Backdrop } from './files/turn';
 import { seenNow } from './seen';
 
-/** Pixels along the side of a picture, and factors on them. */
+/** Pixels along the side of a picture, and its factors. */
 const SIDE = 1024;
 const SCALES = [1, 2, 3, 4];
 
@@ -20,7 +20,7 @@ const chosen: { scale: string; backdrop: string } = { scale: '1', backdrop: 'flo
 
 type Offer = (id: string, word: string, ending: string, job: () => Job) => HTMLElement;
 
-/** The row of the dialog. `offer` makes a button for a file, `close` closes the dialog. */
+/** The row of the dialog. `offer` makes a button for a file; `close` closes the dialog. */
 export function turned({ engine, store }: Work, offer: Offer, close: () => void): HTMLElement {
   const sizes = Object.fromEntries(SCALES.map((scale) => [scale, t('turned_scale', { scale, n: SIDE * scale })]));
   const size = select('turn-size', t('turned_size'), sizes, chosen.scale);
@@ -45,7 +45,10 @@ export function turned({ engine, store }: Work, offer: Offer, close: () => void)
   );
 }
 
-/** The button for the film: the best file that the browser can make, or an animation, which all can make. */
+/**
+ * The button of the film. It makes the best file that the browser can encode, or an animation, which all browsers can
+ * make.
+ */
 function film(makeIt: (codecs: Codec[]) => void): HTMLElement {
   const key = make('button', { type: 'button', class: 'key', id: 'save-turn-film', disabled: '' }, t('turned_film', { file: FILES.mp4 }));
   void codecsFor('turn').then((codecs) => {

@@ -1,4 +1,4 @@
-/** Makes a file: shows its progress with a way to stop it, then hands the file over. */
+/** Shows the progress of a file with a button that stops it, then hands over the file. */
 import { t } from '../words/take';
 import { reasonOf } from '../base/errors';
 import { clear, notice, passing } from '../base/messages';
@@ -9,8 +9,8 @@ import { stoppable, type Task } from '../late/task';
 let busy: string | undefined;
 
 /**
- * Makes a file and hands it over. `work` throws a sentence if it cannot be made. `hand` may hand it over in another
- * way, and then returns true.
+ * Makes a file and hands it over. `work` throws an Error with a sentence if the file cannot be made. `hand` may hand
+ * it over in another way, and then returns true.
  */
 export async function working(name: string, work: (task: Task) => Promise<Blob>, hand: (file: Blob, name: string) => boolean = () => false): Promise<void> {
   if (busy !== undefined) {

@@ -84,12 +84,12 @@ export function presetIn(preset: Preset): Preset {
   return foreign && own ? { ...preset, title: own.title || foreign.figure(preset.figure), note: own.note, figure: foreign.figure(preset.figure) } : preset;
 }
 
-/** The text of a notice in the current language. */
+/** A notice of the module in the page's language. */
 export function said(notice: Notice): string {
   return foreign?.said(notice) ?? notice.text;
 }
 
-/** A paper's name for a part of its work, in the current language. */
+/** A paper's name for a part of its work, in the page's language. */
 export function partIn(name: string): string {
   return foreign?.parts[name] ?? name;
 }

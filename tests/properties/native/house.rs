@@ -1,14 +1,13 @@
-//! The drawing of the house (docs/house.svg) is true to the code. Arrows lead from a folder to all folders that
-//! it uses, each arrow stands for a use, and arrows form no circle. Files do not use each other in a circle,
-//! either.
+//! The drawing of the house (docs/house.svg) agrees with the code. Each use between folders has arrows, each
+//! arrow stands for a use, and no arrows form a circle. No files use each other in a circle either.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 
-/// Names of two folders, of which the first uses the second.
+/// Pairs of folders, of which the first uses the second.
 type Uses = BTreeSet<(String, String)>;
 
-/// Folders that any folder of src may use: no arrows are drawn to them.
+/// Basic folders, which any folder of src may use without an arrow.
 const GROUND: [&str; 5] = ["notice", "order", "random", "decimal", "hash"];
 
 /// Files that still use each other in a circle. The list may only shrink.
@@ -44,7 +43,7 @@ fn files(path: &std::path::Path) -> Vec<String> {
         .collect()
 }
 
-/// The folders and files at the top of `www`, without endings.
+/// The names in a folder, without endings.
 fn rooms(top: &str) -> BTreeSet<String> {
     let entries = fs::read_dir(root().join(top)).unwrap();
     let paths = entries.map(|entry| entry.unwrap().path());
@@ -61,10 +60,10 @@ fn code(file: &str) -> String {
     lines.collect::<Vec<_>>().join("\n")
 }
 
-/// The names that lead from the crate's root to a module or an item.
+/// The names from the crate's root to a module or an item.
 type Path = Vec<String>;
 
-/// The shipped code of `src` by modules, and the names that modules re-export with `pub use`.
+/// The shipped code of `src` by module, and the names that modules re-export with `pub use`.
 struct Modules {
     code: BTreeMap<Path, String>,
     handed_on: BTreeMap<Path, Path>,
@@ -90,7 +89,7 @@ impl Modules {
         modules
     }
 
-    /// A path as written in a module, from the root; nothing if it leads to another crate.
+    /// The path from the root of a path in a module; none if it leads to another crate.
     fn path_from_root(&self, module: &[String], path: &[String]) -> Option<Path> {
         let ups = path.iter().take_while(|name| *name == "super").count();
         let (base, rest) = match path[0].as_str() {
@@ -103,7 +102,7 @@ impl Modules {
         Some([base, rest].concat())
     }
 
-    /// The module that defines the item at a path from the root. The empty path is the root itself.
+    /// The module that defines the item of a path from the root; the empty path is the root itself.
     fn home(&self, path: &[String]) -> Path {
         for end in 1..=path.len() {
             if let Some(to) = self.handed_on.get(&path[..end])
@@ -137,7 +136,7 @@ fn below(module: &[String], name: &str) -> Path {
     [module, &[name.to_owned()]].concat()
 }
 
-/// Reads a folder of `src`, without modules of tests.
+/// Reads a folder of `src` without its test modules.
 fn read_module(folder: &std::path::Path, module: &[String], found: &mut BTreeMap<Path, String>) {
     let head = ["mod.rs", "lib.rs"].map(|name| fs::read_to_string(folder.join(name)));
     let beside = fs::read_to_string(folder.with_extension("rs"));
@@ -166,7 +165,7 @@ fn read_module(folder: &std::path::Path, module: &[String], found: &mut BTreeMap
     }
 }
 
-/// The `use` lines of some code, with the tree that follows each; true for `pub use`.
+/// The trees of the `use` lines in some code; true for `pub use`.
 fn use_lines(code: &str) -> impl Iterator<Item = (bool, &str)> {
     let starts = code.match_indices("use ");
     starts.filter_map(|(at, word)| {
@@ -177,7 +176,7 @@ fn use_lines(code: &str) -> impl Iterator<Item = (bool, &str)> {
     })
 }
 
-/// The paths that are imported; true if they are re-exported.
+/// The imported paths; true for those that are re-exported.
 fn imports(code: &str) -> Vec<(bool, Path)> {
     let mut found = Vec::new();
     for (is_public, tree) in use_lines(code) {
@@ -188,7 +187,7 @@ fn imports(code: &str) -> Vec<(bool, Path)> {
     found
 }
 
-/// All paths of a tree of imports such as `a::{b, c::{d, e}}`.
+/// Lists all paths of a tree of imports such as `a::{b, c::{d, e}}`.
 fn expand(before: &[String], tree: &str, paths: &mut Vec<Path>) {
     let names = |text: &str| -> Path {
         let names = text.split("::").map(str::trim);
@@ -214,7 +213,7 @@ fn expand(before: &[String], tree: &str, paths: &mut Vec<Path>) {
     }
 }
 
-/// The paths in code that begin at the root or go up, without those of `use` lines.
+/// The paths in code that begin with `crate` or `super`, except in `use` lines.
 fn paths_in_code(code: &str) -> Vec<Path> {
     let is_end = |c: char| !c.is_alphanumeric() && c != '_' && c != ':';
     let words = code.split(is_end);
@@ -238,7 +237,7 @@ fn uses_of_src() -> Uses {
     uses
 }
 
-/// Uses between the folders of `www`: all imports, static or dynamic.
+/// Uses between the folders of `www`, by static and dynamic imports.
 fn uses_of_www() -> Uses {
     let drawn: BTreeSet<String> = arrows().into_iter().flat_map(|(a, b)| [a, b]).collect();
     let mut uses = Uses::new();
@@ -269,7 +268,7 @@ fn arrows() -> Uses {
         .collect()
 }
 
-/// The folders that can be reached from a folder by arrows.
+/// The folders that a folder's arrows lead to, directly or over others.
 fn reached<'a>(arrows: &'a Uses, from: &str) -> BTreeSet<&'a str> {
     let mut reached = BTreeSet::new();
     let mut ends = vec![from];
@@ -324,7 +323,7 @@ fn no_files_use_each_other_in_a_circle() {
         }
     }
     assert!(left.len() > 800, "{}", left.len());
-    // Remove uses of files that use nothing themselves, until none is left but those of circles.
+    // Removes the ends of chains until only circles are left, or nothing.
     loop {
         let users: BTreeSet<String> = left.iter().map(|(user, _)| user.clone()).collect();
         let before = left.len();

@@ -1,4 +1,4 @@
-//! Outlines of several outer rings: every island has cells of its own, which fill it.
+//! Outlines with several outer rings: every island has its own cells, which fill it.
 
 use crate::paving::OfPavement;
 use bubblestone::cells::{Cell, graph};
@@ -25,7 +25,7 @@ fn disc(x: f64, y: f64, radius: f64) -> Vec<DVec2> {
     (0..40).map(corner).collect()
 }
 
-/// Two islands with a gap between them that is much narrower than a cell.
+/// Two islands beside each other, with a gap much narrower than a cell.
 fn beside() -> Vec<Vec<DVec2>> {
     vec![
         rectangle(20., 20., 118., 236.),
@@ -69,7 +69,7 @@ fn word() -> Vec<Vec<DVec2>> {
     ]
 }
 
-/// The pavement of an outline with these rings, up to its cells.
+/// A pavement with these rings as its outline, worked on until its cells are made.
 fn with_cells(link: &str, rings: &[Vec<DVec2>]) -> Studio {
     let (mut recipe, notices) = pavement::recipe(link);
     assert!(notices.is_empty(), "{notices:?}");
@@ -78,7 +78,7 @@ fn with_cells(link: &str, rings: &[Vec<DVec2>]) -> Studio {
         ..Outline::default()
     };
     recipe.set_polygon(&outline).unwrap();
-    // The link gives the same outline.
+    // The link describes the same outline.
     let recipe = pavement::recipe(&recipe.link()).0;
     let mut studio = Studio::new(ALL, recipe);
     while !["planes", "done", "error"].contains(&studio.stage()) {
@@ -125,7 +125,7 @@ fn every_island_is_filled_by_cells_of_its_own() {
     }
 }
 
-/// Packed cells reach beyond the rim by no more than they overlap each other.
+/// The corners of packed cells reach beyond the rim no farther than cells overlap.
 #[test]
 fn packed_cells_stay_on_their_island() {
     for (name, rings) in [("beside", beside()), ("target", target()), ("word", word())] {

@@ -1,4 +1,4 @@
-//! The triangles and bytes of mesh files agree with the estimates.
+//! The announced numbers of triangles and bytes of mesh files are those of the files.
 
 use super::export::{LINK, file_of, nodes, order};
 use crate::common::finished;
@@ -6,8 +6,7 @@ use bubblestone::export::{DETAILS, MeshFormat};
 use bubblestone::generators::pavement::PAVEMENT;
 use std::collections::HashSet;
 
-/// For presets of every group, stones have as many triangles as asked for, and files about as many bytes as
-/// estimated.
+/// For presets of every group, stones have as many triangles as ordered, and files have the announced size.
 #[test]
 fn details_are_kept_over_presets() {
     let mut seen = HashSet::new();

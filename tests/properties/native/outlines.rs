@@ -1,4 +1,4 @@
-//! The check of an outline: good ones pass, bad ones get a notice that names ring and place.
+//! The check of outlines: valid ones pass, invalid ones get a sentence that names ring and place.
 
 use crate::common::{star, valid};
 use bubblestone::domain::{Domain, MAX_POINTS, Outline, signed_area};
@@ -13,7 +13,7 @@ pub(super) fn ring(points: &[(f64, f64)]) -> Vec<DVec2> {
     points.iter().map(|&p| p.into()).collect()
 }
 
-/// A box between two corners, with the orientation of an outer ring.
+/// A rectangle with the orientation of an outer ring.
 pub(super) fn rectangle(left: f64, top: f64, right: f64, bottom: f64) -> Vec<DVec2> {
     ring(&[(left, top), (right, top), (right, bottom), (left, bottom)])
 }
@@ -40,7 +40,7 @@ fn scaled(outline: &Outline, scale: f64) -> Outline {
     }
 }
 
-/// The notice that refuses the outline, at every scale.
+/// The sentence that refuses an outline, which is refused at every scale.
 fn refused(outline: &Outline) -> String {
     for scale in [1e-3, 0.25, 1e3] {
         let verdict = scaled(outline, scale).check(SIDE * scale);
@@ -76,7 +76,7 @@ fn good_outlines_pass_as_they_are() {
             &[hole(100., 100., 200., 200.), hole(201., 100., 300., 200.)],
         ),
         outline(ring(&[(0., 0.), (512., 0.), (256., 512.)]), &[]),
-        // Points on a straight side are allowed.
+        // Points in the middle of a straight side are allowed.
         outline(
             ring(&[
                 (10., 10.),
@@ -213,7 +213,7 @@ fn no_ring_that_crosses_or_touches_itself() {
         &outline(touch, &[]),
         &["outer ring", "touches itself", "(200, 10)"],
     );
-    // One point occurs twice, but not in succession.
+    // The same point occurs twice, but not in succession.
     let pinch = ring(&[
         (10., 10.),
         (200., 200.),
@@ -226,7 +226,7 @@ fn no_ring_that_crosses_or_touches_itself() {
         &outline(pinch, &[]),
         &["outer ring", "touches itself", "(200, 200)"],
     );
-    // Two sides on one line overlap, in a slanting and an upright direction.
+    // Two sides overlap on one line, first a slanted one, then a vertical one.
     let overlap = ring(&[
         (0., 0.),
         (300., 300.),
@@ -331,7 +331,7 @@ proptest! {
         let (checked, notices) = given.check(SIDE).unwrap();
         prop_assert_eq!(&checked, &given);
         prop_assert!(notices.is_empty());
-        // An outline that passes can be used by the next stage.
+        // An outline that passes is valid for the next stage.
         let domain = Domain::from_checked(&checked);
         prop_assert!(domain.contains(DVec2::splat(SIDE / 2.0)));
         let mut recipe = pavement::recipe("").0;

@@ -22,10 +22,10 @@ const READ: [&str; 9] = [
     "vite.config.mjs",
 ];
 
-/// Words that no sentence begins with.
+/// Words that may not begin a sentence.
 const FIRST_WORDS: [&str; 2] = ["of", "what"];
 
-/// Phrases that stand in no comment, in lower case.
+/// Phrases that may not occur in comments, in lower case.
 const PHRASES: [&str; 12] = [
     "so many",
     "is told",
@@ -58,8 +58,8 @@ fn sources(path: &Path) -> Vec<PathBuf> {
     read.then(|| path.to_owned()).into_iter().collect()
 }
 
-/// The comment in a line, without its marks, if the line has one. `block` says whether a block comment is
-/// open, before and after the line.
+/// The comment in a line, without its marks, if there is one. `block` is whether a block comment is open,
+/// before and after the line.
 fn comment<'a>(line: &'a str, block: &mut bool) -> Option<&'a str> {
     let trimmed = line.trim();
     if *block || trimmed.starts_with("/*") {
@@ -74,7 +74,7 @@ fn comment<'a>(line: &'a str, block: &mut bool) -> Option<&'a str> {
     Some(text.trim())
 }
 
-/// The paragraphs of all comments of a file; examples in them, between fences, are code and left out.
+/// The paragraphs of all comments in a file. Examples between fences are code and left out.
 fn paragraphs(source: &str) -> Vec<String> {
     let mut paragraphs = vec![String::new()];
     let (mut block, mut fenced) = (false, false);

@@ -1,4 +1,4 @@
-//! Recipes: the schema, the presets, the polygon, and what a change makes stale.
+//! Recipes: the schema, the presets, the polygon, and the stages that a change makes stale.
 
 use crate::common::{star, valid};
 use crate::paving::row;
@@ -54,8 +54,8 @@ fn schemas_are_consistent() {
     assert_eq!(default.limits(size), (size.min, size.max));
 }
 
-/// A link leaves out parameters with their defaults. If a default changed, every shared link would show another
-/// pavement. If that is wanted, links need a new version, and this file a new line.
+/// A link leaves out values equal to the defaults. If a default changes, every shared link shows another
+/// picture. So an intended change needs a new version of links, and a change of the golden file.
 #[test]
 fn defaults_are_those_that_links_rely_on() {
     let recipe = pavement::recipe("").0;
@@ -66,7 +66,7 @@ fn defaults_are_those_that_links_rely_on() {
     assert_eq!(found, golden);
 }
 
-/// One row of the table of all keys.
+/// A row of the table of all keys.
 #[cfg(not(target_arch = "wasm32"))]
 fn described(row: &Parameter) -> String {
     let words = |row: &Parameter| {
@@ -104,7 +104,7 @@ fn described(row: &Parameter) -> String {
     )
 }
 
-/// The table is written from the schemas: `BUBBLESTONE_UPDATE=1 cargo test recipes`. The text after it is
+/// The table is generated from the schemas: `BUBBLESTONE_UPDATE=1 cargo test recipes`. The text after it is
 /// written by hand.
 #[test]
 fn the_table_of_keys_is_that_of_the_schemas() {

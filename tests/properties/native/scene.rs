@@ -1,4 +1,4 @@
-//! Rendered bodies are where rays from the eye hit them.
+//! Frames of bodies agree with rays from the eye.
 
 use super::scene_rays::*;
 use bubblestone::scene::{Camera, Instance, Order, Place, Scene};
@@ -6,7 +6,7 @@ use glam::Vec3;
 
 const SIZE: [usize; 2] = [96, 72];
 
-/// The hits of the rays through a pixel: its middle first, then its corners.
+/// The hits of the rays through a pixel: through its middle first, then through its corners.
 pub(super) fn around(rays: &Rays, order: &Order, x: usize, y: usize) -> [Option<Hit>; 5] {
     let view = order.camera.view(order.size[0], order.size[1]);
     let places = [[0.5, 0.5], [0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]];
@@ -14,8 +14,8 @@ pub(super) fn around(rays: &Rays, order: &Order, x: usize, y: usize) -> [Option<
 }
 
 /// Compares a frame with rays. A pixel is on an edge if the rays through its middle and its corners do not all
-/// hit the same body. Elsewhere the body must be that one. If all rays hit one triangle, depth and normal must
-/// agree, too; if not, they must be between those of the hits.
+/// meet the same body. In other pixels the body must agree. If the rays meet one triangle, depth and normal
+/// must agree, too; otherwise they must lie between those of the rays.
 fn compare(scene: &Scene, order: Order, words: &str) {
     let (rays, frame) = (Rays::new(scene), plain(scene, order));
     let [width, height] = order.size;
@@ -100,7 +100,7 @@ fn frames_are_what_rays_meet() {
     }
 }
 
-/// Far and near bodies of many triangles, rotated and scaled, have the places and normals of the hits.
+/// Bodies with many triangles, rotated and scaled, far away and near, agree with rays in position and normal.
 #[test]
 fn places_turn_and_scale_bodies() {
     for (degrees, scale, lens) in [(200.0, 0.01, 5.0), (77.0, 1.0, 40.0), (310.0, 6.0, 90.0)] {
@@ -123,7 +123,7 @@ fn places_turn_and_scale_bodies() {
     }
 }
 
-/// A pixel shows a closed body if its ray and those of the pixels around it hit the body.
+/// If the ray of a pixel and those of its neighbours meet a closed body, the pixel shows it.
 #[test]
 fn closed_bodies_have_no_holes() {
     let bodies = [ball(24), torus(48, 24), rod(40)];
@@ -133,7 +133,7 @@ fn closed_bodies_have_no_holes() {
         let rays = Rays::new(&scene);
         let is_checked = |turn: usize| turn.is_multiple_of(25);
         for turn in 0..200 {
-            // Directions on a Fibonacci sphere.
+            // Directions of a Fibonacci sphere.
             let height = libm::asin(1.0 - 2.0 * (turn as f64 + 0.5) / 200.0).to_degrees();
             let angle = (137.507_764 * turn as f64) % 360.0;
             let order = order(camera(angle, height, 4.0, 35.0), size);
@@ -145,8 +145,8 @@ fn closed_bodies_have_no_holes() {
             for (x, y) in (1..size[1] - 1).flat_map(|y| (1..size[0] - 1).map(move |x| (x, y))) {
                 let block = || (y - 1..=y + 1).flat_map(|j| (x - 1..=x + 1).map(move |i| (i, j)));
                 let count = block().filter(|&(i, j)| is_body(i, j)).count();
-                // A hole is a pixel with the body on all sides. Rays test such pixels, and for some directions
-                // all pixels.
+                // A hole is a background pixel with the body on all sides. Rays are computed at such pixels,
+                // and for some directions at all pixels.
                 if !is_body(x, y) && (count >= 6 || is_checked(turn)) {
                     let all = block().all(|(i, j)| meets(i, j));
                     assert!(!all, "body {k} from {angle}, {height}: {x},{y}");
@@ -158,7 +158,7 @@ fn closed_bodies_have_no_holes() {
 
 #[test]
 fn triangles_of_any_size_are_drawn() {
-    // Seen from above, squares as large as the frame, or larger, cover all of it.
+    // From straight above, squares as large as the frame or larger cover all of it.
     let above = order(camera(0.0, 90.0, 1.0, 60.0), SIZE);
     for half in [0.8, 80.0, 8000.0] {
         let scene = scene(vec![(square(half), Place::default())]);
@@ -167,7 +167,7 @@ fn triangles_of_any_size_are_drawn() {
             assert!((depth - 1.0).abs() < 1e-3, "{half}: {depth} at {at}");
         }
     }
-    // Seen at a grazing angle, through the near plane and far beyond, it ends at the horizon.
+    // Seen along its surface, a square through the near plane and far beyond ends at the horizon.
     let along = order(camera(30.0, 10.0, 0.2, 60.0), SIZE);
     for half in [2.0, 2000.0] {
         let scene = scene(vec![(square(half), Place::default())]);
@@ -184,14 +184,14 @@ fn triangles_of_any_size_are_drawn() {
 fn what_is_behind_the_camera_or_around_it_is_not_seen() {
     let view = order(camera(0.0, 0.0, 2.0, 60.0), SIZE);
     for z in [4.0, 2.0, 3.1, 2.9] {
-        // Behind the eye at z = 2, and around it: the inside of a body is invisible.
+        // The ball is behind the eye at z = 2, or around it: the inside of a body is not visible.
         let scene = scene(vec![(ball(12), Place::at(Vec3::new(0.0, 0.0, z)))]);
         let frame = plain(&scene, view);
         assert!(frame.ids().iter().all(|&id| id == 0), "at {z}");
     }
 }
 
-/// Bodies smaller than a pixel are dots of their own colour, the nearest ones in front.
+/// Many bodies smaller than a pixel are dots of their own colour; the nearest one is visible.
 #[test]
 fn small_bodies_are_dots() {
     let mut scene = scene(vec![(ball(4), Place::default())]);
@@ -222,13 +222,13 @@ fn small_bodies_are_dots() {
         }
     }
     let same = (0..wanted.len()).filter(|&at| frame.ids()[at] == wanted[at].1);
-    // Rounding moves a body's middle, that of its box, a little off its origin.
+    // A body's middle is that of its box, which differs from its origin by rounding.
     assert!(same.count() * 1000 > 995 * wanted.len());
     assert!(frame.ids().iter().filter(|&&id| id > 0).count() > 2000);
 }
 
-/// A ball far to the side of a wide lens is drawn, however large it looks. A ball in front hides it only where
-/// it covers it.
+/// A ball far to the side of a wide lens is drawn, however large it looks. It is hidden only where a nearer
+/// ball covers it.
 #[test]
 fn balls_at_the_side_of_a_wide_lens_are_not_overlooked() {
     let mut chance = Chance(11);

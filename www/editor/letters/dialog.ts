@@ -1,4 +1,4 @@
-/** The dialog for letters as the outline. It shows them in stones, with problems and limits in words. */
+/** The dialog for letters as the outline. It previews them in stones, and names problems and limits. */
 import type { Ring } from '../../module/types';
 import { t } from '../../words/editor';
 import { language } from '../../words/words';
@@ -201,7 +201,7 @@ class LettersDialog {
     return (last.follows ? (sides.find(fits) ?? sides.at(-1)) : own) ?? own;
   }
 
-  /** Notes on letters that were left out or cut off. */
+  /** Sentences on letters that were left out or cut off. */
   private remarks({ given, specks }: Letters): string[] {
     const cut = given > MOST_LETTERS ? [t('text_cut', { most: number(MOST_LETTERS), n: number(given) })] : [];
     return [...cut, ...(specks ? [t(specks === 1 ? 'text_speck' : 'text_specks', { n: number(specks) })] : [])];

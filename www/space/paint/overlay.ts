@@ -1,21 +1,21 @@
-/** The painted lines and spots, drawn over the frame where they are visible, and the path of the pointer. */
+/** Draws painted rows over the frame, where they are visible, and the path of the pointer. */
 import { make } from '../../base/dom';
 import { shape } from '../../late/svg';
 import type { Place } from './places';
 
-/** A place of the frame, as shares of its sides. */
+/** A place in the frame, in fractions of its sides. */
 export type Spot = readonly [u: number, v: number];
 
-/** A painted line with its key; a single place is a spot. */
+/** A painted row and its tool's key: a line, or a spot if it has a single place. */
 export interface Painted {
   readonly key: string;
   readonly places: readonly Place[];
 }
 
-/** Pieces of the line between two places, because it may pass behind something. */
+/** Pieces of a line between two places, because parts of it may be hidden. */
 const PIECES = 6;
 
-/** Pixels of the head of an arrow, and of a spot. */
+/** Sizes of an arrow head and of a spot, in pixels. */
 const HEAD = 11;
 const DOT = 7;
 
@@ -27,7 +27,7 @@ export class Overlay {
     this.element.append(this.svg, make('i', { class: 'paint-cross' }));
   }
 
-  /** Draws everything again. `seen` gives where a place is in the frame, if it is visible. */
+  /** Redraws everything; `seen` projects a place to the frame if it is visible. */
   draw(painted: readonly Painted[], seen: (place: Place) => Spot | undefined, path: readonly Spot[], key: string): void {
     const { clientWidth: width, clientHeight: height } = this.element;
     const at = ([u, v]: Spot): Spot => [u * width, v * height];
@@ -46,7 +46,7 @@ export class Overlay {
   }
 }
 
-/** A line on a lighter one, so that it is visible on anything. */
+/** A line on top of a lighter one, visible on any background. */
 function strokes(key: string, d: string): SVGElement[] {
   return [shape('path', { class: 'paint-under', d }), shape('path', { class: `paint-line paint-${key}`, d })];
 }
@@ -79,7 +79,7 @@ function lineOf(run: readonly Spot[]): string {
   return run.map(([px, py], k) => `${k ? 'L' : 'M'}${px.toFixed(1)} ${py.toFixed(1)}`).join('');
 }
 
-/** The head of an arrow at a line's end. */
+/** The arrow head at a line's end. */
 function headOf(run: readonly Spot[]): string {
   const end = run.at(-1);
   const before = end && run.findLast((spot) => Math.hypot(end[0] - spot[0], end[1] - spot[1]) > HEAD / 2);

@@ -1,9 +1,9 @@
 /**
- * Painting on a surface: strokes on its frame become rows of the recipe, each a step of its history.
+ * Painting on a surface: strokes on the frame become rows of the recipe, each a step of the history.
  *
- * With a tool, one finger or the mouse paints where the model is. Beside the model they turn it as usual, and so do
- * two fingers, other mouse buttons, and keys. Keys paint in the middle of the frame: Enter sets a point there, or
- * removes what is there. A second Enter at the same place ends the line.
+ * With a tool chosen, one finger or the mouse paints on the model. Beside the model they turn it as usual, as do two
+ * fingers, the other buttons, and keys. Keys paint in the middle of the frame: Enter sets a point, or erases, and
+ * Enter again at the same place ends the line.
  */
 import { t } from '../../words/space';
 import { say, make } from '../../base/dom';
@@ -14,22 +14,22 @@ import { Overlay, type Painted, type Spot } from './overlay';
 import { distance, fromLine, placesOf, rowOf, simplified, STEPS, textOf, type Place } from './places';
 import { TOOLS, Tools, type Tool } from './tools';
 
-/** The surface to paint on. */
+/** The surface that is painted on. */
 export interface Surface {
-  /** The element with the frame, which receives all events. */
+  /** The element that contains the frame and receives its events. */
   readonly host: HTMLElement;
-  /** The place of the model at a place of the last frame; undefined beside the model. */
+  /** The place on the model at a place of the last frame; undefined beside the model. */
   placeAt(spot: Spot): Place | undefined;
-  /** Where a place of the model is in that frame; undefined if it is not visible. */
+  /** The place in that frame of a place on the model; undefined if it is hidden. */
   spotOf(place: Place): Spot | undefined;
 }
 
-/** The most points of a line. */
+/** The most points of one line. */
 const POINTS = 20;
 
 /**
- * In steps: places closer than the first are the same; an item may be this far from the place of the eraser; the
- * radius of spots that are set by a click; the least radius of others.
+ * Distances in steps: two places closer than SAME are the same; the eraser reaches NEAR; a spot has RADIUS unless a
+ * larger or smaller one is drawn, and at least LEAST.
  */
 const SAME = 24;
 const NEAR = 170;
@@ -50,9 +50,9 @@ export class Painter {
   private readonly told = make('p', { class: 'said', role: 'status', id: 'paint-told' });
   private tool: Tool | undefined;
   private drawn: Drawn | undefined;
-  /** The points set by keys. */
+  /** The points that were set by keys. */
   private keyed: Place[] = [];
-  /** Events that are passed on to the frame all the same. */
+  /** Events that are passed on to the frame. */
   private readonly passed = new WeakSet<Event>();
 
   constructor(work: Work, surface: Surface) {
@@ -77,7 +77,7 @@ export class Painter {
     this.show();
   }
 
-  /** Selects a tool; without one, painting ends. */
+  /** Chooses a tool; undefined for none. */
   choose(tool: Tool | undefined): void {
     this.tool = tool;
     this.drawn = undefined;
@@ -87,7 +87,7 @@ export class Painter {
     if (tool) say(this.told, t(`paint_${tool}_title`));
   }
 
-  /** Has to be called after each new frame. */
+  /** To be called after each new frame. */
   draw(): void {
     const { tool, keyed, drawn, surface } = this;
     const painted = tool ? this.painted() : [];
@@ -96,7 +96,7 @@ export class Painter {
     this.overlay.draw(painted, (place) => surface.spotOf(place), line, tool ?? '');
   }
 
-  /** All painted items; for spots, their middles. */
+  /** All painted rows; a spot is its middle. */
   private painted(): Painted[] {
     return TOOLS.flatMap((key) =>
       key === 'erase' || !this.isUseful(key) ? [] : this.rows(key).map((row) => ({ key, places: placesOf(isSpot(key) ? row.slice(0, 3) : row) })),
@@ -125,7 +125,7 @@ export class Painter {
     this.work.set('flip', this.work.engine.get('flip') === '1' ? '0' : '1');
   }
 
-  /** An event that a tool uses must not reach the frame; `act` returns whether it was used. */
+  /** Listens to events of the host. `act` returns whether it has used the event; the frame then does not get it. */
   private listen<K extends keyof HTMLElementEventMap>(sign: K, act: (event: HTMLElementEventMap[K]) => boolean): void {
     this.surface.host.addEventListener(
       sign,
@@ -156,7 +156,7 @@ export class Painter {
     const spot = this.spot(event);
     const place = this.surface.placeAt(spot);
     if (!place) return false;
-    // The element that turns the model gets the pointer, too, in case another finger comes.
+    // The frame gets this pointer as well once another finger touches.
     const stand = this.surface.host.querySelector<HTMLElement>('[tabindex]');
     stand?.setPointerCapture(event.pointerId);
     stand?.focus({ preventScroll: true });
@@ -165,7 +165,7 @@ export class Painter {
     return true;
   }
 
-  /** Passes an event on to the frame that was kept from it. */
+  /** Passes a withheld event on to the frame. */
   private passOn(event: PointerEvent): void {
     const { pointerId, pointerType, isPrimary, clientX, clientY, button } = event;
     const again = new PointerEvent('pointerdown', { pointerId, pointerType, isPrimary, clientX, clientY, button, bubbles: true, cancelable: true });
@@ -175,7 +175,7 @@ export class Painter {
 
   private move(event: PointerEvent): boolean {
     const { drawn } = this;
-    // No body is described under the pointer.
+    // While a tool is chosen, no card of a body is shown under the mouse.
     if (drawn?.pointer.pointerId !== event.pointerId) return this.tool !== undefined && event.buttons === 0 && event.pointerType === 'mouse';
     const all = 'getCoalescedEvents' in event ? event.getCoalescedEvents() : [];
     for (const one of all.length ? all : [event]) {
@@ -245,7 +245,7 @@ export class Painter {
     this.draw();
   }
 
-  /** Adds the result of a tool to the recipe. */
+  /** Writes a finished stroke into the recipe. */
   private take(tool: Tool, places: readonly Place[]): void {
     const [first, last] = [places[0], places.at(-1)];
     if (!first || !last) return;
@@ -260,7 +260,7 @@ export class Painter {
     this.draw();
   }
 
-  /** Removes the nearest item. */
+  /** Erases the nearest row. */
   private erase(place: Place): void {
     const all = TOOLS.flatMap((key) => (key === 'erase' ? [] : this.rows(key).map((row, at) => ({ key, at, off: fromLine(place, placesOf(isSpot(key) ? row.slice(0, 3) : row)) }))));
     const [nearest] = all.filter(({ key }) => this.isUseful(key)).sort((a, b) => a.off - b.off);

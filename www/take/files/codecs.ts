@@ -1,8 +1,8 @@
-/** The files and codecs in which a film may be made, and which of them this browser encodes. */
+/** The files and codecs that a film may be made in, and which of them this browser can encode. */
 
 import type { Matrix } from './planes';
 
-/** The shapes of a film, in pixels; codecs need even numbers. */
+/** The sizes of a film, in pixels. They are even because codecs require it. */
 export const SHAPES = { square: { width: 1080, height: 1080 }, upright: { width: 1080, height: 1920 }, turn: { width: 720, height: 720 } };
 export type Shape = keyof typeof SHAPES;
 
@@ -15,7 +15,10 @@ export const RATE = 30;
 /** Bits for each pixel of each frame. */
 const BITS = 0.16;
 
-/** A codec, with its name for browsers and its name in the file. The levels fit the largest shape. */
+/**
+ * A codec: its name for browsers, its name for the file, and its colour matrix. The levels in the names fit the
+ * largest shape.
+ */
 export interface Codec {
   file: 'mp4' | 'webm';
   codec: string;
@@ -23,7 +26,7 @@ export interface Codec {
   matrix: Matrix;
 }
 
-/** The best first: those that phones and networks accept. */
+/** The best first: phones and networks accept these files. */
 const CODECS: readonly Codec[] = [
   { file: 'mp4', codec: 'avc1.640028', track: 'avc', matrix: 'bt709' },
   { file: 'mp4', codec: 'avc1.4d0028', track: 'avc', matrix: 'bt709' },
@@ -34,8 +37,8 @@ const CODECS: readonly Codec[] = [
 ];
 
 /**
- * The codecs of the best file that the browser can encode in this shape. If speed has to decide, there are two of
- * them; if it can encode none, the list is empty.
+ * The codecs of the best file that the browser encodes in this shape; empty if it encodes no film. Two codecs are
+ * returned if only a measurement can tell which is faster.
  */
 export async function codecsFor(shape: Shape): Promise<Codec[]> {
   if (!('VideoEncoder' in globalThis && 'OffscreenCanvas' in globalThis)) return [];

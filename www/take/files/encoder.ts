@@ -1,22 +1,22 @@
 /**
- * A film as a file, from frames in their order, each shown for the same time.
+ * A film as a file. Frames are added in their order, each shown for the same time.
  *
- * Some encoders give frames in decoding order, which is not the order in which they are shown. The library that
- * writes both kinds of files accepts that.
+ * Some encoders deliver frames in the order of decoding, which is not the order of showing. The library that writes
+ * the files accepts that.
  */
 import { BufferTarget, EncodedPacket, EncodedVideoPacketSource, Mp4OutputFormat, Output, WebMOutputFormat } from 'mediabunny';
 import { RATE, SHAPES, encoding, type Codec, type Shape } from './codecs';
 import { planesOf } from './planes';
 
-/** The most frames that wait for the encoder: each takes megabytes. */
+/** The most frames that may wait for the encoder: each takes megabytes. */
 const WAITING = 8;
 
 /** Frames from one key frame to the next; players jump to these. */
 const KEY = 90;
 
 /**
- * The trial of a codec: how many frames, by how many bytes each is shifted against the one before, and the
- * milliseconds for a frame that are fast enough.
+ * The trial of codecs: the number of frames, the bytes by which each differs from the one before, and the
+ * milliseconds per frame that are fast enough.
  */
 const TRIAL = { frames: 5, shift: 40_000, quick: 50 };
 
@@ -27,7 +27,7 @@ export class FilmEncoder {
   private readonly output: Output;
   private frames = 0;
   private failure: Error | undefined;
-  /** Ends a wait. */
+  /** Ends a wait for the encoder. */
   private wake: () => void = () => undefined;
 
   private constructor(
@@ -35,7 +35,7 @@ export class FilmEncoder {
     private readonly shape: Shape,
   ) {
     this.track = new EncodedVideoPacketSource(codec.track);
-    // The index of the frames comes first, so a player can start before it has the whole file.
+    // The index of the frames stands at the beginning, so that a player can start before it has the whole file.
     const format = codec.file === 'mp4' ? new Mp4OutputFormat({ fastStart: 'in-memory' }) : new WebMOutputFormat();
     this.output = new Output({ format, target: this.target });
     this.output.addVideoTrack(this.track, { frameRate: RATE });
@@ -43,7 +43,7 @@ export class FilmEncoder {
       this.failure ??= error;
       this.wake();
     };
-    // The track keeps the order of the calls, also of those that nothing waits for.
+    // The track keeps the order of the calls, also when nothing waits for them.
     this.encoder = new VideoEncoder({
       output: (chunk, meta) => void this.track.add(EncodedPacket.fromEncodedChunk(chunk), inColours(meta, codec)).catch(fail),
       error: fail,
@@ -58,10 +58,7 @@ export class FilmEncoder {
     return film;
   }
 
-  /**
-   * Shows an image (red, green, blue, alpha of all pixels) for `times` frames. Throws the browser's error if it
-   * cannot encode them.
-   */
+  /** Shows an RGBA image for `times` frames. Throws the browser's error if it cannot encode them. */
   async add(rgba: Uint8ClampedArray, times = 1): Promise<void> {
     const { width, height } = SHAPES[this.shape];
     const planes = planesOf(rgba, width, height, this.codec.matrix);
@@ -87,8 +84,8 @@ export class FilmEncoder {
 }
 
 /**
- * The fastest of some codecs: one browser takes ten times as long for VP9 as for VP8, another one the other way
- * round. The others are tried only if the first one is slow. `rgba` is a frame for the trial; it is overwritten.
+ * The fastest of some codecs. One browser takes ten times as long for VP9 as for VP8, another one for VP8 as for VP9.
+ * The others are tried only if the first one is slow. `rgba` is a frame to try them with, and is overwritten.
  */
 export async function quickest(codecs: readonly Codec[], shape: Shape, rgba: Uint8ClampedArray): Promise<Codec> {
   let [best, least] = [codecs[0], Infinity];
@@ -117,7 +114,7 @@ function coloursOf({ matrix }: Codec): VideoColorSpaceInit {
   return { primaries: 'bt709', transfer: 'bt709', matrix, fullRange: false };
 }
 
-/** Encoders that do not name their colours leave players to guess. */
+/** If an encoder does not report its colours, players have to guess them. */
 function inColours(meta: EncodedVideoChunkMetadata | undefined, codec: Codec): EncodedVideoChunkMetadata | undefined {
   return meta?.decoderConfig ? { ...meta, decoderConfig: { ...meta.decoderConfig, colorSpace: coloursOf(codec) } } : meta;
 }

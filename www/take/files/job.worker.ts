@@ -1,4 +1,4 @@
-/** Makes one file. It runs in a worker, which ends with the file, so the page is never blocked. */
+/** Makes one file in a worker, which ends with the file. So the page is never blocked. */
 import { studioFor } from '../../module/given';
 import { loadModule } from '../../module/load';
 import { generatorOf } from '../../module/run';
@@ -15,7 +15,7 @@ import { turnFile, type TurnJob } from './turn';
 import type { TurnFilmJob } from './turn-film';
 import { workedOut, type Progress } from './worked';
 
-/** The file to make; `scale` is the factor on the picture's side. */
+/** The file to make; `scale` multiplies the picture's side. */
 export type Job =
   | { file: 'svg' }
   | GifJob
@@ -27,10 +27,10 @@ export type Job =
   | { file: 'picture'; scale: number }
   | MapsJob;
 
-/** The input of the worker: the recipe's link and the file to make of it. */
+/** The message to the worker: the recipe and the file to make from it. */
 export type Order = [link: string, job: Job];
 
-/** Its result: the file, or the reason why there is none. */
+/** The worker's answer: the file, or the reason why there is none. */
 export type Answer = { file: Blob } | { refused: Notice };
 
 serve(async ([link, job]: Order, progress): Promise<Answer> => {
@@ -53,11 +53,11 @@ async function made(link: string, job: Job, progress: Progress): Promise<Blob> {
   const generator = generatorOf(module, studio);
   if (job.file === 'gif') return formingGif(studio, generator, job, progress);
   if (job.file === 'film') {
-    // The code for films is loaded for films only.
+    // Only films load the code for films.
     const { formingFilm } = await import('./film');
     return formingFilm(studio, generator, job, progress);
   }
-  // The share of the work for the picture itself.
+  // The share of the work that the picture takes.
   const part = 'scale' in job && job.scale > 1 ? 1 / job.scale ** 2 : 0.8;
   const rest = (done: number): void => progress(part + (1 - part) * done);
   workedOut(studio, generator, (done) => progress(part * done));

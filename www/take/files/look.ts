@@ -1,5 +1,5 @@
 /**
- * The images of the work in progress for films: the picture in its plane, or frames of the bodies from the current
+ * The picture that films show while the work goes on: the picture in its plane, or frames of the bodies seen by the
  * camera.
  */
 import type { Bubblestone } from '../../../pkg/bubblestone.js';
@@ -9,7 +9,7 @@ import { BUDGET } from '../../module/run';
 import { given } from './refusal';
 import type { Seen } from './turn';
 
-/** Draws the present state, with `side` pixels along a side. */
+/** Draws the current state, with `side` pixels along a side. */
 export interface Look {
   readonly side: number;
   draw(context: Pick<CanvasRenderingContext2D, 'putImageData'>): void;
@@ -21,7 +21,7 @@ export function lookOf(studio: Bubblestone, { offers }: Generator, seen: Seen, s
   return { side, draw: (context) => context.putImageData(frame(studio as SceneStudio, seen, side, 'still'), 0, 0) };
 }
 
-/** A frame; an empty one before there is anything to show. */
+/** A frame; an empty one while there is nothing to see. */
 export function frame(studio: SceneStudio, { camera }: Seen, side: number, how: string): ImageData {
   for (;;) {
     const slice = studio.turn('', camera, side, side, `${how}+floor+auto`, BUDGET);

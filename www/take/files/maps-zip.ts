@@ -1,4 +1,4 @@
-/** All maps in one zip file. */
+/** All maps in one ZIP file. */
 import { strToU8, Zip, ZipDeflate, ZipPassThrough } from 'fflate';
 import type { Bubblestone } from '../../../pkg/bubblestone.js';
 import type { PixelMap } from '../../module/types';
@@ -10,14 +10,14 @@ import { PngWriter } from './png';
 import { mapsFor, maskOf } from './programs';
 import { given } from './refusal';
 
-/** `program` is one of PROGRAMS, or the word of the normal map; `scale` is the factor on the picture's side. */
+/** `program` is one of PROGRAMS, or the word of the normal map; `scale` multiplies the picture's side. */
 export interface MapsJob {
   file: 'maps';
   program: string;
   scale: number;
 }
 
-/** The share of the work before the zip is assembled. */
+/** The share of the work before the ZIP file is assembled. */
 const MADE = 0.85;
 
 /** Throws a Refusal if there are no maps. */
@@ -33,7 +33,7 @@ export async function mapsZip(studio: Bubblestone, { program, scale }: MapsJob, 
     }
   };
   let report = studio.report();
-  // Maps of the picture's own size exist already.
+  // The picture's own pixels exist already.
   if (scale === 1) await take(words.map((word) => given(studio.map(word))));
   else {
     const heights = await bigger(studio, scale, words, take, (done) => progress(MADE * done));
@@ -48,7 +48,7 @@ export async function mapsZip(studio: Bubblestone, { program, scale }: MapsJob, 
   return zip.finish();
 }
 
-/** Zips files one after the other, without any of them in memory as a whole. */
+/** A ZIP file of several files, none of which is in memory as a whole. */
 class ZipFile {
   private readonly parts = new Parts();
   private readonly zip = new Zip((error, part) => {

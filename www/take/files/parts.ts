@@ -1,6 +1,6 @@
-/** A file that is being made. The browser may put finished parts aside, so memory holds only its end. */
+/** A file in the making. The browser may move its parts out of memory, which holds only the end of the file. */
 
-/** The bytes of a part. */
+/** Bytes that are moved into one blob. */
 const TOGETHER = 1 << 22;
 
 export class Parts {

@@ -1,4 +1,4 @@
-/** The finished picture with more pixels, written row by row as a PNG file. */
+/** The finished picture at several times its side, written row by row as a PNG file. */
 import type { Bubblestone } from '../../../pkg/bubblestone.js';
 import { bigger } from './bigger';
 import type { Progress } from './worked';

@@ -1,17 +1,18 @@
 /**
- * Pixels in the format of films: the brightness of every pixel, and the two colour differences of every second pixel
- * in every second row (limited range). Browsers would convert them too, but not all with the same matrix.
+ * Pixels in the format of films (YUV 4:2:0, limited range): luma for every pixel, and the two colour differences for
+ * every second pixel of every second row. Browsers can convert too, but not all with the same matrix.
  */
 
 /**
- * The conversion matrices by the browsers' words. VP8 knows BT.601 only; newer codecs expect BT.709 for large films.
+ * The matrix of the conversion, as browsers name it. VP8 supports BT.601 only; for newer codecs players assume that
+ * large films are BT.709.
  */
 export type Matrix = 'bt709' | 'smpte170m';
 
-/** The shares of red, green and blue in the brightness. */
+/** Weights of red, green and blue in the luma. */
 const SHARES: Record<Matrix, readonly [number, number, number]> = { bt709: [0.2126, 0.7152, 0.0722], smpte170m: [0.299, 0.587, 0.114] };
 
-/** The factors from 0..255 to brightness, and to the differences of blue and red from it, in units of 2^-16. */
+/** Fixed-point unit of the conversion: coefficients are multiples of 2^-16. */
 const UNIT = 2 ** 16;
 type Row = readonly [red: number, green: number, blue: number];
 

@@ -1,15 +1,15 @@
 /**
- * The background and layout of a film's frames. A square frame is just the picture. On an upright one the picture
- * lies on an enlarged, blurred and darkened copy of itself, with its title below.
+ * The sheet that a film's frames are drawn on. A square sheet holds the picture alone. An upright sheet shows the
+ * picture over a blurred, darkened enlargement of itself, with its title below.
  */
 import { SHAPES, type FormingShape } from './codecs';
 
-/** The box of the picture. */
+/** The place of the picture on the sheet. */
 const BOXES = { square: { x: 0, y: 0, side: 1080 }, upright: { x: 28, y: 356, side: 1024 } };
 
 /**
- * For the upright sheet, in pixels: the radius of the corners, the base lines of title and name below the picture,
- * the widest title.
+ * The upright sheet, in pixels: the radius of its round corners, the base lines of title and name below the picture,
+ * and the greatest width of the title.
  */
 const ROUND = 18;
 const LINES = { title: 124, name: 196 };
@@ -18,13 +18,13 @@ const WIDEST = 940;
 /** Pixels along the side of the blurred picture. */
 const COARSE = 7;
 
-/** The greatest brightness of the background, 0..255: letters on it are white. */
+/** The brightness of the background, 0..255. It is dark because the letters on it are white. */
 const DARK = 66;
 
-/** The texts. */
+/** The texts on the sheet. */
 export interface Words {
   title: string;
-  /** The font of the page, and that of the program's name. */
+  /** The font of the page, and the font of its name. */
   font: string;
   latin: string;
 }
@@ -44,12 +44,12 @@ export class Sheet {
     this.side = BOXES[shape].side;
   }
 
-  /** Makes the background from the finished picture. */
+  /** Draws the background from the finished picture. */
   lay(picture: OffscreenCanvas): void {
     if (this.shape === 'upright') this.ground = groundOf(picture, this.words);
   }
 
-  /** The pixels of a frame: one picture, with a share of another one over it. */
+  /** The pixels of a frame: one picture, with `share` of another one blended over it. */
   frame(one: OffscreenCanvas, other: OffscreenCanvas, share: number): Uint8ClampedArray {
     const { context, ground } = this;
     const { width, height } = context.canvas;
@@ -72,7 +72,7 @@ export class Sheet {
   }
 }
 
-/** A context for pictures that are copied between canvases in main memory. */
+/** A context for pictures that are copied between canvases; the browser keeps it in main memory. */
 export function contextOf(width: number, height: number): Context {
   const context = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true, alpha: false });
   if (!context) throw new Error('OffscreenCanvas');
@@ -89,11 +89,11 @@ function roundBox(context: Context): void {
 function groundOf(picture: OffscreenCanvas, words: Words): OffscreenCanvas {
   const { width, height } = SHAPES.upright;
   const context = contextOf(width, height);
-  // Not all browsers have filters on canvases. Scaling down and up again, step by step, blurs as well.
+  // Not all browsers have filters on canvases. Scaling down and up again in steps blurs as well.
   const soft = outOfFocus(picture, COARSE, 900);
   const all = [(width - height) / 2, 0, height, height] as const;
   context.drawImage(soft, ...all);
-  // Multiplied by itself, a bright picture becomes dark; a dark one is dark enough.
+  // Multiplying a picture by itself makes bright colours deep. Dark colours are deep already.
   context.globalCompositeOperation = 'multiply';
   context.globalAlpha = Math.min(1, Math.max(0, brightnessOf(context) / DARK - 1));
   context.drawImage(soft, ...all);
@@ -116,7 +116,7 @@ function groundOf(picture: OffscreenCanvas, words: Words): OffscreenCanvas {
   return context.canvas;
 }
 
-/** The mean brightness of all pixels, 0..255. */
+/** The mean brightness of a canvas, 0..255, at least 1. */
 function brightnessOf(context: Context): number {
   const one = contextOf(1, 1);
   one.drawImage(outOfFocus(context.canvas, 1, 1), 0, 0);
@@ -124,9 +124,7 @@ function brightnessOf(context: Context): number {
   return Math.max(1, 0.2126 * red + 0.7152 * green + 0.0722 * blue);
 }
 
-/**
- * Blurs a picture: scales it down by halves to at least `least` pixels, and up again by doubling to at least `most`.
- */
+/** Blurs a picture: halves its side down to `least` pixels, then doubles it until it has at least `most`. */
 function outOfFocus(picture: OffscreenCanvas, least: number, most: number): OffscreenCanvas {
   let soft = picture;
   let side = picture.width;

@@ -1,15 +1,15 @@
 /**
- * The height field as a closed slab in an STL file, for 3D printing: millimetres, right-handed with z up. Seen from
- * above it looks like the picture.
+ * The height field as a closed slab in an STL file for 3D printing. Units are millimetres, axes are right-handed with
+ * z up, and the picture is seen from above.
  *
- * The file is binary (3D Systems, 1989): 80 bytes of title, the count of triangles, and for each its normal and
- * corners as floats and two zero bytes. The top is a grid of squares with two triangles each. Below each of its
- * outer sides the walls have one such square. The base is a fan.
+ * The file is binary STL (3D Systems, 1989): an 80-byte title, the count of triangles, and for each triangle its
+ * normal and corners as floats and two empty bytes. The top has two triangles for each square of a grid, each wall
+ * has one such square below each edge of the grid, and the base is a fan.
  */
 import type { PixelMap } from '../../module/types';
 import type { Progress } from './worked';
 
-/** The measures in millimetres, and the squares along a side of the grid. */
+/** Lengths are in millimetres. */
 export interface Slab {
   side: number;
   /** The thickness under the lowest point. */
@@ -24,13 +24,13 @@ const TRIANGLE = 50;
 
 type Corner = readonly [x: number, y: number, z: number];
 
-/** The size of the file with this many squares along a side. */
+/** The size of a file with `squares` squares along a side. */
 export function slabSize(squares: number): { triangles: number; bytes: number } {
   const triangles = 2 * squares * squares + 12 * squares;
   return { triangles, bytes: HEAD + TRIANGLE * triangles };
 }
 
-/** The file of a map of heights as floats. On a tile, heights repeat beyond the edges. */
+/** The file of a map of heights as floats. Heights of a tile are continued beyond its edges. */
 export function slabFile(slab: Slab, map: PixelMap, tile: boolean, progress: Progress): Blob {
   const { side, base, relief, squares: n } = slab;
   const { triangles, bytes } = slabSize(n);
@@ -38,7 +38,7 @@ export function slabFile(slab: Slab, map: PixelMap, tile: boolean, progress: Pro
   new Uint8Array(file.buffer).set(new TextEncoder().encode('Made by Bubblestone. Millimetres.'.padEnd(HEAD - 4)));
   file.setUint32(HEAD - 4, triangles, true);
   let at = HEAD;
-  /** Writes a triangle, counter-clockwise seen from outside. */
+  /** Writes a triangle. Its corners are counter-clockwise seen from outside. */
   const put = (a: Corner, b: Corner, c: Corner): void => {
     for (const corner of [normal(a, b, c), a, b, c]) {
       for (const v of corner) {
@@ -54,7 +54,10 @@ export function slabFile(slab: Slab, map: PixelMap, tile: boolean, progress: Pro
   const corner = (i: number, j: number, z: number): Corner => [(i * side) / n, ((n - j) * side) / n, z];
   const top = (i: number, j: number): Corner => corner(i, j, base + ((heights[j * (n + 1) + i] ?? low) - low) * rise);
   const middle: Corner = [side / 2, side / 2, 0];
-  /** A square of a wall and its part of the base, below two grid points in clockwise order seen from above. */
+  /**
+   * A square of a wall and its triangle of the base, below two grid points that follow each other clockwise seen from
+   * above.
+   */
   const wall = (i: number, j: number, k: number, l: number): void => {
     const [a, b, c, d] = [top(i, j), top(k, l), corner(i, j, 0), corner(k, l, 0)];
     put(a, b, d);
@@ -76,7 +79,7 @@ export function slabFile(slab: Slab, map: PixelMap, tile: boolean, progress: Pro
   return new Blob([file.buffer], { type: 'model/stl' });
 }
 
-/** The mean height around each point of a grid with `n` squares along a side, row by row. */
+/** The mean height around each point of a grid with `n` squares a side, row by row. */
 function crossings({ side, bytes }: PixelMap, n: number, tile: boolean, progress: Progress): Float32Array {
   const values = new DataView(bytes.buffer, bytes.byteOffset);
   const half = Math.max(0.5, side / n / 2);

@@ -1,4 +1,4 @@
-/** Pictures of the turntable: a frame of its bodies, or a plane of a frame. */
+/** Pictures of the turntable: a frame of its bodies, or a data plane of that frame. */
 import { studioFor } from '../../module/given';
 import { loadWhole } from '../../module/load';
 import { BUDGET, generatorOf } from '../../module/run';
@@ -8,8 +8,8 @@ import { png } from './png';
 import { given } from './refusal';
 
 /**
- * The scene to show: its subject (all bodies, '', or a step in the making of one, `ID:STEP`), the camera in the
- * words of a link, and the view, where views are frames.
+ * The shown subject, camera and view. `subject` is '' for all bodies, or `ID:STEP` for a step in the making of one.
+ * `view` matters for generators that are seen by frames only.
  */
 export interface Seen {
   subject: string;
@@ -20,7 +20,7 @@ export interface Seen {
 /** The background behind the bodies. */
 export type Backdrop = 'floor' | 'sky' | 'nothing';
 
-/** A square frame, or one of its planes; `scale` is the factor on the usual side. */
+/** The order for a square frame, or for one of its planes; `scale` multiplies the usual side. */
 export interface TurnJob extends Seen {
   file: 'turn';
   plane: 'depth' | 'normal' | 'id' | undefined;
@@ -29,20 +29,20 @@ export interface TurnJob extends Seen {
   backdrop: Backdrop;
 }
 
-/** The share of the work before the first frame. */
+/** The progress at which the first frame begins. */
 export const WORKED = 0.15;
 
-/** Throws a Refusal if there is nothing to show. */
+/** Throws a Refusal if there is nothing to see. */
 export async function turnFile(link: string, { plane, side, backdrop, ...seen }: TurnJob, progress: Progress): Promise<Blob> {
   const studio = await studioOf(link, progress);
   const rest = (done: number): void => progress(WORKED + (1 - WORKED) * done);
-  // Planes have no smooth edges.
+  // Planes are not antialiased.
   const pixels = frameOf(studio, seen, side, `${plane ? 'still' : 'fine'}+${backdrop}`, rest);
   if (plane) return png(given(studio.frameMap(plane)));
   return png(backdrop === 'nothing' ? { side, channels: 4, bits: 8, bytes: pixels } : { side, channels: 3, bits: 8, bytes: opaque(pixels) });
 }
 
-/** The finished studio of a recipe, with its scene. Throws a Refusal if there is no picture. */
+/** A studio with a finished recipe and its scene. Throws a Refusal if there is no picture. */
 export async function studioOf(link: string, progress: Progress): Promise<SceneStudio> {
   const module = await loadWhole();
   const studio = await studioFor(module, link);
@@ -50,7 +50,7 @@ export async function studioOf(link: string, progress: Progress): Promise<SceneS
   return studio;
 }
 
-/** The pixels of a square frame. Throws a Refusal if there is nothing to show. */
+/** The pixels of a square frame. Throws a Refusal if there is nothing to see. */
 export function frameOf(studio: SceneStudio, { subject, camera, view }: Seen, side: number, how: string, progress: Progress): Uint8Array<ArrayBuffer> {
   for (;;) {
     const slice = given(studio.turn(subject, camera, side, side, `${how}+${view}`, BUDGET));
@@ -59,7 +59,7 @@ export function frameOf(studio: SceneStudio, { subject, camera, view }: Seen, si
   }
 }
 
-/** Red, green and blue of opaque pixels. */
+/** The RGB values of opaque pixels. */
 function opaque(pixels: Uint8Array): Uint8Array<ArrayBuffer> {
   const out = new Uint8Array((pixels.length / 4) * 3);
   for (let from = 0, to = 0; from < pixels.length; from += 4) {
