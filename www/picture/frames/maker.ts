@@ -3,12 +3,11 @@
  * then one with all pixels, then an antialiased one. While something moves there are coarse frames only, and each is
  * finished: otherwise none ever would be.
  */
-import type { SceneStudio } from '../module/scene';
-import type { Notice } from '../module/types';
+import type { SceneStudio } from '../../module/scene';
+import type { Notice } from '../../module/types';
 import { Coarse, ladderOf, viewOf } from './ladder';
 import { coverage, pixelsOf } from './pixels';
-import type { Wished } from './frames';
-import type { Quality } from './turn.worker';
+import type { Quality, Wished } from './source';
 
 /** The part of a studio that makes frames. */
 type Studio = Pick<SceneStudio, 'turn' | 'frameMap'>;
