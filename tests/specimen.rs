@@ -41,7 +41,7 @@ fn an_unknown_generator_gets_a_sentence_and_a_pavement() {
         notices[0].to_string(),
         "Make must be pavement, surface or specimen; \"castle\" was given, kept pavement."
     );
-    // A parameter that only another generator has gets the same notice as an unknown word.
+    // A parameter of another generator gets the same notice as an unknown word.
     let (recipe, notices) = ALL.recipe("make=specimen&across=3&cs=30");
     assert_eq!(recipe.link(), "v=1&make=specimen&across=3");
     assert_eq!(notices[0].code, Code::NotAParameter);

@@ -40,7 +40,7 @@ test('a generator without a part of the page has no keys of it, and what was ope
   await digest(page);
   await page.waitForSelector('#layers', { hidden: true });
   for (const key of ['e', 'o', 'g', 't', 'v', 'p']) await page.keyboard.press(key);
-  // The next free key comes after them.
+  // If the light appears, the keys before it have been handled, too.
   await page.keyboard.press('l');
   await page.waitForSelector('#light-sun', { visible: true });
   await frames(page, 5);

@@ -63,7 +63,7 @@ export function frame(): Promise<void> {
   });
 }
 
-/** Waits until the browser is idle. Where it does not say, as in Safari, waits some milliseconds. */
+/** Waits until the browser is idle. In browsers that do not report it, such as Safari, waits some milliseconds. */
 export function idle(otherwise: number): Promise<void> {
   return new Promise((resolve) => {
     if ('requestIdleCallback' in window) requestIdleCallback(() => resolve());

@@ -90,7 +90,7 @@ export class EditedFigures {
     this.around.follow();
   }
 
-  /** Moves the keyboard focus to the marked point. Returns false where there is none. */
+  /** Moves the keyboard focus to the marked point. Returns false if there is none. */
   focus(): boolean {
     return this.sheet.focus(this.all, this.at);
   }

@@ -245,7 +245,7 @@ export class Editor {
     else setTimeout(() => this.begin('outline'));
   }
 
-  /** Gives an outline to the engine. Returns false where it was refused. */
+  /** Gives an outline to the engine. Returns false if it was refused. */
   private takeRings(rings: Ring[]): boolean {
     return this.change('outline', () => {
       const { refused, sentences } = this.work.outline(rings, this.held);

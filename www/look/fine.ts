@@ -64,7 +64,7 @@ export class Fine {
   private next: Picture | undefined;
   private making = new AbortController();
 
-  /** `asked` returns what the canvas shows; undefined where that is unfinished, or not wanted finer. */
+  /** `asked` returns what the canvas shows; undefined if that is unfinished, or not wanted finer. */
   constructor(canvas: HTMLCanvasElement, asked: () => Asked | undefined) {
     this.canvas = canvas;
     this.asked = asked;

@@ -9,7 +9,7 @@ const THROTTLE = 400;
 
 export type LastWork = Pick<State, 'recipe' | 'past' | 'future' | 'own'>;
 
-/** The last work; undefined where there is none, or it cannot be read. */
+/** The last work; undefined if there is none, or it cannot be read. */
 export function lastWork(): LastWork | undefined {
   try {
     const { recipe, past, future, own } = JSON.parse(kept(WORK) ?? 'null') as Record<keyof LastWork, unknown>;

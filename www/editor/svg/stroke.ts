@@ -96,7 +96,7 @@ function turned([x, y]: Point, [u, v]: Point, angle: number, step: number): Ring
   });
 }
 
-/** The dashes of a line; undefined where it is solid. */
+/** The dashes of a line; undefined if it is solid. */
 function dashed(line: Ring, closed: boolean, { dashes, offset }: Pen): Ring[] | undefined {
   const pattern = dashes.length % 2 ? [...dashes, ...dashes] : dashes;
   const period = pattern.reduce((sum, length) => sum + length, 0);
