@@ -55,7 +55,7 @@ export function wantsStill(): boolean {
   return matchMedia('(prefers-reduced-motion: reduce)').matches;
 }
 
-/** Waits until the browser has painted, or 200 ms where it does not, as in a hidden tab. */
+/** Waits until the browser has painted, or 200 ms if it does not paint, as in a hidden tab. */
 export function frame(): Promise<void> {
   return new Promise((resolve) => {
     requestAnimationFrame(() => setTimeout(resolve));

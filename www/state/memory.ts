@@ -31,7 +31,7 @@ export function remember(store: Store): void {
     clearTimeout(timer);
     timer = 0;
     const { recipe, past, future, own } = store.state;
-    // Where the storage is full or forbidden, the link in the address still holds the work.
+    // If the storage is full or forbidden, the link in the address still holds the work.
     if (keep(WORK, JSON.stringify({ recipe, past, future, own }))) store.update({ stored: true });
   };
   store.on(['recipe', 'past', 'future', 'own', 'held'], ({ held }) => {

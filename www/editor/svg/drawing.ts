@@ -30,7 +30,7 @@ export interface Piece {
   /** Maps the piece to the drawing's own units. */
   matrix: Matrix;
   rule: Rule;
-  /** The pen of a stroke; `still` where its width stays the same at any scale. */
+  /** The pen of a stroke; `still` if its width stays the same at any scale. */
   pen?: Pen & { still: boolean };
   paint: Exclude<Paint, undefined>;
   /** All clips of the piece. */
@@ -43,7 +43,7 @@ export interface Clip {
 
 export interface Drawing {
   pieces: Piece[];
-  /** The visible part of the drawing; undefined if the file does not say. */
+  /** The visible part of the drawing; undefined if the file does not define it. */
   frame: Box | undefined;
   left: Count;
 }

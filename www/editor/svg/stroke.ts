@@ -43,7 +43,7 @@ function dot([x, y]: Point, half: number, cap: string, step: number): Ring[] {
   return cap === 'square' ? [[[x - half, y - half], [x + half, y - half], [x + half, y + half], [x - half, y + half]]] : [];
 }
 
-/** The left side of a line, with the cap at its end where it has one. */
+/** The left side of a line, with the cap at its end if it has one. */
 function side(line: Ring, half: number, pen: Pen, step: number, capped: boolean): Ring {
   const ring: Ring = [];
   let before: Point | undefined;
