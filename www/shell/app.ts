@@ -314,7 +314,7 @@ export class App {
     this.parts.editor.here?.close();
   }
 
-  /** Lets the work run past the step where a link held it. */
+  /** Lets the work run past the step at which a link paused it. */
   private goOn(): void {
     this.loop.until = undefined;
     this.address.leave();

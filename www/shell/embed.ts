@@ -138,7 +138,7 @@ export class Embed {
     const show = (): void => {
       const on = isFramed || this.camera !== undefined;
       const turntable = isFramed ? this.own : this.slant;
-      // Beside frames of the engine itself, a small button is shown.
+      // The turntable of a picture hides the play button; frames of the engine itself keep it, as a small one.
       this.button.hidden = on && !isFramed;
       for (const other of [this.own, this.slant]) if (other !== turntable) other?.toggle(false);
       loop.painter = isFramed ? this.frames : undefined;
