@@ -44,7 +44,7 @@ impl Clock {
     }
 }
 
-/// A picture in the making, of any generator.
+/// A picture of any generator, while it is made.
 #[wasm_bindgen]
 pub struct Bubblestone {
     studio: Studio,
@@ -135,7 +135,7 @@ impl Bubblestone {
         self.studio.tick(&mut || clock.now(), budget, max_steps)
     }
 
-    /// Exactly one packing step; nothing when the packing is over.
+    /// Makes exactly one packing step; does nothing when the packing is over.
     pub fn step(&mut self) {
         let clock = &self.clock;
         self.studio.step(&mut || clock.now());
@@ -180,7 +180,7 @@ impl Bubblestone {
         let side = self.studio.side() as u32;
         let frame = self.studio.engine_mut().view(view);
         let image = ImageData::new_with_u8_clamped_array_and_sh(Clamped(frame), side, side);
-        // A context that is lost draws nothing; the next frame tries again.
+        // A lost context draws nothing; the next frame tries again.
         let _ = image.and_then(|image| context.put_image_data(&image, 0.0, 0.0));
     }
 
@@ -238,7 +238,7 @@ impl Bubblestone {
         row.map_or(0.0, |row| recipe.default_of(row))
     }
 
-    /// Hex digest of the planes; '' until done.
+    /// The digest of the planes in hex; '' until done.
     pub fn digest(&self) -> String {
         self.studio.digest()
     }
@@ -256,7 +256,7 @@ impl Bubblestone {
         self.take(recipe, said)
     }
 
-    /// The outline in use.
+    /// The present outline.
     #[wasm_bindgen(unchecked_return_type = "Rings")]
     pub fn outline(&self) -> Object {
         let numbers = |ring: &&[DVec2]| ring.iter().flat_map(|p| [p.x, p.y]).collect();
@@ -265,8 +265,7 @@ impl Bubblestone {
         objects::rows(&rings, 2, ["points", "rings"])
     }
 
-    /// A list parameter. `set` takes it back as text, with commas between numbers and semicolons
-    /// between rows.
+    /// A list parameter. `set` takes it back as text, with commas between numbers and semicolons between rows.
     #[wasm_bindgen(unchecked_return_type = "Rows")]
     pub fn list(&self, key: &str) -> Object {
         let recipe = self.studio.recipe();
@@ -315,7 +314,7 @@ fn object(entries: &[(&str, JsValue)]) -> Object {
     object
 }
 
-/// A seed for the dice: any whole number below 2^32.
+/// A random seed: any whole number below 2^32.
 #[wasm_bindgen]
 pub fn random_seed() -> u32 {
     // If the browser has no random source, the clock is good enough for a throw of dice.

@@ -67,22 +67,22 @@ impl Studio {
         }
     }
 
-    /// The generators whose recipes it takes.
+    /// The generators whose recipes it accepts.
     pub fn registry(&self) -> Registry {
         self.registry
     }
 
-    /// The generator at work.
+    /// The present generator.
     pub fn generator(&self) -> &'static Generator {
         self.generator
     }
 
-    /// The engine at work.
+    /// The present engine.
     pub fn engine(&self) -> &dyn Engine {
         &*self.engine
     }
 
-    /// The engine at work, to draw views and to make files.
+    /// The present engine, to draw views and to make files.
     pub fn engine_mut(&mut self) -> &mut dyn Engine {
         &mut *self.engine
     }
@@ -137,7 +137,7 @@ impl Studio {
         self.engine.progress()
     }
 
-    /// The picture last finished: opaque RGBA, row after row from the top.
+    /// The last finished picture: opaque RGBA, row after row from the top.
     pub fn picture(&self) -> Option<&[u8]> {
         Some(self.engine.picture()).filter(|picture| !picture.is_empty())
     }

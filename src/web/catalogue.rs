@@ -87,7 +87,7 @@ export interface Timing {
 }
 ";
 
-/// The generators of this module; the first is that of links that name none.
+/// The generators of this module; the first one is for links that name none.
 #[wasm_bindgen(unchecked_return_type = "Generator[]")]
 pub fn generators() -> Array {
     ALL.iter().map(generator_object).collect()
@@ -126,7 +126,7 @@ fn words(words: &[&str]) -> JsValue {
     words.into()
 }
 
-/// A generator's parameters, in the order of its links; none of an unknown word.
+/// A generator's parameters, in the order of its links; empty for an unknown word.
 #[wasm_bindgen(unchecked_return_type = "Parameter[]")]
 pub fn schema(word: &str) -> Array {
     let generator = ALL.named(word).into_iter();
@@ -169,7 +169,7 @@ fn parameter_object(p: &Parameter) -> Object {
     row
 }
 
-/// A generator's named recipes, in the order of the page; none of an unknown word.
+/// A generator's named recipes, in the order of the page; empty for an unknown word.
 #[wasm_bindgen(unchecked_return_type = "Preset[]")]
 pub fn presets(word: &str) -> Array {
     let generator = ALL.named(word).into_iter();

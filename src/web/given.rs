@@ -14,7 +14,7 @@ const TYPES: &str = r"
 export interface RecipeFile {
   /** The key of the parameter that names it. */
   role: string;
-  /** 16 hex digits. */
+  /** The digest as 16 hex digits. */
   digest: string;
   name: string;
 }
@@ -105,7 +105,7 @@ impl FileDigest {
         self.0.add(piece);
     }
 
-    /// 16 hex digits.
+    /// The digest as 16 hex digits.
     pub fn text(&self) -> String {
         format!("{:016x}", self.0.number())
     }

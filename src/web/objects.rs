@@ -21,11 +21,11 @@ export interface Status {
   removed: number;
   converged: boolean;
   stones: number;
-  /** Milliseconds by the word of the stage. */
+  /** Milliseconds by the words of the stages. */
   ms: Record<string, number>;
 }
 
-/** A cell, as found at a place of the picture: lengths in picture units, angles in degrees, y down. */
+/** A cell at a place of the picture: lengths in picture units, angles in degrees, y down. */
 export interface Probe {
   /** Its index in the list of cells, from 0; during the packing, its index in the packing. */
   cell: number;
@@ -54,7 +54,7 @@ export interface Probe {
 export interface Series {
   step: Float64Array;
   energy: Float64Array;
-  /** The largest move of the step, in cell sizes. */
+  /** The greatest move of the step, in cell sizes. */
   move: Float64Array;
 }
 

@@ -14,7 +14,10 @@ export interface Notice {
   text: string;
 }
 
-/** Text that is the same in all languages, a parameter, a word of a choice, a part of the sentence, or one of several. */
+/**
+ * An argument: text that is the same in all languages, a parameter, a word of a choice, a part of the sentence, or a
+ * list of these.
+ */
 export type NoticeArg = string | { key: string; name: string } | { key: string; word: string; label: string } | Notice | NoticeArg[];
 
 /** The result of a change: if it was refused, the reason; else the values that were clamped or corrected. */

@@ -23,9 +23,9 @@ export interface FrameSlice {
   pixels?: Uint8Array<ArrayBuffer>;
 }
 
-/** A body, as found at a pixel of a frame. */
+/** A body at a pixel of a frame. */
 export interface SeenBody {
-  /** From 1. */
+  /** Ids count from 1. */
   id: number;
   /** The middle of its cell, in picture units. */
   x: number;
@@ -61,7 +61,7 @@ impl Bubblestone {
         or_why(made)
     }
 
-    /// The body at a pixel of the frame last finished.
+    /// The body at a pixel of the last finished frame.
     #[wasm_bindgen(js_name = bodyAt, unchecked_return_type = "SeenBody | undefined")]
     pub fn body_at(&self, x: u32, y: u32) -> JsValue {
         let body = self.studio.engine().body_at(x as usize, y as usize);
@@ -78,7 +78,7 @@ impl Bubblestone {
         })
     }
 
-    /// A plane of the frame last finished: 'depth', 'normal' or 'id'. Its side is the frame's width.
+    /// A plane of the last finished frame: 'depth', 'normal' or 'id'. Its side is the frame's width.
     #[wasm_bindgen(js_name = frameMap, unchecked_return_type = "PixelMap | Notice")]
     pub fn frame_plane(&self, word: &str) -> Object {
         let plane = FramePlane::of_word(word).ok_or(Notice::from(Code::NoSuchFile));
@@ -122,7 +122,7 @@ impl Bubblestone {
         all(&self.studio.engine().remarks())
     }
 
-    /// 16 hex digits that change with any bit of the frame last finished; '' before there is one.
+    /// 16 hex digits that change with any bit of the last finished frame; '' before there is one.
     #[wasm_bindgen(js_name = frameHash)]
     pub fn frame_hash(&self) -> String {
         let frame = self.studio.engine().frame();

@@ -1,4 +1,4 @@
-/** Another picture under the one that is shown, up to a divider; it is made in idle moments. */
+/** Another picture under the shown one, up to a divider; it is made in idle moments. */
 import { isEnd } from '../module/stages';
 import { t } from '../words/look';
 import { byId, idle, make, say } from '../base/dom';
@@ -8,7 +8,7 @@ import type { Work } from '../state/work';
 import type { View } from '../picture/view';
 import { OtherFrames } from '../turn/others';
 
-/** Milliseconds of work in one idle slice, and between two drawings of work in progress. */
+/** Milliseconds of work in an idle slice, and between two drawings of work in progress. */
 const SLICE = 6;
 const DRAWINGS = 150;
 

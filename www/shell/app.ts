@@ -282,7 +282,7 @@ export class App {
     tellCrash(error, link);
   }
 
-  /** A control was moved. */
+  /** Handles a moved control. */
   private change(key: string, text: string, done: boolean): void {
     if (key === 'outline' && text === 'polygon') return this.parts.editor.ask((editor) => editor.free());
     if (this.wantsFile(key, text)) return this.parts.space.ask((space) => space.choose());

@@ -212,7 +212,7 @@ export class Engine {
     return this.ask((core) => (core as SceneStudio).turn(subject, camera, width, height, how, budget), NOT_YET);
   }
 
-  /** The body at a pixel of the frame last finished. */
+  /** The body at a pixel of the last finished frame. */
   bodyAt(x: number, y: number): SeenBody | undefined {
     return this.ask((core) => (core as SceneStudio).bodyAt(x, y), undefined);
   }
@@ -222,7 +222,7 @@ export class Engine {
     return this.ask((core) => (core as SceneStudio).making(id), []);
   }
 
-  /** A plane of the frame last finished. */
+  /** A plane of the last finished frame. */
   frameMap(word: string): PixelMap | Notice {
     return this.ask((core) => (core as SceneStudio).frameMap(word), NOT_YET);
   }
