@@ -1,4 +1,4 @@
-//! What the stages of a pavement have made, and what they are making.
+//! The results of a pavement's stages, finished or in progress.
 
 use super::stage::Stage;
 use super::stages::Stages;
@@ -20,7 +20,7 @@ impl Stages {
         self.domain.made().zip(self.fields.made())
     }
 
-    /// The packing at work, or the last one.
+    /// The packing in progress, or the last one.
     pub fn shown_packing(&self) -> Option<&Packing> {
         let moving = self.packing.work().and_then(Packs::moving);
         moving.or(self.packing.made())
@@ -45,7 +45,7 @@ impl Stages {
         }
     }
 
-    /// Is the pavement forming anew, so that older pictures are of another one?
+    /// Whether the pavement is forming again, so that older pictures show another one.
     pub fn is_forming(&self) -> bool {
         let packs = self.at().is_some_and(|stage| stage <= Stage::Packing);
         packs || self.pictured != self.packing.revision()
@@ -61,19 +61,19 @@ impl Stages {
         self.cells.made().map_or(&[], Vec::as_slice)
     }
 
-    /// Of the cells.
+    /// The revision of the cells.
     pub fn cells_revision(&self) -> u64 {
         self.cells.revision()
     }
 
-    /// The cells that stones are made of: of skin, those in which the axes have one sense.
+    /// The cells of the stones: for skin, those whose axes agree.
     pub fn scales(&self) -> &[Cell] {
         let oriented = self.current(&self.flow);
         let oriented = oriented.filter(|cells| !cells.is_empty());
         oriented.map_or_else(|| self.cells(), Vec::as_slice)
     }
 
-    /// What the cells wear by rule; none while other cells form.
+    /// The coats of the cells by rule; empty while other cells form.
     pub fn coats(&self) -> &[Coat] {
         let forms = self.at().is_some_and(|stage| stage < Stage::Planes);
         let coats = self.current(&self.coats);
@@ -103,7 +103,7 @@ impl Stages {
         }
     }
 
-    /// The planes last finished.
+    /// The last finished planes.
     pub fn planes(&self) -> Option<&Planes> {
         self.finish.weather.made()
     }
@@ -120,7 +120,7 @@ impl Stages {
         }
     }
 
-    /// The picture last finished, empty before there is one.
+    /// The last finished picture; empty before there is one.
     pub fn picture(&self) -> &[u8] {
         self.finish.light.made().map_or(&[], Vec::as_slice)
     }

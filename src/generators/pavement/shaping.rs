@@ -66,7 +66,7 @@ impl Shaping {
         Shaping::Fitting(Box::new(fitting))
     }
 
-    /// The cells, or what is left to do.
+    /// The cells, or the rest of the work.
     fn slice(self, from: Packed) -> Result<Vec<Cell>, Self> {
         match self {
             Shaping::Fitting(mut fitting) => match fitting.advance(from.domain) {

@@ -15,7 +15,7 @@ use crate::packing::{Packing, PackingParams, Placing};
 use crate::solid::oriented;
 use glam::DVec2;
 
-/// Cells whose neighbours are found, or whose coats are made, in one slice.
+/// Cells in a slice, to find neighbours or to make coats.
 const CELLS: usize = 500;
 
 /// The nodes of the stages.
@@ -78,7 +78,7 @@ impl Wiring for Stages {
 }
 
 impl Stages {
-    /// Nothing made yet.
+    /// Starts with nothing made.
     pub fn new(params: Params) -> Self {
         Self {
             domain: Node::new(params.domain),
