@@ -1,5 +1,6 @@
-//! The generators, each with its schema, presets, stages, views, and engine. A new one is a folder here, its
-//! libraries, and one line in [`ALL`], both under the cargo feature `house`, as a first visit does without them.
+//! The generators, each with its schema, presets, stages, views, and engine. To add one, add a folder here, its
+//! libraries, and one line in [`ALL`]. Put the line and the libraries under the cargo feature `house`, because the
+//! module of a first visit does not contain them.
 
 mod bigger;
 mod budget;

@@ -121,7 +121,7 @@ impl Rules for PavementRules {
         }
     }
 
-    /// The present outline becomes the polygon to start from.
+    /// Uses the present outline as the first polygon.
     fn draw(&self, recipe: &mut Recipe, _: Key, rows: Option<Rows>) -> Result<Vec<Notice>, Notice> {
         let outline = match rows {
             Some(rows) => of_rows(&rows, recipe.side()),
@@ -131,7 +131,7 @@ impl Rules for PavementRules {
     }
 }
 
-/// Other words for outlines, in links only.
+/// Alternative words for outlines, accepted in links only.
 const OUTLINE_WORDS: [(&str, &str); 8] = [
     ("road", "road_straight"),
     ("s_curve", "road_s"),

@@ -25,7 +25,7 @@ pub(super) struct Stages {
     pub(super) packing: Node<PackingParams, Packs<Placing, Packing>, Packing>,
     pub(super) mesh: Node<(), Meshing, Mesh>,
     pub(super) cells: Node<CellParams, Shaping, Vec<Cell>>,
-    /// The cells of skin, whose axes have one sense; none of stones.
+    /// The cells of skin with axes of one sense; empty for stones.
     pub(super) flow: Node<Option<FlowParams>, Graph, Vec<Cell>>,
     pub(super) coats: Node<CoatParams, Coats, Vec<Coat>>,
     pub(super) finish: HeightField,

@@ -90,7 +90,7 @@ fn asked(studio: &Studio) -> Params {
     engine.expect("a pavement").made.latest()
 }
 
-/// From any state a studio gives the recipe's result, and works on nothing in vain.
+/// From any state, a studio reaches the recipe's result without unnecessary work.
 #[test]
 fn exactly_what_differs_runs() {
     let mut random = Random::new(11, Purpose::Placement, 0);

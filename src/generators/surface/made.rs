@@ -65,7 +65,7 @@ impl Stages {
         moving.or(self.packing.made())
     }
 
-    /// The packing at work, and its site. The packing keeps the answers to some questions.
+    /// The packing in progress, and its site. The packing is mutable because it caches measures such as its energy.
     pub fn packing_mut(&mut self) -> Option<(&mut SurfacePacking, &Site)> {
         let moving = self.packing.work_mut().and_then(Packs::moving_mut);
         moving.zip(self.site.made())
