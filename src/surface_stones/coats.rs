@@ -23,7 +23,7 @@ const WAVELENGTH: f64 = 16.0;
 const APART: f64 = 0.83;
 /// The relative variation of the sizes of spots.
 const UNLIKE: f64 = 0.25;
-/// The weight of normals against places in telling the belly's side.
+/// The weight of a cell's normal in its share of the belly; its place has the rest.
 const FACES: f64 = 0.6;
 
 /// The coats of all cells, while they are made.

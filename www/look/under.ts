@@ -1,4 +1,4 @@
-/** Another picture under the one that is shown, up to a divider. It is made in idle moments. */
+/** Another picture under the shown one, up to a divider; it is made in idle moments. */
 import { isEnd } from '../module/stages';
 import { t } from '../words/look';
 import { byId, make, say } from '../base/dom';

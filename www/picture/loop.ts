@@ -104,7 +104,8 @@ export class Loop {
   set paused(paused: boolean) {
     this.held = paused;
     this.until = undefined;
-    // Work without cells goes on to the first ones. With a painter, a step of many cells may take several slices.
+    // A pause lets the work reach its first cells. With a painter, it also lets a step of many cells finish, which may
+    // take several slices.
     const { generator } = this.engine;
     const stage = this.engine.stage();
     this.settling = isUpToSteps(generator, stage) || (this.painter !== undefined && stage === generator.stepping);

@@ -191,6 +191,7 @@ export class App {
     tellCrash(error, link);
   }
 
+
   /** Restarts the forming, at a pace to watch it, or paused at its start. */
   again(paused = false): void {
     this.host.still = false;
@@ -209,7 +210,7 @@ export class App {
     this.parts.editor.here?.close();
   }
 
-  /** Lets the work run past the step where a link held it. */
+  /** Lets the work run past the step at which a link paused it. */
   private goOn(): void {
     this.host.loop.until = undefined;
     this.address.leave();

@@ -133,7 +133,7 @@ export class Embed {
     const isOn = (): boolean => engine.offers('frames') || this.camera !== undefined;
     if (!isOn() && !this.turning.here) return;
     this.turning.ask((both) => {
-      // Beside frames of the engine itself, a small button is shown.
+      // The turntable of a picture hides the play button; frames of the engine itself keep it, as a small one.
       this.button.hidden = isOn() && !engine.offers('frames');
       both.show(isOn()).follow();
     });

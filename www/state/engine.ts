@@ -167,6 +167,7 @@ export class Engine {
     this.ask((core) => core.draw(context, view), undefined);
   }
 
+
   /** The caption of a view: the meaning of its colours, or a count; '' if it has none. */
   caption(view: string): string {
     const caption = this.askWhole((studio) => studio.caption(view), undefined);

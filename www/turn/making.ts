@@ -7,7 +7,7 @@ import type { Told } from '../picture/frames/source';
 
 /** The connection of the strip to the turntable. */
 export interface Steps {
-  /** A parameter of the recipe. */
+  /** The value of a parameter of the recipe. */
   get(key: string): string;
   /** Shows the chosen step. */
   show(): void;

@@ -1,5 +1,4 @@
-//! What the stages make where nothing else is said: a pavement by the defaults of its table of
-//! parameters, where they stand once.
+//! Defaults of the stages' parameters, from the defaults in the pavement's table, so that they stand in one place.
 
 use super::{params, recipe};
 use crate::field::FieldParams;
@@ -32,10 +31,10 @@ defaults! {
     ShadeParams: common::shading, PLAIN;
 }
 
-/// The link of a pavement by defaults.
+/// The link of a pavement with all defaults.
 const PLAIN: &str = "";
 
-/// Made into skin, it is skin by defaults.
+/// With the defaults of skin, if it becomes skin.
 fn stone(recipe: &Recipe) -> StoneParams {
     StoneParams {
         skin: SkinParams::default(),

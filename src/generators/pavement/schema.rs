@@ -7,10 +7,10 @@ use crate::recipe::schema::{choices, rows};
 use crate::recipe::stones::{self, SKIN};
 use crate::recipe::{Choice, Item, SideLimits, common};
 
-/// The word for the outline that is given by its points.
+/// The word for an outline that is given by its points.
 pub const POLYGON: &str = "polygon";
 
-/// Cells below two pixels could not be told from noise.
+/// Cells smaller than two pixels would look like noise.
 const CELL_LIMITS: SideLimits = SideLimits {
     finest: 400.0,
     least: 2.0,

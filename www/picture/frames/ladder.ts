@@ -19,7 +19,7 @@ export function viewOf({ link, subject, camera, width, height, plane }: Wished):
   return [link, subject, camera, width, height, plane].join(' ');
 }
 
-/** Moving frames have as many pixels as there is time for. */
+/** Adapts the number of pixels of moving frames to their times. */
 export class Coarse {
   /** Pixels of the full frame for one of a moving frame, along a side. */
   part = COARSE.least;

@@ -19,7 +19,7 @@ interface Order<W> {
   readonly height: number;
 }
 
-/** A frame that was made. */
+/** A finished frame. */
 export interface Made<W> extends Order<W> {
   readonly pixels: Uint8ClampedArray<ArrayBuffer>;
 }
@@ -40,7 +40,7 @@ export class FrameMaker<W extends Wished = Wished> {
   /** The last frame: its view, the levels of quality that it has reached, its subject, and its sides. */
   private last = { view: '', rungs: 0, subject: '', width: 0, height: 0 };
 
-  /** `view` is the word of the view. */
+  /** `view` gives the word of the view. */
   constructor(studio: Studio, view: () => string = () => 'auto') {
     this.studio = studio;
     this.view = view;
