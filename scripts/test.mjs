@@ -7,12 +7,30 @@ import { ask, say, start, Stop } from './lib/run.mjs';
 import { nativeEnv } from './lib/rust.mjs';
 import * as setup from './lib/setup.mjs';
 
-// The two rows of a pair run side by side, as much of a build uses only one core. Each builds in its own folder, as cargo
-// locks it. The second pair needs the module. The browsers come last, one kind at a time, as each keeps two cores busy.
-const pairs = [
-  [['cargo fmt', 'clippy, native', 'cargo doc', 'dependencies'], ['wasm build']],
-  [['cargo test', 'types', 'page in Node', 'lint'], ['page build', 'modules as sent', 'clippy, wasm32', 'wasm-pack test']],
+/** A step, the step that it waits for, and the build folder that cargo locks for it. @typedef {{ name: string, after?: string, folder?: string }} Step */
+
+/**
+ * The steps in the order in which they begin. Two run side by side, as much of a build uses only one core. The long ones come
+ * first, so that both sides end together.
+ * @type {Step[]}
+ */
+const builds = [
+  { name: 'cargo fmt' },
+  { name: 'wasm build', folder: 'wasm' },
+  { name: 'clippy, native', folder: 'native' },
+  { name: 'cargo test', folder: 'native' },
+  { name: 'page build', after: 'wasm build' },
+  { name: 'wasm-pack test', folder: 'wasm' },
+  { name: 'modules as sent', after: 'wasm build' },
+  { name: 'clippy, wasm32', folder: 'wasm' },
+  { name: 'cargo doc', folder: 'native' },
+  { name: 'lint', after: 'wasm build' },
+  { name: 'types', after: 'wasm build' },
+  { name: 'page in Node', after: 'wasm build' },
+  { name: 'dependencies' },
 ];
+
+/** They come last, one kind at a time, as each keeps two cores busy. */
 const browsers = ['tests in Chromium', 'tests in Firefox'];
 
 /** @typedef {import('./lib/costs.mjs').Cost} Cost */
@@ -39,8 +57,8 @@ async function everything() {
   for (const signal of ['SIGINT', 'SIGTERM']) process.on(signal, () => process.exit(1));
   try {
     await timed('set-up', setUp);
-    for (const pair of pairs) await Promise.all(pair.map((row) => inOrder(row, 'pipe')));
-    await inOrder(browsers, 'inherit');
+    await sideBySide(builds);
+    for (const name of browsers) await one(name, 'inherit');
     console.log('\nAll tests passed.');
   } finally {
     printCosts();
@@ -85,9 +103,31 @@ async function timed(name, work) {
   }
 }
 
-/** @param {string[]} names @param {'pipe' | 'inherit'} output */
-async function inOrder(names, output) {
-  for (const name of names) await timed(name, (tell) => step(name, output, tell));
+/** Runs steps, two at a time, each as soon as it can. @param {Step[]} steps */
+async function sideBySide(steps) {
+  const waiting = [...steps];
+  /** @type {Map<Step, Promise<void>>} */
+  const active = new Map();
+  /** @param {Step} step */
+  const canRun = ({ after, folder }) =>
+    (!after || done.some(({ name }) => name === after)) && ![...active.keys()].some((other) => folder && other.folder === folder);
+  try {
+    while (waiting.length || active.size) {
+      const next = active.size < 2 ? waiting.find(canRun) : undefined;
+      if (!next) await Promise.race(active.values());
+      else {
+        waiting.splice(waiting.indexOf(next), 1);
+        active.set(next, one(next.name, 'pipe').finally(() => active.delete(next)));
+      }
+    }
+  } finally {
+    await Promise.allSettled(active.values());
+  }
+}
+
+/** @param {string} name of a step @param {'pipe' | 'inherit'} output */
+function one(name, output) {
+  return timed(name, (tell) => step(name, output, tell));
 }
 
 /**

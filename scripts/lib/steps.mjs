@@ -1,15 +1,16 @@
 // The steps of `npm test`. Each needs the set-up and the builds of the steps before it.
 import { spawn } from 'node:child_process';
 import { once } from 'node:events';
-import { readdirSync } from 'node:fs';
+import { mkdirSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { join, relative } from 'node:path';
 import { pipeline } from 'node:stream/promises';
 import { run as test } from 'node:test';
 import { spec } from 'node:test/reporters';
+import { pathToFileURL } from 'node:url';
 import { browsers } from './browser.mjs';
 import { tellCosts } from './costs.mjs';
 import { ask, root, run, Stop } from './run.mjs';
-import { nativeEnv, neededRust, wasmEnv, wasmTarget } from './rust.mjs';
+import { nativeEnv, neededRust, targetDir, wasmEnv, wasmTarget } from './rust.mjs';
 import { clippyMatches } from './setup.mjs';
 import { buildSite } from './site.mjs';
 import { buildModules } from './wasm.mjs';
@@ -103,14 +104,26 @@ function tool(name, program, args) {
 }
 
 // The longest tests start first, so that none of them runs alone at the end.
-const long = ['axe', 'share', 'tools', 'controls', 'digests', 'look', 'import', 'layout'].map((name) => `${name}.test.mjs`);
+const long = ['import', 'axe', 'turn', 'controls', 'surface', 'tools', 'share', 'layout', 'models', 'offline', 'film'].map((name) => `${name}.test.mjs`);
+
+/** As many processes share the files of a browser's tests, each with browsers of its own: Firefox takes five seconds to start. */
+const PROCESSES = { chromium: 12, firefox: 6 };
 
 /** @param {import('./browser.mjs').Kind} kind */
 async function browserTests(kind) {
   const folder = join(root, 'tests', 'browser');
   const others = readdirSync(folder).filter((file) => file.endsWith('.test.mjs') && !long.includes(file));
   process.env.BROWSER = kind;
-  const files = [...long, ...others].map((file) => join(folder, file));
+  const made = join(targetDir, 'browser-tests');
+  rmSync(made, { recursive: true, force: true });
+  mkdirSync(made, { recursive: true });
+  const count = PROCESSES[kind];
+  const bundles = Array.from({ length: count }, (_, k) => [...long, ...others].filter((_, at) => at % count === k));
+  const files = bundles.map((names, k) => {
+    const file = join(made, `${kind}-${k}.test.mjs`);
+    writeFileSync(file, names.map((name) => `import '${pathToFileURL(join(folder, name)).href}';\n`).join(''));
+    return file;
+  });
   await nodeTests(files, browsers[kind].title);
 }
 

@@ -75,10 +75,9 @@ async function remove(folder) {
 /**
  * Starts a browser with an empty profile.
  * @param {System} system only Firefox needs it now
- * @param {string[]} [flags] further flags for Chromium
  * @returns {Promise<{ browser: Browser, close: () => Promise<void> }>}
  */
-export async function launch(system, flags = []) {
+export async function launch(system) {
   const executablePath = findBrowser(kind);
   if (!executablePath) throw new Error(`No ${browsers[kind].title}: name its program in ${browsers[kind].variable}.`);
   const profile = mkdtempSync(join(tmpdir(), 'bubblestone-browser-'));
@@ -89,7 +88,7 @@ export async function launch(system, flags = []) {
       userDataDir: profile,
       protocolTimeout: 240_000,
       timeout: 120_000,
-      ...(kind === 'firefox' ? { extraPrefsFirefox: firefoxPreferences(system) } : { args: [...chromiumFlags, ...flags] }),
+      ...(kind === 'firefox' ? { extraPrefsFirefox: firefoxPreferences(system) } : { args: chromiumFlags }),
     })
     .catch(async (error) => {
       await remove(profile);

@@ -1,5 +1,6 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
+import { sameEverywhere } from './browsers.mjs';
 import { open } from './harness.mjs';
 import { all, digest, edit, SMALL } from './page.mjs';
 
@@ -48,7 +49,7 @@ function faint() {
 }
 
 for (const dark of [false, true]) {
-  test(`every text can be read on a ${dark ? 'dark' : 'light'} page`, async () => {
+  test(`every text can be read on a ${dark ? 'dark' : 'light'} page`, sameEverywhere, async () => {
     const { page, close } = await site.newPage(`${SMALL}&junk=1`, { dark });
     await digest(page);
     await all(page);

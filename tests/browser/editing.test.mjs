@@ -36,7 +36,7 @@ async function drag(page, from, [dx, dy]) {
 
 const noAlerts = async (page) => assert.equal((await page.$$('[role=alert] .message')).length, 0);
 
-test('a line is added and its points are moved by the mouse; the link brings it back', async () => {
+test('a line is added and its points are moved by the mouse; the link brings it back', sameEverywhere, async () => {
   const { page, problems, close } = await site.newPage(SQUARE);
   const plain = await digest(page);
   await edit(page, 'lines');

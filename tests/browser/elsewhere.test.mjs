@@ -51,7 +51,7 @@ before(async () => {
   files = await open({ serve: () => host(plain) });
   if (kind !== 'chromium') return;
   await bundle(tarball);
-  bundled = await open({ serve: () => host(join(folder, 'dist')), beside: files });
+  bundled = await open({ serve: () => host(join(folder, 'dist')) });
 });
 
 after(async () => {

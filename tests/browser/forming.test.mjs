@@ -150,7 +150,7 @@ test('any picture is watched again, from its start', sameEverywhere, async () =>
   await close();
 });
 
-test('who asks for less motion is shown it when it is asked for', async () => {
+test('who asks for less motion is shown it when it is asked for', sameEverywhere, async () => {
   const { page, close } = await site.newPage(SMALL, { still: true });
   await digest(page);
   const shown = await canvas(page);

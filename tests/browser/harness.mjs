@@ -14,25 +14,25 @@ const dist = fileURLToPath(new URL('../../dist/', import.meta.url));
 // A folder below the root, as the site must work from any folder.
 const folder = '/any/folder/';
 
-/** One Chromium serves all; each system has a Firefox of its own. @typedef {Map<string, ReturnType<typeof launch>>} Launched */
+/** The browsers of all sites that are open: one Chromium, and a Firefox for each system. @type {Map<string, ReturnType<typeof launch>>} */
+const launched = new Map();
+let sites = 0;
 
 /**
- * Serves dist/ and starts a browser with an empty profile.
+ * Serves dist/. A browser with an empty profile starts with the first page, and ends with the last site.
  * @param {object} [options]
- * @param {string[]} [options.flags] more flags for Chromium
  * @param {string} [options.files] another folder than dist/
  * @param {(asked: (path: string) => void) => ReturnType<typeof host>} [options.serve] another host
- * @param {{ launched: Launched }} [options.beside] another site: this one uses its browsers, and that one closes them
  */
-export async function open({ flags = [], files = dist, serve = (asked) => host(files, { under: folder, asked }), beside } = {}) {
+export async function open({ files = dist, serve = (asked) => host(files, { under: folder, asked }) } = {}) {
   /** The paths of all requests. @type {string[]} */
   const requests = [];
   const { origin, address, stop } = await serve((path) => requests.push(path));
-  const launched = beside?.launched ?? new Map();
+  sites += 1;
   /** @param {import('./browsers.mjs').System} system */
   const browserFor = async (system) => {
     const key = kind === 'firefox' ? JSON.stringify(system) : '';
-    const browser = launched.get(key) ?? launch(system, flags);
+    const browser = launched.get(key) ?? launch(system);
     launched.set(key, browser);
     return (await browser).browser;
   };
@@ -55,11 +55,13 @@ export async function open({ flags = [], files = dist, serve = (asked) => host(f
     },
     /** @param {import('puppeteer-core').Page} page */
     allowClipboard: (page) => allowClipboard(page, origin),
-    launched,
     close: async () => {
       stop();
-      if (beside) return;
-      for (const browser of launched.values()) await (await browser).close();
+      sites -= 1;
+      if (sites) return;
+      const browsers = [...launched.values()];
+      launched.clear();
+      for (const browser of browsers) await (await browser).close();
     },
   };
 }

@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { sameEverywhere } from './browsers.mjs';
 import { open } from './harness.mjs';
-import { all, canvas, click, digest, frames, get, phone, reloading, SMALL, tool } from './page.mjs';
+import { all, canvas, click, digest, frames, get, phone, reloading, resize, SMALL, tool } from './page.mjs';
 
 /** @typedef {import('puppeteer-core').Page} Page */
 
@@ -11,7 +11,12 @@ let site;
 
 const small = { ...phone, width: 360, height: 640 };
 const tablet = { ...phone, width: 820, height: 1180 };
+const lying = { ...phone, width: 844, height: 390 };
 const desk = { width: 1280, height: 800 };
+
+// Screens of one kind follow each other on one page.
+const TOUCHED = { 'smallest phone': { ...phone, width: 320, height: 568 }, 'small phone': small, phone, 'upright tablet': tablet, 'tablet on its side': { ...tablet, width: 1180, height: 820 }, 'phone on its side': lying };
+const KINDS = { touched: TOUCHED, clicked: { desk } };
 
 before(async () => {
   site = await open();
@@ -22,6 +27,24 @@ after(() => site?.close());
 /** @param {string} language */
 const speaking = (language) => (/** @type {Page} */ fresh) =>
   fresh.evaluateOnNewDocument((code) => localStorage.setItem('bubblestone.language', code), language);
+
+/**
+ * Opens a link in each language, and looks at it on one screen after the other.
+ * @param {string} fragment
+ * @param {Record<string, import('puppeteer-core').Viewport>} screens
+ * @param {(page: Page, where: string) => Promise<void>} look
+ */
+async function onEach(fragment, screens, look) {
+  for (const language of ['en', 'ja']) {
+    const { page, close } = await site.newPage(fragment, { viewport: Object.values(screens)[0], before: speaking(language) });
+    await digest(page);
+    for (const [device, viewport] of Object.entries(screens)) {
+      await resize(page, viewport);
+      await look(page, `${device}, ${language}`);
+    }
+    await close();
+  }
+}
 
 /** The box of an element in the window. @param {Page} page @param {string} selector */
 const place = (page, selector) => page.$eval(selector, (element) => element.getBoundingClientRect().toJSON());
@@ -40,7 +63,7 @@ const sight = (page) =>
     return { left, top, right, bottom, width, height, free: over?.closest('#frame') !== null };
   });
 
-for (const [device, viewport] of Object.entries({ phone, 'small phone': small, 'upright tablet': tablet, 'phone on its side': { ...phone, width: 844, height: 390 } })) {
+for (const [device, viewport] of Object.entries({ phone, 'small phone': small, 'upright tablet': tablet, 'phone on its side': lying })) {
   test(`every slider moves with the picture in sight: ${device}`, async () => {
     const { page, problems, close } = await site.newPage(SMALL, { viewport });
     await digest(page);
@@ -69,11 +92,9 @@ for (const [device, viewport] of Object.entries({ phone, 'small phone': small, '
 /** The head's height. @param {Page} page */
 const headHeight = async (page) => (await place(page, '#head')).height;
 
-for (const [device, viewport] of Object.entries({ 'smallest phone': { ...phone, width: 320, height: 568 }, 'small phone': small, phone, 'upright tablet': tablet, 'phone on its side': { ...phone, width: 844, height: 390 }, desk })) {
-  test(`the head keeps its height when the work is stored: ${device}`, async () => {
-    for (const language of ['en', 'ja']) {
-      const { page, close } = await site.newPage('#size=192&cs=16&seed=2', { viewport, before: speaking(language) });
-      await digest(page);
+for (const [kind, screens] of Object.entries(KINDS)) {
+  test(`the head keeps its height when the work is stored, on screens that are ${kind}`, async () => {
+    await onEach('#size=192&cs=16&seed=2', screens, async (page, where) => {
       const word = await page.$('#stored');
       // Text of another size and width stands for the fonts of other machines.
       for (const style of ['', 'font-family: monospace; font-size: 1.5rem']) {
@@ -83,10 +104,9 @@ for (const [device, viewport] of Object.entries({ 'smallest phone': { ...phone, 
         await word.evaluate((element) => (element.textContent = ''));
         const before = await headHeight(page);
         await word.evaluate((element) => (element.textContent = 'Stored on this device, '.repeat(4)));
-        assert.equal(await headHeight(page), before, `${language}, ${style}`);
+        assert.equal(await headHeight(page), before, `${where}, ${style}`);
       }
-      await close();
-    }
+    });
   });
 }
 
@@ -184,12 +204,10 @@ for (const [device, viewport] of Object.entries({ phone, 'upright tablet': table
   });
 }
 
-for (const [device, viewport] of Object.entries({ phone, 'small phone': small, 'upright tablet': tablet, 'tablet on its side': { ...tablet, width: 1180, height: 820 }, desk })) {
-  test(`tools have words: ${device}`, async () => {
-    for (const language of ['en', 'ja']) {
-      const { page, close } = await site.newPage(`${SMALL}&kind=ellipse&lines=0.2,0.5,0.8,0.5`, { viewport, before: speaking(language) });
-      await digest(page);
-      await page.$eval('#more-tools', (button) => button.click());
+for (const [kind, screens] of Object.entries(KINDS)) {
+  test(`tools have words, on screens that are ${kind}`, async () => {
+    await onEach(`${SMALL}&kind=ellipse&lines=0.2,0.5,0.8,0.5`, screens, async (page, where) => {
+      if (await page.$eval('#more-tools', (button) => button.getAttribute('aria-expanded') === 'false')) await page.$eval('#more-tools', (button) => button.click());
       const words = await page.$$eval(':is(.edit-tools, .look-tools) .key', (buttons) =>
         buttons
           .filter((button) => button.getClientRects().length)
@@ -200,9 +218,8 @@ for (const [device, viewport] of Object.entries({ phone, 'small phone': small, '
           }),
       );
       assert.ok(words.length >= 19, `${words.length} tools`);
-      assert.deepEqual(words.filter(({ fits }) => !fits), [], language);
-      await close();
-    }
+      assert.deepEqual(words.filter(({ fits }) => !fits), [], where);
+    });
   });
 }
 

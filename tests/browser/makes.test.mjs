@@ -75,7 +75,7 @@ test('undo, redo, presets, chance and links go from one generator to another', s
   await close();
 });
 
-test('all generators work without a host once the site is stored', async (t) => {
+test('all generators work without a host once the site is stored', sameEverywhere, async (t) => {
   const own = await open();
   t.after(() => own.close());
   const { page, external, close } = await own.newPage(SMALL, { stores: true });

@@ -110,7 +110,7 @@ test('a model dropped anywhere becomes a surface, and one that cannot be read sa
   await close();
 });
 
-test('the file of a recipe holds the models, each with its role, and older files with one model are read', async () => {
+test('the file of a recipe holds the models, each with its role, and older files with one model are read', sameEverywhere, async () => {
   const first = await opened(site, box60.fragment);
   await first.page.waitForSelector('.asked');
   await drop(first.page, 'box.obj', cube(1.5), '');
@@ -135,7 +135,7 @@ test('the file of a recipe holds the models, each with its role, and older files
   }
 });
 
-test('strokes are painted on the surface, one step each, and taken away by a click', async () => {
+test('strokes are painted on the surface, one step each, and taken away by a click', sameEverywhere, async () => {
   const { page, problems, close } = await site.newPage('#v=1&make=surface&size=128&cn=100&form=sphere');
   await digest(page);
   await seen(page);

@@ -13,15 +13,15 @@ import { handed } from './saved.mjs';
 
 const dist = fileURLToPath(new URL('../../dist/', import.meta.url));
 
-// Each test has a host of its own, whose requests it counts. All use one browser.
+// Each test has its own host, whose requests it counts. A site that stays open keeps the browser for all.
 /** @type {Awaited<ReturnType<typeof open>>} */
-let beside;
+let kept;
 
 before(async () => {
-  beside = await open();
+  kept = await open();
 });
 
-after(() => beside?.close());
+after(() => kept?.close());
 
 /** Waits until the page says that it is stored, or that a newer build is there. */
 const told = (page, what) => page.waitForFunction((word) => document.documentElement.dataset.offline === word, { timeout: 60_000 }, what);
@@ -35,7 +35,7 @@ const fetched = (page, path) =>
   }, path);
 
 test('after the first visit all works without a host, and nothing was fetched twice', async (t) => {
-  const site = await open({ beside });
+  const site = await open();
   t.after(() => site.close());
   const { page, external, close } = await site.newPage(SMALL, { stores: true });
   const planes = await digest(page);
@@ -70,7 +70,7 @@ test('after the first visit all works without a host, and nothing was fetched tw
 });
 
 test('until the first picture is done only what it needs is fetched', async (t) => {
-  const site = await open({ beside });
+  const site = await open();
   t.after(() => site.close());
   const { page, close } = await site.newPage('');
   await digest(page);
@@ -85,7 +85,7 @@ test('until the first picture is done only what it needs is fetched', async (t) 
 test('a new build is told, taken at the next visit, and never mixed with the old one', async (t) => {
   const files = mkdtempSync(join(tmpdir(), 'bubblestone-site-'));
   cpSync(dist, files, { recursive: true });
-  const site = await open({ files, beside });
+  const site = await open({ files });
   t.after(() => site.close());
   const { page, problems, close } = await site.newPage(SMALL, { stores: true });
   const planes = await digest(page);
@@ -125,7 +125,7 @@ test('a file that is not of this build is not stored', async (t) => {
   cpSync(dist, files, { recursive: true });
   const style = listOf(files).first.find((path) => path.endsWith('.css'));
   writeFileSync(join(files, style), 'body { margin: 0 }');
-  const site = await open({ files, beside });
+  const site = await open({ files });
   t.after(() => site.close());
   const { page, close } = await site.newPage(SMALL, { stores: true });
   await digest(page);
@@ -141,7 +141,7 @@ test('a file that is not of this build is not stored', async (t) => {
 });
 
 test('the page can be installed: its manifest is valid, with icons of the sizes that it names', sameEverywhere, async (t) => {
-  const site = await open({ beside });
+  const site = await open();
   t.after(() => site.close());
   const { page, close } = await site.newPage(SMALL, { stores: true });
   const href = await page.$eval('link[rel=manifest]', (link) => link.getAttribute('href'));

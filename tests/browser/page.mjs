@@ -32,6 +32,13 @@ export async function frames(page, count) {
   }, count);
 }
 
+/** Gives the page another size, and waits for its layout. @param {Page} page @param {import('puppeteer-core').Viewport} viewport */
+export async function resize(page, viewport) {
+  await page.setViewport(viewport);
+  await page.waitForFunction((width, height) => innerWidth === width && innerHeight === height, {}, viewport.width, viewport.height);
+  await frames(page, 2);
+}
+
 /** A hash of the canvas, and its number of colours. @param {Page} page */
 export function canvas(page) {
   return page.evaluate(() => {

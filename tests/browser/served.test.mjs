@@ -51,7 +51,7 @@ const parts = [
   { name: 'chance', act: (page) => click(page, '#throw'), of: '#undo:enabled', styles: {} },
 ];
 
-test('every part that is loaded late comes, with its styles', async () => {
+test('every part that is loaded late comes, with its styles', sameEverywhere, async () => {
   const { page, problems, close } = await visit(SMALL);
   for (const { name, act, of, styles, close: way } of parts) {
     await act(page);

@@ -1,4 +1,4 @@
-// The main states of the page, and how to reach them. Tests check all of them.
+// The states of the page that differ in what stands on it, each thing once, and how to reach them. Tests check all of them.
 // Their pictures are in target/page-pictures/.
 import { all, BALL, digest, frames, message, SMALL, SQUARE } from './page.mjs';
 
@@ -39,32 +39,32 @@ const speaking = (code) => (/** @type {Page} */ fresh) => fresh.evaluateOnNewDoc
 export const states = {
   opening: { fragment: '', early: true },
   done: { fragment: '' },
-  japanese: { before: speaking('ja') },
+  japanese: {
+    before: speaking('ja'),
+    arrange: async (page) => {
+      await all(page);
+      await change((document) => {
+        document.querySelectorAll('.lock').forEach((lock) => /** @type {HTMLElement} */ (lock).click());
+        document.querySelectorAll('details').forEach((details) => (details.open = true));
+      })(page);
+    },
+  },
   editing: { fragment: SQUARE, arrange: opening('#edit-outline', '.handle') },
   road: { fragment: SQUARE, arrange: opening('[data-tool=road]', '.handle') },
   letters: { fragment: SQUARE, arrange: opening('[data-tool=text]', '#letters') },
   import: { fragment: SQUARE, arrange: opening('[data-tool=import]', '#outline-text') },
   spots: { fragment: `${SQUARE}&spots=0.5,0.5,0.2,0.4`, arrange: opening('#p-spots', '.handle') },
-  paused: { arrange: click('#step') },
   share: { few: true, arrange: shown('#share', '#share-dialog') },
   save: { few: true, arrange: shown('#save', '#save-dialog') },
-  locked: {
-    arrange: async (page) => {
-      await all(page);
-      await change((document) => document.querySelectorAll('.lock').forEach((lock) => /** @type {HTMLElement} */ (lock).click()))(page);
-    },
-  },
   embedded: { few: true, query: '?embed' },
-  panel: {
+  rare: { arrange: async (page) => { for (const id of ['#step', '#theme', '#more-tools']) await click(id)(page); } },
+  message: {
+    fragment: `${SMALL}&nonsense=1&cs=banana`,
     arrange: async (page) => {
-      await all(page);
-      await change((document) => document.querySelectorAll('details').forEach((details) => (details.open = true)))(page);
+      await click('.rail h2:nth-of-type(3) button')(page);
+      await message(page, 'status', /nonsense/);
     },
   },
-  rare: { arrange: click('#more-tools') },
-  dark: { arrange: click('#theme') },
-  presets: { arrange: click('.rail h2:nth-of-type(3) button') },
-  message: { fragment: `${SMALL}&nonsense=1&cs=banana`, arrange: (page) => message(page, 'status', /nonsense/) },
   error: {
     arrange: async (page) => {
       await page.evaluate(() => {
@@ -78,19 +78,25 @@ export const states = {
       await page.evaluate(() => delete (/** @type {any} */ (performance).now));
     },
   },
-  zoomed: { arrange: async (page) => { for (const id of ['#zoom-in', '#zoom-in']) await click(id)(page); await page.waitForSelector('.sheet[data-zoomed]'); } },
-  cell: {
+  looking: {
     arrange: async (page) => {
+      await click('#zoom-in')(page);
+      await page.waitForSelector('.sheet[data-zoomed]');
       await page.focus('#cells');
       await page.waitForSelector('.cell-card');
       await page.keyboard.press('ArrowRight');
+      await shown('#light-button', '#light-sun')(page);
+      await shown('#layers-button', '#layers')(page);
+      await shown('#plots-button', '#plots canvas')(page);
     },
   },
-  sun: { arrange: shown('#light-button', '#light-sun') },
-  lamp: { fragment: `${SMALL}&light=point`, arrange: shown('#light-button', '#light-lamp') },
-  layers: { arrange: shown('#layers-button', '#layers') },
-  plots: { arrange: shown('#plots-button', '#plots canvas') },
-  repeat: { fragment: '#size=192&cs=16&tile=1', arrange: shown('#tile-button', '.tiles') },
+  repeated: {
+    fragment: '#size=192&cs=16&tile=1&light=point',
+    arrange: async (page) => {
+      await shown('#tile-button', '.tiles')(page);
+      await shown('#light-button', '#light-lamp')(page);
+    },
+  },
   compare: {
     arrange: async (page) => {
       await shown('#compare-button', '#divider')(page);
@@ -104,7 +110,6 @@ export const states = {
       await page.waitForFunction(() => document.querySelector('#play')?.getAttribute('data-does') === 'again' && /[1-9]/.test(document.querySelector('#beside-name span')?.textContent ?? ''), { timeout: 120_000 });
     },
   },
-  slant: { fragment: `${SMALL}&camera=330`, arrange: (page) => page.waitForSelector('#sheet[data-turn=fine]') },
   making: {
     fragment: `${SQUARE}&camera=330,60`,
     arrange: async (page) => {

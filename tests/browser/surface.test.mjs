@@ -198,7 +198,7 @@ test('in another page it is seen and turned, with a button beside it', sameEvery
   await close();
 });
 
-test('on a phone one finger turns it, and the page is scrolled', async () => {
+test('on a phone one finger turns it, and the page is scrolled', sameEverywhere, async () => {
   const { page, problems, close } = await site.newPage(BALL, { viewport: phone });
   await turned(page);
   const before = await told(page);

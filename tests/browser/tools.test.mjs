@@ -49,7 +49,7 @@ test('the editor is loaded when it is first wanted', sameEverywhere, async () =>
   await close();
 });
 
-test('a road is drawn point after point, widened, bent, and taken back step by step', async () => {
+test('a road is drawn point after point, widened, bent, and taken back step by step', sameEverywhere, async () => {
   const { page, problems, close } = await site.newPage(SQUARE);
   const square = await digest(page);
   await tool(page, 'road');

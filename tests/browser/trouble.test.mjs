@@ -13,7 +13,7 @@ before(async () => {
 
 after(() => site?.close());
 
-test('a break inside becomes a message with the recipe, and the page can start afresh', async () => {
+test('a break inside becomes a message with the recipe, and the page can start afresh', sameEverywhere, async () => {
   const { page, close } = await site.newPage(`${SMALL}&seed=77`);
   await digest(page);
   await page.evaluate(() => {

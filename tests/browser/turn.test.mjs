@@ -283,7 +283,7 @@ test('where the module does not come, a sentence says so, and the picture stays'
   cpSync(fileURLToPath(new URL('../../dist/', import.meta.url)), folder, { recursive: true });
   const assets = join(folder, 'assets');
   for (const name of readdirSync(assets).filter((each) => /^house-.*\.lzma$/.test(each))) rmSync(join(assets, name));
-  const cut = await open({ files: folder, beside: site });
+  const cut = await open({ files: folder });
   const { page, close } = await cut.newPage(SMALL);
   const planes = await digest(page);
   await click(page, '#turn-button');
