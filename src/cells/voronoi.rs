@@ -7,6 +7,7 @@
 //! centres and a frame around the picture instead of ghosts. Nothing is joined or straightened.
 
 use super::ghosts::frame;
+use crate::csr::Csr;
 use crate::domain::Domain;
 use crate::field::Fields;
 use crate::mesh::triangulate;
@@ -113,11 +114,13 @@ impl Scatter {
                 reach[site] = order::greater(reach[site], to.length());
             }
         }
-        let links = Links::new(&triangles, real);
+        let links = links(&triangles, real);
         let mut clip = Clip::default();
         for (site, &p) in self.points.iter().enumerate() {
             if domain.nearest(p).distance < reach[site] {
-                let neighbours = links.of(site).map(|k| vertices[k]);
+                // The last one first.
+                let neighbours = links.row(site).iter().rev();
+                let neighbours = neighbours.map(|&k| vertices[k as usize]);
                 let island = &domain.islands()[domain.island(p)];
                 cells[site] = clip.moments(island, p, neighbours);
             }
@@ -145,39 +148,11 @@ fn images(domain: &Domain, points: &[DVec2]) -> Vec<DVec2> {
 }
 
 /// For each of the first points, its neighbours in the triangulation.
-struct Links {
-    /// The last entry of a point's chain.
-    last: Vec<u32>,
-    /// (neighbour, the previous entry).
-    entries: Vec<[u32; 2]>,
-}
-
-impl Links {
-    fn new(triangles: &[[u32; 3]], real: usize) -> Self {
-        let mut links = Self {
-            last: vec![u32::MAX; real],
-            entries: Vec::with_capacity(3 * triangles.len()),
-        };
-        for t in triangles {
-            for k in 0..3 {
-                if let Some(last) = links.last.get_mut(t[k] as usize) {
-                    let entry = [t[(k + 1) % 3], *last];
-                    *last = links.entries.len() as u32;
-                    links.entries.push(entry);
-                }
-            }
-        }
-        links
-    }
-
-    fn of(&self, site: usize) -> impl Iterator<Item = usize> + Clone {
-        let mut at = self.last[site];
-        std::iter::from_fn(move || {
-            let [neighbour, before] = *self.entries.get(at as usize)?;
-            at = before;
-            Some(neighbour as usize)
-        })
-    }
+fn links(triangles: &[[u32; 3]], real: usize) -> Csr<u32> {
+    let sides = triangles
+        .iter()
+        .flat_map(|&[a, b, c]| [(a as usize, b), (b as usize, c), (c as usize, a)]);
+    Csr::from_pairs(real, sides.filter(|&(from, _)| from < real))
 }
 
 /// The circumcentre of three points; their mean if they are collinear.

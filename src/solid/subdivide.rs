@@ -9,8 +9,9 @@
 //! sparse matrix, several levels are a product of matrices, and meshes with the same connectivity share it:
 //! see [`Stencil`].
 
-use super::edges::{Edge, Edges, split, starts};
+use super::edges::{Edge, Edges, split};
 use super::sparse::{Matrix, Product};
+use crate::csr::Csr;
 use glam::Vec3;
 use std::rc::Rc;
 
@@ -252,25 +253,16 @@ fn push_vertices(
     share: fn(usize, usize) -> f64,
     rows: &mut Matrix,
 ) {
-    let mut counts = vec![0; vertices];
-    for [a, b] in edges.list.iter().map(|edge| edge.ends) {
-        counts[a as usize] += 1;
-        counts[b as usize] += 1;
-    }
-    let firsts = starts(counts.into_iter());
-    let mut free = firsts.clone();
     // For each vertex its neighbours in rising order, each with whether it is on the boundary.
-    let mut spokes = vec![(0, false); 2 * edges.list.len()];
-    for edge in &edges.list {
-        let [a, b] = edge.ends;
-        for (from, to) in [(a, b), (b, a)] {
-            let at = &mut free[from as usize];
-            spokes[*at as usize] = (to, edge.opposite.is_none());
-            *at += 1;
-        }
-    }
-    for (vertex, span) in (0..).zip(firsts.windows(2)) {
-        let own = &spokes[span[0] as usize..span[1] as usize];
+    let both = |edge: &Edge| {
+        let ([a, b], on_boundary) = (edge.ends, edge.opposite.is_none());
+        [
+            (a as usize, (b, on_boundary)),
+            (b as usize, (a, on_boundary)),
+        ]
+    };
+    let spokes = Csr::from_pairs(vertices, edges.list.iter().flat_map(both));
+    for (vertex, own) in (0..).zip(spokes.rows()) {
         let rim = own.iter().filter(|s| s.1).count();
         let share = share(own.len(), rim);
         let neighbours = own.iter().filter(|s| rim == 0 || s.1);

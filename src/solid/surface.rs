@@ -1,6 +1,7 @@
 //! A triangle surface for drawing and export.
 
 use super::simplify;
+use crate::csr::Csr;
 use crate::order::lesser;
 use glam::Vec3;
 
@@ -109,32 +110,13 @@ impl Surface {
 
 /// The edges that belong to one triangle only, in its direction.
 pub(crate) fn boundary_edges(triangles: &[[u32; 3]], vertices: usize) -> Vec<[u32; 2]> {
-    let corners = triangles.as_flattened();
-    // Corner k of the list and the next one of its triangle.
-    let side = |k: usize| [corners[k], corners[if k % 3 == 2 { k - 2 } else { k + 1 }]];
-    // The ends of the sides from each vertex; those of vertex k are at starts[k] .. starts[k + 1].
-    let mut starts = vec![0usize; vertices + 1];
-    for &a in corners {
-        starts[a as usize + 1] += 1;
-    }
-    for k in 0..vertices {
-        starts[k + 1] += starts[k];
-    }
-    let mut ends = vec![0; corners.len()];
-    let mut next = starts.clone();
-    for k in 0..corners.len() {
-        let [a, b] = side(k);
-        ends[next[a as usize]] = b;
-        next[a as usize] += 1;
-    }
-    let mut open = Vec::new();
-    for [a, b] in (0..corners.len()).map(side) {
-        let b_to = starts[b as usize]..starts[b as usize + 1];
-        if !ends[b_to].contains(&a) {
-            open.push([a, b]);
-        }
-    }
-    open
+    let sides = triangles
+        .iter()
+        .flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
+    let ends = Csr::from_pairs(vertices, sides.clone().map(|[a, b]| (a as usize, b)));
+    sides
+        .filter(|[a, b]| !ends.row(*b as usize).contains(a))
+        .collect()
 }
 
 /// Area-weighted means of the normals of the triangles around each vertex; downwards if there are none.

@@ -6,9 +6,10 @@
 use super::borders::{Border, Crossing};
 use super::rings::Ring;
 use crate::cells::rectangle;
+use crate::csr::Csr;
 use crate::surface_packing::SurfaceParticle;
 use crate::trimesh::frame::{rotated, way_in};
-use crate::trimesh::{Frame, NONE, SurfacePoint, TriMesh};
+use crate::trimesh::{Frame, SurfacePoint, TriMesh};
 use glam::{DVec2, DVec3};
 
 /// Rounds of asking and moving.
@@ -32,8 +33,7 @@ pub(super) struct Straightening {
     /// Where corners are, on or beside the surface, and the normals there.
     points: Vec<DVec3>,
     /// Cells that have each corner: (cell, place in its ring).
-    uses: Vec<(u32, u32)>,
-    start: Vec<u32>,
+    uses: Csr<(u32, u32)>,
     /// How far along the border each crossing may slide, from where it is.
     room: Vec<[f64; 2]>,
     /// The mean area of the cells, of what their sizes ask for.
@@ -73,29 +73,15 @@ impl Table<'_> {
 
 impl Straightening {
     pub fn new(table: &Table) -> Self {
-        let mut start = vec![0; table.corners.len() + 1];
-        let rings = table.rings.iter().flatten();
-        for &corner in rings.flat_map(|r| &r.corners) {
-            start[corner as usize + 1] += 1;
-        }
-        for k in 1..start.len() {
-            start[k] += start[k - 1];
-        }
-        let mut uses = vec![(NONE, 0); start[start.len() - 1] as usize];
-        let mut at = start.clone();
-        for cell in 0..table.cells.len() as u32 {
-            for (place, &corner) in table.ring(cell).iter().enumerate() {
-                let at = &mut at[corner as usize];
-                uses[*at as usize] = (cell, place as u32);
-                *at += 1;
-            }
-        }
+        let uses = (0..table.cells.len() as u32).flat_map(|cell| {
+            let ring = table.ring(cell).iter().zip(0..);
+            ring.map(move |(&corner, place)| (corner as usize, (cell, place)))
+        });
         let mut made = Self {
             frames: table.cells.iter().map(frame_of).collect(),
             quads: Vec::new(),
             points: table.corners.iter().map(|c| c.at).collect(),
-            uses,
-            start,
+            uses: Csr::from_pairs(table.corners.len(), uses),
             room: Vec::new(),
             share: 1.0,
             round: 0,
@@ -226,7 +212,7 @@ impl Straightening {
 
     /// The cells that have a corner, and its place in their rings.
     fn uses_of(&self, corner: usize) -> &[(u32, u32)] {
-        &self.uses[self.start[corner] as usize..self.start[corner + 1] as usize]
+        self.uses.row(corner)
     }
 
     /// Has the corner, come from `old`, turned no ring inside out? Seen in its own tangent plane.
