@@ -41,6 +41,9 @@ pub(crate) mod triangles;
 pub use meshing::Meshing;
 pub use metric::Metric;
 pub(crate) use nodes::Nodes;
+pub(crate) use smooth::Smoothing;
+#[cfg(house)]
+pub(crate) use smooth::{Movable, from_middle};
 
 use crate::csr::Csr;
 use crate::domain::Domain;

@@ -5,13 +5,11 @@
 
 use super::nodes::SurfaceNodes;
 use crate::mesh::Nodes;
-use crate::mesh::triangles::{Triangles, wants_flip};
+use crate::mesh::triangles::{MOST_FLIPS, Triangles, wants_flip};
 use crate::trimesh::NONE;
 
 /// Sides that are looked at in one slice of the work.
 const SIDES: usize = 8000;
-/// The most flips, per triangle.
-const MOST_FLIPS: usize = 4;
 /// The fewest sides at an inner node.
 const FEWEST: u32 = 3;
 
