@@ -34,6 +34,7 @@ pub use bone::{Bone, OnBone};
 pub use making::ShapeMaking;
 pub use numbers::ShapeNumber;
 
+use crate::trimesh::Soup;
 use form::Form;
 use glam::DVec3;
 
@@ -70,17 +71,6 @@ pub enum Shape {
     Vase,
     /// A thick letter of the alphabet.
     Letter,
-}
-
-/// The triangles of a shape.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct ShapeMesh {
-    /// The vertices.
-    pub positions: Vec<DVec3>,
-    /// Their triangles, counter-clockwise seen from outside.
-    pub triangles: Vec<[u32; 3]>,
-    /// Edges where the surface has a sharp bend, as pairs of vertices; the first one is the smaller.
-    pub creases: Vec<[u32; 2]>,
 }
 
 /// The shortest edges that are made, as a share of the diagonal.
@@ -183,7 +173,7 @@ fn solid(shape: Shape, n: &[f64]) -> Option<Box<dyn Form>> {
 }
 
 /// The triangles of a shape that has no solid form.
-fn plain(shape: Shape, n: &[f64], edge: f64) -> ShapeMesh {
+fn plain(shape: Shape, n: &[f64], edge: f64) -> Soup {
     let edge = edge.min(PLAIN_COARSEST);
     match shape {
         Shape::Slope => flight::slope(n, edge),

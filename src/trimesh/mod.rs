@@ -9,11 +9,14 @@
 //! to tell cells apart, and [`repair::Cutting`], where it is asked for, cuts along creases. [`Simplifying`] makes a simpler
 //! surface to pack on, and [`Projector`] carries places of it to the full one.
 //!
+//! A mesh can prove that it is closed ([`TriMesh::closed`]): then it has a volume and an inside.
+//!
 //! Space is right-handed with y up. Triangles run counter-clockwise seen from outside. A vector along the surface at
 //! a point is a [`glam::DVec2`] in the [`Frame`] of the point's normal: its x axis, its y axis and the normal are
 //! right-handed, so a positive turn is counter-clockwise seen from outside.
 
 mod building;
+mod closed;
 pub mod curvature;
 pub(crate) mod frame;
 pub(crate) mod links;
@@ -34,6 +37,7 @@ pub(crate) mod testing;
 mod walk;
 
 pub use building::MeshBuilding;
+pub use closed::Closed;
 pub use frame::{Frame, Turn, Way, way};
 pub use mesh::{MeshFault, NONE, TriMesh};
 pub use point::SurfacePoint;
