@@ -7,7 +7,7 @@
 //! The triangles of a file ([`Soup`]) become a mesh in steps, each of them in slices: [`repair::Mending`] makes a surface
 //! of them, [`repair::Filling`] closes openings that are small beside a cell, [`refine::Refining`] makes edges short enough
 //! to tell cells apart, and [`repair::Cutting`], where it is asked for, cuts along creases. [`Simplifying`] makes a simpler
-//! surface to pack on, and [`Projector`] carries places of it to the full one.
+//! surface to pack on, and a [`Search`] brings places of it to the full one.
 //!
 //! A mesh can prove that it is closed ([`TriMesh::closed`]): then it has a volume and an inside.
 //!
@@ -23,12 +23,11 @@ pub(crate) mod links;
 mod mesh;
 mod point;
 pub(crate) mod polygon;
-mod projector;
 pub mod refine;
 pub mod repair;
 #[cfg(test)]
 pub(crate) mod samples;
-mod search;
+pub(crate) mod search;
 mod simplify;
 mod sorting;
 mod soup;
@@ -41,7 +40,6 @@ pub use closed::Closed;
 pub use frame::{Frame, Turn, Way, way};
 pub use mesh::{MeshFault, NONE, TriMesh};
 pub use point::SurfacePoint;
-pub use projector::Projector;
 pub use search::{Hit, Search};
 pub use simplify::Simplifying;
 pub use soup::{MOST_TRIANGLES, Soup};

@@ -14,6 +14,9 @@ const ROUND: usize = 1 << BITS;
 /// What rounding may take away from the distance to a box.
 const SLACK: f64 = 1.0 + 1e-12;
 
+/// A point is not moved to the back of a thin sheet while its front is at most this many times as far away.
+const BACK: f64 = 4.0;
+
 /// What a ray has met.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hit {
@@ -21,6 +24,22 @@ pub struct Hit {
     pub point: SurfacePoint,
     /// How far along the ray, in lengths of its direction.
     pub along: f64,
+}
+
+/// The nearest place so far.
+#[derive(Clone, Copy)]
+struct Found {
+    square: f64,
+    triangle: u32,
+    weights: DVec3,
+}
+
+impl Found {
+    const NONE: Self = Self {
+        square: f64::INFINITY,
+        triangle: 0,
+        weights: DVec3::X,
+    };
 }
 
 /// A tree over the triangles of one mesh.
@@ -168,11 +187,41 @@ impl Search {
 
     /// The place on the mesh nearest to a point in space; of equally near ones that of the first triangle.
     pub fn closest(&self, mesh: &TriMesh, p: DVec3) -> SurfacePoint {
-        let mut best = (f64::INFINITY, u32::MAX, DVec3::X);
+        let found = self.nearest(mesh, p, Found::NONE, |_| true);
+        SurfacePoint::new(mesh, found.triangle, found.weights)
+    }
+
+    /// The same, but triangles that show their back to a `normal` are passed over, unless all others are much farther
+    /// away: so a place stays on its side of a thin sheet. A zero normal passes over none.
+    pub fn closest_facing(&self, mesh: &TriMesh, p: DVec3, normal: DVec3) -> SurfacePoint {
+        let faces = |t: u32| mesh.face_normal(t).dot(normal) >= 0.0;
+        let any = self.nearest(mesh, p, Found::NONE, |_| true);
+        let mut best = any;
+        if !faces(any.triangle) {
+            let limit = Found {
+                square: any.square * (BACK * BACK * SLACK),
+                ..Found::NONE
+            };
+            let front = self.nearest(mesh, p, limit, faces);
+            if any.square.sqrt() * BACK >= front.square.sqrt() {
+                best = front;
+            }
+        }
+        SurfacePoint::new(mesh, best.triangle, best.weights)
+    }
+
+    /// The nearest place on the triangles that are wanted, if it is nearer than `best`.
+    fn nearest(
+        &self,
+        mesh: &TriMesh,
+        p: DVec3,
+        mut best: Found,
+        wanted: impl Fn(u32) -> bool,
+    ) -> Found {
         let mut open = vec![(0.0, 1)];
         let leaves = self.boxes.len() / 2;
         while let Some((near, node)) = open.pop() {
-            if near > best.0 * SLACK {
+            if near > best.square * SLACK {
                 continue;
             }
             if node < leaves {
@@ -182,18 +231,38 @@ impl Search {
                 open.extend([far, near].into_iter().filter(|n| n.0 < f64::INFINITY));
                 continue;
             }
-            for &t in self.leaf(node - leaves) {
+            for &t in self.leaf(node - leaves).iter().filter(|&&t| wanted(t)) {
                 let corners = mesh.corners(t);
-                let w = nearest_weights(corners, p);
-                let at = corners[0] * w.x + corners[1] * w.y + corners[2] * w.z;
+                let weights = nearest_weights(corners, p);
+                let at = corners[0] * weights.x + corners[1] * weights.y + corners[2] * weights.z;
                 let square = at.distance_squared(p);
-                if square < best.0 || (square == best.0 && t < best.1) {
-                    best = (square, t, w);
+                if square < best.square || (square == best.square && t < best.triangle) {
+                    best = Found {
+                        square,
+                        triangle: t,
+                        weights,
+                    };
                 }
             }
         }
-        let triangle = if best.1 == u32::MAX { 0 } else { best.1 };
-        SurfacePoint::new(mesh, triangle, best.2)
+        best
+    }
+
+    /// Whether a test holds for a triangle that may be nearer to a point than a radius.
+    pub fn any_within(&self, p: DVec3, radius: f64, mut test: impl FnMut(u32) -> bool) -> bool {
+        let mut open = vec![1];
+        let leaves = self.boxes.len() / 2;
+        while let Some(node) = open.pop() {
+            if self.square(node, p) > radius * radius * SLACK {
+                continue;
+            }
+            if node < leaves {
+                open.extend([2 * node, 2 * node + 1]);
+            } else if self.leaf(node - leaves).iter().any(|&t| test(t)) {
+                return true;
+            }
+        }
+        false
     }
 
     fn square(&self, node: usize, p: DVec3) -> f64 {
@@ -270,6 +339,12 @@ fn spread(x: u32) -> u32 {
     spread
 }
 
+/// The place in a triangle nearest to a point.
+pub(crate) fn nearest_in(corners: [DVec3; 3], p: DVec3) -> DVec3 {
+    let weights = nearest_weights(corners, p);
+    corners[0] * weights.x + corners[1] * weights.y + corners[2] * weights.z
+}
+
 /// The weights of the place in a triangle nearest to a point (Ericson 2005, Real-Time Collision Detection, 5.1.5).
 fn nearest_weights([a, b, c]: [DVec3; 3], p: DVec3) -> DVec3 {
     let (ab, ac) = (b - a, c - a);
@@ -328,7 +403,8 @@ fn meets([a, b, c]: [DVec3; 3], from: DVec3, along: DVec3) -> Option<(f64, DVec3
 
 #[cfg(test)]
 mod tests {
-    use super::super::samples;
+    use super::super::testing::{self, mesh};
+    use super::super::{Simplifying, samples, way};
     use super::*;
 
     fn probes() -> impl Iterator<Item = DVec3> {
@@ -389,5 +465,55 @@ mod tests {
             mesh.face_normal(t).y < 0.0
         });
         assert!((down.unwrap().along - 2.4).abs() < 0.02);
+    }
+
+    #[test]
+    fn a_point_stays_on_its_side_of_a_thin_sheet() {
+        // A plate with a hundredth of its side's thickness.
+        let (positions, triangles) = testing::cube(20);
+        let flat = positions.iter().map(|p| DVec3::new(p.x, 0.01 * p.y, p.z));
+        let plate = mesh((flat.collect(), triangles));
+        let search = Search::new(&plate);
+        let p = DVec3::new(0.52, 0.004, 0.47);
+        for up in [1.0, -1.0] {
+            let found = search.closest_facing(&plate, p, DVec3::Y * up);
+            assert!(found.normal.y * up > 0.9 && (found.at.x - p.x).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn points_of_a_simple_surface_are_carried_to_the_full_one() {
+        let full = mesh(testing::blob(5));
+        let simple = Simplifying::new(full.clone(), 600, f64::INFINITY).finish();
+        let search = Search::new(&full);
+        let mut chance = testing::chance(3);
+        for t in 0..simple.triangles().len() as u32 {
+            let (u, v) = (chance.unit(), 0.5 * chance.unit());
+            let weights = DVec3::new(u * (1.0 - v), (1.0 - u) * (1.0 - v), v);
+            let point = SurfacePoint::new(&simple, t, weights);
+            let on = search.closest_facing(&full, point.at, point.normal);
+            assert!((on.at - point.at).length() < 0.03);
+            assert!(on.normal.dot(point.normal) > 0.8);
+            assert!(on.weights(&full).min_element() > -1e-9 && way(&on, &on).is_some());
+        }
+    }
+
+    #[test]
+    fn all_triangles_within_a_radius_are_found() {
+        let mesh = samples::blob(3);
+        let search = Search::new(&mesh);
+        for p in probes() {
+            let mut seen = vec![false; mesh.triangles().len()];
+            let stopped = search.any_within(p, 0.4, |t| {
+                seen[t as usize] = true;
+                false
+            });
+            assert!(!stopped);
+            for (t, seen) in (0..).zip(seen) {
+                let near = nearest_in(mesh.corners(t), p).distance(p) < 0.4;
+                assert!(seen || !near, "{p} {t}");
+                assert!(!near || search.any_within(p, 0.4, |other| other == t));
+            }
+        }
     }
 }

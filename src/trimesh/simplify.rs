@@ -1,4 +1,4 @@
-//! A surface with fewer triangles: cells are packed on it, and carried to the full one by a [`super::Projector`]
+//! A surface with fewer triangles: cells are packed on it, and brought to the full one by a [`super::Search`]
 //! (Itoh, Miyata, Shimada 2003, section 5).
 //!
 //! Garland, Heckbert (1997), Surface Simplification Using Quadric Error Metrics. Edges go one after the other, each time
