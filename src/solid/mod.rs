@@ -35,6 +35,8 @@ mod control;
 mod displacement;
 mod edges;
 mod footprint;
+#[cfg(house)]
+mod levels;
 mod making;
 mod orientation;
 mod prism;
@@ -47,6 +49,8 @@ mod subdivide;
 mod surface;
 
 pub use footprint::{Footprint, MOST_CORNERS};
+#[cfg(house)]
+pub(crate) use levels::{finest, levels};
 pub use making::{Making, PLAIN, Step, step, steps};
 pub use orientation::oriented;
 #[cfg(house)]
@@ -61,6 +65,8 @@ pub use solids::{Solid, Solids, control_mesh};
 pub use stencil_cache::MOST_LEVELS;
 pub use subdivide::{Stencil, TriangleMesh, beta, loop_subdivide};
 pub(crate) use surface::boundary_edges;
+#[cfg(house)]
+pub(crate) use surface::used;
 pub use surface::{Surface, normals};
 
 /// The kind of control mesh of a stone.

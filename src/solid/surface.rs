@@ -66,22 +66,33 @@ impl Surface {
 
     /// A surface of some of its triangles (without removed ones), with the vertices that they use.
     pub(crate) fn part(&self, triangles: &[[u32; 3]]) -> Self {
-        let mut places = vec![u32::MAX; self.positions.len()];
-        let mut kept = Self::default();
-        for &triangle in triangles.iter().filter(|t| t[0] != t[1]) {
-            kept.triangles.push(triangle.map(|k| {
-                let at = k as usize;
-                if places[at] == u32::MAX {
-                    places[at] = kept.positions.len() as u32;
-                    kept.positions.push(self.positions[at]);
-                    kept.normals.push(self.normals[at]);
-                    kept.colours.push(self.colours[at]);
-                }
-                places[at]
-            }));
+        let left: Vec<[u32; 3]> = triangles.iter().copied().filter(|t| t[0] != t[1]).collect();
+        let (kept, triangles) = used(&left, self.positions.len());
+        let kept = || kept.iter().map(|&k| k as usize);
+        Self {
+            positions: kept().map(|k| self.positions[k]).collect(),
+            normals: kept().map(|k| self.normals[k]).collect(),
+            colours: kept().map(|k| self.colours[k]).collect(),
+            triangles,
         }
-        kept
     }
+}
+
+/// The vertices that some triangles use, in the order in which they first do, and the triangles by their places among
+/// these.
+pub(crate) fn used(triangles: &[[u32; 3]], vertices: usize) -> (Vec<u32>, Vec<[u32; 3]>) {
+    let mut places = vec![u32::MAX; vertices];
+    let mut kept = Vec::new();
+    let mut place = |v: u32| {
+        let place = &mut places[v as usize];
+        if *place == u32::MAX {
+            *place = kept.len() as u32;
+            kept.push(v);
+        }
+        *place
+    };
+    let triangles = triangles.iter().map(|t| t.map(&mut place)).collect();
+    (kept, triangles)
 }
 
 impl Surface {

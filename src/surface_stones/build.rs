@@ -8,13 +8,11 @@ use crate::heightfield::GROUND;
 use crate::material::GROUND_ROW;
 use crate::order::{greater, lesser};
 use crate::scene::{Body, Detail, Instance, Place, Scene, Surfel};
-use crate::solid::Surface;
+use crate::solid::{Surface, finest};
 use crate::surface_cells::SurfaceCell;
 use crate::trimesh::TriMesh;
 use glam::{DVec3, Vec3};
 
-/// Triangles of all stones at their finest, about.
-const ALL: usize = 700_000;
 /// Triangles of a stone at its finest: at least and at most.
 const EACH: [usize; 2] = [70, 1000];
 /// Rows of the bed in a slice.
@@ -72,7 +70,7 @@ impl Stones {
     /// Of cells, which have one sense already ([`super::make_one_sense`]), on a mesh, which need not be the one that
     /// they were packed on: a coarser one is as good.
     pub fn new(params: StonesParams, mesh: &TriMesh, cells: &[SurfaceCell]) -> Self {
-        let most = (ALL / cells.len().max(1)).clamp(EACH[0], EACH[1]);
+        let most = finest(cells.len(), EACH);
         let (fit, size) = (Fit::new(mesh), mean_size(cells));
         let deep = params.texture.depth() / params.unit;
         Self {
