@@ -13,6 +13,7 @@ use crate::field::Fields;
 use crate::mesh::triangulate;
 use crate::order;
 use crate::packing::Particle;
+use crate::planar::cut_polygon;
 use crate::random::{Purpose, Random};
 use glam::DVec2;
 
@@ -203,7 +204,7 @@ struct Clip {
 
 impl Clip {
     /// The area and moments of a point's cell inside the outline: the outline's rings, cut by the bisectors
-    /// to the neighbours (Sutherland, Hodgman 1974). If a ring falls apart, the double lines between its
+    /// to the neighbours. If a ring falls apart, the double lines between its
     /// parts have no area.
     fn moments(
         &mut self,
@@ -232,21 +233,13 @@ impl Clip {
     /// Keeps the points nearer to the origin than to `q`.
     fn cut(&mut self, q: DVec2) {
         let half = 0.5 * q.length_squared();
-        let Some(&last) = self.ring.last() else {
-            return;
-        };
         self.next.clear();
-        let (mut a, mut over) = (last, last.dot(q) - half);
-        for &b in &self.ring {
-            let beyond = b.dot(q) - half;
-            if (over > 0.0) != (beyond > 0.0) {
-                self.next.push(a + (b - a) * (over / (over - beyond)));
-            }
-            if beyond <= 0.0 {
-                self.next.push(b);
-            }
-            (a, over) = (b, beyond);
-        }
+        cut_polygon(
+            &self.ring,
+            |p| half - p.dot(q),
+            |(a, here), (b, there)| a + (b - a) * (here / (here - there)),
+            |p| self.next.push(p),
+        );
         std::mem::swap(&mut self.ring, &mut self.next);
     }
 }
