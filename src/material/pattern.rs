@@ -71,6 +71,27 @@ pub struct ColourParams {
     pub belly_angle: f64,
 }
 
+impl ColourParams {
+    /// No marks and no belly.
+    pub const DEFAULT: Self = Self {
+        pattern: Pattern::Plain,
+        scale: 61.44,
+        angle: 0.0,
+        sharpness: 0.7,
+        share: 0.5,
+        amount: 1.0,
+        rim: 0.0,
+        belly: 0.0,
+        belly_angle: std::f64::consts::FRAC_PI_2,
+    };
+}
+
+impl Default for ColourParams {
+    fn default() -> Self {
+        Self::DEFAULT
+    }
+}
+
 /// The coat of one cell.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Coat {

@@ -69,6 +69,8 @@ pub(crate) use surface::boundary_edges;
 pub(crate) use surface::used;
 pub use surface::{Surface, normals};
 
+use crate::random::SEED;
+
 /// The kind of control mesh of a stone.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum StoneKind {
@@ -138,6 +140,49 @@ pub struct SkinParams {
     pub dimension: f64,
     /// Amplitude of the noise (Af).
     pub amplitude: f64,
+}
+
+impl StoneParams {
+    /// Cobblestones; made into skin, it is [`SkinParams::DEFAULT`].
+    pub const DEFAULT: Self = Self {
+        kind: StoneKind::Cobble,
+        height: 18.0,
+        scale: 1.0,
+        distortion: 0.3,
+        distribution: Distribution::Uniform,
+        bevel_horizontal: 0.2,
+        bevel_vertical: 0.2,
+        skin: SkinParams::DEFAULT,
+        seed: SEED,
+    };
+}
+
+impl Default for StoneParams {
+    fn default() -> Self {
+        Self::DEFAULT
+    }
+}
+
+impl SkinParams {
+    /// Upright prisms, a little tapered.
+    pub const DEFAULT: Self = Self {
+        sweep: 1.0,
+        skew: 0.0,
+        skew_angle: 0.0,
+        tilt: 0.0,
+        taper: 0.2,
+        flatness: 0.0,
+        keel: 0.0,
+        rings: 0,
+        dimension: 1.1,
+        amplitude: 0.1,
+    };
+}
+
+impl Default for SkinParams {
+    fn default() -> Self {
+        Self::DEFAULT
+    }
 }
 
 /// The skin size of a hexagon or a square with area 1.
