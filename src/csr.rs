@@ -1,5 +1,8 @@
 //! Many short lists in one vector: compressed rows, as of a sparse matrix (CSR).
 
+/// No row, vertex, cell or triangle where the number of one could stand.
+pub(crate) const NONE: u32 = u32::MAX;
+
 /// A list of values for each of some rows, numbered from 0.
 #[derive(Clone, Debug)]
 pub(crate) struct Csr<T> {

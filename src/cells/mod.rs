@@ -47,6 +47,8 @@ pub use graph::{Graph, graph};
 pub use packed::packed;
 #[cfg(house)]
 pub(crate) use straighten::rectangle;
+#[cfg(house)]
+pub(crate) use vertices::CORNER;
 pub use voronoi::{Scatter, ScatterParams};
 
 use crate::field::Kind;

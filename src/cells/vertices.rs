@@ -7,7 +7,7 @@ use crate::order;
 use glam::DVec2;
 
 /// A turn of the boundary sharper than this (cosine of 30 degrees) is a corner of the cell.
-const CORNER: f64 = 0.866;
+pub(crate) const CORNER: f64 = 0.866;
 /// Two pieces of the boundary are one straight line within this (cosine of 1 degree).
 pub(super) const STRAIGHT: f64 = 0.9998;
 /// The ends of a piece are rounded to the grain, so a shorter one (picture units) has no reliable direction.

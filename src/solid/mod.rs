@@ -65,7 +65,6 @@ pub use solids::{Solid, Solids, control_mesh};
 pub use stencil_cache::MOST_LEVELS;
 pub use subdivide::{Stencil, TriangleMesh, beta, loop_subdivide};
 pub(crate) use surface::boundary_edges;
-#[cfg(house)]
 pub(crate) use surface::used;
 pub use surface::{Surface, normals};
 

@@ -1,12 +1,11 @@
 //! The border of the domain, and where cells meet on it.
 
+use crate::cells::CORNER;
 use crate::order::lesser;
 use crate::surface_packing::SurfaceParticle;
 use crate::trimesh::{NONE, SurfacePoint, TriMesh};
 use glam::DVec3;
 
-/// The border turns at a vertex by more than this (cosine of 30 degrees): a corner, which is kept.
-const CORNER: f64 = 0.866;
 /// A cell's part of the border is told within this share of its size.
 const NEAR: f64 = 0.02;
 /// Cells that meet nearer than this to a corner, in sizes, meet at it.

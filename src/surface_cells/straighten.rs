@@ -5,7 +5,7 @@
 
 use super::borders::{Border, Crossing};
 use super::rings::Ring;
-use crate::cells::rectangle;
+use crate::cells::{CORNER, rectangle};
 use crate::csr::Csr;
 use crate::surface_packing::SurfaceParticle;
 use crate::trimesh::frame::{rotated, way_in};
@@ -21,8 +21,6 @@ const ROOM: f64 = 0.4;
 /// A cell that reaches to a corner where the surface has turned as far as this (cosine) is folded over a rim: it asks for
 /// nothing, and the corner stays.
 const FOLDED: f64 = 0.3;
-/// A corner of a border's part turns more than this (cosine of 30 degrees).
-const CORNER: f64 = 0.866;
 
 /// The straightening of cells, in rounds.
 pub(super) struct Straightening {

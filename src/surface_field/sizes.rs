@@ -1,9 +1,10 @@
 //! How large cells are to be, and how long.
 
+use super::SurfaceFieldParams;
 use super::bones::BoneSource;
 use super::params::{Along, Amount, SurfaceSpot, Taper};
-use super::{ASPECT_RANGE, SIZE_RANGE, SurfaceFieldParams};
 use crate::field::Kind;
+use crate::field::{ASPECT_RANGE, SIZE_RANGE};
 use crate::order;
 use crate::trimesh::TriMesh;
 use crate::trimesh::curvature::Curvature;

@@ -2,6 +2,7 @@
 
 use super::site::Site;
 use super::walls::{SurfaceFoot, SurfaceWalls};
+use crate::packing::clearance::{INSIDE_CLEARANCE, NARROW, NARROWEST};
 use crate::packing::ground::{Asks, Foot, Ground, Sees, Walled};
 use crate::packing::shape::Shape;
 use crate::packing::wall::CLOSEST;
@@ -12,12 +13,6 @@ use glam::DVec2;
 
 /// On closed surfaces some cells beside singular places never rest, and hardly one in a thousand comes after so many steps.
 const SETTLED: u32 = 50;
-/// The fewest sizes from a border at which a cell is placed inside.
-const INSIDE_CLEARANCE: f64 = 0.35;
-/// Where it is nearer than this from the middle of a strip to its borders, in sizes, cells go into the middle ...
-const NARROW: f64 = 0.4;
-/// ... but not where it is nearer than this.
-const NARROWEST: f64 = 0.25;
 /// Borders that look into such directions (cosine) are the two sides of a strip.
 const OPPOSITE: f64 = -0.5;
 /// A part with less than this of a cell's area stays bare.

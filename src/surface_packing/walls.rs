@@ -2,13 +2,12 @@
 
 use super::buckets::Boxes;
 use crate::csr::Csr;
+use crate::domain::SAME_WALL;
 use crate::order;
 use crate::packing::ground::{Foot, Walled};
 use crate::trimesh::{SurfacePoint, TriMesh};
 use glam::{DVec2, DVec3};
 
-/// Feet whose directions differ by less than this (cosine of 30 degrees) are on one wall.
-const SAME_WALL: f64 = 0.866;
 /// A place sees walls of triangles whose normals are no farther from its own than this (their dot product) ...
 const SEES: f64 = -0.2;
 /// ... and from whose paved side it comes: at least this much of the way to it is across the wall.

@@ -1,6 +1,7 @@
 //! Making a mesh of vertices and triangles, some of them at a time.
 
-use super::mesh::{MeshFault, NONE, TriMesh};
+use super::mesh::{MeshFault, TriMesh};
+use crate::csr::NONE;
 use crate::order;
 use glam::DVec3;
 

@@ -1,9 +1,7 @@
 //! A triangle mesh whose edges join two triangles, or end one.
 
+use crate::csr::NONE;
 use glam::DVec3;
-
-/// No triangle: what is across an edge of the border.
-pub const NONE: u32 = u32::MAX;
 
 /// Why triangles are no mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

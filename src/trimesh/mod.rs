@@ -15,6 +15,9 @@
 //! a point is a [`glam::DVec2`] in the [`Frame`] of the point's normal: its x axis, its y axis and the normal are
 //! right-handed, so a positive turn is counter-clockwise seen from outside.
 
+/// Beyond an edge of the border: no triangle.
+pub(crate) use crate::csr::NONE;
+
 mod building;
 mod closed;
 pub mod curvature;
@@ -38,7 +41,7 @@ mod walk;
 pub use building::MeshBuilding;
 pub use closed::Closed;
 pub use frame::{Frame, Turn, Way, way};
-pub use mesh::{MeshFault, NONE, TriMesh};
+pub use mesh::{MeshFault, TriMesh};
 pub use point::SurfacePoint;
 pub use search::{Hit, Search};
 pub use simplify::Simplifying;
