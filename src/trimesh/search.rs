@@ -1,16 +1,16 @@
 //! Finds places on a mesh: the nearest to a point in space, and what a ray meets.
 //!
 //! A tree of boxes over the triangles in the order of a Morton curve (Lauterbach et al. 2009, Fast BVH Construction
-//! on GPUs): a radix sort makes it, so that all of it is loops that can be cut anywhere.
+//! on GPUs): a radix sort makes it, so that all of it is loops that can be cut.
 
+use super::sorting::Sorting;
 use super::{SurfacePoint, TriMesh};
 use glam::DVec3;
 
 /// Triangles in a leaf.
 const LEAF: usize = 8;
-/// Steps of the curve along each axis, as a power of two; three of them fill the sort's three rounds.
+/// Steps of the curve along each axis, as a power of two.
 const BITS: u32 = 10;
-const ROUND: usize = 1 << BITS;
 /// What rounding may take away from the distance to a box.
 const SLACK: f64 = 1.0 + 1e-12;
 
@@ -48,12 +48,20 @@ pub struct Search {
     triangles: Vec<u32>,
     /// The tree as a heap: the box of node k holds those of 2k and 2k + 1; the last half are the leaves.
     boxes: Vec<(DVec3, DVec3)>,
-    /// Places along the curve and triangles, while they are sorted.
-    keys: Vec<(u32, u32)>,
-    other: Vec<(u32, u32)>,
-    counts: Vec<u32>,
-    stage: u32,
+    stage: TreeStage,
     at: usize,
+}
+
+/// The progress of a tree.
+#[derive(Clone, Debug)]
+enum TreeStage {
+    /// Places along the curve and triangles.
+    Codes(Vec<(u64, u32)>),
+    Sort(Sorting),
+    Leaves,
+    /// The boxes of the tree, upwards.
+    Up,
+    Done,
 }
 
 const NOTHING: (DVec3, DVec3) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
@@ -73,89 +81,56 @@ impl Search {
         Self {
             triangles: Vec::with_capacity(count),
             boxes: vec![NOTHING; 2 * leaves],
-            keys: Vec::with_capacity(count),
-            other: vec![(0, 0); count],
-            counts: vec![0; ROUND],
-            stage: 0,
+            stage: TreeStage::Codes(Vec::with_capacity(count)),
             at: 0,
         }
     }
 
-    /// Works on so many triangles; true when it can be asked.
+    /// Works on about this many triangles; true when it can be asked.
     pub fn advance(&mut self, mesh: &TriMesh, amount: usize) -> bool {
-        let count = mesh.triangles().len();
         let leaves = self.boxes.len() / 2;
-        // Codes; three rounds of counting and placing; leaves; the tree upwards.
         let all = match self.stage {
-            8 => leaves - 1,
-            7 => leaves,
-            _ => count,
+            TreeStage::Codes(_) => mesh.triangles().len(),
+            TreeStage::Leaves => leaves,
+            TreeStage::Up => leaves - 1,
+            TreeStage::Sort(_) | TreeStage::Done => 0,
         };
         let end = all.min(self.at.saturating_add(amount.max(1)));
-        match self.stage {
-            0 => self.codes(mesh, end),
-            1 | 3 | 5 => self.count(end),
-            2 | 4 | 6 => self.place(end),
-            7 => self.leaves(mesh, end),
-            8 => self.up(end),
-            _ => return true,
-        }
-        self.at = end;
-        if end == all {
-            self.at = 0;
-            self.stage += 1;
-            match self.stage {
-                2 | 4 | 6 => {
-                    let mut sum = 0;
-                    for count in &mut self.counts {
-                        (sum, *count) = (sum + *count, sum);
-                    }
+        self.stage = match std::mem::replace(&mut self.stage, TreeStage::Done) {
+            TreeStage::Codes(mut codes) => {
+                push_codes(mesh, end, &mut codes);
+                match end == all {
+                    true => TreeStage::Sort(Sorting::new(codes)),
+                    false => TreeStage::Codes(codes),
                 }
-                3 | 5 | 7 => {
-                    std::mem::swap(&mut self.keys, &mut self.other);
-                    self.counts.fill(0);
+            }
+            TreeStage::Sort(mut sorting) => match sorting.advance() {
+                Some(sorted) => {
+                    self.triangles.extend(sorted.iter().map(|&(_, t)| t));
+                    TreeStage::Leaves
                 }
-                _ => {}
+                None => TreeStage::Sort(sorting),
+            },
+            TreeStage::Leaves => {
+                self.leaves(mesh, end);
+                if end == all {
+                    TreeStage::Up
+                } else {
+                    TreeStage::Leaves
+                }
             }
-            if self.stage == 7 {
-                self.triangles.extend(self.keys.iter().map(|&(_, t)| t));
-                (self.keys, self.other) = Default::default();
+            TreeStage::Up => {
+                self.up(end);
+                if end == all {
+                    TreeStage::Done
+                } else {
+                    TreeStage::Up
+                }
             }
-        }
-        self.stage > 8
-    }
-
-    fn codes(&mut self, mesh: &TriMesh, end: usize) {
-        let (lo, hi) = mesh.bounds();
-        let side = (hi - lo).max_element().max(f64::MIN_POSITIVE);
-        let most = (ROUND - 1) as f64;
-        for t in self.at..end {
-            let [a, b, c] = mesh.corners(t as u32);
-            let place = ((a + b + c) / 3.0 - lo) / side * most;
-            let [x, y, z] = place.to_array().map(|x| spread(x as u32));
-            self.keys.push((x | y << 1 | z << 2, t as u32));
-        }
-    }
-
-    fn digit(&self, code: u32) -> usize {
-        let round = (self.stage - 1) / 2;
-        (code >> (BITS * round)) as usize & (ROUND - 1)
-    }
-
-    fn count(&mut self, end: usize) {
-        for k in self.at..end {
-            let digit = self.digit(self.keys[k].0);
-            self.counts[digit] += 1;
-        }
-    }
-
-    fn place(&mut self, end: usize) {
-        for k in self.at..end {
-            let key = self.keys[k];
-            let digit = self.digit(key.0);
-            self.other[self.counts[digit] as usize] = key;
-            self.counts[digit] += 1;
-        }
+            TreeStage::Done => TreeStage::Done,
+        };
+        self.at = if end == all { 0 } else { end };
+        matches!(self.stage, TreeStage::Done)
     }
 
     fn leaves(&mut self, mesh: &TriMesh, end: usize) {
@@ -327,6 +302,19 @@ impl Search {
             }
         }
         if first <= last { first } else { f64::INFINITY }
+    }
+}
+
+/// Adds the places of triangles along the curve, up to a number of them.
+fn push_codes(mesh: &TriMesh, end: usize, codes: &mut Vec<(u64, u32)>) {
+    let (lo, hi) = mesh.bounds();
+    let side = (hi - lo).max_element().max(f64::MIN_POSITIVE);
+    let most = ((1 << BITS) - 1) as f64;
+    for t in codes.len() as u32..end as u32 {
+        let [a, b, c] = mesh.corners(t);
+        let place = ((a + b + c) / 3.0 - lo) / side * most;
+        let [x, y, z] = place.to_array().map(|x| spread(x as u32));
+        codes.push((u64::from(x | y << 1 | z << 2), t));
     }
 }
 

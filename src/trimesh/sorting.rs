@@ -7,6 +7,7 @@ const BITS: u32 = 11;
 
 /// A list of keys with numbers, sorted by the keys; where these are equal, entries keep their order (a radix sort, the
 /// lowest digits first).
+#[derive(Clone, Debug)]
 pub(super) struct Sorting {
     entries: Vec<(u64, u32)>,
     sorted: Vec<(u64, u32)>,
