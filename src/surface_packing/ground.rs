@@ -135,18 +135,6 @@ impl<'a, F: Asks<Place = SurfacePoint>> Ground for OnSurface<'a, F> {
         self.site.parts() > 1
     }
 
-    fn hearts(self) -> Vec<SurfacePoint> {
-        Vec::new()
-    }
-
-    fn honeycombs(self) -> Vec<DVec2> {
-        Vec::new()
-    }
-
-    fn honeycomb(self, _: SurfacePoint) -> Option<usize> {
-        None
-    }
-
     fn anywhere(self, random: &mut Random) -> SurfacePoint {
         let share = random.unit();
         self.site
