@@ -31,6 +31,7 @@
 //! assert!(f64::from(highest) < 1.5 * top(&params, cell.size));
 //! ```
 
+mod collapse;
 mod control;
 mod displacement;
 mod edges;
@@ -48,6 +49,8 @@ mod stencil_cache;
 mod subdivide;
 mod surface;
 
+#[cfg(house)]
+pub(crate) use collapse::{Collapse, LENGTH};
 pub use footprint::{Footprint, MOST_CORNERS};
 #[cfg(house)]
 pub(crate) use levels::{finest, levels};
