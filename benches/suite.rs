@@ -17,7 +17,7 @@ use bubblestone::packing::{
 };
 use bubblestone::solid::Stencil;
 #[cfg(target_arch = "wasm32")]
-use bubblestone::solid::{Solids, TriangleMesh, control_mesh as solid_mesh};
+use bubblestone::solid::{Solid, Solids, control_mesh as solid_mesh};
 use bubblestone::studio::Studio;
 use glam::{DVec2, Vec3};
 
@@ -245,7 +245,7 @@ fn subdivision(clock: Clock) -> Timing {
 /// What is subdivided elsewhere to compare: the prism of a cell of skin of six corners, and the times
 /// and the number of them that make as many triangles as the cells of [`SKIN`] have.
 #[cfg(target_arch = "wasm32")]
-pub fn skin_mesh() -> (TriangleMesh, u32, usize) {
+pub fn skin_mesh() -> (Solid, u32, usize) {
     const STEPS: u32 = 4;
     let mut studio = Studio::new(ALL, pavement::recipe(SKIN).0);
     // Without cells there is nothing to count.

@@ -64,9 +64,9 @@ pub(crate) use quadric::Quadric;
 pub(crate) use simplify::simplify;
 #[cfg(house)]
 pub(crate) use simplify::simplify_between;
-pub use solids::{Solid, Solids, control_mesh};
+pub use solids::{Solids, control_mesh};
 pub use stencil_cache::MOST_LEVELS;
-pub use subdivide::{Stencil, TriangleMesh, beta, loop_subdivide};
+pub use subdivide::{Solid, Stencil, beta, loop_subdivide};
 pub(crate) use surface::boundary_edges;
 pub(crate) use surface::used;
 pub use surface::{Surface, normals};

@@ -15,13 +15,13 @@ use crate::csr::Csr;
 use glam::Vec3;
 use std::rc::Rc;
 
-/// A triangle mesh; triangles index `vertices` and have a consistent orientation seen from outside.
+/// The triangles of a solid: a stone or a cell of skin from the base up, open below, or the control mesh of one.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct TriangleMesh {
-    /// x and y in picture units, z the height.
+pub struct Solid {
+    /// x, y and height above the base level, in picture units.
     pub vertices: Vec<Vec3>,
-    /// Three vertex indices each.
-    pub triangles: Vec<[u32; 3]>,
+    /// Triangles, clockwise on screen seen from above; shared by all solids with the same connectivity.
+    pub triangles: Rc<[[u32; 3]]>,
 }
 
 /// The share of each neighbour in the new place of an inner vertex of valence `n`.
@@ -32,11 +32,11 @@ pub fn beta(n: usize) -> f64 {
 }
 
 /// One Loop step.
-pub fn loop_subdivide(mesh: &TriangleMesh) -> TriangleMesh {
+pub fn loop_subdivide(mesh: &Solid) -> Solid {
     let stencil = Stencil::new(mesh.vertices.len(), &mesh.triangles, 1);
-    TriangleMesh {
+    Solid {
         vertices: stencil.apply(&mesh.vertices),
-        triangles: stencil.triangles.to_vec(),
+        triangles: stencil.triangles,
     }
 }
 
@@ -276,7 +276,7 @@ mod tests {
     use super::*;
 
     /// A vertex of valence n (index 0) in a closed double pyramid.
-    fn pyramid(n: u32) -> TriangleMesh {
+    fn pyramid(n: u32) -> Solid {
         let mut vertices = vec![Vec3::new(0.1, -0.2, 2.0), Vec3::new(0.3, 0.1, -1.0)];
         let mut triangles = Vec::new();
         for i in 0..n {
@@ -289,13 +289,13 @@ mod tests {
             let (a, b) = (2 + i, 2 + (i + 1) % n);
             triangles.extend([[0, a, b], [1, b, a]]);
         }
-        TriangleMesh {
+        Solid {
             vertices,
-            triangles,
+            triangles: triangles.into(),
         }
     }
 
-    fn repeated(mut mesh: TriangleMesh, levels: u32) -> TriangleMesh {
+    fn repeated(mut mesh: Solid, levels: u32) -> Solid {
         for _ in 0..levels {
             mesh = loop_subdivide(&mesh);
         }
@@ -372,9 +372,9 @@ mod tests {
             Vec3::new(0.0, 8.0, 0.0),
             Vec3::new(4.0, 4.0, 99.0),
         ];
-        let mesh = TriangleMesh {
+        let mesh = Solid {
             vertices,
-            triangles: vec![[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]],
+            triangles: [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]].into(),
         };
         let fine = loop_subdivide(&mesh);
         assert_eq!(fine.vertices[0], Vec3::new(1.0, 1.0, 0.0));
@@ -383,9 +383,6 @@ mod tests {
 
     #[test]
     fn nothing_stays_nothing() {
-        assert_eq!(
-            loop_subdivide(&TriangleMesh::default()),
-            TriangleMesh::default()
-        );
+        assert_eq!(loop_subdivide(&Solid::default()), Solid::default());
     }
 }
