@@ -18,7 +18,7 @@ pub(super) struct Polygon<const N: usize> {
 }
 
 /// A corner with its distance inside a plane.
-type Corner = (Vec3, f32);
+type CornerAt = (Vec3, f32);
 
 impl<const N: usize> Polygon<N> {
     pub fn triangle([a, b, c]: [Vec3; 3]) -> Self {
@@ -32,7 +32,7 @@ impl<const N: usize> Polygon<N> {
     pub fn cut(
         &self,
         distance: impl Fn(Vec3) -> f32,
-        crossing: impl Fn(Corner, Corner) -> Vec3,
+        crossing: impl Fn(CornerAt, CornerAt) -> Vec3,
     ) -> Self {
         let mut cut = Self {
             corners: [Vec3::ZERO; N],
@@ -58,7 +58,7 @@ impl<const N: usize> Polygon<N> {
 /// The place of distance zero between two corners. It is computed from the inner one: two triangles with a common edge
 /// are cut at the same place of it, bit for bit.
 #[inline(always)]
-pub(super) fn between((p, here): Corner, (q, there): Corner) -> Vec3 {
+pub(super) fn between((p, here): CornerAt, (q, there): CornerAt) -> Vec3 {
     match here >= 0.0 {
         true => p + (q - p) * (here / (here - there)),
         false => q + (p - q) * (there / (there - here)),
@@ -133,7 +133,7 @@ impl Planes {
 
     /// The crossing of a line with a plane between its ends.
     #[inline(always)]
-    fn crossing(&self, plane: usize, p: Corner, q: Corner) -> Vec3 {
+    fn crossing(&self, plane: usize, p: CornerAt, q: CornerAt) -> Vec3 {
         let mut at = between(p, q);
         if plane == 0 {
             at.z = self.near;
