@@ -15,7 +15,8 @@ mod flips;
 mod flood;
 mod junctions;
 mod meshing;
-pub mod metrics;
+#[cfg(test)]
+mod metrics;
 mod middles;
 mod nodes;
 #[cfg(test)]
