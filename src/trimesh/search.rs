@@ -4,7 +4,7 @@
 //! on GPUs): a radix sort makes it, so that all of it is loops that can be cut.
 
 use super::sorting::Sorting;
-use super::{SurfacePoint, TriMesh};
+use super::{NONE, SurfacePoint, TriMesh};
 use glam::DVec3;
 
 /// Triangles in a leaf.
@@ -30,6 +30,7 @@ pub struct Hit {
 #[derive(Clone, Copy)]
 struct Found {
     square: f64,
+    /// [`NONE`] where nothing is found.
     triangle: u32,
     weights: DVec3,
 }
@@ -37,9 +38,18 @@ struct Found {
 impl Found {
     const NONE: Self = Self {
         square: f64::INFINITY,
-        triangle: 0,
+        triangle: NONE,
         weights: DVec3::X,
     };
+
+    fn point(&self, mesh: &TriMesh) -> SurfacePoint {
+        let triangle = if self.triangle == NONE {
+            0
+        } else {
+            self.triangle
+        };
+        SurfacePoint::new(mesh, triangle, self.weights)
+    }
 }
 
 /// A tree over the triangles of one mesh.
@@ -162,8 +172,7 @@ impl Search {
 
     /// The place on the mesh nearest to a point in space; of equally near ones that of the first triangle.
     pub fn closest(&self, mesh: &TriMesh, p: DVec3) -> SurfacePoint {
-        let found = self.nearest(mesh, p, Found::NONE, |_| true);
-        SurfacePoint::new(mesh, found.triangle, found.weights)
+        self.nearest(mesh, p, Found::NONE, |_| true).point(mesh)
     }
 
     /// The same, but triangles that show their back to a `normal` are passed over, unless all others are much farther
@@ -171,18 +180,16 @@ impl Search {
     pub fn closest_facing(&self, mesh: &TriMesh, p: DVec3, normal: DVec3) -> SurfacePoint {
         let faces = |t: u32| mesh.face_normal(t).dot(normal) >= 0.0;
         let any = self.nearest(mesh, p, Found::NONE, |_| true);
-        let mut best = any;
-        if !faces(any.triangle) {
-            let limit = Found {
-                square: any.square * (BACK * BACK * SLACK),
-                ..Found::NONE
-            };
-            let front = self.nearest(mesh, p, limit, faces);
-            if any.square.sqrt() * BACK >= front.square.sqrt() {
-                best = front;
-            }
+        if any.triangle == NONE || faces(any.triangle) {
+            return any.point(mesh);
         }
-        SurfacePoint::new(mesh, best.triangle, best.weights)
+        let limit = Found {
+            square: any.square * (BACK * BACK * SLACK),
+            ..Found::NONE
+        };
+        let front = self.nearest(mesh, p, limit, faces);
+        let is_far = front.triangle == NONE || any.square.sqrt() * BACK < front.square.sqrt();
+        if is_far { any } else { front }.point(mesh)
     }
 
     /// The nearest place on the triangles that are wanted, if it is nearer than `best`.
@@ -257,7 +264,7 @@ impl Search {
         wanted: impl Fn(u32) -> bool,
     ) -> Option<Hit> {
         let inverse = along.recip();
-        let mut best = (f64::INFINITY, u32::MAX, DVec3::ZERO);
+        let mut best = (f64::INFINITY, NONE, DVec3::ZERO);
         let mut open = vec![(0.0, 1)];
         let leaves = self.boxes.len() / 2;
         while let Some((near, node)) = open.pop() {
@@ -279,7 +286,7 @@ impl Search {
                 }
             }
         }
-        (best.1 != u32::MAX).then(|| Hit {
+        (best.1 != NONE).then(|| Hit {
             point: SurfacePoint::new(mesh, best.1, best.2),
             along: best.0,
         })
