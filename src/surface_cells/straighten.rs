@@ -5,19 +5,13 @@
 
 use super::borders::{Border, Crossing};
 use super::rings::Ring;
-use crate::cells::{CORNER, rectangle};
+use crate::cells::{CORNER, PACE, ROOM, ROUNDS, rectangle};
 use crate::csr::Csr;
 use crate::surface_packing::SurfaceParticle;
 use crate::trimesh::frame::{rotated, way_in};
 use crate::trimesh::{Frame, SurfacePoint, TriMesh};
 use glam::{DVec2, DVec3};
 
-/// Rounds of asking and moving.
-const ROUNDS: u32 = 12;
-/// How much of the way a corner goes in a round.
-const PACE: f64 = 0.6;
-/// A corner slides at most this share of the way to the next one on the border.
-const ROOM: f64 = 0.4;
 /// A cell that reaches to a corner where the surface has turned as far as this (cosine) is folded over a rim: it asks for
 /// nothing, and the corner stays.
 const FOLDED: f64 = 0.3;
