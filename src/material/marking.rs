@@ -1,4 +1,4 @@
-//! What coats in the plane and on surfaces have in common.
+//! The common part of coats in the plane and on surfaces.
 
 use super::noise::NoiseTile;
 use super::pattern::{Coat, ColourParams, Pattern};

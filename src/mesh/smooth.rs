@@ -91,7 +91,7 @@ pub(crate) struct Smoothing {
 }
 
 impl Smoothing {
-    /// Of the nodes of some elements; those marked in `free` may move. Nodes on the border should not be marked.
+    /// Begins with the nodes of some elements; those marked in `free` may move. Nodes on the border should not be marked.
     pub fn new(faces: &[Face], free: Vec<bool>) -> Self {
         let uses = faces.iter().zip(0..);
         let uses = uses.flat_map(|(face, f)| face.nodes().iter().map(move |&k| (k as usize, f)));

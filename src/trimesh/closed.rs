@@ -1,4 +1,4 @@
-//! What a mesh without border has: an inside.
+//! Meshes without border: they have an inside.
 
 use super::{NONE, TriMesh};
 use glam::DVec3;
